@@ -1,0 +1,74 @@
+#include <nlohmann/json.hpp>
+
+#include "base/spelling.h"
+#include "cli/commands.h"
+#include "cli/diagnostic_json.h"
+#include "cli/manual.h"
+#include "cli/messages.h"
+#include "control/kinds_json.h"
+
+namespace trundle {
+namespace {
+
+struct DescribeArguments {
+    OpenOptions open;
+    std::string kind, module, output;
+    bool json = false;
+};
+
+/// What the build of a module calls: the description file that lies beside the library.
+ExitCode describeModule(const DescribeArguments& arguments) {
+    const std::string output = arguments.output.empty() ? kindsJsonPath(arguments.module) : arguments.output;
+    const Status written = writeKindsJson(arguments.module, output);
+    if (!written) printProblem(written.error().message);
+    return written ? kExitDone : kExitText;
+}
+
+ExitCode describeKinds(Parts& parts, const DescribeArguments& arguments) {
+    const std::shared_ptr<const Registry> builtIn = parts.builtIn();
+    const std::vector<Kind> fromModules = parts.moduleKinds(arguments.open);
+    std::vector<const Kind*> kinds = builtIn->all();
+    for (const Kind& kind : fromModules) kinds.push_back(&kind);
+
+    if (arguments.kind.empty()) {
+        nlohmann::ordered_json all = nlohmann::ordered_json::array();
+        for (const Kind* kind : kinds) all.push_back(manualJson(*kind));
+        const bool told = writeOut(arguments.json ? jsonText(all) : manualList(kinds) + "\n`trundle-cli describe KIND` tells more of each.\n");
+        return told ? kExitDone : kExitText;
+    }
+    std::vector<std::string> names;
+    for (const Kind* kind : kinds) {
+        if (kind->name == arguments.kind) {
+            return writeOut(arguments.json ? jsonText(manualJson(*kind)) : manualPage(*kind)) ? kExitDone : kExitText;
+        }
+        names.push_back(kind->name);
+    }
+    const std::vector<std::string> near = nearestWords(arguments.kind, names, 1);
+    printProblem("there is no kind " + arguments.kind + (near.empty() ? "" : "; did you mean " + near[0] + "?") + " (`trundle-cli describe` lists all)");
+    return kExitUsage;
+}
+
+constexpr const char* kExamples = R"(Examples:
+  trundle-cli describe
+  trundle-cli describe RotaryMotor
+  trundle-cli describe LinearMotion --modules build/my_modules
+  trundle-cli describe --json > kinds.json)";
+
+} // namespace
+
+void addDescribe(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+    CLI::App* command = app.add_subcommand("describe", "The manual: every kind, its properties and its signals");
+    auto arguments = std::make_shared<DescribeArguments>();
+    command->add_option("KIND", arguments->kind, "The kind to describe; without it, a list of all")->type_name("");
+    command->add_flag("--json", arguments->json, "As JSON");
+    command->add_option("--modules", arguments->open.modules, "Also the kinds of the modules in DIR (may be repeated)")
+        ->type_name("DIR")->check(CLI::ExistingDirectory)->allow_extra_args(false);
+    CLI::Option* module = command->add_option("--module", arguments->module, "Load a module and write its description file")->type_name("LIB")->group("");
+    command->add_option("--output", arguments->output, "Where to; by default LIB.kinds.json")->type_name("FILE")->needs(module)->group("");
+    command->footer(kExamples);
+    command->callback([arguments, &parts, &chosen] {
+        chosen = [arguments, &parts] { return arguments->module.empty() ? describeKinds(parts(), *arguments) : describeModule(*arguments); };
+    });
+}
+
+} // namespace trundle

@@ -1,0 +1,68 @@
+#include "cli/diagnostic_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace trundle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// file, line, column, end_line, end_column
+Json placeJson(const SourceRange& range, const SourceTable& sources) {
+    Json place;
+    LineColumn begin{0, 0}, end{0, 0};
+    std::string file;
+    if (range.known() && range.file < sources.size()) {
+        const SourceText& text = *sources[range.file].text;
+        file = text.path();
+        begin = text.position(range.range.begin);
+        end = text.position(range.range.end);
+    }
+    place["file"] = file;
+    place["line"] = begin.line;
+    place["column"] = begin.column;
+    place["end_line"] = end.line;
+    place["end_column"] = end.column;
+    return place;
+}
+
+const char* severityText(Severity severity) {
+    switch (severity) {
+    case Severity::Error: return "error";
+    case Severity::Warning: return "warning";
+    case Severity::Hint: return "hint";
+    }
+    return "error";
+}
+
+Json fixJson(const Fix& fix, const SourceTable& sources) {
+    Json edits = Json::array();
+    for (const TextEdit& edit : fix.edits) {
+        Json entry = placeJson(edit.range, sources);
+        entry["text"] = edit.text;
+        edits.push_back(std::move(entry));
+    }
+    return {{"title", fix.title}, {"edits", std::move(edits)}};
+}
+
+} // namespace
+
+Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources) {
+    Json all = Json::array();
+    for (const Diagnostic& diagnostic : diagnostics) {
+        Json entry = placeJson(diagnostic.range, sources);
+        entry["severity"] = severityText(diagnostic.severity);
+        entry["code"] = codeName(diagnostic.code);
+        entry["message"] = diagnostic.message;
+        entry["suggestions"] = diagnostic.suggestions;
+        Json fixes = Json::array();
+        for (const Fix& fix : diagnostic.fixes) fixes.push_back(fixJson(fix, sources));
+        entry["fixes"] = std::move(fixes);
+        all.push_back(std::move(entry));
+    }
+    return all;
+}
+
+std::string jsonText(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+} // namespace trundle

@@ -1,0 +1,93 @@
+#include "base/platform/atomic_file.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/messages.h"
+#include "lang/tree_edit.h"
+#include "project/set_path.h"
+
+namespace trundle {
+namespace {
+
+struct EditArguments {
+    OpenOptions open;
+    std::string file;
+    bool write = false;
+};
+
+struct ChangedFile {
+    std::string path, bytes;
+};
+
+/// The new bytes of every file that the sets change.
+Result<std::vector<ChangedFile>> changedFiles(const Loaded& loaded) {
+    std::vector<ChangedFile> changed;
+    for (const auto& [file, edits] : editsForSets(loaded)) {
+        const SourceText& source = loaded.trees[file]->source();
+        Result<std::string> bytes = applyEdits(source.bytes(), edits);
+        if (!bytes) return bytes.error();
+        if (bytes.value() != source.bytes()) changed.push_back({source.path(), std::move(bytes).value()});
+    }
+    return changed;
+}
+
+ExitCode writeAll(const std::vector<ChangedFile>& changed) {
+    for (const ChangedFile& file : changed) {
+        if (const Status written = writeFileAtomically(file.path, file.bytes); !written) {
+            printProblem(written.error().message);
+            return kExitText;
+        }
+        writeOut("changed " + safeText(file.path) + "\n");
+    }
+    if (changed.empty()) writeOut("nothing to change\n");
+    return kExitDone;
+}
+
+ExitCode edit(Parts& parts, const EditArguments& arguments) {
+    const Result<std::shared_ptr<const Loaded>> opened = parts.open(arguments.file, arguments.open);
+    if (!opened) {
+        printProblem(opened.error().message);
+        return kExitUsage;
+    }
+    const Loaded& loaded = *opened.value();
+    if (setsFailed(loaded)) { // other faults of the text are not this command's business: it may be about to mend them
+        printDiagnostics(loaded.diagnostics.all(), loaded.sources);
+        return kExitText;
+    }
+    const Result<std::vector<ChangedFile>> changed = changedFiles(loaded);
+    if (!changed) {
+        printProblem(changed.error().message);
+        return kExitText;
+    }
+    if (arguments.write) return writeAll(changed.value());
+    for (const ChangedFile& file : changed.value()) {
+        // Standard output is the new text alone where one file changes, as it mostly is.
+        if (changed.value().size() > 1) writeOut("// " + safeText(file.path) + "\n");
+        if (!writeOut(file.bytes)) return kExitText;
+    }
+    if (changed.value().empty()) printProblem("nothing to change");
+    return kExitDone;
+}
+
+constexpr const char* kExamples = R"(Examples:
+  trundle-cli edit my.sim --set robot0.brain.Speed=0.3              print the changed text
+  trundle-cli edit my.sim --set Duration=60 --set Seed=2 --write
+  trundle-cli edit my.sim --set RobotConfig.SimpleRobot.leftMotor.Resistance=3 --write
+
+A path that starts in the world writes into that instance's block, as an override where needed; one that starts with a kind edits
+the definition, in the file that owns it. Nothing else in the files changes.
+Exit codes: 0 done, 1 a wrong path or value or a file that cannot be written, 2 wrong usage or unreadable FILE.)";
+
+} // namespace
+
+void addEdit(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+    CLI::App* command = app.add_subcommand("edit", "Change values in the text, touching nothing else");
+    auto arguments = std::make_shared<EditArguments>();
+    command->add_option("FILE", arguments->file, "The experiment")->required()->type_name("");
+    addSetOption(*command, arguments->open)->required();
+    command->add_flag("--write", arguments->write, "Write the files; without it the changed text is printed");
+    addOpenOptions(*command, arguments->open);
+    command->footer(kExamples);
+    command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return edit(parts(), *arguments); }; });
+}
+
+} // namespace trundle

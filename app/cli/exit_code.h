@@ -1,0 +1,25 @@
+#pragma once
+#include "base/codes.h"
+
+namespace trundle {
+
+/// What the program's exit code means; the same for every subcommand.
+enum ExitCode : int {
+    kExitDone = 0,
+    kExitText = 1,       ///< errors in the text, or a module that does not load; `check`, `format --check`: something was found
+    kExitUsage = 2,      ///< wrong usage, or a FILE that cannot be read
+    kExitBlewUp = 3,     ///< the simulation blew up
+    kExitController = 4, ///< a controller failed
+    kExitInterrupted = 130,
+};
+
+/// The exit code of a run that ended with this error.
+[[nodiscard]] constexpr ExitCode exitCodeFor(Code code) {
+    if (code == Code::BlowUp || code == Code::EngineFault) return kExitBlewUp;
+    if (code == Code::ControllerFailed || code == Code::UnknownPort) return kExitController;
+    if (code == Code::NoDuration) return kExitUsage;
+    if (code == Code::Interrupted) return kExitInterrupted;
+    return kExitText;
+}
+
+} // namespace trundle

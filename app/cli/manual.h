@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "schema/kind.h"
+
+namespace trundle {
+
+/// All kinds by role, a line each.
+[[nodiscard]] std::string manualList(const std::vector<const Kind*>& kinds);
+/// Everything about one kind.
+[[nodiscard]] std::string manualPage(const Kind& kind);
+[[nodiscard]] nlohmann::ordered_json manualJson(const Kind& kind);
+
+} // namespace trundle

@@ -1,0 +1,60 @@
+#include "cli/messages.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "cli/console.h"
+#include "cli/numbers.h"
+#include "lang/render.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr std::size_t kMostShown = 100;
+
+} // namespace
+
+void printDiagnostics(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources) {
+    // A wall of text helps nobody; errors go first when there is not room for all.
+    std::size_t errorsLeft = kMostShown;
+    const auto errors = static_cast<std::size_t>(std::ranges::count(diagnostics, Severity::Error, &Diagnostic::severity));
+    std::size_t othersLeft = kMostShown - std::min(errors, kMostShown);
+    std::size_t hidden = 0;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        std::size_t& left = diagnostic.severity == Severity::Error ? errorsLeft : othersLeft;
+        if (left == 0) {
+            ++hidden;
+            continue;
+        }
+        --left;
+        std::string text = render(diagnostic, sources);
+        if (!text.ends_with('\n')) text += '\n';
+        std::fwrite(text.data(), 1, text.size(), stderr);
+    }
+    if (hidden) std::fprintf(stderr, "... and %s\n", counted(hidden, "more message").c_str());
+}
+
+void printProblem(const std::string& text) { std::fprintf(stderr, "trundle-cli: %s\n", safeText(text).c_str()); }
+
+std::string countText(const std::vector<Diagnostic>& diagnostics) {
+    const auto count = [&](Severity severity) {
+        return static_cast<std::uint64_t>(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
+    };
+    const std::uint64_t errors = count(Severity::Error), warnings = count(Severity::Warning);
+    std::string text;
+    if (errors) text = counted(errors, "error");
+    if (warnings) text += (text.empty() ? "" : ", ") + counted(warnings, "warning");
+    return text;
+}
+
+bool writeOut(const std::string& bytes) {
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+    if (std::fflush(stdout) == 0 && written) return true;
+    printProblem(std::string("cannot write to standard output: ") + std::strerror(errno));
+    return false;
+}
+
+} // namespace trundle

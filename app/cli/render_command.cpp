@@ -1,0 +1,119 @@
+#include <array>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+
+#include "base/platform/dynamic_library.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_guard.h"
+#include "cli/locations.h"
+#include "cli/messages.h"
+#include "render/render_entry.h"
+
+namespace trundle {
+namespace {
+
+struct RenderArguments {
+    OpenOptions open;
+    std::string file, output, size = "1280x720";
+    double at = 0;
+    std::vector<double> eye, target;
+    double fieldOfView = 50; // degrees
+};
+
+/// "1280x720"
+bool readSize(const std::string& text, RenderJob& job) {
+    int end = 0;
+    return std::sscanf(text.c_str(), "%5ux%5u%n", &job.width, &job.height, &end) == 2 && static_cast<std::size_t>(end) == text.size();
+}
+
+void setView(const RenderArguments& arguments, RenderJob& job) {
+    if (arguments.eye.empty()) return;
+    job.hasView = true;
+    job.fieldOfView = arguments.fieldOfView * std::numbers::pi / 180;
+    for (std::size_t k = 0; k < 3; ++k) {
+        job.eye[k] = arguments.eye[k];
+        job.target[k] = arguments.target.empty() ? 0 : arguments.target[k];
+    }
+}
+
+/// The picture library is opened here and nowhere else: runs without pictures start without it.
+ExitCode draw(RenderJob& job) {
+    const Result<DynamicLibrary> library = DynamicLibrary::open(findLocations().modules + "/" TRUNDLE_RENDER_LIBRARY);
+    if (!library) {
+        printProblem("pictures cannot be drawn: " + library.error().message);
+        return kExitText;
+    }
+    auto* const render = library.value().function<int(const RenderJob*)>("trundle_render_experiment");
+    if (!render) {
+        printProblem("pictures cannot be drawn: " + library.value().path() + " is not the picture library");
+        return kExitText;
+    }
+    std::array<char, 512> error{};
+    job.error = error.data();
+    job.errorSize = error.size();
+    if (render(&job) == 0) return kExitDone;
+    printProblem(error.data());
+    return kExitText;
+}
+
+ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
+    RenderJob job;
+    if (!readSize(arguments.size, job)) {
+        printProblem("a size is written like 1280x720, not " + safeText(arguments.size));
+        return kExitUsage;
+    }
+    const Result<std::shared_ptr<const Loaded>> opened = parts.open(arguments.file, arguments.open);
+    if (!opened) {
+        printProblem(opened.error().message);
+        return kExitUsage;
+    }
+    const Loaded& loaded = *opened.value();
+    printDiagnostics(loaded.diagnostics.all(), loaded.sources);
+    job.experiment = loaded.experiment.get();
+    job.outputPath = arguments.output.c_str();
+    setView(arguments, job);
+    if (!(arguments.at > 0)) return draw(job); // what is whole of a text with errors is drawn too
+    if (loaded.diagnostics.hasErrors()) return kExitText;
+
+    const ExitGuard guard; // from here on code of modules runs
+    Diagnostics problems;
+    const std::unique_ptr<Runner> runner = parts.makeRunner(loaded, {}, problems);
+    printDiagnostics(problems.all(), loaded.sources);
+    if (!runner) return kExitText;
+    const std::uint64_t ticks = ticksFor(arguments.at, loaded.experiment->settings.tick);
+    while (runner->world().ticks() < ticks && runner->tick().ok()) {}
+    if (const Diagnostic* failure = runner->failure()) { // the last state is still worth a look
+        printDiagnostics({*failure}, loaded.sources);
+        return exitCodeFor(failure->code);
+    }
+    job.layout = &runner->world().layout();
+    job.block = &runner->world().block();
+    return draw(job);
+}
+
+constexpr const char* kExamples = R"(Examples:
+  trundle-cli render configs/experiments/swarm.sim -o swarm.png
+  trundle-cli render my.sim --at 5 --size 1920x1080 --eye 2,-2,1.5 --target 0,0,0.1 -o after_five_seconds.jpg)";
+
+} // namespace
+
+void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+    CLI::App* command = app.add_subcommand("render", "Draw a picture of an experiment, with no display");
+    auto arguments = std::make_shared<RenderArguments>();
+    RenderArguments& a = *arguments;
+    command->add_option("FILE", a.file, "The experiment")->required()->type_name("");
+    command->add_option("-o,--output", a.output, "The picture: .png or .jpg")->required()->type_name("OUT");
+    command->add_option("--at", a.at, "Run for that many simulated seconds first")->type_name("S")->check(CLI::Range(0.0, 1e9));
+    command->add_option("--size", a.size, "Width and height in pixels, up to 4096x4096")->type_name("WxH")->capture_default_str();
+    command->add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")->type_name("X,Y,Z")->delimiter(',')->expected(3);
+    command->add_option("--target", a.target, "What is in the middle of it, m")->type_name("X,Y,Z")->delimiter(',')->expected(3);
+    command->add_option("--fov", a.fieldOfView, "Horizontal field of view, deg")->type_name("DEG")->check(CLI::Range(1.0, 179.0))->capture_default_str();
+    addSetOption(*command, a.open);
+    addOpenOptions(*command, a.open);
+    command->footer(kExamples);
+    command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return renderFile(parts(), *arguments); }; });
+}
+
+} // namespace trundle

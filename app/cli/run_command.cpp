@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/exit_guard.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
+#include "cli/progress.h"
+#include "cli/run_loop.h"
+#include "cli/run_report.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMostMeteredRobots = 8; // as many as the summary lists
+constexpr double kLongestDurationS = 1e9;
+constexpr std::uint64_t kLargestSeed = 1ull << 53; // what a number of the text can hold exactly
+
+struct RunArguments {
+    OpenOptions open;
+    std::string file, logDir;
+    std::optional<double> duration;
+    std::optional<std::uint64_t> seed;
+    bool realtime = false, hash = false, json = false, quiet = false;
+};
+
+class RunCommand {
+public:
+    RunCommand(Parts& parts, RunArguments arguments) : m_parts(parts), m_arguments(std::move(arguments)) {}
+    ExitCode go();
+
+private:
+    bool load();
+    bool planTicks();
+    ExitCode runLoaded();
+    ExitCode tell(ExitCode code);
+    RunOptions runOptions();
+
+    Parts& m_parts;
+    RunArguments m_arguments;
+    std::shared_ptr<const Loaded> m_loaded;
+    std::unique_ptr<Progress> m_progress;
+    std::unique_ptr<Runner> m_runner;
+    RunReport m_report;
+    std::uint64_t m_ticks = 0;
+    bool m_endless = false;
+};
+
+/// It names a folder, which `..` (the stem of a file called "...") must not.
+std::string experimentName(const std::string& file) {
+    const std::string stem = std::filesystem::path(file).stem().string();
+    return stem.empty() || stem == "." || stem == ".." ? "experiment" : stem;
+}
+
+ExitCode RunCommand::go() {
+    m_report.name = experimentName(m_arguments.file);
+    // A seed is a setting like any other; it must be known before a Scatter is placed.
+    if (m_arguments.seed) m_arguments.open.sets.push_back("Seed=" + std::to_string(*m_arguments.seed));
+    if (!load()) return tell(kExitUsage);
+    printDiagnostics(m_report.diagnostics, m_report.sources);
+    if (std::ranges::count(m_report.diagnostics, Severity::Error, &Diagnostic::severity) > 0) {
+        const std::string counts = countText(m_report.diagnostics);
+        std::fprintf(stderr, "%s: not run, the text has %s\n", safeText(m_arguments.file).c_str(), counts.c_str());
+        return tell(kExitText);
+    }
+    if (!planTicks()) return tell(kExitUsage);
+    return runLoaded();
+}
+
+bool RunCommand::load() {
+    Result<std::shared_ptr<const Loaded>> opened = m_parts.open(m_arguments.file, m_arguments.open);
+    if (!opened) {
+        printProblem(opened.error().message);
+        m_report.diagnostics.push_back({Severity::Error, opened.error().code, opened.error().message, {}, {}, {}, {}});
+        m_report.unreadable = m_arguments.file;
+        return false;
+    }
+    m_loaded = std::move(opened).value();
+    m_report.sources = m_loaded->sources;
+    m_report.diagnostics = m_loaded->diagnostics.all();
+    // Looking at a text without a module's kinds is fair; running it without its controller is not.
+    for (Diagnostic& diagnostic : m_report.diagnostics)
+        if (diagnostic.code == Code::ModuleNotTrusted || diagnostic.code == Code::ModuleUndescribed) diagnostic.severity = Severity::Error;
+    return true;
+}
+
+bool RunCommand::planTicks() {
+    const SettingsSpec& settings = m_loaded->experiment->settings;
+    m_endless = !m_arguments.duration && settings.duration <= 0;
+    if (m_endless && isatty(STDERR_FILENO) != 1) {
+        const std::string message = "the experiment has no Duration: give --duration S";
+        printProblem(message);
+        m_report.diagnostics.push_back({Severity::Error, Code::NoDuration, message, {}, {}, {}, {}});
+        return false;
+    }
+    if (!m_endless) m_ticks = ticksFor(m_arguments.duration.value_or(settings.duration), settings.tick);
+    return true;
+}
+
+RunOptions RunCommand::runOptions() {
+    RunOptions options;
+    options.logFolder = !m_arguments.logDir.empty() ? m_arguments.logDir
+                                                    : (std::filesystem::path(m_loaded->projectFolder) / "logs" / m_report.name).string();
+    options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
+        const std::string lines = consoleLines(time, who, severity, text);
+        if (m_progress) m_progress->line(lines);
+        else std::fputs(lines.c_str(), stderr);
+    };
+    return options;
+}
+
+ExitCode RunCommand::runLoaded() {
+    const ExitGuard guard; // from here on code of modules runs
+    Diagnostics problems;
+    m_runner = m_parts.makeRunner(*m_loaded, runOptions(), problems);
+    printDiagnostics(problems.all(), m_report.sources);
+    m_report.diagnostics.insert(m_report.diagnostics.end(), problems.all().begin(), problems.all().end());
+    if (!m_runner) {
+        for (const Diagnostic& problem : problems.all())
+            if (problem.severity == Severity::Error) return tell(exitCodeFor(problem.code));
+        return tell(kExitText);
+    }
+    m_report.runner = m_runner.get();
+
+    watchInterrupts();
+    const World& world = m_runner->world();
+    m_progress = std::make_unique<Progress>(m_ticks, m_loaded->experiment->settings.tick, m_arguments.quiet);
+    DriveMeter meter(world, kMostMeteredRobots);
+    const bool metered = !m_arguments.quiet && !m_arguments.json;
+    const LoopOutcome outcome = runTicks(*m_runner, m_ticks, m_endless, m_arguments.realtime, *m_progress, metered ? &meter : nullptr);
+    m_report.wallS = outcome.wallS;
+    m_report.interrupted = outcome.interrupted;
+    m_report.drives = meter.totals();
+    (void)m_runner->finish(); // what fails here stands in failure()
+    m_progress->finish(world.ticks());
+
+    const Diagnostic* failure = m_runner->failure();
+    if (failure) {
+        printDiagnostics({*failure}, m_report.sources);
+        m_report.diagnostics.push_back(*failure);
+    }
+    return tell(failure ? exitCodeFor(failure->code) : outcome.interrupted ? kExitInterrupted : kExitDone);
+}
+
+/// The ranges are those of the settings Duration and Seed. Empty where all is well.
+std::string durationProblem(const std::string& text) {
+    double seconds = 0;
+    const char* const end = text.data() + text.size();
+    const auto [read, fault] = std::from_chars(text.data(), end, seconds);
+    const bool good = fault == std::errc() && read == end && seconds >= 0 && seconds <= kLongestDurationS;
+    return good ? std::string() : "the duration must be a number of seconds from 0 to 1e9";
+}
+
+std::string seedProblem(const std::string& text) {
+    std::uint64_t seed = 0;
+    const char* const end = text.data() + text.size();
+    const auto [read, fault] = std::from_chars(text.data(), end, seed);
+    const bool good = fault == std::errc() && read == end && seed <= kLargestSeed;
+    return good ? std::string() : "the seed must be a whole number from 0 to " + std::to_string(kLargestSeed);
+}
+
+/// Results go to standard output, whatever the run came to.
+ExitCode RunCommand::tell(ExitCode code) {
+    std::string text;
+    if (m_arguments.json) {
+        text = runJson(m_report);
+    } else if (m_runner) {
+        if (!m_arguments.quiet) text = runSummary(m_report);
+        if (m_arguments.hash)
+            text += "state-hash " + hashText(m_runner->world().stateHash()) + " tick " + std::to_string(m_runner->world().ticks()) + "\n";
+    }
+    if (!text.empty() && !writeOut(text) && code == kExitDone) return kExitText;
+    return code;
+}
+
+constexpr const char* kExamples = R"(Examples:
+  trundle-cli run configs/experiments/linear_motion.sim
+  trundle-cli run my.sim --duration 60 --seed 7 --log-dir results
+  trundle-cli run my.sim --set robot0.brain.Distance=2 --set Tick=0.02
+  trundle-cli run my.sim --json --quiet > result.json
+
+Results go to standard output; progress, messages and what controllers print go to standard error.
+Exit codes: 0 done, 1 errors in the text or a module that does not load, 2 wrong usage or unreadable FILE,
+3 the simulation blew up, 4 a controller failed, 130 interrupted (Ctrl+C; logs and summary are complete).)";
+
+} // namespace
+
+void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+    CLI::App* command = app.add_subcommand("run", "Run an experiment");
+    auto arguments = std::make_shared<RunArguments>();
+    RunArguments& a = *arguments;
+    command->add_option("FILE", a.file, "The experiment")->required()->type_name("");
+    command->add_option("--duration", a.duration, "Simulated seconds to run, instead of the text's Duration")->type_name("S")->check(&durationProblem);
+    command->add_option("--seed", a.seed, "Seed of all random numbers, instead of the text's Seed")->type_name("N")->check(&seedProblem);
+    addSetOption(*command, a.open);
+    command->add_option("--log-dir", a.logDir, "Folder for the logs; by default logs/<experiment> in the project folder")->type_name("DIR");
+    command->add_flag("--realtime", a.realtime, "No faster than real time");
+    command->add_flag("--hash", a.hash, "End with `state-hash <16 hex digits> tick <n>`");
+    command->add_flag("--json", a.json, "One JSON object instead of the summary");
+    command->add_flag("--quiet", a.quiet, "No progress and no summary");
+    addOpenOptions(*command, a.open);
+    command->footer(kExamples);
+    command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return RunCommand(parts(), *arguments).go(); }; });
+}
+
+} // namespace trundle

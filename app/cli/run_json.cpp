@@ -1,0 +1,69 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "base/platform/memory.h"
+#include "cli/diagnostic_json.h"
+#include "cli/run_report.h"
+#include "run/signal_columns.h"
+
+namespace trundle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numberJson(double value, SignalType type) {
+    if (type == SignalType::Boolean) return value != 0;
+    if (type == SignalType::Integer && std::fabs(value) < 9e15) return static_cast<std::int64_t>(value);
+    return value == 0 ? 0.0 : value;
+}
+
+Json signalJson(const SignalEntry& entry, std::span<const double> slots) {
+    std::vector<double> numbers;
+    SignalColumns(entry).read(slots, numbers);
+    if (entry.count == 1) return numberJson(numbers[0], entry.type);
+    Json list = Json::array();
+    for (const double number : numbers) list.push_back(numberJson(number, entry.type));
+    return list;
+}
+
+Json triple(const Vec3& v) { return Json::array({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}); }
+
+Json robotsJson(const World& world) {
+    Json robots = Json::object();
+    const std::vector<RobotSpec>& specs = world.experiment().robots;
+    for (std::size_t i = 0; i < specs.size(); ++i) {
+        const Pose pose = world.robotPose(i);
+        robots[specs[i].name] = {{"pos", triple(pose.position)}, {"hpr", triple(hprFromRotation(pose.rotation).unaryExpr(&readableDegrees))},
+                                 {"signals", Json::object()}};
+    }
+    for (const SignalEntry& entry : world.layout().entries()) {
+        const std::size_t slash = entry.path.find('/');
+        if (slash == std::string::npos) continue;
+        const auto robot = robots.find(entry.path.substr(0, slash));
+        if (robot != robots.end()) (*robot)["signals"][entry.path.substr(slash + 1)] = signalJson(entry, world.block().slots());
+    }
+    return robots;
+}
+
+} // namespace
+
+std::string runJson(const RunReport& report) {
+    World* world = report.runner ? &report.runner->world() : nullptr;
+    const double simulated = world ? world->time() : 0;
+    Json json;
+    json["ticks"] = world ? world->ticks() : 0;
+    json["simulated_s"] = simulated;
+    json["wall_s"] = report.wallS;
+    json["real_time_factor"] = report.wallS > 0 ? simulated / report.wallS : 0;
+    json["peak_memory_kb"] = peakMemoryKb();
+    json["state_hash"] = world ? Json(hashText(world->stateHash())) : Json(nullptr);
+    json["quick_ticks"] = world ? world->quickTicks() : 0;
+    json["interrupted"] = report.interrupted;
+    json["robots"] = world ? robotsJson(*world) : Json::object();
+    json["diagnostics"] = diagnosticsJson(report.diagnostics, report.sources);
+    if (!report.unreadable.empty()) json["diagnostics"][0]["file"] = report.unreadable;
+    return jsonText(json);
+}
+
+} // namespace trundle

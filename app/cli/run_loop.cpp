@@ -1,0 +1,48 @@
+#include "cli/run_loop.h"
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "cli/interrupt.h"
+
+namespace trundle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Sleeps until `seconds` after the start, or until a signal comes.
+void sleepUntil(Clock::time_point start, double seconds) {
+    while (!interrupted()) {
+        const double left = seconds - secondsSince(start);
+        if (left <= 0) return;
+        const double part = std::min(left, 0.5);
+        timespec pause{0, static_cast<long>(part * 1e9)};
+        if (part >= 1) return;
+        nanosleep(&pause, nullptr);
+    }
+}
+
+} // namespace
+
+LoopOutcome runTicks(Runner& runner, std::uint64_t ticks, bool endless, bool realtime, Progress& progress, DriveMeter* meter) {
+    LoopOutcome outcome;
+    const Clock::time_point start = Clock::now();
+    const double tick = runner.world().experiment().settings.tick;
+    for (std::uint64_t done = 0; endless || done < ticks; ++done) {
+        if (interrupted()) {
+            outcome.interrupted = true;
+            break;
+        }
+        if (!runner.tick()) break;
+        if (meter) meter->afterTick(runner.world());
+        progress.update(done + 1);
+        if (realtime) sleepUntil(start, static_cast<double>(done + 1) * tick);
+    }
+    outcome.wallS = secondsSince(start);
+    return outcome;
+}
+
+} // namespace trundle

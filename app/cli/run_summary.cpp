@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "cli/console.h"
+#include "cli/messages.h"
+#include "cli/numbers.h"
+#include "cli/run_report.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+constexpr std::size_t kMostListed = 8; // more robots than this are summed up
+
+std::string row(const std::string& name, const std::string& text) {
+    constexpr std::size_t kNameWidth = 12;
+    return name + std::string(name.size() < kNameWidth ? kNameWidth - name.size() : 1, ' ') + text + "\n";
+}
+
+std::string poseText(const Pose& pose) {
+    const Vec3 hpr = hprFromRotation(pose.rotation) * kDegrees;
+    std::string text = "at x " + fixedText(pose.position.x(), 4) + " m, y " + fixedText(pose.position.y(), 4) + " m, z " +
+                       fixedText(pose.position.z(), 4) + " m, heading " + fixedText(hpr.x(), 3) + " deg";
+    // Most robots stand level; only those that do not have more to say.
+    if (std::fabs(hpr.y()) > 0.5 || std::fabs(hpr.z()) > 0.5)
+        text += ", pitch " + fixedText(hpr.y(), 2) + " deg, roll " + fixedText(hpr.z(), 2) + " deg";
+    return text;
+}
+
+/// "1.000021 m of 1 m commanded (+0.021 mm)"
+std::string driveText(double driven, double commanded, const char* unit, double errorScale, const char* errorUnit) {
+    const double error = (driven - commanded) * errorScale;
+    return fixedText(driven, 6) + " " + unit + " of " + shortText(commanded, 6) + " " + unit + " commanded (" +
+           (error >= 0 ? "+" : "") + fixedText(error, 4) + " " + errorUnit + ")";
+}
+
+std::string driveRows(const DriveTotals& drive) {
+    std::string text;
+    if (drive.commandedDistance != 0 || std::fabs(drive.drivenDistance) > 1e-3)
+        text += row("", "drove  " + driveText(drive.drivenDistance, drive.commandedDistance, "m", 1000, "mm"));
+    if (drive.commandedAngle != 0 || std::fabs(drive.drivenAngle) > 1e-3)
+        text += row("", "turned " + driveText(drive.drivenAngle * kDegrees, drive.commandedAngle * kDegrees, "deg", 1, "deg"));
+    if (drive.underWay) text += row("", "the last command was still under way");
+    return text;
+}
+
+std::string robotRows(const RunReport& report, const World& world) {
+    const std::vector<RobotSpec>& robots = world.experiment().robots;
+    std::string text;
+    for (std::size_t i = 0; i < robots.size() && robots.size() <= kMostListed; ++i) {
+        text += row(robots[i].name, poseText(world.robotPose(i)));
+        for (const DriveTotals& drive : report.drives)
+            if (drive.robot == i) text += driveRows(drive);
+    }
+    if (robots.size() <= kMostListed) return text;
+
+    Vec3 low = world.robotPose(0).position, high = low;
+    double farthest = 0;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+        const Vec3 position = world.robotPose(i).position;
+        low = low.cwiseMin(position);
+        high = high.cwiseMax(position);
+        farthest = std::max(farthest, (position - robots[i].pose.position).norm());
+    }
+    return row("robots", counted(robots.size(), "robot") + " between x " + fixedText(low.x(), 2) + " and " + fixedText(high.x(), 2) + " m, y " +
+                             fixedText(low.y(), 2) + " and " + fixedText(high.y(), 2) + " m; the farthest " + fixedText(farthest, 2) +
+                             " m from its start");
+}
+
+std::string logRows(const std::vector<std::string>& files) {
+    std::string text;
+    for (std::size_t i = 0; i < files.size() && i < kMostListed; ++i) text += row(i == 0 ? "logs" : "", safeText(files[i]));
+    if (files.size() > kMostListed) text += row("", "and " + std::to_string(files.size() - kMostListed) + " more in the same folder");
+    return text;
+}
+
+} // namespace
+
+std::string hashText(std::uint64_t hash) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    return text;
+}
+
+std::string runSummary(const RunReport& report) {
+    const World& world = report.runner->world();
+    const double simulated = world.time();
+    std::string text = row("experiment", safeText(report.name) + (report.interrupted ? ", interrupted" : report.runner->failure() ? ", stopped by an error" : ""));
+    text += row("simulated", shortText(simulated, 9) + " s in " + counted(world.ticks(), "tick") + " of " +
+                                 exactText(world.experiment().settings.tick) + " s");
+    if (world.ticks() > 0 && report.wallS > 0)
+        text += row("took", shortText(report.wallS) + " s, " + shortText(simulated / report.wallS) + " x real time");
+    if (!world.experiment().robots.empty()) text += robotRows(report, world);
+    if (world.quickTicks() > 0) text += row("solver", counted(world.quickTicks(), "tick") + " taken by the quick solver (a cluster of more than 60 contacts)");
+    text += logRows(report.runner->logFiles());
+    if (const std::string counts = countText(report.diagnostics); !counts.empty()) text += row("messages", counts);
+    return text;
+}
+
+} // namespace trundle

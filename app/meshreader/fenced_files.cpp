@@ -1,0 +1,90 @@
+#include "meshreader/fenced_files.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "base/platform/read_file.h"
+
+namespace trundle {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostFileBytes = 256u << 20;
+
+/// A file's content in memory.
+class MemoryStream final : public Assimp::IOStream {
+public:
+    explicit MemoryStream(std::string bytes) : m_bytes(std::move(bytes)) {}
+
+    size_t Read(void* into, size_t itemBytes, size_t count) override {
+        if (itemBytes == 0 || count == 0) return 0;
+        const size_t items = std::min(count, (m_bytes.size() - m_at) / itemBytes);
+        std::memcpy(into, m_bytes.data() + m_at, items * itemBytes);
+        m_at += items * itemBytes;
+        return items;
+    }
+    size_t Write(const void*, size_t, size_t) override { return 0; }
+    aiReturn Seek(size_t offset, aiOrigin origin) override {
+        // An offset back from the end comes as a wrapped size_t; the addition wraps it back.
+        const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? m_at : m_bytes.size();
+        const size_t next = base + offset;
+        if (next > m_bytes.size()) return aiReturn_FAILURE;
+        m_at = next;
+        return aiReturn_SUCCESS;
+    }
+    size_t Tell() const override { return m_at; }
+    size_t FileSize() const override { return m_bytes.size(); }
+    void Flush() override {}
+
+private:
+    std::string m_bytes;
+    size_t m_at = 0;
+};
+
+std::string realPath(const fs::path& path) {
+    std::error_code fault;
+    const fs::path real = fs::weakly_canonical(path, fault);
+    return fault ? std::string() : real.string();
+}
+
+} // namespace
+
+FencedFiles::FencedFiles(const std::string& meshFile) : m_meshFile(realPath(meshFile)) {
+    m_folder = fs::path(m_meshFile).parent_path().string();
+    if (!m_folder.ends_with('/')) m_folder += '/';
+}
+
+FencedFiles::Verdict FencedFiles::judge(const std::string& file) const {
+    const fs::path written(file);
+    const std::string real = realPath(written.is_absolute() ? written : fs::path(m_folder) / written);
+    if (!real.empty() && real == m_meshFile) return Verdict::Readable;
+    if (!real.starts_with(m_folder)) return Verdict::Outside;
+    return fs::path(real).extension() == ".bin" ? Verdict::Readable : Verdict::Ignored;
+}
+
+bool FencedFiles::Exists(const char* file) const {
+    if (judge(file) != Verdict::Readable) return false;
+    const fs::path written(file);
+    std::error_code fault;
+    return fs::is_regular_file(written.is_absolute() ? written : fs::path(m_folder) / written, fault);
+}
+
+Assimp::IOStream* FencedFiles::Open(const char* file, const char* mode) {
+    if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
+    const Verdict verdict = judge(file);
+    if (verdict == Verdict::Outside && m_refused.empty()) m_refused = file;
+    if (verdict != Verdict::Readable) return nullptr;
+    const fs::path written(file);
+    Result<std::string> bytes = readRegularFile((written.is_absolute() ? written : fs::path(m_folder) / written).string(), kMostFileBytes);
+    if (!bytes) {
+        m_unreadable = bytes.error().message;
+        return nullptr;
+    }
+    return new MemoryStream(std::move(bytes).value());
+}
+
+} // namespace trundle

@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+
+namespace trundle {
+
+/// All that assimp sees of the disk: the mesh file itself and the binary buffers (.bin) beside or below it. Material files are
+/// "not there", writing is refused, and a reference that leaves the folder is remembered, so that the whole file can be refused.
+class FencedFiles final : public Assimp::IOSystem {
+public:
+    explicit FencedFiles(const std::string& meshFile);
+
+    bool Exists(const char* file) const override;
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* file, const char* mode) override;
+    void Close(Assimp::IOStream* stream) override { delete stream; }
+
+    /// The mesh file with links resolved: read it by this name, then its neighbours are those of the real file.
+    [[nodiscard]] const std::string& meshFile() const { return m_meshFile; }
+    /// The first reference that was refused; empty where there was none.
+    [[nodiscard]] const std::string& refused() const { return m_refused; }
+    /// Why the last file that may be read could not be; empty where all could.
+    [[nodiscard]] const std::string& unreadable() const { return m_unreadable; }
+
+private:
+    enum class Verdict { Readable, Ignored, Outside };
+    [[nodiscard]] Verdict judge(const std::string& file) const;
+
+    std::string m_meshFile; ///< canonical
+    std::string m_folder;   ///< canonical, ends in a slash
+    std::string m_refused, m_unreadable;
+};
+
+} // namespace trundle

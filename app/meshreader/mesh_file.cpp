@@ -1,0 +1,180 @@
+// Needs: a file. Assumes: it may be hostile; whoever started us has set limits, and a crash of assimp ends this process only.
+// Method: only the readers of the five formats stay registered, so that a file cannot choose another by its first bytes; assimp makes
+// triangles, we walk the nodes without recursion, join equal points and check every number. Data: metres, z up.
+#include "meshreader/mesh_file.h"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include <assimp/BaseImporter.h>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include "assets/mesh_stream.h"
+#include "meshreader/fenced_files.h"
+
+namespace trundle {
+namespace {
+
+Error failure(const std::string& why) { return Error{Code::MeshUnreadable, why}; }
+
+bool readsOneOfOurs(const aiImporterDesc* description) {
+    if (description == nullptr || description->mFileExtensions == nullptr) return false;
+    const std::string endings = std::string(" ") + description->mFileExtensions + " ";
+    for (const char* ours : {" obj ", " stl ", " dae ", " gltf ", " glb "})
+        if (endings.find(ours) != std::string::npos) return true;
+    return false;
+}
+
+void keepOurReaders(Assimp::Importer& importer) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        if (readsOneOfOurs(importer.GetImporterInfo(i))) continue;
+        const std::unique_ptr<Assimp::BaseImporter> reader(importer.GetImporter(i)); // taken out, it is ours
+        importer.UnregisterLoader(reader.get());
+    }
+}
+
+void configure(Assimp::Importer& importer) {
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+                                                            aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
+                                                            aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS);
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+}
+
+/// Joins points that are equal to the last bit: formats like STL repeat every corner.
+class PointJoiner {
+public:
+    explicit PointJoiner(std::vector<std::array<double, 3>>& points) : m_points(points) {}
+
+    std::uint32_t add(std::array<double, 3> point) {
+        for (double& number : point) number += 0.0; // -0 and 0 are one place
+        const auto [found, fresh] = m_known.try_emplace(point, static_cast<std::uint32_t>(m_points.size()));
+        if (fresh) m_points.push_back(point);
+        return found->second;
+    }
+
+private:
+    struct Hash {
+        std::size_t operator()(const std::array<double, 3>& point) const {
+            std::size_t hash = 0;
+            for (const double number : point) hash = hash * 0x9e3779b97f4a7c15ull + std::hash<double>{}(number);
+            return hash;
+        }
+    };
+    std::vector<std::array<double, 3>>& m_points;
+    std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> m_known;
+};
+
+class MeshCollector {
+public:
+    explicit MeshCollector(bool yIsUp) : m_yIsUp(yIsUp), m_joiner(m_mesh.points) {}
+
+    Status addNodes(const aiScene& scene) {
+        struct Open { const aiNode* node; aiMatrix4x4 toWorld; };
+        std::vector<Open> open{{scene.mRootNode, scene.mRootNode->mTransformation}};
+        while (!open.empty()) {
+            const Open now = open.back();
+            open.pop_back();
+            for (unsigned i = 0; i < now.node->mNumMeshes; ++i) {
+                if (now.node->mMeshes[i] >= scene.mNumMeshes) return failure("it is damaged: a node names a mesh that is not there");
+                if (const Status added = addMesh(*scene.mMeshes[now.node->mMeshes[i]], now.toWorld); !added) return added;
+            }
+            for (unsigned i = now.node->mNumChildren; i-- > 0;)
+                open.push_back({now.node->mChildren[i], now.toWorld * now.node->mChildren[i]->mTransformation});
+        }
+        return {};
+    }
+
+    [[nodiscard]] TriangleMesh take() { return std::move(m_mesh); }
+
+private:
+    Status addMesh(const aiMesh& mesh, const aiMatrix4x4& toWorld) {
+        // Only points that a triangle uses are taken.
+        std::vector<std::uint32_t> places(mesh.mNumVertices, kUnplaced);
+        for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+            const aiFace& face = mesh.mFaces[i];
+            if (face.mNumIndices != 3) continue;
+            std::array<std::uint32_t, 3> triangle{};
+            for (unsigned corner = 0; corner < 3; ++corner) {
+                const unsigned index = face.mIndices[corner];
+                if (index >= mesh.mNumVertices) return failure("it is damaged: a triangle names a point that is not there");
+                if (places[index] == kUnplaced) {
+                    const Result<std::uint32_t> place = addPoint(toWorld * mesh.mVertices[index]);
+                    if (!place) return place.error();
+                    places[index] = place.value();
+                }
+                triangle[corner] = places[index];
+            }
+            if (const Status added = addTriangle(triangle); !added) return added;
+        }
+        return {};
+    }
+
+    Result<std::uint32_t> addPoint(const aiVector3D& at) {
+        if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z)) return failure("one of its points is not a number");
+        if (std::fabs(at.x) > kFarthest || std::fabs(at.y) > kFarthest || std::fabs(at.z) > kFarthest) return failure("one of its points is more than 1e9 away");
+        const std::uint32_t place = m_yIsUp ? m_joiner.add({at.x, -at.z, at.y}) : m_joiner.add({at.x, at.y, at.z});
+        if (m_mesh.points.size() > kMostMeshPoints) return failure("it has more than " + std::to_string(kMostMeshPoints) + " points");
+        return place;
+    }
+
+    Status addTriangle(const std::array<std::uint32_t, 3>& triangle) {
+        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) return {};
+        m_mesh.triangles.push_back(triangle);
+        if (m_mesh.triangles.size() > kMostMeshTriangles) return failure("it has more than " + std::to_string(kMostMeshTriangles) + " triangles");
+        return {};
+    }
+
+    static constexpr std::uint32_t kUnplaced = 0xffffffffu;
+    static constexpr double kFarthest = 1e9;
+
+    bool m_yIsUp;
+    TriangleMesh m_mesh;
+    PointJoiner m_joiner;
+};
+
+// Some of assimp's words tell a programmer more than the owner of the file.
+std::string inPlainWords(const std::string& words) {
+    if (words.find("bad_alloc") != std::string::npos) return "it needs more memory than its reader may take";
+    if (words.find("STL storage representation") != std::string::npos) return "its length is not that of a binary STL with its count, and it is no text STL";
+    if (words.find("No suitable reader") != std::string::npos) return "its content is not of the format that its name says";
+    if (words.find("No meshes remaining") != std::string::npos) return "it holds no triangle";
+    return words.empty() ? "its format is not understood" : words;
+}
+
+// assimp turns COLLADA to y up, and glTF is y up by its standard.
+bool comesWithYUp(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return ending == ".dae" || ending == ".gltf" || ending == ".glb";
+}
+
+} // namespace
+
+Result<TriangleMesh> readMeshFile(const std::string& path) {
+    auto* files = new FencedFiles(path); // the importer owns it
+    Assimp::Importer importer;
+    importer.SetIOHandler(files);
+    keepOurReaders(importer);
+    configure(importer);
+    const aiScene* scene = importer.ReadFile(files->meshFile(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType);
+    if (!files->refused().empty()) return failure("it refers to " + files->refused() + ", which lies outside its folder");
+    if (scene == nullptr && !files->unreadable().empty()) return failure(files->unreadable());
+    if (scene == nullptr) return failure(inPlainWords(importer.GetErrorString()));
+    if (scene->mRootNode == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) return failure("it is incomplete");
+    MeshCollector collector(comesWithYUp(path));
+    if (const Status added = collector.addNodes(*scene); !added) return added.error();
+    TriangleMesh mesh = collector.take();
+    if (mesh.triangles.empty()) return failure("it holds no triangle");
+    return mesh;
+}
+
+} // namespace trundle

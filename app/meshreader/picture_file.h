@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "base/result.h"
+#include "base/triangle_mesh.h"
+
+namespace trundle {
+
+/// Reads a picture as heights: black 0, white 1, colours by their brightness. The message does not name the file.
+[[nodiscard]] Result<HeightMap> readPictureFile(const std::string& path);
+
+} // namespace trundle

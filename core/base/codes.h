@@ -1,0 +1,42 @@
+#pragma once
+// The one table of diagnostic codes: E1xx text, E2xx values, E3xx model, E4xx modules, E5xx run.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace trundle {
+
+/// Each code has one meaning, a title in codes.cpp and a file in tests/data/broken.
+enum class Code : int {
+    // text
+    UnexpectedText = 101, UnclosedBlock, UnclosedString, UnclosedComment, BadNumber, InvalidBytes, MissingValue, MissingComma,
+    StrayBrace, DirectivePlace, UnicodeMinus, TooDeep, BadExpression, ReservedWord, TooLarge,
+    // values
+    UnknownKey = 201, WrongType, OutOfRange, WrongCount, UnknownUnit, WrongDimension, UnknownChoice, UnknownReference, MissingRequired,
+    DuplicateKey, UnknownParam, ParamCycle, ExpressionValue, Conflict, ImportDisagrees,
+    // model
+    UnknownKind = 301, WrongPlace, DuplicateName, MissingName, BadMass, BadGeometry, BadJoint, ImportNotFound, ImportCycle, ImportDepth,
+    ImportOutside, TooManyObjects, TooManyFiles, NoSuchPath, DefinedLater, DefaultUsed, PlacementFailed, MeshUnreadable, MultipleControllers,
+    LooseGeom, ThesisSpelling, FileUnreadable, ReplaceBySingles, TurnRate,
+    // modules
+    ModuleNotFound = 401, ModuleNotTrusted, ModuleUnreadable, ModuleWrongFormat, ModuleNoEntry, ModuleVersion, ModuleDuplicateKind,
+    ModuleUndescribed, ModuleMissingSymbol, ControllerFailed, UnknownPort, ModuleDescriptionStale, KindNotLoaded,
+    PythonModule,
+    // run
+    BlowUp = 501, EngineFault, LogUnwritable, NoDuration, BigCluster, DroppedLines, DeviceSetup, Interrupted, FileUnwritable,
+    NoGraphics, PictureFailed,
+    Internal = 599,
+};
+
+/// "E203".
+[[nodiscard]] std::string codeName(Code code);
+
+struct CodeEntry {
+    Code code;
+    std::string_view title; ///< what it means, in one line
+};
+/// All codes in numeric order, for the manual and for the test that each has a broken file.
+[[nodiscard]] std::span<const CodeEntry> allCodes();
+
+} // namespace trundle

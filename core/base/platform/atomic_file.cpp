@@ -1,0 +1,111 @@
+#include "base/platform/atomic_file.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace trundle {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error failure(const std::string& path, const std::string& why) {
+    return Error{Code::FileUnwritable, "cannot write " + path + ": " + why};
+}
+
+// A rename would replace a link itself, so we go to what it points at, even where that does not exist yet.
+std::optional<fs::path> targetOf(const std::string& path) {
+    fs::path target = path;
+    for (int hops = 0; hops < 40; ++hops) {
+        std::error_code none;
+        if (!fs::is_symlink(fs::symlink_status(target, none))) return target;
+        const fs::path next = fs::read_symlink(target, none);
+        if (none) return std::nullopt;
+        target = next.is_absolute() ? next : target.parent_path() / next;
+    }
+    return std::nullopt;
+}
+
+/// A temporary file that is removed unless it was renamed.
+struct Temporary {
+    std::string path;
+    int file = -1;
+
+    explicit Temporary(const fs::path& folder) {
+        static std::atomic<unsigned> counter{0};
+        for (int attempt = 0; attempt < 100 && file < 0; ++attempt) {
+            path = (folder / (".trundle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp")).string();
+            file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (file < 0 && errno != EEXIST) return;
+        }
+    }
+    ~Temporary() {
+        const int before = errno;
+        closeFile();
+        if (!path.empty()) ::unlink(path.c_str());
+        errno = before;
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+
+    bool closeFile() {
+        const int old = std::exchange(file, -1);
+        return old < 0 || ::close(old) == 0;
+    }
+    bool writeAll(std::string_view bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t done = ::write(file, bytes.data(), bytes.size());
+            if (done < 0 && errno == EINTR) continue;
+            if (done < 0) return false;
+            bytes.remove_prefix(static_cast<std::size_t>(done));
+        }
+        return true;
+    }
+};
+
+// Some file systems cannot fsync a folder; the rename has happened by then, so this is no failure.
+void syncFolder(const fs::path& folder) {
+    const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0) return;
+    (void)::fsync(file);
+    ::close(file);
+}
+
+} // namespace
+
+Status writeFileAtomically(const std::string& path, std::string_view bytes) {
+    const std::optional<fs::path> target = targetOf(path);
+    if (!target) return failure(path, "its chain of links has no end");
+    struct stat old {};
+    const bool exists = ::stat(target->c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode)) return failure(path, "it is a folder");
+    if (exists && !S_ISREG(old.st_mode)) return failure(path, "it is not a regular file");
+    // A rename asks only the folder; a file that its owner made read-only stays as it is.
+    if (exists && ::access(target->c_str(), W_OK) != 0) return failure(path, std::strerror(errno));
+
+    const fs::path folder = target->has_parent_path() ? target->parent_path() : fs::path(".");
+    Temporary temporary(folder);
+    if (temporary.file < 0) {
+        const int why = errno;
+        temporary.path.clear();
+        return failure(path, std::strerror(why));
+    }
+    if (exists) {
+        // Keeping the owner works for root only; a file whose owner cannot be kept is still better written than not.
+        if (::fchown(temporary.file, old.st_uid, old.st_gid) != 0) errno = 0;
+        if (::fchmod(temporary.file, old.st_mode & 07777) != 0) return failure(path, std::strerror(errno));
+    }
+    if (!temporary.writeAll(bytes) || ::fsync(temporary.file) != 0 || !temporary.closeFile()) return failure(path, std::strerror(errno));
+    if (::rename(temporary.path.c_str(), target->c_str()) != 0) return failure(path, std::strerror(errno));
+    temporary.path.clear();
+    syncFolder(folder);
+    return {};
+}
+
+} // namespace trundle

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace trundle {
+
+/// Replaces a file's content so that a reader, a crash or a full disk sees either the old bytes or the new ones, never a part.
+/// Keeps the file's mode, writes through a symbolic link to its target, creates no folders. Refuses anything that is not a
+/// regular file. On failure nothing is left behind.
+[[nodiscard]] Status writeFileAtomically(const std::string& path, std::string_view bytes);
+
+} // namespace trundle

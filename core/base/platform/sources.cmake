@@ -1,0 +1,9 @@
+# Relative to core/base; read by core/base/CMakeLists.txt, which also links ${CMAKE_DL_LIBS}.
+set(BASE_PLATFORM_SOURCES
+  platform/atomic_file.cpp
+  platform/dynamic_library.cpp
+  platform/limits.cpp
+  platform/memory.cpp
+  platform/process.cpp
+  platform/program_path.cpp
+  platform/read_file.cpp)

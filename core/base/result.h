@@ -1,0 +1,52 @@
+#pragma once
+// One thing that may fail: a value or the reason why there is none.
+
+#include <cassert>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "base/codes.h"
+
+namespace trundle {
+
+/// Why something failed, ready to become a Diagnostic where a place in the text is known.
+struct Error {
+    Code code = Code::Internal;
+    std::string message;
+};
+
+template <class T>
+class [[nodiscard]] Result {
+public:
+    Result(T value) : m_state(std::move(value)) {}
+    Result(Error error) : m_state(std::move(error)) {}
+
+    [[nodiscard]] bool ok() const { return m_state.index() == 0; }
+    explicit operator bool() const { return ok(); }
+
+    [[nodiscard]] T& value() & { assert(ok()); return *std::get_if<0>(&m_state); }
+    [[nodiscard]] const T& value() const& { assert(ok()); return *std::get_if<0>(&m_state); }
+    [[nodiscard]] T&& value() && { assert(ok()); return std::move(*std::get_if<0>(&m_state)); }
+    [[nodiscard]] const Error& error() const { assert(!ok()); return *std::get_if<1>(&m_state); }
+
+private:
+    std::variant<T, Error> m_state;
+};
+
+/// A Result without a value.
+class [[nodiscard]] Status {
+public:
+    Status() = default;
+    Status(Error error) : m_error(std::move(error)) {}
+
+    [[nodiscard]] bool ok() const { return !m_error.has_value(); }
+    explicit operator bool() const { return ok(); }
+    [[nodiscard]] const Error& error() const { assert(!ok()); return *m_error; }
+
+private:
+    std::optional<Error> m_error;
+};
+
+} // namespace trundle

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "base/source_range.h"
+
+namespace trundle {
+
+/// Replace the bytes of `range` by `text`. An empty range inserts, an empty text removes.
+struct TextEdit {
+    SourceRange range;
+    std::string text;
+};
+
+} // namespace trundle

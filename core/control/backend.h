@@ -1,0 +1,32 @@
+#pragma once
+// How a run reaches a controller, wherever that lives. In process today; the host process and TCP stand behind the same four calls.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "model/experiment_spec.h"
+#include "signals/block.h"
+
+namespace trundle {
+
+/// What a controller reaches of the outside: its console, its logs. Called on the thread that ticks.
+struct ControllerOutlet {
+    std::function<void(int severity, const std::string& text)> print;
+    std::function<int(const std::string& fileName)> openLog; ///< -1: refused
+    std::function<void(int log, std::string_view bytes)> writeLog;
+};
+
+class ControllerBackend {
+public:
+    virtual ~ControllerBackend() = default;
+    /// Creates the controller, gives it its fields, lets it bind its ports. Fails with E410 (failed) or E411 (unknown port).
+    [[nodiscard]] virtual Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutlet outlet) = 0;
+    /// Its turn in tick number `tick` at simulated time `time`; `sinceLast` s since its last turn (0 the first time).
+    [[nodiscard]] virtual Status tick(std::uint64_t tick, double time, double sinceLast) = 0;
+    virtual void stop() = 0;
+    [[nodiscard]] virtual std::string describe() const = 0; ///< "LinearMotion from linear_motion.so, in process"
+};
+
+} // namespace trundle

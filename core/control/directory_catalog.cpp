@@ -1,0 +1,185 @@
+#include "control/directory_catalog.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/platform/read_file.h"
+#include "base/spelling.h"
+#include "control/kinds_json.h"
+#include "control/module_file.h"
+#include "control/module_kinds.h"
+
+namespace trundle {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::uint64_t kMostDescriptionBytes = 16u << 20;
+
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+/// With symbolic links resolved and no slash at the end.
+fs::path realPath(const fs::path& path) {
+    std::error_code ignored;
+    const fs::path result = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+    return result.empty() ? path : result.has_filename() ? result : result.parent_path();
+}
+
+std::string absolutePath(const fs::path& path) {
+    std::error_code ignored;
+    return fs::absolute(path, ignored).lexically_normal().string();
+}
+
+bool isBelow(const fs::path& path, const fs::path& folder) {
+    const fs::path inner = realPath(path), outer = realPath(folder);
+    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+std::string slashed(std::string path) {
+    std::replace(path.begin(), path.end(), '\\', '/');
+    return path;
+}
+
+bool endsLike(const std::string& text, std::string_view ending) {
+    if (text.size() < ending.size()) return false;
+    return std::equal(ending.begin(), ending.end(), text.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                      [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+}
+
+/// `d/n` without the ending that one system or another puts there.
+fs::path stem(const std::string& written) {
+    std::string path = slashed(written);
+    for (const std::string_view ending : {".dll", ".so"})
+        if (endsLike(path, ending)) {
+            path.resize(path.size() - ending.size());
+            break;
+        }
+    return path;
+}
+
+bool climbs(const fs::path& path) { return std::find(path.begin(), path.end(), "..") != path.end(); }
+
+Error notTrusted(const std::string& written, const fs::path& library) {
+    return {Code::ModuleNotTrusted, "the module " + written + " is " + library.string() +
+                                        ", in a folder that is not trusted, so its code is not run; give --trust, or --modules with its folder"};
+}
+
+std::string joined(const std::vector<std::string>& paths) {
+    std::string text;
+    for (const std::string& path : paths) text += (text.empty() ? "" : ", ") + path;
+    return text;
+}
+
+/// Every module in a folder and one folder further down, as #loadModule names it: controllers/linear_motion.
+std::vector<std::string> modulesIn(const std::string& folder) {
+    constexpr std::size_t kMostLookedAt = 10'000;
+    std::vector<std::string> names;
+    std::error_code ignored;
+    std::size_t looked = 0;
+    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, ignored), end;
+         !ignored && at != end && looked < kMostLookedAt; at.increment(ignored), ++looked) {
+        if (at.depth() > 0) at.disable_recursion_pending();
+        const fs::path file = at->path();
+        if (file.extension() != ".so" || !at->is_regular_file(ignored)) {
+            ignored.clear(); // a dangling link ends no search
+            continue;
+        }
+        std::string name = file.stem().string();
+        if (name.starts_with("lib")) name.erase(0, 3);
+        names.push_back((at.depth() > 0 ? file.parent_path().filename() / name : fs::path(name)).string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+/// The module that was probably meant: misspelt, or named without its folder or with a wrong one.
+std::string nearestModule(const std::string& written, const std::vector<std::string>& folders) {
+    std::vector<std::string> names;
+    for (const std::string& folder : folders)
+        if (!folder.empty())
+            for (std::string& name : modulesIn(folder)) names.push_back(std::move(name));
+    const std::string plain = fs::path(written).filename().string();
+    for (const std::string& name : names)
+        if (fs::path(name).filename() == plain) return name;
+    const std::vector<std::string> near = nearestWords(written, names, 1);
+    return near.empty() ? std::string() : near.front();
+}
+
+} // namespace
+
+std::vector<std::string> moduleFileNames(const std::string& written) {
+    const fs::path path = stem(written);
+    const std::string folder = path.parent_path().string(), name = path.filename().string();
+    const std::string plain = name.starts_with("lib") ? name.substr(3) : name; // libn.so was written in full
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& where, const std::string& file) {
+        const std::string full = where.empty() ? file : (fs::path(where) / file).string();
+        if (std::find(names.begin(), names.end(), full) == names.end()) names.push_back(full);
+    };
+    for (const std::string& where : {folder, std::string()})
+        for (const std::string& file : {"lib" + name + ".so", name + ".so", "lib" + plain + ".so"})
+            if (!fs::path(folder).is_absolute() || where == folder) add(where, file);
+    return names;
+}
+
+DirectoryCatalog::DirectoryCatalog(CatalogFolders folders) : m_folders(std::move(folders)) {}
+
+bool DirectoryCatalog::isTrusted(const std::string& folder) const {
+    if (m_folders.trustAll) return true;
+    const auto below = [&](const std::string& trusted) { return !trusted.empty() && isBelow(folder, trusted); };
+    return std::any_of(m_folders.modules.begin(), m_folders.modules.end(), below) ||
+           std::any_of(m_folders.trusted.begin(), m_folders.trusted.end(), below) || below(m_folders.program);
+}
+
+/// The library's path, after `folder`, each --modules and the program's folder have been tried in that order.
+Result<std::string> DirectoryCatalog::locate(const std::string& written, const std::string& folder) const {
+    std::vector<std::string> places{folder};
+    places.insert(places.end(), m_folders.modules.begin(), m_folders.modules.end());
+    if (!m_folders.program.empty()) places.push_back(m_folders.program);
+
+    std::vector<std::string> tried;
+    fs::path untrusted;
+    for (const std::string& place : places) {
+        for (const std::string& name : moduleFileNames(written)) {
+            const fs::path path = (fs::path(place) / name).lexically_normal();
+            if (std::find(tried.begin(), tried.end(), path.string()) != tried.end()) continue;
+            tried.push_back(path.string());
+            if (!isThere(path)) continue;
+            // A path that climbs or is absolute counts by where it leads, any other by the folder it was searched in.
+            const bool leadsAway = climbs(name) || fs::path(name).is_absolute();
+            if (isTrusted(leadsAway ? path.parent_path().string() : place)) return absolutePath(path);
+            if (untrusted.empty()) untrusted = path;
+        }
+        const fs::path python = fs::path(place) / (stem(written).string() + ".py");
+        if (isThere(python)) return Error{Code::PythonModule, "the module " + written + " is the Python file " + python.string() + "; Python modules come later"};
+    }
+    if (!untrusted.empty()) return notTrusted(written, untrusted);
+    std::vector<std::string> shelves = m_folders.modules; // not the experiment's own folder, which may be anybody's home
+    shelves.push_back(m_folders.program);
+    const std::string near = nearestModule(stem(written).string(), shelves);
+    return Error{Code::ModuleNotFound, "there is no module " + written + (near.empty() ? "" : " (did you mean " + near + "?)") + "; tried " + joined(tried)};
+}
+
+Result<ModuleListing> DirectoryCatalog::find(const std::string& written, const std::string& folder) {
+    if (endsLike(written, ".py")) return Error{Code::PythonModule, "the module " + written + " is Python; Python modules come later"};
+    if (stem(written).filename().empty()) return Error{Code::ModuleNotFound, "there is no module '" + written + "': the path names no file"};
+    const auto library = locate(written, folder);
+    if (!library) return library.error();
+    if (auto status = checkModuleFile(library.value()); !status) return status.error();
+
+    ModuleListing listing{library.value(), false, {}};
+    const std::string description = kindsJsonPath(library.value());
+    if (!isThere(description)) return listing;
+    const auto text = readRegularFile(description, kMostDescriptionBytes);
+    if (!text) return Error{Code::ModuleUndescribed, text.error().message};
+    auto kinds = kindsFromJson(text.value(), library.value());
+    if (!kinds) return kinds.error();
+    listing.described = true;
+    listing.kinds = std::move(kinds).value();
+    for (Kind& kind : listing.kinds) addControllerFields(kind);
+    return listing;
+}
+
+} // namespace trundle

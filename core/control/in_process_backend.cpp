@@ -1,0 +1,164 @@
+#include "control/in_process_backend.h"
+
+#include <filesystem>
+#include <limits>
+#include <vector>
+
+#include "base/rng.h"
+#include "control/port_names.h"
+
+namespace trundle {
+namespace {
+
+class InProcessBackend final : public ControllerBackend {
+public:
+    InProcessBackend(const RobotSpec& robot, const SettingsSpec& settings, const TrundleKind& code, std::string library)
+        : m_robot(robot), m_code(code), m_library(std::move(library)), m_seed(settings.seed), m_pathHash(fnv1a64(robot.name)) {
+        m_table.size = sizeof m_table;
+        m_table.context = this;
+        m_table.name = m_robot.name.c_str();
+        m_table.tick = settings.tick;
+        m_table.bind = &bind;
+        m_table.time = &time;
+        m_table.print = &print;
+        m_table.fail = &fail;
+        m_table.random = &random;
+        m_table.openLog = &openLog;
+        m_table.writeLog = &writeLog;
+        m_table.signalInfo = &signalInfo;
+    }
+    InProcessBackend(const InProcessBackend&) = delete;
+    InProcessBackend& operator=(const InProcessBackend&) = delete;
+    ~InProcessBackend() override { stop(); }
+
+    Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutlet outlet) override {
+        stop();
+        m_layout = &layout;
+        m_block = &block;
+        m_outlet = std::move(outlet);
+        m_failure.reset();
+        m_tick = kSetupTick;
+        m_draws = 0;
+        m_instance = m_code.create();
+        if (!m_instance) return failed("could not be made", m_code.lastError(nullptr));
+        for (std::uint32_t i = 0; i < m_code.fieldCount; ++i)
+            if (auto status = setField(i); !status) return status;
+        const bool refused = m_code.setupController(m_instance, &m_table) != 0;
+        if (m_failure) return *m_failure; // a missing port says more than the setup that failed for it
+        if (refused) return failed("failed in setup", m_code.lastError(m_instance));
+        return {};
+    }
+
+    Status tick(std::uint64_t tick, double time, double sinceLast) override {
+        if (!m_instance) return failed("was not started", nullptr);
+        m_tick = tick;
+        m_time = time;
+        m_draws = 0;
+        const bool stopped = m_code.update(m_instance, sinceLast) != 0;
+        if (stopped) return failed("failed", m_code.lastError(m_instance));
+        if (m_failure) return *m_failure;
+        return {};
+    }
+
+    void stop() override {
+        if (m_instance) m_code.destroy(m_instance);
+        m_instance = nullptr;
+    }
+
+    std::string describe() const override {
+        const std::string file = std::filesystem::path(m_library).filename().string();
+        return std::string(m_code.name) + (file.empty() ? "" : " from " + file) + ", in process";
+    }
+
+private:
+    /// Numbers drawn in setup are none of tick 0's.
+    static constexpr std::uint64_t kSetupTick = std::numeric_limits<std::uint64_t>::max();
+
+    Error failed(const std::string& how, const char* why) const {
+        const std::string reason = why && *why ? std::string(": ") + why : "";
+        return {Code::ControllerFailed, "the controller " + std::string(m_code.name) + " of " + m_robot.name + " " + how + reason};
+    }
+
+    Status setField(std::uint32_t index) {
+        const ResolvedValue* given = m_robot.controller ? m_robot.controller->find(m_code.fields[index].name) : nullptr;
+        if (!given) return {};
+        const PropertyValue& value = given->value;
+        std::vector<const char*> texts;
+        for (const std::string& text : value.texts) texts.push_back(text.c_str());
+        const TrundleField& field = m_code.fields[index];
+        const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
+        const std::size_t count = numeric ? value.numbers.size() : texts.size();
+        // The class reads as many elements as it has room for: a description that no longer fits must not make it read beyond.
+        if (count < field.minCount || count > field.maxCount) return failed(std::string("cannot take the value of ") + field.name, "wrong count of elements");
+        const TrundleValue crossing{value.numbers.data(), texts.data(), static_cast<std::uint32_t>(count)};
+        if (m_code.set(m_instance, index, &crossing) == 0) return {};
+        return failed(std::string("refuses the value of ") + field.name, m_code.lastError(m_instance));
+    }
+
+    static InProcessBackend& self(void* context) { return *static_cast<InProcessBackend*>(context); }
+    static std::string textOf(const char* text) { return text ? text : ""; }
+
+    static double* bind(void* context, const char* kind, const char* device, const char* signal) {
+        auto& me = self(context);
+        const auto entry = PortNames(me.m_robot, *me.m_layout).bind(textOf(kind), textOf(device), textOf(signal));
+        if (entry) return &me.m_block->slots()[entry.value()->offset];
+        if (!me.m_failure) me.m_failure = entry.error();
+        return nullptr;
+    }
+    static std::int32_t signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count, std::uint32_t* direction) {
+        auto& me = self(context);
+        const SignalEntry* entry = PortNames(me.m_robot, *me.m_layout).look(textOf(device), textOf(signal));
+        if (!entry) return 1;
+        if (count) *count = entry->count;
+        if (direction) *direction = static_cast<std::uint32_t>(entry->direction);
+        return 0;
+    }
+    static double time(void* context) { return self(context).m_time; }
+    static void print(void* context, std::int32_t severity, const char* text) {
+        if (self(context).m_outlet.print) self(context).m_outlet.print(severity, textOf(text));
+    }
+    static void fail(void* context, const char* text) {
+        auto& me = self(context);
+        if (!me.m_failure) me.m_failure = me.failed("gave up", text);
+    }
+    static std::uint64_t random(void* context) {
+        auto& me = self(context);
+        return randomBits(me.m_seed, me.m_pathHash, me.m_tick, me.m_draws++);
+    }
+    static std::int32_t openLog(void* context, const char* fileName) {
+        const auto& open = self(context).m_outlet.openLog;
+        return open ? open(textOf(fileName)) : -1;
+    }
+    static void writeLog(void* context, std::int32_t log, const char* bytes, std::uint64_t count) {
+        const auto& write = self(context).m_outlet.writeLog;
+        if (write && log >= 0 && bytes) write(log, std::string_view(bytes, count));
+    }
+
+    const RobotSpec m_robot; // a copy: its name and values are handed out
+    const TrundleKind& m_code;
+    std::string m_library;
+    TrundleRobot m_table{};
+    void* m_instance = nullptr;
+    const SignalLayout* m_layout = nullptr;
+    SignalBlock* m_block = nullptr;
+    ControllerOutlet m_outlet;
+    std::optional<Error> m_failure;
+    std::uint64_t m_seed, m_pathHash, m_tick = kSetupTick, m_draws = 0;
+    double m_time = 0;
+};
+
+} // namespace
+
+std::unique_ptr<ControllerBackend> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings, const TrundleKind& code, std::string library) {
+    return std::make_unique<InProcessBackend>(robot, settings, code, std::move(library));
+}
+
+Result<std::unique_ptr<ControllerBackend>> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings, const ModuleStore& store) {
+    if (!robot.controller) return Error{Code::Internal, robot.name + " has no controller"};
+    const std::string& kind = robot.controller->kind;
+    const LoadedModule* module = store.owner(kind, TRUNDLE_CONTROLLER);
+    if (!module) return Error{Code::KindNotLoaded, "the controller " + kind + " of " + robot.name + " is in no loaded module"};
+    return makeInProcessBackend(robot, settings, *store.find(kind, TRUNDLE_CONTROLLER), module->library);
+}
+
+} // namespace trundle

@@ -1,0 +1,158 @@
+#include "devices/differential_drive.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace trundle {
+namespace {
+
+/// Beyond this turn per tick the wheels' hinges open and heading is lost.
+constexpr double kMaxTurnPerTick = 0.1;
+
+template <class... Values> std::string formatted(const char* pattern, Values... values) {
+    char text[200];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
+
+} // namespace
+
+void DifferentialDrive::describe(Describe<DifferentialDrive>& d) {
+    d.help("A base with two driven wheels: turns speeds of the robot into speeds of the wheels.");
+    d.field("LeftMotor", &DifferentialDrive::m_leftMotor, reference("RotaryMotor").required(), "Turns the left wheel; forward is positive.");
+    d.field("RightMotor", &DifferentialDrive::m_rightMotor, reference("RotaryMotor").required(), "Turns the right wheel.");
+    d.field("WheelRadius", &DifferentialDrive::m_radiusM, metres().within(1e-4, 1e3).required(), "Of both wheels.");
+    d.field("WheelSeparation", &DifferentialDrive::m_separationM, metres().within(1e-4, 1e3).required(), "Between the wheels' middles.");
+    d.field("Control", &DifferentialDrive::m_controlName, oneOf("servo|pi|voltage"),
+            "servo: wheels hold their rate; pi: a speed controller sets the voltage; voltage: open loop.");
+    d.field("Kp", &DifferentialDrive::m_kp, unitOf("V s/rad").within(0, 1e6).live(), "Of Control = pi.");
+    d.field("Ki", &DifferentialDrive::m_ki, unitOf("V/rad").within(0, 1e6).live(), "Of Control = pi.");
+    d.field("MaxAcceleration", &DifferentialDrive::m_maxAcceleration, metresPerSecondSquared().within(0, 1e6).live(), "Ramps of the speed; 0: no limit.");
+    d.field("MaxAngularAcceleration", &DifferentialDrive::m_maxAngularAcceleration, radiansPerSecondSquared().within(0, 1e6).live(),
+            "Ramps of the turn rate; 0: no limit.");
+    d.command("linearVelocity", "m/s", "Of the middle of the axle.");
+    d.command("angularVelocity", "rad/s", "Positive turns left.");
+    d.command("linearAmount", "m", "Stop after this; 0: no limit.");
+    d.command("angularAmount", "rad", "Stop after this; 0: no limit.");
+    d.command("sequence", "", "A change starts the amounts.", 1, TRUNDLE_INTEGER_SIGNAL);
+    d.truth("pose", "", "True x [m], y [m], heading [rad] of the middle of the axle in the world.", 3);
+    d.output("odometry", "", "The same from the wheels' angles, counted from the start.", 3);
+    d.output("done", "", "No amount is under way.", 1, TRUNDLE_BOOLEAN_SIGNAL);
+    d.output("busy", "", "An amount is under way.", 1, TRUNDLE_BOOLEAN_SIGNAL);
+    d.output("finished", "", "Sequence number of the amount last ended or refused.", 1, TRUNDLE_INTEGER_SIGNAL);
+}
+
+void DifferentialDrive::setup(Mount& mount) {
+    m_control = m_controlName == "pi" ? Control::Pi : m_controlName == "voltage" ? Control::Voltage : Control::Servo;
+    if (m_leftMotor == m_rightMotor) return mount.fail("LeftMotor and RightMotor are the same motor");
+    m_left = mountWheel(mount, m_leftMotor);
+    m_right = mountWheel(mount, m_rightMotor);
+    m_linear.bind(mount, "linearVelocity");
+    m_angular.bind(mount, "angularVelocity");
+    m_linearAmount.bind(mount, "linearAmount");
+    m_angularAmount.bind(mount, "angularAmount");
+    m_sequence.bind(mount, "sequence");
+    m_pose = mount.signal("pose", 3);
+    m_odometry = mount.signal("odometry", 3);
+    m_done = mount.signal("done");
+    m_busy = mount.signal("busy");
+    m_finished = mount.signal("finished");
+}
+
+DifferentialDrive::Wheel DifferentialDrive::mountWheel(Mount& mount, const std::string& motor) {
+    Wheel wheel;
+    wheel.servo = mount.peer("RotaryMotor", motor, "servo");
+    wheel.targetRate = mount.peer("RotaryMotor", motor, "targetRate");
+    wheel.voltage = mount.peer("RotaryMotor", motor, "voltage");
+    if (!wheel.servo.bound()) return wheel;
+    wheel.joint = mount.joint(mount.peerText(motor, "Joint"));
+    const double backEmf = mount.peerNumber(motor, "BackEmfConstant", 0);
+    const double perVolt = mount.peerNumber(motor, "SpeedConstant", backEmf > 0 ? 1 / backEmf : 1);
+    wheel.voltsPerRate = mount.peerNumber(motor, "GearRatio", 1) / perVolt;
+    wheel.maxVoltage = mount.peerNumber(motor, "MaxVoltage", 0);
+    return wheel;
+}
+
+void DifferentialDrive::readCommands(const Services& world) {
+    const ChassisMotion velocity{m_linear.read(world), m_angular.read(world)};
+    const ChassisMotion amount{m_linearAmount.read(world), m_angularAmount.read(world)};
+    const double sequence = m_sequence.read(world);
+    const bool isNew = sequence != m_seen;
+    m_seen = sequence;
+    if (amount.linear == 0 && amount.angular == 0) {
+        m_profile.aim(velocity);
+    } else if (isNew) {
+        if (const auto why = m_profile.start(velocity, amount, limits())) world.warn("command refused: " + *why);
+    }
+}
+
+void DifferentialDrive::act(Actuation& world) {
+    readCommands(world);
+    const ChassisMotion velocity = m_profile.next(limits(), world.tick());
+    const WheelMotion rates = wheelsFromChassis(velocity, m_radiusM, m_separationM);
+    warnOfSpeeds(world, velocity, rates);
+    drive(world, m_left, rates.left);
+    drive(world, m_right, rates.right);
+}
+
+void DifferentialDrive::drive(Actuation& world, Wheel& wheel, double rate) {
+    wheel.servo.set(m_control == Control::Servo);
+    switch (m_control) {
+    case Control::Servo: wheel.targetRate.set(rate); break;
+    case Control::Pi: wheel.voltage.set(piVoltage(world, wheel, rate)); break;
+    case Control::Voltage: wheel.voltage.set(rate * wheel.voltsPerRate); break;
+    }
+    wheel.lastTarget = rate;
+}
+
+/// Feed-forward plus PI. The error pairs the rate that was asked of the last tick with the rate it ended at, so its integral is the
+/// wheel's error of angle: at rest that goes to zero, and with it what an amount is short of.
+double DifferentialDrive::piVoltage(const Services& world, Wheel& wheel, double rate) const {
+    const double error = wheel.lastTarget - world.jointRate(wheel.joint);
+    const double angle = wheel.errorAngle + error * world.tick();
+    const double voltage = rate * wheel.voltsPerRate + m_kp * error + m_ki * angle;
+    const double clipped = std::clamp(voltage, -wheel.maxVoltage, wheel.maxVoltage);
+    const bool windingUp = voltage != clipped && (voltage > clipped) == (error > 0);
+    if (!windingUp) wheel.errorAngle = angle;
+    return clipped;
+}
+
+void DifferentialDrive::warnOfSpeeds(const Services& world, const ChassisMotion& velocity, const WheelMotion& rates) {
+    if (!m_toldTurn && std::abs(velocity.angular) * world.tick() > kMaxTurnPerTick) {
+        m_toldTurn = true;
+        world.warn(formatted("turning at %.3g rad/s is too fast for a tick of %.3g s: heading gets inexact above %.3g rad/s", velocity.angular,
+                             world.tick().value, kMaxTurnPerTick / world.tick()));
+    }
+    const double fastest = std::max(std::abs(rates.left), std::abs(rates.right));
+    const double possible = std::min(m_left.maxVoltage / m_left.voltsPerRate, m_right.maxVoltage / m_right.voltsPerRate);
+    if (!m_toldSpeed && fastest > possible) {
+        m_toldSpeed = true;
+        world.warn(formatted("a wheel is to turn at %.3g rad/s, its motor reaches %.3g rad/s at MaxVoltage", fastest, possible));
+    }
+}
+
+void DifferentialDrive::sense(Sensing& world) {
+    const double left = world.jointPosition(m_left.joint), right = world.jointPosition(m_right.joint);
+    const WheelMotion turned{left - m_left.angle, right - m_right.angle};
+    m_left.angle = left;
+    m_right.angle = right;
+    m_reckoned = alongArc(m_reckoned, chassisFromWheels(turned, m_radiusM, m_separationM));
+    m_odometry.set(0, m_reckoned.x);
+    m_odometry.set(1, m_reckoned.y);
+    m_odometry.set(2, m_reckoned.heading);
+    m_done.set(!m_profile.busy());
+    m_busy.set(m_profile.busy());
+    if (!m_profile.busy()) m_finished.set(m_seen);
+    publishTruth(world);
+}
+
+/// The axle's middle lies between the two anchors; left of it is the left one.
+void DifferentialDrive::publishTruth(const Services& world) {
+    Vec3 left, right, axis;
+    if (!world.jointAnchor(m_left.joint, left, axis) || !world.jointAnchor(m_right.joint, right, axis)) return;
+    m_pose.set(0, (left.x() + right.x()) / 2);
+    m_pose.set(1, (left.y() + right.y()) / 2);
+    m_pose.set(2, std::atan2(right.x() - left.x(), left.y() - right.y()));
+}
+
+} // namespace trundle

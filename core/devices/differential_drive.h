@@ -1,0 +1,55 @@
+#pragma once
+#include <trundle/device.h>
+
+#include "devices/commands.h"
+#include "devices/drive_profile.h"
+#include "devices/kinematics.h"
+
+namespace trundle {
+
+/// Converts chassis motion into wheel speeds for a two-wheeled base (thesis eqs. 3.4-3.7) and commands its two motors.
+/// Lives on its robot; commands are read once per tick in act, before the motors act. Odometry comes from the joints' angles alone.
+class DifferentialDrive final : public Device {
+public:
+    static void describe(Describe<DifferentialDrive>& d);
+    /// Binds both motors. Fails with the names that exist if one is missing.
+    void setup(Mount& mount) override;
+    void act(Actuation& world) override;
+    void sense(Sensing& world) override;
+
+private:
+    enum class Control { Servo, Pi, Voltage };
+    /// One motor and the joint it turns.
+    struct Wheel {
+        JointId joint;
+        Slot servo, targetRate, voltage;
+        double voltsPerRate = 0; ///< back-EMF seen at the joint, V s/rad
+        double maxVoltage = 0;
+        double lastTarget = 0;   ///< rad/s
+        double errorAngle = 0;   ///< rad, integral of the rate's error
+        double angle = 0;        ///< rad, at the last sense
+    };
+    [[nodiscard]] Wheel mountWheel(Mount& mount, const std::string& motor);
+    void readCommands(const Services& world);
+    void drive(Actuation& world, Wheel& wheel, double rate);
+    [[nodiscard]] double piVoltage(const Services& world, Wheel& wheel, double rate) const;
+    void warnOfSpeeds(const Services& world, const ChassisMotion& velocity, const WheelMotion& rates);
+    void publishTruth(const Services& world);
+    [[nodiscard]] DriveLimits limits() const { return {m_maxAcceleration, m_maxAngularAcceleration}; }
+
+    std::string m_leftMotor, m_rightMotor, m_controlName = "servo";
+    double m_radiusM = 0, m_separationM = 0;
+    double m_kp = 0.5, m_ki = 10; ///< V s/rad, V/rad
+    double m_maxAcceleration = 1, m_maxAngularAcceleration = 4;
+
+    Control m_control = Control::Servo;
+    Wheel m_left, m_right;
+    CommandSlot m_linear, m_angular, m_linearAmount, m_angularAmount, m_sequence;
+    Slot m_pose, m_odometry, m_done, m_busy, m_finished;
+    DriveProfile m_profile;
+    double m_seen = 0; ///< sequence number of the amount last started or refused
+    PlanePose m_reckoned;
+    bool m_toldTurn = false, m_toldSpeed = false;
+};
+
+} // namespace trundle

@@ -1,0 +1,58 @@
+#pragma once
+// Plans the velocity of a base tick by tick: ramps towards a velocity, or a trapezoid that ends an amount exactly.
+//
+// needs       commands and acceleration limits; an acceleration of 0 means none is set
+// assumptions the tick does not change while an amount is under way
+// method      an amount has a position P(t) of its own; the velocity of tick k is (P(t_k+1) - P(t_k)) / h, so that the ticks add up
+//             to the amount to the last bit of a sum, whatever h is
+// data        P = what braking from the start velocity covers + remainder * S(t), S a trapezoid from 0 to 1 shared by both amounts
+
+#include <optional>
+#include <string>
+
+#include "devices/kinematics.h"
+
+namespace trundle {
+
+/// From 0 to 1 with peak rate `rate` (1/s) and acceleration `acceleration` (1/s^2, infinite: none).
+struct UnitTrapezoid {
+    double rate = 1, acceleration = 1;
+    [[nodiscard]] double duration() const;
+    [[nodiscard]] double position(double t) const;
+    [[nodiscard]] double velocity(double t) const;
+
+private:
+    [[nodiscard]] double peak() const;
+};
+
+/// m/s^2 and rad/s^2; 0: no limit.
+struct DriveLimits { double linear = 0, angular = 0; };
+
+class DriveProfile {
+public:
+    /// From now on ramps towards this velocity; linear and angular arrive together, so the curve is kept. Ends an amount.
+    void aim(const ChassisMotion& velocity);
+    /// Starts an amount; an amount of 0 is no limit on its axis. Says why where it makes no sense; then it only brakes.
+    [[nodiscard]] std::optional<std::string> start(const ChassisMotion& velocity, const ChassisMotion& amount, const DriveLimits& limits);
+    /// The mean velocity of the next tick.
+    [[nodiscard]] ChassisMotion next(const DriveLimits& limits, double h);
+    /// An amount is under way.
+    [[nodiscard]] bool busy() const { return m_busy; }
+
+private:
+    [[nodiscard]] ChassisMotion ramp(const DriveLimits& limits, double h);
+    [[nodiscard]] ChassisMotion positionAt(double t) const;
+    [[nodiscard]] ChassisMotion velocityAt(double t) const;
+    [[nodiscard]] double duration() const;
+
+    ChassisMotion m_now;    ///< velocity at the end of the last tick
+    ChassisMotion m_target; ///< what aim() asked for
+    bool m_busy = false;
+    // of the amount under way
+    ChassisMotion m_startVelocity, m_remainder;
+    UnitTrapezoid m_shape;
+    double m_brakeTime = 0, m_delay = 0; ///< s
+    double m_elapsed = 0;                ///< ticks
+};
+
+} // namespace trundle

@@ -1,0 +1,29 @@
+#pragma once
+#include <trundle/device.h>
+
+namespace trundle {
+
+/// Counts of a disc on a joint: floor(angle CPR / 2 pi), with four edges per line where Quadrature. What it publishes is what it
+/// counted; the angle between two counts is lost, as it is on a real one.
+class Encoder final : public Device {
+public:
+    static void describe(Describe<Encoder>& d);
+    void setup(Mount& mount) override;
+    void sense(Sensing& world) override;
+
+private:
+    std::string m_jointName;
+    double m_countsPerRevolution = 512;
+    bool m_quadrature = false;
+    bool m_hasIndex = false;
+
+    JointId m_joint;
+    Slot m_count, m_angle, m_rate, m_index;
+    double m_lastCount = 0;
+    double m_lastTurn = 0;
+};
+
+/// The count at an angle (rad). An edge is taken 1e-9 counts early, so that rounding at rest on an edge does not flicker.
+[[nodiscard]] double encoderCount(double angle, double countsPerTurn);
+
+} // namespace trundle

@@ -1,0 +1,24 @@
+#include "devices/kinematics.h"
+
+#include <cmath>
+
+namespace trundle {
+
+ChassisMotion chassisFromWheels(const WheelMotion& wheels, double r, double d) {
+    return {r * (wheels.right + wheels.left) / 2, r * (wheels.right - wheels.left) / d};
+}
+
+WheelMotion wheelsFromChassis(const ChassisMotion& chassis, double r, double d) {
+    const double difference = chassis.angular * d / 2;
+    return {(chassis.linear - difference) / r, (chassis.linear + difference) / r};
+}
+
+PlanePose alongArc(const PlanePose& from, const ChassisMotion& travel) {
+    const double half = travel.angular / 2;
+    const double chord = std::abs(half) < 1e-8 ? 1.0 : std::sin(half) / half; // chord over arc
+    const double direction = from.heading + half;
+    return {from.x + travel.linear * chord * std::cos(direction), from.y + travel.linear * chord * std::sin(direction),
+            from.heading + travel.angular};
+}
+
+} // namespace trundle

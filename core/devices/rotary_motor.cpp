@@ -1,0 +1,73 @@
+#include "devices/rotary_motor.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+VoltageRow voltageRow(const MotorConstants& motor, double voltage, double lastCurrent, double h) {
+    // Implicit Euler of the current's lag: i = (V + L/h i_last - G w/kv) / (R + L/h), the same law with another V and R.
+    const double lag = motor.inductance / h;
+    const double resistance = motor.resistance + lag;
+    const double drivingVoltage = voltage + lag * lastCurrent;
+    const double damping = motor.torquePerAmpere() * motor.gearRatio / (resistance * motor.speedConstant);
+    return {drivingVoltage * motor.speedConstant / motor.gearRatio, 1 / damping, motor.stallTorque()};
+}
+
+// The bounds keep every product finite; no real motor comes near them.
+void RotaryMotor::describe(Describe<RotaryMotor>& d) {
+    d.help("A direct-current motor with a gear that turns a joint.");
+    d.field("Joint", &RotaryMotor::m_jointName, reference("Hinge|Suspension").required(), "The joint it turns.");
+    d.field("TorqueConstant", &RotaryMotor::m_torqueConstant, unitOf("N m/A").above(0).atMost(1e6).required(), "Torque per current, before the gear.");
+    d.field("SpeedConstant", &RotaryMotor::m_speedConstant, unitOf("rad/s/V").within(1e-6, 1e6), "Speed without load per voltage. Give this or BackEmfConstant.");
+    d.field("BackEmfConstant", &RotaryMotor::m_backEmfConstant, unitOf("V s/rad").within(1e-6, 1e6), "Voltage induced per speed: 1 / SpeedConstant.");
+    d.field("Resistance", &RotaryMotor::m_resistance, ohms().within(1e-6, 1e9).required(), "Of the winding.");
+    d.field("GearRatio", &RotaryMotor::m_gearRatio, number().within(1e-6, 1e6), "Turns of the motor per turn of the joint.");
+    d.field("MaxVoltage", &RotaryMotor::m_maxVoltage, volts().above(0).atMost(1e6).required(), "The voltage is clipped to this; it also limits the current.");
+    d.field("Inductance", &RotaryMotor::m_inductance, unitOf("H").within(0, 1e3), "Of the winding: the current lags.");
+    d.field("Efficiency", &RotaryMotor::m_efficiency, number().above(0).atMost(1), "Part of the torque that passes the gear.");
+    d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kg m^2").within(0, 1e3), "Of the rotor, before the gear.");
+    d.command("voltage", "V", "Clipped to MaxVoltage.");
+    d.command("targetRate", "rad/s", "Of the joint, while servo is set.");
+    d.command("servo", "", "Holds targetRate with up to the stall torque instead of following the voltage.", 1, TRUNDLE_BOOLEAN_SIGNAL);
+    d.output("current", "A", "Through the winding.");
+    d.output("torque", "N m", "At the joint, given in the last tick.");
+    d.output("rate", "rad/s", "Of the joint.");
+}
+
+void RotaryMotor::setup(Mount& mount) {
+    if (m_speedConstant.has_value() == m_backEmfConstant.has_value()) {
+        mount.fail(m_speedConstant ? "SpeedConstant and BackEmfConstant say the same thing; give one of them"
+                                   : "give SpeedConstant or BackEmfConstant");
+        return;
+    }
+    m_motor = {m_torqueConstant, m_speedConstant ? *m_speedConstant : 1 / *m_backEmfConstant, m_resistance, m_gearRatio, m_maxVoltage,
+               m_inductance, m_efficiency};
+    m_joint = mount.joint(m_jointName);
+    m_voltage.bind(mount, "voltage");
+    m_targetRate.bind(mount, "targetRate");
+    m_servo.bind(mount, "servo");
+    m_current = mount.signal("current");
+    m_torque = mount.signal("torque");
+    m_rate = mount.signal("rate");
+    // Seen from the joint the rotor weighs G^2 times as much (energy: J (G w)^2 / 2).
+    if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
+}
+
+void RotaryMotor::act(Actuation& world) {
+    if (m_servo.read(world) != 0) {
+        world.motorRow(m_joint, m_targetRate.read(world), 0, m_motor.stallTorque());
+        return;
+    }
+    const double voltage = std::clamp(m_voltage.read(world), -m_motor.maxVoltage, m_motor.maxVoltage);
+    const VoltageRow row = voltageRow(m_motor, voltage, m_current.get(), world.tick());
+    world.motorRow(m_joint, row.rate, row.softness, row.limit);
+}
+
+void RotaryMotor::sense(Sensing& world) {
+    const double torque = world.jointMotorEffort(m_joint);
+    m_torque.set(torque);
+    m_current.set(torque / m_motor.torquePerAmpere());
+    m_rate.set(world.jointRate(m_joint));
+}
+
+} // namespace trundle

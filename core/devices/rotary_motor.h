@@ -1,0 +1,53 @@
+#pragma once
+#include <optional>
+
+#include <trundle/device.h>
+
+#include "devices/commands.h"
+
+namespace trundle {
+
+/// A direct-current motor behind a gear, SI units.
+struct MotorConstants {
+    double torqueConstant = 0; ///< kt, N m/A
+    double speedConstant = 0;  ///< kv, rad/s per V; back-EMF constant = 1/kv
+    double resistance = 0;     ///< ohm
+    double gearRatio = 1;
+    double maxVoltage = 0;
+    double inductance = 0; ///< H
+    double efficiency = 1;
+
+    /// N m at the joint per ampere.
+    [[nodiscard]] double torquePerAmpere() const { return efficiency * gearRatio * torqueConstant; }
+    /// What the driver's current limit allows at the joint: the torque at rest under the highest voltage.
+    [[nodiscard]] double stallTorque() const { return torquePerAmpere() * maxVoltage / resistance; }
+};
+
+/// The row of the joint: torque = (rate - w) / softness within the limit.
+struct VoltageRow { double rate = 0, softness = 0, limit = 0; };
+
+/// T = G kt (V - G w / kv) / R (thesis eq. 3.1) with w the rate after the step. The inductance is a first-order lag of the current,
+/// L di/dt = V - R i - G w / kv, taken implicitly, so that it too is stable at any tick.
+[[nodiscard]] VoltageRow voltageRow(const MotorConstants& motor, double voltage, double lastCurrent, double h);
+
+/// Drives a joint from a voltage, or as a servo from a target rate. Alone owns the joint's motor row.
+class RotaryMotor final : public Device {
+public:
+    static void describe(Describe<RotaryMotor>& d);
+    /// Fails unless exactly one of SpeedConstant and BackEmfConstant is given.
+    void setup(Mount& mount) override;
+    void act(Actuation& world) override;
+    void sense(Sensing& world) override;
+
+private:
+    std::string m_jointName;
+    MotorConstants m_motor;
+    double m_torqueConstant = 0, m_resistance = 0, m_gearRatio = 1, m_maxVoltage = 0, m_inductance = 0, m_efficiency = 1, m_rotorInertia = 0;
+    std::optional<double> m_speedConstant, m_backEmfConstant;
+
+    JointId m_joint;
+    CommandSlot m_voltage, m_targetRate, m_servo;
+    Slot m_current, m_torque, m_rate;
+};
+
+} // namespace trundle

@@ -1,0 +1,22 @@
+#pragma once
+#include <trundle/device.h>
+
+namespace trundle {
+
+/// Pressed while anything touches one of its geoms with at least MinForce in all. Reads the contacts of the last step.
+class TouchSensor final : public Device {
+public:
+    static void describe(Describe<TouchSensor>& d);
+    void setup(Mount& mount) override;
+    void sense(Sensing& world) override;
+
+private:
+    std::vector<std::string> m_geomPaths;
+    double m_minForceN = 0;
+
+    std::vector<GeomId> m_geoms;
+    std::vector<TrundleContact> m_contacts;
+    Slot m_pressed, m_force, m_count;
+};
+
+} // namespace trundle

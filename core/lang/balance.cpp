@@ -1,0 +1,89 @@
+// Braces that do not balance: which block is open, and where, by the author's indentation, its `}` was meant.
+
+#include <algorithm>
+
+#include "lang/characters.h"
+#include "lang/parser.h"
+
+namespace trundle {
+
+int Parser::indentOf(std::uint32_t offset) const
+{
+    constexpr int kTab = 4;
+    const std::string_view bytes = m_source->bytes();
+    int columns = 0;
+    while (offset > 0 && isBlank(bytes[offset - 1])) {
+        columns += bytes[offset - 1] == '\t' ? kTab : 1;
+        --offset;
+    }
+    return offset == 0 || bytes[offset - 1] == '\n' || bytes[offset - 1] == '\r' ? columns : -1;
+}
+
+/// Looks at the token that begins an item, or closes the block, for a sign that the block ended before it.
+void Parser::noteIndent()
+{
+    OpenBlock& open = m_open.back();
+    if (open.indent < 0 || !newLine()) return;
+    const int indent = indentOf(range().begin);
+    if (indent < 0) return;
+    const bool closes = kind() == TokenKind::CloseBrace;
+    if (indent > open.indent) open.indentedItems = open.indentedItems || !closes;
+    else if (closes ? indent < open.indent : open.indentedItems) m_suspects.push_back({open.openAt, static_cast<std::uint32_t>(m_at)});
+}
+
+/// Looks at what follows a block: an item deeper than the block on a line of its own may still belong to it.
+void Parser::noteEarlyClose(int indent, std::size_t brace)
+{
+    if (indent < 0 || !newLine() || atEnd() || kind() == TokenKind::CloseBrace) return;
+    if (indentOf(range().begin) > indent) m_early.push_back(static_cast<std::uint32_t>(brace));
+}
+
+bool Parser::ignoredBrace() const { return std::find(m_ignored.begin(), m_ignored.end(), m_at) != m_ignored.end(); }
+
+/// Where braces do not balance and the indentation says which one is missing or too many: reads again as if it were mended, so that
+/// one brace costs one message. False when there is nothing to assume, or when it made things worse.
+bool Parser::assume()
+{
+    const bool wasUnclosed = m_unclosed;
+    const int strays = m_strays;
+    if (m_unclosed && !m_suspects.empty()) {
+        m_assumed.push_back(*std::min_element(m_suspects.begin(), m_suspects.end(), [](const MissingBrace& a, const MissingBrace& b) { return a.before < b.before; }));
+        run();
+        if (m_strays <= strays) return true;
+        m_assumed.pop_back();
+    } else if (m_strays > 0 && !m_early.empty()) {
+        m_ignored.push_back(m_early.front());
+        run();
+        if (m_strays < strays && m_unclosed == wasUnclosed) return true;
+        m_ignored.pop_back();
+    } else {
+        return false;
+    }
+    run();
+    return false;
+}
+
+bool Parser::closedHere(const OpenBlock& block) const
+{
+    return std::any_of(m_assumed.begin(), m_assumed.end(), [&](const MissingBrace& m) { return m.openAt == block.openAt && m.before == m_at; });
+}
+
+void Parser::reportUnclosed(const OpenBlock& open, std::uint32_t place)
+{
+    const std::string_view bytes = m_source->bytes();
+    if (atEnd()) m_unclosed = true;
+    Diagnostic& d = error(Code::UnclosedBlock, open.name, "block `" + std::string(slice(open.name)) + "` lacks its closing `}`");
+    const std::string indent(static_cast<std::size_t>(std::max(open.indent, 0)), ' ');
+    if (!atEnd()) {
+        // Before the line of the token that no longer belongs to it.
+        std::uint32_t line = place;
+        while (line > 0 && isBlank(bytes[line - 1])) --line;
+        d.notes.push_back({"by the indentation it belongs before this line", {m_file, range()}});
+        fix(d, "insert `}` before line " + std::to_string(m_source->position(place).line), {edit({line, line}, indent + "}" + lineEnd())});
+        return;
+    }
+    const bool ownLine = bytes.empty() || bytes.back() == '\n' || bytes.back() == '\r';
+    fix(d, "insert `}` at the end", {edit({place, place}, (ownLine ? "" : lineEnd()) + indent + "}" + lineEnd())});
+}
+
+} // namespace trundle

@@ -1,0 +1,235 @@
+#include "lang/lexer.h"
+
+#include "lang/characters.h"
+#include "lang/utf8.h"
+
+namespace trundle {
+
+std::vector<Token> Lexer::lex()
+{
+    m_tokens.reserve(m_text.size() / 4);
+    if (m_text.starts_with(kBom)) emit(TokenKind::Bom, kBom.size());
+    while (m_at < m_text.size()) next();
+    emit(TokenKind::End, m_at);
+    return std::move(m_tokens);
+}
+
+void Lexer::emit(TokenKind kind, std::size_t end)
+{
+    m_tokens.push_back({kind, {static_cast<std::uint32_t>(m_at), static_cast<std::uint32_t>(end)}});
+    m_at = end;
+    if (isTrivia(kind)) return;
+    m_last = kind;
+    m_firstOnLine = false;
+}
+
+void Lexer::next()
+{
+    if (trivia()) return;
+    const char c = at(m_at);
+    if (const std::size_t end = numberEnd(m_at, m_parens == 0); end > m_at) return number(end);
+    if (wordStartsAt(m_at)) return word();
+    if (c == '"') return string();
+    if (c == '$') return dollar();
+    if (c == '#') return hash();
+    punctuation();
+}
+
+bool Lexer::trivia()
+{
+    const char c = at(m_at);
+    if (isBlank(c)) return emit(TokenKind::Space, skipBlanks(m_at)), true;
+    if (c == '\n' || c == '\r') {
+        if (m_parens > 0) expressionLineEnd();
+        m_firstOnLine = true;
+        m_sameLine = false;
+        return emit(TokenKind::LineEnd, m_at + (c == '\r' && at(m_at + 1) == '\n' ? 2 : 1)), true;
+    }
+    if (!commentAt(m_at)) return false;
+    if (at(m_at + 1) == '/') return emit(TokenKind::LineComment, lineEnd(m_at)), true;
+    const std::size_t close = m_text.find("*/", m_at + 2);
+    return emit(TokenKind::BlockComment, close == std::string_view::npos ? m_text.size() : close + 2), true;
+}
+
+// An expression goes on over a line end only at an operator; so a forgotten `)` costs one line, not the rest of the file.
+void Lexer::expressionLineEnd()
+{
+    switch (m_last) {
+    case TokenKind::Plus: case TokenKind::Minus: case TokenKind::Star: case TokenKind::Slash: case TokenKind::Caret:
+    case TokenKind::Comma: case TokenKind::OpenParen: case TokenKind::ExprOpen: return;
+    default: break;
+    }
+    const char c = at(skipTrivia(m_at));
+    if (c == '\0' || std::string_view("+-*/^,)").find(c) == std::string_view::npos) m_parens = 0;
+}
+
+void Lexer::number(std::size_t end)
+{
+    emit(TokenKind::Number, end);
+    if (m_parens > 0) return;
+    m_place = Place::AfterElement;
+    m_sameLine = m_numbers = true;
+    if (const std::size_t wide = invisibleAt(m_at); wide > 0 && unitEnd(m_at + wide) > m_at + wide) emit(TokenKind::Unknown, m_at + wide);
+    const std::size_t unit = skipBlanks(m_at);
+    const std::size_t unitStop = unitEnd(unit);
+    if (unitStop == unit) return;
+    if (unit > m_at) emit(TokenKind::Space, unit);
+    emit(TokenKind::Unit, unitStop);
+}
+
+/// `1,2,` or `X =` and then `Box b {` on the next line: an element was forgotten, Box is none.
+bool Lexer::blockMayFollow() const
+{
+    return !m_sameLine && (m_last == TokenKind::Equals || (m_numbers && m_last == TokenKind::Comma));
+}
+
+void Lexer::word()
+{
+    const std::size_t ident = identEnd(m_at);
+    // Looking ahead from every part of one long path would cost its length squared.
+    const bool insidePath = m_last == TokenKind::Dot;
+    if (m_parens > 0 || m_place == Place::Structure || insidePath) return emit(TokenKind::Word, ident);
+    const bool key = isKeyOrKind(m_at, ident);
+    if (m_place == Place::Value && !key && !(blockMayFollow() && isNamedBlock(ident))) {
+        emit(TokenKind::Word, wordEnd(m_at));
+        m_place = Place::AfterElement;
+        m_sameLine = true;
+        m_numbers = false;
+        return;
+    }
+    // `a b.c` in a value, the comma forgotten.
+    if (m_place == Place::AfterElement && m_sameLine && !key && !isNamedBlock(ident)) return emit(TokenKind::Word, wordEnd(m_at));
+    m_place = Place::Structure;
+    emit(TokenKind::Word, ident);
+}
+
+void Lexer::string()
+{
+    std::size_t i = m_at + 1;
+    const auto inLine = [this](std::size_t k) { return k < m_text.size() && m_text[k] != '\n' && m_text[k] != '\r'; };
+    while (inLine(i) && m_text[i] != '"') i += m_text[i] == '\\' && inLine(i + 1) ? 2 : 1;
+    emit(TokenKind::String, at(i) == '"' ? i + 1 : i);
+    m_parens = 0;
+    m_place = Place::AfterElement;
+    m_sameLine = true;
+    m_numbers = false;
+}
+
+void Lexer::dollar()
+{
+    if (at(m_at + 1) == '(') {
+        emit(TokenKind::ExprOpen, m_at + 2);
+        m_parens = 1;
+    } else if (wordStartsAt(m_at + 1)) {
+        emit(TokenKind::ParamRef, identEnd(m_at + 1));
+        m_parens = 0;
+    } else {
+        return unknown();
+    }
+    m_place = Place::AfterElement;
+    m_sameLine = m_numbers = true;
+}
+
+void Lexer::hash()
+{
+    m_parens = 0;
+    std::size_t end = m_at + 1;
+    while (isIdent(at(end))) ++end;
+    const std::string_view name = m_text.substr(m_at + 1, end - m_at - 1);
+    const bool known = isDirectiveLike(name);
+    if (!known && !(m_firstOnLine && !name.empty() && isIdentStart(name[0]))) {
+        // A colour (#ff0000) in a value, or a comment of another language.
+        return emit(TokenKind::Unknown, m_place == Place::Value && !name.empty() ? end : lineEnd(m_at));
+    }
+    const bool first = m_firstOnLine;
+    emit(TokenKind::Directive, end);
+    m_place = Place::Structure;
+    path(skipBlanks(m_at), first);
+}
+
+/// The rest of the line, cut at a blank before a comment. Where the directive is not first on its line, a last `}` stays outside.
+void Lexer::path(std::size_t from, bool firstOnLine)
+{
+    std::size_t stop = from;
+    if (at(from) == '"') {
+        for (++stop; stop < m_text.size() && at(stop) != '"' && at(stop) != '\n' && at(stop) != '\r';) ++stop;
+        if (at(stop) == '"') ++stop;
+    } else {
+        stop = lineEnd(from);
+        for (std::size_t i = from; i < stop; ++i) {
+            if (commentAt(i) && (i == from || isBlank(at(i - 1)))) stop = i;
+        }
+        while (stop > from && isBlank(at(stop - 1))) --stop;
+        if (!firstOnLine && stop > from && at(stop - 1) == '}') --stop;
+        while (stop > from && isBlank(at(stop - 1))) --stop;
+    }
+    if (stop == from) return; // the parser misses it
+    if (from > m_at) emit(TokenKind::Space, from);
+    emit(TokenKind::Path, stop);
+}
+
+void Lexer::punctuation()
+{
+    const auto structure = [this](TokenKind kind) {
+        m_place = Place::Structure;
+        m_parens = 0;
+        m_numbers = false;
+        emit(kind, m_at + 1);
+    };
+    const auto valueAfter = [this](TokenKind kind, std::size_t length) {
+        m_place = Place::Value;
+        m_parens = 0;
+        m_numbers = false;
+        m_sameLine = true;
+        emit(kind, m_at + length);
+    };
+    switch (at(m_at)) {
+    case '{': return structure(TokenKind::OpenBrace);
+    case '}': return structure(TokenKind::CloseBrace);
+    case '=': return startsWith(m_at, "==") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Equals, 1);
+    case ':': return startsWith(m_at, ":=") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Unknown, 1);
+    case ',':
+        if (m_parens == 0 && m_place == Place::AfterElement) m_place = Place::Value;
+        return emit(TokenKind::Comma, m_at + 1);
+    case '(':
+        if (m_parens > 0) ++m_parens;
+        return emit(TokenKind::OpenParen, m_at + 1);
+    case ')':
+        if (m_parens > 0) --m_parens;
+        return emit(TokenKind::CloseParen, m_at + 1);
+    case '.': return emit(TokenKind::Dot, m_at + 1);
+    case '+': return emit(TokenKind::Plus, m_at + 1);
+    case '-': return emit(TokenKind::Minus, m_at + 1);
+    case '*': return startsWith(m_at, "*/") ? emit(TokenKind::Unknown, m_at + 2) : emit(TokenKind::Star, m_at + 1);
+    case '/': return emit(TokenKind::Slash, m_at + 1);
+    case '^': return emit(TokenKind::Caret, m_at + 1);
+    default: return unknown();
+    }
+}
+
+/// Quotes of other kinds with what they hold, single signs, and runs of anything else.
+void Lexer::unknown()
+{
+    if (startsWith(m_at, kUnicodeMinus)) return emit(TokenKind::Minus, m_at + kUnicodeMinus.size());
+    if (const std::size_t quoted = foreignQuoteEnd(m_text, m_at); quoted > m_at) {
+        m_place = Place::AfterElement;
+        m_sameLine = true;
+        return emit(TokenKind::Unknown, quoted);
+    }
+    const char c = at(m_at);
+    if (static_cast<unsigned char>(c) > ' ' && static_cast<unsigned char>(c) < 0x7F) return emit(TokenKind::Unknown, m_at + 1);
+    // Broken bytes and sound code points apart, so that each can be reported for what it is.
+    const bool valid = codePointAt(m_text, m_at).valid && c != '\0';
+    const bool invisible = invisibleAt(m_at) > 0;
+    std::size_t end = m_at;
+    while (end < m_text.size()) {
+        const CodePoint point = codePointAt(m_text, end);
+        const auto byte = static_cast<unsigned char>(m_text[end]);
+        if ((point.valid && byte != 0) != valid || (byte >= ' ' && byte < 0x7F) || isBlank(m_text[end]) || byte == '\n' || byte == '\r') break;
+        if (end > m_at && (startsWith(end, kUnicodeMinus) || (invisibleAt(end) > 0) != invisible || letterAt(end) > 0)) break;
+        end += point.length;
+    }
+    emit(TokenKind::Unknown, end);
+}
+
+} // namespace trundle

@@ -1,0 +1,66 @@
+#pragma once
+// Bytes to tokens. Needs: any bytes. Gives: tokens that cover each byte once. Method: one pass; what a word is depends on where it
+// stands (a key, or a value that may hold . / \ -), so the lexer keeps the place and looks ahead at most to the end of one path.
+// Assumptions: none about the bytes; broken UTF-8 becomes Unknown tokens that the parser reports.
+
+#include <string_view>
+#include <vector>
+
+#include "lang/characters.h"
+#include "lang/token.h"
+
+namespace trundle {
+
+class Lexer {
+public:
+    explicit Lexer(std::string_view text) : m_text(text) {}
+    [[nodiscard]] std::vector<Token> lex();
+
+private:
+    enum class Place { Structure, Value, AfterElement };
+
+    // what stands at an offset
+    [[nodiscard]] char at(std::size_t i) const { return i < m_text.size() ? m_text[i] : '\0'; }
+    [[nodiscard]] bool startsWith(std::size_t i, std::string_view what) const { return m_text.compare(i, what.size(), what) == 0; }
+    [[nodiscard]] bool commentAt(std::size_t i) const { return at(i) == '/' && (at(i + 1) == '/' || at(i + 1) == '*'); }
+    [[nodiscard]] std::size_t lineEnd(std::size_t from) const;
+    [[nodiscard]] std::size_t skipBlanks(std::size_t from) const;
+    [[nodiscard]] std::size_t skipTrivia(std::size_t from) const;
+    [[nodiscard]] std::size_t letterAt(std::size_t i) const; ///< bytes of the letter or digit there, 0 for anything else
+    [[nodiscard]] bool wordStartsAt(std::size_t i) const { return letterAt(i) > 0 && !isDigit(at(i)); }
+    [[nodiscard]] std::size_t invisibleAt(std::size_t i) const; ///< bytes of the invisible sign there
+    [[nodiscard]] std::size_t identEnd(std::size_t from) const;
+    [[nodiscard]] std::size_t wordEnd(std::size_t from) const;
+    [[nodiscard]] std::size_t numberEnd(std::size_t from, bool sign) const; ///< `from` when no number begins there
+    [[nodiscard]] std::size_t unitEnd(std::size_t from) const;              ///< `from` when no unit begins there
+    [[nodiscard]] bool isKeyOrKind(std::size_t from, std::size_t end) const;
+    [[nodiscard]] bool isNamedBlock(std::size_t end) const;
+    [[nodiscard]] bool blockMayFollow() const;
+    [[nodiscard]] bool isReservedWord(std::size_t from, std::size_t end) const;
+
+    // tokens
+    void emit(TokenKind kind, std::size_t end);
+    void next();
+    bool trivia();
+    void word();
+    void number(std::size_t end);
+    void string();
+    void dollar();
+    void hash();
+    void path(std::size_t from, bool firstOnLine);
+    void punctuation();
+    void unknown();
+    void expressionLineEnd();
+
+    std::string_view m_text;
+    std::size_t m_at = 0;
+    std::vector<Token> m_tokens;
+    Place m_place = Place::Structure;
+    int m_parens = 0;             ///< open ones of an expression; 0 outside
+    bool m_firstOnLine = true;    ///< only blanks and comments before on this line
+    bool m_sameLine = false;      ///< the last element stands on this line
+    TokenKind m_last = TokenKind::End; ///< last token that is no trivia
+    bool m_numbers = false;       ///< the last element was a number
+};
+
+} // namespace trundle

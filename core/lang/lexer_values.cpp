@@ -1,0 +1,164 @@
+// The looking ahead: where numbers, words and units end, and whether a word is a key.
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "base/units.h"
+#include "lang/characters.h"
+#include "lang/lexer.h"
+#include "lang/utf8.h"
+
+namespace trundle {
+
+bool isDirectiveLike(std::string_view name)
+{
+    std::string lower;
+    for (const char c : name.substr(0, 12)) lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    constexpr std::array<std::string_view, 6> kLike{"import", "imports", "include", "loadmodule", "loadmodules", "load_module"};
+    return std::find(kLike.begin(), kLike.end(), lower) != kLike.end();
+}
+
+std::size_t foreignQuoteEnd(std::string_view text, std::size_t at)
+{
+    constexpr std::size_t kLongestQuoted = 200; // bounds the search: a text of nothing but opening quotes stays linear
+    struct Quotes { std::string_view open, close; };
+    constexpr std::array<Quotes, 7> kQuotes{{{"'", "'"}, {"`", "`"}, {"\u201C", "\u201D"}, {"\u201D", "\u201D"}, {"\u201E", "\u201C"},
+                                             {"\u2018", "\u2019"}, {"\u00AB", "\u00BB"}}};
+    for (const auto& [open, close] : kQuotes) {
+        if (text.compare(at, open.size(), open) != 0) continue;
+        std::string_view rest = text.substr(0, at + kLongestQuoted);
+        rest = rest.substr(0, rest.find_first_of("\r\n", at));
+        const std::size_t found = rest.find(close, at + open.size());
+        if (found != std::string_view::npos) return found + close.size();
+    }
+    return at;
+}
+
+std::size_t Lexer::lineEnd(std::size_t from) const
+{
+    while (from < m_text.size() && m_text[from] != '\n' && m_text[from] != '\r') ++from;
+    return from;
+}
+
+std::size_t Lexer::skipBlanks(std::size_t from) const
+{
+    while (isBlank(at(from))) ++from;
+    return from;
+}
+
+std::size_t Lexer::skipTrivia(std::size_t from) const
+{
+    while (from < m_text.size()) {
+        const char c = m_text[from];
+        if (isBlank(c) || c == '\n' || c == '\r') {
+            ++from;
+        } else if (startsWith(from, "//")) {
+            from = lineEnd(from);
+        } else if (startsWith(from, "/*")) {
+            const std::size_t close = m_text.find("*/", from + 2);
+            from = close == std::string_view::npos ? m_text.size() : close + 2;
+        } else {
+            break;
+        }
+    }
+    return from;
+}
+
+std::size_t Lexer::letterAt(std::size_t i) const
+{
+    if (isIdent(at(i))) return 1;
+    if (static_cast<unsigned char>(at(i)) < 0x80) return 0;
+    const CodePoint point = codePointAt(m_text, i);
+    return point.valid && isForeignLetter(point.value) ? point.length : 0;
+}
+
+std::size_t Lexer::invisibleAt(std::size_t i) const
+{
+    if (static_cast<unsigned char>(at(i)) < 0x80) return 0;
+    const CodePoint point = codePointAt(m_text, i);
+    return point.valid && isInvisible(point.value) ? point.length : 0;
+}
+
+std::size_t Lexer::identEnd(std::size_t from) const
+{
+    while (const std::size_t letter = letterAt(from)) from += letter;
+    return from;
+}
+
+std::size_t Lexer::wordEnd(std::size_t from) const
+{
+    while (!commentAt(from)) {
+        const std::size_t letter = isWordChar(at(from)) ? 1 : letterAt(from);
+        if (letter == 0) break;
+        from += letter;
+    }
+    return from;
+}
+
+std::size_t Lexer::numberEnd(std::size_t from, bool sign) const
+{
+    std::size_t i = from;
+    if (sign && (at(i) == '+' || at(i) == '-')) ++i;
+    else if (sign && startsWith(i, kUnicodeMinus)) i += kUnicodeMinus.size();
+    if (!isDigit(at(i)) && !(at(i) == '.' && isDigit(at(i + 1)))) return from;
+    // `1.2.3` and `1..2` are one number that cannot be read, not two that touch.
+    while (isDigit(at(i)) || at(i) == '.') ++i;
+    if (at(i) == 'e' || at(i) == 'E') {
+        const std::size_t exponent = i + 1 + (at(i + 1) == '+' || at(i + 1) == '-' ? 1 : 0);
+        if (isDigit(at(exponent))) for (i = exponent; isDigit(at(i));) ++i;
+    }
+    return i;
+}
+
+std::size_t Lexer::unitEnd(std::size_t from) const
+{
+    if (at(from) == '%') return from + 1;
+    for (const std::string_view sign : {"\u00B0", "\u03A9", "\u2126", "\u00B5m", "\u03BCm", "\u00B5s", "\u03BCs"}) // degree, ohm, micro
+        if (startsWith(from, sign)) return from + sign.size();
+    if (!wordStartsAt(from)) return from;
+    const std::size_t ident = identEnd(from);
+    if (isReservedWord(from, ident) || isKeyOrKind(from, ident)) return from;
+
+    std::size_t run = from;
+    while ((letterAt(run) || ((at(run) == '/' || at(run) == '^') && letterAt(run + 1))) && !commentAt(run)) run += std::max<std::size_t>(letterAt(run), 1);
+    constexpr std::size_t kLongestUnit = 12;
+    for (std::size_t end = std::min(run, from + kLongestUnit); end > from; --end)
+        if (!letterAt(end) && findUnit(m_text.substr(from, end - from))) return end;
+    const bool touches = from > 0 && !isBlank(at(from - 1));
+    if (!touches && isNamedBlock(ident)) return from;
+    return run;
+}
+
+bool Lexer::isReservedWord(std::size_t from, std::size_t end) const
+{
+    const std::string_view word = m_text.substr(from, end - from);
+    return word == "Param" || word == "true" || word == "false";
+}
+
+/// No longer path of keys is looked through; bounds the looking ahead.
+constexpr int kLongestPath = 64;
+
+/// True for a word before `=`, before `.key =` or before `{`: it begins something new and is never part of a value.
+bool Lexer::isKeyOrKind(std::size_t from, std::size_t end) const
+{
+    if (m_text.substr(from, end - from) == "Param") return true;
+    std::size_t i = skipTrivia(end);
+    if (at(i) == '=' || at(i) == '{') return true;
+    // People write `Key: value`; but C:\maps and http://... are texts that lack their quotes.
+    if (at(i) == ':') return at(i + 1) != '/' && at(i + 1) != '\\';
+    // A path of keys has no blanks: `File=a.csv. Key=1` ends its word at the dot.
+    i = end;
+    for (int parts = 0; parts < kLongestPath && at(i) == '.' && wordStartsAt(i + 1); ++parts) i = identEnd(i + 1);
+    return i > end && at(skipTrivia(i)) == '=';
+}
+
+/// True for the kind in `Kind name {`.
+bool Lexer::isNamedBlock(std::size_t end) const
+{
+    const std::size_t name = skipTrivia(end);
+    if (!wordStartsAt(name)) return false;
+    return at(skipTrivia(identEnd(name))) == '{';
+}
+
+} // namespace trundle

@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "base/diagnostic.h"
+#include "lang/source_text.h"
+
+namespace trundle {
+
+/// The whole message as a person reads it:
+///   file:14:52: error E203: Radius is -3 cm, it must be above 0
+///      14 |     Cylinder tyre { Radius=-3cm Length=0.03 HPR=0,0,90 }
+///         |                            ^~~~  fix: 3cm
+///   imported from configs/experiments/linear_motion.sim:4
+/// Carets stand under the code points they mean (tabs kept), control bytes are shown as U+FFFD, long lines are cut round the caret.
+[[nodiscard]] std::string render(const Diagnostic& diagnostic, const SourceTable& sources);
+
+} // namespace trundle

@@ -1,0 +1,235 @@
+// Splices. Needs: a tree and the place of an edit. Gives: the smallest change of bytes that makes it, written as the author writes: line
+// ends, indent, blanks round `=`. Nothing outside the place is printed anew.
+
+#include "lang/tree_edit.h"
+
+#include <algorithm>
+
+#include "lang/characters.h"
+#include "lang/edit_style.h"
+
+namespace trundle {
+namespace {
+
+TextEdit at(const Tree& tree, std::uint32_t begin, std::uint32_t end, std::string text) { return {{tree.file(), {begin, end}}, std::move(text)}; }
+
+std::uint32_t lineStart(std::string_view bytes, std::uint32_t from)
+{
+    while (from > 0 && bytes[from - 1] != '\n' && bytes[from - 1] != '\r') --from;
+    return from;
+}
+
+std::uint32_t blanksAfter(std::string_view bytes, std::uint32_t from)
+{
+    while (from < bytes.size() && isBlank(bytes[from])) ++from;
+    return from;
+}
+
+std::uint32_t blanksBefore(std::string_view bytes, std::uint32_t from)
+{
+    while (from > 0 && isBlank(bytes[from - 1])) --from;
+    return from;
+}
+
+bool isLineEnd(std::string_view bytes, std::uint32_t at) { return at >= bytes.size() || bytes[at] == '\n' || bytes[at] == '\r'; }
+
+std::uint32_t afterLineEnd(std::string_view bytes, std::uint32_t at)
+{
+    if (at >= bytes.size()) return at;
+    return at + (bytes[at] == '\r' && at + 1 < bytes.size() && bytes[at + 1] == '\n' ? 2 : 1);
+}
+
+bool hasLineEnd(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
+
+/// Lines of `text` behind `indent`, with the file's line ends, whatever the text has. Its own common indent goes.
+std::string reindent(std::string_view text, const std::string& indent, const std::string& lineEnd)
+{
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(end < text.size() ? afterLineEnd(text, static_cast<std::uint32_t>(end)) : end);
+    }
+    std::size_t common = std::string_view::npos;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        const std::size_t first = lines[i].find_first_not_of(" \t");
+        if (first != std::string_view::npos) common = std::min(common, first);
+    }
+    std::string out;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::string_view line = lines[i];
+        const std::size_t first = line.find_first_not_of(" \t");
+        line.remove_prefix(i == 0 ? std::min(first, line.size()) : first == std::string_view::npos ? line.size() : std::min(common, line.size()));
+        if (i > 0) out += lineEnd;
+        if (!line.empty()) out += indent + std::string(line);
+    }
+    return out;
+}
+
+/// Where an item goes that is to be the last of a block or of the file: behind `after`, on a line of its own or on the same.
+struct Slot {
+    std::uint32_t place = 0;
+    std::uint32_t end = 0; ///< blanks up to here are replaced; 0: none
+    std::string before, behind, indent;
+    bool ownLine = true;
+};
+
+/// The end of the line comment that stands behind `from` on its line, else `from`: nothing is put behind a `//`.
+std::uint32_t behindComments(const Tree& tree, std::uint32_t from)
+{
+    const auto& tokens = tree.tokens();
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), from, [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
+    std::uint32_t end = from;
+    for (; token != tokens.end() && isTrivia(token->kind) && token->kind != TokenKind::LineEnd; ++token)
+        if (token->kind == TokenKind::LineComment || token->kind == TokenKind::BlockComment) end = token->range.end;
+    return end;
+}
+
+bool containsLineComment(const Tree& tree, std::uint32_t from, std::uint32_t to)
+{
+    const auto& tokens = tree.tokens();
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), from, [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
+    for (; token != tokens.end() && token->range.begin < to; ++token)
+        if (token->kind == TokenKind::LineComment) return true;
+    return false;
+}
+
+Slot slotInFile(const Tree& tree, const EditStyle& style)
+{
+    const auto bytes = tree.source().bytes();
+    const auto size = static_cast<std::uint32_t>(bytes.size());
+    Slot slot;
+    slot.place = size;
+    const std::uint32_t line = lineStart(bytes, size);
+    const bool onlyBom = bytes == std::string_view("\xEF\xBB\xBF");
+    if (line < size && !onlyBom) slot.before = style.lineEnd;
+    slot.behind = style.lineEnd;
+    return slot;
+}
+
+Slot slotInBlock(const Tree& tree, const BlockItem& block, std::uint32_t blockBegin, const EditStyle& style)
+{
+    const auto bytes = tree.source().bytes();
+    const bool oneLine = !hasLineEnd(bytes.substr(block.open.end, block.close.begin - block.open.end));
+    const std::string outer = indentOfLine(bytes, blockBegin);
+    Slot slot;
+    if (oneLine && !containsLineComment(tree, block.open.end, block.close.begin)) {
+        slot.ownLine = false;
+        slot.place = std::max(blanksBefore(bytes, block.close.begin), block.open.end);
+        const bool empty = slot.place == block.open.end;
+        const bool blank = slot.place < block.close.begin;
+        slot.before = empty ? " " : std::string(style.itemGap, ' ');
+        slot.behind = blank ? "" : " ";
+        return slot;
+    }
+    const std::uint32_t last = block.items.empty() ? block.open.end : block.items.back().range.end;
+    // With the first item behind `{` on its line, the indent of neighbours is that of an item that begins a line.
+    slot.indent = outer + style.step;
+    for (const Item& item : block.items) {
+        const std::uint32_t start = lineStart(bytes, item.range.begin);
+        if (blanksAfter(bytes, start) == item.range.begin) slot.indent = std::string(bytes.substr(start, item.range.begin - start));
+    }
+    // Behind all comments of the block, on the line above its `}`.
+    const std::uint32_t closeLine = lineStart(bytes, block.close.begin);
+    if (block.close.size() > 0 && closeLine >= last && closeLine > block.open.end && blanksAfter(bytes, closeLine) == block.close.begin) {
+        slot.place = closeLine;
+        slot.behind = style.lineEnd;
+        return slot;
+    }
+    slot.place = std::max(behindComments(tree, last), last);
+    slot.before = style.lineEnd;
+    // `... } }`: what follows on the line, the brace at least, needs a line of its own only behind a line comment.
+    const std::uint32_t rest = blanksAfter(bytes, slot.place);
+    if (block.close.size() > 0 && rest == block.close.begin) {
+        slot.behind = style.lineEnd + outer;
+        slot.end = rest;
+    }
+    return slot;
+}
+
+Slot slotFor(const Tree& tree, const BlockItem* block, const EditStyle& style)
+{
+    return block ? slotInBlock(tree, *block, block->type.range.begin, style) : slotInFile(tree, style);
+}
+
+} // namespace
+
+TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view newText)
+{
+    // A value that was missing: `Key =` and at once something else.
+    const auto bytes = tree.source().bytes();
+    std::string text(newText);
+    if (value.range.size() == 0) {
+        const std::uint32_t place = value.range.begin;
+        if (place > 0 && bytes[place - 1] == '=' && editStyle(tree).spacedEquals) text.insert(0, " ");
+        if (!isLineEnd(bytes, place) && !isBlank(bytes[place])) text += ' ';
+    }
+    return {{tree.file(), value.range}, std::move(text)};
+}
+
+TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText) { return {{tree.file(), range}, std::string(newText)}; }
+
+TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string_view key, std::string_view text)
+{
+    const EditStyle style = editStyle(tree);
+    // Behind the last assignment, so that keys stay beside keys; where there is none, at the end.
+    const Slot slot = slotFor(tree, block, style);
+    const std::string line = std::string(key) + (spacedEquals(tree, block, style) ? " = " : "=") + std::string(text);
+    const auto& items = block ? block->items : tree.items();
+    const auto bytes = tree.source().bytes();
+    if (slot.ownLine && !items.empty()) {
+        const Item* beside = nullptr;
+        for (const Item& item : items)
+            if (item.as<AssignmentItem>()) beside = &item;
+        if (beside && beside != &items.back()) {
+            const std::uint32_t end = behindComments(tree, beside->range.end);
+            const std::uint32_t start = lineStart(bytes, beside->range.begin);
+            const std::string indent(bytes.substr(start, blanksAfter(bytes, start) - start));
+            // Only where its line ends there: what stands behind on the line stays beside it.
+            if (isLineEnd(bytes, blanksAfter(bytes, end))) return at(tree, end, end, style.lineEnd + indent + line);
+        }
+    }
+    return at(tree, slot.place, std::max(slot.end, slot.place), slot.before + (slot.ownLine ? slot.indent : "") + line + slot.behind);
+}
+
+TextEdit editAddItem(const Tree& tree, const BlockItem* block, std::string_view itemText)
+{
+    const EditStyle style = editStyle(tree);
+    Slot slot = slotFor(tree, block, style);
+    while (!itemText.empty() && (isLineEnd(itemText, static_cast<std::uint32_t>(itemText.size() - 1)) || isBlank(itemText.back()))) itemText.remove_suffix(1);
+    const bool needsLine = hasLineEnd(itemText) || itemText.starts_with('#') || itemText.find("//") != std::string_view::npos;
+    if (!slot.ownLine && needsLine && block) {
+        // A block on one line is opened for an item that needs lines.
+        const auto bytes = tree.source().bytes();
+        const std::string outer = indentOfLine(bytes, block->type.range.begin);
+        slot.indent = outer + style.step;
+        slot.before = style.lineEnd;
+        slot.behind = style.lineEnd + outer;
+        const std::uint32_t close = block->close.begin;
+        return at(tree, slot.place, close, slot.before + reindent(itemText, slot.indent, style.lineEnd) + (block->close.size() ? slot.behind : style.lineEnd));
+    }
+    return at(tree, slot.place, std::max(slot.end, slot.place), slot.before + reindent(itemText, slot.ownLine ? slot.indent : "", style.lineEnd) + slot.behind);
+}
+
+TextEdit editRemoveItem(const Tree& tree, const Item& item)
+{
+    const auto bytes = tree.source().bytes();
+    const std::uint32_t start = lineStart(bytes, item.range.begin);
+    const std::uint32_t before = blanksBefore(bytes, item.range.begin);
+    const std::uint32_t after = blanksAfter(bytes, item.range.end);
+    const bool first = before == start;
+    if (first && isLineEnd(bytes, after)) {
+        // Alone on its line or lines: they go whole. The last line of a file without a final line end takes the one before it.
+        if (after >= bytes.size() && start > 0) {
+            std::uint32_t previousEnd = start - 1;
+            if (previousEnd > 0 && bytes[previousEnd] == '\n' && bytes[previousEnd - 1] == '\r') --previousEnd;
+            return at(tree, previousEnd, after, "");
+        }
+        return at(tree, start, afterLineEnd(bytes, after), "");
+    }
+    if (first) return at(tree, item.range.begin, after, "");            // what follows moves to its place
+    if (isLineEnd(bytes, after)) return at(tree, before, item.range.end, "");
+    return at(tree, before, item.range.end, after > item.range.end ? "" : " ");
+}
+
+} // namespace trundle

@@ -1,0 +1,165 @@
+#include "model/block_view.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr std::size_t kLinear = 12; ///< up to here a look at each entry is fastest
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+std::string joined(std::span<const Name> path) {
+    std::string key = path.front().text;
+    for (const Name& name : path.subspan(1)) key += "." + name.text;
+    return key;
+}
+
+class Expander {
+public:
+    Expander(const TextSet& texts, Diagnostics& diagnostics) : m_texts(texts), m_diagnostics(diagnostics) {}
+
+    BlockView expand(const std::vector<Item>& items, FileId file) {
+        m_visited.insert(file);
+        m_view.assignments = collect(items, file);
+        return std::move(m_view);
+    }
+
+private:
+    /// Fills blocks and params of the view in order; gives the settings that hold for these items.
+    AssignmentList collect(const std::vector<Item>& items, FileId file) {
+        AssignmentList own, imported;
+        for (const Item& item : items) {
+            if (const auto* block = item.as<BlockItem>()) m_view.blocks.push_back({&item, block, file});
+            else if (const auto* assignment = item.as<AssignmentItem>()) addOwn(own, *assignment, file);
+            else if (const auto* param = item.as<ParamItem>()) addParam(*param, file);
+            else if (const auto* import = item.as<ImportItem>()) addImport(imported, *import);
+        }
+        for (const PlacedAssignment& a : imported.all()) {
+            if (!own.find(a.key)) own.add(a);
+        }
+        return own;
+    }
+
+    void addOwn(AssignmentList& own, const AssignmentItem& item, FileId file) {
+        if (item.path.empty()) return;
+        PlacedAssignment a{joined(item.path), item.path, &item.value, file, &item};
+        if (const PlacedAssignment* first = own.find(a.key)) {
+            Diagnostic& d = m_diagnostics.error(Code::DuplicateKey, a.keyRange(), a.key + " is set twice in one block");
+            d.notes.push_back({"first set here", first->keyRange()});
+            return;
+        }
+        own.add(std::move(a));
+    }
+
+    void addParam(const ParamItem& item, FileId file) {
+        const auto [it, fresh] = m_params.try_emplace(item.name.text, m_view.params.size());
+        if (!fresh) {
+            const PlacedParam& first = m_view.params[it->second];
+            Diagnostic& d = m_diagnostics.error(Code::DuplicateName, {file, item.name.range}, "Param " + item.name.text + " is defined twice");
+            d.notes.push_back({"first defined here", first.nameRange()});
+            return;
+        }
+        m_view.params.push_back({&item.name, &item.value, file, file});
+    }
+
+    void addImport(AssignmentList& imported, const ImportItem& item) {
+        const auto target = m_texts.imports.find(&item);
+        if (target == m_texts.imports.end() || !m_visited.insert(target->second).second) return;
+        m_view.imported.push_back(target->second);
+        const AssignmentList theirs = collect(m_texts.trees[target->second]->items(), target->second);
+        for (const PlacedAssignment& a : theirs.all()) {
+            if (const PlacedAssignment* before = imported.find(a.key)) warnIfDifferent(*before, a);
+            imported.replace(a);
+        }
+    }
+
+    void warnIfDifferent(const PlacedAssignment& before, const PlacedAssignment& later) {
+        const std::string_view a = m_texts.slice(before.valueRange()), b = m_texts.slice(later.valueRange());
+        if (a == b) return;
+        Diagnostic& d = m_diagnostics.warning(Code::ImportDisagrees, later.valueRange(),
+                                              "imported files disagree: " + later.key + " is " + std::string(a.substr(0, 40)) + " in " +
+                                                  m_texts.trees[before.file]->source().path() + " and " + std::string(b.substr(0, 40)) +
+                                                  " here; the later one holds");
+        d.notes.push_back({"the other one", before.valueRange()});
+    }
+
+    const TextSet& m_texts;
+    Diagnostics& m_diagnostics;
+    BlockView m_view;
+    std::unordered_set<FileId> m_visited;
+    std::unordered_map<std::string_view, std::size_t> m_params;
+};
+
+/// Walks the expansion without keeping it. An import counts as well, so that empty files cannot make the walk long.
+class Counter {
+public:
+    Counter(const TextSet& texts, std::size_t limit) : m_texts(texts), m_limit(limit) {}
+
+    std::size_t count() {
+        std::unordered_set<FileId> visited{0};
+        walk(m_texts.trees[0]->items(), visited);
+        return m_blocks;
+    }
+
+private:
+    void walk(const std::vector<Item>& items, std::unordered_set<FileId>& visited) {
+        for (const Item& item : items) {
+            if (m_blocks > m_limit || m_imports > m_limit * 4) break;
+            if (const auto* block = item.as<BlockItem>()) {
+                ++m_blocks;
+                std::unordered_set<FileId> inner;
+                walk(block->items, inner);
+            } else if (const auto* import = item.as<ImportItem>()) {
+                ++m_imports;
+                const auto target = m_texts.imports.find(import);
+                if (target != m_texts.imports.end() && visited.insert(target->second).second) {
+                    walk(m_texts.trees[target->second]->items(), visited);
+                }
+            }
+        }
+        if (m_imports > m_limit * 4) m_blocks = m_limit + 1;
+    }
+
+    const TextSet& m_texts;
+    std::size_t m_limit, m_blocks = 0, m_imports = 0;
+};
+
+} // namespace
+
+std::size_t AssignmentList::place(std::string_view key) const {
+    if (m_all.size() > kLinear) {
+        const auto it = m_index.find(std::string(key));
+        return it == m_index.end() ? kNone : it->second;
+    }
+    for (std::size_t i = 0; i < m_all.size(); ++i) {
+        if (m_all[i].key == key) return i;
+    }
+    return kNone;
+}
+
+const PlacedAssignment* AssignmentList::find(std::string_view key) const {
+    const std::size_t i = place(key);
+    return i == kNone ? nullptr : &m_all[i];
+}
+
+void AssignmentList::add(PlacedAssignment assignment) {
+    m_all.push_back(std::move(assignment));
+    if (m_all.size() == kLinear + 1) {
+        for (std::size_t i = 0; i < m_all.size(); ++i) m_index.emplace(m_all[i].key, i);
+    } else if (m_all.size() > kLinear) {
+        m_index.emplace(m_all.back().key, m_all.size() - 1);
+    }
+}
+
+void AssignmentList::replace(PlacedAssignment assignment) {
+    const std::size_t i = place(assignment.key);
+    if (i == kNone) add(std::move(assignment));
+    else m_all[i] = std::move(assignment);
+}
+
+BlockView viewOf(const TextSet& texts, const std::vector<Item>& items, FileId file, Diagnostics& diagnostics) {
+    return Expander(texts, diagnostics).expand(items, file);
+}
+
+std::size_t countBlocks(const TextSet& texts, std::size_t limit) { return Counter(texts, limit).count(); }
+
+} // namespace trundle

@@ -1,0 +1,33 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "base/source_range.h"
+#include "schema/kind.h"
+
+namespace trundle {
+
+/// Where a value comes from.
+enum class Origin { Default, Config, Instance, Param, CommandLine };
+
+struct ResolvedValue {
+    PropertyValue value;
+    SourceRange range; ///< of the value's text; unknown for a default
+    Origin origin = Origin::Default;
+};
+
+/// A device, controller or log as resolved from text: the model knows no more of it than its schema.
+/// Holds every property that has a value, defaults included.
+struct ComponentSpec {
+    std::string kind, name;
+    std::map<std::string, ResolvedValue, std::less<>> values;
+    SourceRange range;     ///< the whole block
+    SourceRange nameRange; ///< its name, or its kind where unnamed
+
+    [[nodiscard]] const ResolvedValue* find(std::string_view key) const { const auto it = values.find(key); return it == values.end() ? nullptr : &it->second; }
+    [[nodiscard]] double number(std::string_view key, double otherwise = 0) const;
+    [[nodiscard]] std::string text(std::string_view key, std::string otherwise = {}) const;
+    [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+};
+
+} // namespace trundle

@@ -1,0 +1,87 @@
+#pragma once
+// What a text means, once resolved: typed, immutable, in SI units and radians, complete (defaults filled in).
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/body_spec.h"
+#include "model/component_spec.h"
+#include "model/joint_spec.h"
+
+namespace trundle {
+
+struct MaterialSpec {
+    std::string name;
+    std::array<double, 3> colour{0.8, 0.8, 0.8};
+    std::string texture; ///< as written
+    std::string texturePath; ///< the picture found, or empty
+    std::string textureMap = "auto"; ///< auto planar box cylinder sphere
+    double textureScale = 1, shininess = 0, opacity = 1;
+    std::array<double, 3> emission{0, 0, 0};
+    SourceRange range;
+};
+
+struct SurfaceSpec {
+    std::string name;
+    double friction = 0.5, restitution = 0;
+    double rollingFriction = 0; ///< m
+    double softness = 0;        ///< m/N
+    SourceRange range;
+};
+
+/// A RobotConfig with one set of Param values and overrides applied. Instances that are equal share it.
+struct RobotConfigSpec {
+    std::string name;
+    std::vector<BodySpec> bodies; ///< the first carries the robot's pose
+    std::vector<JointSpec> joints;
+    std::vector<ComponentSpec> devices; ///< in text order
+    bool selfCollision = false;
+    SourceRange range;
+};
+
+struct RobotSpec {
+    std::string name;
+    Pose pose; ///< of the config frame in the world at t = 0
+    std::shared_ptr<const RobotConfigSpec> config;
+    std::optional<ComponentSpec> controller; ///< with UpdatePeriod, Isolation, Budget among its values
+    SourceRange range;
+};
+
+struct StaticSpec {
+    std::string name, configName;
+    Pose pose;
+    std::shared_ptr<const std::vector<GeomSpec>> geoms;
+    SourceRange range;
+};
+
+enum class SolverChoice { Auto, Exact, Quick };
+
+struct SettingsSpec {
+    double tick = 0.01;   ///< s
+    double duration = 0;  ///< s, 0 = until stopped
+    std::uint64_t seed = 1;
+    Vec3 gravity{0, 0, -9.81};
+    SolverChoice solver = SolverChoice::Auto;
+    int iterations = 20;
+    std::string isolation = "none", title, description;
+};
+
+struct ModuleSpec {
+    std::string written;  ///< as in the text
+    std::string library;  ///< absolute path found; empty when it was not
+    SourceRange range;    ///< of the path
+};
+
+struct ExperimentSpec {
+    SettingsSpec settings;
+    std::vector<MaterialSpec> materials; ///< [0] is the built-in default
+    std::vector<SurfaceSpec> surfaces;   ///< [0] is the built-in default
+    std::vector<RobotSpec> robots;       ///< in text order, Grid and Scatter members in place
+    std::vector<StaticSpec> statics;
+    std::vector<ComponentSpec> logs;
+    std::vector<ModuleSpec> modules;
+};
+
+} // namespace trundle

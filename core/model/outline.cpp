@@ -1,0 +1,193 @@
+#include "model/outline.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "model/part_builder.h"
+
+namespace trundle {
+
+namespace {
+
+bool topLevelOnly(const Registry& registry, const BlockItem& block) {
+    const Kind* kind = registry.find(block.type.text);
+    return kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Config);
+}
+
+/// Materials, surfaces and configs of files that are imported inside a block: they stand at the top level all the same, before
+/// the block that brought them.
+class Lifter {
+public:
+    Lifter(const TextSet& texts, const Registry& registry, std::span<const FileId> known) : m_texts(texts), m_registry(registry) {
+        m_files.insert(0);
+        m_files.insert(known.begin(), known.end());
+    }
+
+    std::vector<PlacedBlock> from(const BlockItem& block) {
+        m_found.clear();
+        lookIn(block.items);
+        return std::move(m_found);
+    }
+
+private:
+    void lookIn(const std::vector<Item>& items) {
+        for (const Item& item : items) {
+            if (const auto* block = item.as<BlockItem>()) lookIn(block->items);
+            if (const auto* import = item.as<ImportItem>()) lookInFile(*import);
+        }
+    }
+
+    void lookInFile(const ImportItem& import) {
+        const auto target = m_texts.imports.find(&import);
+        if (target == m_texts.imports.end() || !m_files.insert(target->second).second) return;
+        const std::vector<Item>& items = m_texts.trees[target->second]->items();
+        lookIn(items);
+        for (const Item& item : items) {
+            const auto* block = item.as<BlockItem>();
+            if (block && topLevelOnly(m_registry, *block)) m_found.push_back({&item, block, target->second});
+        }
+    }
+
+    const TextSet& m_texts;
+    const Registry& m_registry;
+    std::unordered_set<FileId> m_files;
+    std::vector<PlacedBlock> m_found;
+};
+
+} // namespace
+
+void Part::makeIndex() {
+    if (parts.size() <= 16) return; // a look at each is as fast
+    for (std::size_t i = 0; i < parts.size(); ++i) index.emplace(parts[i].name, i);
+}
+
+const Part* Part::find(std::string_view part) const {
+    if (!index.empty()) {
+        const auto it = index.find(std::string(part));
+        return it == index.end() ? nullptr : &parts[it->second];
+    }
+    const auto it = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == part; });
+    return it == parts.end() ? nullptr : &*it;
+}
+
+const PlacedParam* Part::param(std::string_view key) const {
+    const auto it = std::find_if(params.begin(), params.end(), [&](const PlacedParam& p) { return p.name->text == key; });
+    return it == params.end() ? nullptr : &*it;
+}
+
+const Part* NameSpace::find(std::string_view name) const {
+    const auto it = m_byName.find(name);
+    return it == m_byName.end() ? nullptr : it->second;
+}
+
+std::vector<std::string> NameSpace::names() const {
+    std::vector<std::string> names;
+    names.reserve(m_all.size());
+    for (const Part* part : m_all) names.push_back(part->name);
+    return names;
+}
+
+const Part* NameSpace::add(const Part& part) {
+    const auto [it, fresh] = m_byName.emplace(part.name, &part);
+    if (!fresh) return it->second;
+    m_all.push_back(&part);
+    return nullptr;
+}
+
+const NameSpace* Outline::spaceOf(const Kind& kind) const {
+    switch (kind.role) {
+    case Role::Material: return &materials;
+    case Role::Surface: return &surfaces;
+    case Role::Config: return &configs;
+    case Role::Instance:
+    case Role::Layout:
+    case Role::Log: return &world;
+    default: return nullptr;
+    }
+}
+
+std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, std::shared_ptr<const Registry> registry, Diagnostics& diagnostics) {
+    auto outline = std::make_shared<Outline>();
+    outline->m_texts = texts;
+    outline->m_registry = registry;
+    if (countBlocks(*texts, kMaxObjects) > kMaxObjects) {
+        diagnostics.error(Code::TooManyObjects, {0, {0, 0}}, "the text holds more than 200000 blocks once its imports are in place");
+        return outline;
+    }
+    BlockView top = viewOf(*texts, texts->trees[0]->items(), 0, diagnostics);
+    outline->settings = std::move(top.assignments);
+    outline->params = std::move(top.params);
+    Lifter lifter(*texts, *registry, top.imported);
+    PartBuilder builder(*texts, *registry, diagnostics);
+    std::uint32_t order = 0;
+    const auto place = [&](const PlacedBlock& placed) { outline->parts.push_back(std::make_unique<Part>(builder.build(placed, nullptr, order))); };
+    for (const PlacedBlock& placed : top.blocks) {
+        for (const PlacedBlock& lifted : lifter.from(*placed.block)) place(lifted);
+        ++order;
+        place(placed);
+    }
+    // one namer per name space: a robot may be called as a material is
+    std::unordered_map<const NameSpace*, PartNamer> namers;
+    for (const auto& part : outline->parts) {
+        if (NameSpace* space = part->kind ? const_cast<NameSpace*>(outline->spaceOf(*part->kind)) : nullptr; space && part->block->name) {
+            namers.try_emplace(space, diagnostics).first->second.reserve(part->name);
+        }
+    }
+    for (const auto& part : outline->parts) {
+        NameSpace* space = part->kind && part->usable ? const_cast<NameSpace*>(outline->spaceOf(*part->kind)) : nullptr;
+        if (!space) {
+            if (part->block->name) outline->unknown.insert(part->name);
+            continue;
+        }
+        if (!namers.try_emplace(space, diagnostics).first->second.name(*part)) part->usable = false;
+        else space->add(*part);
+    }
+    return outline;
+}
+
+const Part* layoutOfMember(const Outline& outline, std::string_view name) {
+    const std::size_t bar = name.rfind('_');
+    if (bar == std::string_view::npos || bar + 1 == name.size()) return nullptr;
+    const std::string_view digits = name.substr(bar + 1);
+    if (!std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) return nullptr;
+    const Part* part = outline.world.find(name.substr(0, bar));
+    return part && part->is(Role::Layout) ? part : nullptr;
+}
+
+std::vector<std::string> partNames(const Part& part) {
+    std::vector<std::string> names;
+    for (const Part& inner : part.parts) {
+        if (!inner.name.empty()) names.push_back(inner.name);
+    }
+    for (const PlacedParam& p : part.params) names.push_back(p.name->text);
+    if (part.kind) {
+        for (const Property& p : part.kind->properties) names.push_back(p.name);
+    }
+    return names;
+}
+
+std::vector<std::string> propertyNames(const Kind& kind) {
+    std::vector<std::string> names;
+    for (const Property& p : kind.properties) names.push_back(p.name);
+    return names;
+}
+
+const char* roleName(Role role) {
+    switch (role) {
+    case Role::Settings: return "Settings";
+    case Role::Material: return "Material";
+    case Role::Surface: return "Surface";
+    case Role::Config: return "Config";
+    case Role::Instance: return "Instance";
+    case Role::Layout: return "Layout";
+    case Role::Body: return "Body";
+    case Role::Geom: return "Geom";
+    case Role::Joint: return "Joint";
+    case Role::Device: return "Device";
+    case Role::Controller: return "Controller";
+    case Role::Log: return "Log";
+    }
+    return "";
+}
+
+} // namespace trundle

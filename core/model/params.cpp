@@ -1,0 +1,295 @@
+#include "model/params.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/units.h"
+#include "schema/value_words.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr std::size_t kLongestChain = 100;    ///< Params that need each other in a row: bounds the stack
+constexpr std::size_t kMostElements = 100000; ///< lists of lists could double without end
+
+/// The unit in which the language reads plain numbers of a dimension: metres, degrees ...
+std::string baseUnit(std::string_view dimension) {
+    if (dimension == "angle") return "deg";
+    for (const std::string& name : allUnitNames()) {
+        const UnitInfo* unit = findUnit(name);
+        if (unit->dimension == dimension && unit->factor == 1) return name;
+    }
+    return {};
+}
+
+double sine(double degrees) {
+    const double quarters = degrees / 90;
+    if (quarters == std::nearbyint(quarters) && std::abs(quarters) < 1e15) {
+        static const double exact[] = {0, 1, 0, -1};
+        return exact[((static_cast<long long>(quarters) % 4) + 4) % 4];
+    }
+    return std::sin(degrees * std::numbers::pi / 180);
+}
+
+} // namespace
+
+void ParamScope::declare(const std::vector<PlacedParam>& params) {
+    for (const PlacedParam& p : params) m_entries.try_emplace(p.name->text, Entry{p, this, State::Fresh, {}});
+}
+
+void ParamScope::preset(const std::string& name, const GivenValue& value) {
+    const auto it = m_entries.find(name);
+    if (it == m_entries.end()) return;
+    it->second.state = State::Done;
+    it->second.value = value;
+}
+
+ParamScope::Entry* ParamScope::find(std::string_view name) {
+    for (ParamScope* scope = this; scope; scope = scope->m_outer) {
+        const auto it = scope->m_entries.find(name);
+        if (it != scope->m_entries.end()) return &it->second;
+    }
+    return nullptr;
+}
+
+std::vector<std::string> ParamScope::names() const {
+    std::vector<std::string> names;
+    for (const ParamScope* scope = this; scope; scope = scope->m_outer) {
+        for (const auto& [name, entry] : scope->m_entries) names.push_back(name);
+    }
+    return names;
+}
+
+bool Evaluator::broken(const SourceRange& range) {
+    if (!range.known()) return false;
+    const auto [it, fresh] = m_broken.try_emplace(range.file);
+    std::vector<std::uint32_t>& places = it->second;
+    if (fresh) {
+        for (const Diagnostic& d : m_texts.trees[range.file]->diagnostics()) {
+            if (d.severity == Severity::Error) places.push_back(d.range.range.begin);
+        }
+        std::sort(places.begin(), places.end());
+    }
+    const auto first = std::lower_bound(places.begin(), places.end(), range.range.begin);
+    return first != places.end() && *first <= range.range.end;
+}
+
+std::optional<GivenValue> Evaluator::evaluate(const Value& value, FileId file, ParamScope& scope) {
+    if (broken({file, value.range})) return std::nullopt; // what was read of it is not what was meant
+    GivenValue out;
+    out.range = {file, value.range};
+    out.elements.reserve(value.elements.size());
+    bool good = true;
+    for (const Element& element : value.elements) good = addElement(element, file, scope, out) && good;
+    if (!good || out.elements.empty()) return std::nullopt; // a missing value has been said by the parser
+    return out;
+}
+
+void Evaluator::checkAll(ParamScope& scope) {
+    for (auto& [name, entry] : scope.m_entries) (void)paramValue(name, {entry.param.file, entry.param.name->range}, scope);
+}
+
+bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scope, GivenValue& out) {
+    GivenElement given;
+    given.range = {file, element.range};
+    switch (element.kind) {
+    case Element::Kind::Number:
+        given.kind = GivenElement::Kind::Number;
+        given.number = element.number;
+        given.unit = element.unit;
+        if (!element.unit.empty()) given.unitRange = {file, element.unitRange};
+        break;
+    case Element::Kind::Word:
+        given.kind = GivenElement::Kind::Word;
+        given.text = element.text;
+        break;
+    case Element::Kind::String:
+        given.kind = GivenElement::Kind::String;
+        given.text = element.text;
+        break;
+    case Element::Kind::Boolean:
+        given.kind = GivenElement::Kind::Boolean;
+        given.boolean = element.boolean;
+        break;
+    case Element::Kind::ParamRef: {
+        const GivenValue* value = paramValue(element.text, given.range, scope);
+        if (!value) return false;
+        out.fromParam = true;
+        if (out.elements.size() + value->elements.size() > kMostElements) {
+            m_diagnostics.error(Code::WrongCount, given.range, "the list grows beyond 100000 elements");
+            return false;
+        }
+        for (GivenElement e : value->elements) {
+            if (!e.source.known()) e.source = e.range;
+            e.range = given.range;
+            e.unitRange = {};
+            e.literal = false;
+            out.elements.push_back(std::move(e));
+        }
+        return true;
+    }
+    case Element::Kind::Expression: {
+        if (!element.expression) return false; // said by the parser
+        const std::optional<Amount> result = amount(*element.expression, file, scope);
+        if (!result) return false;
+        out.fromParam = true;
+        given.kind = GivenElement::Kind::Number;
+        given.number = result->value;
+        given.unit = result->unit;
+        given.literal = false;
+        break;
+    }
+    }
+    out.elements.push_back(std::move(given));
+    return true;
+}
+
+const GivenValue* Evaluator::paramValue(std::string_view name, SourceRange place, ParamScope& scope) {
+    ParamScope::Entry* entry = scope.find(name);
+    if (!entry) {
+        unknown(name, place, scope);
+        return nullptr;
+    }
+    using State = ParamScope::State;
+    if (entry->state == State::Busy) {
+        circle(*entry);
+        return nullptr;
+    }
+    if (entry->state == State::Fresh) {
+        entry->state = State::Busy;
+        m_chain.push_back(entry);
+        std::optional<GivenValue> value;
+        if (m_chain.size() > kLongestChain) {
+            m_diagnostics.error(Code::ParamCycle, entry->param.nameRange(), "more than 100 Params need each other in a row");
+        } else {
+            value = evaluate(*entry->param.value, entry->param.valueFile, *entry->scope);
+        }
+        m_chain.pop_back();
+        const bool failed = !value || entry->state == State::Failed;
+        entry->state = failed ? State::Failed : State::Done;
+        if (value) entry->value = std::move(*value);
+    }
+    return entry->state == State::Done ? &entry->value : nullptr;
+}
+
+void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& scope) {
+    const std::vector<std::string> names = scope.names();
+    std::string message = "there is no Param " + std::string(name);
+    // in `$name` only the name is wrong
+    const std::string_view text = m_texts.slice(place);
+    if (text.size() == name.size() + 1 && text.front() == '$') ++place.range.begin;
+    Diagnostic& d = m_diagnostics.error(Code::UnknownParam, place, std::move(message));
+    suggest(d, name, names, place);
+    if (d.suggestions.empty() && !names.empty()) d.message += "; there are " + listText(names, "and");
+}
+
+void Evaluator::circle(const ParamScope::Entry& entry) {
+    std::string chain;
+    bool inside = false;
+    for (ParamScope::Entry* e : m_chain) {
+        inside = inside || e == &entry;
+        if (inside) {
+            chain += e->param.name->text + " > ";
+            e->state = ParamScope::State::Failed;
+        }
+    }
+    m_diagnostics.error(Code::ParamCycle, entry.param.nameRange(), "Params need each other in a circle: " + chain + entry.param.name->text);
+}
+
+std::optional<Evaluator::Amount> Evaluator::fault(const Expression& e, FileId file, std::string message) {
+    m_diagnostics.error(Code::ExpressionValue, {file, e.range}, std::move(message));
+    return std::nullopt;
+}
+
+std::optional<Evaluator::Amount> Evaluator::finite(const Expression& e, FileId file, Amount amount) {
+    if (std::isfinite(amount.value)) return amount;
+    return fault(e, file, "the result is not a number that can be used");
+}
+
+std::optional<Evaluator::Amount> Evaluator::paramAmount(const Expression& e, FileId file, ParamScope& scope) {
+    const GivenValue* value = nullptr;
+    if (e.name == "pi" && !scope.find("pi")) return Amount{std::numbers::pi, {}};
+    value = paramValue(e.name, {file, e.range}, scope);
+    if (!value) return std::nullopt;
+    if (value->elements.size() != 1) return fault(e, file, "Param " + e.name + " is a list of " + std::to_string(value->elements.size()) + ", an expression takes numbers");
+    const GivenElement& element = value->elements[0];
+    if (element.kind != GivenElement::Kind::Number) return fault(e, file, "Param " + e.name + " is " + elementText(element) + ", an expression takes numbers");
+    if (element.unit.empty()) return Amount{element.number, {}};
+    const UnitInfo* unit = findUnit(element.unit);
+    if (!unit) return fault(e, file, "Param " + e.name + " is " + elementText(element) + ": there is no unit " + element.unit);
+    if (element.unit == "%") return Amount{element.number * unit->factor, {}};
+    const std::string base = baseUnit(unit->dimension);
+    return Amount{convertUnit(element.number, element.unit, base).value_or(element.number), base};
+}
+
+std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId file, ParamScope& scope) {
+    using Op = Expression::Op;
+    if (e.op == Op::Number) return Amount{e.number, {}};
+    if (e.op == Op::Name) return paramAmount(e, file, scope);
+    if (e.op == Op::Call) return call(e, file, scope);
+    if (e.arguments.empty() || (e.op != Op::Negate && e.arguments.size() < 2)) return std::nullopt; // said by the parser
+    std::optional<Amount> a = amount(e.arguments[0], file, scope);
+    if (e.op == Op::Negate) {
+        if (a) a->value = -a->value;
+        return a;
+    }
+    const std::optional<Amount> b = amount(e.arguments[1], file, scope);
+    if (!a || !b) return std::nullopt;
+    switch (e.op) {
+    case Op::Add:
+    case Op::Subtract:
+        if (!a->unit.empty() && !b->unit.empty() && a->unit != b->unit) {
+            return fault(e, file, a->unit + " and " + b->unit + " cannot be added");
+        }
+        return finite(e, file, {e.op == Op::Add ? a->value + b->value : a->value - b->value, a->unit.empty() ? b->unit : a->unit});
+    case Op::Multiply:
+        // the product of two units is a number of which only its author knows what it is
+        return finite(e, file, {a->value * b->value, a->unit.empty() ? b->unit : b->unit.empty() ? a->unit : std::string()});
+    case Op::Divide:
+        if (b->value == 0) return fault(e, file, "division by zero");
+        return finite(e, file, {a->value / b->value, b->unit.empty() ? a->unit : std::string()});
+    default:
+        return finite(e, file, {std::pow(a->value, b->value), {}});
+    }
+}
+
+std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId file, ParamScope& scope) {
+    std::vector<Amount> args;
+    for (const Expression& argument : e.arguments) {
+        const std::optional<Amount> a = amount(argument, file, scope);
+        if (!a) return std::nullopt;
+        args.push_back(*a);
+    }
+    const auto takes = [&](std::size_t count) { return args.size() == count; };
+    if (e.name == "min" || e.name == "max") {
+        if (args.empty()) return fault(e, file, e.name + " takes at least one number");
+        Amount best = args[0];
+        for (const Amount& a : args) {
+            if (e.name == "min" ? a.value < best.value : a.value > best.value) best.value = a.value;
+            if (best.unit.empty()) best.unit = a.unit;
+        }
+        return best;
+    }
+    static const std::string functions[] = {"min", "max", "abs", "sqrt", "sin", "cos", "tan"};
+    if (std::find(std::begin(functions), std::end(functions), e.name) == std::end(functions)) {
+        Diagnostic& d = m_diagnostics.error(Code::ExpressionValue, {file, e.range}, "there is no function " + e.name + "; there are " + listText(functions, "and"));
+        const std::uint32_t begin = e.range.begin;
+        suggest(d, e.name, functions, {file, {begin, begin + static_cast<std::uint32_t>(e.name.size())}});
+        return std::nullopt;
+    }
+    if (!takes(1)) return fault(e, file, e.name + " takes one number");
+    const Amount a = args[0];
+    if (e.name == "abs") return Amount{std::abs(a.value), a.unit};
+    if (e.name == "sqrt") {
+        if (a.value < 0) return fault(e, file, "the square root of " + numberText(a.value) + " is not a number");
+        return Amount{std::sqrt(a.value), {}};
+    }
+    if (!a.unit.empty() && a.unit != "deg") return fault(e, file, e.name + " takes an angle in degrees, this is in " + a.unit);
+    if (e.name == "sin") return Amount{sine(a.value), {}};
+    if (e.name == "cos") return Amount{sine(a.value + 90), {}};
+    if (sine(a.value + 90) == 0) return fault(e, file, "the tangent of " + numberText(a.value) + " degrees is not a number");
+    return Amount{sine(a.value) / sine(a.value + 90), {}};
+}
+
+} // namespace trundle

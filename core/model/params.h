@@ -1,0 +1,75 @@
+#pragma once
+// Params and `$( )`: values worked out on demand, in any order, circles shown as a chain.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/block_view.h"
+#include "schema/value_reader.h"
+
+namespace trundle {
+
+/// The Params of one block; looks outward for those it does not have.
+class ParamScope {
+public:
+    explicit ParamScope(ParamScope* outer = nullptr) : m_outer(outer) {}
+    ParamScope(const ParamScope&) = delete;
+    ParamScope& operator=(const ParamScope&) = delete;
+
+    void declare(const std::vector<PlacedParam>& params);
+    /// Gives a Param of this block a value from outside, which then holds in place of its own.
+    void preset(const std::string& name, const GivenValue& value);
+
+private:
+    friend class Evaluator;
+    enum class State { Fresh, Busy, Done, Failed };
+    struct Entry {
+        PlacedParam param;
+        ParamScope* scope = nullptr;
+        State state = State::Fresh;
+        GivenValue value;
+    };
+    [[nodiscard]] Entry* find(std::string_view name);
+    [[nodiscard]] std::vector<std::string> names() const;
+
+    ParamScope* m_outer;
+    std::map<std::string, Entry, std::less<>> m_entries;
+};
+
+class Evaluator {
+public:
+    Evaluator(const TextSet& texts, Diagnostics& diagnostics) : m_texts(texts), m_diagnostics(diagnostics) {}
+
+    /// The elements of a value with Params put in and expressions worked out; nothing after saying why not.
+    [[nodiscard]] std::optional<GivenValue> evaluate(const Value& value, FileId file, ParamScope& scope);
+    /// True where the parser found fault inside: what seems to be missing or wrong there may only be unreadable.
+    [[nodiscard]] bool broken(const SourceRange& range);
+    /// Works out every Param of the scope, so that faults in unused ones are said too.
+    void checkAll(ParamScope& scope);
+
+private:
+    /// A number in an expression: a Param's unit goes with it as the base unit of its dimension.
+    struct Amount {
+        double value = 0;
+        std::string unit;
+    };
+    bool addElement(const Element& element, FileId file, ParamScope& scope, GivenValue& out);
+    [[nodiscard]] const GivenValue* paramValue(std::string_view name, SourceRange place, ParamScope& scope);
+    [[nodiscard]] std::optional<Amount> amount(const Expression& e, FileId file, ParamScope& scope);
+    [[nodiscard]] std::optional<Amount> paramAmount(const Expression& e, FileId file, ParamScope& scope);
+    [[nodiscard]] std::optional<Amount> call(const Expression& e, FileId file, ParamScope& scope);
+    [[nodiscard]] std::optional<Amount> fault(const Expression& e, FileId file, std::string message);
+    [[nodiscard]] std::optional<Amount> finite(const Expression& e, FileId file, Amount amount);
+    void unknown(std::string_view name, SourceRange place, ParamScope& scope);
+    void circle(const ParamScope::Entry& entry);
+
+    const TextSet& m_texts;
+    Diagnostics& m_diagnostics;
+    std::vector<ParamScope::Entry*> m_chain;
+    std::map<FileId, std::vector<std::uint32_t>> m_broken; ///< where each file's faults begin
+};
+
+} // namespace trundle

@@ -1,0 +1,201 @@
+#include "model/part_builder.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/spelling.h"
+#include "schema/value_words.h"
+
+namespace trundle {
+
+namespace {
+
+std::string_view kindIn(const Part* parent) { return parent ? std::string_view(parent->block->type.text) : std::string_view(); }
+
+/// The kinds of blocks that `kind` may stand in. Devices, controllers and logs go by their role, whoever described them.
+std::vector<std::string> places(const Kind& kind) {
+    switch (kind.role) {
+    case Role::Device: return {"RobotConfig"};
+    case Role::Controller: return {"Robot", "Grid", "Scatter"};
+    case Role::Log: return {""};
+    default: return kind.parents;
+    }
+}
+
+bool mayStand(const Kind& kind, std::string_view parent) {
+    const std::vector<std::string> all = places(kind);
+    return std::find(all.begin(), all.end(), parent) != all.end();
+}
+
+std::string placeText(std::vector<std::string> all) {
+    std::replace(all.begin(), all.end(), std::string(), std::string("the top level"));
+    for (std::string& place : all) {
+        if (place != "the top level") place = withArticle(place);
+    }
+    return listText(all);
+}
+
+std::string lowerFirst(std::string word) {
+    if (!word.empty()) word[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(word[0])));
+    return word;
+}
+
+} // namespace
+
+Part PartBuilder::build(const PlacedBlock& placed, const Part* parent, std::uint32_t order) {
+    Part part;
+    part.block = placed.block;
+    part.file = placed.file;
+    part.range = {placed.file, placed.item->range};
+    part.kind = m_registry.find(placed.block->type.text);
+    part.order = order;
+    if (placed.block->name) part.name = placed.block->name->text;
+    part.usable = fits(part, parent);
+    if (part.kind) fill(part, placed.file);
+    return part;
+}
+
+void PartBuilder::fill(Part& part, FileId file) {
+    BlockView view = viewOf(m_texts, part.block->items, file, m_diagnostics);
+    part.assignments = std::move(view.assignments);
+    part.params = std::move(view.params);
+    if (!part.usable) return; // its values are still looked at by nobody: nothing inside can be said with sense
+    part.parts.reserve(view.blocks.size());
+    for (const PlacedBlock& inner : view.blocks) {
+        const Kind* kind = m_registry.find(inner.block->type.text);
+        const bool imported = inner.file != file;
+        if (imported && kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Config)) {
+            continue; // stands at the top level: Outline::build lifts it there
+        }
+        part.parts.push_back(build(inner, &part, part.order));
+    }
+    if (part.block->type.text == "RobotConfig") looseGeoms(part);
+    if (part.is(Role::Instance) || part.is(Role::Layout)) countControllers(part);
+    nameParts(part);
+}
+
+void PartBuilder::nameParts(Part& part) {
+    PartNamer namer(m_diagnostics);
+    if (part.is(Role::Config)) {
+        for (const PlacedParam& p : part.params) namer.take(p.name->text, p.nameRange());
+    }
+    for (const Part& inner : part.parts) {
+        if (inner.block->name) namer.reserve(inner.name); // an automatic name never takes one that is written further down
+    }
+    for (Part& inner : part.parts) {
+        if (!namer.name(inner)) inner.usable = false;
+    }
+    part.makeIndex();
+}
+
+bool PartBuilder::fits(Part& part, const Part* parent) {
+    if (!part.kind) {
+        unknownKind(part, parent);
+        return false;
+    }
+    if (mayStand(*part.kind, kindIn(parent))) return true;
+    const bool loose = part.is(Role::Geom) && kindIn(parent) == "RobotConfig" && mayStand(*part.kind, "Body");
+    if (!loose) wrongPlace(part, parent); // loose geoms get one message with its fix
+    return false;
+}
+
+void PartBuilder::unknownKind(const Part& part, const Part* parent) {
+    const std::string& word = part.block->type.text;
+    std::vector<std::string> candidates;
+    for (const Kind* kind : m_registry.all()) {
+        if (mayStand(*kind, kindIn(parent))) candidates.push_back(kind->name);
+    }
+    const bool holdsModuleKinds = parent && (parent->is(Role::Instance) || parent->is(Role::Layout) || kindIn(parent) == "RobotConfig");
+    std::vector<std::string> near = manyAlready(m_diagnostics) ? std::vector<std::string>() : nearestWords(word, candidates);
+    if (m_texts.openModules && holdsModuleKinds && (near.empty() || !parent->is(Role::Config))) return;
+    if (near.empty() && !manyAlready(m_diagnostics)) {
+        std::vector<std::string> others;
+        for (const Kind* kind : m_registry.all()) {
+            if (kind->role != Role::Settings) others.push_back(kind->name);
+        }
+        near = nearestWords(word, others);
+    }
+    Diagnostic& d = m_diagnostics.error(Code::UnknownKind, part.typeRange(), "there is no kind " + word);
+    if (near.empty()) {
+        d.message += parent ? "; " + withArticle(kindIn(parent)) + (candidates.empty() ? " holds no blocks" : " may hold " + listText(candidates))
+                            : "; at the top level stand " + listText(candidates, "and");
+        if (parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && candidates.empty()) {
+            d.message = "there is no kind " + word + "; a controller's kind comes from the module that #loadModule names";
+        }
+    }
+    suggestWords(d, std::move(near), part.typeRange());
+}
+
+void PartBuilder::wrongPlace(const Part& part, const Part* parent) {
+    const std::string here = parent ? "in " + withArticle(kindIn(parent)) : std::string("at the top level");
+    const std::vector<std::string> legal = places(*part.kind);
+    if (part.is(Role::Settings)) {
+        m_diagnostics.error(Code::WrongPlace, part.typeRange(), "settings are written at the top level without a block: Tick = 0.01");
+        return;
+    }
+    const bool top = legal.size() == 1 && legal[0].empty();
+    std::string text = part.block->type.text + " stands " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
+    if (kindIn(parent) == "StaticConfig" && part.is(Role::Body)) text = "a StaticConfig holds its geoms directly, without a Body";
+    m_diagnostics.error(Code::WrongPlace, part.typeRange(), text);
+}
+
+void PartBuilder::looseGeoms(const Part& config) {
+    for (std::size_t i = 0; i < config.parts.size(); ++i) {
+        const auto loose = [&](std::size_t k) { return k < config.parts.size() && config.parts[k].is(Role::Geom) && !config.parts[k].usable && mayStand(*config.parts[k].kind, "Body"); };
+        if (!loose(i)) continue;
+        std::size_t last = i;
+        while (loose(last + 1) && config.parts[last + 1].file == config.parts[i].file) ++last;
+        const Part& first = config.parts[i];
+        Diagnostic& d = m_diagnostics.error(Code::LooseGeom, first.typeRange(),
+                                            withArticle(first.block->type.text) + " of a RobotConfig stands in a Body");
+        const TextRange from = first.range.range, to = config.parts[last].range.range;
+        std::string name = "chassis";
+        for (int n = 2; config.find(name); ++n) name = "body" + std::to_string(n);
+        d.fixes.push_back({"Body " + name + " { ... }",
+                           {{{first.file, {from.begin, from.begin}}, "Body " + name + " { "}, {{first.file, {to.end, to.end}}, " }"}}});
+        i = last;
+    }
+}
+
+void PartBuilder::countControllers(Part& robot) {
+    const Part* first = nullptr;
+    for (Part& part : robot.parts) {
+        if (!part.is(Role::Controller)) continue;
+        if (!first) {
+            first = &part;
+            continue;
+        }
+        Diagnostic& d = m_diagnostics.error(Code::MultipleControllers, part.nameRange(),
+                                            robot.title() + " has a controller already: " + first->title());
+        d.notes.push_back({"the first one", first->nameRange()});
+        part.usable = false;
+    }
+}
+
+bool PartNamer::name(Part& part) {
+    if (!part.block->name) {
+        if (part.kind && !part.kind->nameOptional) {
+            if (!part.usable) return false;
+            Diagnostic& d = m_diagnostics.error(Code::MissingName, part.typeRange(), "this " + part.block->type.text + " needs a name");
+            std::string name = lowerFirst(part.block->type.text);
+            for (int n = 2; m_taken.count(name); ++n) name = lowerFirst(part.block->type.text) + std::to_string(n);
+            const std::uint32_t at = part.block->type.range.end;
+            d.fixes.push_back({part.block->type.text + " " + name, {{{part.file, {at, at}}, " " + name}}});
+            return false;
+        }
+        const std::string base = lowerFirst(part.block->type.text);
+        do {
+            const int n = ++m_counts[base];
+            part.name = n == 1 ? base : base + std::to_string(n);
+        } while (m_taken.count(part.name) || m_reserved.count(part.name));
+        m_taken.emplace(part.name, part.nameRange());
+        return true;
+    }
+    const auto [it, fresh] = m_taken.emplace(part.name, part.nameRange());
+    if (fresh) return true;
+    Diagnostic& d = m_diagnostics.error(Code::DuplicateName, part.nameRange(), "the name " + part.name + " is taken already");
+    if (it->second.known()) d.notes.push_back({"first defined here", it->second});
+    return false;
+}
+
+} // namespace trundle

@@ -1,0 +1,45 @@
+#pragma once
+#include "model/outline.h"
+
+namespace trundle {
+
+/// Builds the parts of an outline, with everything that can be said from names and kinds alone.
+class PartBuilder {
+public:
+    PartBuilder(const TextSet& texts, const Registry& registry, Diagnostics& diagnostics)
+        : m_texts(texts), m_registry(registry), m_diagnostics(diagnostics) {}
+
+    /// `parent` is the part it stands in, nullptr at the top level.
+    [[nodiscard]] Part build(const PlacedBlock& placed, const Part* parent, std::uint32_t order);
+
+private:
+    void fill(Part& part, FileId file);
+    void nameParts(Part& part);
+    [[nodiscard]] bool fits(Part& part, const Part* parent);
+    void unknownKind(const Part& part, const Part* parent);
+    void wrongPlace(const Part& part, const Part* parent);
+    void looseGeoms(const Part& config);
+    void countControllers(Part& robot);
+
+    const TextSet& m_texts;
+    const Registry& m_registry;
+    Diagnostics& m_diagnostics;
+};
+
+/// Gives names to unnamed parts, in order: box, box2 ...; says E304 where a name must stand and E303 for the second of a name.
+class PartNamer {
+public:
+    explicit PartNamer(Diagnostics& diagnostics) : m_diagnostics(diagnostics) {}
+    void reserve(const std::string& name) { m_reserved.insert(name); }
+    void take(const std::string& name, SourceRange where) { m_taken.emplace(name, where); }
+    /// False when the name is somebody else's already.
+    bool name(Part& part);
+
+private:
+    Diagnostics& m_diagnostics;
+    std::unordered_map<std::string, SourceRange> m_taken;
+    std::unordered_set<std::string> m_reserved;
+    std::unordered_map<std::string, int> m_counts;
+};
+
+} // namespace trundle

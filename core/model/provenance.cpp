@@ -1,0 +1,90 @@
+#include "model/provenance.h"
+
+#include <algorithm>
+
+#include "model/set_targets.h"
+
+namespace trundle {
+
+namespace {
+
+std::vector<std::string> wordsOf(std::string_view path) {
+    std::vector<std::string> words;
+    for (;;) {
+        const std::size_t dot = path.find('.');
+        words.emplace_back(path.substr(0, dot));
+        if (dot == std::string_view::npos) return words;
+        path.remove_prefix(dot + 1);
+    }
+}
+
+std::string joined(std::span<const std::string> words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ".") + word;
+    return text;
+}
+
+Provenance found(const Outline& outline, const PlacedAssignment& a, Origin origin, const Property* property, SourceRange block) {
+    const bool param = std::any_of(a.value->elements.begin(), a.value->elements.end(), [](const Element& e) {
+        return e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
+    });
+    if (outline.texts().commandLine(a.file)) origin = Origin::CommandLine;
+    else if (param) origin = Origin::Param;
+    return {origin, a.valueRange(), block, property};
+}
+
+/// The property itself in the part that holds it.
+std::optional<Provenance> inPart(const Outline& outline, const Part& part, const std::string& key, Origin origin) {
+    const Property* property = part.kind ? part.kind->find(key) : nullptr;
+    if (!property) return std::nullopt;
+    if (const PlacedAssignment* a = part.assignments.find(key)) return found(outline, *a, origin, property, part.nameRange());
+    return Provenance{Origin::Default, {}, part.nameRange(), property};
+}
+
+std::optional<Provenance> fromPart(const Outline& outline, const Part& part, std::span<const std::string> words, Origin origin) {
+    if (words.size() == 1) return inPart(outline, part, words[0], origin);
+    const Part* inner = part.find(words[0]);
+    return inner ? fromPart(outline, *inner, words.subspan(1), origin) : std::nullopt;
+}
+
+const Part* configOf(const Outline& outline, const Part& instance) {
+    const PlacedAssignment* a = instance.assignments.find("Config");
+    if (!a || a->value->elements.size() != 1) return nullptr;
+    return outline.configs.find(a->value->elements[0].text);
+}
+
+std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words) {
+    if (auto own = fromPart(outline, instance, words, Origin::Instance)) return own;
+    const Part* config = configOf(outline, instance);
+    std::optional<Provenance> inConfig = config ? fromPart(outline, *config, words, Origin::Config) : std::nullopt;
+    const PlacedAssignment* a = instance.assignments.find(joined(words));
+    if (!inConfig || !a) return inConfig;
+    return found(outline, *a, Origin::Instance, inConfig->property, instance.nameRange());
+}
+
+} // namespace
+
+std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view path) {
+    const std::vector<std::string> words = wordsOf(path);
+    if (words.size() == 1) {
+        const Kind* settings = outline.registry().find("settings");
+        const Property* property = settings ? settings->find(words[0]) : nullptr;
+        if (!property) return std::nullopt;
+        if (const PlacedAssignment* a = outline.settings.find(words[0])) return found(outline, *a, Origin::Config, property, {});
+        return Provenance{Origin::Default, {}, {}, property};
+    }
+    const Part* part = nullptr;
+    std::size_t used = 1;
+    if (const Part* layout = layoutOfMember(outline, words[0]); layout && !outline.world.find(words[0])) part = layout;
+    else {
+        const PathStart start = startOfPath(outline, words);
+        part = start.part;
+        used = start.words;
+    }
+    if (!part || used >= words.size()) return std::nullopt;
+    const std::span<const std::string> rest = std::span(words).subspan(used);
+    const bool instance = part->is(Role::Instance) || part->is(Role::Layout);
+    return instance ? fromInstance(outline, *part, rest) : fromPart(outline, *part, rest, Origin::Config);
+}
+
+} // namespace trundle

@@ -1,0 +1,49 @@
+#pragma once
+// The values of one block by the properties of its kind, and from there into the class that described them.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/component_spec.h"
+#include "model/outline.h"
+#include "schema/value_reader.h"
+
+namespace trundle {
+
+/// What an instance sets inside its config, as a tree of names.
+struct OverrideNode {
+    std::map<std::string, OverrideNode, std::less<>> children;
+    std::shared_ptr<const GivenValue> value;
+    Origin origin = Origin::Instance;
+};
+
+struct Record {
+    const Kind* kind = nullptr;
+    std::vector<std::optional<ResolvedValue>> values; ///< parallel to kind->properties; defaults filled in
+    std::vector<bool> literal;                        ///< the text of the value may be rewritten by a fix
+    bool complete = true;                             ///< false: something required is missing or unreadable
+
+    [[nodiscard]] const ResolvedValue* find(std::string_view property) const;
+    /// Where it stands, else the given place.
+    [[nodiscard]] SourceRange rangeOf(std::string_view property, SourceRange otherwise) const;
+    [[nodiscard]] bool given(std::string_view property) const;
+};
+
+/// An object of T with the record's values. The record's kind was made by kindOf<T>.
+template <class T> [[nodiscard]] T fieldsFrom(const Record& record) {
+    T object{};
+    const std::vector<FieldInfo>& fields = descriptionOf<T>().fields();
+    for (std::size_t i = 0; i < fields.size() && i < record.values.size(); ++i) {
+        if (!record.values[i]) continue;
+        const PropertyValue& v = record.values[i]->value;
+        std::vector<const char*> texts;
+        for (const std::string& text : v.texts) texts.push_back(text.c_str());
+        const TrundleValue value{v.numbers.data(), texts.data(), static_cast<std::uint32_t>(v.count())};
+        if (v.count() >= fields[i].minCount) fields[i].set(&object, value);
+    }
+    return object;
+}
+
+} // namespace trundle

@@ -1,0 +1,64 @@
+// A RobotConfig with one set of Param values and overrides: bodies, then joints, then devices.
+#include "model/config_fields.h"
+#include "model/resolve_parts.h"
+#include "model/world_fields.h"
+
+namespace trundle {
+
+namespace {
+
+/// Which joint joins two bodies.
+using JoinedPairs = std::map<std::pair<int, int>, std::string>;
+
+void warnOfDoubles(ResolveContext& context, JoinedPairs& pairs, const JointSpec& joint, const Part& part) {
+    const auto [it, fresh] = pairs.try_emplace(std::minmax({joint.parent, joint.child}), joint.name);
+    if (fresh) return;
+    context.diagnostics.warning(Code::BadJoint, part.nameRange(), "two joints join the same bodies: " + it->second + " and " + joint.name);
+}
+
+std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides, const Part& config) {
+    ParamScope own(&scope);
+    own.declare(part.params);
+    context.evaluator.checkAll(own);
+    const Record record = context.read(part, own, overrides, Origin::Config);
+    const bool known = context.checkReferences(record, config);
+    if (!record.complete || !known) return std::nullopt;
+    return componentFrom(record, part);
+}
+
+} // namespace
+
+std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides) {
+    auto spec = std::make_shared<RobotConfigSpec>();
+    spec->name = config.name;
+    spec->range = config.range;
+    spec->selfCollision = fieldsFrom<RobotConfigFields>(context.read(config, scope, overrides, Origin::Config)).selfCollision;
+    BodyPlaces places;
+    JoinedPairs pairs;
+    bool bodies = false;
+    for (const Part& part : config.parts) {
+        bodies = bodies || part.is(Role::Body) || part.is(Role::Geom) || !part.kind;
+        if (!part.usable || !part.is(Role::Body)) continue;
+        if (std::optional<BodySpec> body = resolveBody(context, part, scope, below(overrides, part.name))) {
+            places.emplace(part.name, static_cast<int>(spec->bodies.size()));
+            spec->bodies.push_back(std::move(*body));
+        }
+    }
+    if (!bodies && !context.brokenText(config.range)) {
+        context.diagnostics.error(Code::MissingRequired, config.nameRange(), config.title() + " needs a Body: the first one carries the robot's pose");
+    }
+    for (const Part& part : config.parts) {
+        if (!part.usable || !part.is(Role::Joint)) continue;
+        std::optional<JointSpec> joint = resolveJoint(context, part, scope, below(overrides, part.name), config, spec->bodies, places);
+        if (!joint) continue;
+        warnOfDoubles(context, pairs, *joint, part);
+        spec->joints.push_back(std::move(*joint));
+    }
+    for (const Part& part : config.parts) {
+        if (!part.usable || !part.is(Role::Device)) continue;
+        if (auto device = resolveDevice(context, part, scope, below(overrides, part.name), config)) spec->devices.push_back(std::move(*device));
+    }
+    return spec;
+}
+
+} // namespace trundle

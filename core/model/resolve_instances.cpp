@@ -1,0 +1,267 @@
+// Robots, statics, grids and scatters: which config with which values, where, under which controller. Instances with equal
+// values share one resolved config.
+#include "base/spelling.h"
+#include "model/resolve_parts.h"
+#include "model/world_fields.h"
+#include "schema/value_words.h"
+
+namespace trundle {
+
+namespace {
+
+void appendKey(std::string& key, const std::string& name, const GivenValue& value) {
+    key += '\n' + name + '=';
+    for (const GivenElement& e : value.elements) {
+        key += static_cast<char>('0' + static_cast<int>(e.kind));
+        key += elementText(e) + e.text + ',';
+    }
+}
+
+/// What one instance gives to its config.
+struct Given {
+    std::vector<std::pair<std::string, GivenValue>> params;
+    OverrideNode overrides;
+    std::string key; ///< equal for equal values
+};
+
+std::size_t countParts(const Part& part) {
+    std::size_t count = 1;
+    for (const Part& inner : part.parts) count += countParts(inner);
+    return count;
+}
+
+class Instances {
+public:
+    explicit Instances(ResolveContext& context) : m_context(context) {}
+
+    void run() {
+        checkConfigs();
+        for (const Part* part : m_context.outline.world.all()) {
+            if (part->kind->name == "Static") addStatic(*part);
+        }
+        for (const Part* part : m_context.outline.world.all()) {
+            if (part->kind->name == "Robot" || part->is(Role::Layout)) addRobots(*part);
+        }
+    }
+
+private:
+    /// Every config by itself, so that faults in one that nobody uses are said too.
+    void checkConfigs() {
+        for (const Part* part : m_context.outline.configs.all()) {
+            if (part->kind->name == "RobotConfig") (void)robotConfig(*part, Given{});
+            else (void)staticConfig(*part, Given{});
+        }
+    }
+
+    /// The config an instance seems to name, without a word about it.
+    const Part* peekConfig(const Part& part, ParamScope& scope) {
+        const PlacedAssignment* a = part.assignments.find("Config");
+        if (!a || a->value->elements.size() != 1) return nullptr;
+        const Element& e = a->value->elements[0];
+        if (e.kind == Element::Kind::Word || e.kind == Element::Kind::String) return m_context.outline.configs.find(e.text);
+        Diagnostics silent;
+        Evaluator trial(m_context.texts, silent);
+        const std::optional<GivenValue> value = trial.evaluate(*a->value, a->file, scope);
+        return value && value->elements.size() == 1 ? m_context.outline.configs.find(value->elements[0].text) : nullptr;
+    }
+
+    Record readInstance(const Part& part, ParamScope& scope, Given& given, const Part*& config, std::string_view kind) {
+        const Part* likely = peekConfig(part, scope);
+        ResolveContext::ExtraKeys extra;
+        if (likely) {
+            for (const PlacedParam& p : likely->params) extra.words.push_back(p.name->text);
+            for (const Property& p : likely->kind->properties) extra.words.push_back(p.name);
+        }
+        std::vector<const PlacedAssignment*> taken;
+        extra.take = [&](const PlacedAssignment& a) {
+            if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
+                const std::vector<std::string> own = propertyNames(*part.kind);
+                return !likely && part.assignments.find("Config") && nearestWords(a.key, own).empty(); // its config is unknown: so is what it has
+            }
+            taken.push_back(&a);
+            return true;
+        };
+        Record record = m_context.read(part, scope, nullptr, Origin::Instance, extra);
+        config = m_context.configOf(record, part, kind);
+        if (!config) return record;
+        for (const PlacedAssignment* a : taken) takeValue(part, *config, *a, scope, given);
+        return record;
+    }
+
+    void takeValue(const Part& part, const Part& config, const PlacedAssignment& a, ParamScope& scope, Given& given) {
+        const bool param = a.path.size() == 1 && config.param(a.key);
+        if (!param && a.path.size() > 1 && part.find(a.path[0].text)) {
+            m_context.diagnostics.error(Code::NoSuchPath, a.keyRange(), "set " + a.key.substr(a.path[0].text.size() + 1) + " inside the block of " + a.path[0].text);
+            return;
+        }
+        if (!param && !pathLeadsSomewhere(config, a)) return;
+        std::optional<GivenValue> value = m_context.evaluator.evaluate(*a.value, a.file, scope);
+        if (!value) return;
+        appendKey(given.key, a.key, *value);
+        if (param) {
+            value->fromParam = true;
+            given.params.emplace_back(a.key, std::move(*value));
+            return;
+        }
+        OverrideNode* node = &given.overrides;
+        for (const Name& name : a.path) node = &node->children[name.text];
+        node->origin = Origin::Instance;
+        node->value = std::make_shared<const GivenValue>(std::move(*value));
+    }
+
+    bool pathLeadsSomewhere(const Part& config, const PlacedAssignment& a) {
+        const Part* part = &config;
+        for (std::size_t i = 0; i + 1 < a.path.size(); ++i) {
+            const Part* next = part->find(a.path[i].text);
+            if (!next) return noSuchPath(*part, a, i);
+            if (!next->kind) return false; // raw text of a module that is not known
+            part = next;
+        }
+        return part->kind->find(a.path.back().text) || noSuchPath(*part, a, a.path.size() - 1);
+    }
+
+    bool noSuchPath(const Part& part, const PlacedAssignment& a, std::size_t i) {
+        std::vector<std::string> words;
+        for (const Part& inner : part.parts) words.push_back(inner.name);
+        if (i + 1 == a.path.size()) words = propertyNames(*part.kind);
+        const SourceRange place{a.file, a.path[i].range};
+        Diagnostic& d = m_context.diagnostics.error(Code::NoSuchPath, place, part.title() + " has no " + a.path[i].text);
+        if (words.empty()) return false;
+        d.message += "; it has " + listText(words, "and", 20);
+        if (manyAlready(m_context.diagnostics)) return false;
+        suggest(d, a.path[i].text, words, place);
+        if (d.suggestions.empty() && i + 1 < a.path.size()) suggestWords(d, oneDeeper(part, a.path[i].text), place);
+        return false;
+    }
+
+    /// Where a word was forgotten: `hull.Size` for `chassis.hull.Size`.
+    static std::vector<std::string> oneDeeper(const Part& part, const std::string& name) {
+        std::vector<std::string> paths;
+        for (const Part& inner : part.parts)
+            if (inner.find(name)) paths.push_back(inner.name + "." + name);
+        return paths;
+    }
+
+    /// Resolves with the values given. What went wrong only with these values is resolved again for the next instance, so that
+    /// each is told of its own fault.
+    template <class Spec, class Resolve>
+    std::shared_ptr<const Spec> shared(std::map<std::string, std::shared_ptr<const Spec>>& cache, const Part& config, const Given& given, const Resolve& resolve) {
+        const std::string key = config.name + given.key;
+        const auto it = cache.find(key);
+        if (it != cache.end()) return it->second;
+        const std::size_t errors = m_context.diagnostics.errorCount(), said = m_context.diagnostics.all().size();
+        ParamScope scope(&m_context.globals);
+        scope.declare(config.params);
+        for (const auto& [name, value] : given.params) scope.preset(name, value);
+        m_context.evaluator.checkAll(scope);
+        std::shared_ptr<const Spec> spec = resolve(m_context, config, scope, given.key.empty() ? nullptr : &given.overrides);
+        if (given.key.empty() || m_context.diagnostics.errorCount() == errors) cache.emplace(key, spec);
+        if (!given.key.empty()) nameInstance(said);
+        return spec;
+    }
+    /// Adds to what has just been said whose values these are: the place is in the config, the cause in the instance.
+    void nameInstance(std::size_t said) {
+        if (m_context.diagnostics.all().size() == said || manyAlready(m_context.diagnostics)) return;
+        std::vector<Diagnostic> all = m_context.diagnostics.all();
+        for (std::size_t i = said; i < all.size(); ++i) {
+            if (all[i].range.file != m_instance->file || !inside(all[i].range, m_instance->range)) {
+                all[i].notes.push_back({"with the values of " + m_instance->title(), m_instance->nameRange()});
+            }
+        }
+        m_context.diagnostics = Diagnostics();
+        m_context.diagnostics.append(std::move(all));
+    }
+    static bool inside(const SourceRange& a, const SourceRange& b) { return a.range.begin >= b.range.begin && a.range.end <= b.range.end; }
+
+    std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const Given& given) { return shared(m_robots, config, given, resolveRobotConfig); }
+    std::shared_ptr<const std::vector<GeomSpec>> staticConfig(const Part& config, const Given& given) { return shared(m_statics, config, given, resolveStaticConfig); }
+
+    /// Counts before anything is built; false after saying that it would be too many.
+    bool roomFor(const Part& part, const Part& config, double members, SourceRange place) {
+        const auto [it, fresh] = m_sizes.try_emplace(&config, 0);
+        if (fresh) it->second = countParts(config);
+        m_objects += members * static_cast<double>(it->second);
+        if (m_objects <= static_cast<double>(kMaxObjects)) return true;
+        if (!m_tooMany) {
+            m_context.diagnostics.error(Code::TooManyObjects, place, "with " + part.title() + " the world would hold more than 200000 objects");
+        }
+        m_tooMany = true;
+        return false;
+    }
+
+    void addStatic(const Part& part) {
+        m_instance = &part;
+        ParamScope scope(&m_context.globals);
+        scope.declare(part.params);
+        Given given;
+        const Part* config = nullptr;
+        const Record record = readInstance(part, scope, given, config, "StaticConfig");
+        if (!config || !record.complete || !roomFor(part, *config, 1, part.nameRange())) return;
+        const StaticFields f = fieldsFrom<StaticFields>(record);
+        m_context.out.statics.push_back({part.name, config->name, poseOf(f.pos, f.hpr), staticConfig(*config, given), part.range});
+    }
+
+    std::optional<ComponentSpec> controller(const Part& part, ParamScope& scope, const Part* config) {
+        for (const Part& inner : part.parts) {
+            if (!inner.usable || !inner.is(Role::Controller)) continue;
+            ParamScope own(&scope);
+            own.declare(inner.params);
+            const Record record = m_context.read(inner, own, nullptr, Origin::Instance);
+            const bool known = !config || m_context.checkReferences(record, *config);
+            if (record.complete && known) return componentFrom(record, inner);
+        }
+        return std::nullopt;
+    }
+
+    double memberCount(const Part& part, const Record& record) {
+        if (!part.is(Role::Layout)) return 1;
+        double count = 1;
+        if (const ResolvedValue* value = record.find("Count")) for (double n : value->value.numbers) count *= n;
+        return count;
+    }
+
+    void addRobots(const Part& part) {
+        m_instance = &part;
+        ParamScope scope(&m_context.globals);
+        scope.declare(part.params);
+        m_context.evaluator.checkAll(scope);
+        Given given;
+        const Part* config = nullptr;
+        const Record record = readInstance(part, scope, given, config, "RobotConfig");
+        std::optional<ComponentSpec> brain = controller(part, scope, config);
+        if (!config || !record.complete) return;
+        const double members = memberCount(part, record);
+        if (!roomFor(part, *config, members, record.rangeOf("Count", part.nameRange()))) return;
+        const std::shared_ptr<const RobotConfigSpec> spec = robotConfig(*config, given);
+        if (spec->bodies.empty()) return; // said
+        if (!part.is(Role::Layout)) {
+            const RobotFields f = fieldsFrom<RobotFields>(record);
+            m_context.out.robots.push_back({part.name, poseOf(f.pos, f.hpr), spec, std::move(brain), part.range});
+            return;
+        }
+        const std::vector<Pose> poses = part.kind->name == "Grid" ? gridPoses(record) : scatterPoses(m_context, part, record, *spec);
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            std::string name = part.name + "_" + std::to_string(i);
+            if (const Part* other = m_context.outline.world.find(name)) {
+                Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, other->nameRange(), "the name " + name + " belongs to a member of " + part.title());
+                d.notes.push_back({"defined here", part.nameRange()});
+                continue;
+            }
+            m_context.out.robots.push_back({std::move(name), poses[i], spec, brain, part.range});
+        }
+    }
+
+    ResolveContext& m_context;
+    std::map<std::string, std::shared_ptr<const RobotConfigSpec>> m_robots;
+    std::map<std::string, std::shared_ptr<const std::vector<GeomSpec>>> m_statics;
+    std::map<const Part*, std::size_t> m_sizes;
+    const Part* m_instance = nullptr; ///< whose config is being resolved
+    double m_objects = 0;
+    bool m_tooMany = false;
+};
+
+} // namespace
+
+void resolveInstances(ResolveContext& context) { Instances(context).run(); }
+
+} // namespace trundle

@@ -1,0 +1,76 @@
+// Settings, materials and surfaces.
+#include "model/resolve_parts.h"
+#include "model/world_fields.h"
+
+namespace trundle {
+
+namespace {
+
+/// A user's own `default` takes the place of the built-in one.
+template <class Spec> Spec& placeFor(std::vector<Spec>& all, std::map<std::string, std::uint32_t>& places, const std::string& name) {
+    if (name == "default") {
+        places[name] = 0;
+        return all[0];
+    }
+    places[name] = static_cast<std::uint32_t>(all.size());
+    return all.emplace_back();
+}
+
+} // namespace
+
+SettingsSpec resolveSettings(ResolveContext& context) {
+    const SettingsFields f = fieldsFrom<SettingsFields>(context.readSettings());
+    SettingsSpec s;
+    s.tick = f.tick;
+    s.duration = f.duration;
+    s.seed = static_cast<std::uint64_t>(f.seed);
+    s.gravity = vec3(f.gravity);
+    s.solver = f.solver == "exact" ? SolverChoice::Exact : f.solver == "quick" ? SolverChoice::Quick : SolverChoice::Auto;
+    s.iterations = f.iterations;
+    s.isolation = f.isolation;
+    s.title = f.title;
+    s.description = f.description;
+    return s;
+}
+
+void resolveMaterials(ResolveContext& context) {
+    context.out.materials = {MaterialSpec{}};
+    context.out.materials[0].name = "default";
+    for (const Part* part : context.outline.materials.all()) {
+        ParamScope scope(&context.globals);
+        scope.declare(part->params);
+        const Record record = context.read(*part, scope, nullptr, Origin::Config);
+        const MaterialFields f = fieldsFrom<MaterialFields>(record);
+        MaterialSpec& m = placeFor(context.out.materials, context.materialPlaces, part->name);
+        m.name = part->name;
+        m.colour = f.colour;
+        m.emission = f.emission;
+        m.texture = f.texture.value_or("");
+        m.textureMap = f.textureMap;
+        m.textureScale = f.textureScale;
+        m.shininess = f.shininess;
+        m.opacity = f.opacity;
+        m.range = part->range;
+        if (m.texture.empty() || !context.assets.texture) continue;
+        const SourceRange place = record.rangeOf("Texture", part->nameRange());
+        Result<std::string> found = context.assets.texture(m.texture, place.file);
+        if (found.ok()) m.texturePath = found.value();
+        else context.diagnostics.warning(found.error().code, place, found.error().message);
+    }
+    context.materialPlaces.try_emplace("default", 0);
+}
+
+void resolveSurfaces(ResolveContext& context) {
+    context.out.surfaces = {SurfaceSpec{}};
+    context.out.surfaces[0].name = "default";
+    for (const Part* part : context.outline.surfaces.all()) {
+        ParamScope scope(&context.globals);
+        scope.declare(part->params);
+        const SurfaceFields f = fieldsFrom<SurfaceFields>(context.read(*part, scope, nullptr, Origin::Config));
+        SurfaceSpec& s = placeFor(context.out.surfaces, context.surfacePlaces, part->name);
+        s = {part->name, f.friction, f.restitution, f.rollingFriction, f.softness, part->range};
+    }
+    context.surfacePlaces.try_emplace("default", 0);
+}
+
+} // namespace trundle

@@ -1,0 +1,38 @@
+#pragma once
+// The steps of the resolver, one file each. Private to core/model.
+
+#include "model/resolve_context.h"
+
+namespace trundle {
+
+void resolveMaterials(ResolveContext& context);
+void resolveSurfaces(ResolveContext& context);
+[[nodiscard]] SettingsSpec resolveSettings(ResolveContext& context);
+
+[[nodiscard]] inline const OverrideNode* below(const OverrideNode* overrides, const std::string& name) {
+    if (!overrides) return nullptr;
+    const auto it = overrides->children.find(name);
+    return it == overrides->children.end() ? nullptr : &it->second;
+}
+
+/// Nothing when the geom cannot be (said).
+[[nodiscard]] std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides, bool onBody);
+[[nodiscard]] std::optional<BodySpec> resolveBody(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides);
+/// Index of a body by name: those of the config that could be resolved.
+using BodyPlaces = std::unordered_map<std::string, int>;
+[[nodiscard]] std::optional<JointSpec> resolveJoint(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides,
+                                                    const Part& config, const std::vector<BodySpec>& bodies,
+                                                    const BodyPlaces& places);
+[[nodiscard]] std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config, ParamScope& scope,
+                                                                        const OverrideNode* overrides);
+[[nodiscard]] std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config, ParamScope& scope,
+                                                                               const OverrideNode* overrides);
+void resolveLogs(ResolveContext& context);
+/// Robots, statics, grids and scatters, in text order.
+void resolveInstances(ResolveContext& context);
+
+/// Where the members of a layout stand. Empty after saying why (E317).
+[[nodiscard]] std::vector<Pose> gridPoses(const Record& record);
+[[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record, const RobotConfigSpec& config);
+
+} // namespace trundle

@@ -1,0 +1,139 @@
+#include "model/set_targets.h"
+
+#include "base/spelling.h"
+#include "schema/value_words.h"
+
+namespace trundle {
+
+namespace {
+
+class Applier {
+public:
+    Applier(Outline& outline, Diagnostics& diagnostics) : m_outline(outline), m_diagnostics(diagnostics) {}
+
+    AppliedSets run() {
+        for (const SetText& set : m_outline.texts().sets) {
+            if (!set.item || set.item->path.empty()) continue;
+            m_set = &set;
+            apply();
+        }
+        return std::move(m_applied);
+    }
+
+private:
+    void apply() {
+        const std::vector<Name>& path = m_set->item->path;
+        if (path.size() == 1) return setTop();
+        std::vector<std::string> words;
+        for (const Name& name : path) words.push_back(name.text);
+        const PathStart start = startOfPath(m_outline, words);
+        if (!start.part) return noStart();
+        descend(const_cast<Part&>(*start.part), start.words); // the outline is ours to change
+    }
+
+    void setTop() {
+        const std::string& key = m_set->item->path[0].text;
+        const Kind* settings = m_outline.registry().find("settings");
+        for (PlacedParam& p : m_outline.params) {
+            if (p.name->text == key && !(settings && settings->find(key))) return setParam(p, nullptr, key);
+        }
+        put(m_outline.settings, nullptr, 0);
+    }
+
+    /// From a part with the words from `i` on.
+    void descend(Part& part, std::size_t i) {
+        const std::vector<Name>& path = m_set->item->path;
+        Part* at = &part;
+        for (; i + 1 < path.size(); ++i) {
+            Part* next = const_cast<Part*>(at->find(path[i].text));
+            if (next) {
+                at = next;
+                continue;
+            }
+            if (at->is(Role::Instance) || at->is(Role::Layout)) break; // the rest is an override of its config
+            return noSuch({m_set->file, path[i].range}, at->title() + " has no " + path[i].text, namesIn(*at), path[i].text);
+        }
+        const std::string& key = path.back().text;
+        if (at->is(Role::Config) && i + 1 == path.size() && !at->kind->find(key)) {
+            for (PlacedParam& p : at->params) {
+                if (p.name->text == key) return setParam(p, at, key);
+            }
+        }
+        put(at->assignments, at, i);
+    }
+
+    static std::vector<std::string> namesIn(const Part& part) {
+        std::vector<std::string> names;
+        for (const Part& inner : part.parts) names.push_back(inner.name);
+        return names;
+    }
+
+    void setParam(PlacedParam& param, const Part* part, const std::string& key) {
+        m_applied.targets.push_back({part, key, valueRange(), {param.valueFile, param.value->range}});
+        param.value = &m_set->item->value;
+        param.valueFile = m_set->file;
+    }
+
+    void put(AssignmentList& list, const Part* part, std::size_t firstWord) {
+        const std::span<const Name> path = std::span(m_set->item->path).subspan(firstWord);
+        std::string key = path[0].text;
+        for (const Name& name : path.subspan(1)) key += "." + name.text;
+        const PlacedAssignment* before = list.find(key);
+        m_applied.targets.push_back({part, key, valueRange(), before ? before->valueRange() : SourceRange{}});
+        list.replace({key, path, &m_set->item->value, m_set->file, m_set->item});
+    }
+
+    SourceRange valueRange() const { return {m_set->file, m_set->item->value.range}; }
+
+    void noSuch(SourceRange place, std::string message, const std::vector<std::string>& words, const std::string& word) {
+        Diagnostic& d = m_diagnostics.error(Code::NoSuchPath, place, std::move(message));
+        if (!words.empty()) d.message += "; there " + std::string(words.size() == 1 ? "is " : "are ") + listText(words, "and", 20);
+        suggest(d, word, words, place);
+    }
+
+    void noStart() {
+        const std::vector<Name>& path = m_set->item->path;
+        const SourceRange first{m_set->file, path[0].range}, second{m_set->file, path[1].range};
+        if (const Part* layout = layoutOfMember(m_outline, path[0].text)) {
+            m_applied.members.push_back({layout, first});
+            return;
+        }
+        const Kind* kind = m_outline.registry().find(path[0].text);
+        const NameSpace* space = kind ? m_outline.spaceOf(*kind) : nullptr;
+        if (space && path.size() > 2) {
+            std::vector<std::string> names;
+            for (const Part* part : space->all()) {
+                if (part->kind == kind) names.push_back(part->name);
+            }
+            return noSuch(second, "there is no " + kind->name + " " + path[1].text, names, path[1].text);
+        }
+        if (space) {
+            m_diagnostics.error(Code::NoSuchPath, first, "a path into " + withArticle(kind->name) + " is " + kind->name + ".name.property");
+            return;
+        }
+        std::vector<std::string> words = m_outline.world.names();
+        if (words.empty()) words = {"RobotConfig", "StaticConfig", "Material", "Surface"};
+        noSuch(first, "nothing in the world is named " + path[0].text, words, path[0].text);
+    }
+
+    Outline& m_outline;
+    Diagnostics& m_diagnostics;
+    const SetText* m_set = nullptr;
+    AppliedSets m_applied;
+};
+
+} // namespace
+
+PathStart startOfPath(const Outline& outline, std::span<const std::string> path) {
+    if (path.empty()) return {};
+    if (const Part* part = outline.world.find(path[0])) return {part, 1};
+    const Kind* kind = outline.registry().find(path[0]);
+    const NameSpace* space = kind && path.size() > 2 ? outline.spaceOf(*kind) : nullptr;
+    const Part* part = space ? space->find(path[1]) : nullptr;
+    if (!part || part->kind != kind) return {};
+    return {part, 2};
+}
+
+AppliedSets applySets(Outline& outline, Diagnostics& diagnostics) { return Applier(outline, diagnostics).run(); }
+
+} // namespace trundle

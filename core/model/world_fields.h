@@ -1,0 +1,78 @@
+#pragma once
+// What may be written at the top level and in instances, described once.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <trundle/describe.h>
+
+namespace trundle {
+
+using Triple = std::array<double, 3>;
+
+struct SettingsFields {
+    double tick = 0.01, duration = 0;
+    double seed = 1; ///< whole, below 2^53
+    Triple gravity{0, 0, -9.81};
+    std::string solver = "auto";
+    int iterations = 20;
+    std::string isolation = "none", title, description;
+    static void describe(Describe<SettingsFields>& d);
+};
+
+struct MaterialFields {
+    Triple colour{0.8, 0.8, 0.8}, emission{0, 0, 0};
+    std::optional<std::string> texture;
+    std::string textureMap = "auto";
+    double textureScale = 1, shininess = 0, opacity = 1;
+    static void describe(Describe<MaterialFields>& d);
+};
+
+struct SurfaceFields {
+    double friction = 0.5, restitution = 0, rollingFriction = 0, softness = 0;
+    static void describe(Describe<SurfaceFields>& d);
+};
+
+struct RobotConfigFields {
+    bool selfCollision = false;
+    static void describe(Describe<RobotConfigFields>& d);
+};
+
+struct StaticConfigFields {
+    static void describe(Describe<StaticConfigFields>& d);
+};
+
+/// Where an instance stands.
+struct PlaceFields {
+    std::string config;
+    Triple pos{0, 0, 0}, hpr{0, 0, 0}; ///< m; rad
+};
+
+struct RobotFields : PlaceFields {
+    static void describe(Describe<RobotFields>& d);
+};
+struct StaticFields : PlaceFields {
+    static void describe(Describe<StaticFields>& d);
+};
+struct GridFields : PlaceFields {
+    std::vector<double> count, spacing;
+    static void describe(Describe<GridFields>& d);
+};
+struct ScatterFields : PlaceFields {
+    double count = 1, seed = 0;
+    std::array<double, 4> area{};
+    std::optional<double> minDistance, heading; ///< m; rad
+    static void describe(Describe<ScatterFields>& d);
+};
+
+/// What every controller block may hold beside the fields of its kind.
+struct ControllerFields {
+    double updatePeriod = 0; ///< s
+    std::optional<std::string> isolation;
+    std::optional<double> budget; ///< s; given in ms
+    static void describe(Describe<ControllerFields>& d);
+};
+
+} // namespace trundle

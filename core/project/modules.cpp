@@ -1,0 +1,48 @@
+#include "project/modules.h"
+
+#include <set>
+
+#include "model/model_kinds.h"
+
+namespace trundle {
+
+namespace {
+
+/// Not usable as it stands, but nothing is wrong with the text: its blocks stay raw.
+bool onlyUnknown(Code code) { return code == Code::ModuleNotTrusted || code == Code::ModuleUndescribed; }
+
+} // namespace
+
+FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatalog& catalog, Registry& registry, Diagnostics& diagnostics) {
+    FoundModules found;
+    std::set<std::string> libraries;
+    std::set<std::pair<std::string, std::string>> failed; // one message for a module that several files name alike
+    for (const ModuleMention& mention : mentions) {
+        Result<ModuleListing> listing = catalog.find(mention.written, mention.folder);
+        if (!listing.ok()) {
+            found.open = true;
+            if (!failed.emplace(mention.written, mention.folder).second) continue;
+            const Severity severity = onlyUnknown(listing.error().code) ? Severity::Warning : Severity::Error;
+            diagnostics.add(severity, listing.error().code, mention.range, listing.error().message);
+            found.modules.push_back({mention.written, {}, mention.range});
+            continue;
+        }
+        const ModuleListing& module = listing.value();
+        if (!libraries.insert(module.library).second) continue;
+        found.modules.push_back({mention.written, module.library, mention.range});
+        if (!module.described) {
+            found.open = true;
+            diagnostics.warning(Code::ModuleUndescribed, mention.range,
+                                mention.written + " has no description file beside it, so its blocks can neither be checked nor run; build it with trundle_module");
+            continue;
+        }
+        for (Kind kind : module.kinds) {
+            if (kind.module.empty()) kind.module = module.library;
+            const Status status = registry.add(withControllerProperties(std::move(kind)));
+            if (!status.ok()) diagnostics.error(status.error().code, mention.range, status.error().message);
+        }
+    }
+    return found;
+}
+
+} // namespace trundle

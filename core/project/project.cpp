@@ -1,0 +1,134 @@
+#include "project/project.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "model/model_kinds.h"
+#include "model/resolver.h"
+#include "project/loader.h"
+#include "project/members.h"
+#include "project/modules.h"
+#include "schema/value_reader.h"
+
+namespace trundle {
+
+namespace {
+
+/// One wrong Param is one mistake, however many properties take it: of the errors that point at the same given value the first stays.
+std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
+    std::map<std::tuple<Code, SourceRange>, std::size_t> first; // where in kept
+    std::vector<Diagnostic> kept;
+    std::vector<std::size_t> others;
+    for (Diagnostic& d : all) {
+        const bool fromElsewhere = !d.notes.empty() && d.notes[0].first == kGivenHere;
+        if (fromElsewhere) {
+            const auto [at, isNew] = first.emplace(std::tuple(d.code, d.notes[0].second), kept.size());
+            if (!isNew) {
+                ++others[at->second];
+                continue;
+            }
+        }
+        kept.push_back(std::move(d));
+        others.push_back(0);
+    }
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (others[i]) kept[i].message += " (the value is wrong in " + std::to_string(others[i]) + (others[i] == 1 ? " other place too)" : " other places too)");
+    return kept;
+}
+
+/// In the order of the text, each message once: a config resolved for several instances repeats itself.
+Diagnostics tidied(const Diagnostics& diagnostics) {
+    std::vector<Diagnostic> all = diagnostics.all();
+    std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
+        return std::pair(a.range.file, a.range.range.begin) < std::pair(b.range.file, b.range.range.begin);
+    });
+    Diagnostics tidy;
+    std::set<std::tuple<int, SourceRange, std::string>> said;
+    std::vector<Diagnostic> kept;
+    for (Diagnostic& d : all) {
+        if (said.emplace(static_cast<int>(d.code), d.range, d.message).second) kept.push_back(std::move(d));
+    }
+    tidy.append(oncePerValue(std::move(kept)));
+    return tidy;
+}
+
+AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch& search, MeshSource& meshes) {
+    AssetLookup lookup;
+    const auto folder = [&folders](FileId file) { return file < folders.size() ? folders[file] : std::string("."); };
+    const auto missing = [&search](const Error& error, const std::string& written, const std::string& from) {
+        Error e = error;
+        if (e.code == Code::ImportNotFound) {
+            e.code = Code::MeshUnreadable;
+            const std::vector<std::string> near = search.nearest(written, from);
+            if (!near.empty()) e.message += "; did you mean " + near.front() + "?";
+        }
+        return e;
+    };
+    lookup.mesh = [=, &search, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {
+        Result<std::string> path = search.find(written, folder(file));
+        if (!path.ok()) return missing(path.error(), written, folder(file));
+        Result<std::shared_ptr<const TriangleMesh>> mesh = meshes.mesh(path.value());
+        if (!mesh.ok()) return mesh.error();
+        return FoundAsset<TriangleMesh>{path.value(), mesh.value()};
+    };
+    lookup.heightMap = [=, &search, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<HeightMap>> {
+        Result<std::string> path = search.find(written, folder(file));
+        if (!path.ok()) return missing(path.error(), written, folder(file));
+        Result<std::shared_ptr<const HeightMap>> map = meshes.heightMap(path.value());
+        if (!map.ok()) return map.error();
+        return FoundAsset<HeightMap>{path.value(), map.value()};
+    };
+    lookup.texture = [=, &search](const std::string& written, FileId file) -> Result<std::string> {
+        static const std::string endings[] = {"jpg", "jpeg", "png"};
+        Result<std::string> path = search.find(written, folder(file), endings);
+        if (path.ok()) return path;
+        Error e = missing(path.error(), written, folder(file));
+        return Error{e.code, "the picture " + e.message};
+    };
+    return lookup;
+}
+
+} // namespace
+
+Project::Project(std::shared_ptr<const Registry> builtIn, ModuleCatalog& catalog, MeshSource& meshes, ProjectOptions options)
+    : m_builtIn(std::move(builtIn)), m_catalog(catalog), m_meshes(meshes), m_options(std::move(options)) {}
+
+Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
+    auto loaded = std::make_shared<Loaded>();
+    loaded->projectFolder = projectFolderOf(path);
+    std::vector<std::string> folders{loaded->projectFolder};
+    folders.insert(folders.end(), m_options.includeFolders.begin(), m_options.includeFolders.end());
+    folders.push_back(m_options.shippedConfigs);
+    const FileSearch imports(folders);
+    if (!m_options.resources.empty()) {
+        for (const char* below : {"", "/textures", "/meshes"}) folders.push_back(m_options.resources + below);
+    }
+    const FileSearch pictures(folders);
+
+    Diagnostics diagnostics;
+    Loader loader(imports, diagnostics);
+    if (Status status = loader.open(path); !status.ok()) return status.error();
+    auto registry = std::make_shared<Registry>(withControllerProperties(*m_builtIn));
+    FoundModules modules = findModules(loader.modules(), m_catalog, *registry, diagnostics);
+    loader.addSets(m_options.sets);
+
+    loaded->sources = loader.sources();
+    const std::vector<std::string> fileFolders = loader.takeFolders();
+    auto texts = std::make_shared<TextSet>(loader.takeTexts());
+    texts->openModules = modules.open;
+    loaded->trees = texts->trees;
+    loaded->registry = registry;
+    std::shared_ptr<Outline> outline = Outline::build(texts, registry, diagnostics);
+    AppliedSets sets = applySets(*outline, diagnostics);
+    std::shared_ptr<ExperimentSpec> experiment = resolve(*outline, assetsFrom(fileFolders, pictures, m_meshes), diagnostics);
+    experiment->modules = std::move(modules.modules);
+    for (const MemberPath& member : sets.members) sayReplaceBySingles(member, *outline, *experiment, diagnostics);
+    loaded->sets = std::move(sets.targets);
+    loaded->outline = std::move(outline);
+    loaded->experiment = std::move(experiment);
+    loaded->diagnostics = tidied(diagnostics);
+    return std::shared_ptr<const Loaded>(std::move(loaded));
+}
+
+} // namespace trundle

@@ -1,0 +1,54 @@
+#pragma once
+// An opened experiment: its files as trees, what they resolve to, and what is wrong with them. The edit loop with no GUI.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "lang/source_text.h"
+#include "lang/tree.h"
+#include "model/experiment_spec.h"
+#include "model/outline.h"
+#include "model/set_targets.h"
+#include "project/sources.h"
+#include "schema/registry.h"
+
+namespace trundle {
+
+struct ProjectOptions {
+    std::vector<std::string> includeFolders; ///< -I
+    std::string shippedConfigs;              ///< the program's own configs/
+    std::string resources;                   ///< textures and meshes
+    std::vector<std::string> sets;           ///< "robot0.leftMotor.Resistance=3", applied to an in-memory copy in order
+};
+
+/// What one load gave. Immutable; a new edit gives a new one.
+struct Loaded {
+    SourceTable sources;
+    std::vector<std::shared_ptr<const Tree>> trees; ///< by FileId; [0] is the opened file
+    std::shared_ptr<const ExperimentSpec> experiment; ///< never null; what could be resolved
+    std::shared_ptr<const Registry> registry;         ///< built-in kinds and those of the loaded modules
+    Diagnostics diagnostics;                          ///< in the order of the text, each once
+    std::string projectFolder;
+    std::shared_ptr<const Outline> outline; ///< what stands where: for provenance (model/provenance.h), navigation and edits
+    std::vector<SetTarget> sets;            ///< where the options' sets lead; see project/set_path.h
+};
+
+class Project {
+public:
+    /// `builtIn` holds the kinds of model, devices and logs. catalog and meshes outlive the project.
+    Project(std::shared_ptr<const Registry> builtIn, ModuleCatalog& catalog, MeshSource& meshes, ProjectOptions options);
+
+    /// Reads the file and all it imports. Fails only when the file itself cannot be read.
+    [[nodiscard]] Result<std::shared_ptr<const Loaded>> open(const std::string& path);
+
+private:
+    std::shared_ptr<const Registry> m_builtIn;
+    ModuleCatalog& m_catalog;
+    MeshSource& m_meshes;
+    ProjectOptions m_options;
+};
+
+} // namespace trundle

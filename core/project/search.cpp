@@ -1,0 +1,133 @@
+#include "project/search.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "base/spelling.h"
+
+namespace trundle {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostEntries = 2000; ///< of a folder that are looked at for suggestions
+
+std::string absolutePath(const std::string& path) {
+    std::error_code ec;
+    const fs::path canonical = fs::weakly_canonical(path.empty() ? "." : path, ec);
+    return ec ? path : canonical.string();
+}
+
+bool liesUnder(const fs::path& file, const fs::path& folder) {
+    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    (void)rest;
+    return end == folder.end() || (std::next(end) == folder.end() && end->empty());
+}
+
+void normalise(std::string& written) { std::replace(written.begin(), written.end(), '\\', '/'); }
+
+} // namespace
+
+std::string projectFolderOf(const std::string& file) {
+    std::error_code ec;
+    const fs::path own = fs::path(absolutePath(file)).parent_path();
+    for (fs::path folder = own;; folder = folder.parent_path()) {
+        if (folder.filename() == "configs" || fs::is_directory(folder / ".trundle", ec)) return folder.string();
+        if (folder == folder.parent_path() || folder.empty()) break;
+    }
+    return own.string();
+}
+
+std::string shownPath(const std::string& absolute) {
+    std::error_code ec;
+    const fs::path here = fs::current_path(ec);
+    if (ec || here.empty() || !liesUnder(absolute, here)) return absolute;
+    return fs::path(absolute).lexically_relative(here).string();
+}
+
+std::vector<std::string> FileSearch::roots(const std::string& folder) const {
+    std::vector<std::string> all{absolutePath(folder)};
+    for (const std::string& f : m_folders) {
+        if (f.empty()) continue;
+        std::string path = absolutePath(f);
+        if (std::find(all.begin(), all.end(), path) == all.end()) all.push_back(std::move(path));
+    }
+    return all;
+}
+
+Result<std::string> FileSearch::find(std::string written, const std::string& folder, std::span<const std::string> endings) const {
+    normalise(written);
+    if (written.empty() || written.find('\0') != std::string::npos) return Error{Code::ImportNotFound, "a file name is missing"};
+    const std::vector<std::string> folders = roots(folder);
+    std::vector<std::string> names{written};
+    for (const std::string& ending : endings) names.push_back(written + "." + ending);
+    bool outside = false, unplain = false;
+    for (const std::string& root : folders) {
+        for (const std::string& name : names) {
+            std::error_code ec;
+            const fs::path path = fs::path(root) / name; // an absolute name stays what it is
+            const fs::file_status status = fs::status(path, ec);
+            if (ec || !fs::exists(status)) continue;
+            if (!fs::is_regular_file(status)) {
+                unplain = true;
+                continue;
+            }
+            const fs::path real = fs::canonical(path, ec);
+            if (ec) continue;
+            const bool allowed = std::any_of(folders.begin(), folders.end(), [&](const std::string& f) { return liesUnder(real, f); });
+            if (allowed) return real.string();
+            outside = true;
+        }
+    }
+    if (outside) return Error{Code::ImportOutside, written + " lies outside the project and the folders that are searched"};
+    if (unplain) return Error{Code::FileUnreadable, written + " is not a plain file"};
+    std::string places;
+    for (const std::string& root : folders) places += (places.empty() ? "" : ", ") + shownPath(root);
+    std::replace(places.begin(), places.end(), '\n', ' ');
+    return Error{Code::ImportNotFound, written + " is not found; looked in " + places};
+}
+
+std::vector<std::string> FileSearch::nearest(std::string written, const std::string& folder) const {
+    normalise(written);
+    const fs::path wanted(written);
+    std::vector<std::string> names;
+    for (const std::string& root : roots(folder)) {
+        std::error_code ec;
+        const fs::path place = (fs::path(root) / wanted).parent_path();
+        int looked = 0;
+        for (fs::directory_iterator it(place, ec), end; !ec && it != end && ++looked < kMostEntries; it.increment(ec)) {
+            std::error_code status;
+            if (it->is_regular_file(status)) names.push_back(it->path().filename().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::vector<std::string> near = nearestWords(wanted.filename().string(), names);
+    const std::string before = written.substr(0, written.size() - wanted.filename().string().size());
+    for (std::string& name : near) name = before + name;
+    return near;
+}
+
+Result<std::string> readFile(const std::string& path, std::size_t most) {
+    std::error_code ec;
+    const fs::file_status status = fs::status(path, ec);
+    if (!fs::exists(status)) return Error{Code::FileUnreadable, path + " does not exist"};
+    if (fs::is_directory(status)) return Error{Code::FileUnreadable, path + " is a folder"};
+    if (!fs::is_regular_file(status)) return Error{Code::FileUnreadable, path + " is not a plain file"};
+    const std::uintmax_t size = fs::file_size(path, ec);
+    if (!ec && size > most) return Error{Code::TooLarge, path + " is too large: an experiment may hold 64 MiB of text"};
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return Error{Code::FileUnreadable, path + " cannot be opened"};
+    std::string bytes;
+    char buffer[65536];
+    while (file.read(buffer, sizeof buffer), file.gcount() > 0) {
+        bytes.append(buffer, static_cast<std::size_t>(file.gcount()));
+        if (bytes.size() > most) return Error{Code::TooLarge, path + " is too large: an experiment may hold 64 MiB of text"};
+    }
+    if (file.bad()) return Error{Code::FileUnreadable, path + " cannot be read"};
+    return bytes;
+}
+
+} // namespace trundle

@@ -1,0 +1,36 @@
+#pragma once
+// Where files are looked for, and which may be opened.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace trundle {
+
+/// The nearest folder above the file that holds `.trundle/` or is named `configs`, else the file's own.
+[[nodiscard]] std::string projectFolderOf(const std::string& file);
+/// As people know the file: relative to where they stand when it lies below, else absolute.
+[[nodiscard]] std::string shownPath(const std::string& absolute);
+
+class FileSearch {
+public:
+    /// Folders after the importing file's own, in order.
+    explicit FileSearch(std::vector<std::string> folders) : m_folders(std::move(folders)) {}
+
+    /// The file (symlinks resolved) that `written` means in a text that lies in `folder`. `endings` are tried where none fits
+    /// as written. Fails with E308 (places looked at, nearest names), E311 (outside the folders) or E322 (no plain file).
+    [[nodiscard]] Result<std::string> find(std::string written, const std::string& folder, std::span<const std::string> endings = {}) const;
+    /// Names of files near the one that is missing, best first, as they would be written.
+    [[nodiscard]] std::vector<std::string> nearest(std::string written, const std::string& folder) const;
+
+private:
+    [[nodiscard]] std::vector<std::string> roots(const std::string& folder) const;
+    std::vector<std::string> m_folders;
+};
+
+/// The bytes of a plain file. Never blocks: pipes, devices and folders are refused.
+[[nodiscard]] Result<std::string> readFile(const std::string& path, std::size_t most);
+
+} // namespace trundle

@@ -1,0 +1,19 @@
+#pragma once
+// The settings of a load (`--set`) as edits of the files that own the values.
+
+#include <map>
+#include <vector>
+
+#include "base/text_edit.h"
+#include "project/project.h"
+
+namespace trundle {
+
+/// By file, the edits that write the load's sets into the text: only the characters of a value that is there already, else a new
+/// assignment in its block. To be used when the load has no errors in its `--set` texts.
+[[nodiscard]] std::map<FileId, std::vector<TextEdit>> editsForSets(const Loaded& loaded);
+
+/// Whether one of the load's errors stands in a `--set` text.
+[[nodiscard]] bool setsFailed(const Loaded& loaded);
+
+} // namespace trundle

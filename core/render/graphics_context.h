@@ -1,0 +1,26 @@
+#pragma once
+// What OSG is told of the context that render holds: already made, always current, no window.
+
+#include <osg/GraphicsContext>
+
+namespace trundle {
+
+/// Made and closed while the real context is current.
+class GraphicsContext final : public osg::GraphicsContext {
+public:
+    GraphicsContext();
+    /// Deletes what OSG still holds in the context.
+    void release();
+
+    bool valid() const override { return true; }
+    bool realizeImplementation() override { return true; }
+    bool isRealizedImplementation() const override { return true; }
+    void closeImplementation() override {}
+    bool makeCurrentImplementation() override { return true; }
+    bool makeContextCurrentImplementation(osg::GraphicsContext*) override { return true; }
+    bool releaseContextImplementation() override { return true; }
+    void bindPBufferToTextureImplementation(GLenum) override {}
+    void swapBuffersImplementation() override {}
+};
+
+} // namespace trundle

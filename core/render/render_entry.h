@@ -1,0 +1,38 @@
+#pragma once
+// The door of the render library, which programs open on first use so that a run without pictures starts fast. Caller and
+// library are of one build: pointers to our own types cross it.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace trundle {
+
+struct ExperimentSpec;
+class SignalLayout;
+class SignalBlock;
+
+struct RenderJob {
+    std::uint32_t structSize = sizeof(RenderJob);
+    const ExperimentSpec* experiment = nullptr;
+    const SignalLayout* layout = nullptr; ///< with `block`: poses from signals; without: start poses
+    const SignalBlock* block = nullptr;
+    bool hasView = false; ///< false: the whole scene from a raised three-quarter view
+    double eye[3] = {0, 0, 0}, target[3] = {0, 0, 0}, up[3] = {0, 0, 1}; ///< m, world
+    double fieldOfView = 0; ///< rad, horizontal; 0: the default
+    std::uint32_t width = 1280, height = 720; ///< up to 4096
+    const char* outputPath = nullptr;         ///< .png, .jpg or .jpeg
+    char* error = nullptr;                    ///< one line, ends with NUL; may be null
+    std::size_t errorSize = 0;
+};
+
+} // namespace trundle
+
+#define TRUNDLE_RENDER_LIBRARY "libtrundle_render.so"
+
+#define TRUNDLE_RENDER_EXPORT __attribute__((visibility("default")))
+
+extern "C" {
+/// Writes one picture. 0, or the number of the diagnostic code (510: no OpenGL to be had, 511: the picture failed) with its
+/// words in `error`. Throws nothing.
+TRUNDLE_RENDER_EXPORT int trundle_render_experiment(const trundle::RenderJob* job);
+}

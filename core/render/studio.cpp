@@ -1,0 +1,109 @@
+#include "render/studio.h"
+
+#include <osg/GLObjects>
+#include <osg/Notify>
+
+#include "scene/framing.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMostTargets = 8;
+
+/// OSG talks to standard error of its own accord; nobody below the program prints.
+struct Silence : osg::NotifyHandler {
+    void notify(osg::NotifySeverity, const char*) override {}
+};
+
+Error refused(std::string why) { return {Code::PictureFailed, std::move(why)}; }
+
+} // namespace
+
+Studio::Studio(std::unique_ptr<EglContext> egl) : m_egl(std::move(egl)), m_context(new GraphicsContext) {
+    glGetIntegerv(GL_MAX_SAMPLES_EXT, &m_mostSamples);
+    m_mostSamples = std::max(1, m_mostSamples);
+}
+
+Result<std::unique_ptr<Studio>> Studio::open() {
+    osg::setNotifyHandler(new Silence);
+    Result<std::unique_ptr<EglContext>> egl = EglContext::create();
+    if (!egl) return egl.error();
+    return std::unique_ptr<Studio>(new Studio(std::move(egl).value()));
+}
+
+Studio::~Studio() {
+    for (auto& [id, stage] : m_stages) stage.scene->root().releaseGLObjects(m_context->getState());
+    m_targets.clear();
+    m_stages.clear();
+    m_context->release();
+    m_context = nullptr;
+}
+
+void Studio::add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment) {
+    Stage stage;
+    stage.scene = std::make_unique<Scene>(*experiment);
+    stage.start = startPoses(*experiment);
+    stage.experiment = std::move(experiment);
+    m_stages.emplace(id, std::move(stage));
+}
+
+void Studio::remove(SceneId id) {
+    const auto it = m_stages.find(id);
+    if (it == m_stages.end()) return;
+    it->second.scene->root().releaseGLObjects(m_context->getState());
+    m_stages.erase(it);
+    osg::flushAllDeletedGLObjects(m_context->getState()->getContextID());
+}
+
+Result<Studio::Stage*> Studio::stage(SceneId id, const std::shared_ptr<const BodyPoses>& poses) {
+    const auto it = m_stages.find(id);
+    if (it == m_stages.end()) return refused("there is no such scene");
+    Stage& stage = it->second;
+    if (poses && poses->size() != stage.start.size()) {
+        return refused("poses of " + std::to_string(poses->size()) + " bodies for a scene of " + std::to_string(stage.start.size()));
+    }
+    stage.scene->setPoses(poses ? *poses : stage.start);
+    return &stage;
+}
+
+Result<Target*> Studio::target(TargetShape shape) {
+    if (const auto it = m_targets.find(shape); it != m_targets.end()) {
+        it->second.lastUse = ++m_uses;
+        return it->second.target.get();
+    }
+    if (m_targets.size() >= kMostTargets) {
+        m_targets.erase(std::min_element(m_targets.begin(), m_targets.end(),
+                                         [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; }));
+    }
+    Result<std::unique_ptr<Target>> made = Target::create(*m_context, shape);
+    if (!made) return made.error();
+    Kept& kept = m_targets[shape];
+    kept = {std::move(made).value(), ++m_uses};
+    return kept.target.get();
+}
+
+Result<Image> Studio::draw(const PictureRequest& request) {
+    if (request.width < 1 || request.height < 1 || request.width > kMostPixels || request.height > kMostPixels) {
+        return refused("a picture has 1 to " + std::to_string(kMostPixels) + " pixels along each side, not " +
+                       std::to_string(request.width) + " x " + std::to_string(request.height));
+    }
+    const Result<Stage*> stage = this->stage(request.scene, request.poses);
+    if (!stage) return stage.error();
+    const CameraView view = request.view ? *request.view
+        : defaultView(*stage.value()->experiment, request.poses ? *request.poses : stage.value()->start, request.width, request.height);
+    if (!isUsable(view)) return refused("no picture can be taken from this view");
+    const Result<Target*> target = this->target({request.width, request.height, std::clamp(request.samples, 1, m_mostSamples)});
+    if (!target) return target.error();
+    return target.value()->draw(*stage.value()->scene, view, request.mask, static_cast<unsigned>(++m_uses));
+}
+
+Result<Picked> Studio::pick(const PickRequest& request) {
+    const Result<Stage*> stage = this->stage(request.scene, request.poses);
+    if (!stage) return stage.error();
+    if (!isUsable(request.view) || request.width < 1 || request.height < 1) return refused("nothing can be picked in this view");
+    const auto hit =
+        stage.value()->scene->pick(rayThrough(request.view, request.width, request.height, request.x, request.y), request.mask);
+    return hit ? Picked{hit->path, hit->point} : Picked{};
+}
+
+} // namespace trundle

@@ -1,0 +1,43 @@
+#pragma once
+// What the service's thread works with: the context, the scenes, the targets. One thread only.
+
+#include <map>
+#include <memory>
+
+#include "render/platform/egl_context.h"
+#include "render/service.h"
+#include "render/target.h"
+
+namespace trundle {
+
+class Studio {
+public:
+    [[nodiscard]] static Result<std::unique_ptr<Studio>> open();
+    ~Studio();
+
+    void add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment);
+    void remove(SceneId id);
+    [[nodiscard]] Result<Image> draw(const PictureRequest& request);
+    [[nodiscard]] Result<Picked> pick(const PickRequest& request);
+    [[nodiscard]] const EglContext& context() const { return *m_egl; }
+
+private:
+    struct Stage {
+        std::shared_ptr<const ExperimentSpec> experiment;
+        std::unique_ptr<Scene> scene;
+        BodyPoses start;
+    };
+    explicit Studio(std::unique_ptr<EglContext> egl);
+    [[nodiscard]] Result<Stage*> stage(SceneId id, const std::shared_ptr<const BodyPoses>& poses);
+    [[nodiscard]] Result<Target*> target(TargetShape shape);
+
+    struct Kept { std::unique_ptr<Target> target; std::uint64_t lastUse = 0; };
+    std::unique_ptr<EglContext> m_egl;
+    osg::ref_ptr<GraphicsContext> m_context;
+    std::map<SceneId, Stage> m_stages;
+    std::map<TargetShape, Kept> m_targets;
+    std::uint64_t m_uses = 0;
+    int m_mostSamples = 1;
+};
+
+} // namespace trundle

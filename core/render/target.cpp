@@ -1,0 +1,135 @@
+#include "render/target.h"
+
+#include <osg/GLExtensions>
+
+namespace trundle {
+namespace {
+
+constexpr double kLeastNear = 0.01, kMostNear = 2.0, kFar = 8000; // m
+
+osg::GLExtensions& gl(GraphicsContext& context) { return *context.getState()->get<osg::GLExtensions>(); }
+
+} // namespace
+
+Target::Target(GraphicsContext& context, TargetShape shape) : m_context(context), m_shape(shape), m_view(new osgUtil::SceneView) {
+    m_view->setDefaults(osgUtil::SceneView::NO_SCENEVIEW_LIGHT | osgUtil::SceneView::CLEAR_GLOBAL_STATESET |
+                        osgUtil::SceneView::APPLY_GLOBAL_DEFAULTS);
+    m_view->setState(context.getState());
+    m_view->setFrameStamp(new osg::FrameStamp);
+    osg::Camera* camera = m_view->getCamera();
+    camera->setGraphicsContext(&context);
+    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
+    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
+    camera->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    camera->setClearColor(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
+    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    camera->setViewport(0, 0, int(shape.width), int(shape.height));
+    m_view->init();
+}
+
+Result<std::unique_ptr<Target>> Target::create(GraphicsContext& context, TargetShape shape) {
+    std::unique_ptr<Target> target(new Target(context, shape));
+    if (const Status made = target->makeBuffers(); !made) return made.error();
+    return target;
+}
+
+Status Target::makeBuffers() {
+    osg::GLExtensions& ext = gl(m_context);
+    while (glGetError() != GL_NO_ERROR) {}
+    const auto width = GLsizei(m_shape.width), height = GLsizei(m_shape.height);
+    const auto buffer = [&](GLuint& name, GLenum format, GLenum attachment, int samples) {
+        ext.glGenRenderbuffers(1, &name);
+        ext.glBindRenderbuffer(GL_RENDERBUFFER_EXT, name);
+        if (samples > 1) ext.glRenderbufferStorageMultisample(GL_RENDERBUFFER_EXT, samples, format, width, height);
+        else ext.glRenderbufferStorage(GL_RENDERBUFFER_EXT, format, width, height);
+        ext.glFramebufferRenderbuffer(GL_FRAMEBUFFER_EXT, attachment, GL_RENDERBUFFER_EXT, name);
+    };
+    ext.glGenFramebuffers(1, &m_frame);
+    ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_frame);
+    buffer(m_colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, m_shape.samples);
+    buffer(m_depth, GL_DEPTH24_STENCIL8_EXT, GL_DEPTH_STENCIL_ATTACHMENT, m_shape.samples);
+    bool whole = ext.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
+    if (m_shape.samples > 1) {
+        ext.glGenFramebuffers(1, &m_resolvedFrame);
+        ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_resolvedFrame);
+        buffer(m_resolvedColour, GL_RGBA8, GL_COLOR_ATTACHMENT0, 1);
+        whole = whole && ext.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
+    }
+    if (!whole || glGetError() != GL_NO_ERROR) {
+        return Error{Code::PictureFailed,
+                     "no room to draw a picture of " + std::to_string(m_shape.width) + " x " + std::to_string(m_shape.height)};
+    }
+    return {};
+}
+
+Target::~Target() {
+    osg::GLExtensions& ext = gl(m_context);
+    for (const GLuint* frame : {&m_frame, &m_resolvedFrame}) if (*frame) ext.glDeleteFramebuffers(1, frame);
+    for (const GLuint* buffer : {&m_colour, &m_depth, &m_resolvedColour}) if (*buffer) ext.glDeleteRenderbuffers(1, buffer);
+    m_view->releaseGLObjects(m_context.getState());
+    m_view->getCamera()->setGraphicsContext(nullptr);
+}
+
+void Target::aim(const Scene& scene, const CameraView& view) {
+    // Depth is finest where the near plane is far: it keeps half the way to what is nearest.
+    double nearest = scene.bounds().distanceTo(view.eye);
+    if (const auto floor = scene.floorHeight()) nearest = std::min(nearest, std::abs(view.eye.z() - *floor));
+    const double nearPlane = view.nearPlane > 0 ? view.nearPlane : std::clamp(0.5 * nearest, kLeastNear, kMostNear);
+    const double farPlane = std::max(view.farPlane > 0 ? view.farPlane : kFar, 1.001 * nearPlane);
+    const double aspect = double(m_shape.height) / m_shape.width;
+    osg::Camera* camera = m_view->getCamera();
+    if (view.orthographicWidth > 0) {
+        const double half = 0.5 * view.orthographicWidth;
+        camera->setProjectionMatrixAsOrtho(-half, half, -half * aspect, half * aspect, nearPlane, farPlane);
+    } else {
+        const double half = nearPlane * std::tan(0.5 * view.fieldOfView);
+        camera->setProjectionMatrixAsFrustum(-half, half, -half * aspect, half * aspect, nearPlane, farPlane);
+    }
+    const Mat3 axes = cameraAxes(view);
+    osg::Matrixd world; // camera to world, as rows of OSG
+    for (int column = 0; column < 3; ++column) for (int row = 0; row < 3; ++row) world(column, row) = axes(row, column);
+    world.setTrans(view.eye.x(), view.eye.y(), view.eye.z());
+    camera->setViewMatrix(osg::Matrixd::inverse(world));
+}
+
+Result<Image> Target::draw(Scene& scene, const CameraView& view, std::uint32_t mask, unsigned frame) {
+    osg::GLExtensions& ext = gl(m_context);
+    m_view->setSceneData(&scene.root());
+    m_view->setCullMask(mask);
+    const_cast<osg::FrameStamp*>(m_view->getFrameStamp())->setFrameNumber(frame);
+    aim(scene, view);
+    m_context.setDefaultFboId(m_frame);
+    ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_frame);
+    m_view->cull();
+    m_view->draw();
+    Image image = readBack();
+    m_view->setSceneData(nullptr);
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+        return Error{Code::PictureFailed, "OpenGL reports error " + std::to_string(error)};
+    return image;
+}
+
+Image Target::readBack() {
+    osg::GLExtensions& ext = gl(m_context);
+    const auto width = GLsizei(m_shape.width), height = GLsizei(m_shape.height);
+    if (m_resolvedFrame) {
+        ext.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, m_frame);
+        ext.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, m_resolvedFrame);
+        ext.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_resolvedFrame);
+    }
+    Image image{m_shape.width, m_shape.height, {}};
+    const std::size_t row = std::size_t(m_shape.width) * 3;
+    image.pixels.resize(row * m_shape.height);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+    // OpenGL counts rows from the bottom.
+    for (std::size_t y = 0; y < m_shape.height / 2; ++y) {
+        const auto top = image.pixels.begin() + std::ptrdiff_t(y * row),
+                   bottom = image.pixels.begin() + std::ptrdiff_t((m_shape.height - 1 - y) * row);
+        std::swap_ranges(top, top + std::ptrdiff_t(row), bottom);
+    }
+    return image;
+}
+
+} // namespace trundle

@@ -1,0 +1,171 @@
+#include "run/experiment_runner.h"
+
+#include <cmath>
+#include <set>
+
+#include <trundle/abi.h>
+
+#include "run/log_kinds.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMostControllerErrors = 20; // a swarm of one broken controller says it once, ten kinds ten times
+constexpr std::size_t kMostControllerLogs = 1000;
+
+} // namespace
+
+ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
+    : m_options(std::move(options)), m_world(std::move(world)), m_folder(m_options.logFolder) {
+    m_world->setDeviceText([this](const std::string& device, int severity, const std::string& text) { say(device, severity, text); });
+}
+
+void ExperimentRunner::say(const std::string& who, int severity, const std::string& text) const {
+    if (m_options.console) m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, text);
+}
+
+Status ExperimentRunner::fail(const Error& error, SourceRange range) {
+    if (!m_failure) m_failure = Diagnostic{Severity::Error, error.code, error.message, range, {}, {}, {}};
+    return error;
+}
+
+// ---- the start ----
+
+ControllerOutlet ExperimentRunner::outletFor(const RobotSpec& robot) {
+    ControllerOutlet outlet;
+    outlet.print = [this, name = robot.name](int severity, const std::string& text) { say(name, severity, text); };
+    outlet.openLog = [this, name = robot.name](const std::string& fileName) {
+        if (m_controllerLogs.size() >= kMostControllerLogs) {
+            say(name, TRUNDLE_ERROR, "no more than 1000 logs may be opened by controllers");
+            return -1;
+        }
+        const Result<LogFile*> file = m_folder.create(fileName);
+        if (!file) {
+            say(name, TRUNDLE_ERROR, file.error().message);
+            return -1;
+        }
+        m_controllerLogs.push_back(file.value());
+        return static_cast<int>(m_controllerLogs.size() - 1);
+    };
+    outlet.writeLog = [this](int log, std::string_view bytes) {
+        if (log >= 0 && static_cast<std::size_t>(log) < m_controllerLogs.size()) m_controllerLogs[static_cast<std::size_t>(log)]->write(bytes);
+    };
+    return outlet;
+}
+
+void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnostics& diagnostics) {
+    std::set<std::string> said;
+    const auto report = [&](const Error& error, const ComponentSpec& spec) {
+        if (said.insert(spec.kind + "\n" + error.message).second) diagnostics.error(error.code, spec.nameRange, error.message);
+    };
+    const std::vector<RobotSpec>& robots = experiment().robots;
+    for (std::size_t i = 0; i < robots.size() && said.size() < kMostControllerErrors; ++i) {
+        if (!robots[i].controller) continue;
+        const ComponentSpec& spec = *robots[i].controller;
+        Result<std::unique_ptr<ControllerBackend>> backend = backends(robots[i], experiment().settings);
+        if (!backend) {
+            report(backend.error(), spec);
+            continue;
+        }
+        m_controllers.push_back({i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick)});
+        const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outletFor(robots[i]));
+        if (!started) report(started.error(), spec);
+    }
+}
+
+void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
+    for (const ComponentSpec& spec : experiment().logs) {
+        const std::size_t errorsBefore = diagnostics.errorCount();
+        std::unique_ptr<Log> log = makeLog(spec, *m_world, diagnostics);
+        if (!log || diagnostics.errorCount() > errorsBefore || m_options.logFolder.empty()) continue;
+        const Result<LogFile*> file = m_folder.create(logFileName(spec));
+        if (!file) {
+            diagnostics.error(file.error().code, spec.nameRange, file.error().message);
+            continue;
+        }
+        m_rows.clear();
+        log->header(m_rows);
+        file.value()->write(m_rows);
+        m_logs.push_back({std::move(log), file.value(), Schedule(spec.number("Interval"), experiment().settings.tick), spec.nameRange});
+    }
+    if (const Status written = writeLogs(); !written && m_failure) diagnostics.append({*m_failure});
+}
+
+// ---- the tick ----
+
+void ExperimentRunner::command(decltype(Command::what) what) { m_commands.push_back({m_world->ticks(), std::move(what)}); }
+
+Status ExperimentRunner::apply(const Command& command) {
+    if (const auto* push = std::get_if<PushCommand>(&command.what)) return m_world->push(push->body, push->force, push->point);
+    if (const auto* place = std::get_if<PlaceCommand>(&command.what)) return m_world->place(place->robot, place->pose);
+    const auto& signal = std::get<SignalCommand>(command.what);
+    const SignalEntry* entry = m_world->layout().find(signal.path);
+    if (!entry) return Error{Code::NoSuchPath, "there is no signal " + signal.path};
+    if (entry->direction != SignalDirection::Command || entry->count != 1) return Error{Code::WrongPlace, signal.path + " is no command"};
+    if (!std::isfinite(signal.value)) return Error{Code::OutOfRange, "the value for " + signal.path + " is not a finite number"};
+    m_world->block().slots()[entry->offset] = signal.value;
+    return {};
+}
+
+void ExperimentRunner::applyCommands() {
+    for (; m_applied < m_commands.size(); ++m_applied)
+        if (const Status done = apply(m_commands[m_applied]); !done) say("", TRUNDLE_ERROR, "command refused: " + done.error().message);
+}
+
+Status ExperimentRunner::think() {
+    const std::uint64_t tick = m_world->ticks();
+    const double time = m_world->time();
+    for (Controller& controller : m_controllers) {
+        if (!controller.schedule.due(tick)) continue;
+        const double sinceLast = controller.called ? time - controller.lastTime : 0;
+        controller.lastTime = time;
+        controller.called = true;
+        const Status done = controller.backend->tick(tick, time, sinceLast);
+        if (!done) return fail(done.error(), experiment().robots[controller.robot].controller->nameRange);
+    }
+    return {};
+}
+
+Status ExperimentRunner::writeLogs() {
+    const std::uint64_t tick = m_world->ticks();
+    const double time = tickTime(tick, experiment().settings.tick);
+    for (OpenLog& open : m_logs) {
+        if (open.schedule.due(tick)) {
+            m_rows.clear();
+            open.log->rows(*m_world, time, m_rows);
+            open.file->write(m_rows);
+        }
+        if (open.file->failure()) return fail(*open.file->failure(), open.range);
+    }
+    for (LogFile* file : m_controllerLogs)
+        if (file->failure()) return fail(*file->failure(), {});
+    return {};
+}
+
+Status ExperimentRunner::tick() {
+    if (m_failure) return Error{m_failure->code, m_failure->message};
+    applyCommands();
+    if (Status done = think(); !done) return done;
+    if (const Status done = m_world->tick(); !done) {
+        const Fault* fault = m_world->fault();
+        return fail(done.error(), fault ? fault->range : SourceRange{});
+    }
+    return writeLogs();
+}
+
+Status ExperimentRunner::finish() {
+    if (m_finished) return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
+    m_finished = true;
+    for (Controller& controller : m_controllers) controller.backend->stop();
+    for (const auto& file : m_folder.files())
+        if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});
+    return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
+}
+
+std::vector<std::string> ExperimentRunner::logFiles() const {
+    std::vector<std::string> paths;
+    for (const auto& file : m_folder.files()) paths.push_back(file->path());
+    return paths;
+}
+
+} // namespace trundle

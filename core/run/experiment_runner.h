@@ -1,0 +1,68 @@
+#pragma once
+// The Runner that core/run gives out: see runner.h for the promises.
+
+#include <optional>
+
+#include "run/log.h"
+#include "run/log_folder.h"
+#include "run/runner.h"
+#include "run/schedule.h"
+
+namespace trundle {
+
+class ExperimentRunner final : public Runner {
+public:
+    ExperimentRunner(std::unique_ptr<World> world, RunOptions options);
+    ~ExperimentRunner() override { (void)finish(); }
+
+    // Steps of create(), in this order. Problems go to `diagnostics`.
+    void startControllers(const BackendFactory& backends, Diagnostics& diagnostics);
+    void openLogs(Diagnostics& diagnostics);
+
+    Status tick() override;
+    void command(decltype(Command::what) what) override;
+    const std::vector<Command>& commands() const override { return m_commands; }
+    const Diagnostic* failure() const override { return m_failure ? &*m_failure : nullptr; }
+    Status finish() override;
+    World& world() override { return *m_world; }
+    std::vector<std::string> logFiles() const override;
+
+private:
+    struct Controller {
+        std::size_t robot;
+        std::unique_ptr<ControllerBackend> backend;
+        Schedule schedule;
+        double lastTime = 0;
+        bool called = false;
+    };
+    struct OpenLog {
+        std::unique_ptr<Log> log;
+        LogFile* file;
+        Schedule schedule;
+        SourceRange range;
+    };
+
+    const ExperimentSpec& experiment() const { return m_world->experiment(); }
+    ControllerOutlet outletFor(const RobotSpec& robot);
+    void say(const std::string& who, int severity, const std::string& text) const;
+    Status fail(const Error& error, SourceRange range);
+
+    void applyCommands();
+    Status apply(const Command& command);
+    Status think();
+    Status writeLogs();
+
+    RunOptions m_options;
+    std::unique_ptr<World> m_world; // before the controllers, which hold on to its block
+    LogFolder m_folder;             // before them too: they write into it
+    std::vector<Controller> m_controllers;
+    std::vector<OpenLog> m_logs;
+    std::vector<LogFile*> m_controllerLogs; // by the number a controller was given
+    std::vector<Command> m_commands;
+    std::size_t m_applied = 0; // commands before this one are done
+    std::optional<Diagnostic> m_failure;
+    std::string m_rows;
+    bool m_finished = false;
+};
+
+} // namespace trundle

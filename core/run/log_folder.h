@@ -1,0 +1,60 @@
+#pragma once
+// The one folder a run writes into, and the files it opened there.
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace trundle {
+
+/// A file being written, through a buffer of fixed size. The first failure (a full disk) is kept and ends all writing.
+class LogFile {
+public:
+    LogFile(std::string name, std::string path, std::FILE* file);
+    ~LogFile();
+    LogFile(const LogFile&) = delete;
+    LogFile& operator=(const LogFile&) = delete;
+
+    void write(std::string_view bytes);
+    /// Flushes and closes. Gives the first failure of its whole life.
+    Status close();
+
+    [[nodiscard]] const std::string& name() const { return m_name; } ///< inside the folder
+    [[nodiscard]] const std::string& path() const { return m_path; }
+    [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
+
+private:
+    void flush();
+    void fail(int errorNumber);
+
+    std::string m_name, m_path, m_buffer;
+    std::FILE* m_file;
+    std::optional<Error> m_failure;
+};
+
+/// `name` with forward slashes and no idle parts. Fails for what could leave the folder: an absolute path, `..`, control bytes.
+[[nodiscard]] Result<std::string> cleanLogName(std::string_view name);
+
+class LogFolder {
+public:
+    /// Made on disk only when the first file is opened. An empty path refuses every file.
+    explicit LogFolder(std::string path) : m_path(std::move(path)) {}
+
+    /// Opens a new file in place of one that an earlier run left there. Refused: a name already open in this run, a name that
+    /// leaves the folder, a way through a symbolic link, anything in its place that is no regular file.
+    [[nodiscard]] Result<LogFile*> create(std::string_view name);
+
+    [[nodiscard]] const std::vector<std::unique_ptr<LogFile>>& files() const { return m_files; }
+    [[nodiscard]] const std::string& path() const { return m_path; }
+
+private:
+    std::string m_path;
+    std::vector<std::unique_ptr<LogFile>> m_files;
+};
+
+} // namespace trundle

@@ -1,0 +1,50 @@
+#pragma once
+// Runs one experiment: world, controllers, commands, logs, in tick order. Owns no thread: the caller's loop is the clock.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/result.h"
+#include "control/backend.h"
+#include "run/command.h"
+#include "world/world.h"
+
+namespace trundle {
+
+/// Makes the backend of a robot's controller. Fails with a module diagnostic.
+using BackendFactory = std::function<Result<std::unique_ptr<ControllerBackend>>(const RobotSpec& robot, const SettingsSpec& settings)>;
+
+struct RunOptions {
+    std::string logFolder;  ///< this run's own files in it are replaced; nothing is written outside it. Empty: no logs
+    std::function<void(double time, const std::string& robot, int severity, const std::string& text)> console;
+};
+
+class Runner {
+public:
+    /// Builds world and controllers. Problems go to `diagnostics`; with an error there is no runner.
+    [[nodiscard]] static std::unique_ptr<Runner> create(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
+                                                        const BackendFactory& backends, RunOptions options, Diagnostics& diagnostics);
+    virtual ~Runner() = default;
+
+    /// think, then World::tick, then logs. A failed controller or a blown-up world ends the run: see error().
+    [[nodiscard]] virtual Status tick() = 0;
+    /// Enters a command for the coming tick; it is stamped and kept.
+    virtual void command(decltype(Command::what) what) = 0;
+    [[nodiscard]] virtual const std::vector<Command>& commands() const = 0;
+    /// What ended the run early, with its place; nullptr while all is well. Set by a tick() or finish() that failed.
+    [[nodiscard]] virtual const Diagnostic* failure() const = 0;
+    /// Stops the controllers, flushes and closes logs; also done by the destructor.
+    virtual Status finish() = 0;
+
+    [[nodiscard]] virtual World& world() = 0;
+    /// Files written, in order.
+    [[nodiscard]] virtual std::vector<std::string> logFiles() const = 0;
+};
+
+/// ceil(duration / tick - 1e-9)
+[[nodiscard]] std::uint64_t ticksFor(double duration, double tick);
+
+} // namespace trundle

@@ -1,0 +1,91 @@
+#include <osg/Depth>
+#include <osg/Geometry>
+#include <osg/MatrixTransform>
+#include <osg/PolygonOffset>
+#include <osg/Stencil>
+
+#include "scene/osg_types.h"
+#include "scene/surroundings.h"
+
+namespace trundle {
+
+std::vector<FloorPlane> floorPlanes(const ExperimentSpec& experiment) {
+    std::vector<FloorPlane> floors;
+    for (const StaticSpec& fixed : experiment.statics) {
+        if (!fixed.geoms) continue;
+        for (const GeomSpec& geom : *fixed.geoms) {
+            if (geom.shape != GeomShape::Plane || !geom.visible) continue;
+            FloorPlane floor{fixed.pose * geom.pose, {0.6, 0.6, 0.6}, fixed.name + "/" + geom.name};
+            if (geom.material < experiment.materials.size()) floor.colour = experiment.materials[geom.material].colour;
+            if (!floor.pose.position.allFinite() || !floor.pose.rotation.coeffs().allFinite() || floor.pose.position.norm() > 1e6) continue;
+            const bool known = std::any_of(floors.begin(), floors.end(), [&](const FloorPlane& other) {
+                return other.normal().dot(floor.normal()) > 1 - 1e-9 &&
+                       std::abs(floor.normal().dot(other.pose.position - floor.pose.position)) < 1e-6;
+            });
+            if (!known) floors.push_back(std::move(floor));
+        }
+    }
+    return floors;
+}
+
+std::optional<std::size_t> levelFloor(const std::vector<FloorPlane>& floors) {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < floors.size(); ++i) {
+        if (floors[i].normal().z() < 0.999) continue;
+        if (!best || floors[i].pose.position.z() > floors[*best].pose.position.z()) best = i;
+    }
+    return best;
+}
+
+osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, const Bounds& about, double reach, const Look& look) {
+    // The quad keeps the plane's own frame, so that the lines of the grid stand where the text says the plane is.
+    const Vec3 middle = about.empty() ? floor.pose.position : about.centre();
+    const Vec3 local = floor.pose.inverse() * middle;
+    const double r = reach;
+    osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
+    for (const auto& [x, y] : {std::pair{-r, -r}, {r, -r}, {r, r}, {-r, r}}) points->push_back(osg::Vec3(local.x() + x, local.y() + y, 0));
+    osg::ref_ptr<osg::Geometry> quad = new osg::Geometry;
+    quad->setUseDisplayList(false);
+    quad->setUseVertexBufferObjects(true);
+    quad->setVertexArray(points);
+    quad->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 4));
+
+    osg::StateSet* state = quad->getOrCreateStateSet();
+    state->setAttributeAndModes(look.floor);
+    const auto share = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
+    state->addUniform(new osg::Uniform("floorColour", osg::Vec3(share(floor.colour[0]), share(floor.colour[1]), share(floor.colour[2]))));
+    const Vec3 n = floor.normal();
+    state->addUniform(new osg::Uniform("floorLight", lightOn(osg::Vec3(n.x(), n.y(), n.z()))));
+    // Whatever lies in the plane of a floor is seen, not the floor.
+    state->setAttributeAndModes(new osg::PolygonOffset(1.f + index, 2.f + index));
+    osg::ref_ptr<osg::Stencil> mark = new osg::Stencil;
+    mark->setFunction(osg::Stencil::ALWAYS, floorMark(index), ~0u);
+    mark->setOperation(osg::Stencil::KEEP, osg::Stencil::KEEP, osg::Stencil::REPLACE);
+    state->setAttributeAndModes(mark);
+    state->setRenderBinDetails(kDrawFloor, "RenderBin");
+
+    osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(toOsg(floor.pose));
+    node->setName(floor.path);
+    node->addChild(quad);
+    return node;
+}
+
+osg::ref_ptr<osg::Node> makeSkyNode(const Look& look) {
+    osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
+    points->push_back(osg::Vec3(-1, -1, 0));
+    points->push_back(osg::Vec3(3, -1, 0));
+    points->push_back(osg::Vec3(-1, 3, 0));
+    osg::ref_ptr<osg::Geometry> triangle = new osg::Geometry;
+    triangle->setUseDisplayList(false);
+    triangle->setUseVertexBufferObjects(true);
+    triangle->setVertexArray(points);
+    triangle->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
+    triangle->setStateSet(look.sky);
+    // It fills the picture from any place, so it has no place of its own.
+    triangle->setCullingActive(false);
+    triangle->setComputeBoundingBoxCallback(new NoBounds);
+    triangle->setName("sky");
+    return triangle;
+}
+
+} // namespace trundle

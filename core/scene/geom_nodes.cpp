@@ -1,0 +1,131 @@
+#include "scene/geom_nodes.h"
+
+#include <osg/LOD>
+
+#include "scene/shape_mesh.h"
+
+namespace trundle {
+namespace {
+
+constexpr float kFinePixels = 170, kCoarsePixels = 34; // size on screen (diameter) where another degree of detail takes over
+constexpr Fineness kFine{36, true}, kMiddle{18, true}, kCoarse{10, false};
+constexpr std::uint32_t kLayers = 4; // coplanar faces of neighbouring geoms are told apart by their order
+
+/// A drawable in the making.
+struct Batch {
+    osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array, normals = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec4ubArray> colours = new osg::Vec4ubArray;
+    osg::ref_ptr<osg::Vec4Array> glow = new osg::Vec4Array;
+    osg::ref_ptr<osg::FloatArray> layers = new osg::FloatArray;
+    osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    osg::ref_ptr<GeomRanges> ranges = new GeomRanges;
+
+    void add(const GeomSpec& geom, std::uint32_t index, const ShapeMesh& mesh, const MaterialSpec& material);
+    [[nodiscard]] osg::ref_ptr<osg::Geometry> finish(osg::StateSet* state) const;
+};
+
+std::uint8_t byteOf(double share) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0))); }
+
+const MaterialSpec& placeholderMaterial() {
+    static const MaterialSpec material = [] {
+        MaterialSpec m;
+        m.colour = {1, 0, 1};
+        m.emission = {0.5, 0, 0.5};
+        return m;
+    }();
+    return material;
+}
+
+void Batch::add(const GeomSpec& geom, std::uint32_t index, const ShapeMesh& mesh, const MaterialSpec& material) {
+    const auto first = static_cast<std::uint32_t>(points->size());
+    ranges->ranges.push_back({first, index});
+    const Mat3 turn = geom.pose.rotation.toRotationMatrix();
+    const osg::Vec4ub colour(byteOf(material.colour[0]), byteOf(material.colour[1]), byteOf(material.colour[2]), byteOf(material.opacity));
+    const auto share = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
+    const osg::Vec4 light(share(material.emission[0]), share(material.emission[1]), share(material.emission[2]), share(material.shininess));
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        const Vec3 p = geom.pose.position + turn * mesh.points[i].cast<double>();
+        const Vec3 n = turn * mesh.normals[i].cast<double>();
+        points->push_back(osg::Vec3(p.x(), p.y(), p.z()));
+        normals->push_back(osg::Vec3(n.x(), n.y(), n.z()));
+        colours->push_back(colour);
+        glow->push_back(light);
+        layers->push_back(static_cast<float>(index % kLayers));
+    }
+    for (const std::uint32_t i : mesh.indices) triangles->push_back(first + i);
+}
+
+osg::ref_ptr<osg::Geometry> Batch::finish(osg::StateSet* state) const {
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setUseDisplayList(false);
+    geometry->setUseVertexBufferObjects(true);
+    geometry->setVertexArray(points);
+    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+    colours->setNormalize(true);
+    geometry->setColorArray(colours, osg::Array::BIND_PER_VERTEX);
+    geometry->setTexCoordArray(kGlowUnit, glow, osg::Array::BIND_PER_VERTEX);
+    geometry->setTexCoordArray(kLayerUnit, layers, osg::Array::BIND_PER_VERTEX);
+    geometry->addPrimitiveSet(triangles);
+    geometry->setStateSet(state);
+    geometry->setUserData(ranges);
+    return geometry;
+}
+
+bool isRound(const GeomSpec& g) { return g.shape != GeomShape::Mesh && g.shape != GeomShape::Convex && g.shape != GeomShape::Heightfield; }
+bool finite(const GeomSpec& g) {
+    return g.pose.position.allFinite() && g.pose.rotation.coeffs().allFinite() && g.pose.position.norm() < 1e6;
+}
+
+/// The geoms that `wanted` takes, as one drawable; nothing where there are none.
+template <class Wanted>
+osg::ref_ptr<osg::Geometry> merged(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials, Fineness fineness,
+                                   osg::StateSet* state, Wanted wanted) {
+    static const MaterialSpec kPlain;
+    Batch batch;
+    for (std::uint32_t i = 0; i < geoms.size(); ++i) {
+        const GeomSpec& geom = geoms[i];
+        if (!geom.visible || geom.shape == GeomShape::Plane || !finite(geom)) continue;
+        const MaterialSpec& material = isPlaceholder(geom)                ? placeholderMaterial()
+                                       : geom.material < materials.size() ? materials[geom.material]
+                                                                          : kPlain;
+        if (!wanted(geom, material.opacity < 1)) continue;
+        const ShapeMesh mesh = shapeOf(geom, fineness);
+        if (!mesh.indices.empty()) batch.add(geom, i, mesh, material);
+    }
+    return batch.points->empty() ? nullptr : batch.finish(state);
+}
+
+} // namespace
+
+std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
+    const auto after =
+        std::upper_bound(ranges.begin(), ranges.end(), vertex, [](std::uint32_t v, const Range& r) { return v < r.firstVertex; });
+    return after == ranges.begin() ? 0 : std::prev(after)->geom;
+}
+
+osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials, const Look& look) {
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    osg::ref_ptr<GeomNames> names = new GeomNames;
+    for (const GeomSpec& geom : geoms) names->names.push_back(geom.name);
+    group->setUserData(names);
+    const auto shapes = [&](Fineness fineness) {
+        return merged(geoms, materials, fineness, look.bodies, [](const GeomSpec& g, bool clear) { return !clear && isRound(g); });
+    };
+    if (const osg::ref_ptr<osg::Geometry> fine = shapes(kFine)) {
+        osg::ref_ptr<osg::LOD> detail = new osg::LOD;
+        detail->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
+        detail->addChild(fine, kFinePixels, 1e9f);
+        detail->addChild(shapes(kMiddle), kCoarsePixels, kFinePixels);
+        detail->addChild(shapes(kCoarse), 0, kCoarsePixels);
+        group->addChild(detail);
+    }
+    const osg::ref_ptr<osg::Geometry> surfaces =
+        merged(geoms, materials, kFine, look.surfaces, [](const GeomSpec& g, bool clear) { return !clear && !isRound(g); });
+    if (surfaces) group->addChild(surfaces);
+    const osg::ref_ptr<osg::Geometry> clear =
+        merged(geoms, materials, kFine, look.clear, [](const GeomSpec&, bool isClear) { return isClear; });
+    if (clear) group->addChild(clear);
+    return group;
+}
+
+} // namespace trundle

@@ -1,0 +1,35 @@
+#pragma once
+// What is drawn for a set of geoms that move as one: merged by the way they are drawn, in three degrees of detail.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <osg/Geometry>
+#include <osg/Group>
+
+#include "model/experiment_spec.h"
+#include "scene/look.h"
+
+namespace trundle {
+
+/// Remembered on a drawable: which geom each of its vertices belongs to, so that a hit can be named.
+struct GeomRanges : osg::Referenced {
+    struct Range { std::uint32_t firstVertex, geom; };
+    std::vector<Range> ranges; ///< ascending
+    [[nodiscard]] std::uint32_t geomOf(std::uint32_t vertex) const;
+};
+
+/// Remembered on a geom node: the names of its geoms.
+struct GeomNames : osg::Referenced {
+    std::vector<std::string> names;
+};
+
+/// Shared by every body, in any robot, that has these geoms. Empty group where none is visible.
+/// Planes are left out: they are floors.
+[[nodiscard]] osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
+                                                    const Look& look);
+
+} // namespace trundle

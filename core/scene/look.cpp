@@ -1,0 +1,80 @@
+#include "scene/look.h"
+
+#include <osg/BlendFunc>
+#include <osg/CullFace>
+#include <osg/Depth>
+
+#include <cstdio>
+
+#include "scene/shaders.h"
+
+namespace trundle {
+namespace {
+
+const osg::Vec3 kSunLight(0.98f, 0.94f, 0.86f), kSkyLight(0.36f, 0.395f, 0.45f), kGroundLight(0.19f, 0.185f, 0.18f);
+
+std::string constant(const char* name, const osg::Vec3& v) {
+    char text[128];
+    std::snprintf(text, sizeof text, "const vec3 %s = vec3(%.7f, %.7f, %.7f);\n", name, double(v.x()), double(v.y()), double(v.z()));
+    return text;
+}
+
+std::string withHeader(const char* source) {
+    return "#version 130\n" + constant("kSun", sunDirection()) + constant("kSunLight", kSunLight) + constant("kSkyLight", kSkyLight)
+         + constant("kGroundLight", kGroundLight) + shaders::kLight + source;
+}
+
+osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const char* fragment) {
+    osg::ref_ptr<osg::Program> result = new osg::Program;
+    result->setName(name);
+    result->addShader(new osg::Shader(osg::Shader::VERTEX, "#version 130\n" + std::string(vertex)));
+    result->addShader(new osg::Shader(osg::Shader::FRAGMENT, withHeader(fragment)));
+    return result;
+}
+
+} // namespace
+
+osg::Vec3 sunDirection() {
+    osg::Vec3 sun(-0.52f, -0.30f, 0.80f);
+    sun.normalize();
+    return sun;
+}
+
+osg::Vec3 lightOn(const osg::Vec3& normal) {
+    const float up = 0.5f + 0.5f * normal.z();
+    return kGroundLight * (1 - up) + kSkyLight * up + kSunLight * std::max(0.f, normal * sunDirection());
+}
+
+float sunShare(const osg::Vec3& normal) {
+    const osg::Vec3 sun = kSunLight * std::max(0.f, normal * sunDirection()), all = lightOn(normal);
+    return (sun.x() + sun.y() + sun.z()) / (all.x() + all.y() + all.z());
+}
+
+Look::Look()
+    : bodies(new osg::StateSet), surfaces(new osg::StateSet), clear(new osg::StateSet), sky(new osg::StateSet),
+      floor(program("floor", shaders::kFloorVertex, shaders::kFloorFragment)),
+      shadow(program("shadow", shaders::kShadowVertex, shaders::kShadowFragment)),
+      ground(new osg::Uniform("groundHeight", -1e6f)), haze(new osg::Uniform("hazeDistance", 100.f)) {
+    const osg::ref_ptr<osg::Program> body = program("body", shaders::kBodyVertex, shaders::kBodyFragment);
+    for (osg::StateSet* set : {bodies.get(), surfaces.get(), clear.get()}) set->setAttributeAndModes(body);
+    surfaces->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+
+    clear->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    clear->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
+    clear->setRenderBinDetails(kDrawClear, "DepthSortedBin");
+
+    sky->setAttributeAndModes(program("sky", shaders::kSkyVertex, shaders::kSkyFragment));
+    sky->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
+    sky->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    sky->setRenderBinDetails(kDrawSky, "RenderBin");
+}
+
+void Look::applyTo(osg::StateSet& root) const {
+    root.setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, true));
+    root.setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
+    root.setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    root.addUniform(ground);
+    root.addUniform(haze);
+}
+
+} // namespace trundle

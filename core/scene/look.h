@@ -1,0 +1,41 @@
+#pragma once
+// How everything is lit: the sun, the sky's light, and the small programs that draw bodies, floor, sky and shadows. One for
+// each scene, shared by all its nodes.
+
+#include <osg/Program>
+#include <osg/StateSet>
+#include <osg/Uniform>
+#include <osg/Vec3>
+
+namespace trundle {
+
+/// Where vertex data beyond position, normal and colour stands.
+inline constexpr unsigned kGlowUnit = 1;  ///< texture coordinates: emitted light (rgb), shininess
+inline constexpr unsigned kLayerUnit = 2; ///< texture coordinates: order among coplanar faces
+
+/// Order of drawing. Floors come after bodies so that hidden floor costs nothing, the sky after both.
+enum DrawOrder : int { kDrawBodies = 0, kDrawFloor = 1, kDrawShadows = 2, kDrawSky = 3, kDrawClear = 10 };
+
+/// Towards the sun, unit.
+[[nodiscard]] osg::Vec3 sunDirection();
+/// Light that falls on an open surface with this normal, from sun and sky, and the share of it that is the sun's.
+[[nodiscard]] osg::Vec3 lightOn(const osg::Vec3& normal);
+[[nodiscard]] float sunShare(const osg::Vec3& normal);
+
+class Look {
+public:
+    Look();
+
+    /// For the whole scene: depth test, back faces culled, no fixed-function light.
+    void applyTo(osg::StateSet& root) const;
+
+    osg::ref_ptr<osg::StateSet> bodies;      ///< closed opaque shapes
+    osg::ref_ptr<osg::StateSet> surfaces;    ///< meshes and height maps: both sides are drawn
+    osg::ref_ptr<osg::StateSet> clear;       ///< shapes that one can see through
+    osg::ref_ptr<osg::StateSet> sky;
+    osg::ref_ptr<osg::Program> floor, shadow;
+    osg::ref_ptr<osg::Uniform> ground; ///< height of the ground below the bodies, for the darkening near it
+    osg::ref_ptr<osg::Uniform> haze;   ///< distance (m) over which a floor fades into the horizon
+};
+
+} // namespace trundle

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstdint>
+
+namespace trundle {
+
+/// What of a scene a picture shows. Sensors leave the overlays out.
+enum SceneMask : std::uint32_t {
+    kMaskRobots = 1u << 0,
+    kMaskStatics = 1u << 1,
+    kMaskFloor = 1u << 2,
+    kMaskSky = 1u << 3,
+    kMaskShadows = 1u << 4,     ///< one sharp shadow: cheap
+    kMaskSoftShadows = 1u << 5, ///< shadows that soften with their distance from what casts them: for stills
+    kMaskOverlays = 1u << 6,    ///< gizmos, outlines, names
+
+    kMaskWorld = kMaskRobots | kMaskStatics | kMaskFloor | kMaskSky,
+    kMaskSensor = kMaskWorld | kMaskShadows,
+    kMaskStill = kMaskWorld | kMaskSoftShadows,
+};
+
+} // namespace trundle

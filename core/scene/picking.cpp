@@ -1,0 +1,43 @@
+#include <osgUtil/IntersectionVisitor>
+#include <osgUtil/LineSegmentIntersector>
+
+#include "scene/geom_nodes.h"
+#include "scene/osg_types.h"
+#include "scene/scene.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kReach = 1e4; // m
+
+/// Robot, body and geom, or static and geom, from the named nodes that lead to the hit.
+std::string pathOf(const osgUtil::LineSegmentIntersector::Intersection& hit) {
+    std::string path;
+    for (const osg::Node* node : hit.nodePath) {
+        if (!node->getName().empty()) path += (path.empty() ? "" : "/") + node->getName();
+        const auto* names = dynamic_cast<const GeomNames*>(node->getUserData());
+        const auto* ranges = hit.drawable ? dynamic_cast<const GeomRanges*>(hit.drawable->getUserData()) : nullptr;
+        if (!names || !ranges || hit.indexList.empty()) continue;
+        const std::uint32_t geom = ranges->geomOf(hit.indexList.front());
+        if (geom < names->names.size()) path += "/" + names->names[geom];
+    }
+    return path;
+}
+
+} // namespace
+
+std::optional<SceneHit> Scene::pick(const ViewRay& ray, std::uint32_t mask) const {
+    osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
+        new osgUtil::LineSegmentIntersector(toOsg(ray.origin), toOsg(Vec3(ray.origin + kReach * ray.direction)));
+    line->setIntersectionLimit(osgUtil::Intersector::LIMIT_NEAREST);
+    osgUtil::IntersectionVisitor visitor(line);
+    visitor.setTraversalMask(mask & (kMaskRobots | kMaskStatics | kMaskFloor));
+    m_root->accept(visitor);
+    if (!line->containsIntersections()) return std::nullopt;
+    const auto hit = line->getFirstIntersection();
+    const osg::Vec3d at = hit.getWorldIntersectPoint();
+    const Vec3 point(at.x(), at.y(), at.z());
+    return SceneHit{pathOf(hit), point, (point - ray.origin).norm()};
+}
+
+} // namespace trundle

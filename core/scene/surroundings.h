@@ -1,0 +1,36 @@
+#pragma once
+// Floors, sky and shadows: what surrounds the bodies.
+
+#include <optional>
+#include <vector>
+
+#include <osg/Group>
+
+#include "model/experiment_spec.h"
+#include "scene/bounds.h"
+#include "scene/look.h"
+
+namespace trundle {
+
+/// An endless plane of a static, in the world.
+struct FloorPlane {
+    Pose pose; ///< the plane is z = 0 of it
+    std::array<double, 3> colour{0.6, 0.6, 0.6};
+    std::string path; ///< "arena/floor"
+    [[nodiscard]] Vec3 normal() const { return pose.rotation * Vec3::UnitZ(); }
+};
+
+/// All visible planes, each only once where several statics bring the same one.
+[[nodiscard]] std::vector<FloorPlane> floorPlanes(const ExperimentSpec& experiment);
+/// The highest of them that is level, if any.
+[[nodiscard]] std::optional<std::size_t> levelFloor(const std::vector<FloorPlane>& floors);
+
+/// A quad so large that its edge is lost in the haze; its centre lies below the middle of `about`. `index` counts floors.
+[[nodiscard]] osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, const Bounds& about, double reach,
+                                                    const Look& look);
+[[nodiscard]] osg::ref_ptr<osg::Node> makeSkyNode(const Look& look);
+/// `casters` flattened onto the floor: one sharp shadow, and one of several layers that is soft. Drawn only on that floor.
+[[nodiscard]] osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look);
+[[nodiscard]] osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look);
+
+} // namespace trundle

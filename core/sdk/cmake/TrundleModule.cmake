@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-2-Clause
+# A module of controllers or components:
+#
+#   trundle_module(wall_follower FOLDER controllers SOURCES wall_follower.cpp)
+#
+# makes ${TRUNDLE_MODULE_DIR}/controllers/libwall_follower.so, named in a text by `#loadModule controllers/wall_follower`, and
+# beside it libwall_follower.so.kinds.json, from which checking and completion know its kinds without running its code.
+#   FOLDER  below TRUNDLE_MODULE_DIR; none: directly in it
+#   OUTPUT  the library's name where it is not the target's
+#   LINK    further libraries
+
+include(CheckCXXCompilerFlag)
+
+function(trundle_module name)
+  cmake_parse_arguments(MOD "" "FOLDER;OUTPUT" "SOURCES;LINK" ${ARGN})
+  if(NOT MOD_SOURCES)
+    message(FATAL_ERROR "trundle_module(${name}): give SOURCES")
+  endif()
+  if(NOT MOD_OUTPUT)
+    set(MOD_OUTPUT ${name})
+  endif()
+  if(NOT TRUNDLE_MODULE_DIR)
+    set(TRUNDLE_MODULE_DIR ${CMAKE_BINARY_DIR})
+  endif()
+  set(target module_${name})
+
+  add_library(${target} MODULE ${MOD_SOURCES})
+  target_link_libraries(${target} PRIVATE trundle::sdk ${MOD_LINK})
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  set_target_properties(${target} PROPERTIES
+    PREFIX lib OUTPUT_NAME ${MOD_OUTPUT} LIBRARY_OUTPUT_DIRECTORY ${TRUNDLE_MODULE_DIR}/${MOD_FOLDER}
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
+
+  # Unique symbols would tie two modules, or two versions of one, to each other and make unloading impossible.
+  check_cxx_compiler_flag(-fno-gnu-unique TRUNDLE_HAS_NO_GNU_UNIQUE)
+  if(TRUNDLE_HAS_NO_GNU_UNIQUE)
+    target_compile_options(${target} PRIVATE -fno-gnu-unique)
+  endif()
+  # What is missing is a fault of linking here, not one of loading at the user's. (A sanitizer's run time comes with the program.)
+  if(UNIX AND NOT APPLE AND NOT TRUNDLE_SANITIZE)
+    target_link_options(${target} PRIVATE -Wl,-z,defs)
+  endif()
+
+  if(TARGET trundle-cli)
+    set(describe $<TARGET_FILE:trundle-cli>)
+    add_dependencies(${target} trundle-cli)
+  else()
+    set(describe ${TRUNDLE_CLI}) # an SDK user's; empty: no description is written
+  endif()
+  if(describe)
+    add_custom_command(TARGET ${target} POST_BUILD
+      COMMAND ${describe} describe --module $<TARGET_FILE:${target}> --output $<TARGET_FILE:${target}>.kinds.json
+      BYPRODUCTS ${TRUNDLE_MODULE_DIR}/${MOD_FOLDER}/lib${MOD_OUTPUT}.so.kinds.json
+      COMMENT "Describing ${MOD_OUTPUT}" VERBATIM)
+  endif()
+endfunction()

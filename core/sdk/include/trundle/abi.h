@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: BSD-2-Clause
+ * The border between Trundle and a module: only fixed-width integers, doubles, C strings and tables of functions cross it.
+ * A module exports one symbol, trundle_module. Authors include controller.h or device.h and never see this file.
+ * Within one major version structs only grow at their end; `size` fields say how much of them the other side knows. */
+#ifndef TRUNDLE_ABI_H
+#define TRUNDLE_ABI_H
+
+#include <stdint.h>
+
+#define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
+#define TRUNDLE_ABI_MAJOR 1u
+#define TRUNDLE_ABI_MINOR 0u
+#define TRUNDLE_SDK_VERSION "1.0.0"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a field holds. NUMBER, INTEGER and BOOLEAN use `numbers`, the others `texts`. */
+enum {
+    TRUNDLE_NUMBER = 1, TRUNDLE_INTEGER = 2, TRUNDLE_BOOLEAN = 3,
+    TRUNDLE_CHOICE = 4,    /* one of `choices` */
+    TRUNDLE_TEXT = 5,
+    TRUNDLE_FILE = 6,      /* `choices`: the endings that fit, "png|jpg" */
+    TRUNDLE_REFERENCE = 7  /* `choices`: the kinds or roles that fit, "RotaryMotor" or "Hinge|Slider" or "Geom" */
+};
+
+typedef struct TrundleValue {
+    const double* numbers; /* SI units: a field given in degrees arrives in radians */
+    const char* const* texts;
+    uint32_t count;
+} TrundleValue;
+
+enum {
+    TRUNDLE_REQUIRED = 1, /* must stand in the text */
+    TRUNDLE_OPTIONAL = 2, /* no default: absent means "not given" */
+    TRUNDLE_LIVE = 4,     /* may change during a run, at once */
+    TRUNDLE_MIN_EXCLUSIVE = 8, TRUNDLE_MAX_EXCLUSIVE = 16
+};
+
+typedef struct TrundleField {
+    const char* name;
+    const char* unit;    /* unit of a plain number in the text: "m", "deg", "" */
+    const char* help;    /* one line */
+    const char* choices; /* separated by '|' */
+    double scale;        /* text unit to SI: pi/180 for "deg" */
+    double minimum, maximum; /* in text units; -inf, +inf: none */
+    uint32_t type, minCount, maxCount; /* elements: 1..1 for a scalar, 3..3 for a vector */
+    uint32_t flags;
+    TrundleValue defaultValue; /* count 0: none */
+} TrundleField;
+
+enum { TRUNDLE_REAL_SIGNAL = 1, TRUNDLE_INTEGER_SIGNAL = 2, TRUNDLE_BOOLEAN_SIGNAL = 3 };
+/* TRUTH: what a real robot could not know; controllers reach it through the port groundTruth alone. */
+enum { TRUNDLE_OUTPUT = 1, TRUNDLE_COMMAND = 2, TRUNDLE_TRUTH = 3 };
+
+/* A device's signal: `count` slots of 8-byte doubles in its robot's image. Integers and booleans are stored as doubles. */
+typedef struct TrundleSignal {
+    const char* name;
+    const char* unit; /* SI: "m/s", "rad" */
+    const char* help;
+    uint32_t type, count, direction, reserved;
+} TrundleSignal;
+
+/* ---- controllers ---- */
+
+enum { TRUNDLE_INFO = 1, TRUNDLE_WARNING = 2, TRUNDLE_ERROR = 3 };
+
+/* What a controller asks of its robot. Pointers stay good until the controller is destroyed. */
+typedef struct TrundleRobot {
+    uint32_t size;
+    uint32_t reserved;
+    void* context;
+    const char* name; /* the robot's name */
+    double tick;      /* s */
+    /* First slot of a signal of a component, or NULL; the host then has noted which names exist. */
+    double* (*bind)(void* context, const char* kind, const char* component, const char* signal);
+    double (*time)(void* context); /* simulated s of the last completed tick */
+    void (*print)(void* context, int32_t severity, const char* text);
+    void (*fail)(void* context, const char* text); /* the controller cannot go on */
+    uint64_t (*random)(void* context);             /* a function of (seed, robot, tick, index of the call in this tick) */
+    int32_t (*openLog)(void* context, const char* fileName); /* in the log folder; -1: refused */
+    void (*writeLog)(void* context, int32_t log, const char* bytes, uint64_t count);
+    /* Asks without noting a failure; component "" and signal "" answer for the component or robot alone. 0: it is there. */
+    int32_t (*signalInfo)(void* context, const char* component, const char* signal, uint32_t* count, uint32_t* direction);
+} TrundleRobot;
+
+/* ---- devices ---- */
+
+typedef struct TrundleMount {
+    uint32_t size;
+    uint32_t reserved;
+    void* context;
+    const char* path; /* "robot0/leftMotor" */
+    double tick;      /* s */
+    double* (*signal)(void* context, const char* name);                 /* own slot */
+    int32_t (*joint)(void* context, const char* name, uint32_t* joint); /* 0: found; else the host has noted the failure */
+    int32_t (*body)(void* context, const char* name, uint32_t* body);
+    int32_t (*geom)(void* context, const char* path, uint32_t* geom);   /* "body.geom" */
+    /* A slot of another device of the robot. This device then acts before that one and senses after it. */
+    double* (*peerSignal)(void* context, const char* kind, const char* device, const char* signal);
+    /* A field of another device as the text resolved it, SI units. 0: found. */
+    int32_t (*peerNumber)(void* context, const char* device, const char* field, double* value);
+    const char* (*peerText)(void* context, const char* device, const char* field);
+    void (*fail)(void* context, const char* text);
+    /* Adds kg m^2 to the joint's child about the joint's axis (a geared rotor turning with it). 0: done. */
+    int32_t (*addAxialInertia)(void* context, uint32_t joint, double inertia);
+    void (*print)(void* context, int32_t severity, const char* text);
+} TrundleMount;
+
+typedef struct TrundleContact {
+    double position[3]; /* world, m */
+    double normal[3];   /* world, towards the geom that asked */
+    double depth;       /* m */
+    double force;       /* N along the normal, of the last step */
+    uint32_t other;     /* geom; 0xffffffff where unknown */
+    uint32_t reserved;
+} TrundleContact;
+
+typedef struct TrundleHit {
+    double distance; /* m */
+    double normal[3];
+    uint32_t geom;
+    uint32_t reserved;
+} TrundleHit;
+
+typedef struct TrundleBodyState {
+    double position[3];   /* of the body's frame, world, m */
+    double quaternion[4]; /* w x y z */
+    double linear[3];     /* m/s, of the body frame's origin */
+    double angular[3];    /* rad/s, world */
+} TrundleBodyState;
+
+/* What a device may do to and ask of the world, in act and in sense. Actuation is ignored outside act. */
+typedef struct TrundleServices {
+    uint32_t size;
+    uint32_t reserved;
+    void* context;
+    double tick; /* s */
+    double time; /* s, of the last completed tick in act, of the one just stepped in sense */
+    /* actuation */
+    void (*motorRow)(void* context, uint32_t joint, double rate, double softness, double limit);
+    void (*jointTorque)(void* context, uint32_t joint, double torque);
+    void (*bodyForce)(void* context, uint32_t body, const double force[3], const double point[3]);
+    void (*surfaceVelocity)(void* context, uint32_t geom, const double velocity[3]); /* m/s in the geom's frame */
+    /* joints: rad and rad/s (m and m/s for a slider); the angle is unwrapped */
+    double (*jointPosition)(void* context, uint32_t joint);
+    double (*jointRate)(void* context, uint32_t joint);
+    double (*jointMotorEffort)(void* context, uint32_t joint); /* what the motor row gave in the last step, N m or N */
+    void (*bodyState)(void* context, uint32_t body, TrundleBodyState* state);
+    uint32_t (*contacts)(void* context, uint32_t geom, TrundleContact* out, uint32_t capacity); /* how many there are */
+    /* Nearest hit along a unit direction within `range`; geoms of the asking robot are left out unless `own`. 0: none. */
+    int32_t (*ray)(void* context, const double origin[3], const double direction[3], double range, int32_t own, TrundleHit* hit);
+    uint64_t (*random)(void* context, uint64_t index); /* a function of (seed, device path, tick, index) */
+    void (*jointAnchor)(void* context, uint32_t joint, double anchor[3], double axis[3]); /* world, as the parent carries them */
+    void (*print)(void* context, int32_t severity, const char* text); /* to the console, under the device's path */
+} TrundleServices;
+
+/* ---- kinds and the module ---- */
+
+enum { TRUNDLE_CONTROLLER = 1, TRUNDLE_DEVICE = 2 };
+
+/* Every function returns 0 on success; after another value the caller asks lastError. */
+typedef struct TrundleKind {
+    uint32_t size;
+    uint32_t role;
+    const char* name;
+    const char* help;
+    const TrundleField* fields;
+    const TrundleSignal* signals; /* devices */
+    uint32_t fieldCount, signalCount;
+    void* (*create)(void);
+    void (*destroy)(void* instance);
+    int32_t (*set)(void* instance, uint32_t field, const TrundleValue* value);
+    const char* (*lastError)(void* instance); /* also with instance NULL: why create failed */
+    /* controllers */
+    int32_t (*setupController)(void* instance, const TrundleRobot* robot);
+    int32_t (*update)(void* instance, double secondsSinceLastUpdate);
+    /* devices; act or sense may be NULL */
+    int32_t (*setupDevice)(void* instance, const TrundleMount* mount);
+    int32_t (*act)(void* instance, const TrundleServices* services);
+    int32_t (*sense)(void* instance, const TrundleServices* services);
+} TrundleKind;
+
+typedef struct TrundleModule {
+    uint32_t magic, size, abiMajor, abiMinor;
+    const char* sdkVersion;
+    const TrundleKind* const* kinds;
+    uint32_t kindCount;
+    uint32_t reserved;
+} TrundleModule;
+
+/* The one exported symbol: `const TrundleModule* trundle_module(void)`. */
+typedef const TrundleModule* (*TrundleModuleEntry)(void);
+#define TRUNDLE_ENTRY_SYMBOL "trundle_module"
+
+#ifdef __cplusplus
+}
+#endif
+#endif

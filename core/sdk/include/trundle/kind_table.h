@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+// Turns a class with a describe() into the table of functions that crosses the border. No exception passes: each is caught here
+// and kept as the text that lastError gives.
+
+#include <exception>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <trundle/describe.h>
+
+namespace trundle {
+inline namespace sdk1 {
+
+class Controller;
+class RobotPorts;
+class Device;
+class Mount;
+class Actuation;
+class Sensing;
+
+/// A TrundleKind with the memory its pointers point into. Never moves.
+struct KindTable {
+    TrundleKind kind{};
+    std::string name;
+    std::vector<TrundleField> fields;
+    std::vector<TrundleSignal> signals;
+    std::vector<std::vector<const char*>> defaultTexts;
+};
+
+namespace border {
+
+/// The object behind a handle, and why its last call failed.
+template <class T> struct Instance {
+    T object{};
+    std::string error;
+};
+
+inline constexpr std::size_t kNoteBytes = 256;
+/// Why an object could not be made, for lastError(NULL): there is no object yet to keep it.
+inline char (&creationError())[kNoteBytes] {
+    static thread_local char text[kNoteBytes] = "";
+    return text;
+}
+
+template <class Call> std::int32_t guarded(std::string& error, Call&& call) {
+    try {
+        call();
+        return 0;
+    } catch (const std::exception& e) {
+        try { error = e.what(); } catch (...) {}
+    } catch (...) {
+        try { error = "an exception that is no std::exception"; } catch (...) {}
+    }
+    return 1;
+}
+
+template <class T> Instance<T>& at(void* handle) { return *static_cast<Instance<T>*>(handle); }
+
+template <class T> void* create() {
+    std::string error;
+    Instance<T>* made = nullptr;
+    if (guarded(error, [&] { made = new Instance<T>; }) != 0) {
+        auto& note = creationError();
+        note[error.copy(note, kNoteBytes - 1)] = '\0';
+    }
+    return made;
+}
+template <class T> void destroy(void* handle) {
+    std::string error;
+    guarded(error, [&] { delete static_cast<Instance<T>*>(handle); });
+}
+template <class T> std::int32_t set(void* handle, std::uint32_t field, const TrundleValue* value) {
+    auto& instance = at<T>(handle);
+    return guarded(instance.error, [&] {
+        const FieldInfo& info = descriptionOf<T>().fields().at(field);
+        info.set(&instance.object, *value);
+    });
+}
+template <class T> const char* lastError(void* handle) { return handle ? at<T>(handle).error.c_str() : creationError(); }
+
+inline TrundleField fieldTable(const FieldInfo& f, const std::vector<const char*>& texts) {
+    TrundleField t{f.name.c_str(), f.unit.c_str(), f.help.c_str(), f.choices.c_str(), f.scale, f.minimum, f.maximum,
+                   f.type, f.minCount, f.maxCount, f.flags, {nullptr, nullptr, 0}};
+    t.defaultValue = {f.defaultNumbers.data(), texts.data(), static_cast<std::uint32_t>(f.defaultNumbers.size() + texts.size())};
+    return t;
+}
+
+/// All of a table but the functions of its role.
+template <class T> std::unique_ptr<KindTable> commonTable(const char* name, std::uint32_t role) {
+    const Describe<T>& d = descriptionOf<T>();
+    auto table = std::make_unique<KindTable>();
+    table->name = name;
+    table->defaultTexts.reserve(d.fields().size());
+    for (const FieldInfo& f : d.fields()) {
+        auto& texts = table->defaultTexts.emplace_back();
+        for (const std::string& text : f.defaultTexts) texts.push_back(text.c_str());
+        table->fields.push_back(fieldTable(f, texts));
+    }
+    for (const SignalInfo& s : d.signals())
+        table->signals.push_back({s.name.c_str(), s.unit.c_str(), s.help.c_str(), s.type, s.count, s.direction, 0});
+    TrundleKind& k = table->kind;
+    k.size = sizeof(TrundleKind);
+    k.role = role;
+    k.name = table->name.c_str();
+    k.help = d.helpText().c_str();
+    k.fields = table->fields.data();
+    k.signals = table->signals.data();
+    k.fieldCount = static_cast<std::uint32_t>(table->fields.size());
+    k.signalCount = static_cast<std::uint32_t>(table->signals.size());
+    k.create = &create<T>;
+    k.destroy = &destroy<T>;
+    k.set = &set<T>;
+    k.lastError = &lastError<T>;
+    return table;
+}
+
+template <class T, class Ports> std::int32_t setupController(void* handle, const TrundleRobot* robot) {
+    auto& instance = at<T>(handle);
+    bool complete = true;
+    const std::int32_t failed = guarded(instance.error, [&] {
+        Ports ports(*robot);
+        instance.object.attach(robot);
+        instance.object.setup(ports);
+        complete = ports.complete();
+    });
+    if (!failed && !complete) instance.error = "a port is missing";
+    return failed || !complete;
+}
+template <class T, class Span> std::int32_t updateController(void* handle, double sinceLast) {
+    auto& instance = at<T>(handle);
+    return guarded(instance.error, [&] { instance.object.update(Span{sinceLast}); });
+}
+template <class T, class OnRobot> std::int32_t setupDevice(void* handle, const TrundleMount* mount) {
+    auto& instance = at<T>(handle);
+    const std::int32_t failed = guarded(instance.error, [&] {
+        OnRobot wrapped(*mount);
+        instance.object.setup(wrapped);
+        instance.error = wrapped.failure();
+    });
+    return failed || !instance.error.empty();
+}
+template <class T, class Acting> std::int32_t actDevice(void* handle, const TrundleServices* services) {
+    auto& instance = at<T>(handle);
+    return guarded(instance.error, [&] { Acting world(*services); instance.object.act(world); });
+}
+template <class T, class Asking> std::int32_t senseDevice(void* handle, const TrundleServices* services) {
+    auto& instance = at<T>(handle);
+    return guarded(instance.error, [&] { Asking world(*services); instance.object.sense(world); });
+}
+
+} // namespace border
+
+struct Seconds;
+
+// The wrappers are template arguments with the real classes as defaults, so that this header needs neither controller.h nor device.h.
+template <class T, class Base = Controller, class Ports = RobotPorts, class Span = Seconds>
+std::unique_ptr<KindTable> controllerTable(const char* name) {
+    static_assert(std::is_base_of_v<Base, T>, "a controller derives from trundle::Controller");
+    auto table = border::commonTable<T>(name, TRUNDLE_CONTROLLER);
+    table->kind.setupController = &border::setupController<T, Ports>;
+    table->kind.update = &border::updateController<T, Span>;
+    return table;
+}
+
+template <class T, class Base = Device, class OnRobot = Mount, class Acting = Actuation, class Asking = Sensing>
+std::unique_ptr<KindTable> deviceTable(const char* name) {
+    static_assert(std::is_base_of_v<Base, T>, "a device derives from trundle::Device");
+    auto table = border::commonTable<T>(name, TRUNDLE_DEVICE);
+    table->kind.setupDevice = &border::setupDevice<T, OnRobot>;
+    if constexpr (!std::is_same_v<decltype(&T::act), void (Base::*)(Acting&)>) table->kind.act = &border::actDevice<T, Acting>;
+    if constexpr (!std::is_same_v<decltype(&T::sense), void (Base::*)(Asking&)>) table->kind.sense = &border::senseDevice<T, Asking>;
+    return table;
+}
+
+} // namespace sdk1
+} // namespace trundle

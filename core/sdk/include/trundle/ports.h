@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+// Ports: how a controller reaches the devices of its robot. A port is bound once, in Controller::setup, by type and name, and is
+// then as cheap as a variable. A port that was never bound reads 0 and ignores writes. SI units and radians throughout.
+// What a port reads is what the devices published at the end of the last tick; what it writes acts in this tick.
+
+#include <string>
+
+#include <trundle/abi.h>
+#include <trundle/geometry.h>
+#include <trundle/slot.h>
+
+namespace trundle {
+inline namespace sdk1 {
+
+/// A place on the floor.
+struct Pose2 {
+    double x = 0, y = 0; ///< m
+    double heading = 0;  ///< rad, + turns left
+};
+
+/// A two-wheeled base.
+class DifferentialDrivePort {
+public:
+    /// Until told otherwise: forward at `linear` m/s, turning left at `angular` rad/s. Ends an amount that is under way.
+    void move(double linear, double angular) { command(linear, angular, 0, 0); }
+    void stop() { move(0, 0); }
+    /// Until `linearAmount` m are driven and `angularAmount` rad turned, at no more than these speeds. An amount of 0 sets no
+    /// limit: drive(0.3, 1, 0, pi) is a half circle of radius 0.3 m. Speeds and amounts must have the same sign.
+    void drive(double linear, double angular, double linearAmount, double angularAmount) {
+        command(linear, angular, linearAmount, angularAmount);
+        m_number = m_sequence.get() + 1;
+        m_sequence.set(m_number);
+    }
+    /// Turns on the spot by `angle` rad at `speed` rad/s (its sign is that of the angle).
+    void turn(double speed, double angle) { drive(0, std::copysign(speed, angle), 0, angle); }
+    /// True once the amount that this port commanded last has ended or was refused.
+    [[nodiscard]] bool done() const { return m_finished.get() >= m_number; }
+    /// Where the wheel angles say the middle of the axle is, counted from the start; m and rad.
+    [[nodiscard]] Pose2 odometry() const { return {m_odometry.get(0), m_odometry.get(1), m_odometry.get(2)}; }
+
+private:
+    friend class RobotPorts;
+    void command(double linear, double angular, double linearAmount, double angularAmount) {
+        m_linear.set(linear);
+        m_angular.set(angular);
+        m_linearAmount.set(linearAmount);
+        m_angularAmount.set(angularAmount);
+    }
+    Slot m_linear, m_angular, m_linearAmount, m_angularAmount, m_sequence, m_finished, m_odometry;
+    double m_number = 0;
+};
+
+class MotorPort {
+public:
+    void setVoltage(double volts) { m_servo.set(0); m_voltage.set(volts); }
+    [[nodiscard]] double current() const { return m_current.get(); } ///< A
+    [[nodiscard]] double torque() const { return m_torque.get(); }   ///< N m at the joint
+    [[nodiscard]] double rate() const { return m_rate.get(); }       ///< rad/s of the joint
+
+private:
+    friend class RobotPorts;
+    Slot m_voltage, m_servo, m_current, m_torque, m_rate;
+};
+
+class EncoderPort {
+public:
+    [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(m_count.get()); }
+    [[nodiscard]] double angle() const { return m_angle.get(); } ///< rad, as counted
+    [[nodiscard]] double rate() const { return m_rate.get(); }   ///< rad/s, as counted over the last tick
+    [[nodiscard]] bool index() const { return m_index.get() != 0; }
+
+private:
+    friend class RobotPorts;
+    Slot m_count, m_angle, m_rate, m_index;
+};
+
+class TouchPort {
+public:
+    [[nodiscard]] bool pressed() const { return m_pressed.get() != 0; }
+    [[nodiscard]] double force() const { return m_force.get(); } ///< N
+    [[nodiscard]] int contacts() const { return static_cast<int>(m_count.get()); }
+
+private:
+    friend class RobotPorts;
+    Slot m_pressed, m_force, m_count;
+};
+
+/// What a real robot could not know. Honest controllers do without; experiments that measure them need it.
+class GroundTruthPort {
+public:
+    /// Of the robot's config frame in the world.
+    [[nodiscard]] Pose pose() const {
+        return {{m_pose.get(0), m_pose.get(1), m_pose.get(2)}, {m_pose.get(3), m_pose.get(4), m_pose.get(5), m_pose.get(6)}};
+    }
+    [[nodiscard]] Vec3 linearVelocity() const { return {m_velocity.get(0), m_velocity.get(1), m_velocity.get(2)}; }  ///< m/s
+    [[nodiscard]] Vec3 angularVelocity() const { return {m_velocity.get(3), m_velocity.get(4), m_velocity.get(5)}; } ///< rad/s
+
+private:
+    friend class RobotPorts;
+    Slot m_pose, m_velocity;
+};
+
+/// Any signal of any device, by its name. Writes reach commands only.
+class SignalPort {
+public:
+    [[nodiscard]] std::uint32_t count() const { return m_slot.count(); }
+    [[nodiscard]] double get(std::uint32_t element = 0) const { return m_slot.get(element); }
+    void set(double value) { set(0, value); }
+    void set(std::uint32_t element, double value) { if (m_writable) m_slot.set(element, value); }
+
+private:
+    friend class RobotPorts;
+    Slot m_slot;
+    bool m_writable = false;
+};
+
+/// Given to Controller::setup: hands out the ports. A name that is not there ends the setup with a message that lists the names
+/// that are; the port returned in the meantime is unbound.
+class RobotPorts {
+public:
+    explicit RobotPorts(const TrundleRobot& robot) : m_robot(robot) {}
+
+    [[nodiscard]] std::string name() const { return m_robot.name; }
+    [[nodiscard]] Seconds tick() const { return {m_robot.tick}; }
+    /// Whether the robot has a device of this name (and, where given, the device a signal of that name).
+    [[nodiscard]] bool has(const char* device, const char* signal = "") const;
+
+    [[nodiscard]] DifferentialDrivePort differentialDrive(const char* name);
+    [[nodiscard]] MotorPort motor(const char* name);
+    [[nodiscard]] EncoderPort encoder(const char* name);
+    [[nodiscard]] TouchPort touch(const char* name);
+    [[nodiscard]] SignalPort signal(const char* device, const char* signal);
+    [[nodiscard]] GroundTruthPort groundTruth();
+    /// A device's truth, "base/pose"; read only.
+    [[nodiscard]] SignalPort groundTruth(const char* path);
+
+    // For std::string names, as fields hold them.
+    template <class Name> [[nodiscard]] DifferentialDrivePort differentialDrive(const Name& n) { return differentialDrive(n.c_str()); }
+    template <class Name> [[nodiscard]] MotorPort motor(const Name& n) { return motor(n.c_str()); }
+    template <class Name> [[nodiscard]] EncoderPort encoder(const Name& n) { return encoder(n.c_str()); }
+    template <class Name> [[nodiscard]] TouchPort touch(const Name& n) { return touch(n.c_str()); }
+
+    [[nodiscard]] bool complete() const { return !m_missing; } ///< no name was missing so far
+
+private:
+    Slot bind(const char* kind, const char* device, const char* signal, std::uint32_t count = 1);
+    const TrundleRobot& m_robot;
+    bool m_missing = false;
+};
+
+} // namespace sdk1
+} // namespace trundle
+#include <trundle/ports_inl.h>

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-2-Clause
+#pragma once
+
+namespace trundle {
+inline namespace sdk1 {
+
+inline Slot RobotPorts::bind(const char* kind, const char* device, const char* signal, std::uint32_t count) {
+    if (m_missing) return {}; // one missing name is told once, not again for each signal of its port
+    double* first = m_robot.bind(m_robot.context, kind, device, signal);
+    if (!first) m_missing = true;
+    return Slot(first, count);
+}
+
+inline bool RobotPorts::has(const char* device, const char* signal) const {
+    std::uint32_t count = 0, direction = 0;
+    return m_robot.signalInfo && m_robot.signalInfo(m_robot.context, device, signal, &count, &direction) == 0;
+}
+
+inline DifferentialDrivePort RobotPorts::differentialDrive(const char* name) {
+    constexpr const char* kind = "DifferentialDrive";
+    DifferentialDrivePort port;
+    port.m_linear = bind(kind, name, "linearVelocity");
+    port.m_angular = bind(kind, name, "angularVelocity");
+    port.m_linearAmount = bind(kind, name, "linearAmount");
+    port.m_angularAmount = bind(kind, name, "angularAmount");
+    port.m_sequence = bind(kind, name, "sequence");
+    port.m_finished = bind(kind, name, "finished");
+    port.m_odometry = bind(kind, name, "odometry", 3);
+    return port;
+}
+
+inline MotorPort RobotPorts::motor(const char* name) {
+    constexpr const char* kind = "RotaryMotor";
+    MotorPort port;
+    port.m_voltage = bind(kind, name, "voltage");
+    port.m_servo = bind(kind, name, "servo");
+    port.m_current = bind(kind, name, "current");
+    port.m_torque = bind(kind, name, "torque");
+    port.m_rate = bind(kind, name, "rate");
+    return port;
+}
+
+inline EncoderPort RobotPorts::encoder(const char* name) {
+    constexpr const char* kind = "Encoder";
+    EncoderPort port;
+    port.m_count = bind(kind, name, "count");
+    port.m_angle = bind(kind, name, "angle");
+    port.m_rate = bind(kind, name, "rate");
+    port.m_index = bind(kind, name, "index");
+    return port;
+}
+
+inline TouchPort RobotPorts::touch(const char* name) {
+    constexpr const char* kind = "TouchSensor";
+    TouchPort port;
+    port.m_pressed = bind(kind, name, "pressed");
+    port.m_force = bind(kind, name, "force");
+    port.m_count = bind(kind, name, "count");
+    return port;
+}
+
+inline SignalPort RobotPorts::signal(const char* device, const char* signal) {
+    SignalPort port;
+    std::uint32_t count = 1, direction = TRUNDLE_OUTPUT;
+    if (m_robot.signalInfo) m_robot.signalInfo(m_robot.context, device, signal, &count, &direction);
+    port.m_slot = bind("", device, signal, count);
+    port.m_writable = direction == TRUNDLE_COMMAND;
+    return port;
+}
+
+inline GroundTruthPort RobotPorts::groundTruth() {
+    GroundTruthPort port;
+    port.m_pose = bind("GroundTruth", "groundTruth", "pose", 7);
+    port.m_velocity = bind("GroundTruth", "groundTruth", "velocity", 6);
+    return port;
+}
+
+inline SignalPort RobotPorts::groundTruth(const char* path) {
+    SignalPort port;
+    std::uint32_t count = 1, direction = TRUNDLE_TRUTH;
+    if (m_robot.signalInfo) m_robot.signalInfo(m_robot.context, "", path, &count, &direction);
+    port.m_slot = bind("GroundTruth", "groundTruth", path, count);
+    return port;
+}
+
+} // namespace sdk1
+} // namespace trundle

@@ -1,0 +1,54 @@
+#pragma once
+// The world's signals as one flat block: what stands where. Versioned and self-describing.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trundle {
+
+enum class SignalType : std::uint32_t { Real = 1, Integer = 2, Boolean = 3 };
+/// Truth: what only the simulator knows (true poses); controllers reach it through the port `groundTruth` alone.
+enum class SignalDirection : std::uint32_t { Output = 1, Command = 2, Truth = 3 };
+
+/// `count` slots of 8-byte doubles from slot `offset`. Integers and booleans are doubles too, exact to 2^53.
+struct SignalEntry {
+    std::string path; ///< "robot0/leftEncoder/count"
+    std::string unit; ///< SI
+    SignalType type = SignalType::Real;
+    SignalDirection direction = SignalDirection::Output;
+    std::uint32_t offset = 0;
+    std::uint32_t count = 1;
+};
+
+/// The slots of one robot, contiguous: its image.
+struct ImageSpan {
+    std::string robot;
+    std::uint32_t offset = 0;
+    std::uint32_t count = 0;
+};
+
+class SignalLayout {
+public:
+    /// Opens a robot's image; all add() until the next belong to it.
+    void beginRobot(std::string name);
+    /// Gives the first slot.
+    std::uint32_t add(std::string path, std::string unit, SignalType type, SignalDirection direction, std::uint32_t count = 1);
+
+    [[nodiscard]] const SignalEntry* find(std::string_view path) const;
+    [[nodiscard]] const std::vector<SignalEntry>& entries() const { return m_entries; }
+    [[nodiscard]] const std::vector<ImageSpan>& images() const { return m_images; }
+    [[nodiscard]] std::uint32_t slotCount() const { return m_slots; }
+    /// FNV-1a 64 over all entries: two blocks with the same hash have the same shape.
+    [[nodiscard]] std::uint64_t hash() const;
+
+private:
+    std::vector<SignalEntry> m_entries;
+    std::vector<ImageSpan> m_images;
+    std::map<std::string, std::uint32_t, std::less<>> m_byPath;
+    std::uint32_t m_slots = 0;
+};
+
+} // namespace trundle

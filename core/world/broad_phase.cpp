@@ -1,0 +1,156 @@
+#include "world/broad_phase.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trundle {
+
+namespace {
+
+constexpr int kMostCells = 256;     // per side of the static grid
+constexpr int kLargeCovers = 64;    // cells; what covers more is tested always
+constexpr double kSmallestCell = 1e-3;
+
+double widest(const Box3& b) { return std::max(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]); }
+
+std::size_t hashCell(std::int64_t x, std::int64_t y) {
+    return static_cast<std::size_t>(static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^ static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4full);
+}
+
+} // namespace
+
+void StaticGrid::build(std::vector<Box3> boxes) {
+    m_boxes = std::move(boxes);
+    m_stamp.assign(m_boxes.size(), 0);
+    m_large.clear();
+    m_begin.clear();
+    m_items.clear();
+    m_columns = m_rows = 0;
+    if (m_boxes.empty()) return;
+
+    std::vector<double> widths;
+    Box3 all = m_boxes[0];
+    for (const Box3& b : m_boxes) {
+        widths.push_back(widest(b));
+        all.cover(b);
+    }
+    std::nth_element(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2), widths.end());
+    m_cell = std::max({widths[widths.size() / 2], widest(all) / kMostCells, kSmallestCell});
+    m_x0 = all.lo[0];
+    m_y0 = all.lo[1];
+    m_columns = std::clamp(static_cast<int>((all.hi[0] - m_x0) / m_cell) + 1, 1, kMostCells);
+    m_rows = std::clamp(static_cast<int>((all.hi[1] - m_y0) / m_cell) + 1, 1, kMostCells);
+
+    std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows));
+    for (std::uint32_t i = 0; i < m_boxes.size(); ++i) {
+        const Box3& b = m_boxes[i];
+        const int x0 = column(b.lo[0]), x1 = column(b.hi[0]), y0 = row(b.lo[1]), y1 = row(b.hi[1]);
+        if ((x1 - x0 + 1) * (y1 - y0 + 1) > kLargeCovers) {
+            m_large.push_back(i);
+            continue;
+        }
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x) cells[static_cast<std::size_t>(y * m_columns + x)].push_back(i);
+    }
+    m_begin.push_back(0);
+    for (const auto& cell : cells) {
+        m_items.insert(m_items.end(), cell.begin(), cell.end());
+        m_begin.push_back(static_cast<std::uint32_t>(m_items.size()));
+    }
+}
+
+int StaticGrid::column(double x) const { return static_cast<int>(std::clamp((x - m_x0) / m_cell, 0.0, m_columns - 1.0)); }
+int StaticGrid::row(double y) const { return static_cast<int>(std::clamp((y - m_y0) / m_cell, 0.0, m_rows - 1.0)); }
+
+void StaticGrid::take(std::uint32_t index, const Box3& box, std::vector<std::uint32_t>& out) {
+    if (m_stamp[index] == m_query || !m_boxes[index].touches(box)) return;
+    m_stamp[index] = m_query;
+    out.push_back(index);
+}
+
+void StaticGrid::query(const Box3& box, std::vector<std::uint32_t>& out) {
+    out.clear();
+    if (m_boxes.empty()) return;
+    if (++m_query == 0) { // wrapped: old stamps must not look new
+        std::fill(m_stamp.begin(), m_stamp.end(), 0);
+        m_query = 1;
+    }
+    for (const std::uint32_t i : m_large) take(i, box, out);
+    const int x0 = column(box.lo[0]), x1 = column(box.hi[0]), y0 = row(box.lo[1]), y1 = row(box.hi[1]);
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x) {
+            const auto cell = static_cast<std::size_t>(y * m_columns + x);
+            for (std::uint32_t k = m_begin[cell]; k < m_begin[cell + 1]; ++k) take(m_items[k], box, out);
+        }
+    if (out.size() > 1) std::sort(out.begin(), out.end());
+}
+
+void PairGrid::chooseCell(std::span<const Box3> boxes) {
+    // The nine tenths that are smallest fit a cell, however they turn; chosen once, for speed only.
+    std::vector<double> widths;
+    for (const Box3& b : boxes) widths.push_back(std::hypot(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1], b.hi[2] - b.lo[2]));
+    const std::size_t at = widths.size() * 9 / 10;
+    std::nth_element(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(at), widths.end());
+    m_cell = std::max(widths[at], kSmallestCell);
+    m_count = boxes.size();
+}
+
+void PairGrid::sortIntoBuckets(std::span<const Box3> boxes) {
+    std::size_t buckets = 16;
+    while (buckets < 2 * boxes.size()) buckets *= 2;
+    m_begin.assign(buckets + 1, 0);
+    m_at.resize(boxes.size());
+    m_bucket.resize(boxes.size());
+    m_large.clear();
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        const Box3& b = boxes[i];
+        if (widest(b) > m_cell) {
+            m_large.push_back(i);
+            m_bucket[i] = 0xffffffffu;
+            continue;
+        }
+        m_at[i] = {static_cast<std::int64_t>(std::floor((b.lo[0] + b.hi[0]) / 2 / m_cell)),
+                   static_cast<std::int64_t>(std::floor((b.lo[1] + b.hi[1]) / 2 / m_cell))};
+        m_bucket[i] = static_cast<std::uint32_t>(hashCell(m_at[i].first, m_at[i].second) & (buckets - 1));
+        ++m_begin[m_bucket[i] + 1];
+    }
+    for (std::size_t k = 1; k <= buckets; ++k) m_begin[k] += m_begin[k - 1];
+    m_items.resize(boxes.size());
+    // Filled from the back of each bucket's range, then the starts are where they should be again.
+    for (std::uint32_t i = static_cast<std::uint32_t>(boxes.size()); i-- > 0;)
+        if (m_bucket[i] != 0xffffffffu) m_items[--m_begin[m_bucket[i] + 1]] = i;
+    for (std::size_t k = 0; k < buckets; ++k) m_begin[k] = m_begin[k + 1];
+    m_begin[buckets] = static_cast<std::uint32_t>(boxes.size() - m_large.size());
+}
+
+void PairGrid::pairsOf(std::uint32_t i, std::span<const Box3> boxes, std::vector<IndexPair>& out) const {
+    static constexpr int kAround[5][2] = {{0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+    const std::size_t mask = m_begin.size() - 2;
+    for (const auto& step : kAround) {
+        const std::pair<std::int64_t, std::int64_t> cell{m_at[i].first + step[0], m_at[i].second + step[1]};
+        const std::size_t bucket = hashCell(cell.first, cell.second) & mask;
+        for (std::uint32_t k = m_begin[bucket]; k < m_begin[bucket + 1]; ++k) {
+            const std::uint32_t j = m_items[k];
+            if (m_at[j] != cell || (cell == m_at[i] && j <= i) || !boxes[i].touches(boxes[j])) continue;
+            out.emplace_back(std::min(i, j), std::max(i, j));
+        }
+    }
+}
+
+void PairGrid::pairs(std::span<const Box3> boxes, std::vector<IndexPair>& out) {
+    out.clear();
+    if (boxes.size() < 2) return;
+    if (m_count != boxes.size()) chooseCell(boxes);
+    sortIntoBuckets(boxes);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        if (m_bucket[i] != 0xffffffffu) pairsOf(i, boxes, out);
+    for (const std::uint32_t i : m_large)
+        for (std::uint32_t j = 0; j < boxes.size(); ++j) {
+            const bool bothLarge = m_bucket[j] == 0xffffffffu;
+            if (i == j || (bothLarge && j < i) || !boxes[i].touches(boxes[j])) continue;
+            out.emplace_back(std::min(i, j), std::max(i, j));
+        }
+    std::sort(out.begin(), out.end());
+}
+
+} // namespace trundle

@@ -1,0 +1,66 @@
+#pragma once
+// Which boxes may touch: uniform grids over x and y. Results are sorted, whatever the order inside.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace trundle {
+
+/// Axis-aligned, closed.
+struct Box3 {
+    double lo[3] = {0, 0, 0};
+    double hi[3] = {0, 0, 0};
+
+    [[nodiscard]] bool touches(const Box3& o) const {
+        return lo[0] <= o.hi[0] && o.lo[0] <= hi[0] && lo[1] <= o.hi[1] && o.lo[1] <= hi[1] && lo[2] <= o.hi[2] && o.lo[2] <= hi[2];
+    }
+    void cover(const Box3& o) {
+        for (int k = 0; k < 3; ++k) {
+            if (o.lo[k] < lo[k]) lo[k] = o.lo[k];
+            if (o.hi[k] > hi[k]) hi[k] = o.hi[k];
+        }
+    }
+};
+
+/// Boxes that never move. What covers much of the grid stands in a list of its own.
+class StaticGrid {
+public:
+    void build(std::vector<Box3> boxes);
+    /// Indices of the boxes that touch `box`, ascending.
+    void query(const Box3& box, std::vector<std::uint32_t>& out);
+
+private:
+    std::vector<Box3> m_boxes;
+    std::vector<std::uint32_t> m_large, m_begin, m_items, m_stamp;
+    std::uint32_t m_query = 0;
+    int m_columns = 0, m_rows = 0;
+    double m_x0 = 0, m_y0 = 0, m_cell = 1;
+
+    [[nodiscard]] int column(double x) const;
+    [[nodiscard]] int row(double y) const;
+    void take(std::uint32_t index, const Box3& box, std::vector<std::uint32_t>& out);
+};
+
+using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Boxes that move: rebuilt every time, linear in their number where most are of about one size.
+class PairGrid {
+public:
+    /// All pairs (low, high) that touch, sorted.
+    void pairs(std::span<const Box3> boxes, std::vector<IndexPair>& out);
+
+private:
+    double m_cell = 0;
+    std::size_t m_count = 0;
+    std::vector<std::uint32_t> m_begin, m_items, m_large;
+    std::vector<std::pair<std::int64_t, std::int64_t>> m_at;
+    std::vector<std::uint32_t> m_bucket;
+
+    void chooseCell(std::span<const Box3> boxes);
+    void sortIntoBuckets(std::span<const Box3> boxes);
+    void pairsOf(std::uint32_t i, std::span<const Box3> boxes, std::vector<IndexPair>& out) const;
+};
+
+} // namespace trundle

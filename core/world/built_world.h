@@ -1,0 +1,167 @@
+#pragma once
+// The world behind world.h. Building: world_build.cpp and device_mount.cpp; the tick: world_tick.cpp and device_services.cpp;
+// what others read: world_state.cpp.
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "world/engine.h"
+#include "world/world.h"
+
+namespace trundle {
+
+class BuiltWorld;
+
+/// A device in its robot: its code, its instance, its slots.
+struct Device {
+    BuiltWorld* world = nullptr;
+    const TrundleKind* kind = nullptr;
+    const ComponentSpec* spec = nullptr;
+    void* instance = nullptr;
+    std::uint32_t index = 0, robot = 0;
+    std::string path; ///< "robot0/leftMotor"
+    std::uint64_t pathHash = 0;
+    std::vector<std::uint32_t> slots; ///< of the kind's signals, in its order
+    std::vector<std::uint32_t> peers; ///< devices whose signals it bound, each once
+    TrundleMount mount{};
+    std::string failure; ///< first one noted
+    std::string scratch; ///< keeps a text alive for the device that asked
+
+    Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    ~Device() { if (instance && kind && kind->destroy) kind->destroy(instance); }
+    void note(const std::string& why);
+};
+
+/// One device's turn, flat: a tick goes through all of them.
+struct DeviceCall {
+    std::int32_t (*run)(void*, const TrundleServices*) = nullptr;
+    void* instance = nullptr;
+    Device* device = nullptr;
+};
+
+/// A robot as the engine holds it and where its signals stand.
+struct BuiltRobot {
+    const RobotSpec* spec = nullptr;
+    ActorHandles handles;
+    Pose frameInFirst;         ///< config frame in the first body's
+    bool frameIsFirst = false; ///< that is the identity
+    std::uint32_t image = 0;   ///< first slot
+    std::uint32_t firstDevice = 0, deviceCount = 0;
+};
+
+/// What a device said before anybody listened.
+struct EarlyText {
+    std::string path;
+    int severity = 0;
+    std::string text;
+};
+
+/// Where a joint is, as its parent carries it.
+struct JointPlace {
+    std::uint32_t parent = 0; ///< engine body; only where `carried`
+    bool carried = false;     ///< false: it hangs on the world, anchor and axis are the world's
+    Vec3 anchor = Vec3::Zero(), axis = Vec3::UnitZ();
+};
+
+class BuiltWorld final : public World {
+public:
+    BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment);
+    ~BuiltWorld() override;
+
+    /// Everything World::build promises; false where there is no world.
+    [[nodiscard]] bool build(const DeviceCode& devices, Diagnostics& diagnostics);
+
+    [[nodiscard]] const ExperimentSpec& experiment() const override { return *m_experiment; }
+    [[nodiscard]] const SignalLayout& layout() const override { return m_layout; }
+    [[nodiscard]] SignalBlock& block() override { return *m_block; }
+    [[nodiscard]] const SignalBlock& block() const override { return *m_block; }
+    [[nodiscard]] Status tick() override;
+    [[nodiscard]] const Fault* fault() const override { return m_fault ? &*m_fault : nullptr; }
+    [[nodiscard]] std::uint64_t ticks() const override { return m_ticks; }
+    [[nodiscard]] std::uint64_t quickTicks() const override { return m_engine->quickTicks(); }
+    [[nodiscard]] std::uint64_t stateHash() const override;
+    [[nodiscard]] Pose robotPose(std::size_t robot) const override;
+    [[nodiscard]] RobotEnergy robotEnergy(std::size_t robot) const override;
+    [[nodiscard]] const std::vector<WorldContact>& contacts() const override;
+    [[nodiscard]] Status push(const std::string& body, const Vec3& force, const Vec3& point) override;
+    [[nodiscard]] Status place(const std::string& robot, const Pose& pose) override;
+    void setDeviceText(DeviceText text) override;
+
+private:
+    friend struct Device;
+    friend struct MountCalls;
+    friend struct ServiceCalls;
+
+    // world_build.cpp
+    void buildScenery(Diagnostics& diagnostics);
+    void buildRobots(Diagnostics& diagnostics);
+    void nameBodies();
+    [[nodiscard]] static JointPlace placeOf(const JointSpec& joint, const BuiltRobot& robot);
+    void layOutSignals();
+    void layOutDevice(Device& device);
+
+    // device_mount.cpp
+    void createDevices(const DeviceCode& code, Diagnostics& diagnostics);
+    [[nodiscard]] bool giveFields(Device& device, Diagnostics& diagnostics);
+    void setupDevices(Diagnostics& diagnostics);
+    void orderDevices(Diagnostics& diagnostics);
+    [[nodiscard]] Device* deviceNamed(const BuiltRobot& robot, std::string_view name);
+
+    void print(const Device& device, int severity, const char* text);
+
+    // world_tick.cpp
+    [[nodiscard]] bool callDevices(bool acting);
+    [[nodiscard]] bool failed(Device& device);
+    void publish();
+    void publishRobot(const BuiltRobot& robot, double* slots) const;
+    [[nodiscard]] Status stop(Code code, Fault fault);
+    [[nodiscard]] Status stopped() const;
+
+    [[nodiscard]] Pose framePose(const BuiltRobot& robot) const;
+
+    std::shared_ptr<const ExperimentSpec> m_experiment;
+    std::unique_ptr<Engine> m_engine;
+    SignalLayout m_layout;
+    std::unique_ptr<SignalBlock> m_block;
+    std::vector<BuiltRobot> m_robots;               ///< as in the experiment
+    std::vector<std::unique_ptr<Device>> m_devices; ///< robot by robot, in text order
+    std::vector<DeviceCall> m_acting, m_sensing;    ///< in their order; devices without that turn are left out
+    std::vector<std::string> m_geomPaths;           ///< by engine geom
+    std::vector<std::string> m_bodyPaths;           ///< by engine body
+    std::vector<SourceRange> m_bodyRanges;
+    std::vector<std::uint32_t> m_hashOrder;         ///< engine bodies, paths ascending
+    std::unordered_map<std::string, std::uint32_t> m_bodyByPath, m_robotByName; // looked up, never walked
+    std::vector<std::uint8_t> m_jointTurns;         ///< by engine joint: has a position
+    std::vector<JointPlace> m_jointPlaces;          ///< by engine joint
+
+    TrundleServices m_services{};
+    Device* m_current = nullptr; ///< whose act or sense is running
+    bool m_inAct = false;
+    bool m_deviceNoted = false; ///< some device has a failure
+    DeviceText m_deviceText;
+    std::vector<EarlyText> m_earlyTexts;
+
+    std::uint64_t m_ticks = 0;
+    std::optional<Fault> m_fault;
+    Code m_faultCode = Code::BlowUp;
+    mutable std::vector<WorldContact> m_contacts;
+    mutable bool m_contactsReady = false;
+};
+
+/// Fills the tables of functions that devices are given.
+void fillServices(TrundleServices& services, BuiltWorld& world, double tick);
+void fillMount(Device& device, double tick);
+
+[[nodiscard]] constexpr bool hasPosition(JointType type) { return type != JointType::Ball && type != JointType::Fixed; }
+/// "leftAxle, rightAxle" of anything with a name.
+template <class List> std::string namesOf(const List& list) {
+    std::string out;
+    for (const auto& item : list) out += (out.empty() ? "" : ", ") + item.name;
+    return out.empty() ? "none" : out;
+}
+
+} // namespace trundle

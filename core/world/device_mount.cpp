@@ -1,0 +1,289 @@
+// How devices come to be: created from their kind's table, given their fields, bound to joints, geoms and each other.
+#include <algorithm>
+#include <cstring>
+
+#include "base/rng.h"
+#include "base/spelling.h"
+#include "world/built_world.h"
+#include "world/device_order.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr std::size_t kMostEarlyTexts = 1000;
+
+std::string errorOf(const TrundleKind& kind, void* instance) {
+    const char* text = kind.lastError ? kind.lastError(instance) : nullptr;
+    return text && *text ? text : "it gave no reason";
+}
+
+/// "has no joint leftAxel; did you mean leftAxle? (leftAxle, rightAxle)"
+template <class List> std::string unknownName(const std::string& what, std::string_view name, const List& list) {
+    std::vector<std::string> names;
+    for (const auto& item : list) names.push_back(item.name);
+    std::string text = "there is no " + what + " " + std::string(name);
+    const auto near = nearestWords(name, names, 1);
+    if (!near.empty()) text += ", did you mean " + near[0] + "?";
+    return text + " (there are: " + namesOf(list) + ")";
+}
+
+template <class List> int indexOf(const List& list, std::string_view name) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (list[i].name == name) return static_cast<int>(i);
+    return -1;
+}
+
+std::string_view text(const char* chars) { return chars ? chars : ""; }
+
+int signalIndex(const TrundleKind& kind, std::string_view name) {
+    for (std::uint32_t i = 0; i < kind.signalCount; ++i)
+        if (name == kind.signals[i].name) return static_cast<int>(i);
+    return -1;
+}
+
+std::string signalNames(const TrundleKind& kind) {
+    std::string out;
+    for (std::uint32_t i = 0; i < kind.signalCount; ++i) out += (i ? ", " : "") + std::string(kind.signals[i].name);
+    return out.empty() ? "none" : out;
+}
+
+} // namespace
+
+/// What stands behind TrundleMount; the context is the device.
+struct MountCalls {
+    static Device& device(void* context) { return *static_cast<Device*>(context); }
+    static const BuiltRobot& robot(Device& d) { return d.world->m_robots[d.robot]; }
+    static const RobotConfigSpec& config(Device& d) { return *robot(d).spec->config; }
+
+    static double* signal(void* context, const char* name) {
+        Device& d = device(context);
+        const int i = signalIndex(*d.kind, text(name));
+        if (i < 0) {
+            d.note("it has no signal " + std::string(text(name)) + " (there are: " + signalNames(*d.kind) + ")");
+            return nullptr;
+        }
+        return d.world->m_block->slots().data() + d.slots[static_cast<std::size_t>(i)];
+    }
+
+    static std::int32_t joint(void* context, const char* name, std::uint32_t* out) {
+        Device& d = device(context);
+        const auto& joints = config(d).joints;
+        const int i = indexOf(joints, text(name));
+        if (i < 0) {
+            d.note(unknownName("joint", text(name), joints));
+            return -1;
+        }
+        if (!hasPosition(joints[static_cast<std::size_t>(i)].type)) {
+            d.note("the joint " + std::string(text(name)) + " has no axis to turn about or slide along");
+            return -1;
+        }
+        if (out) *out = robot(d).handles.joints[static_cast<std::size_t>(i)].index;
+        return 0;
+    }
+
+    static std::int32_t body(void* context, const char* name, std::uint32_t* out) {
+        Device& d = device(context);
+        const int i = indexOf(config(d).bodies, text(name));
+        if (i < 0) {
+            d.note(unknownName("body", text(name), config(d).bodies));
+            return -1;
+        }
+        if (out) *out = robot(d).handles.bodies[static_cast<std::size_t>(i)].index;
+        return 0;
+    }
+
+    static std::int32_t geom(void* context, const char* path, std::uint32_t* out) {
+        Device& d = device(context);
+        const std::string_view whole = text(path);
+        const std::size_t dot = whole.find('.');
+        const std::string_view bodyName = whole.substr(0, dot), geomName = dot == std::string_view::npos ? "" : whole.substr(dot + 1);
+        const int b = indexOf(config(d).bodies, bodyName);
+        if (b < 0) {
+            d.note(unknownName("body", bodyName, config(d).bodies));
+            return -1;
+        }
+        const auto& geoms = config(d).bodies[static_cast<std::size_t>(b)].geoms;
+        const int g = indexOf(geoms, geomName);
+        if (g < 0) {
+            d.note(unknownName("geom in " + std::string(bodyName), geomName, geoms));
+            return -1;
+        }
+        const GeomId id = robot(d).handles.geoms[static_cast<std::size_t>(b)][static_cast<std::size_t>(g)];
+        if (!id.valid()) {
+            d.note("the geom " + std::string(whole) + " does not collide (Collide=false)");
+            return -1;
+        }
+        if (out) *out = id.index;
+        return 0;
+    }
+
+    static Device* peer(Device& d, std::string_view name) {
+        Device* found = d.world->deviceNamed(robot(d), name);
+        if (!found) d.note(unknownName("device", name, config(d).devices));
+        return found;
+    }
+
+    static double* peerSignal(void* context, const char* kind, const char* name, const char* signalName) {
+        Device& d = device(context);
+        Device* other = peer(d, text(name));
+        if (!other) return nullptr;
+        if (!text(kind).empty() && other->spec->kind != text(kind)) {
+            d.note(std::string(text(name)) + " is a " + other->spec->kind + ", not a " + std::string(text(kind)));
+            return nullptr;
+        }
+        const int i = signalIndex(*other->kind, text(signalName));
+        if (i < 0) {
+            d.note(std::string(text(name)) + " has no signal " + std::string(text(signalName)) + " (there are: " + signalNames(*other->kind) + ")");
+            return nullptr;
+        }
+        if (other != &d && std::find(d.peers.begin(), d.peers.end(), other->index) == d.peers.end()) d.peers.push_back(other->index);
+        return d.world->m_block->slots().data() + other->slots[static_cast<std::size_t>(i)];
+    }
+
+    static std::int32_t peerNumber(void* context, const char* name, const char* field, double* value) {
+        Device& d = device(context);
+        const Device* other = peer(d, text(name));
+        if (!other) return -1;
+        const ResolvedValue* found = other->spec->find(text(field));
+        if (!found || found->value.numbers.empty()) return -1;
+        if (value) *value = found->value.numbers[0];
+        return 0;
+    }
+
+    static const char* peerText(void* context, const char* name, const char* field) {
+        Device& d = device(context);
+        const Device* other = peer(d, text(name));
+        if (!other) return nullptr;
+        const ResolvedValue* found = other->spec->find(text(field));
+        return found && !found->value.texts.empty() ? found->value.texts[0].c_str() : nullptr;
+    }
+
+    static std::int32_t addAxialInertia(void* context, std::uint32_t joint, double inertia) {
+        BuiltWorld& w = *device(context).world;
+        const bool turns = joint < w.m_jointTurns.size() && w.m_jointTurns[joint];
+        return turns && w.m_engine->addAxialInertia({joint, 0}, inertia).ok() ? 0 : 1;
+    }
+
+    static void print(void* context, std::int32_t severity, const char* words) {
+        const Device& d = device(context);
+        if (words) d.world->print(d, severity, words);
+    }
+
+    static void fail(void* context, const char* why) { device(context).note(text(why).empty() ? "it gave no reason" : std::string(text(why))); }
+};
+
+void fillMount(Device& device, double tick) {
+    device.mount = {sizeof(TrundleMount), 0, &device, device.path.c_str(), tick, MountCalls::signal, MountCalls::joint, MountCalls::body,
+                    MountCalls::geom, MountCalls::peerSignal, MountCalls::peerNumber, MountCalls::peerText, MountCalls::fail,
+                    MountCalls::addAxialInertia, MountCalls::print};
+}
+
+void Device::note(const std::string& why) {
+    if (failure.empty()) failure = why;
+    world->m_deviceNoted = true;
+}
+
+/// What is said while the world is built waits for whoever wants to hear it.
+void BuiltWorld::print(const Device& device, int severity, const char* text) {
+    if (m_deviceText) m_deviceText(device.path, severity, text);
+    else if (m_earlyTexts.size() < kMostEarlyTexts) m_earlyTexts.push_back({device.path, severity, text});
+}
+
+void BuiltWorld::setDeviceText(DeviceText text) {
+    m_deviceText = std::move(text);
+    if (!m_deviceText) return;
+    for (const EarlyText& early : std::exchange(m_earlyTexts, {})) m_deviceText(early.path, early.severity, early.text);
+}
+
+Device* BuiltWorld::deviceNamed(const BuiltRobot& robot, std::string_view name) {
+    for (std::uint32_t i = robot.firstDevice; i < robot.firstDevice + robot.deviceCount; ++i)
+        if (m_devices[i]->spec->name == name) return m_devices[i].get();
+    return nullptr;
+}
+
+void BuiltWorld::createDevices(const DeviceCode& code, Diagnostics& diagnostics) {
+    for (std::size_t r = 0; r < m_robots.size(); ++r) {
+        BuiltRobot& robot = m_robots[r];
+        robot.firstDevice = static_cast<std::uint32_t>(m_devices.size());
+        for (const ComponentSpec& spec : robot.spec->config->devices) {
+            auto device = std::make_unique<Device>();
+            device->world = this;
+            device->spec = &spec;
+            device->robot = static_cast<std::uint32_t>(r);
+            device->index = static_cast<std::uint32_t>(m_devices.size());
+            device->path = robot.spec->name + "/" + spec.name;
+            device->pathHash = fnv1a64(device->path);
+            device->kind = code ? code(spec.kind) : nullptr;
+            if (!device->kind || device->kind->role != TRUNDLE_DEVICE || !device->kind->create) {
+                diagnostics.error(Code::KindNotLoaded, spec.range, "no code is loaded for the kind " + spec.kind + " of " + device->path);
+                continue;
+            }
+            device->instance = device->kind->create();
+            if (!device->instance) {
+                diagnostics.error(Code::DeviceSetup, spec.nameRange, device->path + ": " + errorOf(*device->kind, nullptr));
+                continue;
+            }
+            if (!giveFields(*device, diagnostics)) continue;
+            m_devices.push_back(std::move(device));
+            ++robot.deviceCount;
+        }
+    }
+}
+
+/// Values whose key is none of the kind's fields belong to somebody else (a module newer or older than its text): left alone.
+bool BuiltWorld::giveFields(Device& device, Diagnostics& diagnostics) {
+    const TrundleKind& kind = *device.kind;
+    for (std::uint32_t i = 0; i < kind.fieldCount; ++i) {
+        const ResolvedValue* given = device.spec->find(kind.fields[i].name);
+        if (!given || !kind.set) continue;
+        std::vector<const char*> texts;
+        for (const std::string& t : given->value.texts) texts.push_back(t.c_str());
+        const bool asNumbers = !given->value.numbers.empty();
+        const TrundleValue value{given->value.numbers.data(), texts.data(),
+                                 static_cast<std::uint32_t>(asNumbers ? given->value.numbers.size() : texts.size())};
+        if (value.count < kind.fields[i].minCount || kind.set(device.instance, i, &value) != 0) {
+            diagnostics.error(Code::DeviceSetup, given->range.known() ? given->range : device.spec->nameRange,
+                              device.path + ": " + kind.fields[i].name + " was refused: " + errorOf(kind, device.instance));
+            return false;
+        }
+    }
+    return true;
+}
+
+void BuiltWorld::setupDevices(Diagnostics& diagnostics) {
+    for (auto& device : m_devices) {
+        fillMount(*device, m_experiment->settings.tick);
+        if (!device->kind->setupDevice) continue;
+        const std::int32_t answer = device->kind->setupDevice(device->instance, &device->mount);
+        if (answer != 0 && device->failure.empty()) device->note(errorOf(*device->kind, device->instance));
+        if (!device->failure.empty()) diagnostics.error(Code::DeviceSetup, device->spec->nameRange, device->path + ": " + device->failure);
+    }
+}
+
+/// Devices act before the peers whose signals they bound; they sense after them.
+void BuiltWorld::orderDevices(Diagnostics& diagnostics) {
+    std::vector<std::vector<std::uint32_t>> peers, users(m_devices.size());
+    for (const auto& device : m_devices) {
+        peers.push_back(device->peers);
+        for (const std::uint32_t p : device->peers) users[p].push_back(device->index);
+    }
+    const std::vector<std::uint32_t> acting = actingOrder(peers);
+    for (const std::uint32_t i : acting)
+        if (Device& d = *m_devices[i]; d.kind->act) m_acting.push_back({d.kind->act, d.instance, &d});
+    for (const std::uint32_t i : actingOrder(users))
+        if (Device& d = *m_devices[i]; d.kind->sense) m_sensing.push_back({d.kind->sense, d.instance, &d});
+    if (acting.size() == m_devices.size()) return;
+    std::vector<bool> placed(m_devices.size());
+    for (const std::uint32_t i : acting) placed[i] = true;
+    std::string names;
+    const Device* first = nullptr;
+    for (const auto& device : m_devices) {
+        if (placed[device->index]) continue;
+        if (!first) first = device.get();
+        if (names.size() < 200) names += (names.empty() ? "" : ", ") + device->path;
+    }
+    diagnostics.error(Code::DeviceSetup, first->spec->nameRange, "these devices drive each other in a circle: " + names);
+}
+
+} // namespace trundle

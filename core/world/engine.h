@@ -1,0 +1,156 @@
+#pragma once
+// The narrow border to whatever computes motion: actors in, ticks, states out. No engine's own type crosses it, so that other
+// engines, more worlds and threads can stand behind it without the rest of the house noticing.
+//
+// An actor is what is always together (a robot, a loose box). Actors, bodies, joints and geoms are ordered by creation; that
+// order alone decides every order inside. Writes are queued and applied at the start of step(); reads come from arrays
+// published at its end. There is no callback while it computes.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <trundle/geometry.h>
+
+#include "base/result.h"
+#include "model/body_spec.h"
+#include "model/experiment_spec.h"
+#include "model/joint_spec.h"
+
+namespace trundle {
+
+/// Index and generation: a handle of something that is gone is noticed.
+template <class Tag> struct Handle {
+    std::uint32_t index = 0xffffffffu;
+    std::uint32_t generation = 0;
+    [[nodiscard]] bool valid() const { return index != 0xffffffffu; }
+    bool operator==(const Handle&) const = default;
+};
+using ActorId = Handle<struct ActorTag>;
+using BodyId = Handle<struct BodyTag>;
+using JointId = Handle<struct JointTag>;
+using GeomId = Handle<struct GeomTag>;
+
+inline constexpr std::uint32_t kNoActor = 0xffffffffu; ///< the partner of a contact with something static
+
+/// `threads` and `tiles` never change results. `exactClusterMax` does: contacts in one cluster beyond which Solver = auto goes quick.
+struct EngineOptions {
+    int threads = 1;
+    int tiles = 1;
+    int exactClusterMax = 60;
+};
+
+struct EngineSettings {
+    Vec3 gravity{0, 0, -9.81};
+    std::uint64_t seed = 1;
+    SolverChoice solver = SolverChoice::Auto;
+    int iterations = 20;
+    std::vector<SurfaceSpec> surfaces;
+};
+
+/// A body of an actor. `pose` is of the body's frame in the world; the spec is read during the call only.
+struct BodyDef {
+    Pose pose;
+    const BodySpec* spec = nullptr;
+};
+
+/// Bodies and joints; joint anchors and axes are in the frame `frame` (a robot's config frame at its start).
+struct ActorDef {
+    Pose frame;
+    std::vector<BodyDef> bodies;
+    const std::vector<JointSpec>* joints = nullptr;
+    bool selfCollision = false;
+};
+
+struct ActorHandles {
+    ActorId actor;
+    std::vector<BodyId> bodies;
+    std::vector<JointId> joints;
+    std::vector<std::vector<GeomId>> geoms; ///< per body, as in the spec; invalid where a geom does not collide
+};
+
+/// State of a body's frame (not of its centre of mass): m, m/s of the origin, rad/s, world.
+struct BodyState {
+    Vec3 position = Vec3::Zero();
+    Quat rotation = Quat::Identity();
+    Vec3 linear = Vec3::Zero();
+    Vec3 angular = Vec3::Zero();
+};
+
+/// A row that drives a joint to `rate` with torque (rate - actual) / softness, at most `limit`. Limit 0: no row.
+struct MotorRow {
+    double rate = 0;     ///< rad/s or m/s
+    double softness = 0; ///< rad/s per N m; 0: as stiff as the engine allows
+    double limit = 0;    ///< N m or N
+};
+
+/// One contact of the last step, sorted by (actor, partner, geom).
+struct EngineContact {
+    std::uint32_t actor = 0;
+    std::uint32_t partner = kNoActor;
+    std::uint32_t first = 0, second = 0; ///< geom indices; `first` belongs to `actor`
+    Vec3 position = Vec3::Zero();
+    Vec3 normal = Vec3::UnitZ(); ///< towards `first`
+    double depth = 0;
+    double force = 0; ///< N along the normal
+};
+
+struct RayHit {
+    double distance = 0;
+    Vec3 normal = Vec3::UnitZ();
+    GeomId geom;
+};
+
+/// Why a step could not be finished. The engine is then dead.
+struct EngineFault {
+    BodyId body; ///< invalid where it is the whole world
+    std::string reason;
+};
+
+class Engine {
+public:
+    virtual ~Engine() = default;
+
+    /// Everything of one actor, or nothing.
+    [[nodiscard]] virtual Result<ActorHandles> addActor(const ActorDef& actor) = 0;
+    /// A geom fixed to the world at `pose` (the spec's own pose is not looked at).
+    [[nodiscard]] virtual Result<GeomId> addStatic(const GeomSpec& geom, const Pose& pose) = 0;
+
+    // Writes, applied in order at the start of the next step. A motor row stays until it is replaced, forces last one step.
+    virtual void setMotor(JointId joint, const MotorRow& row) = 0;
+    virtual void addJointTorque(JointId joint, double torque) = 0;
+    virtual void addForce(BodyId body, const Vec3& force, const Vec3& point) = 0;
+    virtual void setSurfaceVelocity(GeomId geom, const Vec3& velocity) = 0; ///< in the geom's frame, until replaced
+    /// Moves a whole actor rigidly and stops it; joint positions stay.
+    virtual void moveActor(ActorId actor, const Pose& motion) = 0;
+
+    /// Adds kg m^2 about a joint's axis to its child, before the first step: a geared rotor that turns with it. Not for sliders.
+    [[nodiscard]] virtual Status addAxialInertia(JointId joint, double inertia) = 0;
+
+    /// The whole tick: writes, pairs, contacts, dynamics, publication.
+    [[nodiscard]] virtual std::optional<EngineFault> step(double h) = 0;
+
+    // Reads, of the last step.
+    [[nodiscard]] virtual const BodyState& state(BodyId body) const = 0;
+    [[nodiscard]] virtual double jointPosition(JointId joint) const = 0; ///< unwrapped
+    [[nodiscard]] virtual double jointRate(JointId joint) const = 0;
+    [[nodiscard]] virtual double jointMotorEffort(JointId joint) const = 0;
+    [[nodiscard]] virtual std::size_t contactCount() const = 0;
+    [[nodiscard]] virtual EngineContact contact(std::size_t index) const = 0;
+    /// Indices of the contacts of one geom, ascending. Good until the next step.
+    [[nodiscard]] virtual std::span<const std::uint32_t> contactsOf(GeomId geom) const = 0;
+    /// Nearest hit along a unit direction; geoms of `without` are left out.
+    [[nodiscard]] virtual std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range, ActorId without) const = 0;
+
+    [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
+    /// Complaints of the solver about singular systems: a health counter, 0 in a sound world.
+    [[nodiscard]] virtual std::uint64_t complaints() const = 0;
+};
+
+/// The rigid-body engine (ODE).
+[[nodiscard]] Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings, const EngineOptions& options);
+
+} // namespace trundle

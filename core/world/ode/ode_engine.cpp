@@ -1,0 +1,142 @@
+#include "world/ode/ode_engine.h"
+
+#include <cmath>
+
+#include "base/rng.h"
+
+namespace trundle {
+
+Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings, const EngineOptions& options) {
+    try {
+        startOde();
+        prepareThread();
+        return std::unique_ptr<Engine>(std::make_unique<OdeEngine>(settings, options));
+    } catch (const OdeFault& fault) {
+        return Error{Code::EngineFault, fault.text};
+    }
+}
+
+OdeEngine::OdeEngine(const EngineSettings& settings, const EngineOptions& options)
+    : m_settings(settings), m_options(options) {
+    m_world = dWorldCreate();
+    m_threading = dThreadingAllocateSelfThreadedImplementation();
+    if (m_threading) dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
+    m_contactGroup = dJointGroupCreate(0);
+    dWorldSetGravity(m_world, settings.gravity.x(), settings.gravity.y(), settings.gravity.z());
+    dWorldSetCFM(m_world, kWorldCfm); // before any joint: joints copy these at birth
+    dWorldSetERP(m_world, kWorldErp);
+    dWorldSetContactMaxCorrectingVel(m_world, kCorrectingSpeed);
+    dWorldSetContactSurfaceLayer(m_world, 0);
+    dWorldSetQuickStepNumIterations(m_world, settings.iterations);
+    dWorldSetAutoDisableFlag(m_world, 0);
+    m_ray = dCreateRay(nullptr, 1);
+    dGeomRaySetClosestHit(m_ray, 1);
+}
+
+OdeEngine::~OdeEngine() {
+    try {
+        for (Geom& g : m_geoms) {
+            if (g.id) dGeomDestroy(g.id);
+            if (g.asSphere) dGeomDestroy(g.asSphere);
+        }
+        if (m_ray) dGeomDestroy(m_ray);
+        m_geoms.clear();
+        dJointGroupDestroy(m_contactGroup);
+        dWorldDestroy(m_world);
+        if (m_threading) dThreadingFreeImplementation(m_threading);
+    } catch (const OdeFault&) { // after a fault some of it may not come apart: better lost than dead
+    }
+}
+
+void OdeEngine::setMotor(JointId joint, const MotorRow& row) {
+    Joint& j = m_joints[joint.index];
+    if (j.driven && j.motor.rate == row.rate && j.motor.softness == row.softness && j.motor.limit == row.limit) return;
+    j.motor = row;
+    if (j.motorChanged) return;
+    j.motorChanged = true;
+    m_motorWrites.push_back(joint.index);
+}
+
+void OdeEngine::addJointTorque(JointId joint, double torque) { m_torques.push_back({joint.index, torque}); }
+void OdeEngine::addForce(BodyId body, const Vec3& force, const Vec3& point) { m_forces.push_back({body.index, force, point}); }
+void OdeEngine::moveActor(ActorId actor, const Pose& motion) { m_motions.push_back({actor.index, motion}); }
+
+void OdeEngine::setSurfaceVelocity(GeomId geom, const Vec3& velocity) {
+    Geom& g = m_geoms[geom.index];
+    g.surfaceVelocity = velocity;
+    g.moves = velocity.squaredNorm() > 0;
+}
+
+std::optional<EngineFault> OdeEngine::step(double h) {
+    if (m_fault) return m_fault;
+    const std::uint64_t before = odeMessages();
+    try {
+        prepareThread();
+        if (!m_staticsDone) finishStatics();
+        applyWrites();
+        updateBoxes();
+        collide();
+        tendRows(h);
+        solve(h);
+        ++m_tick;
+        m_fault = findFault();
+        if (!m_fault) publish(h);
+    } catch (const OdeFault& fault) {
+        m_fault = faultFrom(fault);
+    }
+    m_complaints += odeMessages() - before;
+    return m_fault;
+}
+
+void OdeEngine::applyWrites() {
+    for (const Motion& motion : m_motions) applyMotion(motion);
+    for (const std::uint32_t joint : m_motorWrites) applyMotor(m_joints[joint]);
+    for (const JointTorque& torque : m_torques) applyTorque(torque);
+    for (const BodyForce& f : m_forces)
+        dBodyAddForceAtPos(m_bodies[f.body].id, f.force.x(), f.force.y(), f.force.z(), f.point.x(), f.point.y(), f.point.z());
+    m_motions.clear();
+    m_motorWrites.clear();
+    m_torques.clear();
+    m_forces.clear();
+}
+
+void OdeEngine::applyTorque(const JointTorque& write) {
+    const Joint& j = m_joints[write.joint];
+    if (j.type == JointType::Slider) {
+        dJointAddSliderForce(j.id, write.torque);
+        return;
+    }
+    const Vec3 torque = write.torque * turn(m_bodies[j.child].r, j.childAxis);
+    dBodyAddTorque(m_bodies[j.child].id, torque.x(), torque.y(), torque.z());
+    if (j.parent != kNone) dBodyAddTorque(m_bodies[j.parent].id, -torque.x(), -torque.y(), -torque.z());
+}
+
+void OdeEngine::applyMotion(const Motion& write) {
+    for (std::uint32_t i = m_actors[write.actor].bodies.begin; i < m_actors[write.actor].bodies.end; ++i) {
+        Body& b = m_bodies[i];
+        const Vec3 position = write.motion * vec(b.p);
+        dReal q[4];
+        toOde((write.motion.rotation * quat(b.q)).normalized(), q);
+        dBodySetPosition(b.id, position.x(), position.y(), position.z());
+        dBodySetQuaternion(b.id, q);
+        dBodySetLinearVel(b.id, 0, 0, 0);
+        dBodySetAngularVel(b.id, 0, 0, 0);
+    }
+}
+
+void OdeEngine::solve(double h) {
+    m_quick = m_settings.solver == SolverChoice::Quick;
+    if (m_settings.solver == SolverChoice::Auto && m_contacts.size() > static_cast<std::size_t>(m_options.exactClusterMax))
+        m_quick = largestCluster() > static_cast<std::size_t>(m_options.exactClusterMax);
+    makeContactJoints(h);
+    if (m_quick) {
+        if (m_settings.solver == SolverChoice::Auto) ++m_quickTicks;
+        dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) & 0xffffffffu)); // ODE's stream belongs to the process
+        dWorldQuickStep(m_world, h);
+    } else {
+        dWorldStep(m_world, h);
+    }
+    dJointGroupEmpty(m_contactGroup);
+}
+
+} // namespace trundle

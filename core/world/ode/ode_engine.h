@@ -1,0 +1,164 @@
+#pragma once
+// Needs: ODE in double precision. Assumes: a validated experiment. Method: one dWorld, contacts in a fixed order, flat arrays.
+// Data: actors own runs of bodies, bodies own runs of geoms; all indices ascend with creation.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "world/broad_phase.h"
+#include "world/engine.h"
+#include "world/ode/hull_contact.h"
+#include "world/ode/ode_fault.h"
+#include "world/ode/ode_math.h"
+#include "world/ode/ode_records.h"
+#include "world/wheel_contact.h"
+
+namespace trundle {
+
+class OdeEngine final : public Engine {
+public:
+    OdeEngine(const EngineSettings& settings, const EngineOptions& options);
+    ~OdeEngine() override;
+
+    [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
+    [[nodiscard]] Result<GeomId> addStatic(const GeomSpec& geom, const Pose& pose) override;
+    void setMotor(JointId joint, const MotorRow& row) override;
+    void addJointTorque(JointId joint, double torque) override;
+    void addForce(BodyId body, const Vec3& force, const Vec3& point) override;
+    void setSurfaceVelocity(GeomId geom, const Vec3& velocity) override;
+    void moveActor(ActorId actor, const Pose& motion) override;
+    [[nodiscard]] Status addAxialInertia(JointId joint, double inertia) override;
+    [[nodiscard]] std::optional<EngineFault> step(double h) override;
+    [[nodiscard]] const BodyState& state(BodyId body) const override { return m_states[body.index]; }
+    [[nodiscard]] double jointPosition(JointId joint) const override { return m_joints[joint.index].position; }
+    [[nodiscard]] double jointRate(JointId joint) const override { return m_joints[joint.index].rate; }
+    [[nodiscard]] double jointMotorEffort(JointId joint) const override { return m_joints[joint.index].effort; }
+    [[nodiscard]] std::size_t contactCount() const override { return m_contacts.size(); }
+    [[nodiscard]] EngineContact contact(std::size_t index) const override;
+    [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomId geom) const override;
+    [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range, ActorId without) const override;
+    [[nodiscard]] std::uint64_t quickTicks() const override { return m_quickTicks; }
+    [[nodiscard]] std::uint64_t complaints() const override { return m_complaints; }
+
+private:
+    using Body = OdeBody;
+    using Geom = OdeGeom;
+    using Actor = OdeActor;
+    using Joint = OdeJoint;
+    using Contact = OdeContact;
+    struct JointFrame { Vec3 anchor, axis, axis2; }; ///< world, at the start
+    struct JointTorque { std::uint32_t joint; double torque; };
+    struct BodyForce { std::uint32_t body; Vec3 force, point; };
+    struct Motion { std::uint32_t actor; Pose motion; };
+
+    // building (ode_actor.cpp, ode_joint.cpp)
+    void buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure);
+    void addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& handles, std::string& failure);
+    [[nodiscard]] bool addGeom(const GeomSpec& spec, std::uint32_t body, std::string& failure);
+    void addJoint(const JointSpec& spec, const ActorDef& def, std::uint32_t actor);
+    void carryFrame(Joint& joint, const JointFrame& frame, const Vec3& main) const;
+    void makeJoint(Joint& joint, const JointSpec& spec, const JointFrame& frame);
+    [[nodiscard]] dJointID attached(dJointID id, const Joint& joint) const;
+    void makeSlider(Joint& joint, const JointSpec& spec, const Vec3& axis);
+    void makeHinge(Joint& joint, const JointSpec& spec, const Vec3& anchor, const Vec3& axis);
+    void makeUniversal(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2);
+    void makeSuspension(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2);
+    void addRows(Joint& joint, const JointSpec& spec, const Vec3& axis, const Vec3& axis2);
+    void limitAngle(Joint& joint, const JointSpec& spec, const Vec3& axis);
+    [[nodiscard]] dJointID axisMotor(const Joint& joint, std::span<const Vec3> axes, bool parentFirst);
+    void findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle);
+    void findSelfPairs(Actor& actor);
+    void finishStatics();
+
+    // one step (ode_engine.cpp)
+    void applyWrites();
+    void applyMotor(Joint& joint);
+    void applyTorque(const JointTorque& write);
+    void applyMotion(const Motion& write);
+    void solve(double h);
+
+    // joints in a step (ode_joint_rows.cpp)
+    void tendRows(double h);
+    void tendSpring(Joint& joint, double h);
+    void tendSuspension(Joint& joint, double h);
+    void measureJoint(Joint& joint, double h);
+    [[nodiscard]] double effortOf(const Joint& joint) const;
+    [[nodiscard]] Vec3 anchorGap(const Joint& joint) const;
+
+    // contacts (ode_collide.cpp)
+    void updateBoxes();
+    void collide();
+    void collideWithGround(std::uint32_t actor);
+    void geomOnPlane(std::uint32_t geom, const GroundPlane& plane);
+    void collideGeoms(std::uint32_t first, std::uint32_t second);
+    void wheelAgainst(std::uint32_t wheel, std::uint32_t other, bool wheelFirst);
+    void sphereOnPlane(std::uint32_t geom, const GroundPlane& plane);
+    void boxOnPlane(std::uint32_t geom, const GroundPlane& plane);
+    void genericContacts(std::uint32_t first, std::uint32_t second);
+    [[nodiscard]] bool hullContacts(std::uint32_t first, std::uint32_t second);
+    [[nodiscard]] FlatBody flatBody(std::uint32_t geom) const;
+    [[nodiscard]] int mostContacts(std::uint32_t first, std::uint32_t second) const;
+    Contact& addContact(std::uint32_t first, std::uint32_t second, const double* position, const double* normal, double depth);
+    [[nodiscard]] WheelPose wheelPose(const Geom& geom, std::uint32_t index) const;
+    [[nodiscard]] Mat3 axesOf(const Geom& geom) const;
+
+    // contact joints (ode_contact_joints.cpp)
+    [[nodiscard]] std::size_t largestCluster();
+    std::uint32_t clusterOf(std::uint32_t actor);
+    void makeContactJoints(double h);
+    void fillSurface(const Contact& contact, double h, dContact& out) const;
+    [[nodiscard]] Vec3 pointVelocity(const Geom& geom, const Vec3& point) const;
+
+    // publishing (ode_publish.cpp)
+    void publish(double h);
+    void publishBody(std::uint32_t body);
+    [[nodiscard]] std::optional<EngineFault> findFault() const;
+    [[nodiscard]] EngineFault faultFrom(const OdeFault& fault) const;
+
+    // rays (ode_ray.cpp)
+    [[nodiscard]] std::optional<RayHit> rayOnGeom(std::uint32_t geom, const Vec3& origin, const Vec3& direction, double range) const;
+
+    EngineSettings m_settings;
+    EngineOptions m_options;
+    dWorldID m_world = nullptr;
+    dJointGroupID m_contactGroup = nullptr;
+    dGeomID m_ray = nullptr;
+    dThreadingImplementationID m_threading = nullptr; ///< of its own: ODE's default one is shared by all worlds
+
+    std::vector<Actor> m_actors;
+    std::vector<Body> m_bodies;
+    std::vector<BodyState> m_states;
+    std::vector<Geom> m_geoms;
+    std::vector<Vec3> m_centres;   ///< of geoms, world
+    std::vector<Box3> m_boxes;     ///< of geoms
+    std::vector<Box3> m_actorBoxes;
+    std::vector<Joint> m_joints;
+    std::vector<std::uint32_t> m_tended;
+    std::vector<GroundPlane> m_planes;
+    std::vector<std::uint32_t> m_statics; ///< static geoms other than planes
+    std::vector<std::unique_ptr<dJointFeedback>> m_feedbacks;
+    bool m_staticsDone = false;
+
+    std::vector<JointTorque> m_torques;
+    std::vector<BodyForce> m_forces;
+    std::vector<Motion> m_motions;
+    std::vector<std::uint32_t> m_motorWrites;
+
+    StaticGrid m_grid;
+    PairGrid m_pairGrid;
+    std::vector<std::uint32_t> m_found;
+    std::vector<IndexPair> m_pairs;
+    std::vector<Contact> m_contacts;
+    std::vector<dJointFeedback> m_contactFeedbacks; ///< by contact
+    std::vector<std::uint32_t> m_parentOf, m_clusterSize;
+    mutable std::vector<std::uint32_t> m_geomContactBegin, m_geomContacts;
+    mutable bool m_geomContactsReady = false;
+
+    std::uint64_t m_tick = 0, m_quickTicks = 0, m_complaints = 0;
+    bool m_quick = false;
+    std::optional<EngineFault> m_fault;
+};
+
+} // namespace trundle

@@ -1,0 +1,22 @@
+#pragma once
+// ODE answers a broken promise by ending the process. Its three handlers are installed once for the whole process; ours throw,
+// and every entry of this folder catches. Never call ODE's space callbacks from here: a throw would leave a space locked.
+
+#include <cstdint>
+#include <string>
+
+namespace trundle {
+
+/// What ODE would have died of.
+struct OdeFault {
+    std::string text;
+};
+
+/// Starts ODE and takes over its handlers; any thread, any number of times.
+void startOde();
+/// Gives the calling thread the collision buffers that ODE keeps per thread.
+void prepareThread();
+/// Messages ODE has given on this thread so far ("LCP internal error"); each means a singular system.
+[[nodiscard]] std::uint64_t odeMessages();
+
+} // namespace trundle

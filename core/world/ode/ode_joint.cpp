@@ -1,0 +1,211 @@
+// Joints of the ODE engine. Method: the child is ODE's first body wherever ODE leaves the choice, so that ODE's angles and rates
+// are the child's as seen from the parent. Stops of angles, springs and friction are rows of their own beside the joint, so that a
+// motor and all of them work at once.
+#include "world/ode/ode_engine.h"
+
+#include <array>
+#include <cmath>
+
+namespace trundle {
+
+namespace {
+
+constexpr double kLeastGapLimit = 0.005; // m
+constexpr int kParamStep = dParamVel2 - dParamVel; // from one axis of a motor to its next
+
+/// The axle of a wheel runs through the middle of a ball or along the middle of a cylinder.
+bool isCoaxial(GeomShape shape, const Vec3& centre, const Vec3& cylinderAxis, double radius, const Vec3& anchor, const Vec3& axle) {
+    const Vec3 off = centre - anchor;
+    if ((off - off.dot(axle) * axle).norm() > 1e-4 * radius) return false;
+    return shape == GeomShape::Sphere || (shape == GeomShape::Cylinder && cylinderAxis.cross(axle).norm() < 1e-4);
+}
+
+} // namespace
+
+void OdeEngine::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32_t actor) {
+    const std::uint32_t first = m_actors[actor].bodies.begin;
+    Joint joint;
+    joint.type = spec.type;
+    joint.child = first + static_cast<std::uint32_t>(spec.child);
+    joint.parent = spec.parent == kWorldBody ? kNone : first + static_cast<std::uint32_t>(spec.parent);
+    joint.stiffness = spec.stiffness;
+    joint.damping = spec.damping;
+    joint.travel = spec.travel;
+    const JointFrame frame{def.frame * spec.anchor, def.frame.rotation * spec.axis, def.frame.rotation * spec.axis2};
+    const Vec3 main = spec.type == JointType::Suspension ? frame.axis2 : frame.axis;
+    carryFrame(joint, frame, main);
+    makeJoint(joint, spec, frame);
+    if (spec.type == JointType::Hinge || spec.type == JointType::Suspension) findWheels(joint, frame.anchor, main);
+    addRows(joint, spec, main, frame.axis2);
+    if (joint.tended) m_tended.push_back(static_cast<std::uint32_t>(m_joints.size()));
+    m_joints.push_back(joint);
+}
+
+/// Where the joint is as child and parent carry it.
+void OdeEngine::carryFrame(Joint& joint, const JointFrame& frame, const Vec3& main) const {
+    const Body& child = m_bodies[joint.child];
+    joint.childAnchor = turnBack(child.r, frame.anchor - vec(child.p));
+    joint.childAxis = turnBack(child.r, main);
+    joint.parentAnchor = frame.anchor;
+    joint.parentAxis = main;
+    joint.slideAxis = frame.axis;
+    joint.start = quat(child.q);
+    if (joint.parent != kNone) {
+        const Body& parent = m_bodies[joint.parent];
+        joint.parentAnchor = turnBack(parent.r, frame.anchor - vec(parent.p));
+        joint.parentAxis = turnBack(parent.r, main);
+        joint.slideAxis = turnBack(parent.r, frame.axis);
+        joint.start = quat(parent.q).conjugate() * quat(child.q);
+    }
+    joint.gapLimit = std::max(2 * kLeastGapLimit, 0.1 * joint.childAnchor.norm());
+}
+
+void OdeEngine::makeJoint(Joint& joint, const JointSpec& spec, const JointFrame& frame) {
+    const auto& [anchor, axis, axis2] = frame;
+    switch (spec.type) {
+    case JointType::Hinge: makeHinge(joint, spec, anchor, axis); break;
+    case JointType::Slider: makeSlider(joint, spec, axis); break;
+    case JointType::Ball:
+        joint.id = attached(dJointCreateBall(m_world, nullptr), joint);
+        dJointSetBallAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
+        break;
+    case JointType::Universal: makeUniversal(joint, anchor, axis, axis2); break;
+    case JointType::Fixed:
+        joint.id = attached(dJointCreateFixed(m_world, nullptr), joint);
+        dJointSetFixed(joint.id);
+        break;
+    case JointType::Suspension: makeSuspension(joint, anchor, axis, axis2); break;
+    }
+}
+
+/// The child first, then the parent or the world.
+dJointID OdeEngine::attached(dJointID id, const Joint& joint) const {
+    dJointAttach(id, m_bodies[joint.child].id, joint.parent == kNone ? nullptr : m_bodies[joint.parent].id);
+    return id;
+}
+
+/// I + J a a^T about the child's centre of mass, with the joint's axis a in the child's axes: seen about the axis the rotor adds its
+/// whole inertia, across it none.
+Status OdeEngine::addAxialInertia(JointId id, double inertia) {
+    const Joint& joint = m_joints[id.index];
+    if (joint.type == JointType::Slider || !(inertia >= 0) || !std::isfinite(inertia)) return Error{Code::BadJoint, "takes no axial inertia"};
+    try {
+        prepareThread();
+        dMass mass;
+        dBodyGetMass(m_bodies[joint.child].id, &mass);
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column) mass.I[4 * row + column] += inertia * joint.childAxis[row] * joint.childAxis[column];
+        dBodySetMass(m_bodies[joint.child].id, &mass);
+    } catch (const OdeFault& fault) {
+        return Error{Code::BadJoint, "the engine refused the axial inertia: " + fault.text};
+    }
+    return {};
+}
+
+void OdeEngine::makeHinge(Joint& joint, const JointSpec& spec, const Vec3& anchor, const Vec3& axis) {
+    joint.id = attached(dJointCreateHinge(m_world, nullptr), joint);
+    dJointSetHingeAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
+    dJointSetHingeAxis(joint.id, axis.x(), axis.y(), axis.z());
+    limitAngle(joint, spec, axis);
+}
+
+void OdeEngine::makeSlider(Joint& joint, const JointSpec& spec, const Vec3& axis) {
+    joint.id = attached(dJointCreateSlider(m_world, nullptr), joint);
+    dJointSetSliderAxis(joint.id, axis.x(), axis.y(), axis.z());
+    if (spec.lowStop) dJointSetSliderParam(joint.id, dParamLoStop, *spec.lowStop);
+    if (spec.highStop) dJointSetSliderParam(joint.id, dParamHiStop, *spec.highStop);
+}
+
+/// Axis stays with the parent, Axis2 with the child, which is ODE's first body.
+void OdeEngine::makeUniversal(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
+    joint.id = attached(dJointCreateUniversal(m_world, nullptr), joint);
+    dJointSetUniversalAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
+    dJointSetUniversalAxis1(joint.id, axis2.x(), axis2.y(), axis2.z());
+    dJointSetUniversalAxis2(joint.id, axis.x(), axis.y(), axis.z());
+}
+
+/// ODE's hinge-2 with its steering locked: the wheel turns about axis2 and moves along axis.
+void OdeEngine::makeSuspension(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
+    joint.id = dJointCreateHinge2(m_world, nullptr);
+    dJointAttach(joint.id, m_bodies[joint.parent].id, m_bodies[joint.child].id);
+    dJointSetHinge2Anchor(joint.id, anchor.x(), anchor.y(), anchor.z());
+    const dReal a[4] = {axis.x(), axis.y(), axis.z(), 0}, b[4] = {axis2.x(), axis2.y(), axis2.z(), 0};
+    dJointSetHinge2Axes(joint.id, a, b);
+    dJointSetHinge2Param(joint.id, dParamLoStop, 0);
+    dJointSetHinge2Param(joint.id, dParamHiStop, 0);
+    joint.drive = axisMotor(joint, std::array{axis2}, false);
+    joint.tended = true;
+}
+
+dJointID OdeEngine::axisMotor(const Joint& joint, std::span<const Vec3> axes, bool parentFirst) {
+    const bool linear = joint.type == JointType::Slider;
+    const dJointID motor = attached(linear ? dJointCreateLMotor(m_world, nullptr) : dJointCreateAMotor(m_world, nullptr), joint);
+    if (linear) dJointSetLMotorNumAxes(motor, static_cast<int>(axes.size()));
+    else dJointSetAMotorNumAxes(motor, static_cast<int>(axes.size()));
+    const int withParent = joint.parent == kNone ? 0 : 2; // fixed to the parent, or to the world
+    const int withChild = joint.type == JointType::Ball ? 0 : 1;
+    for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
+        const Vec3& a = axes[static_cast<std::size_t>(i)];
+        if (linear) dJointSetLMotorAxis(motor, i, withParent, a.x(), a.y(), a.z());
+        else dJointSetAMotorAxis(motor, i, parentFirst && i == 0 ? withParent : withChild, a.x(), a.y(), a.z());
+    }
+    return motor;
+}
+
+/// A stop of its own, which knows the unwrapped angle: ODE's would see only half a turn each way.
+void OdeEngine::limitAngle(Joint& joint, const JointSpec& spec, const Vec3& axis) {
+    if (!spec.lowStop && !spec.highStop) return;
+    joint.stop = axisMotor(joint, std::array{axis}, spec.type == JointType::Universal);
+    dJointSetAMotorAngle(joint.stop, 0, 0);
+    dJointSetAMotorParam(joint.stop, dParamLoStop, spec.lowStop.value_or(-dInfinity));
+    dJointSetAMotorParam(joint.stop, dParamHiStop, spec.highStop.value_or(dInfinity));
+    joint.tended = true;
+}
+
+/// Spring with damper and Coulomb friction, as implicit rows.
+void OdeEngine::addRows(Joint& joint, const JointSpec& spec, const Vec3& axis, const Vec3& axis2) {
+    std::vector<Vec3> axes{axis};
+    if (spec.type == JointType::Universal) axes.push_back(axis2);
+    if (spec.type == JointType::Ball) axes = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    const bool withParent = spec.type == JointType::Universal || spec.type == JointType::Slider;
+    const auto set = [&](dJointID motor, int parameter, double value) {
+        for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
+            if (spec.type == JointType::Slider) dJointSetLMotorParam(motor, parameter + i * kParamStep, value);
+            else dJointSetAMotorParam(motor, parameter + i * kParamStep, value);
+        }
+    };
+    if (spec.type == JointType::Fixed) return;
+    if (spec.type == JointType::Universal) limitAngle(joint, spec, axis);
+    if (spec.friction > 0) {
+        joint.friction = axisMotor(joint, axes, withParent);
+        set(joint.friction, dParamFMax, spec.friction);
+    }
+    if (spec.type != JointType::Suspension && (spec.stiffness > 0 || spec.damping > 0)) {
+        joint.spring = axisMotor(joint, axes, withParent);
+        set(joint.spring, dParamFMax, dInfinity);
+        joint.tended = true;
+    }
+}
+
+/// Marks the geoms of the child that roll about the axle.
+void OdeEngine::findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle) {
+    const Body& body = m_bodies[joint.child];
+    bool any = false;
+    for (std::uint32_t i = body.geoms.begin; i < body.geoms.end; ++i) {
+        Geom& g = m_geoms[i];
+        const Vec3 centre = vec(body.p) + turn(body.r, g.offset), along = turn(body.r, g.axes.col(2));
+        if ((g.shape != GeomShape::Sphere && g.shape != GeomShape::Cylinder) || !isCoaxial(g.shape, centre, along, g.radius, anchor, axle)) continue;
+        g.wheel = any = true;
+        g.axle = turnBack(body.r, axle);
+        joint.gapLimit = g.radius / 10;
+        if (g.shape == GeomShape::Cylinder) {
+            g.asSphere = dCreateSphere(nullptr, g.radius);
+            dGeomSetBody(g.asSphere, body.id);
+            dGeomSetOffsetPosition(g.asSphere, g.offset.x(), g.offset.y(), g.offset.z());
+        }
+    }
+    // Exact turning keeps the hinge's angle equal to the sum of its rate.
+    if (any) dBodySetFiniteRotationMode(body.id, 1);
+}
+
+} // namespace trundle

@@ -1,0 +1,75 @@
+// Rays: actors and scenery whose box is hit, then the exact geom. Few thousand boxes at most: a plain look at each is fast enough.
+#include "world/ode/ode_engine.h"
+
+#include <cmath>
+
+#include "world/ode/ode_height_ray.h"
+
+namespace trundle {
+
+namespace {
+
+/// Whether the ray meets a box before `range` (slabs).
+bool meets(const Box3& box, const Vec3& origin, const Vec3& direction, double range) {
+    double from = 0, to = range;
+    for (int k = 0; k < 3; ++k) {
+        if (std::abs(direction[k]) < 1e-300) {
+            if (origin[k] < box.lo[k] || origin[k] > box.hi[k]) return false;
+            continue;
+        }
+        double a = (box.lo[k] - origin[k]) / direction[k], b = (box.hi[k] - origin[k]) / direction[k];
+        if (a > b) std::swap(a, b);
+        from = std::max(from, a);
+        to = std::min(to, b);
+        if (from > to) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+std::optional<RayHit> OdeEngine::rayOnGeom(std::uint32_t index, const Vec3& origin, const Vec3& direction, double range) const {
+    const Geom& g = m_geoms[index];
+    if (g.shape == GeomShape::Heightfield && g.data) {
+        const HeightRay ray{g.axes.transpose() * (origin - m_centres[index]), g.axes.transpose() * direction, range};
+        const auto hit = rayOnHeights(ray, *g.data->heightMap, 2 * g.half.x(), 2 * g.half.z(), g.radius);
+        if (!hit) return {};
+        return RayHit{hit->distance, g.axes * hit->normal, {index, 0}};
+    }
+    dGeomRaySetLength(m_ray, range);
+    dGeomRaySet(m_ray, origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+    dContactGeom found;
+    if (dCollide(m_ray, g.id, 1, &found, sizeof found) == 0 || !(found.depth <= range)) return {};
+    Vec3 normal = vec(found.normal);
+    if (normal.dot(direction) > 0) normal = -normal;
+    return RayHit{found.depth, normal, {index, 0}};
+}
+
+std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, double range, ActorId without) const {
+    if (m_fault || !origin.allFinite() || !direction.allFinite() || !(range > 0) || !std::isfinite(range)) return {};
+    const double length = direction.norm();
+    if (!(length > 1e-12)) return {};
+    const Vec3 along = direction / length;
+    std::optional<RayHit> best;
+    const auto look = [&](std::uint32_t geom) {
+        const auto hit = rayOnGeom(geom, origin, along, best ? best->distance : range);
+        if (hit && (!best || hit->distance < best->distance)) best = hit;
+    };
+    const auto far = [&] { return best ? best->distance : range; };
+    try {
+        prepareThread();
+        for (const GroundPlane& plane : m_planes) look(plane.geom);
+        for (const std::uint32_t geom : m_statics)
+            if (meets(m_boxes[geom], origin, along, far())) look(geom);
+        for (std::uint32_t a = 0; a < m_actors.size(); ++a) {
+            if (a == without.index || !meets(m_actorBoxes[a], origin, along, far())) continue;
+            for (std::uint32_t i = m_actors[a].geoms.begin; i < m_actors[a].geoms.end; ++i)
+                if (meets(m_boxes[i], origin, along, far())) look(i);
+        }
+    } catch (const OdeFault&) {
+        return {};
+    }
+    return best;
+}
+
+} // namespace trundle

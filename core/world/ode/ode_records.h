@@ -1,0 +1,99 @@
+#pragma once
+// What the ODE engine keeps of each thing, in flat arrays; all indices ascend with creation.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <ode/ode.h>
+
+#include "world/broad_phase.h"
+#include "world/engine.h"
+#include "world/ode/ode_shapes.h"
+
+namespace trundle {
+
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
+// Settings measured in detail; see the physics pages of the manual for what each buys.
+inline constexpr double kWorldCfm = 1e-9;
+inline constexpr double kWorldErp = 0.8;
+inline constexpr double kContactStiffness = 2e5;   ///< N/m
+inline constexpr double kContactDamping = 1100;    ///< N s/m
+inline constexpr double kMostSag = 1e-4;           ///< m, under an actor's own weight
+inline constexpr double kCorrectingSpeed = 0.1;    ///< m/s
+inline constexpr double kBounceSpeed = 0.05;       ///< m/s: slower impacts do not bounce
+
+/// A run of indices in an array of something.
+struct Run {
+    std::uint32_t begin = 0, end = 0;
+};
+
+/// What moves; its origin for ODE is the centre of mass.
+struct OdeBody {
+    dBodyID id = nullptr;
+    const dReal *p = nullptr, *r = nullptr, *q = nullptr, *v = nullptr, *w = nullptr; ///< ODE's own memory, fixed for its life
+    Vec3 centre = Vec3::Zero(); ///< of mass, in the body's frame
+    std::uint32_t actor = 0;
+    Run geoms;
+    SourceRange range;
+};
+
+/// What touches. A wheel is a geom that rolls about the axle of its body's joint.
+struct OdeGeom {
+    GeomShape shape = GeomShape::Box;
+    bool wheel = false, turned = false, moves = false; ///< turned: not in its body's axes; moves: has a surface velocity
+    std::uint32_t actor = kNoActor, body = kNone, surface = 0;
+    double radius = 0, bound = 0; ///< radius of a height field: how high white is
+    Vec3 offset = Vec3::Zero();   ///< from the body's centre of mass, in its axes
+    Vec3 half = Vec3::Zero();
+    Vec3 axle = Vec3::UnitZ();    ///< of a wheel, in the body's axes
+    Mat3 axes = Mat3::Identity(); ///< in the body's axes; of a static in the world's
+    dGeomID id = nullptr;
+    dGeomID asSphere = nullptr; ///< a wheel's stand-in against meshes
+    std::shared_ptr<ShapeData> data;
+    Vec3 surfaceVelocity = Vec3::Zero();
+};
+
+/// normal . x = distance, solid below.
+struct GroundPlane {
+    std::uint32_t geom = 0;
+    Vec3 normal = Vec3::UnitZ();
+    double distance = 0;
+};
+
+/// What is always together, as runs of the arrays.
+struct OdeActor {
+    Run bodies, geoms, joints;
+    double mass = 0, stiffness = kContactStiffness, damping = kContactDamping; ///< of its contacts
+    bool jointed = false;
+    std::vector<IndexPair> selfPairs; ///< geoms that may touch each other
+};
+
+/// First what every tick looks at, then what only some joints have.
+struct OdeJoint {
+    JointType type = JointType::Hinge;
+    bool motorChanged = false, driven = false, tended = false; ///< tended: its rows need a look each tick
+    std::uint32_t child = 0, parent = kNone; ///< bodies; kNone: the world
+    std::uint32_t feedback = kNone;
+    Vec3 childAnchor = Vec3::Zero(), parentAnchor = Vec3::Zero(); ///< in the axes of each, from its centre of mass
+    Vec3 childAxis = Vec3::UnitZ(), parentAxis = Vec3::UnitZ();   ///< the axis that `position` is about or along
+    Quat start = Quat::Identity();  ///< child in parent at position 0
+    double gapLimit = 0;
+    double position = 0, rate = 0, effort = 0;
+    MotorRow motor;
+    dJointID id = nullptr, drive = nullptr;
+    dJointID spring = nullptr, friction = nullptr, stop = nullptr;
+    Vec3 slideAxis = Vec3::UnitZ(); ///< of a suspension, in the parent's axes
+    double stiffness = 0, damping = 0, travel = 0;
+};
+
+/// A touch of this tick. Its force is in the feedback of the same index.
+struct OdeContact {
+    std::uint32_t first = 0, second = 0; ///< geoms; `first` is of the moving actor of lower index
+    std::uint32_t actor = 0, partner = kNoActor;
+    double position[3] = {}, normal[3] = {}, depth = 0;
+    double slide[3] = {}; ///< direction of friction's first axis, zero: along the slip
+};
+
+} // namespace trundle

@@ -1,0 +1,94 @@
+// What others read of a world, and what enters it from outside.
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "base/rng.h"
+#include "world/built_world.h"
+#include "world/validate.h"
+
+namespace trundle {
+
+namespace {
+
+/// Continues an FNV-1a hash with doubles as little-endian bytes.
+class StateHash {
+public:
+    void add(double value) {
+        const auto bits = std::bit_cast<std::uint64_t>(value);
+        for (int i = 0; i < 8; ++i) {
+            m_hash ^= (bits >> (8 * i)) & 0xff;
+            m_hash *= 0x100000001b3ull;
+        }
+    }
+    void add(const Vec3& v) {
+        for (int k = 0; k < 3; ++k) add(v[k]);
+    }
+    [[nodiscard]] std::uint64_t value() const { return m_hash; }
+
+private:
+    std::uint64_t m_hash = 0xcbf29ce484222325ull;
+};
+
+} // namespace
+
+std::uint64_t BuiltWorld::stateHash() const {
+    StateHash hash;
+    for (const std::uint32_t body : m_hashOrder) {
+        const BodyState& s = m_engine->state({body, 0});
+        hash.add(s.position);
+        hash.add(s.rotation.w());
+        hash.add(Vec3(s.rotation.vec()));
+        hash.add(s.linear);
+        hash.add(s.angular);
+    }
+    return hash.value();
+}
+
+Pose BuiltWorld::robotPose(std::size_t robot) const {
+    return robot < m_robots.size() ? framePose(m_robots[robot]) : Pose{};
+}
+
+RobotEnergy BuiltWorld::robotEnergy(std::size_t index) const {
+    RobotEnergy energy;
+    if (index >= m_robots.size()) return energy;
+    const BuiltRobot& robot = m_robots[index];
+    for (std::size_t b = 0; b < robot.handles.bodies.size(); ++b) {
+        const MassProperties& m = robot.spec->config->bodies[b].mass;
+        const BodyState& s = m_engine->state(robot.handles.bodies[b]);
+        const Vec3 lever = s.rotation * m.centre, v = s.linear + s.angular.cross(lever), w = s.rotation.conjugate() * s.angular;
+        energy.kinetic += 0.5 * m.mass * v.squaredNorm() + 0.5 * w.dot(m.inertia * w);
+        energy.potential -= m.mass * m_experiment->settings.gravity.dot(s.position + lever);
+    }
+    return energy;
+}
+
+const std::vector<WorldContact>& BuiltWorld::contacts() const {
+    if (m_contactsReady) return m_contacts;
+    m_contacts.clear();
+    for (std::size_t i = 0; i < m_engine->contactCount(); ++i) {
+        const EngineContact c = m_engine->contact(i);
+        m_contacts.push_back({m_geomPaths[c.first], m_geomPaths[c.second], c.position, c.normal, c.depth, c.force});
+    }
+    m_contactsReady = true;
+    return m_contacts;
+}
+
+Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& point) {
+    const auto it = m_bodyByPath.find(body);
+    if (it == m_bodyByPath.end()) return Error{Code::UnknownReference, "there is no body " + body};
+    if (!force.allFinite() || !point.allFinite() || force.norm() > 1e9) return Error{Code::OutOfRange, "a push needs a finite force of at most 1e9 N"};
+    m_engine->addForce({it->second, 0}, force, point);
+    return {};
+}
+
+Status BuiltWorld::place(const std::string& name, const Pose& pose) {
+    const auto it = m_robotByName.find(name);
+    if (it == m_robotByName.end()) return Error{Code::UnknownReference, "there is no robot " + name};
+    if (!isPlace(pose)) return Error{Code::OutOfRange, "a robot's place must be finite and within 100 km"};
+    const BuiltRobot& robot = m_robots[it->second];
+    m_engine->moveActor(robot.handles.actor, pose * framePose(robot).inverse());
+    return {};
+}
+
+} // namespace trundle

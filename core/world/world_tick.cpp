@@ -1,0 +1,118 @@
+#include <cmath>
+
+#include "world/built_world.h"
+
+namespace trundle {
+
+namespace {
+
+double* put(double* to, const Vec3& v) {
+    to[0] = v.x();
+    to[1] = v.y();
+    to[2] = v.z();
+    return to + 3;
+}
+
+double* put(double* to, const Vec3& position, const Quat& q) {
+    to = put(to, position);
+    to[0] = q.w();
+    to[1] = q.x();
+    to[2] = q.y();
+    to[3] = q.z();
+    return to + 4;
+}
+
+} // namespace
+
+Status BuiltWorld::tick() {
+    if (m_fault) return stopped();
+    ++m_block->header().sequence; // odd: being written
+    bool good = callDevices(true);
+    if (good) {
+        m_contactsReady = false;
+        if (const auto fault = m_engine->step(m_experiment->settings.tick)) {
+            const double time = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
+            const bool known = fault->body.valid() && fault->body.index < m_bodyPaths.size();
+            return stop(known ? Code::BlowUp : Code::EngineFault, {known ? m_bodyPaths[fault->body.index] : "", time, fault->reason,
+                                                                    known ? m_bodyRanges[fault->body.index] : SourceRange{}});
+        }
+        ++m_ticks;
+        publish(); // before sense, so that devices may read what is true as signals too
+        good = callDevices(false);
+    }
+    ++m_block->header().sequence;
+    return good ? Status{} : stopped();
+}
+
+/// One turn of every device. False where one failed: the world stands then.
+bool BuiltWorld::callDevices(bool acting) {
+    m_inAct = acting;
+    m_services.time = static_cast<double>(m_ticks) * m_experiment->settings.tick;
+    for (const DeviceCall& call : acting ? m_acting : m_sensing) {
+        m_current = call.device;
+        const std::int32_t answer = call.run(call.instance, &m_services);
+        if (answer != 0 || (m_deviceNoted && !call.device->failure.empty())) return failed(*call.device);
+    }
+    m_current = nullptr;
+    return true;
+}
+
+bool BuiltWorld::failed(Device& device) {
+    if (device.failure.empty()) {
+        const char* why = device.kind->lastError ? device.kind->lastError(device.instance) : nullptr;
+        device.note(why && *why ? why : "it gave no reason");
+    }
+    m_current = nullptr;
+    (void)stop(Code::DeviceSetup, {"", m_services.time, device.path + ": " + device.failure, device.spec->nameRange});
+    return false;
+}
+
+void BuiltWorld::publish() {
+    double* slots = m_block->slots().data();
+    for (const BuiltRobot& robot : m_robots) publishRobot(robot, slots + robot.image);
+    m_block->header().tick = m_ticks;
+    m_block->header().time = static_cast<double>(m_ticks) * m_experiment->settings.tick;
+}
+
+/// In the order of layOutSignals().
+void BuiltWorld::publishRobot(const BuiltRobot& robot, double* to) const {
+    const BodyState& first = m_engine->state(robot.handles.bodies[0]);
+    const Pose frame = framePose(robot);
+    to = put(to, frame.position, frame.rotation);
+    to = put(to, first.linear + first.angular.cross(frame.position - first.position));
+    to = put(to, first.angular);
+    for (const BodyId body : robot.handles.bodies) {
+        const BodyState& s = m_engine->state(body);
+        to = put(to, s.position, s.rotation);
+        to = put(to, s.linear);
+        to = put(to, s.angular);
+    }
+    for (const JointId joint : robot.handles.joints) {
+        if (!m_jointTurns[joint.index]) continue;
+        *to++ = m_engine->jointPosition(joint);
+        *to++ = m_engine->jointRate(joint);
+    }
+}
+
+/// At tick 0 what the text says, to the bit.
+Pose BuiltWorld::framePose(const BuiltRobot& robot) const {
+    if (m_ticks == 0) return robot.spec->pose;
+    const BodyState& first = m_engine->state(robot.handles.bodies[0]);
+    const Pose body{first.position, first.rotation};
+    return robot.frameIsFirst ? body : body * robot.frameInFirst;
+}
+
+Status BuiltWorld::stop(Code code, Fault fault) {
+    m_fault = std::move(fault);
+    m_faultCode = code;
+    return stopped();
+}
+
+Status BuiltWorld::stopped() const {
+    char time[32];
+    std::snprintf(time, sizeof time, "%.6g", m_fault->time);
+    const std::string who = m_fault->body.empty() ? "the simulation" : m_fault->body;
+    return Error{m_faultCode, who + " stopped at t = " + time + " s: " + m_fault->reason};
+}
+
+} // namespace trundle

@@ -1,0 +1,36 @@
+// Wanders: every Period it takes another speed and turn rate. For swarms and for measuring speed.
+#include <trundle/controller.h>
+
+namespace {
+
+struct RandomDrive : trundle::Controller {
+    double speed = 0.3;
+    double turnRate = 1;
+    double period = 1;
+    std::string driveName = "base";
+
+    static void describe(trundle::Describe<RandomDrive>& d) {
+        d.help("Drives with a new random speed and turn rate every Period.");
+        d.field("Speed", &RandomDrive::speed, trundle::metresPerSecond().within(0, 10), "Largest speed; a quarter of it backwards.");
+        d.field("TurnRate", &RandomDrive::turnRate, trundle::radiansPerSecond().within(0, 100), "Largest turn rate, to either side.");
+        d.field("Period", &RandomDrive::period, trundle::seconds().above(0).atMost(1e6), "Time between changes.");
+        d.field("Drive", &RandomDrive::driveName, trundle::text(), "The robot's DifferentialDrive.");
+    }
+
+    void setup(trundle::RobotPorts& robot) override { drive = robot.differentialDrive(driveName); }
+
+    void update(trundle::Seconds) override {
+        if (time() < nextChange * period) return;
+        nextChange += 1;
+        const double forward = random(-0.25, 1);
+        drive.move(speed * forward, turnRate * random(-1, 1));
+    }
+
+private:
+    trundle::DifferentialDrivePort drive;
+    double nextChange = 0; // counted, so that periods do not drift
+};
+
+} // namespace
+
+TRUNDLE_MODULE(registry) { registry.controller<RandomDrive>("RandomDrive"); }

@@ -1,0 +1,165 @@
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+#include "assets/asset_reader.h"
+#include "sample_files.h"
+
+using namespace trundle;
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+bool holds(const TriangleMesh& mesh, const Point& wanted) {
+    return std::any_of(mesh.points.begin(), mesh.points.end(), [&](const Point& point) {
+        return std::fabs(point[0] - wanted[0]) < 1e-6 && std::fabs(point[1] - wanted[1]) < 1e-6 && std::fabs(point[2] - wanted[2]) < 1e-6;
+    });
+}
+
+} // namespace
+
+class AssetReaderTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_reader = std::make_unique<AssetReader>(TRUNDLE_MESHREADER);
+    }
+
+    void aQuadOfAnObjBecomesTwoTriangles() {
+        const auto mesh = m_reader->mesh(sample("quad.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4\n"));
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
+        QCOMPARE(mesh.value()->triangles.size(), std::size_t(2));
+        QCOMPARE(mesh.value()->points.size(), std::size_t(4));
+        QVERIFY(holds(*mesh.value(), {1, 2, 0}));
+    }
+
+    void negativeObjIndicesCountFromTheEnd() {
+        const auto mesh = m_reader->mesh(sample("back.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf -3 -2 -1\n"));
+        QVERIFY(mesh.ok());
+        QVERIFY(holds(*mesh.value(), {0, 3, 0}));
+    }
+
+    void theRepeatedCornersOfAnStlAreJoined() {
+        const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, -0.0f};
+        const auto mesh = m_reader->mesh(sample("two.STL", binaryStl(2, corners)));
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
+        QCOMPARE(mesh.value()->triangles.size(), std::size_t(2));
+        QCOMPARE(mesh.value()->points.size(), std::size_t(4));
+    }
+
+    void aTextStlIsReadToo() {
+        const auto mesh = m_reader->mesh(sample("text.stl",
+            "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 4 0\nendloop\nendfacet\nendsolid s\n"));
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
+        QVERIFY(holds(*mesh.value(), {0, 4, 0}));
+    }
+
+    void trianglesWithoutAreaAreDropped() {
+        const auto mesh = m_reader->mesh(sample("thin.stl", binaryStl(2, {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 5, 0, 0, 0, 1, 0})));
+        QVERIFY(mesh.ok());
+        QCOMPARE(mesh.value()->triangles.size(), std::size_t(1));
+    }
+
+    // Up is z in the world, whatever up was in the file.
+    void colladaStandsUpright_data() {
+        QTest::addColumn<QByteArray>("upAxis");
+        QTest::addColumn<QByteArray>("meter");
+        QTest::addColumn<QByteArray>("moved");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<double>("z");
+        // the corner (0,0,2) of the file, moved by the node
+        QTest::newRow("z up") << QByteArray("Z_UP") << QByteArray("1") << QByteArray("0 0 5") << 0.0 << 0.0 << 7.0;
+        QTest::newRow("y up") << QByteArray("Y_UP") << QByteArray("1") << QByteArray("0 5 0") << 0.0 << -2.0 << 5.0;
+        QTest::newRow("centimetres") << QByteArray("Z_UP") << QByteArray("0.01") << QByteArray("0 0 0") << 0.0 << 0.0 << 0.02;
+    }
+    void colladaStandsUpright() {
+        QFETCH(QByteArray, upAxis);
+        QFETCH(QByteArray, meter);
+        QFETCH(QByteArray, moved);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(double, z);
+        const QByteArray node = "<node><translate>" + moved + "</translate><instance_geometry url=\"#g\"/></node>";
+        const auto mesh = m_reader->mesh(sample("a.dae", collada(node, {}, upAxis, meter)));
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
+        const Point& corner = mesh.value()->points.back();
+        QVERIFY2(holds(*mesh.value(), {x, y, z}), qPrintable(QString("%1 %2 %3").arg(corner[0]).arg(corner[1]).arg(corner[2])));
+    }
+
+    void gltfReadsItsBufferFromItsFolder() {
+        sample("triangle.bin", gltfBuffer());
+        const auto mesh = m_reader->mesh(sample("a.gltf", gltf("triangle.bin")));
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
+        QVERIFY(holds(*mesh.value(), {0, 0, 7})); // y up in the file: (0,2,0) moved by (0,5,0)
+        const auto same = m_reader->mesh(sample("b.gltf", gltf("data:application/octet-stream;base64," + gltfBuffer().toBase64())));
+        QVERIFY2(same.ok(), same.ok() ? "" : same.error().message.c_str());
+        QVERIFY(same.value()->points == mesh.value()->points);
+    }
+
+    void aFileIsReadOnceUntilItChanges() {
+        const std::string path = sample("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const auto first = m_reader->mesh(path), second = m_reader->mesh(path);
+        QVERIFY(first.ok() && second.ok());
+        QVERIFY(first.value() == second.value());
+        sample("a.obj", "v 0 0 0\nv 1 0 0\nv 0 2.5 0\nf 1 2 3\n");
+        const auto third = m_reader->mesh(path);
+        QVERIFY(third.ok());
+        QVERIFY(holds(*third.value(), {0, 2.5, 0}));
+        QVERIFY(holds(*first.value(), {0, 1, 0})); // who holds the old one keeps it
+    }
+
+    void aBrokenFileThatIsMendedIsReadAgain() {
+        const std::string path = sample("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 30\n");
+        QVERIFY(!m_reader->mesh(path).ok());
+        QVERIFY(!m_reader->mesh(path).ok());
+        sample("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        QVERIFY(m_reader->mesh(path).ok());
+    }
+
+    void greyBecomesHeight_data() {
+        QTest::addColumn<int>("format");
+        QTest::addColumn<QString>("name");
+        QTest::newRow("8 bit") << int(QImage::Format_Grayscale8) << "a.png";
+        QTest::newRow("16 bit") << int(QImage::Format_Grayscale16) << "a.png";
+        QTest::newRow("colour") << int(QImage::Format_RGB32) << "a.png";
+        QTest::newRow("bitmap") << int(QImage::Format_RGB32) << "a.bmp";
+        QTest::newRow("pgm") << int(QImage::Format_Grayscale8) << "a.pgm";
+    }
+    void greyBecomesHeight() {
+        QFETCH(int, format);
+        QFETCH(QString, name);
+        QImage picture(3, 2, QImage::Format_RGB32);
+        picture.fill(Qt::black);
+        picture.setPixel(2, 0, qRgb(255, 255, 255)); // top right
+        picture.setPixel(0, 1, qRgb(51, 51, 51));    // bottom left
+        QVERIFY(picture.convertToFormat(QImage::Format(format)).save(m_folder->filePath(name)));
+        const auto map = m_reader->heightMap(m_folder->filePath(name).toStdString());
+        QVERIFY2(map.ok(), map.ok() ? "" : map.error().message.c_str());
+        QCOMPARE(map.value()->columns, 3u);
+        QCOMPARE(map.value()->rows, 2u);
+        const std::vector<float> wanted{0, 0, 1, 0.2f, 0, 0};
+        for (std::size_t i = 0; i < wanted.size(); ++i) QVERIFY(std::fabs(map.value()->heights[i] - wanted[i]) < 1e-3);
+    }
+
+    void withoutTheReadingProgramTheMessageNamesIt() {
+        AssetReader lost("/nowhere/trundle-meshreader");
+        const auto mesh = lost.mesh(sample("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        QVERIFY(!mesh.ok());
+        QVERIFY(mesh.error().message.find("/nowhere/trundle-meshreader") != std::string::npos);
+    }
+
+private:
+    std::string sample(const QString& name, const QByteArray& bytes) const { return writeSample(m_folder->path(), name, bytes); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<AssetReader> m_reader;
+};
+
+QTEST_APPLESS_MAIN(AssetReaderTest)
+#include "asset_reader_test.moc"

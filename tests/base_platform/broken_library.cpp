@@ -1,0 +1,2 @@
+extern "C" int nobodyDefinesThis();
+extern "C" int brokenAnswer() { return nobodyDefinesThis(); }

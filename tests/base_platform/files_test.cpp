@@ -1,0 +1,164 @@
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include "base/platform/atomic_file.h"
+#include "base/platform/read_file.h"
+
+using namespace trundle;
+
+class FilesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+    }
+
+    void whatIsWrittenIsRead() {
+        const std::string bytes("a\0b\r\n\xff", 6);
+        QVERIFY(writeFileAtomically(at("new.sim"), bytes).ok());
+        const auto read = readRegularFile(at("new.sim"));
+        QVERIFY(read.ok());
+        QVERIFY(read.value() == bytes);
+        QCOMPARE(names(), QStringList{"new.sim"}); // no temporary file stays
+    }
+
+    void aRewrittenFileKeepsItsMode() {
+        QVERIFY(writeFileAtomically(at("script"), "one").ok());
+        QCOMPARE(::chmod(at("script").c_str(), 0751), 0);
+        QVERIFY(writeFileAtomically(at("script"), "two").ok());
+        struct stat state {};
+        QCOMPARE(::stat(at("script").c_str(), &state), 0);
+        QCOMPARE(int(state.st_mode & 07777), 0751);
+    }
+
+    void aNewFileHasTheUsualMode() {
+        const mode_t old = ::umask(027);
+        const bool written = writeFileAtomically(at("fresh"), "x").ok();
+        ::umask(old);
+        QVERIFY(written);
+        struct stat state {};
+        QCOMPARE(::stat(at("fresh").c_str(), &state), 0);
+        QCOMPARE(int(state.st_mode & 07777), 0640);
+    }
+
+    void aLinkStaysALinkAndItsTargetChanges() {
+        QVERIFY(QDir(m_folder->path()).mkdir("deep"));
+        QVERIFY(writeFileAtomically(at("deep/real.sim"), "old").ok());
+        QCOMPARE(::symlink("deep/real.sim", at("near").c_str()), 0);
+        QCOMPARE(::symlink("near", at("far").c_str()), 0);
+        QVERIFY(writeFileAtomically(at("far"), "new").ok());
+        QVERIFY(QFileInfo(QString::fromStdString(at("far"))).isSymLink());
+        QCOMPARE(readRegularFile(at("deep/real.sim")).value(), std::string("new"));
+        QCOMPARE(QDir(m_folder->filePath("deep")).entryList(QDir::Files | QDir::Hidden), QStringList{"real.sim"});
+    }
+
+    void aLinkToNothingMakesItsTarget() {
+        QCOMPARE(::symlink("later.sim", at("link").c_str()), 0);
+        QVERIFY(writeFileAtomically(at("link"), "x").ok());
+        QCOMPARE(readRegularFile(at("later.sim")).value(), std::string("x"));
+    }
+
+    void whatCannotBeWrittenIsRefusedAndLeavesNothing_data() {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("a folder") << ".";
+        QTest::newRow("a missing folder") << "missing/x.sim";
+        QTest::newRow("a pipe") << "pipe";
+        QTest::newRow("a circle of links") << "circle";
+        QTest::newRow("a name too long") << QString(300, 'n');
+        QTest::newRow("a device") << "null";
+    }
+    void whatCannotBeWrittenIsRefusedAndLeavesNothing() {
+        QFETCH(QString, name);
+        QCOMPARE(::mkfifo(at("pipe").c_str(), 0600), 0);
+        QCOMPARE(::symlink("circle", at("circle").c_str()), 0);
+        QCOMPARE(::symlink("/dev/null", at("null").c_str()), 0);
+        const QStringList before = names();
+        const Status status = writeFileAtomically(at(name.toStdString()), "x");
+        QVERIFY(!status.ok());
+        QCOMPARE(int(status.error().code), int(Code::FileUnwritable));
+        QVERIFY(QString::fromStdString(status.error().message).contains(name));
+        QCOMPARE(names(), before);
+    }
+
+    void whatIsNoFileIsRefusedAtOnce_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("missing") << "missing" << "No such file";
+        QTest::newRow("folder") << "." << "folder";
+        QTest::newRow("pipe without a writer") << "pipe" << "pipe";
+        QTest::newRow("socket") << "socket" << "socket";
+        QTest::newRow("endless device") << "zero" << "device";
+        QTest::newRow("circle") << "circle" << "symbolic links";
+        QTest::newRow("below a file") << "file/x" << "Not a directory";
+    }
+    void whatIsNoFileIsRefusedAtOnce() {
+        QFETCH(QString, name);
+        QFETCH(QString, word);
+        QCOMPARE(::mkfifo(at("pipe").c_str(), 0600), 0);
+        QCOMPARE(::symlink("/dev/zero", at("zero").c_str()), 0);
+        QCOMPARE(::symlink("circle", at("circle").c_str()), 0);
+        QVERIFY(writeFileAtomically(at("file"), "x").ok());
+        const int door = makeSocket("socket");
+        const auto read = readRegularFile(at(name.toStdString()));
+        const auto stamp = regularFileStamp(at(name.toStdString()));
+        ::close(door);
+        QVERIFY(!read.ok());
+        QVERIFY(!stamp.ok());
+        QCOMPARE(int(read.error().code), int(Code::FileUnreadable));
+        QVERIFY2(QString::fromStdString(read.error().message).contains(word), read.error().message.c_str());
+        QCOMPARE(read.error().message, stamp.error().message);
+    }
+
+    void theSizeLimitIsInclusive() {
+        QVERIFY(writeFileAtomically(at("ten"), "0123456789").ok());
+        QVERIFY(readRegularFile(at("ten"), 10).ok());
+        const auto read = readRegularFile(at("ten"), 9);
+        QVERIFY(!read.ok());
+        QVERIFY2(QString::fromStdString(read.error().message).contains("larger than 9 bytes"), read.error().message.c_str());
+    }
+
+    void filesThatHideTheirSizeAreReadToTheirEnd() {
+        const auto read = readRegularFile("/proc/self/status");
+        QVERIFY(read.ok());
+        QVERIFY(read.value().find("VmHWM") != std::string::npos);
+        QVERIFY(!readRegularFile("/proc/self/status", 10).ok());
+    }
+
+    void aChangedFileHasAnotherStamp() {
+        QVERIFY(writeFileAtomically(at("x"), "1").ok());
+        const auto first = regularFileStamp(at("x"));
+        QVERIFY(first.value() == regularFileStamp(at("x")).value());
+        QVERIFY(writeFileAtomically(at("x"), "2").ok());
+        QVERIFY(!(first.value() == regularFileStamp(at("x")).value()));
+    }
+
+private:
+    std::string at(const std::string& name) const { return (m_folder->path() + "/").toStdString() + name; }
+    QStringList names() const { return QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot); }
+
+    // Bound with a short relative name: a socket's path has room for 107 bytes only.
+    int makeSocket(const char* name) const {
+        const int door = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        const QString here = QDir::currentPath();
+        QDir::setCurrent(m_folder->path());
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        qstrncpy(address.sun_path, name, sizeof address.sun_path);
+        const int bound = ::bind(door, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+        QDir::setCurrent(here);
+        return bound == 0 ? door : -1;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_APPLESS_MAIN(FilesTest)
+#include "files_test.moc"

@@ -1,0 +1,69 @@
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "base/platform/dynamic_library.h"
+
+using namespace trundle;
+
+namespace {
+const std::string kFolder = std::string(TRUNDLE_BINARY_DIR) + "/tests/";
+}
+
+class LibraryTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aFunctionOfAnOpenedLibraryCanBeCalled() {
+        const auto library = DynamicLibrary::open(kFolder + "platform_sample.so");
+        QVERIFY2(library.ok(), library.ok() ? "" : library.error().message.c_str());
+        const auto answer = library.value().function<int()>("sampleAnswer");
+        QVERIFY(answer != nullptr);
+        QCOMPARE(answer(), 42);
+        QVERIFY(library.value().symbol("noSuchThing") == nullptr);
+    }
+
+    void movingHandsTheLibraryOver() {
+        auto library = DynamicLibrary::open(kFolder + "platform_sample.so");
+        QVERIFY(library.ok());
+        DynamicLibrary second;
+        second = std::move(library).value();
+        const DynamicLibrary third = std::move(second);
+        QVERIFY(!second.loaded());
+        QVERIFY(second.symbol("sampleAnswer") == nullptr);
+        QVERIFY(third.symbol("sampleAnswer") != nullptr);
+    }
+
+    void aLibraryToldToStayKeepsItsCode() {
+        int (*answer)() = nullptr;
+        {
+            auto library = DynamicLibrary::open(kFolder + "platform_sample.so");
+            QVERIFY(library.ok());
+            library.value().keepLoaded();
+            answer = library.value().function<int()>("sampleAnswer");
+        }
+        QCOMPARE(answer(), 42);
+    }
+
+    void whatCannotBeOpenedSaysWhy_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("missing file") << "/nowhere/x.so" << int(Code::ModuleUnreadable) << "No such file";
+        QTest::newRow("missing symbol") << QString::fromStdString(kFolder + "platform_broken.so") << int(Code::ModuleMissingSymbol)
+                                        << "nobodyDefinesThis";
+        QTest::newRow("a text") << QString(TRUNDLE_SOURCE_DIR "/CMakeLists.txt") << int(Code::ModuleUnreadable) << "CMakeLists.txt";
+        QTest::newRow("a folder") << QString(TRUNDLE_SOURCE_DIR) << int(Code::ModuleUnreadable) << "";
+        QTest::newRow("no slash: the system's libraries are not searched") << "libc.so.6" << int(Code::ModuleUnreadable) << "slash";
+    }
+    void whatCannotBeOpenedSaysWhy() {
+        QFETCH(QString, path);
+        QFETCH(int, code);
+        QFETCH(QString, word);
+        const auto library = DynamicLibrary::open(path.toStdString());
+        QVERIFY(!library.ok());
+        QCOMPARE(int(library.error().code), code);
+        QVERIFY2(QString::fromStdString(library.error().message).contains(word), library.error().message.c_str());
+    }
+};
+
+QTEST_APPLESS_MAIN(LibraryTest)
+#include "library_test.moc"

@@ -1,0 +1,172 @@
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include <csignal>
+
+#include <unistd.h>
+
+#include "base/platform/memory.h"
+#include "base/platform/process.h"
+#include "base/platform/program_path.h"
+
+using namespace trundle;
+
+namespace {
+
+ProcessRequest shell(const std::string& script) {
+    ProcessRequest request;
+    request.program = "/bin/sh";
+    request.arguments = {"-c", script};
+    return request;
+}
+
+} // namespace
+
+class ProcessTest : public QObject {
+    Q_OBJECT
+private slots:
+    void outputErrorsAndCodeComeBack() {
+        const auto result = runProcess(shell("echo out; echo err >&2; exit 3"));
+        QVERIFY(result.ok());
+        QCOMPARE(result.value().output, std::string("out\n"));
+        QCOMPARE(result.value().errors, std::string("err\n"));
+        QCOMPARE(result.value().exitCode, 3);
+        QVERIFY(!result.value().succeeded());
+        QCOMPARE(describeEnd(shell(""), result.value()), std::string("exited with code 3"));
+    }
+
+    void argumentsArriveAsTheyAre() {
+        ProcessRequest request;
+        request.program = "/usr/bin/printf";
+        request.arguments = {"%s|%s|%s", "a b", "$HOME", "\"'\n"};
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QCOMPARE(result.value().output, std::string("a b|$HOME|\"'\n"));
+    }
+
+    void aLargeInputGoesThroughAndBack() {
+        ProcessRequest request = shell("cat");
+        request.input = std::string(3'000'000, 'x') + "end";
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QVERIFY(result.value().output == request.input);
+    }
+
+    void aChildThatReadsNothingIsNoFault() {
+        ProcessRequest request = shell("exec 0<&-; echo done");
+        request.input = std::string(3'000'000, 'x');
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QCOMPARE(result.value().output, std::string("done\n"));
+    }
+
+    void withoutInputTheChildReadsNothing() {
+        const auto result = runProcess(shell("cat; echo end"));
+        QVERIFY(result.ok());
+        QCOMPARE(result.value().output, std::string("end\n"));
+    }
+
+    void anEndlessChildIsStoppedWithItsChildren() {
+        ProcessRequest request = shell("sleep 1000 & sleep 1000");
+        request.seconds = 0.2;
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QCOMPARE(int(result.value().end), int(ProcessEnd::TimedOut));
+        QCOMPARE(describeEnd(request, result.value()), std::string("took longer than 0.2 s"));
+    }
+
+    void aChildThatClosesItsOutputsAndStaysIsStoppedToo() {
+        ProcessRequest request = shell("exec 1>&- 2>&-; exec sleep 1000");
+        request.seconds = 0.2;
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QCOMPARE(int(result.value().end), int(ProcessEnd::TimedOut));
+    }
+
+    void anEndlessWriterIsStoppedAtItsLimit() {
+        ProcessRequest request = shell("while :; do echo yyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyyy; done");
+        request.outputBytes = 100'000;
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QCOMPARE(int(result.value().end), int(ProcessEnd::TooMuchOutput));
+        QCOMPARE(result.value().output.size(), std::size_t(100'000));
+    }
+
+    void errorsBeyondTheirLimitAreDropped() {
+        ProcessRequest request = shell("i=0; while [ $i -lt 5000 ]; do echo yyyyyyyyyyyyyyyyyyyyyyyy >&2; i=$((i+1)); done; echo fine");
+        request.errorBytes = 1000;
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QVERIFY(result.value().succeeded());
+        QCOMPARE(result.value().errors.size(), std::size_t(1000));
+        QCOMPARE(result.value().output, std::string("fine\n"));
+    }
+
+    void aCrashIsASignalWithAName() {
+        const auto result = runProcess(shell("kill -SEGV $$"));
+        QVERIFY(result.ok());
+        QCOMPARE(int(result.value().end), int(ProcessEnd::Signalled));
+        QCOMPARE(result.value().signal, SIGSEGV);
+        QVERIFY(describeEnd(shell(""), result.value()).find("Segmentation fault") != std::string::npos);
+    }
+
+    void memoryIsLimited() {
+        if (memoryLimitsAreOff()) return; // a sanitizer's shadow needs terabytes
+        ProcessRequest request = shell("ulimit -v");
+        request.limits.memoryBytes = 512u << 20;
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QCOMPARE(result.value().output, std::string("524288\n"));
+    }
+
+    // As under a daemon: the pipes then get the numbers of the standard streams.
+    void closedStandardStreamsOfOursAreNoFault() {
+        const int kept[3] = {::dup(0), ::dup(1), ::dup(2)};
+        for (int file = 0; file < 3; ++file) ::close(file);
+        ProcessRequest request = shell("cat; echo err >&2");
+        request.input = "in";
+        const auto result = runProcess(request);
+        for (int file = 0; file < 3; ++file) {
+            ::dup2(kept[file], file);
+            ::close(kept[file]);
+        }
+        QVERIFY(result.ok());
+        QCOMPARE(result.value().output, std::string("in"));
+        QCOMPARE(result.value().errors, std::string("err\n"));
+    }
+
+    void theWorkingFolderIsWhereWeSaid() {
+        ProcessRequest request = shell("pwd");
+        request.folder = "/usr";
+        const auto result = runProcess(request);
+        QVERIFY(result.ok());
+        QCOMPARE(result.value().output, std::string("/usr\n"));
+    }
+
+    void whatCannotRunIsAnError_data() {
+        QTest::addColumn<QString>("program");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("missing") << "/nowhere/program" << "No such file";
+        QTest::newRow("a folder") << "/usr" << "Permission denied";
+        QTest::newRow("not executable") << "/etc/passwd" << "Permission denied";
+    }
+    void whatCannotRunIsAnError() {
+        QFETCH(QString, program);
+        QFETCH(QString, word);
+        ProcessRequest request;
+        request.program = program.toStdString();
+        const auto result = runProcess(request);
+        QVERIFY(!result.ok());
+        QVERIFY2(QString::fromStdString(result.error().message).contains(word), result.error().message.c_str());
+        QVERIFY(QString::fromStdString(result.error().message).contains(program));
+    }
+
+    void weKnowOurselves() {
+        QVERIFY(programPath().ends_with("/test_base_platform_process"));
+        QVERIFY(programPath().starts_with(programFolder() + "/"));
+        QVERIFY(peakMemoryKb() > 500);
+    }
+};
+
+QTEST_APPLESS_MAIN(ProcessTest)
+#include "process_test.moc"

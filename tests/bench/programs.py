@@ -1,0 +1,70 @@
+"""Runs the measured programs and reads what they say."""
+
+import json
+import os
+import re
+import statistics
+import subprocess
+import sys
+import time
+
+
+class Failed(Exception):
+    pass
+
+
+class Programs:
+    def __init__(self, build, folder):
+        self.cli = os.path.join(build, "bin", "trundle-cli")
+        self.bare = os.path.join(build, "bench", "bare_ode")
+        self.folder = folder
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name + ".sim")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def run(self, path, *options):
+        """One run of the product; its JSON object."""
+        return json.loads(_output([self.cli, "run", path, "--json", *options]))
+
+    def seconds(self, *arguments):
+        """Wall time of one whole run of the program, from its start to its end."""
+        start = time.perf_counter()
+        _output([self.cli, *arguments])
+        return time.perf_counter() - start
+
+    def bare_run(self, count, columns, rows, seconds):
+        words = [self.bare, "-n", str(count), "-nx", str(columns), "-ny", str(rows), "-t", str(seconds)]
+        return {key: float(value) for key, value in re.findall(r"(\w+)=(\S+)", _output(words))}
+
+    @staticmethod
+    def peer_run(program, count, seconds):
+        """A reference program that takes odebench's options and prints RTF=<number>."""
+        words = [program, "-n", str(count), "-broad", "grid", "-solver", "step", "-maxc", "2", "-t", str(seconds)]
+        return float(re.search(r"RTF=(\S+)", _output(words)).group(1))
+
+
+def _output(words):
+    done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=1800)
+    if done.returncode != 0:
+        raise Failed(f"{' '.join(words)}: exit code {done.returncode}\n{done.stderr[-2000:]}")
+    return done.stdout
+
+
+def interleaved(repetitions, measurements):
+    """Calls each of the named measurements in turn, several times over, so that a busy moment hits all alike."""
+    values = {name: [] for name in measurements}
+    for _ in range(repetitions):
+        for name, measure in measurements.items():
+            values[name].append(measure())
+    return values
+
+
+def median(values):
+    return statistics.median(values)
+
+
+def progress(text):
+    print(f"bench: {text}", file=sys.stderr, flush=True)

@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+"""Measures Trundle: speed against a bare ODE loop, memory, start and load times, and how exactly it drives.
+
+Writes results/*.csv and *.svg and the tables of RESULTS.md beside this file. Ratios are taken inside one run, with the two sides
+interleaved; absolute figures belong to the machine named in RESULTS.md.
+"""
+
+import argparse
+import math
+import os
+import platform
+import sys
+import tempfile
+
+import experiments
+import report
+import svg_plot
+from programs import Failed, Programs, interleaved, median, progress
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+RESULTS = os.path.join(HERE, "results")
+PAGE = os.path.join(HERE, "RESULTS.md")
+AXLE_X = 0.06  # of the shipped robot's axle in its config frame, m
+
+
+def machine():
+    model = "unknown processor"
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        for line in file:
+            if line.startswith("model name"):
+                model = line.split(":", 1)[1].strip()
+                break
+    return f"{model}, {os.cpu_count()} cores, Linux {platform.release().split('-')[0]}"
+
+
+def simulated_seconds(count, quick):
+    seconds = 500 if count <= 2 else 200 if count <= 10 else 40 if count <= 50 else 20 if count <= 200 else 5
+    return seconds / 10 if quick else seconds
+
+
+def alike(programs):
+    """Whether both sides simulate the same: until the first bump, one second at least, the first robot must be in the same place."""
+    failed = []
+    for count in [1, 10, 100]:
+        columns, lines = experiments.pattern(count)
+        ours = programs.run(programs.write(f"alike{count}", experiments.crowd(count, 1)))["robots"]["crowd_0"]["pos"]
+        bare = programs.bare_run(count, columns, lines, 1)
+        off = math.hypot(ours[0] - bare["x"], ours[1] - bare["y"])
+        if off > 1e-6:
+            failed.append(f"bare_ode no longer simulates what the product does: {count} robots, the first is {1000 * off:.4f} mm off after 1 s")
+    return failed
+
+
+def speed(programs, options):
+    """The product's tick against the bare loop's, one robot per square metre."""
+    rows, failed = [], alike(programs)
+    for count in [1, 10, 100] if options.quick else [1, 10, 100, 1000]:
+        progress(f"speed, {count} robots")
+        columns, lines = experiments.pattern(count)
+        seconds = simulated_seconds(count, options.quick)
+        path = programs.write(f"crowd{count}", experiments.crowd(count, seconds))
+        sides = {"product": lambda: programs.run(path)["real_time_factor"],
+                 "bare": lambda: programs.bare_run(count, columns, lines, seconds)["rtf"]}
+        contacts = programs.bare_run(count, columns, lines, seconds)["contacts_per_robot"]
+        if options.peer:
+            sides["peer"] = lambda: programs.peer_run(options.peer, count, seconds)
+        values = interleaved(options.repetitions, sides)
+        best = {name: max(value) for name, value in values.items()}
+        overhead = (best["bare"] / best["product"] - 1) * 100
+        row = [count, seconds, round(best["product"], 2), round(median(values["product"]), 2), round(best["bare"], 2),
+               round(median(values["bare"]), 2), round(overhead, 1), contacts]
+        if options.peer:
+            row += [round(best["peer"], 2), round(best["product"] / best["peer"], 2)]
+        rows.append(row)
+        if count == 100 and overhead > 25:
+            failed.append(f"overhead at 100 robots is {overhead:.0f} %, at most 25 % is wanted")
+        if count == 100 and options.peer and best["product"] < best["peer"] / 1.3:
+            failed.append(f"real-time factor at 100 robots is {best['product']:.1f}, the peer's {best['peer']:.1f} / 1.3 is wanted")
+    header = ["robots", "simulated [s]", "product RTF best", "median", "bare ODE RTF best", "median", "overhead [%]", "contacts per robot and tick"]
+    if options.peer:
+        header += ["peer RTF best", "product / peer"]
+    report.write_csv(os.path.join(RESULTS, "speed.csv"), header, rows)
+    report.put(PAGE, "speed", report.markdown(header, rows))
+    return failed
+
+
+def crowds(programs, options):
+    """Moving robots against real-time factor and memory (the thesis's Tables 4.5 and 4.7)."""
+    rows = []
+    for count in [1, 10, 100] if options.quick else [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]:
+        progress(f"moving robots, {count}")
+        seconds = simulated_seconds(count, options.quick)
+        path = programs.write(f"crowd{count}", experiments.crowd(count, seconds))
+        runs = [programs.run(path) for _ in range(max(1, options.repetitions // 2))]
+        factor = max(run["real_time_factor"] for run in runs)
+        rows.append([count, round(factor, 2), round(1e6 * 0.01 / factor / count, 2), max(run["peak_memory_kb"] for run in runs)])
+    header = ["robots", "real-time factor", "us per robot and tick", "peak memory [kB]"]
+    report.write_csv(os.path.join(RESULTS, "moving_robots.csv"), header, rows)
+    report.put(PAGE, "moving-robots", report.markdown(header, rows))
+    plots = {"real_time_factor.svg": ("Moving robots: real-time factor, tick 10 ms", "real-time factor", {"headless": [(r[0], r[1]) for r in rows]}),
+             "memory.svg": ("Moving robots: memory", "peak memory [MB]", {"trundle-cli": [(r[0], r[3] / 1024) for r in rows]})}
+    for name, (title, label, series) in plots.items():
+        with open(os.path.join(RESULTS, name), "w", encoding="utf-8") as file:
+            file.write(svg_plot.log_plot(title, "robots", label, series))
+    return []
+
+
+def starting(programs, options):
+    """From the start of the program to its end after one tick, and the load of a large experiment."""
+    progress("start and load times")
+    first = os.path.join(HERE, "..", "..", "configs", "experiments", "linear_motion.sim")
+    logs = os.path.join(programs.folder, "logs")
+    large = programs.write("crowd1000", experiments.crowd(1000, 10))
+    times = interleaved(options.repetitions if options.quick else 20, {
+        "program start alone (--version)": lambda: programs.seconds("--version"),
+        "linear_motion: start to end after the first tick": lambda: programs.seconds("run", first, "--duration", "0.01", "--quiet", "--log-dir", logs)})
+    times |= interleaved(options.repetitions, {
+        "1,000 robots: check": lambda: programs.seconds("check", large),
+        "1,000 robots: start to end after the first tick": lambda: programs.seconds("run", large, "--duration", "0.01", "--quiet")})
+    rows = [[name, round(1000 * min(values), 1), round(1000 * median(values), 1)] for name, values in times.items()]
+    header = ["what", "best [ms]", "median [ms]"]
+    report.write_csv(os.path.join(RESULTS, "start.csv"), header, rows)
+    report.put(PAGE, "start", report.markdown(header, rows))
+    return []
+
+
+def axle_pose(run):
+    """True x, y [m] and heading [deg] of the axle's middle."""
+    x, y, heading = run["robots"]["robot0"]["signals"]["base/pose"]
+    return x, y, math.degrees(heading)
+
+
+def straight_lines(programs, options):
+    """Commanded against driven distance (the thesis's Table 4.1)."""
+    progress("straight lines")
+    rows = []
+    for speed_mps in [0.3] if options.quick else [0.1, 0.3, 0.5]:
+        for distance in [0.5, 2] if options.quick else [0.25, 0.5, 1, 2, 5, -1]:
+            x, y, heading = axle_pose(programs.run(programs.write("straight", experiments.straight(distance, speed_mps))))
+            driven = x - AXLE_X
+            rows.append([distance, speed_mps, f"{driven:.7f}", f"{1000 * (driven - distance):.4f}", f"{1000 * y:.4f}", f"{heading:.5f}"])
+    header = ["commanded [m]", "speed [m/s]", "driven [m]", "error [mm]", "sideways [mm]", "heading [deg]"]
+    report.write_csv(os.path.join(RESULTS, "straight.csv"), header, rows)
+    report.put(PAGE, "straight", report.markdown(header, rows))
+    return [f"straight {row[0]} m is off by {row[3]} mm" for row in rows if abs(float(row[3])) > 0.05]
+
+
+def arcs(programs, options):
+    """Commanded against driven angle (the thesis's Table 4.2)."""
+    progress("arcs")
+    rows = []
+    for speed_mps, turn in [(0.3, 1)] if options.quick else [(0.1, 1), (0.3, 1), (0.3, 0.5), (0.5, 0.5), (0, 1)]:
+        for angle in [360] if options.quick else [90, 180, 360, -360, 720]:
+            x, y, heading = axle_pose(programs.run(programs.write("arc", experiments.arc(angle, speed_mps, turn))))
+            error = (heading - angle + 180) % 360 - 180
+            radius = math.copysign(speed_mps / turn, angle)
+            ideal = math.radians(angle)
+            off = math.hypot(x - AXLE_X - radius * math.sin(ideal), y - radius * (1 - math.cos(ideal)))
+            rows.append([angle, f"{abs(radius):g}", speed_mps, f"{angle + error:.5f}", f"{error:.5f}", f"{1000 * off:.4f}"])
+    header = ["commanded [deg]", "radius [m]", "speed [m/s]", "driven [deg]", "error [deg]", "off the ideal end [mm]"]
+    report.write_csv(os.path.join(RESULTS, "arcs.csv"), header, rows)
+    report.put(PAGE, "arcs", report.markdown(header, rows))
+    return [f"arc {row[0]} deg at {row[1]} m is off by {row[4]} deg, {row[5]} mm" for row in rows
+            if abs(int(row[0])) <= 360 and float(row[2]) == 0.3 and float(row[1]) == 0.3 and (abs(float(row[4])) > 0.02 or float(row[5]) > 0.1)]
+
+
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "speed": speed, "crowds": crowds}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", default="build/release", help="build folder (default %(default)s)")
+    parser.add_argument("--quick", action="store_true", help="fewer and shorter measurements")
+    parser.add_argument("--repetitions", type=int, default=5, help="of each measurement (default %(default)s)")
+    parser.add_argument("--peer", help="a program with odebench's options to compare with")
+    parser.add_argument("--only", action="append", choices=SECTIONS, help="only this section; may be repeated")
+    options = parser.parse_args()
+    complaints = []
+    with tempfile.TemporaryDirectory(prefix="trundle-bench-") as folder:
+        programs = Programs(os.path.abspath(options.build), folder)
+        try:
+            for name in options.only or SECTIONS:
+                complaints += SECTIONS[name](programs, options)
+        except Failed as fault:
+            print(fault, file=sys.stderr)
+            return 1
+    report.put(PAGE, "machine", machine() + (" (quick run)" if options.quick else ""))
+    print(open(PAGE, encoding="utf-8").read())
+    for complaint in complaints:
+        progress("NOT MET: " + complaint)
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,176 @@
+#undef slots // a word of ours: SignalBlock::slots()
+#include "control/in_process_backend.h"
+
+#include <QtTest>
+
+using namespace trundle;
+
+namespace {
+const std::string kModules = std::string(TRUNDLE_BINARY_DIR) + "/tests/modules/";
+
+std::span<double> valuesOf(SignalBlock& block) { return block.slots(); }
+
+ResolvedValue number(double value) { return {{PropertyType::Number, {value}, {}}, {}, Origin::Config}; }
+ResolvedValue text(const std::string& value) { return {{PropertyType::Text, {}, {value}}, {}, Origin::Config}; }
+
+/// A robot with the devices of simple_robot, as its signals alone, and a controller.
+struct Stage {
+    Stage(const std::string& kind, std::map<std::string, ResolvedValue, std::less<>> values, const std::string& name = "robot0") {
+        auto config = std::make_shared<RobotConfigSpec>();
+        for (const auto& [device, deviceKind] : {std::pair{"base", "DifferentialDrive"}, {"frontTouch", "TouchSensor"}, {"leftEncoder", "Encoder"}})
+            config->devices.push_back({deviceKind, device, {}, {}, {}});
+        robot.name = name;
+        robot.config = config;
+        robot.controller = ComponentSpec{kind, "brain", std::move(values), {}, {}};
+        layout.beginRobot(name);
+        const auto add = [&](const char* path, SignalDirection direction, std::uint32_t count = 1) {
+            layout.add(name + "/" + path, "", SignalType::Real, direction, count);
+        };
+        add("pose", SignalDirection::Truth, 7);
+        add("velocity", SignalDirection::Truth, 6);
+        for (const char* s : {"linearVelocity", "angularVelocity", "linearAmount", "angularAmount", "sequence"})
+            add((std::string("base/") + s).c_str(), SignalDirection::Command);
+        add("base/pose", SignalDirection::Truth, 3);
+        add("base/odometry", SignalDirection::Output, 3);
+        add("base/finished", SignalDirection::Output);
+        for (const char* s : {"frontTouch/pressed", "frontTouch/force", "frontTouch/count", "leftEncoder/count", "leftEncoder/angle", "leftEncoder/rate",
+                              "leftEncoder/index"})
+            add(s, SignalDirection::Output);
+        block = std::make_unique<SignalBlock>(layout);
+    }
+    Status start() {
+        if (auto loaded = store.load(kModules + "controllers/libgood.so"); !loaded) return loaded.error();
+        auto made = makeInProcessBackend(robot, settings, store);
+        if (!made) return made.error();
+        backend = std::move(made).value();
+        ControllerOutlet outlet;
+        outlet.print = [this](int severity, const std::string& line) { console.push_back((severity == TRUNDLE_WARNING ? "warning: " : "") + line); };
+        outlet.openLog = [this](const std::string& file) { logs.push_back(file + ":"); return static_cast<int>(logs.size()) - 1; };
+        outlet.writeLog = [this](int log, std::string_view bytes) { logs[static_cast<std::size_t>(log)] += bytes; };
+        return backend->start(layout, *block, outlet);
+    }
+    double& at(const std::string& path, std::uint32_t i = 0) { return valuesOf(*block)[layout.find(robot.name + "/" + path)->offset + i]; }
+
+    ModuleStore store; // outlives the backend
+    RobotSpec robot;
+    SettingsSpec settings;
+    SignalLayout layout;
+    std::unique_ptr<SignalBlock> block;
+    std::unique_ptr<ControllerBackend> backend;
+    std::vector<std::string> console, logs;
+};
+} // namespace
+
+class BackendTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aControllerReadsAndWritesItsPorts() {
+        Stage stage("Driver", {{"Speed", number(.5)}});
+        const Status started = stage.start();
+        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
+        QVERIFY(stage.backend->tick(0, 0, 0).ok());
+        QCOMPARE(stage.at("base/linearVelocity"), .5);
+        stage.at("frontTouch/pressed") = 1;
+        QVERIFY(stage.backend->tick(1, .01, .01).ok());
+        QCOMPARE(stage.at("base/linearVelocity"), 0.);
+        QCOMPARE(stage.at("base/odometry"), 0.); // an output is not the controller's to write
+        QCOMPARE(stage.at("base/finished"), 0.);
+        QCOMPARE(stage.backend->describe(), std::string("Driver from libgood.so, in process"));
+    }
+
+    void fieldsTimeConsoleAndLogsReachIt() {
+        Stage stage("Driver", {{"Loud", ResolvedValue{{PropertyType::Boolean, {1}, {}}, {}, Origin::Config}},
+                               {"Text", text("hi")},
+                               {"Pair", ResolvedValue{{PropertyType::Number, {3, 4}, {}}, {}, Origin::Config}}});
+        QVERIFY(stage.start().ok());
+        stage.at("leftEncoder/count") = 12;
+        QVERIFY(stage.backend->tick(5, .05, .02).ok());
+        QCOMPARE(stage.console.at(0), std::string("hi t=0.05 dt=0.02 n=12 rear=0 pair=7"));
+        QCOMPARE(stage.logs.at(0), std::string("own.txt:line\n"));
+    }
+
+    void randomNumbersDependOnSeedRobotAndTickAlone() {
+        const auto drawn = [](std::uint64_t seed, const std::string& name, std::vector<std::uint64_t> ticks) {
+            Stage stage("Driver", {{"Loud", ResolvedValue{{PropertyType::Boolean, {1}, {}}, {}, Origin::Config}}}, name);
+            stage.settings.seed = seed;
+            if (!stage.start().ok()) return std::string("not started");
+            for (const std::uint64_t tick : ticks)
+                if (!stage.backend->tick(tick, 0, 0).ok()) return std::string("failed");
+            return stage.console.back();
+        };
+        QVERIFY(drawn(1, "robot0", {7}).starts_with("warning: random "));
+        QCOMPARE(drawn(1, "robot0", {7}), drawn(1, "robot0", {3, 4, 7}));
+        QVERIFY(drawn(1, "robot0", {7}) != drawn(1, "robot0", {8}));
+        QVERIFY(drawn(1, "robot0", {7}) != drawn(2, "robot0", {7}));
+        QVERIFY(drawn(1, "robot0", {7}) != drawn(1, "robot1", {7}));
+    }
+
+    void failuresSayWhatIsWrong_data() {
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("setup") << 410 << "the controller Failing of robot0 failed in setup: no battery";
+        QTest::newRow("device") << 411 << "robot0 has no DifferentialDrive port 'bas'; did you mean 'base'? (its DifferentialDrive ports: base)";
+        QTest::newRow("kind") << 411 << "robot0 has no DifferentialDrive port 'frontTouch': that is of kind TouchSensor";
+        QTest::newRow("signal") << 411 << "robot0 has no signal 'base/speed'; the signals of base: linearVelocity, angularVelocity";
+        QTest::newRow("truth") << 411 << "robot0 gives 'base/pose' through the port groundTruth alone";
+        QTest::newRow("groundTruth") << 411 << "robot0 has no ground truth 'base/pos'; there is: pose, velocity, base/pose";
+        QTest::newRow("update") << 410 << "the controller Failing of robot0 failed: an exception that is no std::exception";
+        QTest::newRow("give up") << 410 << "the controller Failing of robot0 gave up: the map is empty";
+    }
+    void failuresSayWhatIsWrong() {
+        QFETCH(int, code);
+        QFETCH(QString, words);
+        Stage stage("Failing", {{"Where", text(QTest::currentDataTag())}});
+        Status status = stage.start();
+        if (status.ok()) status = stage.backend->tick(0, 0, 0);
+        QVERIFY(!status.ok());
+        QCOMPARE(static_cast<int>(status.error().code), code);
+        QVERIFY2(status.error().message.starts_with(words.toStdString()), status.error().message.c_str());
+    }
+
+    void groundTruthHasAPortOfItsOwn() {
+        Stage stage("Cheating", {});
+        QVERIFY(stage.start().ok());
+        stage.at("pose", 0) = 1.5;
+        stage.at("pose", 3) = 1;
+        stage.at("velocity", 5) = .25;
+        stage.at("base/pose", 2) = 3;
+        QVERIFY(stage.backend->tick(0, 0, 0).ok());
+        QCOMPARE(stage.console.at(0), std::string("1.5 1 0.25 3"));
+    }
+
+    void aKindThatIsNotLoadedIsNamed() {
+        Stage stage("Ghost", {});
+        const Status status = stage.start();
+        QCOMPARE(status.error().code, Code::KindNotLoaded);
+    }
+
+    void aValueOfTheWrongCountNeverReachesTheClass() {
+        Stage stage("Driver", {{"Pair", number(1)}});
+        const Status status = stage.start();
+        QVERIFY(!status.ok());
+        QVERIFY(status.error().message.find("Pair") != std::string::npos);
+    }
+
+    void startsAnew() {
+        Stage stage("Driver", {});
+        QVERIFY(stage.start().ok());
+        stage.backend->stop();
+        QVERIFY(!stage.backend->tick(0, 0, 0).ok());
+        QVERIFY(stage.backend->start(stage.layout, *stage.block, {}).ok());
+        QVERIFY(stage.backend->tick(0, 0, 0).ok());
+    }
+
+    void theTemplateDrives() {
+        Stage stage("MyController", {});
+        QVERIFY(stage.store.load(std::string(TRUNDLE_BINARY_DIR) + "/lib/trundle/libtemplate.so").ok());
+        const Status started = stage.start();
+        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
+        QVERIFY(stage.backend->tick(0, 0, 0).ok());
+        QCOMPARE(stage.at("base/linearVelocity"), .2);
+        QCOMPARE(stage.at("base/angularVelocity"), .5);
+    }
+};
+
+QTEST_APPLESS_MAIN(BackendTest)
+#include "backend_test.moc"

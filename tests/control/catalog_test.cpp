@@ -1,0 +1,149 @@
+#include "base/platform/read_file.h"
+#include "control/directory_catalog.h"
+#include "control/kinds_json.h"
+
+#include <QtTest>
+
+#include <QTemporaryDir>
+
+using namespace trundle;
+
+namespace {
+const std::string kGood = std::string(TRUNDLE_BINARY_DIR) + "/tests/modules/controllers/libgood.so";
+} // namespace
+
+class CatalogTest : public QObject {
+    Q_OBJECT
+private slots:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void fileNamesInTheOrderTheyAreTried_data() {
+        QTest::addColumn<QString>("written");
+        const QString all = "controllers/libdrive.so controllers/drive.so libdrive.so drive.so";
+        QTest::newRow("controllers/drive") << all;
+        QTest::newRow("controllers/drive.dll") << all;
+        QTest::newRow("controllers\\drive.DLL") << all;
+        QTest::newRow("controllers/drive.so") << all;
+        QTest::newRow("drive") << "libdrive.so drive.so";
+    }
+    void fileNamesInTheOrderTheyAreTried() {
+        QFETCH(QString, written);
+        QStringList names;
+        for (const std::string& name : moduleFileNames(QTest::currentDataTag())) names << QString::fromStdString(name);
+        QCOMPARE(names.join(' '), written);
+    }
+
+    void findsAModuleInTheProgramsFolder() {
+        put("program/controllers/libgood.so", true);
+        DirectoryCatalog catalog({{}, path("program"), {}, false});
+        const auto found = catalog.find("controllers/good", path("experiments"));
+        QVERIFY2(found.ok(), found.ok() ? "" : found.error().message.c_str());
+        QCOMPARE(found.value().library, path("program/controllers/libgood.so"));
+        QVERIFY(found.value().described);
+        QCOMPARE(found.value().kinds.size(), std::size_t(4));
+        QVERIFY(found.value().kinds[0].find("UpdatePeriod") && found.value().kinds[0].find("Speed"));
+        for (const char* written : {"Controllers\\good.dll", "good", "x/libgood.so"}) {
+            put("program/libgood.so", false);
+            const auto other = catalog.find(written, path("experiments"));
+            QVERIFY2(other.ok() && !other.value().described, written);
+        }
+    }
+
+    void modulesFoldersComeBeforeTheProgramsOwn() {
+        put("program/libgood.so", true);
+        put("mine/libgood.so", false);
+        DirectoryCatalog catalog({{path("mine")}, path("program"), {}, false});
+        QCOMPARE(catalog.find("good", path("experiments")).value().library, path("mine/libgood.so"));
+    }
+
+    void besideTheFileOnlyWhereTrusted() {
+        put("experiments/libgood.so", true);
+        const auto untrusted = DirectoryCatalog({{}, path("program"), {}, false}).find("good", path("experiments"));
+        QVERIFY(!untrusted.ok());
+        QCOMPARE(untrusted.error().code, Code::ModuleNotTrusted);
+        QVERIFY(untrusted.error().message.find("--trust") != std::string::npos);
+        QVERIFY(DirectoryCatalog({{}, path("program"), {}, true}).find("good", path("experiments")).ok());
+        QVERIFY(DirectoryCatalog({{}, path("program"), {path("experiments")}, false}).find("good", path("experiments")).ok());
+        QVERIFY(DirectoryCatalog({{path("experiments/")}, path("program"), {}, false}).find("good", path("experiments")).ok());
+    }
+
+    void anUntrustedOneDoesNotHideATrustedOne() {
+        put("experiments/libgood.so", true);
+        put("program/libgood.so", true);
+        const auto found = DirectoryCatalog({{}, path("program"), {}, false}).find("good", path("experiments"));
+        QVERIFY(found.ok());
+        QCOMPARE(found.value().library, path("program/libgood.so"));
+    }
+
+    void climbingOutOfATrustedFolderIsNotTrusted() {
+        put("evil/libgood.so", true);
+        QDir().mkpath(m_folder->filePath("program/controllers"));
+        DirectoryCatalog catalog({{}, path("program"), {}, false});
+        QCOMPARE(catalog.find("../evil/good", path("experiments")).error().code, Code::ModuleNotTrusted);
+        QCOMPARE(catalog.find("controllers/../../evil/good", path("experiments")).error().code, Code::ModuleNotTrusted);
+        QCOMPARE(catalog.find(path("evil/good"), path("experiments")).error().code, Code::ModuleNotTrusted);
+        QVERIFY(DirectoryCatalog({{path("evil")}, path("program"), {}, false}).find(path("evil/good"), path("experiments")).ok());
+    }
+
+    void namesAllThatWasTried() {
+        const auto missing = DirectoryCatalog({{path("mine")}, path("program"), {}, false}).find("controllers/gone", path("experiments"));
+        QCOMPARE(missing.error().code, Code::ModuleNotFound);
+        for (const char* tried : {"experiments/controllers/libgone.so", "mine/controllers/gone.so", "program/libgone.so", "program/gone.so"})
+            QVERIFY2(missing.error().message.find(path(tried)) != std::string::npos, tried);
+    }
+
+    void suggestsTheModuleThatWasMeant_data() {
+        QTest::addColumn<QString>("meant");
+        QTest::newRow("controllers/goood") << "controllers/good";
+        QTest::newRow("good") << "controllers/good";           // its folder forgotten
+        QTest::newRow("Controllers\\good.dll") << "controllers/good"; // the thesis's spelling of the folder
+        QTest::newRow("mine") << "";
+    }
+    void suggestsTheModuleThatWasMeant() {
+        QFETCH(QString, meant);
+        put("program/controllers/libgood.so", true);
+        QVERIFY(QFile::link("libmine.so", m_folder->filePath("program/libmine.so"))); // leads nowhere but to itself
+        const auto missing = DirectoryCatalog({{path("nowhere")}, path("program"), {}, false}).find(QTest::currentDataTag(), path("experiments"));
+        QCOMPARE(missing.error().code, Code::ModuleNotFound);
+        const QString message = QString::fromStdString(missing.error().message);
+        QCOMPARE(message.contains(" (did you mean " + meant + "?); tried "), !meant.isEmpty());
+        QCOMPARE(message.contains("did you mean"), !meant.isEmpty());
+    }
+
+    void pythonComesLater() {
+        QDir().mkpath(m_folder->filePath("experiments"));
+        QFile file(m_folder->filePath("experiments/brain.py"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        DirectoryCatalog catalog({{}, path("program"), {}, false});
+        QCOMPARE(catalog.find("brain", path("experiments")).error().code, Code::PythonModule);
+        QCOMPARE(catalog.find("other.py", path("experiments")).error().code, Code::PythonModule);
+    }
+
+    void looksAtTheFileWithoutRunningIt() {
+        QDir().mkpath(m_folder->filePath("program"));
+        QFile file(m_folder->filePath("program/libtext.so"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("not a library") > 0);
+        file.close();
+        QCOMPARE(DirectoryCatalog({{}, path("program"), {}, false}).find("text", path("x")).error().code, Code::ModuleWrongFormat);
+    }
+
+    void strangeNamesAreNoCrash() {
+        DirectoryCatalog catalog({{}, path("program"), {}, true});
+        for (const std::string& written : {std::string(), std::string("/"), std::string(".."), std::string(5000, 'x'), std::string("a\0b", 3), std::string(".so")})
+            QVERIFY(!catalog.find(written, path("experiments")).ok());
+    }
+
+private:
+    [[nodiscard]] std::string path(const char* name) const { return m_folder->filePath(name).toStdString(); }
+    void put(const char* name, bool described) {
+        const QString target = m_folder->filePath(name);
+        QDir().mkpath(QFileInfo(target).path());
+        QFile::remove(target);
+        QVERIFY(QFile::copy(QString::fromStdString(kGood), target));
+        if (described) QVERIFY(writeKindsJson(kGood, kindsJsonPath(target.toStdString())).ok());
+    }
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_APPLESS_MAIN(CatalogTest)
+#include "catalog_test.moc"

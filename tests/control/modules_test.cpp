@@ -1,0 +1,188 @@
+#include <fstream>
+
+#include "base/platform/read_file.h"
+#include "control/kinds_json.h"
+#include "control/module_file.h"
+#include "control/module_kinds.h"
+#include "control/module_store.h"
+
+#include <QtTest>
+
+#include <QTemporaryDir>
+
+using namespace trundle;
+
+namespace {
+const std::string kModules = std::string(TRUNDLE_BINARY_DIR) + "/tests/modules/";
+const std::string kGood = kModules + "controllers/libgood.so";
+
+std::string bytesOf(const std::string& path) { return readRegularFile(path).value(); }
+} // namespace
+
+class ModulesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void badLibrariesAreToldApart_data() {
+        QTest::addColumn<QString>("library");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char* name, const std::string& library, Code code, const char* words) {
+            QTest::newRow(name) << QString::fromStdString(library) << static_cast<int>(code) << words;
+        };
+        row("missing", kModules + "libnone.so", Code::ModuleUnreadable, "libnone.so");
+        row("no entry", kModules + "libno_entry.so", Code::ModuleNoEntry, "exports no trundle_module");
+        row("wrong magic", kModules + "libwrong_magic.so", Code::ModuleWrongFormat, "no Trundle module");
+        row("newer interface", kModules + "libnewer_abi.so", Code::ModuleVersion, "interface 2.3; this program has 1.0");
+        row("missing symbol", kModules + "libmissing_symbol.so", Code::ModuleMissingSymbol, "symbol trundle_test_symbol_that_nobody_has,");
+        row("broken kinds", kModules + "libbroken_kinds.so", Code::ModuleWrongFormat, "kind 'Hollow' lacks one of its functions");
+        row("throws in describe", kModules + "libthrows_in_describe.so", Code::ModuleNoEntry, "describing its kinds failed");
+        row("truncated", made("cut.so", bytesOf(kGood).substr(0, 5000)), Code::ModuleUnreadable, "is cut off: it has 5000 bytes");
+        row("truncated in its header", made("cut2.so", bytesOf(kGood).substr(0, 40)), Code::ModuleUnreadable, "is cut off");
+        row("truncated at its end", made("cut3.so", bytesOf(kGood).substr(0, bytesOf(kGood).size() - 1)), Code::ModuleUnreadable, "is cut off");
+        std::string narrow = bytesOf(kGood), foreign = narrow, program = narrow, big = narrow;
+        narrow[4] = 1;
+        foreign[18] = static_cast<char>(243);
+        program[16] = 2;
+        big[5] = 2;
+        row("32-bit", made("narrow.so", narrow), Code::ModuleWrongFormat, "is a 32-bit library; this program is 64-bit");
+        row("another machine", made("foreign.so", foreign), Code::ModuleWrongFormat, "is built for");
+        row("a program", made("program.so", program), Code::ModuleWrongFormat, "is a program");
+        row("another byte order", made("big.so", big), Code::ModuleWrongFormat, "byte order");
+        row("text file", made("text.so", "#!/bin/sh\necho\n"), Code::ModuleWrongFormat, "it starts with \"#!/bin/sh\"");
+        row("empty file", made("empty.so", ""), Code::ModuleWrongFormat, "is empty");
+        row("a folder", kModules, Code::ModuleUnreadable, "folder");
+    }
+    void badLibrariesAreToldApart() {
+        QFETCH(QString, library);
+        QFETCH(int, code);
+        QFETCH(QString, words);
+        ModuleStore store;
+        const auto module = store.load(library.toStdString());
+        QVERIFY(!module.ok());
+        QCOMPARE(static_cast<int>(module.error().code), code);
+        QVERIFY2(QString::fromStdString(module.error().message).contains(words), module.error().message.c_str());
+    }
+
+    /// Any byte of the tables may lie: the file is refused or loaded, nothing crashes before the loader.
+    void damagedTablesAreNoCrash() {
+        const std::string good = bytesOf(kGood);
+        std::uint32_t state = 1;
+        for (int i = 0; i < 300; ++i) {
+            std::string bad = good;
+            for (int k = 0; k < 4; ++k) {
+                state = state * 1664525 + 1013904223;
+                bad[16 + (state >> 8) % 200] = static_cast<char>(state >> 24);
+            }
+            (void)checkModuleFile(made("damaged.so", bad));
+        }
+    }
+
+    void goodModuleTellsItsKinds() {
+        ModuleStore store;
+        const auto module = store.load(kGood);
+        QVERIFY2(module.ok(), module.ok() ? "" : module.error().message.c_str());
+        QCOMPARE(module.value()->kinds.size(), std::size_t(4));
+        const Kind& driver = module.value()->kinds[0];
+        QCOMPARE(driver.name, std::string("Driver"));
+        QCOMPARE(driver.module, kGood);
+        const Property* speed = driver.find("Speed");
+        QVERIFY(speed && speed->unit == "m/s" && speed->minimum == 0 && speed->maximum == 2 && speed->defaultValue->numbers == std::vector{0.2});
+        QVERIFY(!driver.find("Angle")->defaultValue && driver.find("Angle")->minExclusive);
+        QVERIFY(store.find("Driver", TRUNDLE_CONTROLLER) && !store.find("Driver", TRUNDLE_DEVICE));
+        QVERIFY(store.find("Thermometer", TRUNDLE_DEVICE) && store.find("Thermometer", TRUNDLE_DEVICE)->act == nullptr);
+        QCOMPARE(store.load(kGood).value(), module.value());
+    }
+
+    void twoModulesMayNotBringOneKind() {
+        ModuleStore store;
+        QVERIFY(store.load(kGood).ok());
+        const auto twin = store.load(kModules + "libtwin.so");
+        QVERIFY(!twin.ok());
+        QCOMPARE(twin.error().code, Code::ModuleDuplicateKind);
+        QVERIFY(twin.error().message.find("libgood.so") != std::string::npos && twin.error().message.find("libtwin.so") != std::string::npos);
+        ModuleStore other;
+        QVERIFY(other.load(kModules + "libtwin.so").ok());
+    }
+
+    void descriptionFileSaysTheSame() {
+        const std::string out = made("libgood.so.kinds.json", "old");
+        const Status written = writeKindsJson(kGood, out);
+        QVERIFY2(written.ok(), written.ok() ? "" : written.error().message.c_str());
+        const auto read = kindsFromJson(bytesOf(out), kGood);
+        QVERIFY2(read.ok(), read.ok() ? "" : read.error().message.c_str());
+        ModuleStore store;
+        const auto& kinds = store.load(kGood).value()->kinds;
+        QCOMPARE(kindsToJson(read.value()), kindsToJson(kinds));
+        for (std::size_t i = 0; i < kinds.size(); ++i)
+            for (std::size_t p = 0; p < kinds[i].properties.size(); ++p) {
+                const Property &a = kinds[i].properties[p], &b = read.value()[i].properties[p];
+                QVERIFY(a.minimum == b.minimum && a.maximum == b.maximum && a.scale == b.scale && a.type == b.type && a.defaultValue == b.defaultValue);
+            }
+    }
+
+    void brokenDescriptionsAreRefused_data() {
+        QTest::addColumn<QString>("text");
+        const auto good = QString::fromStdString(kindsToJson({Kind{"A", "", Role::Controller, {}, false, {}, {}, {}}}));
+        QTest::newRow("empty") << "";
+        QTest::newRow("no JSON") << "kinds";
+        QTest::newRow("no object") << "[1, 2]";
+        QTest::newRow("other format") << QString(good).replace("\"format\": 1", "\"format\": 2");
+        QTest::newRow("no name") << QString(good).replace("\"A\"", "\"\"");
+        QTest::newRow("strange role") << QString(good).replace("controller", "king");
+        QTest::newRow("cut") << good.left(good.size() / 2);
+        QTest::newRow("field without anything") << QString(good).replace("\"fields\": []", "\"fields\": [{}]");
+        QTest::newRow("deep") << QString(100000, '[');
+    }
+    void brokenDescriptionsAreRefused() {
+        QFETCH(QString, text);
+        const auto kinds = kindsFromJson(text.toStdString(), "libx.so");
+        QVERIFY(!kinds.ok());
+        QCOMPARE(kinds.error().code, Code::ModuleUndescribed);
+    }
+
+    void staleDescriptionIsAWarningAtTheDirective() {
+        const std::string library = made("libcopy.so", bytesOf(kGood));
+        ExperimentSpec experiment;
+        experiment.modules.push_back({"copy", library, SourceRange{0, {5, 9}}});
+        experiment.modules.push_back({"gone", "", {}});
+        experiment.modules.push_back({"text", made("libtext.so", "text"), SourceRange{0, {15, 19}}});
+        const auto load = [&] {
+            ModuleStore store;
+            Diagnostics diagnostics;
+            loadModules(experiment, store, diagnostics);
+            return diagnostics.all();
+        };
+        QCOMPARE(load().size(), std::size_t(1)); // no description at all is another's warning
+        QCOMPARE(load()[0].code, Code::ModuleWrongFormat);
+        QCOMPARE(load()[0].range.range.begin, 15u);
+        QVERIFY(writeKindsJson(library, kindsJsonPath(library)).ok());
+        QCOMPARE(load().size(), std::size_t(1));
+        std::string changed = bytesOf(kindsJsonPath(library));
+        changed.replace(changed.find("Cruising"), 8, "Boozing!");
+        made("libcopy.so.kinds.json", changed);
+        QCOMPARE(load().size(), std::size_t(2));
+        QCOMPARE(load()[0].code, Code::ModuleDescriptionStale);
+        QVERIFY(load()[0].severity == Severity::Warning && load()[0].range.range.begin == 5);
+    }
+
+    void everyControllerHasTheCommonFields() {
+        Kind controller{"A", "", Role::Controller, {}, false, {}, {}, {}}, device{"B", "", Role::Device, {}, false, {}, {}, {}};
+        addControllerFields(controller);
+        addControllerFields(device);
+        QVERIFY(controller.find("UpdatePeriod") && controller.find("Isolation") && controller.find("Budget"));
+        QCOMPARE(controller.find("Isolation")->choices, (std::vector<std::string>{"none", "module", "robot"}));
+        QCOMPARE(controller.find("Budget")->unit, std::string("ms"));
+        QVERIFY(device.properties.empty());
+    }
+
+private:
+    std::string made(const std::string& name, const std::string& bytes) {
+        const std::string path = m_folder.filePath(QString::fromStdString(name)).toStdString();
+        std::ofstream(path, std::ios::binary) << bytes;
+        return path;
+    }
+    QTemporaryDir m_folder;
+};
+
+QTEST_APPLESS_MAIN(ModulesTest)
+#include "modules_test.moc"

@@ -1,0 +1,174 @@
+#include "bench_robot.h"
+
+#include <QtTest>
+
+using namespace trundle;
+using namespace trundle::test;
+
+namespace {
+/// Two lifted wheels with the given control; wheels of the weight the robot would put on them.
+struct Base {
+    explicit Base(const std::string& control, double tick = .01) : robot(tick) {
+        BenchDevice& drive = robot.device("DifferentialDrive", "base"); // before its motors, as the world orders it
+        drive.texts = {{"LeftMotor", {"left"}}, {"RightMotor", {"right"}}, {"Control", {control}}};
+        drive.numbers = {{"WheelRadius", {.05}}, {"WheelSeparation", {.25}}};
+        addMotor(robot, "left", "leftAxle");
+        addMotor(robot, "right", "rightAxle");
+        for (const char* axle : {"leftAxle", "rightAxle"}) robot.joint(axle).inertia = .0058;
+    }
+    double& at(const std::string& signal, int i = 0) { return robot.signal("base/" + signal)[i]; }
+    void command(double v, double w, double x, double angle) {
+        at("linearVelocity") = v;
+        at("angularVelocity") = w;
+        at("linearAmount") = x;
+        at("angularAmount") = angle;
+        at("sequence") += 1;
+    }
+    BenchRobot robot;
+};
+} // namespace
+
+class DifferentialDriveTest : public QObject {
+    Q_OBJECT
+private slots:
+    void drivesAnAmount_data() {
+        QTest::addColumn<QString>("control");
+        QTest::addColumn<double>("tick");
+        QTest::addColumn<double>("tolerance"); // m
+        for (const double tick : {.001, .01, .03}) {
+            QTest::addRow("servo %g", tick) << "servo" << tick << 1e-12;
+            QTest::addRow("pi %g", tick) << "pi" << tick << 1e-4;
+            QTest::addRow("voltage %g", tick) << "voltage" << tick << 1e-4; // the lag of the start comes back at the end
+        }
+    }
+    void drivesAnAmount() {
+        QFETCH(QString, control);
+        QFETCH(double, tick);
+        QFETCH(double, tolerance);
+        Base base(control.toStdString(), tick);
+        QCOMPARE(base.robot.setup(), std::string());
+        base.command(.5, 0, 2, 0);
+        base.robot.tick();
+        QCOMPARE(base.at("busy"), 1.);
+        QCOMPARE(base.at("done"), 0.);
+        base.robot.run(6);
+        QCOMPARE(base.at("done"), 1.);
+        QCOMPARE(base.at("finished"), 1.);
+        QVERIFY2(std::abs(base.at("odometry", 0) - 2) < tolerance, qPrintable(QString::number(base.at("odometry", 0), 'g', 12)));
+        QVERIFY(std::abs(base.at("odometry", 1)) < 1e-9 && std::abs(base.at("odometry", 2)) < 1e-9);
+        QVERIFY(base.robot.warnings.empty());
+    }
+
+    void odometryFollowsTheArc() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        base.command(.3, 1, 0, M_PI / 2);
+        base.robot.run(4);
+        QVERIFY(std::abs(base.at("odometry", 0) - .3) < 1e-9);
+        QVERIFY(std::abs(base.at("odometry", 1) - .3) < 1e-9);
+        QVERIFY(std::abs(base.at("odometry", 2) - M_PI / 2) < 1e-12);
+    }
+
+    /// Open loop, without ramps: the base stays behind by v * tau, tau = I / b.
+    void voltageLagsByItsTimeConstant_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {.001, .01, .03}) QTest::addRow("%g s", tick) << tick;
+    }
+    void voltageLagsByItsTimeConstant() {
+        QFETCH(double, tick);
+        Base base("voltage", tick);
+        base.robot.devices[0].numbers["MaxAcceleration"] = {0};
+        QCOMPARE(base.robot.setup(), std::string());
+        base.at("linearVelocity") = .5;
+        base.robot.run(3);
+        const double lag = .5 * 3 - base.at("odometry", 0);
+        QVERIFY2(std::abs(lag - .5 * .0058 / .405) < 1e-6, qPrintable(QString::number(lag, 'g', 9)));
+    }
+
+    void odometryComesFromTheWheelsNotFromTheCommand() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        base.robot.joint("leftAxle").inertia = base.robot.joint("rightAxle").inertia = 1e12; // held fast
+        base.command(.5, 0, 2, 0);
+        base.robot.run(6);
+        QVERIFY(std::abs(base.at("odometry", 0)) < 1e-6);
+    }
+
+    void truthIsTheMiddleBetweenTheWheels() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        // heading 90 degrees: left is -x
+        std::copy_n(std::array{.875, 2., .05}.data(), 3, base.robot.joint("leftAxle").anchor);
+        std::copy_n(std::array{1.125, 2., .05}.data(), 3, base.robot.joint("rightAxle").anchor);
+        base.robot.tick();
+        QCOMPARE(base.at("pose", 0), 1.);
+        QCOMPARE(base.at("pose", 1), 2.);
+        QVERIFY(std::abs(base.at("pose", 2) - M_PI / 2) < 1e-12);
+    }
+
+    void refusesNonsenseAndSaysSo() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        base.command(0, 0, 1, 0);
+        base.robot.run(1);
+        QCOMPARE(base.robot.warnings.size(), std::size_t(1));
+        QVERIFY(base.robot.warnings[0].find("refused") != std::string::npos);
+        QCOMPARE(base.at("finished"), 1.); // who waits for it goes on
+        QCOMPARE(base.at("odometry", 0), 0.);
+        base.command(.2, 0, .1, 0);
+        base.robot.run(2);
+        QVERIFY(std::abs(base.at("odometry", 0) - .1) < 1e-12);
+    }
+
+    void newAmountStartsOnlyWithTheSequence() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        base.command(.2, 0, .1, 0);
+        base.robot.run(4);
+        QVERIFY(std::abs(base.at("odometry", 0) - .1) < 1e-12);
+        base.at("sequence") += 1;
+        base.robot.run(4);
+        QVERIFY(std::abs(base.at("odometry", 0) - .2) < 1e-12);
+    }
+
+    void moveEndsAnAmount() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        base.command(.2, 0, 100, 0);
+        base.robot.run(1);
+        base.at("linearVelocity") = base.at("linearAmount") = 0;
+        base.robot.run(1);
+        QCOMPARE(base.at("finished"), 1.);
+        const double x = base.at("odometry", 0);
+        base.robot.run(1);
+        QCOMPARE(base.at("odometry", 0), x);
+    }
+
+    void warnsOnceOfTurnsTooFastForTheTick() {
+        Base base("servo", .03);
+        QCOMPARE(base.robot.setup(), std::string());
+        base.at("angularVelocity") = 5;
+        base.robot.run(3);
+        QCOMPARE(base.robot.warnings.size(), std::size_t(1));
+    }
+
+    void takesNoNumberForZero() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        for (const char* slot : {"linearVelocity", "angularVelocity", "linearAmount", "angularAmount", "sequence"}) base.at(slot) = std::nan("");
+        base.robot.run(.1);
+        QCOMPARE(base.at("odometry", 0), 0.);
+        QCOMPARE(base.robot.warnings.size(), std::size_t(5));
+    }
+
+    void needsTwoMotors() {
+        Base same("servo"), missing("servo");
+        same.robot.devices[0].texts["RightMotor"] = {"left"};
+        missing.robot.devices[0].texts["RightMotor"] = {"rigth"};
+        QVERIFY(same.robot.setup().find("the same motor") != std::string::npos);
+        QVERIFY(missing.robot.setup().find("'rigth'") != std::string::npos);
+    }
+};
+
+QTEST_APPLESS_MAIN(DifferentialDriveTest)
+#include "differential_drive_test.moc"

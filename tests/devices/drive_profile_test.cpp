@@ -1,0 +1,148 @@
+#include "devices/drive_profile.h"
+
+#include <QtTest>
+
+using namespace trundle;
+
+namespace {
+constexpr DriveLimits kLimits{1, 4};
+
+/// Drives the amount under way to its end; what was covered and how many ticks it took (-1: it did not end).
+struct Driven { ChassisMotion travel; int ticks = 0; double fastest = 0, hardest = 0; };
+Driven driveOut(DriveProfile& profile, double h, double lastSpeed = 0) {
+    Driven d;
+    while (profile.busy() && d.ticks < 1000000) {
+        const ChassisMotion v = profile.next(kLimits, h);
+        d.travel.linear += v.linear * h;
+        d.travel.angular += v.angular * h;
+        d.fastest = std::max(d.fastest, std::abs(v.linear));
+        d.hardest = std::max(d.hardest, std::abs(v.linear - lastSpeed) / h);
+        lastSpeed = v.linear;
+        ++d.ticks;
+    }
+    if (profile.busy()) d.ticks = -1;
+    return d;
+}
+} // namespace
+
+class DriveProfileTest : public QObject {
+    Q_OBJECT
+private slots:
+    void amountsEndExactly_data() {
+        QTest::addColumn<double>("v");
+        QTest::addColumn<double>("w");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("angle");
+        QTest::addColumn<double>("endX");
+        QTest::addColumn<double>("endAngle");
+        QTest::newRow("straight") << .2 << 0. << 1. << 0. << 1. << 0.;
+        QTest::newRow("backwards") << -.2 << 0. << -1. << 0. << -1. << 0.;
+        QTest::newRow("on the spot") << 0. << -2. << 0. << -3.1 << 0. << -3.1;
+        QTest::newRow("arc by length") << .3 << 1. << .6 << 0. << .6 << 2.;
+        QTest::newRow("arc by angle") << .3 << 1. << 0. << 2. << .6 << 2.;
+        QTest::newRow("arc backwards by angle") << -.3 << 1. << 0. << 2. << -.6 << 2.;
+        QTest::newRow("both, one slows down for the other") << .3 << 1. << 3. << 1. << 3. << 1.;
+        QTest::newRow("too short to reach the speed") << 1. << 0. << .01 << 0. << .01 << 0.;
+        QTest::newRow("less than a tick") << 1. << 0. << 1e-7 << 0. << 1e-7 << 0.;
+    }
+    void amountsEndExactly() {
+        QFETCH(double, v);
+        QFETCH(double, w);
+        QFETCH(double, x);
+        QFETCH(double, angle);
+        QFETCH(double, endX);
+        QFETCH(double, endAngle);
+        for (const double h : {.001, .01, .03, .0371}) {
+            DriveProfile profile;
+            QVERIFY(!profile.start({v, w}, {x, angle}, kLimits));
+            const Driven d = driveOut(profile, h);
+            QVERIFY(d.ticks > 0);
+            QVERIFY2(std::abs(d.travel.linear - endX) < 1e-12 && std::abs(d.travel.angular - endAngle) < 1e-12,
+                     qPrintable(QString("%1 m, %2 rad").arg(d.travel.linear, 0, 'g', 17).arg(d.travel.angular, 0, 'g', 17)));
+            QVERIFY(d.fastest <= std::abs(v) + 1e-12);
+            QVERIFY(d.hardest <= kLimits.linear + 1e-6);
+            const ChassisMotion after = profile.next(kLimits, h);
+            QVERIFY(after.linear == 0 && after.angular == 0);
+        }
+    }
+
+    void withoutLimitsAnAmountIsDrivenAtFullSpeed() {
+        DriveProfile profile;
+        QVERIFY(!profile.start({.5, 0}, {1, 0}, {}));
+        int ticks = 0;
+        for (; profile.busy() && ticks < 1000; ++ticks) {
+            const double v = profile.next({}, .01).linear;
+            QVERIFY(std::abs(v - .5) < 1e-9);
+        }
+        QCOMPARE(ticks, 200);
+    }
+
+    void fromAnyVelocityTheAmountCountsFromTheCommand_data() {
+        QTest::addColumn<double>("v0");
+        QTest::addColumn<double>("w0");
+        QTest::addColumn<double>("x");
+        QTest::newRow("same way") << .5 << 0. << 2.;
+        QTest::newRow("faster than wanted") << 1.5 << 0. << 2.;
+        QTest::newRow("the other way") << -.5 << 0. << 2.;
+        QTest::newRow("shorter than the way to stop") << .5 << 0. << .01;
+        QTest::newRow("while turning") << .2 << 1. << 1.;
+    }
+    void fromAnyVelocityTheAmountCountsFromTheCommand() {
+        QFETCH(double, v0);
+        QFETCH(double, w0);
+        QFETCH(double, x);
+        DriveProfile profile;
+        profile.aim({v0, w0});
+        double last = 0;
+        for (int i = 0; i < 300; ++i) last = profile.next(kLimits, .01).linear;
+        QCOMPARE(last, v0);
+        QVERIFY(!profile.start({.5, 0}, {x, 0}, kLimits));
+        const Driven d = driveOut(profile, .01, v0);
+        QVERIFY2(std::abs(d.travel.linear - x) < 1e-12, qPrintable(QString::number(d.travel.linear, 'g', 17)));
+        QVERIFY2(d.hardest <= kLimits.linear + 1e-6, qPrintable(QString::number(d.hardest)));
+    }
+
+    void nonsenseIsRefused_data() {
+        QTest::addColumn<double>("v");
+        QTest::addColumn<double>("w");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("angle");
+        QTest::newRow("no velocity") << 0. << 0. << 1. << 0.;
+        QTest::newRow("no velocity but a turn") << 0. << 1. << 1. << 0.;
+        QTest::newRow("opposite signs") << -.2 << 0. << 1. << 0.;
+        QTest::newRow("no turn rate") << .2 << 0. << 0. << 1.;
+        QTest::newRow("opposite turn") << .2 << -1. << 0. << 1.;
+        QTest::newRow("beyond all numbers") << 1e-300 << 1e200 << 1e200 << 0.;
+    }
+    void nonsenseIsRefused() {
+        QFETCH(double, v);
+        QFETCH(double, w);
+        QFETCH(double, x);
+        QFETCH(double, angle);
+        DriveProfile profile;
+        profile.aim({1, 0});
+        for (int i = 0; i < 200; ++i) (void)profile.next(kLimits, .01);
+        QVERIFY(profile.start({v, w}, {x, angle}, kLimits).has_value());
+        QVERIFY(!profile.busy());
+        double speed = 1;
+        for (int i = 0; i < 110; ++i) speed = profile.next(kLimits, .01).linear;
+        QCOMPARE(speed, 0.);
+    }
+
+    void rampsKeepTheCurve() {
+        DriveProfile profile;
+        profile.aim({.3, 1});
+        for (int i = 0; i < 100; ++i) {
+            const ChassisMotion v = profile.next(kLimits, .01);
+            QVERIFY(std::abs(v.angular - v.linear / .3) < 1e-12);
+        }
+        profile.aim({});
+        double speed = .3;
+        int ticks = 0;
+        while (speed > 0 && ++ticks < 100) speed = profile.next(kLimits, .01).linear;
+        QCOMPARE(ticks, 30);
+    }
+};
+
+QTEST_APPLESS_MAIN(DriveProfileTest)
+#include "drive_profile_test.moc"

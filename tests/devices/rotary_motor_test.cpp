@@ -1,0 +1,141 @@
+#include "bench_robot.h"
+#include "devices/rotary_motor.h"
+
+#include <QtTest>
+
+using namespace trundle;
+using namespace trundle::test;
+
+namespace {
+constexpr MotorConstants kM0{.03, 1 / .03, 2, 30, 12, 0, 1};
+} // namespace
+
+class RotaryMotorTest : public QObject {
+    Q_OBJECT
+private slots:
+    /// Thesis eq. 3.1 at 12 V: the row gives T = (rate - w) / softness.
+    void torqueFallsWithTheRate_data() {
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<double>("torque");
+        QTest::newRow("at rest") << 0. << 5.4;
+        QTest::newRow("5 rad/s") << 5. << 3.375;
+        QTest::newRow("10 rad/s") << 10. << 1.35;
+        QTest::newRow("without load") << 40. / 3 << 0.;
+    }
+    void torqueFallsWithTheRate() {
+        QFETCH(double, rate);
+        QFETCH(double, torque);
+        const VoltageRow row = voltageRow(kM0, 12, 0, .01);
+        QVERIFY(std::abs((row.rate - rate) / row.softness - torque) < 1e-12);
+        QVERIFY(std::abs(row.limit - 5.4) < 1e-12);
+        QVERIFY(std::abs(1 / row.softness - .405) < 1e-12);
+    }
+
+    /// A lifted wheel comes to the no-load rate at any tick, without overshoot.
+    void isStableAtAnyTick_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {.001, .01, .03, .05, .5}) QTest::addRow("%g s", tick) << tick;
+    }
+    void isStableAtAnyTick() {
+        QFETCH(double, tick);
+        BenchRobot robot(tick);
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = 12;
+        double last = 0;
+        for (int i = 0; i < 2000; ++i) {
+            robot.tick();
+            const double rate = robot.signal("motor/rate")[0];
+            QVERIFY(rate >= last - 1e-12 && rate < 40. / 3 + 1e-9);
+            last = rate;
+        }
+        QVERIFY(std::abs(last - 40. / 3) < 1e-6);
+    }
+
+    void spinsUpWithItsTimeConstant() {
+        BenchRobot robot(.0001);
+        robot.joint("axle").inertia = .0405; // tau = I / b = .1 s
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = 6;
+        robot.run(.1);
+        QVERIFY(std::abs(robot.signal("motor/rate")[0] / (20. / 3) - (1 - std::exp(-1.))) < 1e-3);
+        // i = (V - G w / kv) / R
+        const double current = (6 - 30 * robot.signal("motor/rate")[0] * .03) / 2;
+        QVERIFY(std::abs(robot.signal("motor/current")[0] - current) < 1e-9);
+    }
+
+    void clipsTheVoltage() {
+        BenchRobot robot(.01);
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = -100;
+        robot.run(2);
+        QVERIFY(std::abs(robot.signal("motor/rate")[0] + 40. / 3) < 1e-6);
+    }
+
+    void inductanceDelaysTheCurrent() {
+        BenchRobot robot(1e-5);
+        robot.joint("axle").inertia = 1e9; // held
+        addMotor(robot, "motor", "axle").numbers["Inductance"] = {.02}; // L / R = 10 ms
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = 10;
+        robot.run(.01);
+        QVERIFY2(std::abs(robot.signal("motor/current")[0] - 5 * (1 - std::exp(-1.))) < 2e-3,
+                 qPrintable(QString::number(robot.signal("motor/current")[0])));
+        robot.run(.1);
+        QVERIFY(std::abs(robot.signal("motor/current")[0] - 5) < 1e-3);
+    }
+
+    void rotorWeighsGearRatioSquared() {
+        BenchRobot robot(.01);
+        addMotor(robot, "motor", "axle").numbers["RotorInertia"] = {2e-6};
+        QCOMPARE(robot.setup(), std::string());
+        QVERIFY(std::abs(robot.joint("axle").inertia - (1e-3 + 900 * 2e-6)) < 1e-15);
+    }
+
+    void servoHoldsARateWithinItsTorque() {
+        BenchRobot robot(.01);
+        robot.joint("axle").inertia = .0054;
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/servo")[0] = 1;
+        robot.signal("motor/targetRate")[0] = 5;
+        robot.tick();
+        QVERIFY(std::abs(robot.signal("motor/rate")[0] - 5) < 1e-12);
+        robot.joint("axle").inertia = 5.4; // 5.4 N m turn it by 1 rad/s^2
+        robot.signal("motor/targetRate")[0] = 6;
+        robot.tick();
+        QVERIFY(std::abs(robot.signal("motor/rate")[0] - 5.01) < 1e-12);
+        QVERIFY(std::abs(robot.signal("motor/torque")[0] - 5.4) < 1e-12);
+    }
+
+    void needsExactlyOneSpeedConstant() {
+        BenchRobot both(.01), neither(.01);
+        addMotor(both, "motor", "axle").numbers["SpeedConstant"] = {33};
+        addMotor(neither, "motor", "axle").numbers.erase("BackEmfConstant");
+        QVERIFY(both.setup().find("one of them") != std::string::npos);
+        QVERIFY(neither.setup().find("give SpeedConstant or") != std::string::npos);
+    }
+
+    void namesAJointThatIsNotThere() {
+        BenchRobot robot(.01);
+        addMotor(robot, "motor", "axle").texts["Joint"] = {"axel"};
+        QVERIFY(robot.setup().find("'axel'") != std::string::npos);
+    }
+
+    void takesNoNumberForZeroAndSaysSoOnce() {
+        BenchRobot robot(.01);
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = std::nan("");
+        robot.tick();
+        robot.signal("motor/voltage")[0] = HUGE_VAL;
+        robot.tick();
+        QCOMPARE(robot.signal("motor/rate")[0], 0.);
+        QCOMPARE(robot.warnings.size(), std::size_t(1));
+    }
+};
+
+QTEST_APPLESS_MAIN(RotaryMotorTest)
+#include "rotary_motor_test.moc"

@@ -1,0 +1,124 @@
+#include "bench_robot.h"
+#include "devices/encoder.h"
+
+#include <QtTest>
+
+using namespace trundle;
+using namespace trundle::test;
+
+namespace {
+constexpr double kTurn = 2 * M_PI;
+
+BenchDevice& addEncoder(BenchRobot& robot, double counts) {
+    BenchDevice& encoder = robot.device("Encoder", "encoder");
+    robot.joint("axle");
+    encoder.texts = {{"Joint", {"axle"}}};
+    encoder.numbers = {{"CountsPerRevolution", {counts}}};
+    return encoder;
+}
+
+TrundleContact contactOf(double force) {
+    TrundleContact c{};
+    c.force = force;
+    return c;
+}
+} // namespace
+
+class SensorsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void encoderCountsFullSteps_data() {
+        QTest::addColumn<double>("angle");
+        QTest::addColumn<double>("count");
+        QTest::newRow("at the start") << 0. << 0.;
+        QTest::newRow("just before the first edge") << kTurn / 512 * .999 << 0.;
+        QTest::newRow("on the first edge") << kTurn / 512 << 1.;
+        QTest::newRow("rounded onto an edge") << kTurn / 512 * 3 * (1 - 1e-15) << 3.;
+        QTest::newRow("one turn") << kTurn << 512.;
+        QTest::newRow("many turns") << 1e6 * kTurn + .001 << 512e6;
+        QTest::newRow("a little backwards") << -.001 << -1.;
+        QTest::newRow("rounding at rest") << -1e-17 << 0.;
+        QTest::newRow("one step back") << -kTurn / 512 << -1.;
+        QTest::newRow("a step and a half back") << -kTurn / 512 * 1.5 << -2.;
+    }
+    void encoderCountsFullSteps() {
+        QFETCH(double, angle);
+        QFETCH(double, count);
+        QCOMPARE(encoderCount(angle, 512), count);
+    }
+
+    void encoderPublishesWhatItCounted() {
+        BenchRobot robot(.01);
+        addEncoder(robot, 100);
+        QCOMPARE(robot.setup(), std::string());
+        robot.joint("axle").rate = 3.3; // .525 counts a tick
+        robot.tick();
+        QCOMPARE(robot.signal("encoder/count")[0], 0.);
+        QCOMPARE(robot.signal("encoder/rate")[0], 0.);
+        robot.tick();
+        QCOMPARE(robot.signal("encoder/count")[0], 1.);
+        QCOMPARE(robot.signal("encoder/angle")[0], kTurn / 100);
+        QVERIFY(std::abs(robot.signal("encoder/rate")[0] - kTurn) < 1e-12);
+        QCOMPARE(robot.signal("encoder/index")[0], 0.);
+    }
+
+    void quadratureCountsFourTimes() {
+        BenchRobot robot(.01);
+        addEncoder(robot, 100).numbers["Quadrature"] = {1};
+        QCOMPARE(robot.setup(), std::string());
+        robot.joint("axle").rate = 100 * kTurn; // one turn a tick
+        robot.tick();
+        QCOMPARE(robot.signal("encoder/count")[0], 400.);
+        QVERIFY(std::abs(robot.signal("encoder/angle")[0] - kTurn) < 1e-12);
+    }
+
+    void indexPulsesOncePerTurn() {
+        BenchRobot robot(.01);
+        addEncoder(robot, 16).numbers["Index"] = {1};
+        QCOMPARE(robot.setup(), std::string());
+        robot.joint("axle").rate = 10 * kTurn; // a tenth of a turn a tick
+        int pulses = 0;
+        for (int i = 0; i < 35; ++i) {
+            robot.tick();
+            pulses += robot.signal("encoder/index")[0] != 0;
+        }
+        QCOMPARE(pulses, 3);
+    }
+
+    void touchIsPressedByContacts() {
+        BenchRobot robot(.01);
+        robot.contacts = {{"chassis.bumper", {}}, {"chassis.side", {}}};
+        robot.device("TouchSensor", "touch").texts = {{"Geom", {"chassis.bumper", "chassis.side"}}};
+        QCOMPARE(robot.setup(), std::string());
+        robot.tick();
+        QCOMPARE(robot.signal("touch/pressed")[0], 0.);
+        robot.contacts["chassis.side"].assign(20, contactOf(.5)); // more than the sensor has room for at first
+        robot.contacts["chassis.bumper"] = {contactOf(2)};
+        robot.tick();
+        QCOMPARE(robot.signal("touch/pressed")[0], 1.);
+        QCOMPARE(robot.signal("touch/force")[0], 12.);
+        QCOMPARE(robot.signal("touch/count")[0], 21.);
+        robot.contacts["chassis.side"].clear();
+        robot.contacts["chassis.bumper"].clear();
+        robot.tick();
+        QCOMPARE(robot.signal("touch/pressed")[0], 0.);
+        QCOMPARE(robot.signal("touch/force")[0], 0.);
+    }
+
+    void touchIgnoresLessThanMinForce() {
+        BenchRobot robot(.01);
+        robot.contacts = {{"chassis.bumper", {contactOf(1), contactOf(1.5)}}};
+        BenchDevice& touch = robot.device("TouchSensor", "touch");
+        touch.texts = {{"Geom", {"chassis.bumper"}}};
+        touch.numbers = {{"MinForce", {3}}};
+        QCOMPARE(robot.setup(), std::string());
+        robot.tick();
+        QCOMPARE(robot.signal("touch/pressed")[0], 0.);
+        robot.contacts["chassis.bumper"].push_back(contactOf(.5));
+        robot.tick();
+        QCOMPARE(robot.signal("touch/pressed")[0], 1.);
+    }
+};
+
+QTEST_APPLESS_MAIN(SensorsTest)
+#include "sensors_test.moc"

@@ -1,0 +1,80 @@
+#include "flow/cli.h"
+
+class EditTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    /// Copies of the configs, so that an edit that writes touches nothing of ours.
+    QString copied(const QString& name) {
+        for (const QString& path : allConfigs()) {
+            const QString to = m_folder.filePath("configs/" + QDir(TRUNDLE_SOURCE_DIR "/configs").relativeFilePath(path));
+            QDir().mkpath(QFileInfo(to).path());
+            QFile::remove(to);
+            QFile::copy(path, to);
+        }
+        return m_folder.filePath("configs/" + name);
+    }
+
+private Q_SLOTS:
+    void anEditChangesOnlyTheValuesCharacters();
+    void anEditOfAConfigIsWrittenIntoTheFileThatOwnsIt();
+    void withoutWriteNothingIsWritten();
+    void aNewOverrideIsAddedToTheInstance();
+    void awrongPathChangesNothing();
+};
+
+void EditTest::anEditChangesOnlyTheValuesCharacters() {
+    const QString path = copied("experiments/linear_motion.sim");
+    const QByteArray before = contentOf(path);
+    const Outcome edit = cli({"edit", path, "--set", "robot0.brain.Distance=2.5", "--write"});
+    QVERIFY2(edit.code == 0, shown(edit));
+    QByteArray expected = before;
+    QCOMPARE(expected.count("Distance=1.0"), 1);
+    expected.replace("Distance=1.0", "Distance=2.5");
+    QCOMPARE(contentOf(path), expected);
+}
+
+void EditTest::anEditOfAConfigIsWrittenIntoTheFileThatOwnsIt() {
+    const QString path = copied("experiments/linear_motion.sim");
+    const QByteArray before = contentOf(path);
+    const QString owner = m_folder.filePath("configs/robots/simple_robot.sim");
+    QByteArray expected = contentOf(owner);
+    const qsizetype at = expected.indexOf("Resistance=2");
+    expected.replace(at, 12, "Resistance=3");
+    const Outcome edit = cli({"edit", path, "--set", "RobotConfig.SimpleRobot.leftMotor.Resistance=3", "--write"});
+    QVERIFY2(edit.code == 0, shown(edit));
+    QCOMPARE(contentOf(owner), expected);
+    QCOMPARE(contentOf(path), before);
+}
+
+void EditTest::withoutWriteNothingIsWritten() {
+    const QString path = copied("experiments/linear_motion.sim");
+    const QByteArray before = contentOf(path);
+    const Outcome edit = cli({"edit", path, "--set", "Duration=5"});
+    QVERIFY2(edit.code == 0, shown(edit));
+    QByteArray expected = before;
+    expected.replace("Duration = 12", "Duration = 5");
+    QCOMPARE(edit.out, expected);
+    QCOMPARE(contentOf(path), before);
+}
+
+void EditTest::aNewOverrideIsAddedToTheInstance() {
+    const QString path = copied("experiments/linear_motion.sim");
+    const Outcome edit = cli({"edit", path, "--set", "robot0.leftMotor.Resistance=3", "--write"});
+    QVERIFY2(edit.code == 0, shown(edit));
+    QVERIFY2(contentOf(path).contains("leftMotor.Resistance"), contentOf(path));
+    const Outcome check = cli({"check", path});
+    QVERIFY2(check.code == 0, shown(check));
+}
+
+void EditTest::awrongPathChangesNothing() {
+    const QString path = copied("experiments/linear_motion.sim");
+    const QByteArray before = contentOf(path);
+    const Outcome edit = cli({"edit", path, "--set", "robot0.leftMoter.Resistance=3", "--write"});
+    QVERIFY2(edit.code == 1, shown(edit));
+    QVERIFY2(edit.err.contains("leftMotor"), shown(edit));
+    QCOMPARE(contentOf(path), before);
+}
+
+QTEST_GUILESS_MAIN(EditTest)
+#include "edit_test.moc"

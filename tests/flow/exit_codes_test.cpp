@@ -1,0 +1,229 @@
+#include "flow/cli.h"
+
+class ExitCodesTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    QString experiment(const char* name, const QByteArray& robot, const QByteArray& settings = "Duration = 0.1") {
+        const QString path = m_folder.filePath(name);
+        if (!writeFile(path, settings + "\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
+                                        "Static floor { Config=OpenFloor }\nRobot robot0 { Config=SimpleRobot " + robot + " }\n"))
+            return {};
+        return path;
+    }
+
+private Q_SLOTS:
+    void everyEndHasItsCode_data();
+    void everyEndHasItsCode();
+    void helpStandsEverywhereWithExamples_data();
+    void helpStandsEverywhereWithExamples();
+    void theVersionIsOneLine();
+    void withoutTheModuleFolderTheDiagnosticSaysWhereItLooked();
+    void aModuleThatIsNotTrustedDoesNotRun();
+    void aFullDiskEndsTheRunHonestly();
+    void jsonIsCompleteWhenTheTextIsWrong();
+    void jsonNamesTheFileThatCannotBeRead();
+    void aCrashInAModuleIsSaid();
+    void anExitInAModuleIsNoSuccess_data();
+    void anExitInAModuleIsNoSuccess();
+    void aFullStandardOutputIsSaid_data();
+    void aFullStandardOutputIsSaid();
+    void aThousandMistakesAreNotAWallOfText();
+    void noFileNameLeadsTheLogsElsewhere();
+};
+
+void ExitCodesTest::everyEndHasItsCode_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QByteArray>("said");
+    const QString good = experiment("good.sim", "");
+    const QString wrong = experiment("wrong.sim", "Possition=1,2,3");
+    QTest::newRow("done") << QStringList{"run", good} << 0 << QByteArray("");
+    QTest::newRow("no command") << QStringList{} << 2 << QByteArray("");
+    QTest::newRow("unknown command") << QStringList{"runn", good} << 2 << QByteArray("runn");
+    QTest::newRow("unknown option") << QStringList{"run", good, "--fast"} << 2 << QByteArray("--fast");
+    QTest::newRow("no file named") << QStringList{"run"} << 2 << QByteArray("FILE");
+    QTest::newRow("no such file") << QStringList{"run", m_folder.filePath("none.sim")} << 2 << QByteArray("none.sim");
+    QTest::newRow("a folder") << QStringList{"run", m_folder.path()} << 2 << QByteArray("folder");
+    QTest::newRow("duration is no number") << QStringList{"run", good, "--duration", "long"} << 2 << QByteArray("duration");
+    QTest::newRow("duration is negative") << QStringList{"run", good, "--duration", "-1"} << 2 << QByteArray("duration");
+    QTest::newRow("duration is nan") << QStringList{"run", good, "--duration", "nan"} << 2 << QByteArray("duration");
+    QTest::newRow("seed is no number") << QStringList{"run", good, "--seed", "x"} << 2 << QByteArray("seed");
+    QTest::newRow("duration is empty") << QStringList{"run", good, "--duration", ""} << 2 << QByteArray("duration");
+    QTest::newRow("duration has a unit") << QStringList{"run", good, "--duration", "5s"} << 2 << QByteArray("a number of seconds");
+    QTest::newRow("duration is beyond the setting's range") << QStringList{"run", good, "--duration", "1e18"} << 2 << QByteArray("from 0 to 1e9");
+    QTest::newRow("seed is negative") << QStringList{"run", good, "--seed", "-1"} << 2 << QByteArray("from 0 to 9007199254740992");
+    QTest::newRow("seed is empty") << QStringList{"run", good, "--seed", ""} << 2 << QByteArray("seed");
+    QTest::newRow("seed is too large to be exact") << QStringList{"run", good, "--seed", "9007199254740993"} << 2 << QByteArray("seed");
+    QTest::newRow("seed is far too large") << QStringList{"run", good, "--seed", "99999999999999999999"} << 2 << QByteArray("seed");
+    QTest::newRow("no such module folder") << QStringList{"run", good, "--modules", m_folder.filePath("none")} << 2 << QByteArray("none");
+    QTest::newRow("a module folder that is a file") << QStringList{"describe", "--modules", good} << 2 << QByteArray("good.sim");
+    QTest::newRow("no such import folder") << QStringList{"check", good, "-I", m_folder.filePath("none")} << 2 << QByteArray("none");
+    QTest::newRow("no Duration anywhere") << QStringList{"run", experiment("endless.sim", "", "")} << 2 << QByteArray("give --duration S");
+    QTest::newRow("errors in the text") << QStringList{"run", wrong} << 1 << QByteArray("E201");
+    QTest::newRow("errors in a --set") << QStringList{"run", good, "--set", "robot0.leftMotor.Resistance=-3"} << 1 << QByteArray("--set#1");
+    QTest::newRow("controller cannot start") << QStringList{"run", experiment("port.sim", "LinearMotion brain { Drive=legs }")} << 4 << QByteArray("legs");
+    QTest::newRow("blown up") << QStringList{"run", experiment("up.sim", "", "Duration = 5\nGravity = 0,0,1000")} << 3 << QByteArray("E501");
+    QTest::newRow("check: fine") << QStringList{"check", good} << 0 << QByteArray("");
+    QTest::newRow("check: errors") << QStringList{"check", good, wrong} << 1 << QByteArray("Possition");
+    QTest::newRow("check: no such file") << QStringList{"check", m_folder.filePath("none.sim")} << 2 << QByteArray("none.sim");
+    const QString far = experiment("far.sim", "Pos=1e5,1e5,0");
+    QTest::newRow("what only the engine refuses") << QStringList{"run", far} << 1 << QByteArray("E203");
+    QTest::newRow("check: what only the engine refuses") << QStringList{"check", far} << 1 << QByteArray("E203");
+    QTest::newRow("print: a broken text too") << QStringList{"print", wrong} << 0 << QByteArray("");
+    QTest::newRow("print: no such file") << QStringList{"print", m_folder.filePath("none.sim")} << 2 << QByteArray("none.sim");
+    QTest::newRow("format: no such file") << QStringList{"format", m_folder.filePath("none.sim")} << 2 << QByteArray("none.sim");
+    QTest::newRow("describe: unknown kind") << QStringList{"describe", "RotaryMoter"} << 2 << QByteArray("RotaryMotor");
+}
+
+void ExitCodesTest::everyEndHasItsCode() {
+    QFETCH(QStringList, arguments);
+    QFETCH(int, code);
+    QFETCH(QByteArray, said);
+    const Outcome outcome = cli(arguments);
+    QVERIFY2(outcome.code == code, shown(outcome));
+    QVERIFY2(outcome.err.contains(said), shown(outcome));
+}
+
+void ExitCodesTest::helpStandsEverywhereWithExamples_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("program") << QStringList{"--help"};
+    for (const char* command : {"run", "check", "print", "format", "edit", "describe"}) QTest::newRow(command) << QStringList{command, "--help"};
+}
+
+void ExitCodesTest::helpStandsEverywhereWithExamples() {
+    QFETCH(QStringList, arguments);
+    const Outcome help = cli(arguments);
+    QVERIFY2(help.code == 0, shown(help));
+    QVERIFY2(help.out.contains("Example") && help.out.contains("  trundle-cli "), shown(help));
+}
+
+void ExitCodesTest::theVersionIsOneLine() {
+    const Outcome version = cli({"--version"});
+    QCOMPARE(version.code, 0);
+    QVERIFY2(QRegularExpression("^trundle-cli [0-9.]+ \\(SDK [0-9.]+\\)\n$").match(version.out).hasMatch(), shown(version));
+}
+
+void ExitCodesTest::withoutTheModuleFolderTheDiagnosticSaysWhereItLooked() {
+    // The same program in a place with no lib/trundle beside it.
+    QVERIFY(QDir(m_folder.path()).mkpath("elsewhere/bin"));
+    const QString program = m_folder.filePath("elsewhere/bin/trundle-cli");
+    QVERIFY(QFile::copy(programPath(), program));
+    const Outcome run = callProgram(program, {"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs")});
+    QVERIFY2(run.code == 1, shown(run));
+    QVERIFY2(run.err.contains("E401"), shown(run));
+    QVERIFY2(run.err.contains("liblinear_motion.so"), shown(run));
+    QVERIFY2(run.err.contains("linear_motion.sim:5:"), shown(run)); // the #loadModule line
+    const Outcome found = callProgram(program, {"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs"), "--modules",
+                                                QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle")});
+    QVERIFY2(found.code == 0, shown(found));
+}
+
+void ExitCodesTest::aModuleThatIsNotTrustedDoesNotRun() {
+    const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle/controllers/liblinear_motion.so");
+    for (const char* ending : {"", ".kinds.json"}) QVERIFY(QFile::copy(library + ending, m_folder.filePath("libmine.so") + ending));
+    QVERIFY(writeFile(m_folder.filePath("mine.sim"), "Duration = 0.1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule mine\n"
+                                                     "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot LinearMotion brain { } }\n"));
+    const Outcome refused = cli({"run", m_folder.filePath("mine.sim")});
+    QVERIFY2(refused.code == 1, shown(refused));
+    QVERIFY2(refused.err.contains("--trust"), shown(refused));
+    const Outcome trusted = cli({"run", m_folder.filePath("mine.sim"), "--trust"});
+    QVERIFY2(trusted.code == 0, shown(trusted));
+    const Outcome named = cli({"run", m_folder.filePath("mine.sim"), "--modules", m_folder.path()});
+    QVERIFY2(named.code == 0, shown(named));
+}
+
+void ExitCodesTest::aFullDiskEndsTheRunHonestly() {
+    const QString path = experiment("much.sim", "", "Duration = 60\nSignalLog all { Signals=\"*\" }");
+    // A shell that may write files of 100 blocks only stands for a full disk.
+    const Outcome run = callProgram("/bin/sh", {"-c", "ulimit -f 100; exec \"$0\" run \"$1\" --json", programPath(), path});
+    QVERIFY2(run.code == 1, shown(run));
+    QVERIFY2(run.err.contains("E503") && run.err.contains("all.csv"), shown(run));
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+    QVERIFY(json["ticks"].toInt() > 0 && json["ticks"].toInt() < 6000);
+    QCOMPARE(json["diagnostics"].toArray().last().toObject()["code"].toString(), QString("E503"));
+}
+
+void ExitCodesTest::jsonIsCompleteWhenTheTextIsWrong() {
+    const Outcome run = cli({"run", experiment("wrong2.sim", "Possition=1,2,3"), "--json"});
+    QCOMPARE(run.code, 1);
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+    QCOMPARE(json["ticks"].toInt(-1), 0);
+    const QJsonObject diagnostic = json["diagnostics"].toArray().first().toObject();
+    QCOMPARE(diagnostic["severity"].toString(), QString("error"));
+    QCOMPARE(diagnostic["line"].toInt(), 6);
+    QCOMPARE(diagnostic["suggestions"].toArray().first().toString(), QString("Pos"));
+}
+
+void ExitCodesTest::jsonNamesTheFileThatCannotBeRead() {
+    const QString none = m_folder.filePath("none.sim");
+    const Outcome run = cli({"run", none, "--json"});
+    QCOMPARE(run.code, 2);
+    QCOMPARE(QJsonDocument::fromJson(run.out).object()["diagnostics"].toArray().first().toObject()["file"].toString(), none);
+}
+
+void ExitCodesTest::aCrashInAModuleIsSaid() {
+    const QString path = m_folder.filePath("crash.sim");
+    QVERIFY(writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot Exits brain { Recurse=true } }\n"));
+    const Outcome run = cli({"run", path, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules")});
+    QCOMPARE(run.code, -2); // it did crash
+    QVERIFY2(run.err.contains("crashed in the middle of the run") || run.err.contains("Sanitizer"), shown(run));
+}
+
+void ExitCodesTest::anExitInAModuleIsNoSuccess_data() {
+    QTest::addColumn<QByteArray>("early");
+    QTest::newRow("in update") << QByteArray("false");
+    QTest::newRow("in setup") << QByteArray("true");
+}
+
+void ExitCodesTest::anExitInAModuleIsNoSuccess() {
+    QFETCH(QByteArray, early);
+    const QString path = m_folder.filePath("exits.sim");
+    QVERIFY(writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot Exits brain { Early=" + early + " } }\n"));
+    const Outcome run = cli({"run", path, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules")});
+    QVERIFY2(run.code == 4, shown(run));
+    QVERIFY2(run.err.contains("ended the program"), shown(run));
+}
+
+void ExitCodesTest::aFullStandardOutputIsSaid_data() {
+    QTest::addColumn<QString>("command");
+    const QString good = experiment("full.sim", "");
+    for (const char* command : {"run '%1'", "run '%1' --json", "check '%1' --json", "print '%1'", "format '%1'", "describe", "describe Box --json"})
+        QTest::newRow(command) << QString(command).replace("%1", good);
+}
+
+void ExitCodesTest::aFullStandardOutputIsSaid() {
+    QFETCH(QString, command);
+    const Outcome outcome = callProgram("/bin/sh", {"-c", "'" + programPath() + "' " + command + " > /dev/full"});
+    QVERIFY2(outcome.code == 1, shown(outcome));
+    QVERIFY2(outcome.err.contains("standard output"), shown(outcome));
+}
+
+void ExitCodesTest::aThousandMistakesAreNotAWallOfText() {
+    const QString path = m_folder.filePath("many.sim");
+    QByteArray text;
+    for (int i = 0; i < 1000; ++i) text += "Nonsense" + QByteArray::number(i) + " = 1\n";
+    QVERIFY(writeFile(path, text));
+    const Outcome check = cli({"check", path});
+    QVERIFY2(check.code == 1, shown(check));
+    QCOMPARE(check.err.count("error E201"), 100);
+    QVERIFY2(check.err.endsWith("... and 900 more messages\n"), shown(check));
+    QVERIFY2(check.out.contains("1000 errors"), shown(check));
+    QCOMPARE(QJsonDocument::fromJson(cli({"check", path, "--json"}).out).array().size(), 1000);
+}
+
+void ExitCodesTest::noFileNameLeadsTheLogsElsewhere() {
+    QVERIFY(QDir(m_folder.path()).mkpath("dots"));
+    const QString folder = m_folder.filePath("dots/");
+    for (const char* name : {"...", "..sim"}) {
+        QVERIFY(QFile::copy(experiment("log.sim", "", "Duration = 0.1\nPoseLog path { }"), folder + name));
+        const Outcome run = cli({"run", folder + name});
+        QVERIFY2(run.code == 0, shown(run));
+        QVERIFY2(QFile::exists(folder + "logs/experiment/path.csv"), shown(run));
+        QVERIFY(!QFile::exists(folder + "path.csv") && !QFile::exists(folder + "logs/path.csv"));
+    }
+}
+
+QTEST_GUILESS_MAIN(ExitCodesTest)
+#include "exit_codes_test.moc"

@@ -1,0 +1,170 @@
+#include <csignal>
+
+#include "flow/cli.h"
+
+class RunFlowTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    Outcome runLinear(QStringList more = {}) {
+        return cli(QStringList{"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs")} + more);
+    }
+    static QByteArray hashLine(const Outcome& outcome) { return outcome.out.split('\n').value(outcome.out.count('\n') - 1); }
+
+private Q_SLOTS:
+    void theSummarySaysWhereTheRobotEndedAndHowFarThatIsFromTheCommand();
+    void jsonIsOneObjectOfTheKnownShape();
+    void theSameInputGivesTheSameBits();
+    void logsChangeNothing();
+    void ctrlCEndsWithEverythingComplete();
+    void aQuietRunSaysNothing();
+    void seedAndSetReachTheExperiment();
+    void theThesisExperimentRuns();
+    void aWalkTouchesEveryWallAndNeverStays();
+};
+
+void RunFlowTest::theSummarySaysWhereTheRobotEndedAndHowFarThatIsFromTheCommand() {
+    const Outcome run = runLinear();
+    QVERIFY2(run.code == 0, shown(run));
+    QVERIFY2(run.out.contains("1200 ticks"), shown(run));
+    QVERIFY2(run.out.contains("x real time"), shown(run));
+    const QRegularExpressionMatch ended = QRegularExpression("robot0 +at x (-?[0-9.]+) m, y (-?[0-9.]+) m").match(run.out);
+    QVERIFY2(ended.hasMatch(), shown(run));
+    QVERIFY(qAbs(ended.captured(1).toDouble() + 0.5) < 0.002);
+    QVERIFY(qAbs(ended.captured(2).toDouble()) < 0.002);
+    const QRegularExpressionMatch drove = QRegularExpression("drove +([0-9.]+) m of 1 m commanded").match(run.out);
+    QVERIFY2(drove.hasMatch(), shown(run));
+    QVERIFY(qAbs(drove.captured(1).toDouble() - 1) < 5e-5);
+    QVERIFY2(run.out.contains("linear_motion.csv"), shown(run));
+    QVERIFY2(run.err.contains("[") && run.err.contains(" robot0] done"), shown(run)); // the controller's own words
+}
+
+void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
+    const Outcome run = runLinear({"--json"});
+    QVERIFY2(run.code == 0, shown(run));
+    QJsonParseError error;
+    const QJsonObject json = QJsonDocument::fromJson(run.out, &error).object();
+    QCOMPARE(error.error, QJsonParseError::NoError);
+    QStringList keys = json.keys();
+    keys.sort();
+    QStringList expected{"ticks", "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash", "quick_ticks", "interrupted", "robots", "diagnostics"};
+    expected.sort();
+    QCOMPARE(keys, expected);
+    QCOMPARE(json["ticks"].toInt(), 1200);
+    QCOMPARE(json["simulated_s"].toDouble(), 12.0);
+    QCOMPARE(json["interrupted"].toBool(true), false);
+    QVERIFY(json["peak_memory_kb"].toInt() > 1000);
+    QVERIFY(QRegularExpression("^[0-9a-f]{16}$").match(json["state_hash"].toString()).hasMatch());
+    QCOMPARE(json["diagnostics"].toArray().size(), 0);
+    const QJsonObject robot = json["robots"].toObject()["robot0"].toObject();
+    QCOMPARE(robot["pos"].toArray().size(), 3);
+    QCOMPARE(robot["hpr"].toArray().size(), 3);
+    const QJsonObject signalsOf = robot["signals"].toObject();
+    // One metre on a wheel of 5 cm is 20 rad: 1629 counts of 512 a turn, less what the slack of a contact takes.
+    QVERIFY2(qAbs(signalsOf["leftEncoder/count"].toInt() - 1629) <= 2, shown(run));
+    QCOMPARE(signalsOf["frontTouch/pressed"].toBool(true), false);
+    QVERIFY2(signalsOf.contains("base/odometry"), shown(run));
+}
+
+void RunFlowTest::theSameInputGivesTheSameBits() {
+    const Outcome first = runLinear({"--hash", "--duration", "2"});
+    QVERIFY2(first.code == 0, shown(first));
+    QVERIFY2(QRegularExpression("^state-hash [0-9a-f]{16} tick 200$").match(hashLine(first)).hasMatch(), shown(first));
+    for (const QStringList& how : {QStringList{}, QStringList{"--quiet"}, QStringList{"--realtime"}})
+        QCOMPARE(hashLine(runLinear(QStringList{"--hash", "--duration", "2"} + how)), hashLine(first));
+    const Outcome json = runLinear({"--json", "--duration", "2"});
+    QVERIFY(hashLine(first).contains(QJsonDocument::fromJson(json.out).object()["state_hash"].toString().toLatin1()));
+    QVERIFY(hashLine(runLinear({"--hash", "--duration", "2.01"})) != hashLine(first));
+}
+
+void RunFlowTest::logsChangeNothing() {
+    QByteArray text = contentOf(configPath("experiments/linear_motion.sim"));
+    const qsizetype log = text.indexOf("PoseLog");
+    QVERIFY(log > 0);
+    QVERIFY(writeFile(m_folder.filePath("without.sim"), text.left(log)));
+    QVERIFY(writeFile(m_folder.filePath("with.sim"), text + "\nContactLog c { }\nEnergyLog e { }\nSignalLog s { Signals=\"*\" }\n"));
+    const Outcome without = cli({"run", m_folder.filePath("without.sim"), "--hash"});
+    const Outcome with = cli({"run", m_folder.filePath("with.sim"), "--hash"});
+    QVERIFY2(without.code == 0 && with.code == 0, shown(without) + shown(with));
+    QCOMPARE(hashLine(with), hashLine(without));
+    QVERIFY(QFileInfo::exists(m_folder.filePath("logs/with/e.csv"))); // the default folder
+    QVERIFY(!QFileInfo::exists(m_folder.filePath("logs/without")));
+}
+
+void RunFlowTest::ctrlCEndsWithEverythingComplete() {
+    QProcess process;
+    process.start(programPath(), {"run", configPath("experiments/linear_motion.sim"), "--duration", "1e7", "--json", "--log-dir", m_folder.filePath("ctrlc")});
+    QVERIFY(process.waitForStarted());
+    process.setReadChannel(QProcess::StandardError); // what waitForReadyRead waits for
+    QByteArray err;
+    while (!err.contains("simulated")) { // the first line of progress: it is running
+        QVERIFY(process.waitForReadyRead(60'000) || process.bytesAvailable() > 0 || process.state() == QProcess::Running);
+        err += process.readAllStandardError();
+        QVERIFY2(process.state() == QProcess::Running, err);
+    }
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 130);
+    const QJsonObject json = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+    QVERIFY(json["interrupted"].toBool());
+    QVERIFY(json["ticks"].toInteger() > 0);
+    const QByteArray csv = contentOf(m_folder.filePath("ctrlc/linear_motion.csv"));
+    QVERIFY(csv.endsWith('\n'));
+    QCOMPARE(csv.count('\n'), 1 + (json["ticks"].toInteger() / 10 + 1));
+}
+
+void RunFlowTest::aQuietRunSaysNothing() {
+    const Outcome run = runLinear({"--quiet"});
+    QCOMPARE(run.code, 0);
+    QCOMPARE(run.out, QByteArray());
+    QVERIFY2(!run.err.contains("simulated"), shown(run));
+}
+
+void RunFlowTest::seedAndSetReachTheExperiment() {
+    const auto walk = [&](const QStringList& more) {
+        return cli(QStringList{"run", configPath("experiments/obstacle_detection.sim"), "--duration", "20", "--quiet", "--hash", "--log-dir", m_folder.filePath("w")} + more);
+    };
+    const Outcome first = walk({"--seed", "1"});
+    QVERIFY2(first.code == 0, shown(first));
+    QCOMPARE(walk({}).out, first.out); // the text's own seed is 1
+    QVERIFY(walk({"--seed", "2"}).out != first.out);
+    QVERIFY(walk({"--set", "robot0.brain.Speed=0.25"}).out != first.out);
+    const Outcome wrong = walk({"--set", "robot0.brain.Sped=0.25"});
+    QCOMPARE(wrong.code, 1);
+    QVERIFY2(wrong.err.contains("--set#1:1:") && wrong.err.contains("Speed"), shown(wrong));
+}
+
+void RunFlowTest::theThesisExperimentRuns() {
+    const Outcome run = cli({"run", configPath("experiments/thesis_figure_3_4.txt"), "--duration", "9", "--json", "--log-dir", m_folder.filePath("t")});
+    QVERIFY2(run.code == 0, shown(run));
+    const QJsonObject robot = QJsonDocument::fromJson(run.out).object()["robots"].toObject()["robot0"].toObject();
+    QVERIFY2(qAbs(robot["pos"].toArray()[2].toDouble()) < 0.002, shown(run)); // landed on its wheels
+    QVERIFY2(robot["pos"].toArray()[0].toDouble() > 0.5, shown(run));         // and drove off
+}
+
+void RunFlowTest::aWalkTouchesEveryWallAndNeverStays() {
+    const QString logs = m_folder.filePath("walk");
+    const Outcome run = cli({"run", configPath("experiments/obstacle_detection.sim"), "--quiet", "--log-dir", logs, "--seed", "3"});
+    QVERIFY2(run.code == 0, shown(run));
+    double low[2] = {9, 9}, high[2] = {-9, -9};
+    for (const QByteArray& line : contentOf(logs + "/obstacle_detection.csv").split('\n').mid(1)) {
+        const QList<QByteArray> cells = line.split(',');
+        for (int i = 0; i < 2 && cells.size() > 3; ++i) {
+            low[i] = std::min(low[i], cells[2 + i].toDouble());
+            high[i] = std::max(high[i], cells[2 + i].toDouble());
+        }
+    }
+    // The bumper is 17 cm in front: a wall 2 m from the middle is touched from 1.83 m at most, a slanted one from less far away.
+    for (int i = 0; i < 2; ++i) QVERIFY2(low[i] < -1.6 && high[i] > 1.6, qPrintable(QString("%1 %2").arg(low[i]).arg(high[i])));
+    int held = 0, longest = 0;
+    for (const QByteArray& line : contentOf(logs + "/touch.csv").split('\n').mid(1)) {
+        held = line.endsWith(",1") ? held + 1 : 0;
+        longest = std::max(longest, held);
+    }
+    QVERIFY2(longest > 0 && longest <= 100, qPrintable(QString("pressed for %1 ticks").arg(longest)));
+}
+
+QTEST_GUILESS_MAIN(RunFlowTest)
+#include "run_test.moc"

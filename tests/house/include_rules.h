@@ -1,0 +1,40 @@
+#pragma once
+#include <QMap>
+#include <QSet>
+#include <QString>
+#include <QStringList>
+
+namespace trundle {
+
+/// What one row of the table in core/README.md allows.
+struct FolderRule {
+    QStringList mayInclude; ///< folders of core, or single headers "project/sources.h"
+    QSet<QString> foreign;  ///< "std", "qt", ...
+};
+
+/// The table "Who may include whom", by folder.
+class IncludeRules {
+public:
+    /// Reads the rows whose first cell begins with core/, app/ or plugins.
+    [[nodiscard]] static IncludeRules fromMarkdown(const QString& text);
+
+    [[nodiscard]] bool isEmpty() const { return m_rules.isEmpty(); }
+    [[nodiscard]] QStringList folders() const { return m_rules.keys(); }
+    /// The longest folder that holds the file; empty where no row does.
+    [[nodiscard]] QString folderOf(const QString& path) const;
+    /// Why `file` must not have this #include line, or nothing.
+    [[nodiscard]] QString complaint(const QString& file, const QString& included, bool inAngles) const;
+    /// Why the library of core/<folder> must not link trundle::<library>, or nothing.
+    [[nodiscard]] QString linkComplaint(const QString& folder, const QString& library) const;
+
+private:
+    QMap<QString, FolderRule> m_rules;
+};
+
+/// "std", "posix", "qt" ... for an #include of something that is not ours; "sdk" for <trundle/...>; empty where it is unknown.
+[[nodiscard]] QString libraryOf(const QString& header);
+
+struct IncludeLine { int line = 0; QString header; bool inAngles = false; };
+[[nodiscard]] QList<IncludeLine> includesOf(const QString& text);
+
+} // namespace trundle

@@ -1,0 +1,92 @@
+// The arrows of core/README.md, held against the sources.
+
+#include <QtTest>
+
+#include "house/include_rules.h"
+#include "house/source_files.h"
+
+using namespace trundle;
+
+class LayersTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        const auto readme = sourceFiles({"core/README.md"}, {});
+        QCOMPARE(readme.size(), 1);
+        m_rules = IncludeRules::fromMarkdown(readme.first().text);
+        QVERIFY(m_rules.folders().size() >= 15);
+    }
+
+    // A rule that lets everything pass would make the rest of this file worthless.
+    void whatIsForbiddenIsSeen_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("header");
+        QTest::addColumn<bool>("inAngles");
+        QTest::addColumn<bool>("allowed");
+        QTest::newRow("lang uses base") << "core/lang/lexer.cpp" << "base/result.h" << false << true;
+        QTest::newRow("lang knows no model") << "core/lang/lexer.cpp" << "model/experiment_spec.h" << false << false;
+        QTest::newRow("lang knows no schema") << "core/lang/lexer.cpp" << "schema/kind.h" << false << false;
+        QTest::newRow("base looks up to nobody") << "core/base/units.cpp" << "lang/tree.h" << false << false;
+        QTest::newRow("base has no SDK") << "core/base/units.cpp" << "trundle/geometry.h" << true << false;
+        QTest::newRow("POSIX in platform") << "core/base/platform/process.cpp" << "unistd.h" << true << true;
+        QTest::newRow("POSIX elsewhere") << "core/world/world.cpp" << "unistd.h" << true << false;
+        QTest::newRow("ODE behind its door") << "core/world/ode/engine.cpp" << "ode/ode.h" << true << true;
+        QTest::newRow("ODE outside its door") << "core/world/world.cpp" << "ode/ode.h" << true << false;
+        QTest::newRow("ODE in a device") << "core/devices/motor.cpp" << "ode/ode.h" << true << false;
+        QTest::newRow("Qt in the core") << "core/project/project.cpp" << "QString" << true << false;
+        QTest::newRow("the sources interface alone") << "core/control/catalog.cpp" << "project/sources.h" << false << true;
+        QTest::newRow("the rest of project") << "core/control/catalog.cpp" << "project/project.h" << false << false;
+        QTest::newRow("a plugin on the SDK") << "plugins/controllers/a/a.cpp" << "trundle/controller.h" << true << true;
+        QTest::newRow("a plugin in the core") << "plugins/controllers/a/a.cpp" << "base/result.h" << false << false;
+        QTest::newRow("an unknown library") << "core/world/world.cpp" << "boost/any.hpp" << true << false;
+    }
+    void whatIsForbiddenIsSeen() {
+        QFETCH(QString, file);
+        QFETCH(QString, header);
+        QFETCH(bool, inAngles);
+        QFETCH(bool, allowed);
+        const QString complaint = m_rules.complaint(file, header, inAngles);
+        QVERIFY2(complaint.isEmpty() == allowed, qPrintable(complaint));
+    }
+
+    void everyIncludeFollowsTheTable() {
+        QStringList complaints;
+        int count = 0;
+        for (const SourceFile& file : sourceFiles({"core", "app", "plugins"}, {".h", ".cpp", ".hpp", ".c", ".cc", ".inl"})) {
+            for (const IncludeLine& include : includesOf(file.text)) {
+                ++count;
+                const QString complaint = m_rules.complaint(file.path, include.header, include.inAngles);
+                if (!complaint.isEmpty()) complaints << QString("%1:%2: %3").arg(file.path).arg(include.line).arg(complaint);
+            }
+        }
+        QVERIFY2(complaints.isEmpty(), qPrintable("\n" + complaints.join('\n')));
+        QVERIFY(count > 100);
+    }
+
+    void everyLinkFollowsTheTable() {
+        QVERIFY(!m_rules.linkComplaint("lang", "model").isEmpty());
+        QVERIFY(m_rules.linkComplaint("model", "lang").isEmpty());
+        static const QRegularExpression library("trundle::(\\w+)");
+        QStringList complaints;
+        for (const SourceFile& file : sourceFiles({"core"}, {"CMakeLists.txt"})) {
+            const QString folder = file.path.section('/', 1, 1);
+            if (folder == "CMakeLists.txt" || folder == "sdk") continue;
+            for (auto match = library.globalMatch(file.text); match.hasNext();) {
+                const QString complaint = m_rules.linkComplaint(folder, match.next().captured(1));
+                if (!complaint.isEmpty()) complaints << file.path + ": " + complaint;
+            }
+        }
+        QVERIFY2(complaints.isEmpty(), qPrintable("\n" + complaints.join('\n')));
+    }
+
+    void everyFolderOfCoreHasARow() {
+        for (const QString& folder : QDir(TRUNDLE_SOURCE_DIR "/core").entryList(QDir::Dirs | QDir::NoDotAndDotDot))
+            QVERIFY2(m_rules.folders().contains("core/" + folder), qPrintable("core/README.md has no row for core/" + folder));
+    }
+
+private:
+    IncludeRules m_rules;
+};
+
+QTEST_APPLESS_MAIN(LayersTest)
+#include "layers_test.moc"

@@ -1,0 +1,84 @@
+// Broken texts and the whole message each gets: recovery_cases.txt, cases as
+//   ==== name
+//   the text
+//   ----
+//   the messages
+
+#include <QFile>
+#include <QTest>
+
+#include "lang/texts.h"
+#include "lang/tree_edit.h"
+
+using namespace trundle;
+using namespace texts;
+
+class RecoveryTest : public QObject {
+    Q_OBJECT
+private slots:
+    void cases_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("messages");
+        QFile file(QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/lang/recovery_cases.txt"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray all = "\n" + file.readAll();
+        int count = 0;
+        for (qsizetype at = all.indexOf("\n==== "); at >= 0;) {
+            const qsizetype next = all.indexOf("\n==== ", at + 1);
+            const QByteArray one = all.mid(at + 6, next < 0 ? -1 : next + 1 - at - 6);
+            const qsizetype nameEnd = one.indexOf('\n');
+            const qsizetype middle = one.indexOf("\n----\n");
+            QVERIFY2(middle > 0, one.constData());
+            QTest::newRow(one.left(nameEnd).constData()) << one.mid(nameEnd + 1, middle - nameEnd - 1) << one.mid(middle + 6);
+            ++count;
+            at = next;
+        }
+        QVERIFY(count > 50);
+    }
+    void cases()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, messages);
+        const auto tree = parsed(text.toStdString());
+        const QByteArray said = q(texts::messages(*tree));
+        if (said != messages) qInfo("%s", said.constData());
+        QCOMPARE(said, messages);
+        QVERIFY(!tree->diagnostics().empty());
+        // Fixes that are offered make it no worse.
+        for (const Diagnostic& d : tree->diagnostics()) {
+            if (d.fixes.empty()) continue;
+            const auto mended = applied(*tree, d.fixes[0]);
+            QVERIFY2(mended->diagnostics().size() < tree->diagnostics().size(), (q(d.message) + "\n" + q(mended->source().bytes()) + "\n" + q(texts::messages(*mended))).constData());
+        }
+    }
+
+    /// A mistake costs its own line at most: what stands after it is read.
+    void whatFollowsIsRead()
+    {
+        for (const char* broken : {"Pos = 1,2,", "x", "x y z", "= 3", "Pos =", "Pos = 0 0 0", "x == 3", "x: 3", "@@ !!", "#frob", "#import", "x = $(1 +", "x = \"abc", "x = 'abc", "1 2 3", "x = 1..2",
+                                   "x = [1,2", "Robot r { Pos = }", "Param x", "a.b", "a.", ";", ")", "x = 5 }", "x = -", "{ x=1 }", "x = { y=1 }", "x = $", "x = 1 + "}) {
+            const auto tree = parsed(std::string("First = 1\n") + broken + "\nLast = 3\nRobot last { Mass = 1 }\n");
+            const std::string story = std::string(broken) + "\n" + texts::messages(*tree);
+            QVERIFY2(tree->diagnostics().size() >= 1 && tree->diagnostics().size() <= 3, story.c_str());
+            QVERIFY2(tree->items().size() >= 3, story.c_str());
+            const auto* robot = tree->items().back().as<BlockItem>();
+            QVERIFY2(robot && robot->name && robot->name->text == "last" && robot->items.size() == 1, story.c_str());
+            const auto* last = tree->items()[tree->items().size() - 2].as<AssignmentItem>();
+            QVERIFY2(last && last->path[0].text == "Last" && last->value.elements.size() == 1, story.c_str());
+        }
+    }
+
+    void aFloodOfMistakesEnds()
+    {
+        const auto tree = parsed(QByteArray("x = ;\n").repeated(5000).toStdString());
+        QCOMPARE(tree->diagnostics().size(), std::size_t(101));
+        QVERIFY(tree->diagnostics().back().message.find("too many mistakes") != std::string::npos);
+    }
+
+private:
+    static std::shared_ptr<const Tree> applied(const Tree& tree, const Fix& fix) { return applyEdits(tree, fix.edits).value(); }
+};
+
+QTEST_APPLESS_MAIN(RecoveryTest)
+#include "recovery_test.moc"

@@ -1,0 +1,71 @@
+#include <QTest>
+
+#include "lang/texts.h"
+
+using namespace trundle;
+using namespace texts;
+
+class SourceTextTest : public QObject {
+    Q_OBJECT
+private slots:
+    void positions_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("offset");
+        QTest::addColumn<int>("line");
+        QTest::addColumn<int>("column");
+        const auto row = [](const char* name, std::string_view text, int offset, int line, int column) { QTest::newRow(name) << q(text) << offset << line << column; };
+        row("start", "abc", 0, 1, 1);
+        row("end of file", "abc", 3, 1, 4);
+        row("beyond the end", "abc", 99, 1, 4);
+        row("LF", "a\nb", 2, 2, 1);
+        row("CR LF", "a\r\nb", 3, 2, 1);
+        row("on the LF of CR LF", "a\r\nb", 2, 1, 3);
+        row("lone CR", "a\rb", 2, 2, 1);
+        row("LF CR is two ends", "a\n\rb", 3, 3, 1);
+        row("a tab is one column", "\t\tb", 2, 1, 3);
+        row("a BOM is none", "\xEF\xBB\xBF" "ab", 4, 1, 2);
+        row("two bytes, one column", "\xC3\xA4" "b", 2, 1, 2);
+        row("four bytes, one column", "\xF0\x9F\x98\x80" "b", 4, 1, 2);
+        row("inside a code point", "\xC3\xA4" "b", 1, 1, 1);
+        row("a broken byte is one column", "\xFF\xFF" "b", 2, 1, 3);
+        row("after the last line end", "a\n", 2, 2, 1);
+    }
+    void positions()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(int, offset);
+        const LineColumn at = SourceText("t", text.toStdString()).position(static_cast<std::uint32_t>(offset));
+        QTEST(static_cast<int>(at.line), "line");
+        QTEST(static_cast<int>(at.column), "column");
+    }
+
+    void linesHaveNoLineEnds()
+    {
+        const SourceText text("t", "one\r\ntwo\rthree\n");
+        QCOMPARE(text.lineCount(), 4u);
+        QCOMPARE(q(text.line(1)), QByteArray("one"));
+        QCOMPARE(q(text.line(2)), QByteArray("two"));
+        QCOMPARE(q(text.line(3)), QByteArray("three"));
+        QCOMPARE(q(text.line(4)), QByteArray(""));
+        QCOMPARE(q(text.line(5)), QByteArray(""));
+        QCOMPARE(q(text.line(0)), QByteArray(""));
+    }
+
+    void slicesStayInside()
+    {
+        const SourceText text("t", "abc");
+        QCOMPARE(q(text.slice({1, 3})), QByteArray("bc"));
+        QCOMPARE(q(text.slice({1, 99})), QByteArray("bc"));
+        QCOMPARE(q(text.slice({99, 100})), QByteArray(""));
+        SourceTable table;
+        QCOMPARE(q(table.slice({7, {0, 1}})), QByteArray(""));
+        const FileId file = table.add(std::make_shared<const SourceText>("t", "abc"));
+        QCOMPARE(q(table.slice({file, {0, 2}})), QByteArray("ab"));
+        table.replace(file, std::make_shared<const SourceText>("t", "xyz"));
+        QCOMPARE(q(table.slice({file, {0, 2}})), QByteArray("xy"));
+    }
+};
+
+QTEST_APPLESS_MAIN(SourceTextTest)
+#include "source_text_test.moc"

@@ -1,0 +1,133 @@
+// Texts that no person would write: whatever comes in, something sensible is said and the program goes on.
+// TRUNDLE_LONG sets how many mutations are tried (default 300).
+
+#include <QTest>
+
+#include "base/rng.h"
+#include "sample_project.h"
+
+using namespace trundle;
+using sample::Desk;
+
+namespace {
+
+std::string scene() {
+    return std::string(sample::kGoodRobot) + R"(
+#loadModule walker
+Tick = 0.01 Duration = 5
+Param gap = 40 cm
+StaticConfig Arena { Plane floor { Material=grey Surface=rubber } Box north { Size=4,0.1,0.3 Pos=0,2,0.15 Material=grey Surface=rubber } }
+Static arena { Config=Arena }
+Robot robot0 { Config=Rover Pos=$gap,0,0 leftMotor.Resistance=$(gap/gap*3) Walker brain { Speed=0.2 } }
+Grid swarm { Config=Rover Count=3,2 Spacing=$gap Pos=0,0,1 wheelRadius=0.04 }
+Scatter crowd { Config=Rover Count=5 Area=-1,-1,1,1 Pos=8,8,0 }
+PoseLog path { Robot=robot0, swarm Interval=0.1 }
+)";
+}
+
+class Dice {
+public:
+    explicit Dice(std::uint64_t seed) : m_seed(seed) {}
+    std::size_t below(std::size_t n) { return static_cast<std::size_t>(randomBits(m_seed, 0, 0, m_index++) % n); }
+
+private:
+    std::uint64_t m_seed, m_index = 0;
+};
+
+/// Words, numbers and marks are cut out, doubled, exchanged and replaced by other legal ones.
+std::string mutated(std::string text, Dice& dice) {
+    static const char* const pieces[] = {"{", "}", "=", ",", "$", "$(", ")", "0", "-1", "1e308", "1e-308", "1e9", "nan", "true", "world", "\"", "//", "/*", "\n",
+                                         "Body x {", "Box", "Param", "#import main.sim\n", "#loadModule mystery\n", "swarm_0", "robot0.", "Config=Rover", "Count=400,500",
+                                         "Mass=1", "Inertia=1,1,1", "Scatter", "Grid", "gap", "$gap", "cm", "kg", ".", "\xff", "\xe2\x88\x92"};
+    for (std::size_t n = 1 + dice.below(4); n-- > 0;) {
+        const std::size_t at = dice.below(text.size() + 1), length = std::min(dice.below(30), text.size() - at);
+        switch (dice.below(5)) {
+        case 0: text.erase(at, length); break;
+        case 1: text.insert(dice.below(text.size() + 1), text.substr(at, length)); break;
+        case 2: text.insert(at, pieces[dice.below(std::size(pieces))]); break;
+        case 3: text.replace(at, length, pieces[dice.below(std::size(pieces))]); break;
+        default: text.insert(dice.below(text.size() + 1), text.substr(at, std::min<std::size_t>(text.size() - at, 400))); break;
+        }
+    }
+    return text;
+}
+
+void checkSound(const ExperimentSpec& e) {
+    for (const RobotSpec& robot : e.robots) {
+        QVERIFY(robot.config && !robot.config->bodies.empty());
+        QVERIFY(robot.pose.position.allFinite());
+        const int bodies = static_cast<int>(robot.config->bodies.size());
+        for (const BodySpec& body : robot.config->bodies) {
+            QVERIFY(body.mass.mass > 0 && body.mass.inertia.allFinite() && body.mass.inertia.diagonal().minCoeff() > 0);
+            for (const GeomSpec& geom : body.geoms) QVERIFY(geom.material < e.materials.size() && geom.surface < e.surfaces.size());
+        }
+        for (const JointSpec& joint : robot.config->joints) {
+            QVERIFY(joint.child >= 0 && joint.child < bodies && joint.parent >= kWorldBody && joint.parent < bodies && joint.parent != joint.child);
+            QVERIFY(std::abs(joint.axis.norm() - 1) < 1e-9);
+        }
+    }
+}
+
+} // namespace
+
+class HostileTextsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void theSceneItselfIsRight() {
+        Desk desk;
+        QCOMPARE(sample::rendered(*desk.open(scene())), "");
+    }
+
+    void mutations() {
+        const std::string many = qEnvironmentVariable("TRUNDLE_LONG").toStdString();
+        const int count = many.empty() ? 300 : std::max(std::atoi(many.c_str()), 5000);
+        Desk desk;
+        for (int i = 0; i < count; ++i) {
+            Dice dice(static_cast<std::uint64_t>(i));
+            const std::string text = mutated(scene(), dice);
+            const auto loaded = desk.open(text);
+            QVERIFY(loaded);
+            QCOMPARE(print(*loaded->trees[0]), text);
+            checkSound(*loaded->experiment);
+            (void)sample::rendered(*loaded);
+        }
+    }
+
+    void mutationsOfSets() {
+        Desk desk;
+        for (int i = 0; i < 200; ++i) {
+            Dice dice(static_cast<std::uint64_t>(1000 + i));
+            desk.options.sets = {mutated("robot0.leftMotor.Resistance=3", dice), mutated("RobotConfig.Rover.chassis.hull.Mass=2 kg", dice), mutated("swarm_1.Pos=1,2,3", dice)};
+            checkSound(*desk.open(scene())->experiment);
+        }
+    }
+
+    void manyFaultsStayQuick() {
+        Desk desk;
+        std::string text = "RobotConfig Big {\n";
+        for (int i = 0; i < 20000; ++i) text += "Boddy b" + std::to_string(i) + " { }\nHinge h" + std::to_string(i) + " { Parent=x Child=y" + std::to_string(i) + " }\n";
+        const auto loaded = desk.open(text + "}\n");
+        QVERIFY(loaded->diagnostics.errorCount() > 20000);
+    }
+
+    void longChainsOfParams() {
+        Desk desk;
+        std::string text = "Param p0 = 1\n", lists = "Param q0 = 1,1\n";
+        for (int i = 1; i < 3000; ++i) text += "Param p" + std::to_string(i) + " = $(p" + std::to_string(i - 1) + "+1)\n";
+        for (int i = 1; i < 60; ++i) lists += "Param q" + std::to_string(i) + " = $q" + std::to_string(i - 1) + ", $q" + std::to_string(i - 1) + "\n";
+        (void)desk.open("Tick = $p2999\n" + text);
+        (void)desk.open("Gravity = $q59\n" + lists);
+    }
+
+    void hugeNumbers() {
+        Desk desk;
+        for (const char* n : {"1e308", "-1e308", "1e-308", "4e18", "99999999999999999999"}) {
+            const auto loaded = desk.open(scene() + "Robot x { Config=Rover Pos=" + n + "," + n + "," + n + " HPR=" + n + ",0,0 wheelRadius=" + n + " leftMotor.GearRatio=" + n +
+                                          " }\nGrid g { Config=Rover Count=" + n + " Spacing=" + n + " }\nSeed=" + n + "\nIterations=" + n + "\n");
+            checkSound(*loaded->experiment);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(HostileTextsTest)
+#include "hostile_texts_test.moc"

@@ -1,0 +1,352 @@
+#include <QTest>
+
+#include <sys/stat.h>
+
+#include "model/provenance.h"
+#include "sample_project.h"
+
+using namespace trundle;
+using sample::Desk;
+
+namespace {
+
+/// Compares what is said, message by message.
+#define SAYS(loaded, expected) QCOMPARE(QString::fromStdString(sample::messages(*(loaded))), QString(expected))
+
+std::string scene(const std::string& more) { return std::string(sample::kGoodRobot) + more; }
+
+} // namespace
+
+class ProjectTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aWholeRobot() {
+        Desk desk;
+        const auto loaded = desk.open(scene("Tick = 5 ms  Seed = 7\nRobot robot0 { Config=Rover Pos=1,2,0 HPR=90,0,0 Walker brain { Speed=20cm/s } }\n#loadModule walker\n"));
+        SAYS(loaded, "");
+        const ExperimentSpec& e = *loaded->experiment;
+        QCOMPARE(e.settings.tick, 0.005);
+        QCOMPARE(e.settings.seed, 7u);
+        QCOMPARE(e.robots.size(), 1u);
+        const RobotSpec& robot = e.robots[0];
+        QCOMPARE(robot.name, "robot0");
+        QVERIFY((robot.pose * Vec3(1, 0, 0) - Vec3(1, 3, 0)).norm() < 1e-12);
+        const RobotConfigSpec& config = *robot.config;
+        QCOMPARE(config.bodies.size(), 3u);
+        QCOMPARE(config.bodies[0].mass.mass, 2.0);
+        QVERIFY((config.bodies[0].mass.centre - Vec3(0, 0, 0.09)).norm() < 1e-12);
+        QCOMPARE(config.bodies[1].geoms[0].radius, 0.05);
+        QCOMPARE(config.bodies[1].geoms[0].material, 1u);
+        QCOMPARE(config.joints[0].axis, Vec3(0, 1, 0));
+        QCOMPARE(config.joints[0].anchor, Vec3(0, 0.1, 0.05));
+        QCOMPARE(config.joints[0].parent, 0);
+        QCOMPARE(config.joints[0].child, 1);
+        QCOMPARE(config.devices.size(), 4u);
+        QCOMPARE(config.devices[0].number("Resistance"), 2.0);
+        QCOMPARE(config.devices[2].text("Control"), "servo");
+        QCOMPARE(config.devices[3].texts("Geom").front(), "chassis.hull");
+        QVERIFY(robot.controller);
+        QCOMPARE(robot.controller->number("Speed"), 0.2);
+        QCOMPARE(robot.controller->number("UpdatePeriod"), 0.0);
+        QCOMPARE(e.modules.at(0).library, "/modules/libwalker.so");
+    }
+
+    void paramsAndOverrides() {
+        Desk desk;
+        const auto loaded = desk.open(scene(R"(
+Param big = 8 cm
+Robot plain { Config=Rover }
+Robot fat { Config=Rover wheelRadius=$big leftMotor.Resistance=$(big*100/4) chassis.hull.Mass=500 g }
+Robot twin { Config=Rover wheelRadius=$big leftMotor.Resistance=2 chassis.hull.Mass=0.5 }
+Robot plain2 { Config=Rover }
+)"));
+        // big*100/4 is 2 m: a length is no resistance
+        SAYS(loaded, "E206 Resistance is a resistance (ohm), m is a length\n");
+        const auto& robots = loaded->experiment->robots;
+        QCOMPARE(robots.size(), 4u);
+        QVERIFY(robots[0].config == robots[3].config);
+        QVERIFY(robots[0].config != robots[2].config);
+        QCOMPARE(robots[2].config->bodies[1].geoms[0].radius, 0.08);
+        QCOMPARE(robots[2].config->bodies[1].pose.position.z(), 0.08);
+        QCOMPARE(robots[2].config->bodies[0].mass.mass, 0.5);
+        QCOMPARE(robots[2].config->devices[0].find("Resistance")->origin, Origin::Instance);
+        QCOMPARE(robots[0].config->devices[0].find("Resistance")->origin, Origin::Config);
+        QCOMPARE(robots[0].config->devices[0].find("GearRatio")->origin, Origin::Default);
+        QCOMPARE(robots[0].config->devices[2].find("WheelRadius")->origin, Origin::Param);
+    }
+
+    void expressions_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("value");
+        QTest::newRow("order") << "$(1 + 2 * 3)" << 7.0;
+        QTest::newRow("power") << "$(2 ^ 3 ^ 2)" << 512.0;
+        QTest::newRow("minus") << "$(-2 ^ 2)" << -4.0;
+        QTest::newRow("functions") << "$(max(1, min(5, 3), 2) + abs(-1) + sqrt(16))" << 8.0;
+        QTest::newRow("degrees") << "$(sin(30) * 2 + cos(60) * 2 + tan(45))" << 3.0;
+        QTest::newRow("pi") << "$(pi)" << std::numbers::pi;
+        QTest::newRow("length") << "$(w * 2)" << 0.1;
+        QTest::newRow("percent") << "$(half * 4)" << 2.0;
+        QTest::newRow("ratio") << "$(w / 0.05)" << 1.0;
+    }
+    void expressions() {
+        QFETCH(QString, text);
+        QFETCH(double, value);
+        Desk desk;
+        const auto loaded = desk.open(scene("Param half = 50%\nParam w = 5 cm\nRobot robot0 { Config=Rover Pos=" + text.toStdString() + ",0,0 }\n"));
+        SAYS(loaded, "");
+        QVERIFY(std::abs(loaded->experiment->robots[0].pose.position.x() - value) < 1e-9);
+    }
+
+    void aGridInOrder() {
+        Desk desk;
+        const auto loaded = desk.open(scene("Grid swarm { Config=Rover Count=3,2 Spacing=2,1 Pos=10,0,0 HPR=90,0,0 }\nPoseLog all { Robot=swarm }\nPoseLog one { Robot=swarm_4 }\n"));
+        SAYS(loaded, "");
+        const auto& robots = loaded->experiment->robots;
+        QCOMPARE(robots.size(), 6u);
+        QCOMPARE(robots[5].name, "swarm_5");
+        QVERIFY((robots[0].pose.position - Vec3(10.5, -2, 0)).norm() < 1e-12);
+        QVERIFY((robots[2].pose.position - Vec3(10.5, 2, 0)).norm() < 1e-12);
+        QVERIFY((robots[3].pose.position - Vec3(9.5, -2, 0)).norm() < 1e-12);
+        QVERIFY(robots[0].config == robots[5].config);
+        QCOMPARE(loaded->experiment->logs.at(0).texts("Robot").size(), 6u);
+        QCOMPARE(loaded->experiment->logs.at(1).texts("Robot").at(0), "swarm_4");
+    }
+
+    void aScatterKeepsClear() {
+        Desk desk;
+        const std::string text = scene(R"(
+StaticConfig Arena {
+  Plane floor { Material=grey Surface=rubber }
+  Box slab { Size=10,10,0.1 Pos=0,0,-0.05 Material=grey Surface=rubber }
+  Box block { Size=2,2,1 Pos=0,0,0.5 Material=grey Surface=rubber }
+}
+Scatter swarm { Config=Rover Count=60 Area=-4,-4,4,4 MinDistance=0.5 }
+Static arena { Config=Arena }
+)");
+        const auto loaded = desk.open(text);
+        SAYS(loaded, "");
+        const auto& robots = loaded->experiment->robots;
+        QCOMPARE(robots.size(), 60u);
+        for (std::size_t i = 0; i < robots.size(); ++i) {
+            const Vec3 p = robots[i].pose.position;
+            QVERIFY(std::abs(p.x()) <= 4 && std::abs(p.y()) <= 4);
+            QVERIFY2(std::max(std::abs(p.x()), std::abs(p.y())) > 1.15, "it stands in the block");
+            for (std::size_t k = 0; k < i; ++k) QVERIFY((p - robots[k].pose.position).norm() >= 0.5);
+        }
+        const auto again = desk.open(text);
+        const auto other = desk.open("Seed = 2\n" + text);
+        QCOMPARE(again->experiment->robots[7].pose.position, robots[7].pose.position);
+        QVERIFY(other->experiment->robots[7].pose.position != robots[7].pose.position);
+    }
+
+    void settingsOfTheImporterHold() {
+        Desk desk;
+        desk.write("a.sim", "Tick = 0.001\nDuration = 5\nParam here = 3\n");
+        const auto loaded = desk.open("Tick = 0.02\n#import a.sim\nIterations = $(here + 1)\n");
+        SAYS(loaded, "");
+        QCOMPARE(loaded->experiment->settings.tick, 0.02);
+        QCOMPARE(loaded->experiment->settings.duration, 5.0);
+        QCOMPARE(loaded->experiment->settings.iterations, 4);
+    }
+
+    /// A part in a file of its own, with the materials it needs: those stand at the top level all the same.
+    void importsInsideABlock() {
+        Desk desk;
+        desk.write("common/looks.sim", "Material grey { ColorRGB=0.5,0.5,0.5 }\nSurface rubber { Friction=1 }\n");
+        desk.write("parts/wheel.sim", "#import ../common/looks.sim\nBody wheel { Sphere tyre { Radius=0.1 Mass=1 Material=grey Surface=rubber } }\n");
+        const auto loaded = desk.open("RobotConfig Rover {\n  #import parts/wheel.sim\n  #import parts\\wheel.sim\n}\nRobot robot0 { Config=Rover }\n");
+        QVERIFY(loaded);
+        // `../common` from parts/ is outside parts/ but inside the project folder
+        SAYS(loaded, "");
+        QCOMPARE(loaded->experiment->robots.at(0).config->bodies.at(0).name, "wheel");
+        QCOMPARE(loaded->experiment->robots[0].config->bodies[0].geoms[0].material, 1u);
+        QCOMPARE(loaded->trees.size(), 3u);
+    }
+
+    /// Two imports of the next in each of 30 files: 2^30 ways, 31 files.
+    void eachFileIsOpenedOnce() {
+        Desk desk;
+        for (int i = 1; i <= 30; ++i) {
+            const std::string next = i < 30 ? "f" + std::to_string(i + 1) + ".sim" : std::string("end.sim");
+            desk.write("f" + std::to_string(i) + ".sim", "#import " + next + "\n#import " + next + "\n");
+        }
+        desk.write("end.sim", "Tick = 0.02\n");
+        const auto loaded = desk.open("#import f1.sim\n#import f1.sim\n");
+        SAYS(loaded, "");
+        QCOMPARE(loaded->trees.size(), 32u);
+        QCOMPARE(loaded->experiment->settings.tick, 0.02);
+    }
+
+    /// The same inside blocks makes 2^20 blocks: counted, not built.
+    void blocksAreCountedBeforeTheyAreBuilt() {
+        Desk desk;
+        for (int i = 1; i <= 20; ++i) {
+            const std::string next = "#import f" + std::to_string(i + 1) + ".sim\n";
+            desk.write("f" + std::to_string(i) + ".sim", "Body a {\n" + next + "}\nBody b {\n" + next + "}\n");
+        }
+        desk.write("f21.sim", "Box { Size=1,1,1 }\n");
+        const auto loaded = desk.open("RobotConfig Big {\n#import f1.sim\n}\n");
+        QVERIFY(sample::messages(*loaded).starts_with("E312 "));
+    }
+
+    void importsTooDeep() {
+        Desk desk;
+        for (int i = 1; i <= 40; ++i) desk.write("f" + std::to_string(i) + ".sim", "#import f" + std::to_string(i + 1) + ".sim\n");
+        const auto loaded = desk.open("#import f1.sim\n");
+        SAYS(loaded, "E310 imports are nested more than 32 deep\n");
+        QCOMPARE(loaded->trees.size(), 33u);
+    }
+
+    void tooManyFiles() {
+        Desk desk;
+        std::string text;
+        for (int i = 0; i < 1005; ++i) {
+            desk.write("f" + std::to_string(i) + ".sim", "");
+            text += "#import f" + std::to_string(i) + ".sim\n";
+        }
+        SAYS(desk.open(text), "E313 an experiment may hold 1000 files, this is one more\n");
+    }
+
+    void filesThatCannotBeRead() {
+        Desk desk;
+        QCOMPARE(mkfifo((desk.folder() + "/pipe.sim").c_str(), 0600), 0);
+        desk.write("folder/inner.sim", "");
+        desk.write("huge.sim", "");
+        std::filesystem::resize_file(desk.folder() + "/huge.sim", std::uintmax_t{200} << 20);
+        const std::string said = sample::messages(*desk.open("#import pipe.sim\n#import folder\n#import huge.sim\n#import \"\"\n"));
+        QVERIFY2(said.find("E322 pipe.sim is not a plain file\nE322 folder is not a plain file\nE115 ") == 0, said.c_str());
+        QVERIFY(!desk.tryOpen(desk.folder()).ok());
+        QVERIFY(!desk.tryOpen(desk.folder() + "/pipe.sim").ok());
+        QVERIFY(!desk.tryOpen(desk.folder() + "/missing.sim").ok());
+        QVERIFY(desk.tryOpen(desk.folder() + "/huge.sim").error().code == Code::TooLarge);
+    }
+
+    /// A path may climb, but must end inside; a link out of the project does not.
+    void pathsStayInside() {
+        Desk desk, elsewhere;
+        elsewhere.write("secret.sim", "Tick = 0.02\n");
+        std::filesystem::create_symlink(elsewhere.folder() + "/secret.sim", desk.folder() + "/link.sim");
+        const std::string said = sample::messages(*desk.open("#import link.sim\n#import " + elsewhere.folder() + "/secret.sim\n#import ../../../../etc/passwd\n"));
+        QCOMPARE(QString::fromStdString(said).count("E311 "), 3);
+        desk.options.includeFolders = {elsewhere.folder()};
+        const auto loaded = desk.open("#import secret.sim\n");
+        SAYS(loaded, "");
+        QCOMPARE(loaded->experiment->settings.tick, 0.02);
+    }
+
+    void theProjectFolder() {
+        Desk desk;
+        const std::string file = desk.write("configs/experiments/a.sim", "#import robots/b.sim\n");
+        desk.write("configs/robots/b.sim", "Tick = 0.02\n");
+        const auto loaded = desk.openFile(file);
+        SAYS(loaded, "");
+        QVERIFY(loaded->projectFolder.ends_with("/configs"));
+    }
+
+    void picturesWithoutTheirEnding() {
+        Desk desk;
+        desk.write("RobotChassis.jpeg", "picture");
+        const auto loaded = desk.open("Material chassis { Texture=RobotChassis }\nMaterial gone { Texture=RobotChasis }\n");
+        QVERIFY(loaded->experiment->materials[1].texturePath.ends_with("RobotChassis.jpeg"));
+        QCOMPARE(loaded->experiment->materials[1].texture, "RobotChassis");
+        QVERIFY(!loaded->diagnostics.hasErrors());
+        QVERIFY(sample::messages(*loaded).starts_with("E318 the picture RobotChasis is not found"));
+    }
+
+    void theThesisModuleName() {
+        Desk desk;
+        const auto loaded = desk.open(scene("#loadModule Controllers/walker.dll\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"));
+        SAYS(loaded, "");
+    }
+
+    void everyGeomAndJoint() {
+        Desk desk;
+        desk.write("cube.obj", "");
+        desk.write("hills.png", "");
+        const auto loaded = desk.open(R"(
+Material grey { } Surface rubber { }
+RobotConfig Zoo {
+  Body a { Mass=2 Capsule { Radius=0.1 Length=0.5 Material=grey Surface=rubber } }
+  Body b { Convex { File=cube.obj Scale=0.1 Mass=1 Material=grey Surface=rubber } }
+  Body c { Mesh { File=cube.obj Density=1000 Material=grey Surface=rubber } }
+  Body d { Mass=1 CenterOfMass=0,0,1 Inertia=1,1,1,0.1,0,0 }
+  Slider s { Parent=a Child=b Axis=1,0,0 LowStop=-5cm HighStop=5cm }
+  Ball n { Parent=b Child=c }
+  Universal u { Parent=world Child=a }
+  Suspension w { Parent=c Child=d Travel=0.05 Stiffness=1000 }
+  Fixed f { Parent=a Child=d }
+}
+StaticConfig Land { Heightfield { File=hills.png Size=10,10,1 Material=grey Surface=rubber } Mesh { File=cube.obj Material=grey Surface=rubber } }
+Static land { Config=Land }
+Robot zoo { Config=Zoo }
+)");
+        SAYS(loaded, "");
+        const RobotConfigSpec& zoo = *loaded->experiment->robots.at(0).config;
+        QVERIFY(zoo.bodies[1].geoms[0].collideAsHull && zoo.bodies[1].geoms[0].hull->points.size() == 8);
+        QVERIFY(std::abs(zoo.bodies[2].mass.mass - 1000) < 1e-6);
+        QVERIFY((zoo.bodies[2].mass.centre - Vec3(0.5, 0.5, 0.5)).norm() < 1e-9);
+        QCOMPARE(zoo.bodies[3].mass.inertia(0, 1), 0.1);
+        QCOMPARE(*zoo.joints[0].lowStop, -0.05);
+        QCOMPARE(zoo.joints[3].axis2, Vec3(0, 1, 0));
+        const auto& land = *loaded->experiment->statics.at(0).geoms;
+        QCOMPARE(land[0].name, "heightfield");
+        QVERIFY(land[0].heightMap);
+        QVERIFY(!land[1].collideAsHull);
+    }
+
+    void unnamedThingsAreNumbered() {
+        Desk desk;
+        const auto loaded = desk.open(R"(
+Material grey { } Surface rubber { }
+StaticConfig Arena {
+  Box { Size=1,1,1 Material=grey Surface=rubber }
+  Box box2 { Size=1,1,1 Material=grey Surface=rubber }
+  Box { Size=1,1,1 Material=grey Surface=rubber }
+}
+Static arena { Config=Arena }
+)");
+        SAYS(loaded, "");
+        const auto& geoms = *loaded->experiment->statics.at(0).geoms;
+        QCOMPARE(geoms[0].name + geoms[1].name + geoms[2].name, "boxbox2box3");
+    }
+
+    void whereValuesComeFrom() {
+        Desk desk;
+        desk.options.sets = {"robot0.rightMotor.Resistance=4"};
+        const auto loaded = desk.open(scene("#loadModule walker\nRobot robot0 { Config=Rover leftMotor.Resistance=3 Walker brain { Speed=1 } }\nGrid swarm { Config=Rover Count=2 Spacing=3 Pos=0,9,0 }\nTick=0.02\n"));
+        SAYS(loaded, "");
+        const auto text = [&](const char* path, Origin origin) {
+            const auto p = provenanceOf(*loaded->outline, path);
+            if (!p) return std::string("nothing");
+            return p->origin == origin ? std::string(loaded->outline->texts().slice(p->value)) : "another origin";
+        };
+        QCOMPARE(text("robot0.chassis.hull.Mass", Origin::Config), "2");
+        QCOMPARE(text("robot0.leftMotor.Resistance", Origin::Instance), "3");
+        QCOMPARE(text("robot0.rightMotor.Resistance", Origin::CommandLine), "4");
+        QCOMPARE(text("robot0.rightMotor.GearRatio", Origin::Default), "");
+        QCOMPARE(text("robot0.leftWheel.tyre.Radius", Origin::Param), "$wheelRadius");
+        QCOMPARE(text("robot0.brain.Speed", Origin::Instance), "1");
+        QCOMPARE(text("swarm_1.leftMotor.Resistance", Origin::Config), "2");
+        QCOMPARE(text("Surface.rubber.Friction", Origin::Config), "1");
+        QCOMPARE(text("Tick", Origin::Config), "0.02");
+        QCOMPARE(text("Seed", Origin::Default), "");
+        QCOMPARE(text("robot0.chassis.hull.Weight", Origin::Config), "nothing");
+        QCOMPARE(text("robot9.chassis.hull.Mass", Origin::Config), "nothing");
+    }
+
+    /// The text part of a thousand robots is small; how small is measured in tests/bench.
+    void aThousandRobots() {
+        Desk desk;
+        std::string text = scene("#loadModule walker\n");
+        for (int i = 0; i < 1000; ++i) {
+            text += "Robot r" + std::to_string(i) + " { Config=Rover Pos=" + std::to_string(i) + ",0,0 Walker brain { Speed=0.3 } }\n";
+        }
+        const auto loaded = desk.open(text);
+        SAYS(loaded, "");
+        QCOMPARE(loaded->experiment->robots.size(), 1000u);
+        QVERIFY(loaded->experiment->robots[0].config == loaded->experiment->robots[999].config);
+    }
+};
+
+QTEST_APPLESS_MAIN(ProjectTest)
+#include "project_test.moc"

@@ -1,0 +1,13 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "model/experiment_spec.h"
+
+namespace trundle {
+
+/// What the experiment file of that name means, as far as pictures go: logs, modules and meshes are left out. nullptr where the
+/// file cannot be read.
+[[nodiscard]] std::shared_ptr<const ExperimentSpec> readExperiment(const std::string& path);
+
+} // namespace trundle

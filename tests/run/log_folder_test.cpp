@@ -1,0 +1,147 @@
+#include <filesystem>
+
+#include <QtTest>
+
+#include "run/log_folder.h"
+
+using namespace trundle;
+
+class LogFolderTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_outer;
+    std::string folder() const { return m_outer.filePath("logs").toStdString(); }
+    static QByteArray contentOf(const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(missing)");
+    }
+
+private Q_SLOTS:
+    void init() { QVERIFY(QDir(m_outer.filePath("logs")).removeRecursively()); }
+    void namesThatLeaveTheFolderAreRefused_data();
+    void namesThatLeaveTheFolderAreRefused();
+    void namesAreCleaned();
+    void theFolderIsMadeWhenTheFirstFileIs();
+    void oneRunReplacesItsOwnFilesOnly();
+    void twoWritersOfOneFileAreRefused();
+    void linksAreNotFollowed();
+    void aHardLinkElsewhereKeepsItsContent();
+    void whatIsNoFileIsNotReplaced();
+    void largeTextsPassThroughTheBuffer();
+    void aFullDiskIsToldOnceAndKept();
+};
+
+void LogFolderTest::namesThatLeaveTheFolderAreRefused_data() {
+    QTest::addColumn<QByteArray>("name");
+    for (const char* name : {"", "/etc/passwd", "..", "../x.csv", "a/../../x.csv", "a\\..\\x.csv", "\\x.csv", "C:x.csv", "a/", "a/.", ".", "tab\tname.csv"})
+        QTest::newRow(*name ? name : "(empty)") << QByteArray(name);
+    QTest::newRow("nul inside") << QByteArray("a\0b", 3);
+    QTest::newRow("too long") << QByteArray(300, 'a');
+}
+
+void LogFolderTest::namesThatLeaveTheFolderAreRefused() {
+    QFETCH(QByteArray, name);
+    LogFolder logs(folder());
+    const Result<LogFile*> file = logs.create(name.toStdString());
+    QVERIFY(!file);
+    QCOMPARE(file.error().code, Code::LogUnwritable);
+    QVERIFY(!QFileInfo::exists(m_outer.filePath("x.csv")));
+    QVERIFY(!QFileInfo::exists(m_outer.filePath("logs")));
+}
+
+void LogFolderTest::namesAreCleaned() {
+    QCOMPARE(cleanLogName("a\\b//./c.csv").value(), std::string("a/b/c.csv"));
+    QCOMPARE(cleanLogName("..csv").value(), std::string("..csv"));
+}
+
+void LogFolderTest::theFolderIsMadeWhenTheFirstFileIs() {
+    LogFolder logs(folder());
+    QVERIFY(!QFileInfo::exists(m_outer.filePath("logs")));
+    QVERIFY(logs.create("deep/er/x.csv").ok());
+    QVERIFY(QFileInfo::exists(m_outer.filePath("logs/deep/er/x.csv")));
+}
+
+void LogFolderTest::oneRunReplacesItsOwnFilesOnly() {
+    {
+        LogFolder first(folder());
+        first.create("mine.csv").value()->write("a long old text");
+        first.create("other.csv").value()->write("stays");
+    }
+    LogFolder second(folder());
+    LogFile* mine = second.create("mine.csv").value();
+    mine->write("new");
+    QVERIFY(mine->close().ok());
+    QCOMPARE(contentOf(m_outer.filePath("logs/mine.csv")), QByteArray("new"));
+    QCOMPARE(contentOf(m_outer.filePath("logs/other.csv")), QByteArray("stays"));
+}
+
+void LogFolderTest::twoWritersOfOneFileAreRefused() {
+    LogFolder logs(folder());
+    QVERIFY(logs.create("a/x.csv").ok());
+    QVERIFY(!logs.create("a//./x.csv").ok());
+    QVERIFY(!logs.create("a").ok());
+}
+
+void LogFolderTest::linksAreNotFollowed() {
+    QVERIFY(QDir(m_outer.path()).mkpath("logs"));
+    QVERIFY(QDir(m_outer.path()).mkpath("outside"));
+    QVERIFY(QFile::link(m_outer.filePath("outside"), m_outer.filePath("logs/way")));
+    QVERIFY(QFile::link(m_outer.filePath("outside/target.csv"), m_outer.filePath("logs/x.csv")));
+    LogFolder logs(folder());
+    QVERIFY(!logs.create("way/x.csv").ok());
+    QVERIFY(!logs.create("x.csv").ok());
+    QVERIFY(QDir(m_outer.filePath("outside")).isEmpty());
+}
+
+void LogFolderTest::aHardLinkElsewhereKeepsItsContent() {
+    QVERIFY(QDir(m_outer.path()).mkpath("logs"));
+    QFile precious(m_outer.filePath("precious"));
+    QVERIFY(precious.open(QIODevice::WriteOnly));
+    precious.write("precious");
+    precious.close();
+    std::error_code failed;
+    std::filesystem::create_hard_link(m_outer.filePath("precious").toStdString(), folder() + "/x.csv", failed);
+    QVERIFY(!failed);
+    LogFolder logs(folder());
+    logs.create("x.csv").value()->write("log");
+    QCOMPARE(contentOf(m_outer.filePath("precious")), QByteArray("precious"));
+}
+
+void LogFolderTest::whatIsNoFileIsNotReplaced() {
+    QVERIFY(QDir(m_outer.path()).mkpath("logs/x.csv"));
+    LogFolder logs(folder());
+    QVERIFY(!logs.create("x.csv").ok());
+    QVERIFY(QFileInfo(m_outer.filePath("logs/x.csv")).isDir());
+}
+
+void LogFolderTest::largeTextsPassThroughTheBuffer() {
+    LogFolder logs(folder());
+    LogFile* file = logs.create("big.csv").value();
+    QByteArray expected;
+    for (int i = 0; i < 3000; ++i) {
+        const QByteArray line = QByteArray::number(i).repeated(i % 50 + 1) + "\n";
+        expected += line;
+        file->write(line.toStdString());
+    }
+    const QByteArray huge(200'000, 'x');
+    expected += huge;
+    file->write(huge.toStdString());
+    QVERIFY(file->close().ok());
+    QCOMPARE(contentOf(m_outer.filePath("logs/big.csv")), expected);
+}
+
+void LogFolderTest::aFullDiskIsToldOnceAndKept() {
+    std::FILE* full = std::fopen("/dev/full", "wb");
+    if (!full) QSKIP("no /dev/full here");
+    std::setvbuf(full, nullptr, _IONBF, 0);
+    LogFile file("x.csv", "logs/x.csv", full);
+    file.write(std::string(100'000, 'x'));
+    QVERIFY(file.failure().has_value());
+    QCOMPARE(file.failure()->code, Code::LogUnwritable);
+    QVERIFY(file.failure()->message.find("logs/x.csv") != std::string::npos);
+    file.write("more"); // nothing happens
+    QVERIFY(!file.close().ok());
+}
+
+QTEST_APPLESS_MAIN(LogFolderTest)
+#include "log_folder_test.moc"

@@ -1,0 +1,117 @@
+#include <QtTest>
+
+#include "run/fake_world.h"
+#include "run/log_choice.h"
+#include "run/log_kinds.h"
+
+using namespace trundle;
+
+class LogsTest : public QObject {
+    Q_OBJECT
+
+    static std::string csvOf(FakeWorld& world, const ComponentSpec& spec) {
+        Diagnostics diagnostics;
+        const std::unique_ptr<Log> log = makeLog(spec, world, diagnostics);
+        if (diagnostics.hasErrors()) return diagnostics.all()[0].message;
+        std::string csv;
+        log->header(csv);
+        log->rows(world, 0.5, csv);
+        return csv;
+    }
+    static ComponentSpec contactLog(std::vector<std::string> robots) { return logSpec("ContactLog", "c", {{"Robot", textValue(std::move(robots))}}); }
+
+private Q_SLOTS:
+    void aPoseLogOfAllRobots() {
+        FakeWorld world(experimentOf({"robot0", "robot1"}));
+        QCOMPARE(csvOf(world, logSpec("PoseLog", "path", {})),
+                 std::string("time [s],robot,x [m],y [m],z [m],heading [deg],pitch [deg],roll [deg]\n0.5,robot0,0,0,0,0,0,0\n0.5,robot1,0,1,0,0,0,0\n"));
+    }
+    void aPoseLogOfAGridByItsName() {
+        FakeWorld world(experimentOf({"swarm_0", "swarm_1", "swarm_x", "other"}));
+        const std::string csv = csvOf(world, logSpec("PoseLog", "path", {{"Robot", textValue({"swarm"})}}));
+        QVERIFY(csv.find("swarm_1,") != std::string::npos);
+        QVERIFY(csv.find("swarm_x") == std::string::npos);
+        QVERIFY(csv.find("other") == std::string::npos);
+    }
+    void anUnknownRobotIsToldWithThoseThatAre() {
+        FakeWorld world(experimentOf({"robot0", "robot1"}));
+        QCOMPARE(csvOf(world, logSpec("PoseLog", "path", {{"Robot", textValue({"robbot0"})}})),
+                 std::string("no robot is called 'robbot0'; there is robot0, robot1"));
+        Diagnostics diagnostics;
+        (void)makeLog(logSpec("PoseLog", "path", {{"Robot", textValue({"robbot0"})}}), world, diagnostics);
+        QCOMPARE(diagnostics.all()[0].suggestions.at(0), std::string("robot0"));
+    }
+    void anEnergyLog() {
+        FakeWorld world(experimentOf({"robot0"}));
+        QCOMPARE(csvOf(world, logSpec("EnergyLog", "e", {})), std::string("time [s],robot,kinetic [J],potential [J],total [J]\n0.5,robot0,0.5,2,2.5\n"));
+    }
+    void aContactLogOfOneRobot() {
+        FakeWorld world(experimentOf({"robot0", "robot1"}));
+        world.touching = {{"robot0/chassis/bumper", "arena/north", {1, 2, 3}, {0, -1, 0}, 0.001, 5}, {"robot1/wheel/tyre", "arena/floor", {}, {}, 0, 0}};
+        QCOMPARE(csvOf(world, contactLog({"robot0"})),
+                 std::string("time [s],first,second,x [m],y [m],z [m],normal x,normal y,normal z,depth [m],force [N]\n"
+                             "0.5,robot0/chassis/bumper,arena/north,1,2,3,0,-1,0,0.001,5\n"));
+        QVERIFY(csvOf(world, logSpec("ContactLog", "c", {})).find("robot1/wheel/tyre") != std::string::npos);
+    }
+    void aSignalLogConvertsAnglesAndSpreadsPoses() {
+        FakeWorld world(experimentOf({"robot0"}));
+        world.block().slots()[world.layout().find("robot0/arm/position")->offset] = 1.5707963267948966;
+        const auto pose = world.block().slots().subspan(world.layout().find("robot0/pose")->offset, 7);
+        pose[0] = 4;
+        pose[3] = 1; // w
+        QCOMPARE(csvOf(world, logSpec("SignalLog", "s", {{"Signals", textValue({"robot0/arm/*", "robot0/pose", "robot0/arm/position"})}})),
+                 std::string("time [s],robot0/arm/position [deg],robot0/pose/x [m],robot0/pose/y [m],robot0/pose/z [m],robot0/pose/heading [deg],"
+                             "robot0/pose/pitch [deg],robot0/pose/roll [deg]\n0.5,90,4,0,0,0,0,0\n"));
+    }
+    void anUnknownSignalListsThoseOfItsRobot() {
+        FakeWorld world(experimentOf({"robot0", "robot1"}));
+        const std::string message = csvOf(world, logSpec("SignalLog", "s", {{"Signals", textValue({"robot1/tuch/pressed"})}}));
+        QVERIFY2(message.find("robot1/touch/pressed") != std::string::npos, message.c_str());
+        QVERIFY2(message.find("robot0/") == std::string::npos, message.c_str());
+        QVERIFY(csvOf(world, logSpec("SignalLog", "s", {{"Signals", textValue({"nothing*"})}})).starts_with("no signal is called 'nothing*'"));
+    }
+    void wildcards_data() {
+        QTest::addColumn<QString>("pattern");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("matches");
+        QTest::newRow("all") << "*" << "a/b" << true;
+        QTest::newRow("prefix") << "robot0/*" << "robot0/a/b" << true;
+        QTest::newRow("other prefix") << "robot0/*" << "robot1/a" << false;
+        QTest::newRow("middle") << "*/touch/*" << "robot0/touch/pressed" << true;
+        QTest::newRow("one") << "robot?" << "robot1" << true;
+        QTest::newRow("one is not two") << "robot?" << "robot12" << false;
+        QTest::newRow("backtracks") << "*ab*ab" << "aabxabab" << true;
+        QTest::newRow("many stars") << "*a*a*a*a*a*a*a*a*b" << QString(200, 'a') << false;
+        QTest::newRow("empty") << "" << "" << true;
+    }
+    void wildcards() {
+        QFETCH(QString, pattern);
+        QFETCH(QString, text);
+        QTEST(matchesWildcard(pattern.toStdString(), text.toStdString()), "matches");
+    }
+    void mistakesAreFoundWithoutAWorld() {
+        auto experiment = experimentOf({"robot0"});
+        experiment->logs = {logSpec("PoseLog", "a", {{"File", textValue({"../a.csv"})}}), logSpec("PoseLog", "b", {}),
+                            logSpec("EnergyLog", "c", {{"File", textValue({"b.csv"})}, {"Robot", textValue({"nobody"})}})};
+        Diagnostics diagnostics;
+        checkLogs(*experiment, diagnostics);
+        QCOMPARE(diagnostics.errorCount(), std::size_t(3));
+        QCOMPARE(diagnostics.all()[0].code, Code::LogUnwritable);
+        QCOMPARE(diagnostics.all()[1].code, Code::UnknownReference);
+        QCOMPARE(diagnostics.all()[2].code, Code::DuplicateName);
+    }
+    void theKindsStandAtTheTopLevelUnderTheirNames() {
+        Registry registry;
+        QVERIFY(addLogKinds(registry).ok());
+        for (const char* name : {"PoseLog", "SignalLog", "ContactLog", "EnergyLog"}) {
+            const Kind* kind = registry.find(name);
+            QVERIFY(kind);
+            QVERIFY(kind->nameOptional);
+            QVERIFY(kind->find("Interval") && kind->find("File"));
+        }
+        QVERIFY(registry.find("SignalLog")->find("Signals")->required);
+    }
+};
+
+QTEST_APPLESS_MAIN(LogsTest)
+#include "logs_test.moc"

@@ -1,0 +1,233 @@
+#include <QtTest>
+
+#include "run/experiment_runner.h"
+#include "run/fake_world.h"
+
+using namespace trundle;
+
+namespace {
+
+/// Writes down its turns.
+class ScriptedBackend final : public ControllerBackend {
+public:
+    std::string* story;
+    std::vector<double>* gaps;
+    std::uint64_t failAt = ~0ull;
+    bool failStart = false;
+    ControllerOutlet outlet;
+
+    Status start(const SignalLayout&, SignalBlock&, ControllerOutlet given) override {
+        outlet = std::move(given);
+        if (failStart) return Error{Code::UnknownPort, "there is no port arm"};
+        return {};
+    }
+    Status tick(std::uint64_t tick, double time, double sinceLast) override {
+        if (tick == failAt) return Error{Code::ControllerFailed, "brain failed"};
+        *story += "think ";
+        gaps->push_back(sinceLast);
+        outlet.print(TRUNDLE_INFO, "t=" + std::to_string(time));
+        return {};
+    }
+    void stop() override { *story += "stop "; }
+    std::string describe() const override { return "scripted"; }
+};
+
+} // namespace
+
+class RunnerTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    std::shared_ptr<ExperimentSpec> m_experiment;
+    FakeWorld* m_world = nullptr;
+    ScriptedBackend* m_backend = nullptr;
+    std::vector<double> m_gaps;
+    std::vector<std::string> m_console;
+    std::unique_ptr<ExperimentRunner> m_runner;
+    Diagnostics m_diagnostics;
+    bool m_failStart = false;
+
+    void build() {
+        auto world = std::make_unique<FakeWorld>(m_experiment);
+        m_world = world.get();
+        RunOptions options;
+        options.logFolder = m_folder.filePath("logs").toStdString();
+        options.console = [this](double time, const std::string& who, int, const std::string& text) {
+            m_console.push_back("[" + QString::number(time).toStdString() + " " + who + "] " + text);
+        };
+        m_runner = std::make_unique<ExperimentRunner>(std::move(world), std::move(options));
+        m_runner->startControllers(
+            [this](const RobotSpec&, const SettingsSpec&) -> Result<std::unique_ptr<ControllerBackend>> {
+                auto backend = std::make_unique<ScriptedBackend>();
+                backend->story = &m_world->story;
+                backend->gaps = &m_gaps;
+                backend->failStart = m_failStart;
+                m_backend = backend.get();
+                return std::unique_ptr<ControllerBackend>(std::move(backend));
+            },
+            m_diagnostics);
+        if (!m_diagnostics.hasErrors()) m_runner->openLogs(m_diagnostics);
+    }
+    void giveController(double updatePeriod = 0) {
+        m_experiment->robots[0].controller = ComponentSpec{"Scripted", "brain", {{"UpdatePeriod", numberValue(updatePeriod)}}, {}, {}};
+    }
+    QByteArray log(const char* name) const {
+        QFile file(m_folder.filePath(QString("logs/") + name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(missing)");
+    }
+
+private Q_SLOTS:
+    void init() {
+        QDir(m_folder.filePath("logs")).removeRecursively();
+        m_experiment = experimentOf({"robot0", "robot1"});
+        m_gaps.clear();
+        m_console.clear();
+        m_diagnostics = {};
+        m_failStart = false;
+    }
+    void cleanup() { m_runner.reset(); }
+
+    void commandsThenThinkThenStep();
+    void aControllerIsCalledAtItsPeriod();
+    void commandsAreStampedAndKept();
+    void aBadCommandIsToldAndTheRunGoesOn();
+    void aSignalCommandReachesItsSlotOnly();
+    void aFailedControllerEndsTheRun();
+    void aFailedStartIsADiagnostic();
+    void aBlownUpWorldEndsTheRunAndKeepsTheLogs();
+    void logsHaveTheInitialStateAndEveryInterval();
+    void noLogFolderMeansNoLogs();
+    void aControllersLogStandsInTheLogFolder();
+    void aControllersLogCannotLeaveTheLogFolder();
+};
+
+void RunnerTest::commandsThenThinkThenStep() {
+    giveController();
+    build();
+    m_runner->command(PushCommand{"robot0/chassis"});
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->finish().ok());
+    QCOMPARE(m_world->story, std::string("push robot0/chassis think step think step stop "));
+    QCOMPARE(m_console.at(0), std::string("[0 robot0] t=0.000000"));
+}
+
+void RunnerTest::aControllerIsCalledAtItsPeriod() {
+    giveController(0.025); // of 0.01: at ticks 0, 3, 5, 8
+    build();
+    for (int i = 0; i < 9; ++i) QVERIFY(m_runner->tick().ok());
+    QCOMPARE(m_world->story, std::string("think step step step think step step think step step step think step "));
+    QCOMPARE(m_gaps.size(), std::size_t(4));
+    QCOMPARE(m_gaps[0], 0.0);
+    QCOMPARE(m_gaps[1], 0.03);
+    QVERIFY(qAbs(m_gaps[2] - 0.02) < 1e-12);
+}
+
+void RunnerTest::commandsAreStampedAndKept() {
+    build();
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->tick().ok());
+    m_runner->command(PlaceCommand{"robot1", {}});
+    m_runner->command(PushCommand{"robot0/chassis"});
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->tick().ok());
+    QCOMPARE(m_world->story, std::string("step step place robot1 push robot0/chassis step step "));
+    QCOMPARE(m_runner->commands().size(), std::size_t(2));
+    QCOMPARE(m_runner->commands()[0].tick, std::uint64_t(2));
+}
+
+void RunnerTest::aBadCommandIsToldAndTheRunGoesOn() {
+    build();
+    m_runner->command(PushCommand{"nobody"});
+    m_runner->command(SignalCommand{"robot0/base/linearVelocty", 1});
+    m_runner->command(SignalCommand{"robot0/touch/pressed", 1});
+    m_runner->command(SignalCommand{"robot0/base/linearVelocity", std::nan("")});
+    QVERIFY(m_runner->tick().ok());
+    QCOMPARE(m_console.size(), std::size_t(4));
+    QCOMPARE(m_console[1], std::string("[0 ] command refused: there is no signal robot0/base/linearVelocty"));
+    QCOMPARE(m_world->story, std::string("step "));
+}
+
+void RunnerTest::aSignalCommandReachesItsSlotOnly() {
+    build();
+    m_runner->command(SignalCommand{"robot1/base/linearVelocity", 0.5});
+    QVERIFY(m_runner->tick().ok());
+    for (const SignalEntry& entry : m_world->layout().entries())
+        QCOMPARE(m_world->block().slots()[entry.offset], entry.path == "robot1/base/linearVelocity" ? 0.5 : 0.0);
+}
+
+void RunnerTest::aFailedControllerEndsTheRun() {
+    giveController();
+    build();
+    m_backend->failAt = 2;
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(!m_runner->failure());
+    QVERIFY(!m_runner->tick().ok());
+    QCOMPARE(m_runner->failure()->code, Code::ControllerFailed);
+    QVERIFY(!m_runner->tick().ok());
+    QCOMPARE(m_world->ticks(), std::uint64_t(2));
+}
+
+void RunnerTest::aFailedStartIsADiagnostic() {
+    m_failStart = true;
+    giveController();
+    m_experiment->robots[1].controller = m_experiment->robots[0].controller;
+    build();
+    QCOMPARE(m_diagnostics.errorCount(), std::size_t(1)); // the same words once, however many robots say them
+    QCOMPARE(m_diagnostics.all()[0].code, Code::UnknownPort);
+}
+
+void RunnerTest::aBlownUpWorldEndsTheRunAndKeepsTheLogs() {
+    m_experiment->logs = {logSpec("PoseLog", "path", {{"Robot", textValue({"robot0"})}})};
+    build();
+    m_world->faultAt = 1;
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(!m_runner->tick().ok());
+    QCOMPARE(m_runner->failure()->code, Code::BlowUp);
+    QVERIFY(!m_runner->finish().ok());
+    QCOMPARE(log("path.csv").count('\n'), 3);
+}
+
+void RunnerTest::logsHaveTheInitialStateAndEveryInterval() {
+    m_experiment->logs = {logSpec("PoseLog", "path", {{"Robot", textValue({"robot1"})}, {"Interval", numberValue(0.03)}, {"File", textValue({"sub/p.csv"})}})};
+    build();
+    for (int i = 0; i < 7; ++i) QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->finish().ok());
+    QCOMPARE(log("sub/p.csv"), QByteArray("time [s],robot,x [m],y [m],z [m],heading [deg],pitch [deg],roll [deg]\n"
+                                          "0,robot1,0,1,0,0,0,0\n0.03,robot1,0.03,1,0,0,0,0\n0.06,robot1,0.06,1,0,0,0,0\n"));
+    QCOMPARE(m_runner->logFiles().size(), std::size_t(1));
+    QVERIFY(m_runner->logFiles()[0].ends_with("logs/sub/p.csv"));
+}
+
+void RunnerTest::noLogFolderMeansNoLogs() {
+    m_experiment->logs = {logSpec("PoseLog", "path", {})};
+    m_runner = std::make_unique<ExperimentRunner>(std::make_unique<FakeWorld>(m_experiment), RunOptions{});
+    m_runner->openLogs(m_diagnostics);
+    QVERIFY(!m_diagnostics.hasErrors());
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->logFiles().empty());
+}
+
+void RunnerTest::aControllersLogStandsInTheLogFolder() {
+    giveController();
+    build();
+    const int id = m_backend->outlet.openLog("mine.txt");
+    QVERIFY(id >= 0);
+    m_backend->outlet.writeLog(id, "hello\n");
+    m_backend->outlet.writeLog(id + 1, "nowhere\n");
+    m_backend->outlet.writeLog(-1, "nowhere\n");
+    QVERIFY(m_runner->finish().ok());
+    QCOMPARE(log("mine.txt"), QByteArray("hello\n"));
+}
+
+void RunnerTest::aControllersLogCannotLeaveTheLogFolder() {
+    giveController();
+    build();
+    QCOMPARE(m_backend->outlet.openLog("../mine.txt"), -1);
+    QVERIFY(!QFileInfo::exists(m_folder.filePath("mine.txt")));
+    QCOMPARE(m_console.size(), std::size_t(1));
+}
+
+QTEST_APPLESS_MAIN(RunnerTest)
+#include "runner_test.moc"

@@ -1,0 +1,93 @@
+#include <QtTest>
+#undef slots // a word of ours: SignalBlock::slots()
+
+#include <numbers>
+
+#include "scene/poses.h"
+
+using namespace trundle;
+
+namespace {
+
+/// Two robots of one config with a body 1 m in front of the first.
+ExperimentSpec twoRobots() {
+    auto config = std::make_shared<RobotConfigSpec>();
+    config->bodies.resize(2);
+    config->bodies[0].name = "chassis";
+    config->bodies[1].name = "arm";
+    config->bodies[1].pose.position = {1, 0, 0.2};
+    ExperimentSpec experiment;
+    experiment.robots.resize(2);
+    experiment.robots[0] = {"a", {{5, 0, 0}, rotationFromHpr({std::numbers::pi / 2, 0, 0})}, config, {}, {}};
+    experiment.robots[1] = {"b", {{-5, 0, 0}, Quat::Identity()}, config, {}, {}};
+    return experiment;
+}
+
+SignalLayout layoutFor(const std::vector<std::string>& paths) {
+    SignalLayout layout;
+    layout.beginRobot("a");
+    layout.add("a/other", "m", SignalType::Real, SignalDirection::Output);
+    for (const std::string& path : paths) layout.add(path, "m", SignalType::Real, SignalDirection::Truth, 7);
+    return layout;
+}
+
+void write(SignalBlock& block, const SignalLayout& layout, const char* path, std::array<double, 7> values) {
+    std::copy(values.begin(), values.end(), block.slots().begin() + layout.find(path)->offset);
+}
+
+} // namespace
+
+class PosesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void bodiesStandWhereTheTextPutsThem() {
+        const BodyPoses poses = startPoses(twoRobots());
+        QCOMPARE(poses.size(), std::size_t(4));
+        QVERIFY((poses[0].position - Vec3(5, 0, 0)).norm() < 1e-12);
+        QVERIFY((poses[1].position - Vec3(5, 1, 0.2)).norm() < 1e-12); // the robot looks along +y
+        QVERIFY((poses[3].position - Vec3(-4, 0, 0.2)).norm() < 1e-12);
+    }
+
+    void posesComeFromTheBlock() {
+        const ExperimentSpec experiment = twoRobots();
+        const SignalLayout layout = layoutFor({"a/chassis/pose", "a/arm/pose", "b/chassis/pose", "b/arm/pose"});
+        SignalBlock block(layout);
+        write(block, layout, "a/chassis/pose", {1, 2, 3, 0, 0, 0, 2}); // w x y z; its length does not matter
+        write(block, layout, "a/arm/pose", {4, 5, 6, 1, 0, 0, 0});
+        write(block, layout, "b/chassis/pose", {7, 8, 9, 1, 0, 0, 0});
+        write(block, layout, "b/arm/pose", {-1, -2, -3, 1, 0, 0, 0});
+        BodyPoses poses;
+        const PoseReader reader(experiment, layout);
+        QCOMPARE(reader.found(), std::size_t(4));
+        reader.read(block, poses);
+        QCOMPARE(poses.size(), std::size_t(4));
+        QCOMPARE(poses[0].position.y(), 2.0);
+        QVERIFY((poses[0].rotation * Vec3::UnitX() - Vec3(-1, 0, 0)).norm() < 1e-12); // half a turn about z
+        QCOMPARE(poses[3].position.z(), -3.0);
+    }
+
+    void whatIsNoPoseChangesNothing() {
+        const ExperimentSpec experiment = twoRobots();
+        const SignalLayout layout = layoutFor({"a/chassis/pose", "a/arm/pose"});
+        SignalBlock block(layout);
+        write(block, layout, "a/chassis/pose", {std::nan(""), 0, 0, 1, 0, 0, 0});
+        write(block, layout, "a/arm/pose", {1, 1, 1, 0, 0, 0, 0}); // no rotation at all
+        BodyPoses poses;
+        const PoseReader reader(experiment, layout);
+        QCOMPARE(reader.found(), std::size_t(2));
+        reader.read(block, poses);
+        const BodyPoses start = startPoses(experiment);
+        for (std::size_t i = 0; i < start.size(); ++i) QVERIFY((poses[i].position - start[i].position).norm() == 0);
+    }
+
+    void aSignalOfAnotherShapeIsNoPose() {
+        const ExperimentSpec experiment = twoRobots();
+        SignalLayout layout;
+        layout.beginRobot("a");
+        layout.add("a/chassis/pose", "m", SignalType::Real, SignalDirection::Truth, 3);
+        QCOMPARE(PoseReader(experiment, layout).found(), std::size_t(0));
+    }
+};
+
+QTEST_APPLESS_MAIN(PosesTest)
+#include "poses_test.moc"

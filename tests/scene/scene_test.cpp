@@ -1,0 +1,142 @@
+#include <QtTest>
+#undef slots // a word of ours: SignalBlock::slots()
+
+#include <set>
+
+#include <osg/Geometry>
+#include <osg/NodeVisitor>
+
+#include "render/sample_experiment.h"
+#include "scene/framing.h"
+#include "scene/scene.h"
+
+using namespace trundle;
+
+namespace {
+
+/// Counts what hangs below a node, shared things once. The other parents that shadows are do not count.
+struct Count : osg::NodeVisitor {
+    std::set<osg::Geometry*> geometries;
+    std::set<osg::Node*> nodes;
+    std::size_t drawings = 0;
+    Count() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) { setTraversalMask(kMaskRobots | kMaskStatics); }
+    void apply(osg::Node& node) override { nodes.insert(&node); traverse(node); }
+    void apply(osg::Geometry& geometry) override { geometries.insert(&geometry); ++drawings; }
+};
+
+Count countOf(Scene& scene) {
+    Count count;
+    scene.root().accept(count);
+    return count;
+}
+
+ViewRay downAt(double x, double y) { return {{x, y, 5}, {0, 0, -1}}; }
+
+} // namespace
+
+class SceneTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aThousandRobotsShareTheirGeometry() {
+        Scene one(*sampleExperiment({1})), many(*sampleExperiment({1000}));
+        const Count few = countOf(one), lots = countOf(many);
+        QCOMPARE(lots.geometries.size(), few.geometries.size());
+        QCOMPARE(many.sharedNodes(), one.sharedNodes());
+        QCOMPARE(one.sharedNodes(), std::size_t(4)); // chassis, two wheels, arena
+        // Each further robot adds its own node and one for each body.
+        QCOMPARE(lots.nodes.size() - few.nodes.size(), std::size_t(999 * 4));
+        QVERIFY(lots.drawings > 999 * 3);
+    }
+
+    void robotsOfAnotherConfigHaveTheirOwnGeometry() {
+        auto experiment = sampleExperiment({2});
+        auto other = std::make_shared<RobotConfigSpec>(*experiment->robots[1].config);
+        experiment->robots[1].config = other;
+        QCOMPARE(Scene(*experiment).sharedNodes(), std::size_t(7));
+    }
+
+    void aPickNamesRobotBodyAndGeom() {
+        const auto experiment = sampleExperiment({1});
+        Scene scene(*experiment);
+        const auto hit = [&](double x, double y) { const auto h = scene.pick(downAt(x, y)); return h ? h->path : std::string("nothing"); };
+        QCOMPARE(hit(0, 0), std::string("robot0/chassis/hull"));
+        QCOMPARE(hit(0.16, 0.14), std::string("robot0/chassis/bumper"));
+        QCOMPARE(hit(0.06, 0.13), std::string("robot0/leftWheel/tyre"));
+        QCOMPARE(hit(0.06, -0.13), std::string("robot0/rightWheel/tyre"));
+        QCOMPARE(hit(2.05, 0.3), std::string("arena/east"));
+        QCOMPARE(hit(-1, 1), std::string("nothing"));
+        const auto floor = scene.pick(downAt(-1, 1), kMaskFloor | kMaskRobots);
+        QVERIFY(floor);
+        QCOMPARE(floor->path, std::string("arena/floor"));
+        const auto roof = scene.pick(downAt(0, 0));
+        QVERIFY(std::abs(roof->point.z() - 0.14) < 1e-6 && std::abs(roof->distance - 4.86) < 1e-6);
+        QVERIFY(!scene.pick(downAt(0, 0), kMaskStatics)); // what a mask leaves out is not met
+    }
+
+    void aMovedRobotIsPickedWhereItIs() {
+        const auto experiment = sampleExperiment({1});
+        Scene scene(*experiment);
+        BodyPoses poses = startPoses(*experiment);
+        for (Pose& pose : poses) pose.position += Vec3(1, 1, 0);
+        scene.setPoses(poses);
+        QVERIFY(!scene.pick(downAt(0, 0)));
+        QCOMPARE(scene.pick(downAt(1, 1))->path, std::string("robot0/chassis/hull"));
+    }
+
+    void posesOfAnotherExperimentOrNoPosesChangeNothing() {
+        const auto experiment = sampleExperiment({2});
+        Scene scene(*experiment);
+        scene.setPoses(BodyPoses(3));
+        BodyPoses broken = startPoses(*experiment);
+        for (Pose& pose : broken) pose.position.x() = std::nan("");
+        scene.setPoses(broken);
+        QVERIFY(scene.pick(downAt(-0.35, -0.35)));
+        QVERIFY(scene.bounds().size().allFinite());
+    }
+
+    void whatIsInvisibleOrBrokenIsLeftOut() {
+        auto experiment = sampleExperiment({1});
+        auto geoms = *experiment->statics[0].geoms;
+        geoms[1].visible = false;
+        geoms[2].size.x() = std::nan("");
+        geoms[3].material = 9999; // draws as default
+        geoms[4].pose.position.z() = INFINITY;
+        experiment->statics[0].geoms = std::make_shared<const std::vector<GeomSpec>>(geoms);
+        Scene scene(*experiment);
+        QVERIFY(!scene.pick(downAt(0.5, 2.05)));
+        QVERIFY(!scene.pick(downAt(0.5, -2.05)));
+        QVERIFY(scene.pick(downAt(2.05, 0.3)));
+        QVERIFY(!scene.pick(downAt(-2.05, 0.3)));
+    }
+
+    void robotsWithoutAConfigAndEmptyExperimentsAreScenes() {
+        ExperimentSpec empty;
+        Scene nothing(empty);
+        QVERIFY(nothing.bounds().empty());
+        empty.robots.resize(3);
+        empty.statics.resize(2);
+        Scene hollow(empty);
+        QVERIFY(hollow.bounds().empty());
+        QVERIFY(isUsable(defaultView(empty, {}, 640, 480)));
+    }
+
+    void theDefaultViewShowsRobotsAndTheirRoom() {
+        const auto experiment = sampleExperiment({4});
+        const CameraView view = defaultView(*experiment, startPoses(*experiment), 1280, 720);
+        for (const Vec3& corner : {Vec3(2.1, 2.1, 0), Vec3(-2.1, 2.1, 0.3), Vec3(2.1, -2.1, 0.3), Vec3(-2.1, -2.1, 0)}) {
+            const auto at = project(view, 1280, 720, corner);
+            QVERIFY(at && at->x > 0 && at->x < 1280 && at->y > 0 && at->y < 720);
+        }
+    }
+
+    void aRobotIsNotLostInALargeHall() {
+        const auto experiment = sampleExperiment({1, 0.7, true, 400});
+        const CameraView view = defaultView(*experiment, startPoses(*experiment), 1280, 720);
+        const auto front = project(view, 1280, 720, {0.15, 0, 0.09}), back = project(view, 1280, 720, {-0.15, 0, 0.09});
+        QVERIFY(front && back);
+        QVERIFY(std::hypot(front->x - back->x, front->y - back->y) > 20);
+    }
+};
+
+QTEST_APPLESS_MAIN(SceneTest)
+#include "scene_test.moc"

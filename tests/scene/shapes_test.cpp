@@ -1,0 +1,172 @@
+#include <QtTest>
+
+#include <map>
+#include <numbers>
+
+#include "scene/shape_mesh.h"
+
+using namespace trundle;
+using Eigen::Vector3f;
+
+namespace {
+
+using Place = std::array<float, 3>;
+Place placeOf(const Vector3f& p) {
+    return {std::round(p.x() * 1e5f) + 0.f, std::round(p.y() * 1e5f) + 0.f, std::round(p.z() * 1e5f) + 0.f};
+}
+
+/// Each edge is walked as often one way as the other.
+bool isClosed(const ShapeMesh& mesh) {
+    std::map<std::pair<Place, Place>, int> edges;
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+        for (int k = 0; k < 3; ++k) {
+            const Place a = placeOf(mesh.points[mesh.indices[t + k]]), b = placeOf(mesh.points[mesh.indices[t + (k + 1) % 3]]);
+            if (a < b) ++edges[{a, b}];
+            else if (b < a) --edges[{b, a}];
+        }
+    }
+    return std::all_of(edges.begin(), edges.end(), [](const auto& e) { return e.second == 0; });
+}
+
+double volumeOf(const ShapeMesh& mesh) {
+    double volume = 0;
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+        const Eigen::Vector3d a = mesh.points[mesh.indices[t]].cast<double>(),
+                              b = mesh.points[mesh.indices[t + 1]].cast<double>(),
+                              c = mesh.points[mesh.indices[t + 2]].cast<double>();
+        volume += a.dot(b.cross(c)) / 6;
+    }
+    return volume;
+}
+
+Vector3f highest(const ShapeMesh& mesh) {
+    Vector3f high = mesh.points.front();
+    for (const Vector3f& p : mesh.points) high = high.cwiseMax(p);
+    return high;
+}
+
+GeomSpec geomOf(GeomShape shape) {
+    GeomSpec g;
+    g.shape = shape;
+    g.size = {0.4, 0.2, 0.1};
+    g.radius = 0.3;
+    g.length = 0.8;
+    return g;
+}
+
+} // namespace
+
+class ShapesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void shapesAreClosedAndHaveTheirVolume_data() {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<double>("volume");
+        QTest::addColumn<double>("error"); // rounds lose a little to their corners, boxes to their edges
+        const double pi = std::numbers::pi;
+        QTest::newRow("box") << int(GeomShape::Box) << 0.008 << 0.01;
+        QTest::newRow("sphere") << int(GeomShape::Sphere) << 4 * pi / 3 * 0.027 << 0.03;
+        QTest::newRow("cylinder") << int(GeomShape::Cylinder) << pi * 0.09 * 0.8 << 0.02;
+        QTest::newRow("capsule") << int(GeomShape::Capsule) << pi * 0.09 * 0.8 + 4 * pi / 3 * 0.027 << 0.03;
+    }
+    void shapesAreClosedAndHaveTheirVolume() {
+        QFETCH(int, shape);
+        QFETCH(double, volume);
+        QFETCH(double, error);
+        const ShapeMesh mesh = shapeOf(geomOf(GeomShape(shape)), {32, true});
+        QVERIFY(!mesh.indices.empty());
+        QCOMPARE(mesh.points.size(), mesh.normals.size());
+        QVERIFY(isClosed(mesh));
+        QVERIFY(std::abs(volumeOf(mesh) / volume - 1) < error);
+        for (const Vector3f& n : mesh.normals) QVERIFY(std::abs(n.norm() - 1) < 1e-5f);
+        for (const std::uint32_t i : mesh.indices) QVERIFY(i < mesh.points.size());
+    }
+
+    void sizesAreExact() {
+        QVERIFY((highest(boxMesh({0.4f, 0.2f, 0.1f}, true)) - Vector3f(0.2f, 0.1f, 0.05f)).norm() < 1e-7f);
+        QVERIFY((highest(cylinderMesh(0.3f, 0.8f, 12)) - Vector3f(0.3f, 0.3f, 0.4f)).norm() < 1e-6f);
+        QVERIFY((highest(sphereMesh(0.3f, 12)) - Vector3f(0.3f, 0.3f, 0.3f)).norm() < 1e-6f);
+        QVERIFY((highest(capsuleMesh(0.3f, 0.8f, 12)) - Vector3f(0.3f, 0.3f, 0.7f)).norm() < 1e-6f);
+    }
+
+    void whatCannotBeDrawnIsNothing_data() {
+        QTest::addColumn<double>("value");
+        for (const double v : {0.0, -1.0, double(NAN), double(INFINITY), 1e30}) QTest::newRow(qPrintable(QString::number(v))) << v;
+    }
+    void whatCannotBeDrawnIsNothing() {
+        QFETCH(double, value);
+        for (const GeomShape shape : {GeomShape::Box, GeomShape::Sphere, GeomShape::Cylinder, GeomShape::Capsule}) {
+            GeomSpec g = geomOf(shape);
+            g.size.y() = g.radius = value;
+            QVERIFY(shapeOf(g, {}).indices.empty());
+        }
+        QVERIFY(shapeOf(geomOf(GeomShape::Plane), {}).indices.empty());
+    }
+
+    void aMissingMeshIsMarked() {
+        for (const GeomShape shape : {GeomShape::Mesh, GeomShape::Convex, GeomShape::Heightfield}) {
+            QVERIFY(isPlaceholder(geomOf(shape)));
+            QVERIFY(isClosed(shapeOf(geomOf(shape), {})));
+        }
+        QVERIFY(!isPlaceholder(geomOf(GeomShape::Box)));
+    }
+
+    void edgesOfAMeshStaySharpAndRoundsBecomeSmooth() {
+        TriangleMesh roof; // two faces that meet at a right angle
+        roof.points = {{0, -1, 0}, {1, -1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 0}, {1, 1, 0}};
+        roof.triangles = {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}};
+        for (const Vector3f& n : smoothedMesh(roof).normals) QVERIFY(std::abs(std::abs(n.y()) - std::sqrt(0.5f)) < 1e-5f);
+        TriangleMesh bend = roof; // nearly flat
+        for (auto& p : bend.points) p[2] *= 0.1;
+        const ShapeMesh smooth = smoothedMesh(bend);
+        for (std::size_t i = 0; i < smooth.points.size(); ++i)
+            if (smooth.points[i].y() == 0) QVERIFY(std::abs(smooth.normals[i].y()) < 1e-5f);
+    }
+
+    void aBrokenMeshIsReadWithoutHarm() {
+        TriangleMesh mesh;
+        mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {NAN, 0, 0}, {1e300, 0, 0}};
+        mesh.triangles = {{0, 1, 2}, {0, 0, 1}, {0, 1, 99}, {0, 1, 3}, {0, 2, 4}};
+        const ShapeMesh drawn = smoothedMesh(mesh);
+        QCOMPARE(drawn.indices.size(), std::size_t(3)); // only the first is a triangle
+        QVERIFY(smoothedMesh(TriangleMesh{}).indices.empty());
+    }
+
+    void aPointWithManyFacesDoesNotTakeForEver() {
+        TriangleMesh fan;
+        constexpr std::uint32_t kFaces = 200000;
+        fan.points.push_back({0, 0, 0});
+        for (std::uint32_t i = 0; i <= kFaces; ++i) fan.points.push_back({std::cos(i * 1e-5), std::sin(i * 1e-5), 0});
+        for (std::uint32_t i = 1; i <= kFaces; ++i) fan.triangles.push_back({0, i, i + 1});
+        QCOMPARE(smoothedMesh(fan).indices.size(), std::size_t(kFaces) * 3);
+    }
+
+    void thePicturesTopRowLiesAtPlusY() {
+        HeightMap map{3, 2, {0, 0.5f, 1, 0, 0, 0}};
+        const ShapeMesh mesh = heightfieldMesh(map, {4, 2, 0.5f});
+        QCOMPARE(mesh.points.size(), std::size_t(6));
+        QVERIFY((mesh.points[0] - Vector3f(-2, 1, 0)).norm() < 1e-6f);
+        QVERIFY((mesh.points[2] - Vector3f(2, 1, 0.5f)).norm() < 1e-6f);
+        QVERIFY((mesh.points[5] - Vector3f(2, -1, 0)).norm() < 1e-6f);
+        for (const Vector3f& n : mesh.normals) QVERIFY(n.z() > 0);
+        for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+            const Vector3f a = mesh.points[mesh.indices[t]], b = mesh.points[mesh.indices[t + 1]], c = mesh.points[mesh.indices[t + 2]];
+            QVERIFY((b - a).cross(c - a).z() > 0);
+        }
+    }
+
+    void aHugeHeightMapIsThinnedOut() {
+        HeightMap map{3000, 2000, std::vector<float>(6000000, 0.5f)};
+        const ShapeMesh mesh = heightfieldMesh(map, {30, 20, 1});
+        QVERIFY(mesh.points.size() <= 512u * 512u);
+        QVERIFY((mesh.points.front() - Vector3f(-15, 10, 0.5f)).norm() < 1e-4f);
+        QVERIFY((mesh.points.back() - Vector3f(15, -10, 0.5f)).norm() < 1e-4f);
+    }
+
+    void aHeightMapWithTooFewValuesIsNothing() {
+        QVERIFY(heightfieldMesh(HeightMap{10, 10, std::vector<float>(50)}, {1, 1, 1}).indices.empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(ShapesTest)
+#include "shapes_test.moc"

@@ -1,0 +1,174 @@
+// Same input, same bits: twice in one process, in piles that switch the solver, with strangers far away.
+#include <QtTest>
+#undef slots // a word of ours: SignalBlock::slots()
+
+#include <set>
+
+#include "world/fixtures.h"
+
+using namespace fixture;
+
+namespace {
+
+constexpr int kPile = 30;
+
+/// Robots and loose things inside walls; wheels follow a fixed pattern.
+Scene crowd(int robots, int boxes, SolverChoice solver = SolverChoice::Auto) {
+    Scene scene = r0Scene();
+    scene.spec->settings.solver = solver;
+    scene.scenery({plane("floor", {}, 1), box("north", {4, 0.1, 1}, at(0, 1, 0.5)), box("south", {4, 0.1, 1}, at(0, -1, 0.5)),
+                   box("east", {0.1, 4, 1}, at(1, 0, 0.5)), box("west", {0.1, 4, 1}, at(-1, 0, 0.5))});
+    for (int i = 0; i < robots; ++i) scene.robot("robot" + std::to_string(i), at(-0.6 + 0.45 * (i % 4), -0.6 + 0.4 * (i / 4), 0, degrees(40.0 * i, 0, 0)), r0());
+    if (boxes >= kPile) // a pit, so that they lie on each other
+        scene.scenery({box("n", {1, 0.1, 2}, at(0, 0.25, 1)), box("s", {1, 0.1, 2}, at(0, -0.25, 1)), box("e", {0.1, 1, 2}, at(0.25, 0, 1)),
+                       box("w", {0.1, 1, 2}, at(-0.25, 0, 1))}, at(0.5, 0.5, 0), "pit");
+    for (int i = 0; i < boxes; ++i) {
+        const Vec3 size(0.1, 0.12, 0.08);
+        const Pose pit = boxes >= kPile ? at(0.5, 0.5, 0) : at(0, 0, 0.2);
+        const Pose place = pit * at(0.13 * (i % 3) - 0.13, 0.13 * (i / 3 % 3) - 0.13, 0.1 + 0.14 * (i / 9), degrees(10.0 * i, 5.0 * i, 3.0 * i));
+        if (i % 3 == 0) scene.ball("ball" + std::to_string(i), place.position, 0.3, 0.05);
+        else if (i % 3 == 1) scene.loose("can" + std::to_string(i), place, massOfCylinder(0.3, 0.05, 0.1), {cylinder("c", 0.05, 0.1)});
+        else scene.loose("crate" + std::to_string(i), place, massOfBox(0.5, size), {box("b", size)});
+    }
+    return scene;
+}
+
+void steer(World& world, int robots) {
+    for (int i = 0; i < robots; ++i) {
+        const std::string name = "robot" + std::to_string(i);
+        const double t = world.time() + i;
+        command(world, name + "/leftMotor", 6 * std::sin(3 * t), 0, 5.4);
+        command(world, name + "/rightMotor", 6 * std::cos(2 * t), 0, 5.4);
+    }
+}
+
+struct Run { std::uint64_t hash = 0, quick = 0; bool sound = true; };
+
+Run runOf(Scene scene, int robots, int ticks) {
+    auto world = scene.build();
+    if (!world) return {0, 0, false};
+    for (int i = 0; i < ticks; ++i) {
+        steer(*world, robots);
+        if (!world->tick()) return {0, 0, false};
+    }
+    return {world->stateHash(), world->quickTicks(), true};
+}
+
+} // namespace
+
+class DeterminismTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void twice_data() {
+        QTest::addColumn<int>("robots");
+        QTest::addColumn<int>("boxes");
+        QTest::addColumn<int>("solver");
+        QTest::newRow("robots") << 6 << 0 << int(SolverChoice::Auto);
+        QTest::newRow("robots and a few boxes") << 4 << 6 << int(SolverChoice::Auto);
+        QTest::newRow("a pile that switches the solver") << 2 << 30 << int(SolverChoice::Auto);
+        QTest::newRow("always quick") << 4 << 10 << int(SolverChoice::Quick);
+    }
+    void twice() {
+        QFETCH(int, robots);
+        QFETCH(int, boxes);
+        QFETCH(int, solver);
+        const int ticks = boxes >= kPile ? 150 : 300;
+        const auto scene = [&] { return crowd(robots, boxes, static_cast<SolverChoice>(solver)); };
+        const Run first = runOf(scene(), robots, ticks);
+        QVERIFY(first.sound);
+        for (int again = 0; again < 3; ++again) QCOMPARE(runOf(scene(), robots, ticks).hash, first.hash);
+        qInfo("%d quick ticks", static_cast<int>(first.quick));
+        if (boxes >= kPile) QVERIFY2(first.quick > 0 && first.quick < 150, "the pile was to switch solvers");
+    }
+
+    /// Two worlds ticked in turn do not disturb each other.
+    void sideBySide() {
+        const Run alone = runOf(crowd(2, 30), 2, 120);
+        auto a = crowd(2, 30).build(), b = crowd(2, 30).build();
+        for (int i = 0; i < 120; ++i) {
+            steer(*a, 2);
+            QVERIFY(a->tick().ok());
+            if (i % 2) continue;
+            steer(*b, 2);
+            QVERIFY(b->tick().ok());
+        }
+        QCOMPARE(a->stateHash(), alone.hash);
+    }
+
+    /// The seed decides the quick solver's order, and only that.
+    void seedMattersToQuickOnly() {
+        const auto withSeed = [](Scene scene, std::uint64_t seed) {
+            scene.spec->settings.seed = seed;
+            return runOf(scene, 2, 120).hash;
+        };
+        QVERIFY(withSeed(crowd(2, 30), 1) != withSeed(crowd(2, 30), 2));
+        QCOMPARE(withSeed(crowd(2, 0), 1), withSeed(crowd(2, 0), 2));
+    }
+
+    /// A robot far away changes not one bit of the others, wherever its name sorts and wherever it stands in the text.
+    void strangerFarAway() {
+        for (const std::string stranger : {"a", "robot1b", "zz"}) {
+            Scene few = crowd(3, 0), more = crowd(3, 0);
+            more.robot(stranger, at(50, 50, 0), r0());
+            std::rotate(more.spec->robots.begin(), more.spec->robots.end() - 1, more.spec->robots.end());
+            auto a = few.build(), b = more.build();
+            for (int i = 0; i < 300; ++i) {
+                steer(*a, 3);
+                steer(*b, 3);
+                QVERIFY(a->tick().ok() && b->tick().ok());
+            }
+            for (int r = 0; r < 3; ++r) {
+                const std::string name = "robot" + std::to_string(r);
+                for (const std::string part : {"/pose", "/velocity", "/leftWheel/pose", "/rightWheel/velocity"}) {
+                    const SignalEntry* entry = a->layout().find(name + part);
+                    for (std::uint32_t k = 0; k < entry->count; ++k)
+                        QCOMPARE(value(*a, name + part, static_cast<int>(k)), value(*b, name + part, static_cast<int>(k)));
+                }
+            }
+        }
+    }
+
+    /// Looking (contacts, energy, hash) changes nothing.
+    void lookingChangesNothing() {
+        auto a = crowd(3, 6).build(), b = crowd(3, 6).build();
+        for (int i = 0; i < 200; ++i) {
+            steer(*a, 3);
+            steer(*b, 3);
+            QVERIFY(a->tick().ok() && b->tick().ok());
+            (void)b->contacts();
+            (void)b->robotEnergy(0);
+            (void)b->stateHash();
+        }
+        QCOMPARE(a->stateHash(), b->stateHash());
+    }
+
+    void hashSeesEveryBody() {
+        auto a = crowd(2, 3).build();
+        std::set<std::uint64_t> seen{a->stateHash()};
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(a->tick().ok());
+            seen.insert(a->stateHash());
+        }
+        QCOMPARE(seen.size(), std::size_t{21});
+    }
+
+    /// Contacts come sorted: by actor, then ground before partners.
+    void contactsAreSorted() {
+        auto world = crowd(4, 6).build();
+        for (int i = 0; i < 150; ++i) {
+            steer(*world, 4);
+            QVERIFY(world->tick().ok());
+        }
+        std::string last;
+        for (const WorldContact& c : world->contacts()) {
+            const std::string actor(c.first.substr(0, c.first.find('/')));
+            QVERIFY(last <= actor);
+            last = actor;
+        }
+        QVERIFY(!world->contacts().empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(DeterminismTest)
+#include "determinism_test.moc"

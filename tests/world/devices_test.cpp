@@ -1,0 +1,312 @@
+// What a device is promised: mounting with words for what is wrong, services, the order of act and sense.
+#include <QtTest>
+#undef slots // a word of ours: SignalBlock::slots()
+
+#include <functional>
+
+#include "world/fixtures.h"
+
+using namespace fixture;
+
+namespace {
+
+/// A device whose three turns are closures; one per test, kept by the test.
+struct Probe {
+    std::function<std::int32_t(const TrundleMount&)> setup;
+    std::function<std::int32_t(const TrundleServices&)> act, sense;
+};
+
+struct Bench {
+    std::map<std::string, Probe> probes; ///< by the device's field Probe
+};
+Bench* bench = nullptr; // of the running test; the C tables carry no context before create()
+
+struct ProbeDevice {
+    std::string name;
+    std::string error;
+};
+
+const TrundleSignal kProbeSignals[] = {{"in", "", "", TRUNDLE_REAL_SIGNAL, 1, TRUNDLE_COMMAND, 0}, {"out", "", "", TRUNDLE_REAL_SIGNAL, 1, TRUNDLE_OUTPUT, 0}};
+const TrundleField kProbeFields[] = {{"Probe", "", "", "", 1, 0, 0, TRUNDLE_TEXT, 1, 1, TRUNDLE_REQUIRED, {nullptr, nullptr, 0}}};
+
+const TrundleKind* probeKind() {
+    static const TrundleKind k{sizeof(TrundleKind), TRUNDLE_DEVICE, "Probe", "", kProbeFields, kProbeSignals, 1, 2,
+        [] { return static_cast<void*>(new ProbeDevice); },
+        [](void* i) { delete static_cast<ProbeDevice*>(i); },
+        [](void* i, std::uint32_t, const TrundleValue* v) { static_cast<ProbeDevice*>(i)->name = v->texts[0]; return std::int32_t{0}; },
+        [](void*) { return "the probe says no"; },
+        nullptr, nullptr,
+        [](void* i, const TrundleMount* m) { auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].setup; return f ? f(*m) : 0; },
+        [](void* i, const TrundleServices* s) { auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].act; return f ? f(*s) : 0; },
+        [](void* i, const TrundleServices* s) { auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].sense; return f ? f(*s) : 0; }};
+    return &k;
+}
+
+const TrundleKind* code(const std::string& kind) { return kind == "Probe" ? probeKind() : rowOnly(kind); }
+
+ComponentSpec probe(const std::string& name) {
+    ComponentSpec spec;
+    spec.kind = "Probe";
+    spec.name = name;
+    spec.values["Probe"] = textValue(name);
+    spec.values["Gain"] = numberValue(2.5);
+    return spec;
+}
+
+} // namespace
+
+class DevicesTest : public QObject {
+    Q_OBJECT
+
+    Bench m_bench;
+
+    Scene withProbes(const std::vector<std::string>& names, const Pose& pose = {}) {
+        Scene scene = r0Scene();
+        auto config = std::make_shared<RobotConfigSpec>(*r0());
+        for (const std::string& name : names) config->devices.push_back(probe(name));
+        scene.scenery({plane("floor", {}, 1), box("wall", {0.2, 4, 1}, at(2.1, 0, 0.5), 3)}).robot("r", pose, config);
+        return scene;
+    }
+
+    std::string failureOf(std::function<std::int32_t(const TrundleMount&)> setup) {
+        m_bench.probes["p"].setup = std::move(setup);
+        Diagnostics diagnostics;
+        Scene scene = withProbes({"p"});
+        if (scene.build(code, diagnostics)) return "";
+        return codeName(diagnostics.all().at(0).code) + " " + diagnostics.all().at(0).message;
+    }
+
+private Q_SLOTS:
+    void init() {
+        m_bench = {};
+        bench = &m_bench;
+    }
+
+    void wrongNamesListWhatExists() {
+        const auto text = [&](auto setup) { return QString::fromStdString(failureOf(setup)); };
+        std::uint32_t id;
+        QString t = text([&](const TrundleMount& m) { return m.joint(m.context, "leftAxel", &id); });
+        qInfo("%s", qPrintable(t));
+        QVERIFY(t.startsWith("E507 r/p: ") && t.contains("leftAxle") && t.contains("rightAxle"));
+        t = text([&](const TrundleMount& m) { return m.geom(m.context, "chassis.hul", &id); });
+        QVERIFY(t.contains("hull") && t.contains("slider"));
+        t = text([&](const TrundleMount& m) { return m.body(m.context, "", &id); });
+        QVERIFY(t.contains("chassis"));
+        t = text([&](const TrundleMount& m) { return m.peerSignal(m.context, "Row", "leftMoter", "command") ? 0 : -1; });
+        QVERIFY(t.contains("leftMotor"));
+        t = text([&](const TrundleMount& m) { return m.peerSignal(m.context, "Encoder", "leftMotor", "command") ? 0 : -1; });
+        QVERIFY(t.contains("is a Row"));
+        t = text([&](const TrundleMount& m) { return m.peerSignal(m.context, "Row", "leftMotor", "comand") ? 0 : -1; });
+        QVERIFY(t.contains("command, position, effort"));
+        t = text([&](const TrundleMount& m) { m.fail(m.context, "I do not like it here"); return 0; });
+        QVERIFY(t.contains("I do not like it here"));
+        t = text([&](const TrundleMount&) { return 7; });
+        QVERIFY(t.contains("the probe says no"));
+    }
+
+    /// Nobody listens yet while the world is built; what is said then is not lost, and comes once.
+    void wordsOfTheSetupReachTheConsole() {
+        m_bench.probes["p"].setup = [](const TrundleMount& m) {
+            m.print(m.context, TRUNDLE_WARNING, "the mount is loose");
+            return 0;
+        };
+        m_bench.probes["p"].sense = [](const TrundleServices& s) {
+            s.print(s.context, TRUNDLE_INFO, "dark here");
+            return 0;
+        };
+        auto world = withProbes({"p"}).build(code);
+        QVERIFY(world);
+        std::vector<std::string> heard;
+        world->setDeviceText([&](const std::string& path, int severity, const std::string& text) {
+            heard.push_back(path + " " + std::to_string(severity) + " " + text);
+        });
+        const std::string info = " " + std::to_string(TRUNDLE_INFO) + " ", warning = " " + std::to_string(TRUNDLE_WARNING) + " ";
+        QCOMPARE(heard, (std::vector<std::string>{"r/p" + warning + "the mount is loose", "r/p" + info + "dark here"}));
+        QVERIFY(world->tick().ok());
+        QCOMPARE(heard.size(), std::size_t{3});
+    }
+
+    void unknownKindIsADiagnostic() {
+        Scene scene = withProbes({"p"});
+        Diagnostics diagnostics;
+        QVERIFY(!scene.build(rowOnly, diagnostics));
+        QCOMPARE(diagnostics.all().at(0).code, Code::KindNotLoaded);
+    }
+
+    void peersFieldsCanBeRead() {
+        double gain = 0;
+        std::string text;
+        m_bench.probes["b"].setup = [&](const TrundleMount& m) {
+            text = m.peerText(m.context, "a", "Probe");
+            return m.peerNumber(m.context, "a", "Gain", &gain);
+        };
+        QVERIFY(withProbes({"a", "b"}).build(code));
+        QCOMPARE(gain, 2.5);
+        QCOMPARE(text, std::string("a"));
+    }
+
+    /// b drives a: it acts first although it stands later, and senses last.
+    void actAndSenseFollowTheBinding() {
+        std::string order;
+        for (const char* name : {"a", "b", "c"}) {
+            m_bench.probes[name].act = [&order, name](const TrundleServices&) { order += name; return 0; };
+            m_bench.probes[name].sense = [&order, name](const TrundleServices&) { order += char(name[0] - 'a' + 'A'); return 0; };
+        }
+        m_bench.probes["b"].setup = [](const TrundleMount& m) { return m.peerSignal(m.context, "", "a", "in") ? 0 : -1; };
+        auto world = withProbes({"a", "b", "c"}).build(code);
+        QVERIFY(world);
+        order.clear();
+        QVERIFY(world->tick().ok());
+        QCOMPARE(order, std::string("bacABC"));
+    }
+
+    void circlesAreRefused() {
+        for (const auto& [self, other] : {std::pair{"a", "b"}, {"b", "a"}})
+            m_bench.probes[self].setup = [other = other](const TrundleMount& m) { return m.peerSignal(m.context, "", other, "in") ? 0 : -1; };
+        Diagnostics diagnostics;
+        Scene scene = withProbes({"a", "b"});
+        QVERIFY(!scene.build(code, diagnostics));
+        QVERIFY(QString::fromStdString(diagnostics.all().at(0).message).contains("r/a, r/b"));
+    }
+
+    void aFailingDeviceStopsTheWorld() {
+        int turns = 0;
+        m_bench.probes["p"].act = [&](const TrundleServices&) { return ++turns == 3 ? 1 : 0; };
+        auto world = withProbes({"p"}).build(code);
+        QVERIFY(world->tick().ok() && world->tick().ok());
+        const Status status = world->tick();
+        QVERIFY(!status.ok());
+        QCOMPARE(status.error().code, Code::DeviceSetup);
+        QVERIFY(QString::fromStdString(status.error().message).contains("r/p: the probe says no"));
+        QVERIFY(!world->tick().ok());
+        QCOMPARE(turns, 3);
+    }
+
+    void raysSeeOthersNotTheirRobot() {
+        TrundleHit hit{}, own{}, down{};
+        int found = 0, foundOwn = 0, none = 1;
+        m_bench.probes["p"].sense = [&](const TrundleServices& s) {
+            const double from[3] = {0, 0, 0.09}, ahead[3] = {1, 0, 0}, under[3] = {0, 0, -1}, back[3] = {-1, 0, 0};
+            found = s.ray(s.context, from, ahead, 10, 0, &hit);
+            const double outside[3] = {1, 0, 0.09};
+            foundOwn = s.ray(s.context, outside, back, 10, 1, &own);
+            none = s.ray(s.context, from, ahead, 1, 0, nullptr);
+            return s.ray(s.context, from, under, 10, 0, &down) ? 0 : 1;
+        };
+        auto world = withProbes({"p"}).build(code);
+        QVERIFY(world && world->tick().ok());
+        QCOMPARE(found, 1);
+        QVERIFY(std::abs(hit.distance - 2) < 1e-9);
+        QVERIFY(std::abs(hit.normal[0] + 1) < 1e-9);
+        QCOMPARE(foundOwn, 1);
+        QVERIFY(std::abs(own.distance - 0.88) < 1e-3); // the hull's front at 0.12
+        QCOMPARE(none, 0);
+        QVERIFY(std::abs(down.distance - 0.09) < 1e-9);
+    }
+
+    void contactsTellForceAndSide() {
+        std::uint32_t geom = 0, count = 0;
+        TrundleContact contacts[4];
+        m_bench.probes["p"].setup = [&](const TrundleMount& m) { return m.geom(m.context, "leftWheel.tyre", &geom); };
+        m_bench.probes["p"].sense = [&](const TrundleServices& s) { count = s.contacts(s.context, geom, contacts, 4); return 0; };
+        auto world = withProbes({"p"}).build(code);
+        QVERIFY(run(*world, 1));
+        QCOMPARE(count, 1u);
+        QVERIFY(std::abs(contacts[0].normal[2] - 1) < 1e-9);
+        QVERIFY(contacts[0].force > 15 && contacts[0].force < 19);
+        QVERIFY(contacts[0].depth > 0 && contacts[0].depth < 2e-4);
+    }
+
+    void randomIsAFunctionOfWhereAndWhen() {
+        std::vector<std::uint64_t> numbers[2];
+        for (int again = 0; again < 2; ++again) {
+            for (const char* name : {"a", "b"})
+                m_bench.probes[name].sense = [&, again](const TrundleServices& s) {
+                    numbers[again].push_back(s.random(s.context, 0));
+                    return 0;
+                };
+            auto world = withProbes({"a", "b"}).build(code);
+            QVERIFY(run(*world, 0.05));
+        }
+        QVERIFY(numbers[0] == numbers[1]);
+        std::sort(numbers[0].begin(), numbers[0].end());
+        QVERIFY(std::adjacent_find(numbers[0].begin(), numbers[0].end()) == numbers[0].end());
+    }
+
+    void actuationOutsideActIsIgnored() {
+        std::uint32_t id = 0;
+        m_bench.probes["p"].setup = [&](const TrundleMount& m) { return m.body(m.context, "chassis", &id); };
+        m_bench.probes["p"].sense = [&](const TrundleServices& s) {
+            const double force[3] = {1000, 0, 0}, point[3] = {0, 0, 0};
+            s.bodyForce(s.context, id, force, point);
+            return 0;
+        };
+        auto world = withProbes({"p"}).build(code);
+        QVERIFY(run(*world, 0.5));
+        QVERIFY(std::abs(world->robotPose(0).position.x()) < 1e-3);
+    }
+
+    void jointTorqueTurnsTheChild() {
+        std::uint32_t id = 0;
+        m_bench.probes["p"].setup = [&](const TrundleMount& m) { return m.joint(m.context, "leftAxle", &id); };
+        m_bench.probes["p"].act = [&](const TrundleServices& s) { s.jointTorque(s.context, id, 0.1); return 0; };
+        Scene scene = withProbes({"p"}, at(0, 0, 5));
+        scene.spec->settings.gravity = Vec3::Zero();
+        auto world = scene.build(code);
+        QVERIFY(run(*world, 0.1));
+        QVERIFY(value(*world, "r/leftAxle/rate") > 1);
+        QVERIFY(std::abs(value(*world, "r/rightAxle/rate")) < 0.5);
+    }
+
+    /// A belt: a geom whose surface moves carries a crate along at its speed.
+    void surfaceVelocityCarries() {
+        std::uint32_t geom = 0;
+        m_bench.probes["belt"].setup = [&](const TrundleMount& m) { return m.geom(m.context, "frame.top", &geom); };
+        m_bench.probes["belt"].act = [&](const TrundleServices& s) {
+            const double v[3] = {0.3, 0, 0};
+            s.surfaceVelocity(s.context, geom, v);
+            return 0;
+        };
+        Scene scene;
+        auto config = std::make_shared<RobotConfigSpec>();
+        config->bodies.push_back(body("frame", at(0, 0, 0.5), massOfBox(50, {4, 1, 0.2}), {box("top", {4, 1, 0.2})}));
+        config->joints.push_back(joint("hold", JointType::Fixed, kWorldBody, 0, {0, 0, 0.5}, Vec3::UnitZ()));
+        config->devices.push_back(probe("belt"));
+        scene.robot("conveyor", at(0, 0, 0, degrees(90, 0, 0)), config);
+        const Vec3 size(0.2, 0.2, 0.2);
+        scene.loose("crate", at(0, 0, 0.7), massOfBox(1, size), {box("crate", size)});
+        auto world = scene.build(code);
+        QVERIFY(world && run(*world, 2));
+        const Vec3 v = velocity(*world, "crate/body");
+        QVERIFY(std::abs(v.y() - 0.3) < 1e-3 && std::abs(v.x()) < 1e-3); // the belt's own x points along the world's y
+    }
+
+    void signalsAreWhereTheyShouldBe() {
+        auto world = withProbes({"p"}).build(code);
+        for (const char* path : {"r/pose", "r/velocity", "r/chassis/pose", "r/leftWheel/velocity", "r/leftAxle/position", "r/leftAxle/rate", "r/p/in", "r/p/out"})
+            QVERIFY2(world->layout().find(path), path);
+        QCOMPARE(world->layout().find("r/pose")->direction, SignalDirection::Truth);
+        QCOMPARE(world->layout().find("r/p/in")->direction, SignalDirection::Command);
+        QCOMPARE(world->layout().images().size(), std::size_t{1});
+        QCOMPARE(world->block().header().tick, std::uint64_t{0});
+        QVERIFY(world->tick().ok());
+        QCOMPARE(world->block().header().tick, std::uint64_t{1});
+        QCOMPARE(world->block().header().sequence % 2, std::uint64_t{0});
+    }
+
+    /// At tick 0 the pose is the text's, to the bit, even where the first body stands elsewhere.
+    void poseAtTheStartIsExact() {
+        Scene scene = r0Scene();
+        auto config = std::make_shared<RobotConfigSpec>(*r0());
+        config->bodies[0].pose = at(0.1, 0.2, 0.3, degrees(10, 20, 30));
+        const Pose start = at(-1.5, 0.1, 0.7, degrees(33, 0, 0));
+        scene.robot("r", start, config);
+        auto world = scene.build();
+        for (int k = 0; k < 3; ++k) QCOMPARE(value(*world, "r/pose", k), start.position[k]);
+        QCOMPARE(value(*world, "r/pose", 3), start.rotation.w());
+        QCOMPARE(value(*world, "r/pose", 6), start.rotation.z());
+    }
+};
+
+QTEST_APPLESS_MAIN(DevicesTest)
+#include "devices_test.moc"

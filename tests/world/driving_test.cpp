@@ -1,0 +1,234 @@
+// How well R0 drives when each wheel is a rate servo: the figures of the physics notes, measured at the middle of the axle.
+#include <QtTest>
+#undef slots // a word of ours: SignalBlock::slots()
+
+#include "world/fixtures.h"
+
+using namespace fixture;
+
+namespace {
+
+constexpr double kStall = 5.4; // N m, motor M0
+constexpr double kNoLoad = 12 / (0.03 * 30), kDamping = 30.0 * 30 * 0.03 * 0.03 / 2; // rad/s, N m s/rad
+
+/// Trapezoid from 0 to `length` at cruising speed `speed` with ramps of `ramp` seconds.
+struct Trapezoid {
+    double length, speed, ramp;
+    [[nodiscard]] double end() const { return length / speed + ramp; }
+    [[nodiscard]] double at(double t) const {
+        const double a = speed / ramp, T = end();
+        if (t <= 0) return 0;
+        if (t >= T) return length;
+        if (t < ramp) return a * t * t / 2;
+        if (t > T - ramp) return length - a * (T - t) * (T - t) / 2;
+        return speed * (t - ramp / 2);
+    }
+};
+
+struct PoseError { double along, across, heading; };
+
+/// Drives the amounts on R0 and gives the error against the integrated ideal motion, in the ideal end's frame.
+PoseError drive(Scene& scene, double x, double theta, double seconds, double ramp) {
+    auto world = scene.build();
+    if (!world || !run(*world, 0.5)) return {1e9, 1e9, 1e9};
+    const double h = scene.spec->settings.tick;
+    const Pose start = world->robotPose(0);
+    const Trapezoid unit{1, 1 / (seconds - ramp), ramp};
+    Pose ideal = start;
+    double heading = hprFromRotation(start.rotation).x();
+    const auto ticks = static_cast<int>(std::ceil(seconds / h)) + static_cast<int>(0.5 / h);
+    for (int k = 0; k < ticks; ++k) {
+        const double t = static_cast<double>(k) * h, part = unit.at(t + h) - unit.at(t);
+        const double v = x * part / h, w = theta * part / h;
+        command(*world, "r/leftMotor", (v - w * kR0Track / 2) / kR0Radius, 0, kStall);
+        command(*world, "r/rightMotor", (v + w * kR0Track / 2) / kR0Radius, 0, kStall);
+        if (!world->tick()) return {1e9, 1e9, 1e9};
+        const double turned = w * h, chord = turned == 0 ? v * h : v * h * std::sin(turned / 2) / (turned / 2);
+        ideal.position += chord * Vec3(std::cos(heading + turned / 2), std::sin(heading + turned / 2), 0);
+        heading += turned;
+    }
+    const Pose end = world->robotPose(0);
+    const Vec3 off = rotationFromHpr({-heading, 0, 0}) * Vec3(end.position - ideal.position);
+    const double turnError = std::remainder(hprFromRotation(end.rotation).x() - heading, 2 * kPi);
+    return {off.x(), off.y(), turnError};
+}
+
+} // namespace
+
+class DrivingTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void driving_data() {
+        QTest::addColumn<QString>("ground");
+        QTest::addColumn<bool>("round");
+        QTest::addColumn<double>("tick");
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<double>("turnDeg");
+        QTest::addColumn<double>("seconds");
+        QTest::addColumn<double>("mostMm");
+        QTest::addColumn<double>("mostDeg");
+        const double circle = 0.3 * 2 * kPi;
+        QTest::newRow("straight 5 m, 1 ms") << "plane" << false << 0.001 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
+        QTest::newRow("straight 5 m, 10 ms") << "plane" << false << 0.01 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
+        QTest::newRow("straight 5 m, 30 ms") << "plane" << false << 0.03 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
+        QTest::newRow("arc 360 deg, 10 ms") << "plane" << false << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
+        QTest::newRow("arc 360 deg, 30 ms") << "plane" << false << 0.03 << circle << 360.0 << 2 * kPi + 0.5 << 0.54 << 0.1;
+        QTest::newRow("ten turns, 10 ms") << "plane" << false << 0.01 << 10 * circle << 3600.0 << 20 * kPi + 0.5 << 0.62 << 0.12;
+        QTest::newRow("spin W=4, 5 turns, 10 ms") << "plane" << false << 0.01 << 0.0 << 1800.0 << 10 * kPi / 4 + 0.5 << 0.05 << 0.92;
+        QTest::newRow("straight on a box") << "box" << false << 0.01 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
+        QTest::newRow("arc on a box") << "box" << false << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
+        QTest::newRow("straight, round wheels") << "plane" << true << 0.01 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
+        QTest::newRow("arc, round wheels") << "plane" << true << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
+        QTest::newRow("straight on a mesh") << "mesh" << false << 0.01 << 5.0 << 0.0 << 10.5 << 0.1 << 0.01;
+        QTest::newRow("arc on a mesh") << "mesh" << false << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.2 << 0.05;
+        QTest::newRow("straight on a heightfield") << "heights" << false << 0.01 << 5.0 << 0.0 << 10.5 << 0.1 << 0.01;
+        QTest::newRow("arc on a heightfield") << "heights" << false << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.2 << 0.05;
+    }
+    void driving() {
+        QFETCH(QString, ground);
+        QFETCH(bool, round);
+        QFETCH(double, tick);
+        QFETCH(double, distance);
+        QFETCH(double, turnDeg);
+        QFETCH(double, seconds);
+        QFETCH(double, mostMm);
+        QFETCH(double, mostDeg);
+        Scene scene = r0Scene(tick);
+        if (ground == "plane") scene.scenery({plane("floor", {}, 1)});
+        if (ground == "box") scene.scenery({box("floor", {30, 30, 0.2}, at(0, 0, -0.1), 1)});
+        if (ground == "mesh") scene.scenery({meshFloor()});
+        if (ground == "heights") scene.scenery({heightFloor()});
+        R0Options options;
+        options.roundWheels = round;
+        scene.robot("r", {}, r0(options));
+        const PoseError e = drive(scene, distance, turnDeg * kPi / 180, seconds, 0.5);
+        qInfo("along %.5f mm, across %.5f mm, heading %.6f deg", 1e3 * e.along, 1e3 * e.across, e.heading * 180 / kPi);
+        QVERIFY(1e3 * std::hypot(e.along, e.across) <= mostMm);
+        QVERIFY(std::abs(e.heading) * 180 / kPi <= mostDeg);
+    }
+
+    static GeomSpec meshFloor() {
+        auto mesh = std::make_shared<TriangleMesh>();
+        constexpr int n = 60;
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i) mesh->points.push_back({0.2 * (i - n / 2), 0.2 * (j - n / 2), 0});
+        for (std::uint32_t j = 0; j < n; ++j)
+            for (std::uint32_t i = 0; i < n; ++i) {
+                const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
+                mesh->triangles.push_back({a, b, c});
+                mesh->triangles.push_back({b, d, c});
+            }
+        GeomSpec geom = plane("mesh", {}, 1);
+        geom.shape = GeomShape::Mesh;
+        geom.mesh = mesh;
+        return geom;
+    }
+    static GeomSpec heightFloor() {
+        auto map = std::make_shared<HeightMap>();
+        map->columns = map->rows = 41;
+        map->heights.assign(41 * 41, 0.5f);
+        GeomSpec geom = plane("hills", at(0, 0, -0.5), 1);
+        geom.shape = GeomShape::Heightfield;
+        geom.size = {14, 14, 1};
+        geom.heightMap = map;
+        return geom;
+    }
+
+    void voltageLag_data() {
+        QTest::addColumn<double>("tick");
+        QTest::newRow("1 ms") << 0.001;
+        QTest::newRow("10 ms") << 0.01;
+        QTest::newRow("30 ms") << 0.03;
+    }
+    /// Open loop behind a ramp to 0.5 m/s: the way lost is v tau, tau = (M r^2/2 + I)/b, at every tick.
+    void voltageLag() {
+        QFETCH(double, tick);
+        Scene scene = r0Scene(tick);
+        scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());
+        auto world = scene.build();
+        QVERIFY(world && run(*world, 0.6));
+        const double x0 = world->robotPose(0).position.x();
+        const Trapezoid ramp{100, 0.5, 0.5};
+        const auto ticks = static_cast<int>(1.5 / tick);
+        for (int k = 0; k < ticks; ++k) {
+            const double rate = (ramp.at((k + 1) * tick) - ramp.at(k * tick)) / tick / kR0Radius;
+            command(*world, "r/leftMotor", rate, 1 / kDamping, kStall);
+            command(*world, "r/rightMotor", rate, 1 / kDamping, kStall);
+            QVERIFY(world->tick().ok());
+        }
+        const double lag = ramp.at(ticks * tick) - (world->robotPose(0).position.x() - x0);
+        qInfo("lag %.4f mm", 1e3 * lag);
+        QVERIFY(std::abs(1e3 * lag - 7.099) < 0.07);
+    }
+
+    void stableInTheAir_data() {
+        QTest::addColumn<double>("tick");
+        for (const double tick : {0.001, 0.01, 0.03, 0.05}) QTest::newRow(qPrintable(QString::number(tick))) << tick;
+    }
+    /// Wheels lifted (gravity off): no-load rate to six digits, whatever the tick.
+    void stableInTheAir() {
+        QFETCH(double, tick);
+        Scene scene = r0Scene(tick);
+        scene.spec->settings.gravity = Vec3::Zero();
+        scene.robot("r", at(0, 0, 1), r0());
+        auto world = scene.build();
+        QVERIFY(world);
+        command(*world, "r/leftMotor", kNoLoad, 1 / kDamping, kStall);
+        command(*world, "r/rightMotor", kNoLoad, 1 / kDamping, kStall);
+        QVERIFY(run(*world, 3));
+        QVERIFY(std::abs(value(*world, "r/leftAxle/rate") / kNoLoad - 1) < 1e-6);
+        QVERIFY(std::abs(value(*world, "r/rightAxle/rate") / kNoLoad - 1) < 1e-6);
+    }
+
+    /// The wheel's angle is the sum of its rate, over many turns.
+    void angleIsTheSumOfRate() {
+        Scene scene = r0Scene(0.03);
+        scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());
+        auto world = scene.build();
+        QVERIFY(world);
+        command(*world, "r/leftMotor", 10, 0, kStall);
+        command(*world, "r/rightMotor", 10, 0, kStall);
+        double sum = 0;
+        for (int i = 0; i < 400; ++i) {
+            QVERIFY(world->tick().ok());
+            sum += value(*world, "r/leftAxle/rate") * 0.03;
+        }
+        QVERIFY(sum > 100);
+        QVERIFY(std::abs(value(*world, "r/leftAxle/position") - sum) < 1e-6 * sum);
+        QCOMPARE(value(*world, "r/leftMotor/position"), value(*world, "r/leftAxle/position"));
+    }
+
+    /// What must fail: without gravity, without friction, without wheels nobody drives.
+    void doesNotDrive_data() {
+        QTest::addColumn<QString>("without");
+        QTest::addColumn<bool>("drives");
+        QTest::newRow("nothing missing") << "" << true;
+        QTest::newRow("gravity off") << "gravity" << false;
+        QTest::newRow("friction zero") << "friction" << false;
+        QTest::newRow("wheels removed") << "wheels" << false;
+    }
+    void doesNotDrive() {
+        QFETCH(QString, without);
+        QFETCH(bool, drives);
+        Scene scene = r0Scene(0.01, without == "friction" ? 0 : 1);
+        if (without == "gravity") scene.spec->settings.gravity = Vec3::Zero();
+        R0Options options;
+        options.wheels = without != "wheels";
+        scene.scenery({plane("floor", {}, 1)}).robot("r", at(0, 0, without == "gravity" ? 0.001 : 0), r0(options));
+        auto world = scene.build();
+        QVERIFY(world);
+        if (options.wheels) {
+            command(*world, "r/leftMotor", 5, 0, kStall);
+            command(*world, "r/rightMotor", 5, 0, kStall);
+        }
+        QVERIFY(run(*world, 2));
+        const double x = world->robotPose(0).position.x();
+        qInfo("went %.4f m", x);
+        QCOMPARE(x > 0.45, drives);
+        if (!drives) QVERIFY(std::abs(x) < 0.05);
+    }
+};
+
+QTEST_APPLESS_MAIN(DrivingTest)
+#include "driving_test.moc"

@@ -1,0 +1,228 @@
+// Each kind of joint moves as its name says; positive is the child turning right-handed about the axis as seen from the parent.
+#include <QtTest>
+#undef slots // a word of ours: SignalBlock::slots()
+
+#include "world/fixtures.h"
+
+using namespace fixture;
+
+namespace {
+
+/// Two bodies, the first held by the world, joined by `spec` (parent 0, child 1); gravity off.
+Scene pair(const JointSpec& spec, const Vec3& childAt = {0, 0, 1}) {
+    Scene scene;
+    scene.spec->settings.gravity = Vec3::Zero();
+    auto config = std::make_shared<RobotConfigSpec>();
+    config->bodies.push_back(body("base", at(0, 0, 1), massOfBox(5, {0.1, 0.1, 0.1}), {}));
+    config->bodies.push_back(body("arm", {childAt, Quat::Identity()}, massOfBox(1, {0.3, 0.2, 0.1}), {}));
+    config->joints.push_back(joint("hold", JointType::Fixed, kWorldBody, 0, {0, 0, 1}, Vec3::UnitZ()));
+    config->joints.push_back(spec);
+    if (spec.type != JointType::Ball && spec.type != JointType::Fixed) config->devices.push_back(row("motor", spec.name));
+    scene.robot("r", {}, config);
+    return scene;
+}
+
+Vec3 armHpr(World& world) {
+    const double* p = slot(world, "r/arm/pose");
+    return hprFromRotation(Quat(p[3], p[4], p[5], p[6])) * (180 / kPi);
+}
+
+} // namespace
+
+class JointsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hingeTurnsRightHanded() {
+        for (const bool toWorld : {false, true}) {
+            JointSpec j = joint("j", JointType::Hinge, toWorld ? kWorldBody : 0, 1, {0, 0, 1}, Vec3::UnitZ());
+            auto world = pair(j).build();
+            QVERIFY(world);
+            command(*world, "r/motor", 1, 0, 100);
+            QVERIFY(run(*world, 0.5));
+            QVERIFY(std::abs(value(*world, "r/j/rate") - 1) < 1e-6);
+            QVERIFY(std::abs(value(*world, "r/j/position") - 0.5) < 0.011);
+            QVERIFY(std::abs(spin(*world, "r/arm").z() - 1) < 1e-6);
+            QVERIFY(std::abs(armHpr(*world).x() - value(*world, "r/j/position") * 180 / kPi) < 1e-4); // heading + turns left
+        }
+    }
+
+    void hingeStops_data() {
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<double>("stop");
+        QTest::newRow("high") << 3.0 << 0.5;
+        QTest::newRow("low") << -3.0 << -0.25;
+        QTest::newRow("beyond a turn") << 30.0 << 9.0;
+    }
+    void hingeStops() {
+        QFETCH(double, rate);
+        QFETCH(double, stop);
+        JointSpec j = joint("j", JointType::Hinge, 0, 1, {0, 0, 1}, Vec3::UnitX());
+        (stop > 0 ? j.highStop : j.lowStop) = stop;
+        auto world = pair(j).build();
+        command(*world, "r/motor", rate, 0, 0.5);
+        QVERIFY(run(*world, 3));
+        QVERIFY(std::abs(value(*world, "r/j/position") - stop) < 0.005);
+        QVERIFY(std::abs(value(*world, "r/j/rate")) < 1e-3);
+    }
+
+    void sliderMovesAlongItsAxis() {
+        JointSpec j = joint("j", JointType::Slider, 0, 1, {0, 0, 1}, Vec3::UnitX());
+        j.highStop = 0.3;
+        auto world = pair(j).build();
+        command(*world, "r/motor", 0.2, 0, 100);
+        QVERIFY(run(*world, 1));
+        QVERIFY(std::abs(value(*world, "r/j/position") - 0.2) < 0.003);
+        QVERIFY(std::abs(position(*world, "r/arm").x() - value(*world, "r/j/position")) < 1e-6);
+        QVERIFY(run(*world, 2));
+        QVERIFY(std::abs(value(*world, "r/j/position") - 0.3) < 0.005);
+    }
+
+    void sliderFallsFreely() {
+        JointSpec j = joint("j", JointType::Slider, 0, 1, {0, 0, 1}, Vec3::UnitZ());
+        Scene scene = pair(j);
+        scene.spec->settings.gravity = {0, 0, -g};
+        auto world = scene.build();
+        QVERIFY(run(*world, 0.5));
+        QVERIFY(std::abs(value(*world, "r/j/rate") + 0.5 * g) < 1e-6);
+    }
+
+    void fixedHolds() {
+        auto world = pair(joint("j", JointType::Fixed, 0, 1, {0, 0, 1}, Vec3::UnitZ()), {0.3, 0, 1}).build();
+        QVERIFY(world->push("r/arm", {50, 0, 50}, {0.3, 0.1, 1}).ok());
+        QVERIFY(run(*world, 1));
+        QVERIFY((position(*world, "r/arm") - Vec3(0.3, 0, 1)).norm() < 1e-4);
+        QVERIFY(!world->layout().find("r/j/position"));
+    }
+
+    void ballKeepsItsAnchor() {
+        Scene scene = pair(joint("j", JointType::Ball, 0, 1, {0, 0, 1}, Vec3::UnitZ()), {0.3, 0, 1});
+        scene.spec->settings.gravity = {0, 0, -g};
+        auto world = scene.build();
+        double lowest = 1;
+        for (int i = 0; i < 200; ++i) {
+            QVERIFY(world->tick().ok());
+            lowest = std::min(lowest, position(*world, "r/arm").z());
+            QVERIFY(std::abs((position(*world, "r/arm") - Vec3(0, 0, 1)).norm() - 0.3) < 2e-3);
+        }
+        QVERIFY(lowest < 0.71);
+    }
+
+    void universalBlocksTheTwist() {
+        JointSpec j = joint("j", JointType::Universal, 0, 1, {0, 0, 1}, Vec3::UnitX());
+        j.axis2 = Vec3::UnitY();
+        auto world = pair(j).build();
+        for (int i = 0; i < 50; ++i) { // a couple about z
+            QVERIFY(world->push("r/arm", {0, 5, 0}, Vec3(0.15, 0, 1)).ok());
+            QVERIFY(world->push("r/arm", {0, -5, 0}, Vec3(-0.15, 0, 1)).ok());
+            QVERIFY(world->tick().ok());
+        }
+        QVERIFY(spin(*world, "r/arm").norm() < 1e-3);
+        command(*world, "r/motor", 1, 0, 100);
+        QVERIFY(run(*world, 0.3));
+        QVERIFY(std::abs(value(*world, "r/j/rate") - 1) < 1e-3);
+        QVERIFY(std::abs(value(*world, "r/j/position") - 0.3) < 0.011);
+        QVERIFY(spin(*world, "r/arm").x() > 0.99);
+    }
+
+    /// A wheel on a spring: sags by m g / k, its axle turns, it does not steer.
+    void suspensionSagsAndTurns() {
+        JointSpec j = joint("j", JointType::Suspension, 0, 1, {0, 0, 1}, Vec3::UnitZ());
+        j.axis2 = Vec3::UnitY();
+        j.stiffness = 1000;
+        j.damping = 60;
+        Scene scene = pair(j);
+        scene.spec->settings.gravity = {0, 0, -g};
+        auto world = scene.build();
+        command(*world, "r/motor", 5, 0, 10);
+        QVERIFY(run(*world, 2));
+        QVERIFY(std::abs(position(*world, "r/arm").z() - (1 - g / 1000)) < 1e-4);
+        QVERIFY(std::abs(value(*world, "r/j/rate") - 5) < 1e-3);
+        QVERIFY(std::abs(spin(*world, "r/arm").y() - 5) < 1e-3);
+        QVERIFY(std::abs(spin(*world, "r/arm").z()) < 1e-3);
+    }
+
+    void suspensionStopsAtItsTravel() {
+        JointSpec j = joint("j", JointType::Suspension, 0, 1, {0, 0, 1}, Vec3::UnitZ());
+        j.axis2 = Vec3::UnitY();
+        j.stiffness = 100;
+        j.damping = 20;
+        j.travel = 0.02; // the weight alone would take it to 98 mm
+        Scene scene = pair(j);
+        scene.spec->settings.gravity = {0, 0, -g};
+        auto world = scene.build();
+        QVERIFY(run(*world, 2));
+        QVERIFY(std::abs(position(*world, "r/arm").z() - 0.98) < 0.004);
+    }
+
+    void frictionHoldsAndMotorOvercomesIt() {
+        JointSpec j = joint("j", JointType::Hinge, 0, 1, {0, 0, 1}, Vec3::UnitZ());
+        j.friction = 2;
+        auto world = pair(j).build();
+        command(*world, "r/motor", 10, 0, 1.9);
+        QVERIFY(run(*world, 1));
+        QVERIFY(std::abs(value(*world, "r/j/rate")) < 1e-4);
+        command(*world, "r/motor", 10, 0, 3);
+        QVERIFY(run(*world, 1));
+        QVERIFY(std::abs(value(*world, "r/j/rate") - 10) < 1e-3);
+        QVERIFY(std::abs(value(*world, "r/motor/effort") - 2) < 0.01); // at steady speed the motor carries friction alone
+    }
+
+    void springFindsItsBalance() {
+        JointSpec j = joint("j", JointType::Slider, 0, 1, {0, 0, 1}, Vec3::UnitZ());
+        j.stiffness = 500;
+        j.damping = 40;
+        Scene scene = pair(j);
+        scene.spec->settings.gravity = {0, 0, -g};
+        auto world = scene.build();
+        QVERIFY(run(*world, 3));
+        QVERIFY(std::abs(value(*world, "r/j/position") + g / 500) < 1e-5);
+    }
+
+    void dampingLimitsSpeed() {
+        JointSpec j = joint("j", JointType::Hinge, 0, 1, {0, 0, 1}, Vec3::UnitZ());
+        j.damping = 0.5;
+        auto world = pair(j).build();
+        command(*world, "r/motor", 1000, 0, 2); // a torque of 2 N m in effect
+        QVERIFY(run(*world, 3));
+        QVERIFY(std::abs(value(*world, "r/j/rate") - 4) < 1e-3);
+        QVERIFY(std::abs(value(*world, "r/motor/effort") - 2) < 1e-3);
+    }
+
+    /// A body whose centre of mass is off its frame swings about it; the frame is what is published.
+    void offsetCentreOfMass() {
+        Scene scene;
+        scene.spec->settings.gravity = Vec3::Zero();
+        auto config = std::make_shared<RobotConfigSpec>();
+        config->bodies.push_back(body("stick", {}, massOfBox(1, {1, 0.1, 0.1}, {0.5, 0, 0}), {}));
+        scene.robot("s", at(1, 2, 3, degrees(90, 0, 0)), config);
+        auto world = scene.build();
+        QVERIFY((position(*world, "s/stick") - Vec3(1, 2, 3)).norm() < 1e-12);
+        QCOMPARE(value(*world, "s/pose", 1), 2.0);
+        QVERIFY(world->push("s/stick", {100, 0, 0}, {1, 2.5, 3}).ok()); // through the centre of mass
+        QVERIFY(run(*world, 0.5));
+        QVERIFY(spin(*world, "s/stick").norm() < 1e-9);
+        QVERIFY(std::abs(velocity(*world, "s/stick").x() - 1) < 1e-9);
+        QVERIFY(std::abs(position(*world, "s/stick").x() - 1.5) < 1e-9);
+    }
+
+    void placeKeepsTheJointAngles() {
+        Scene scene = r0Scene();
+        scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());
+        auto world = scene.build();
+        command(*world, "r/leftMotor", 5, 0, 5);
+        command(*world, "r/rightMotor", 5, 0, 5);
+        QVERIFY(run(*world, 1));
+        const double angle = value(*world, "r/leftAxle/position");
+        command(*world, "r/leftMotor", 0, 0, 5);
+        command(*world, "r/rightMotor", 0, 0, 5);
+        QVERIFY(world->place("r", at(3, 4, 0, degrees(90, 0, 0))).ok());
+        QVERIFY(world->tick().ok());
+        QVERIFY((world->robotPose(0).position - Vec3(3, 4, 0)).norm() < 1e-3);
+        QVERIFY(std::abs(hprFromRotation(world->robotPose(0).rotation).x() - kPi / 2) < 1e-3);
+        QVERIFY(std::abs(value(*world, "r/leftAxle/position") - angle) < 1e-3);
+    }
+};
+
+QTEST_APPLESS_MAIN(JointsTest)
+#include "joints_test.moc"
