@@ -47,6 +47,8 @@ private Q_SLOTS:
     void voltageLagsByItsTimeConstant();
     void theMotorIsStableAtEveryTick_data();
     void theMotorIsStableAtEveryTick();
+    void pressedAgainstAWallItStays_data();
+    void pressedAgainstAWallItStays();
     void withoutWhatMovesItTheRobotStays_data();
     void withoutWhatMovesItTheRobotStays();
 };
@@ -134,6 +136,27 @@ void DrivingFlowTest::theMotorIsStableAtEveryTick() {
         QVERIFY2(std::abs(rate - 10) < (lifted ? 1e-3 : 0.05), shown(run)); // 0.5 m/s on a wheel of 5 cm
     }
     if (!lifted) QVERIFY2(std::abs(axle(run).x - (3 - 0.125 - 7.1e-3)) < 5e-4, shown(run));
+}
+
+void DrivingFlowTest::pressedAgainstAWallItStays_data() {
+    QTest::addColumn<double>("tick");
+    QTest::addColumn<double>("distance");
+    for (const double tick : {0.003, 0.005, 0.01, 0.02, 0.03})
+        for (const double distance : {-0.5, -0.7, -2.0, 5.0}) QTest::addRow("tick %g s, %g m", tick, distance) << tick << distance;
+}
+
+// Wheels held by the motors, held by the floor, the hull held by the wall: rows that nearly say the same thing make the exact
+// solver stumble now and then (at tick 0.01 and -0.5 m it does). Nobody should notice.
+void DrivingFlowTest::pressedAgainstAWallItStays() {
+    QFETCH(double, tick);
+    QFETCH(double, distance);
+    const Outcome run = cli({"run", configPath("experiments/linear_motion.sim"), "--json", "--duration", "30", "--log-dir", m_folder.filePath("logs"),
+                             "--set", QString("Tick=%1").arg(tick), "--set", QString("robot0.brain.Distance=%1").arg(distance)});
+    QVERIFY2(run.code == 0, shown(run));
+    const QJsonObject robot = QJsonDocument::fromJson(run.out).object()["robots"].toObject()["robot0"].toObject();
+    const double hull = distance < 0 ? -2 + 0.15 : 2 - 0.17; // the walls stand at 2 m; behind reaches the hull, in front the bumper
+    QVERIFY2(std::abs(robot["pos"].toArray()[0].toDouble() - hull) < 1e-3, shown(run));
+    QVERIFY2(std::abs(robot["pos"].toArray()[1].toDouble()) < 2e-3, shown(run));
 }
 
 void DrivingFlowTest::withoutWhatMovesItTheRobotStays_data() {

@@ -124,18 +124,36 @@ void OdeEngine::applyMotion(const Motion& write) {
     }
 }
 
+/// In a rare tick the exact solver's pivoting meets a singular row, says so and leaves nonsense behind. The tick is then taken again
+/// from the same state with a little more give in every row. False where no give helped: the state is as before the tick.
+bool OdeEngine::stepExactly(double h) {
+    saveState();
+    bool solved = false;
+    for (const double give : {kWorldCfm, 1e2 * kWorldCfm, 1e4 * kWorldCfm}) {
+        const std::uint64_t before = odeMessages();
+        dWorldSetCFM(m_world, give);
+        dWorldStep(m_world, h);
+        solved = odeMessages() == before;
+        if (solved) break;
+        restoreState();
+    }
+    dWorldSetCFM(m_world, kWorldCfm);
+    return solved;
+}
+
+void OdeEngine::stepQuickly(double h) {
+    if (m_settings.solver != SolverChoice::Quick) ++m_quickTicks;
+    dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) & 0xffffffffu)); // ODE's stream belongs to the process
+    dWorldQuickStep(m_world, h);
+}
+
 void OdeEngine::solve(double h) {
     m_quick = m_settings.solver == SolverChoice::Quick;
     if (m_settings.solver == SolverChoice::Auto && m_contacts.size() > static_cast<std::size_t>(m_options.exactClusterMax))
         m_quick = largestCluster() > static_cast<std::size_t>(m_options.exactClusterMax);
     makeContactJoints(h);
-    if (m_quick) {
-        if (m_settings.solver == SolverChoice::Auto) ++m_quickTicks;
-        dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) & 0xffffffffu)); // ODE's stream belongs to the process
-        dWorldQuickStep(m_world, h);
-    } else {
-        dWorldStep(m_world, h);
-    }
+    if (!m_quick && !stepExactly(h)) m_quick = true;
+    if (m_quick) stepQuickly(h);
     dJointGroupEmpty(m_contactGroup);
 }
 

@@ -78,6 +78,10 @@ private:
     void applyTorque(const JointTorque& write);
     void applyMotion(const Motion& write);
     void solve(double h);
+    [[nodiscard]] bool stepExactly(double h);
+    void stepQuickly(double h);
+    void saveState();
+    void restoreState();
 
     // joints in a step (ode_joint_rows.cpp)
     void tendRows(double h);
@@ -130,6 +134,7 @@ private:
     std::vector<Actor> m_actors;
     std::vector<Body> m_bodies;
     std::vector<BodyState> m_states;
+    std::vector<RawState> m_saved; ///< before the step, should it have to be taken again
     std::vector<Geom> m_geoms;
     std::vector<Vec3> m_centres;   ///< of geoms, world
     std::vector<Box3> m_boxes;     ///< of geoms

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 namespace trundle {
 
@@ -29,6 +30,36 @@ std::string text(const char* format, double value) {
 }
 
 } // namespace
+
+void OdeEngine::saveState() {
+    m_saved.resize(m_bodies.size());
+    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
+        const Body& b = m_bodies[i];
+        RawState& s = m_saved[i];
+        std::memcpy(s.p, b.p, sizeof s.p);
+        std::memcpy(s.r, b.r, sizeof s.r);
+        std::memcpy(s.q, b.q, sizeof s.q);
+        std::memcpy(s.v, b.v, sizeof s.v);
+        std::memcpy(s.w, b.w, sizeof s.w);
+        std::memcpy(s.force, dBodyGetForce(b.id), sizeof s.force);
+        std::memcpy(s.torque, dBodyGetTorque(b.id), sizeof s.torque);
+    }
+}
+
+/// Writes through ODE's const pointers: no setter leaves the last bit alone.
+void OdeEngine::restoreState() {
+    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
+        const Body& b = m_bodies[i];
+        const RawState& s = m_saved[i];
+        std::memcpy(const_cast<dReal*>(b.p), s.p, sizeof s.p);
+        std::memcpy(const_cast<dReal*>(b.r), s.r, sizeof s.r);
+        std::memcpy(const_cast<dReal*>(b.q), s.q, sizeof s.q);
+        std::memcpy(const_cast<dReal*>(b.v), s.v, sizeof s.v);
+        std::memcpy(const_cast<dReal*>(b.w), s.w, sizeof s.w);
+        dBodySetForce(b.id, s.force[0], s.force[1], s.force[2]);
+        dBodySetTorque(b.id, s.torque[0], s.torque[1], s.torque[2]);
+    }
+}
 
 void OdeEngine::publishBody(std::uint32_t index) {
     const Body& b = m_bodies[index];

@@ -39,6 +39,11 @@ struct OdeBody {
     SourceRange range;
 };
 
+/// A body as ODE holds it, bit for bit: its setters would re-normalise.
+struct RawState {
+    dReal p[3], r[12], q[4], v[3], w[3], force[3], torque[3];
+};
+
 /// What touches. A wheel is a geom that rolls about the axle of its body's joint.
 struct OdeGeom {
     GeomShape shape = GeomShape::Box;
