@@ -1,0 +1,68 @@
+// Pictures from the command line, with no display.
+
+#include "flow/cli.h"
+
+namespace {
+
+/// Width and height of a PNG, from its header.
+QPair<int, int> pngSize(const QByteArray& png) {
+    const auto number = [&](int at) { return (quint8(png[at]) << 24) | (quint8(png[at + 1]) << 16) | (quint8(png[at + 2]) << 8) | quint8(png[at + 3]); };
+    return png.size() > 24 && png.startsWith("\x89PNG") ? QPair<int, int>(number(16), number(20)) : QPair<int, int>();
+}
+
+} // namespace
+
+class RenderFlowTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    Outcome render(const QString& picture, const QStringList& more, const QString& experiment = "experiments/linear_motion.sim") {
+        return cli(QStringList{"render", configPath(experiment), "-o", m_folder.filePath(picture), "--size", "320x200"} + more);
+    }
+
+private Q_SLOTS:
+    void aPictureOfTheStart() {
+        const Outcome drawn = render("start.png", {});
+        QVERIFY2(drawn.code == 0 && drawn.err.isEmpty(), shown(drawn));
+        QCOMPARE(pngSize(contentOf(m_folder.filePath("start.png"))), (QPair<int, int>(320, 200)));
+    }
+    void theSameMomentIsTheSamePictureAndAnotherIsNot() {
+        QCOMPARE(render("a.png", {"--at", "2"}).code, 0);
+        QCOMPARE(render("b.png", {"--at", "2"}).code, 0);
+        QCOMPARE(render("c.png", {"--at", "4"}).code, 0);
+        const QByteArray a = contentOf(m_folder.filePath("a.png"));
+        QCOMPARE(pngSize(a).first, 320);
+        QVERIFY(a == contentOf(m_folder.filePath("b.png")));
+        QVERIFY(a != contentOf(m_folder.filePath("c.png")));
+    }
+    void fromAPlaceOfOnesOwn() {
+        QCOMPARE(render("near.jpg", {"--eye", "-1,-1,0.5", "--target", "-1.5,0,0.1", "--fov", "40"}).code, 0);
+        QVERIFY(contentOf(m_folder.filePath("near.jpg")).startsWith("\xFF\xD8\xFF"));
+    }
+    void wrongWishesAreRefused_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<int>("code");
+        QTest::newRow("size") << QStringList{"--size", "big"} << 2;
+        QTest::newRow("size of nothing") << QStringList{"--size", "0x100"} << 1;
+        QTest::newRow("too large") << QStringList{"--size", "9000x100"} << 1;
+        QTest::newRow("half an eye") << QStringList{"--eye", "1,2"} << 2;
+        QTest::newRow("eye in its target") << QStringList{"--eye", "1,1,1", "--target", "1,1,1"} << 1;
+        QTest::newRow("before the start") << QStringList{"--at", "-1"} << 2;
+        QTest::newRow("a folder that is not there") << QStringList{"-o", "/nonexistent/picture.png"} << 1;
+        QTest::newRow("no such ending") << QStringList{"-o", "picture.bmp"} << 1;
+    }
+    void wrongWishesAreRefused() {
+        QFETCH(QStringList, arguments);
+        QFETCH(int, code);
+        QStringList all{"render", configPath("experiments/linear_motion.sim")};
+        if (!arguments.contains("-o")) all << "-o" << m_folder.filePath("never.png");
+        const Outcome refused = cli(all + arguments, m_folder.path());
+        QVERIFY2(refused.code == code, shown(refused));
+        QVERIFY2(!refused.err.isEmpty(), shown(refused));
+        QVERIFY(!QFile::exists(m_folder.filePath("never.png")));
+    }
+};
+
+QTEST_GUILESS_MAIN(RenderFlowTest)
+#include "render_test.moc"
