@@ -11,10 +11,10 @@ double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi
 
 } // namespace
 
-DriveMeter::DriveMeter(const World& world, std::size_t mostRobots) {
+DriveMeter::DriveMeter(const World& world) {
     const std::vector<RobotSpec>& robots = world.experiment().robots;
     const std::span<const double> slots = world.block().slots();
-    for (std::size_t i = 0; i < robots.size() && i < mostRobots; ++i) {
+    for (std::size_t i = 0; i < robots.size(); ++i) {
         for (const ComponentSpec& device : robots[i].config->devices) {
             const auto find = [&](const char* signal) { return world.layout().find(robots[i].name + "/" + device.name + "/" + signal); };
             const SignalEntry* pose = find("pose");

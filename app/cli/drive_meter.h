@@ -22,8 +22,8 @@ struct DriveTotals {
 /// Follows the true pose of each drive's axle middle from tick to tick. Reads signals only.
 class DriveMeter {
 public:
-    /// Looks for drives of the first `mostRobots` robots: components with the signals of a DifferentialDrive.
-    DriveMeter(const World& world, std::size_t mostRobots);
+    /// Looks for the drives of all robots: components with the signals of a DifferentialDrive.
+    explicit DriveMeter(const World& world);
     void afterTick(const World& world);
     /// Those that were told to go some way and drove by such amounts alone.
     [[nodiscard]] std::vector<DriveTotals> totals() const;

@@ -1,6 +1,15 @@
 #include "cli/open_options.h"
 
 namespace trundle {
+namespace {
+
+/// Empty where all is well.
+std::string setProblem(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    return equals != std::string::npos && equals > 0 ? std::string() : "give PATH=VALUE, as in robot0.leftMotor.Resistance=3";
+}
+
+} // namespace
 
 void addOpenOptions(CLI::App& command, OpenOptions& options) {
     command.add_option("-I", options.includes, "Also look for imported files in DIR (may be repeated)")
@@ -12,7 +21,7 @@ void addOpenOptions(CLI::App& command, OpenOptions& options) {
 
 CLI::Option* addSetOption(CLI::App& command, OpenOptions& options) {
     return command.add_option("--set", options.sets, "Set one value: robot0.leftMotor.Resistance=3 (may be repeated)")
-        ->type_name("PATH=VALUE")->allow_extra_args(false);
+        ->type_name("PATH=VALUE")->check(&setProblem)->allow_extra_args(false);
 }
 
 } // namespace trundle

@@ -18,7 +18,6 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostMeteredRobots = 8; // as many as the summary lists
 constexpr double kLongestDurationS = 1e9;
 constexpr std::uint64_t kLargestSeed = 1ull << 53; // what a number of the text can hold exactly
 
@@ -131,7 +130,7 @@ ExitCode RunCommand::runLoaded() {
     watchInterrupts();
     const World& world = m_runner->world();
     m_progress = std::make_unique<Progress>(m_ticks, m_loaded->experiment->settings.tick, m_arguments.quiet);
-    DriveMeter meter(world, kMostMeteredRobots);
+    DriveMeter meter(world);
     const bool metered = !m_arguments.quiet && !m_arguments.json;
     const LoopOutcome outcome = runTicks(*m_runner, m_ticks, m_endless, m_arguments.realtime, *m_progress, metered ? &meter : nullptr);
     m_report.wallS = outcome.wallS;

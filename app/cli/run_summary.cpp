@@ -45,6 +45,21 @@ std::string driveRows(const DriveTotals& drive) {
     return text;
 }
 
+/// Many drives in one row: how many were told to go somewhere, and where that went worst.
+std::string worstDriveRow(const std::vector<DriveTotals>& drives, const std::vector<RobotSpec>& robots) {
+    if (drives.empty()) return {};
+    const auto distanceError = [](const DriveTotals& d) { return std::fabs(d.drivenDistance - d.commandedDistance); };
+    const auto angleError = [](const DriveTotals& d) { return std::fabs(d.drivenAngle - d.commandedAngle); };
+    const DriveTotals& distance = *std::ranges::max_element(drives, {}, distanceError);
+    const DriveTotals& angle = *std::ranges::max_element(drives, {}, angleError);
+    const auto underWay = static_cast<std::size_t>(std::ranges::count(drives, true, &DriveTotals::underWay));
+    std::string text = row("", counted(drives.size(), "drive") + " with commanded amounts: at most " + fixedText(distanceError(distance) * 1000, 4) +
+                                   " mm off (" + robots[distance.robot].name + "), " + fixedText(angleError(angle) * kDegrees, 4) + " deg off (" +
+                                   robots[angle.robot].name + ")");
+    if (underWay > 0) text += row("", "the last command of " + std::to_string(underWay) + " was still under way");
+    return text;
+}
+
 std::string robotRows(const RunReport& report, const World& world) {
     const std::vector<RobotSpec>& robots = world.experiment().robots;
     std::string text;
@@ -65,7 +80,8 @@ std::string robotRows(const RunReport& report, const World& world) {
     }
     return row("robots", counted(robots.size(), "robot") + " between x " + fixedText(low.x(), 2) + " and " + fixedText(high.x(), 2) + " m, y " +
                              fixedText(low.y(), 2) + " and " + fixedText(high.y(), 2) + " m; the farthest " + fixedText(farthest, 2) +
-                             " m from its start");
+                             " m from its start") +
+           worstDriveRow(report.drives, robots);
 }
 
 std::string logRows(const std::vector<std::string>& files) {

@@ -23,12 +23,32 @@ int Parser::indentOf(std::uint32_t offset) const
 void Parser::noteIndent()
 {
     OpenBlock& open = m_open.back();
+    if (!newLine() && m_at == open.openAt + 1 && kind() != TokenKind::CloseBrace) open.inlineItems = true;
     if (open.indent < 0 || !newLine()) return;
     const int indent = indentOf(range().begin);
     if (indent < 0) return;
     const bool closes = kind() == TokenKind::CloseBrace;
     if (indent > open.indent) open.indentedItems = open.indentedItems || !closes;
     else if (closes ? indent < open.indent : open.indentedItems) m_suspects.push_back({open.openAt, static_cast<std::uint32_t>(m_at)});
+    else if (!closes && open.inlineItems && namedBlock()) m_onOneLine.push_back({open.openAt, static_cast<std::uint32_t>(m_at)});
+}
+
+/// The places where a `}` may be missing, the likeliest first.
+std::vector<Parser::MissingBrace> Parser::likelyMissing() const
+{
+    const auto earlier = [](const MissingBrace& a, const MissingBrace& b) { return a.before < b.before; };
+    std::vector<MissingBrace> places;
+    if (!m_suspects.empty()) places.push_back(*std::min_element(m_suspects.begin(), m_suspects.end(), earlier));
+    std::vector<MissingBrace> lines = m_onOneLine;
+    if (!places.empty()) std::erase_if(lines, [&](const MissingBrace& m) { return m.openAt != places[0].openAt; });
+    if (!lines.empty()) places.insert(places.begin(), *std::min_element(lines.begin(), lines.end(), earlier));
+    return places;
+}
+
+/// `]` or `)` where the block itself began with such a sign.
+bool Parser::foreignClose() const
+{
+    return m_open.back().bracket && (kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]"));
 }
 
 /// Looks at what follows a block: an item deeper than the block on a line of its own may still belong to it.
@@ -46,11 +66,13 @@ bool Parser::assume()
 {
     const bool wasUnclosed = m_unclosed;
     const int strays = m_strays;
-    if (m_unclosed && !m_suspects.empty()) {
-        m_assumed.push_back(*std::min_element(m_suspects.begin(), m_suspects.end(), [](const MissingBrace& a, const MissingBrace& b) { return a.before < b.before; }));
-        run();
-        if (m_strays <= strays) return true;
-        m_assumed.pop_back();
+    if (const std::vector<MissingBrace> places = likelyMissing(); m_unclosed && !places.empty()) {
+        for (const MissingBrace& place : places) {
+            m_assumed.push_back(place);
+            run();
+            if (m_strays <= strays) return true;
+            m_assumed.pop_back();
+        }
     } else if (m_strays > 0 && !m_early.empty()) {
         m_ignored.push_back(m_early.front());
         run();
@@ -74,6 +96,11 @@ void Parser::reportUnclosed(const OpenBlock& open, std::uint32_t place)
     if (atEnd()) m_unclosed = true;
     Diagnostic& d = error(Code::UnclosedBlock, open.name, "block `" + std::string(slice(open.name)) + "` lacks its closing `}`");
     const std::string indent(static_cast<std::size_t>(std::max(open.indent, 0)), ' ');
+    const std::uint32_t last = previous().end;
+    if (!atEnd() && open.inlineItems && slice({open.name.begin, last}).find_first_of("\r\n") == std::string_view::npos) {
+        fix(d, "insert `}` at the end of line " + std::to_string(m_source->position(last).line), {edit({last, last}, " }")});
+        return;
+    }
     if (!atEnd()) {
         // Before the line of the token that no longer belongs to it.
         std::uint32_t line = place;

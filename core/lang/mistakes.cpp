@@ -84,6 +84,7 @@ void Parser::strayWord(std::vector<Item>& out, int depth)
         out.push_back({{key.begin, std::max(key.end, node.value.range.end)}, std::move(node)});
         return;
     }
+    if (blockInBrackets(out, depth) || nameWithSigns(out, depth)) return;
     if (kind(1) == TokenKind::Word && !newLine(1)) {
         if (kind(2) == TokenKind::Equals || wrongEquals(2)) { // `double x = 5`
             Diagnostic& d = error(Code::UnexpectedText, range(), "`" + word + "` does not belong before `" + std::string(text(1)) + " =`");
@@ -115,6 +116,44 @@ void Parser::strayWord(std::vector<Item>& out, int depth)
     error(Code::UnexpectedText, where, named ? "`{` expected after `" + shortened(what) + "`" : "`=` or `{` expected after `" + shortened(what) + "`");
     if (named) advance();
     skipLine();
+}
+
+/// `Robot r [ ... ]` or `Robot r ( ... )`. False when there is no such thing here.
+bool Parser::blockInBrackets(std::vector<Item>& out, int depth)
+{
+    const auto bracketAt = [this](std::size_t i) {
+        if (newLine(i) || !(kind(i) == TokenKind::OpenParen || (kind(i) == TokenKind::Unknown && text(i) == "["))) return false;
+        return newLine(i + 1) || (kind(i + 1) == TokenKind::Word && kind(i + 2) == TokenKind::Equals);
+    };
+    const bool named = kind(1) == TokenKind::Word && !newLine(1);
+    if (!bracketAt(named ? 2 : 1)) return false;
+    block(out, depth, named ? 1 : 0);
+    return true;
+}
+
+/// `Robot r-1 {`. False when there is no such thing here.
+bool Parser::nameWithSigns(std::vector<Item>& out, int depth)
+{
+    if (kind(1) != TokenKind::Word || newLine(1)) return false;
+    constexpr std::size_t kMostPieces = 20;
+    const auto pieceAt = [this](std::size_t i) {
+        switch (kind(i)) {
+        case TokenKind::Word: case TokenKind::Number: case TokenKind::Unit: case TokenKind::Dot: case TokenKind::Plus: case TokenKind::Minus:
+        case TokenKind::Star: case TokenKind::Slash: case TokenKind::Caret: return adjacent(i);
+        case TokenKind::Unknown: return adjacent(i) && text(i) != ";" && !wrongEquals(i);
+        default: return false;
+        }
+    };
+    std::size_t brace = 2;
+    while (brace < kMostPieces && pieceAt(brace)) ++brace;
+    if (brace == 2 || kind(brace) != TokenKind::OpenBrace) return false;
+    const TextRange names{range(1).begin, range(brace - 1).end};
+    Diagnostic& d = error(Code::UnexpectedText, names, "a name is letters, digits and _");
+    std::string joined(slice(names));
+    for (char& c : joined) if (!isIdent(c)) c = '_';
+    fix(d, joined, {edit(names, joined)});
+    block(out, depth, brace - 1);
+    return true;
 }
 
 /// Past the current token, then to what begins something: a line, a key, a kind, a brace, a directive.

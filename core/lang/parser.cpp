@@ -53,6 +53,7 @@ void Parser::run()
     m_at = 0;
     m_open.clear();
     m_suspects.clear();
+    m_onOneLine.clear();
     m_diagnostics.clear();
     m_tree->m_items.clear();
     m_early.clear();
@@ -137,6 +138,7 @@ void Parser::items(std::vector<Item>& out, int depth)
 {
     while (!atEnd()) {
         if (depth > 0 && closedHere(m_open.back())) return;
+        if (depth > 0 && foreignClose()) return;
         if (depth > 0) noteIndent();
         switch (kind()) {
         case TokenKind::CloseBrace:
@@ -252,7 +254,7 @@ void Parser::block(std::vector<Item>& out, int depth, std::size_t extra)
     advance();
     if (extra > 0 && kind() != TokenKind::Equals && !wrongEquals(0)) {
         const bool two = extra > 1 && kind(1) != TokenKind::Equals && !wrongEquals(1);
-        const TextRange r{range().begin, range(two ? 1 : 0).end};
+        const TextRange r{range().begin, range(two ? extra - 1 : 0).end};
         node.name = {std::string(slice(r)), r};
         if (kind() == TokenKind::String) std::erase(node.name->text, '"');
         if (kind() == TokenKind::Word && !two) refuseReserved(*node.name, "a name"); // else it was refused before
@@ -260,6 +262,12 @@ void Parser::block(std::vector<Item>& out, int depth, std::size_t extra)
     for (std::size_t i = 0; i < extra; ++i) advance();
     open.name = node.name ? node.name->range : node.type.range;
     open.openAt = static_cast<std::uint32_t>(m_at);
+    open.bracket = kind() != TokenKind::OpenBrace;
+    if (open.bracket) {
+        Diagnostic& d = error(Code::UnexpectedText, range(), "a block stands in { }, not in " + std::string(text() == "[" ? "[ ]" : "( )"));
+        fix(d, "{", {edit(range(), "{")});
+        if (!m_diagnostics.empty() && &d == &m_diagnostics.back()) open.bracketFault = m_diagnostics.size();
+    }
     node.open = range();
     advance();
     if (depth + 1 > kMaxBlockDepth) {
@@ -278,6 +286,16 @@ void Parser::blockBody(BlockItem& node, int depth)
 {
     items(node.items, depth + 1);
     const OpenBlock& open = m_open.back();
+    if (foreignClose() && !closedHere(open)) {
+        node.close = range();
+        if (open.bracketFault > 0) {
+            Fix& both = m_diagnostics[open.bracketFault - 1].fixes.back();
+            both.title = "{ }";
+            both.edits.push_back(edit(range(), "}"));
+        }
+        advance();
+        return;
+    }
     if (kind() == TokenKind::CloseBrace && !closedHere(open)) {
         node.close = range();
         advance();

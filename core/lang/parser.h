@@ -23,6 +23,9 @@ private:
         std::uint32_t openAt = 0;      ///< index of `{`
         int indent = -1;               ///< of its line; -1 when it is not first there
         bool indentedItems = false;    ///< an item stands deeper than the block: the author indents
+        bool inlineItems = false;      ///< an item stands on the line of `{`
+        bool bracket = false;          ///< `[` or `(` stands where `{` belongs
+        std::size_t bracketFault = 0;  ///< the message of that, counted from 1
     };
     /// A place where, by the indentation, a `}` is missing.
     struct MissingBrace { std::uint32_t openAt, before; };
@@ -71,6 +74,8 @@ private:
     void unexpected(int depth);
     bool knownUnexpected();
     void blockWithoutBrace(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool blockInBrackets(std::vector<Item>& out, int depth);
+    [[nodiscard]] bool nameWithSigns(std::vector<Item>& out, int depth);
     void skipLine();
     void strayBrace(bool tooEarly);
     [[nodiscard]] bool isUtf16() const;
@@ -85,6 +90,8 @@ private:
     void noteEarlyClose(int indent, std::size_t brace);
     [[nodiscard]] bool ignoredBrace() const;
     [[nodiscard]] bool assume();
+    [[nodiscard]] std::vector<MissingBrace> likelyMissing() const;
+    [[nodiscard]] bool foreignClose() const;
     [[nodiscard]] bool closedHere(const OpenBlock& block) const;
     void reportUnclosed(const OpenBlock& block, std::uint32_t place);
 
@@ -95,7 +102,7 @@ private:
     void wordElement(Element& e);
     void numberElement(Element& e, Value& v);
     void stringElement(Element& e, Value& v);
-    bool afterElement(Value& v, std::vector<std::uint32_t>& gaps);
+    bool afterElement(Value& v, std::vector<TextRange>& gaps);
     [[nodiscard]] bool openBracket() const;
 
     // value_mistakes.cpp
@@ -105,8 +112,9 @@ private:
     void foreignQuotes(Element& e, Value& v);
     void unquotedText(Element& e, Value& v);
     void arithmetic(Element& e, Value& v);
-    void reportGaps(Value& v, const std::vector<std::uint32_t>& gaps);
-    void reportBrackets(Value& v, TextRange bracket, const std::vector<std::uint32_t>& gaps);
+    void reportGaps(Value& v, const std::vector<TextRange>& gaps);
+    void reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps);
+    [[nodiscard]] bool unitInPieces(Element& e);
     void unicodeMinus(TextRange r);
 
     // expression_parser.cpp
@@ -130,6 +138,7 @@ private:
     std::size_t m_at = 0;
     std::vector<OpenBlock> m_open;
     std::vector<MissingBrace> m_suspects;    ///< of this run
+    std::vector<MissingBrace> m_onOneLine;   ///< of this run: a block on one line, then one that stands no deeper
     std::vector<MissingBrace> m_assumed;     ///< braces taken as there in this run
     std::vector<std::uint32_t> m_early;      ///< `}` of this run that may have come too early
     std::vector<std::uint32_t> m_ignored;    ///< `}` taken as not there in this run

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/units.h"
 #include "lang/characters.h"
 #include "lang/parser.h"
 #include "lang/utf8.h"
@@ -17,21 +18,31 @@ bool isOperator(TokenKind kind)
     return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star || kind == TokenKind::Slash || kind == TokenKind::Caret;
 }
 
+/// `written`, which begins at `begin`, with a comma in each gap.
+std::string withCommas(std::string_view written, std::uint32_t begin, const std::vector<TextRange>& gaps)
+{
+    std::string repaired(written);
+    for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap) repaired.replace(gap->begin - begin, gap->size(), ",");
+    return repaired;
+}
+
 } // namespace
 
-void Parser::reportGaps(Value& v, const std::vector<std::uint32_t>& gaps)
+void Parser::reportGaps(Value& v, const std::vector<TextRange>& gaps)
 {
     v.broken = true;
     const bool words = std::all_of(v.elements.begin(), v.elements.end(), [](const Element& e) { return e.kind == Element::Kind::Word; });
-    Diagnostic& d = error(Code::MissingComma, v.range, words ? "several words need double quotes or commas" : "a comma is missing between the elements");
+    const bool semicolons = std::any_of(gaps.begin(), gaps.end(), [](TextRange gap) { return gap.size() > 0; });
+    Diagnostic& d = error(Code::MissingComma, v.range, words        ? "several words need double quotes or commas"
+                                                       : semicolons ? "elements are separated by commas"
+                                                                    : "a comma is missing between the elements");
     constexpr std::size_t kShort = 40;
     const std::string written(slice(v.range));
     if (words && gaps.size() + 1 == v.elements.size()) fix(d, written.size() < kShort ? "\"" + written + "\"" : "put it in quotes", {edit(v.range, "\"" + written + "\"")});
     if (gaps.size() > kMostGaps) return;
     std::vector<TextEdit> edits;
-    std::string repaired = written;
-    for (auto gap = gaps.rbegin(); gap != gaps.rend() && written.size() < kShort; ++gap) repaired.insert(*gap - v.range.begin, ",");
-    for (const std::uint32_t gap : gaps) edits.push_back(edit({gap, gap}, ","));
+    for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
+    const std::string repaired = written.size() < kShort ? withCommas(written, v.range.begin, gaps) : std::string();
     fix(d, written.size() < kShort && repaired.find('\n') == std::string::npos ? repaired : "insert commas", std::move(edits));
 }
 
@@ -61,6 +72,29 @@ void Parser::checkNumberTail(Element& e, Value& v)
     v.broken = true;
 }
 
+/// `0.3 m /s`, `9.81 m/s ^2`: the pieces make one unit.
+bool Parser::unitInPieces(Element& e)
+{
+    if (e.unit.empty()) return false;
+    constexpr std::size_t kMostPieces = 8;
+    std::string joined = e.unit;
+    std::size_t count = 0;
+    const auto pieceAt = [this](std::size_t i) {
+        const bool over = kind(i) == TokenKind::Slash && kind(i + 1) == TokenKind::Word;
+        const bool power = kind(i) == TokenKind::Caret && kind(i + 1) == TokenKind::Number;
+        return (over || power) && !newLine(i) && !newLine(i + 1);
+    };
+    for (; count < kMostPieces && pieceAt(count); count += 2) joined.append(text(count)).append(text(count + 1));
+    if (count == 0 || !findUnit(joined)) return false;
+    for (; count > 0; --count) advance();
+    e.unit = joined;
+    e.unitRange.end = e.range.end = previous().end;
+    const std::string whole = std::string(slice({e.range.begin, e.unitRange.begin})) + joined;
+    Diagnostic& d = error(Code::UnknownUnit, e.range, "a unit has no blanks inside");
+    fix(d, whole, {edit(e.range, whole)});
+    return true;
+}
+
 void Parser::unicodeMinus(TextRange r)
 {
     Diagnostic& d = report(Severity::Warning, Code::UnicodeMinus, r, "typographic minus U+2212, read as -");
@@ -77,6 +111,7 @@ void Parser::goesOn(Element& e, Value& v)
     };
     const bool number = e.kind == Element::Kind::Number;
     const bool word = e.kind == Element::Kind::Word;
+    if (number && unitInPieces(e)) return;
     if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) && operandAt(1)) return arithmetic(e, v);
     if (!adjacent()) return;
     if ((word && kind() == TokenKind::OpenParen) || (number && e.unit.empty() && kind() == TokenKind::Number)) return arithmetic(e, v);
@@ -87,7 +122,7 @@ void Parser::goesOn(Element& e, Value& v)
 }
 
 /// `[1,2,3]`, `(1,2,3)`, `{1,2,3}`: the elements have been read, the closing sign has not.
-void Parser::reportBrackets(Value& v, TextRange bracket, const std::vector<std::uint32_t>& gaps)
+void Parser::reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps)
 {
     const bool closed = kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]") || (slice(bracket) == "{" && kind() == TokenKind::CloseBrace);
     const TextRange whole{bracket.begin, closed ? range().end : std::max(bracket.end, v.range.end)};
@@ -96,12 +131,9 @@ void Parser::reportBrackets(Value& v, TextRange bracket, const std::vector<std::
     if (closed) edits.push_back(edit(range(), ""));
     constexpr std::uint32_t kShort = 40;
     std::string title = "remove the brackets";
-    if (whole.size() < kShort && !v.elements.empty()) {
-        title = slice(v.range);
-        for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap) title.insert(*gap - v.range.begin, ",");
-    }
+    if (whole.size() < kShort && !v.elements.empty()) title = withCommas(slice(v.range), v.range.begin, gaps);
     if (gaps.size() < kMostGaps)
-        for (const std::uint32_t gap : gaps) edits.push_back(edit({gap, gap}, ","));
+        for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
     fix(d, std::move(title), std::move(edits));
     if (closed) advance();
     v.range = whole; // the brackets go with the value when it is replaced

@@ -72,7 +72,7 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals)
 {
     Value v;
     v.range = {equals.end, equals.end};
-    std::vector<std::uint32_t> gaps; // ends of elements that lack a comma
+    std::vector<TextRange> gaps; // where a comma is missing: the end of an element, or the `;` that stands there instead
     TextRange bracket;
     if (kind() == TokenKind::Equals) {
         Diagnostic& d = error(Code::UnexpectedText, range(), "one `=` is enough");
@@ -105,8 +105,12 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals)
             continue;
         }
         const TextRange place = previous();
-        if (slice(place) == "," && !commas) error(Code::MissingValue, place, "an element is missing after this comma");
-        else if (v.elements.empty()) error(Code::MissingValue, equals.size() ? TextRange{equals.end, equals.end} : keyRange, "`" + std::string(key) + "` has no value");
+        if (slice(place) == "," && !commas) {
+            Diagnostic& d = error(Code::MissingValue, place, "an element is missing after this comma");
+            if (!v.elements.empty()) fix(d, "remove `,`", {edit(place, "")});
+        } else if (v.elements.empty()) {
+            error(Code::MissingValue, equals.size() ? TextRange{equals.end, equals.end} : keyRange, "`" + std::string(key) + "` has no value");
+        }
         break;
     }
     if (!v.elements.empty()) v.range = {v.elements.front().range.begin, v.elements.back().range.end};
@@ -116,14 +120,21 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals)
 }
 
 /// True when another element follows. The current token is the one after an element.
-bool Parser::afterElement(Value& v, std::vector<std::uint32_t>& gaps)
+bool Parser::afterElement(Value& v, std::vector<TextRange>& gaps)
 {
     if (kind() == TokenKind::Comma) {
         advance();
         return true;
     }
+    const bool semicolon = kind() == TokenKind::Unknown && text() == ";" && !newLine() && !newLine(1);
+    if (semicolon && (kind(1) == TokenKind::Number || kind(1) == TokenKind::ParamRef || kind(1) == TokenKind::ExprOpen || kind(1) == TokenKind::String)) {
+        gaps.push_back(range());
+        advance();
+        return true;
+    }
     if (newLine() || atEnd() || !(startsElement() && !namedBlock())) return false;
-    gaps.push_back(v.elements.back().range.end);
+    const std::uint32_t end = v.elements.back().range.end;
+    gaps.push_back({end, end});
     return true;
 }
 

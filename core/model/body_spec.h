@@ -47,7 +47,8 @@ struct BodySpec {
     Pose pose; ///< in the config frame
     std::vector<GeomSpec> geoms;
     MassProperties mass;
-    SourceRange range;
+    SourceRange range;     ///< the whole block
+    SourceRange nameRange; ///< where a message about the body points
 };
 
 } // namespace trundle

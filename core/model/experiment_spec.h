@@ -46,7 +46,8 @@ struct RobotSpec {
     Pose pose; ///< of the config frame in the world at t = 0
     std::shared_ptr<const RobotConfigSpec> config;
     std::optional<ComponentSpec> controller; ///< with UpdatePeriod, Isolation, Budget among its values
-    SourceRange range;
+    SourceRange range;     ///< the whole block
+    SourceRange nameRange; ///< where a message about the robot points; of a member, the Grid's or Scatter's name
 };
 
 struct StaticSpec {

@@ -36,6 +36,7 @@ public:
         m_body.name = m_part.name;
         m_body.pose = poseOf(m_fields.pos, m_fields.hpr);
         m_body.range = m_part.range;
+        m_body.nameRange = m_part.nameRange();
         if (!good || !readMass()) return std::nullopt;
         return std::move(m_body);
     }

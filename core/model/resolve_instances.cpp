@@ -236,10 +236,10 @@ private:
         if (spec->bodies.empty()) return; // said
         if (!part.is(Role::Layout)) {
             const RobotFields f = fieldsFrom<RobotFields>(record);
-            m_context.out.robots.push_back({part.name, poseOf(f.pos, f.hpr), spec, std::move(brain), part.range});
+            m_context.out.robots.push_back({part.name, poseOf(f.pos, f.hpr), spec, std::move(brain), part.range, part.nameRange()});
             return;
         }
-        const std::vector<Pose> poses = part.kind->name == "Grid" ? gridPoses(record) : scatterPoses(m_context, part, record, *spec);
+        const std::vector<Pose> poses = part.kind->name == "Grid" ? gridPoses(m_context, part, record) : scatterPoses(m_context, part, record, *spec);
         for (std::size_t i = 0; i < poses.size(); ++i) {
             std::string name = part.name + "_" + std::to_string(i);
             if (const Part* other = m_context.outline.world.find(name)) {
@@ -247,7 +247,7 @@ private:
                 d.notes.push_back({"defined here", part.nameRange()});
                 continue;
             }
-            m_context.out.robots.push_back({std::move(name), poses[i], spec, brain, part.range});
+            m_context.out.robots.push_back({std::move(name), poses[i], spec, brain, part.range, part.nameRange()});
         }
     }
 

@@ -46,11 +46,16 @@ private:
 
 } // namespace
 
-std::vector<Pose> gridPoses(const Record& record) {
+std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Record& record) {
     const GridFields f = fieldsFrom<GridFields>(record);
     const Pose pattern = poseOf(f.pos, f.hpr);
     const auto nx = static_cast<std::size_t>(f.count[0]), ny = f.count.size() > 1 ? static_cast<std::size_t>(f.count[1]) : std::size_t{1};
     const double sx = f.spacing[0], sy = f.spacing.size() > 1 ? f.spacing[1] : sx;
+    if ((nx > 1 && sx == 0) || (ny > 1 && sy == 0)) {
+        const bool all = (nx == 1 || sx == 0) && (ny == 1 || sy == 0);
+        context.diagnostics.warning(Code::OutOfRange, record.rangeOf("Spacing", part.nameRange()),
+                                    (all ? "all members of " : "members of ") + part.title() + " stand in one place: Spacing is 0");
+    }
     std::vector<Pose> poses;
     poses.reserve(nx * ny);
     for (std::size_t iy = 0; iy < ny; ++iy) {

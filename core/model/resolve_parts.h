@@ -32,7 +32,7 @@ void resolveLogs(ResolveContext& context);
 void resolveInstances(ResolveContext& context);
 
 /// Where the members of a layout stand. Empty after saying why (E317).
-[[nodiscard]] std::vector<Pose> gridPoses(const Record& record);
+[[nodiscard]] std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Record& record);
 [[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record, const RobotConfigSpec& config);
 
 } // namespace trundle

@@ -26,6 +26,8 @@ bool liesUnder(const fs::path& file, const fs::path& folder) {
     return end == folder.end() || (std::next(end) == folder.end() && end->empty());
 }
 
+bool isLoop(const std::error_code& ec) { return ec == std::errc::too_many_symbolic_link_levels; }
+
 void normalise(std::string& written) { std::replace(written.begin(), written.end(), '\\', '/'); }
 
 } // namespace
@@ -63,12 +65,13 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     const std::vector<std::string> folders = roots(folder);
     std::vector<std::string> names{written};
     for (const std::string& ending : endings) names.push_back(written + "." + ending);
-    bool outside = false, unplain = false;
+    bool outside = false, unplain = false, loop = false;
     for (const std::string& root : folders) {
         for (const std::string& name : names) {
             std::error_code ec;
             const fs::path path = fs::path(root) / name; // an absolute name stays what it is
             const fs::file_status status = fs::status(path, ec);
+            loop = loop || isLoop(ec);
             if (ec || !fs::exists(status)) continue;
             if (!fs::is_regular_file(status)) {
                 unplain = true;
@@ -83,6 +86,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     }
     if (outside) return Error{Code::ImportOutside, written + " lies outside the project and the folders that are searched"};
     if (unplain) return Error{Code::FileUnreadable, written + " is not a plain file"};
+    if (loop) return Error{Code::FileUnreadable, written + " is a link that leads back to itself"};
     std::string places;
     for (const std::string& root : folders) places += (places.empty() ? "" : ", ") + shownPath(root);
     std::replace(places.begin(), places.end(), '\n', ' ');
@@ -113,6 +117,7 @@ std::vector<std::string> FileSearch::nearest(std::string written, const std::str
 Result<std::string> readFile(const std::string& path, std::size_t most) {
     std::error_code ec;
     const fs::file_status status = fs::status(path, ec);
+    if (isLoop(ec)) return Error{Code::FileUnreadable, path + " is a link that leads back to itself"};
     if (!fs::exists(status)) return Error{Code::FileUnreadable, path + " does not exist"};
     if (fs::is_directory(status)) return Error{Code::FileUnreadable, path + " is a folder"};
     if (!fs::is_regular_file(status)) return Error{Code::FileUnreadable, path + " is not a plain file"};

@@ -16,12 +16,23 @@ constexpr std::size_t kMostControllerLogs = 1000;
 } // namespace
 
 ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
-    : m_options(std::move(options)), m_world(std::move(world)), m_folder(m_options.logFolder) {
+    : m_options(std::move(options)), m_world(std::move(world)), m_folder(m_options.logFolder),
+      m_tellsDropped(1, m_world->experiment().settings.tick) {
+    (void)m_tellsDropped.due(0);
     m_world->setDeviceText([this](const std::string& device, int severity, const std::string& text) { say(device, severity, text); });
 }
 
-void ExperimentRunner::say(const std::string& who, int severity, const std::string& text) const {
-    if (m_options.console) m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, text);
+void ExperimentRunner::say(const std::string& who, int severity, const std::string& text) {
+    if (!m_options.console) return;
+    const std::string_view part = m_console.pass(who, m_world->ticks(), text);
+    if (!part.empty() || text.empty()) m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, std::string(part));
+}
+
+void ExperimentRunner::tellDropped() {
+    for (const auto& [who, lines] : m_console.takeDropped()) {
+        const std::string text = codeName(Code::DroppedLines) + ": \u2026 " + std::to_string(lines) + (lines == 1 ? " line dropped" : " lines dropped");
+        if (m_options.console) m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, TRUNDLE_WARNING, text);
+    }
 }
 
 Status ExperimentRunner::fail(const Error& error, SourceRange range) {
@@ -150,6 +161,7 @@ Status ExperimentRunner::tick() {
         const Fault* fault = m_world->fault();
         return fail(done.error(), fault ? fault->range : SourceRange{});
     }
+    if (m_tellsDropped.due(m_world->ticks())) tellDropped();
     return writeLogs();
 }
 
@@ -157,8 +169,10 @@ Status ExperimentRunner::finish() {
     if (m_finished) return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
     m_finished = true;
     for (Controller& controller : m_controllers) controller.backend->stop();
+    tellDropped();
     for (const auto& file : m_folder.files())
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});
+    m_folder.settle();
     return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
 }
 

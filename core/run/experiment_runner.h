@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "run/console_limit.h"
 #include "run/log.h"
 #include "run/log_folder.h"
 #include "run/runner.h"
@@ -44,7 +45,8 @@ private:
 
     const ExperimentSpec& experiment() const { return m_world->experiment(); }
     ControllerOutlet outletFor(const RobotSpec& robot);
-    void say(const std::string& who, int severity, const std::string& text) const;
+    void say(const std::string& who, int severity, const std::string& text);
+    void tellDropped();
     Status fail(const Error& error, SourceRange range);
 
     void applyCommands();
@@ -53,6 +55,7 @@ private:
     Status writeLogs();
 
     RunOptions m_options;
+    ConsoleLimit m_console;
     std::unique_ptr<World> m_world; // before the controllers, which hold on to its block
     LogFolder m_folder;             // before them too: they write into it
     std::vector<Controller> m_controllers;
@@ -61,6 +64,7 @@ private:
     std::vector<Command> m_commands;
     std::size_t m_applied = 0; // commands before this one are done
     std::optional<Diagnostic> m_failure;
+    Schedule m_tellsDropped; // once a second
     std::string m_rows;
     bool m_finished = false;
 };

@@ -25,12 +25,26 @@ bool isMemberOf(std::string_view name, std::string_view grid) {
     return name.find_first_not_of("0123456789", grid.size() + 1) == std::string_view::npos;
 }
 
+/// `best`: what was surely meant, where that is known; then it stands in place of the list.
 void unknownName(const ComponentSpec& spec, const char* key, const std::string& what, const std::string& written,
-                 const std::vector<std::string>& names, Diagnostics& diagnostics) {
+                 const std::vector<std::string>& names, const std::string& best, Diagnostics& diagnostics) {
     const ResolvedValue* value = spec.find(key);
     Diagnostic& d = diagnostics.error(Code::UnknownReference, value && value->range.known() ? value->range : spec.nameRange,
-                                      "no " + what + " is called '" + written + "'; " + listed(names));
-    d.suggestions = nearestWords(written, names);
+                                      "no " + what + " is called '" + written + "'; " + (best.empty() ? listed(names) : "its members are meant by '" + best + "'"));
+    d.suggestions = best.empty() ? nearestWords(written, names) : std::vector<std::string>{best};
+}
+
+/// "swarm_*/pose" for "swarm/pose", where swarm is a Grid or Scatter whose members have such a signal; else empty.
+std::string patternForMembers(const std::string& written, const SignalLayout& layout) {
+    const std::size_t slash = written.find('/');
+    if (slash == std::string::npos || slash == 0) return {};
+    const std::string grid = written.substr(0, slash), rest = written.substr(slash);
+    for (const SignalEntry& entry : layout.entries()) {
+        const std::size_t end = entry.path.find('/');
+        if (end == std::string::npos || !isMemberOf(std::string_view(entry.path).substr(0, end), grid)) continue;
+        if (matchesWildcard(rest, std::string_view(entry.path).substr(end))) return grid + "_*" + rest;
+    }
+    return {};
 }
 
 bool hasWildcard(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
@@ -81,7 +95,7 @@ std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vect
         if (found) continue;
         std::vector<std::string> names;
         for (const RobotSpec& robot : robots) names.push_back(robot.name);
-        unknownName(spec, "Robot", "robot", name, names, diagnostics);
+        unknownName(spec, "Robot", "robot", name, names, {}, diagnostics);
     }
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < robots.size(); ++i)
@@ -107,7 +121,7 @@ std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const S
                 found = true;
             }
         }
-        if (!found) unknownName(spec, "Signals", "signal", name, signalNamesNear(name, layout), diagnostics);
+        if (!found) unknownName(spec, "Signals", "signal", name, signalNamesNear(name, layout), patternForMembers(name, layout), diagnostics);
     }
     return signals;
 }

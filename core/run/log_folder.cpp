@@ -3,6 +3,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <set>
+
+#include "base/platform/read_file.h"
 
 namespace trundle {
 namespace {
@@ -10,6 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBufferBytes = 32 * 1024;
+constexpr std::string_view kListTitle = "logs of the last run, removed by the next";
+constexpr std::uint64_t kMostListBytes = 1 << 20;
 
 Error unwritable(const std::string& path, const std::string& why) {
     return Error{Code::LogUnwritable, "cannot write " + path + ": " + why};
@@ -29,6 +34,26 @@ Status makeFolders(const fs::path& root, const fs::path& inner) {
         if (!fs::exists(status) && !fs::create_directory(at, failed)) return unwritable(at.string(), failed.message());
     }
     return {};
+}
+
+bool isPlainFile(const fs::path& path) {
+    std::error_code failed;
+    return fs::is_regular_file(fs::symlink_status(path, failed));
+}
+
+/// The names of a list that could be ours; of anything else none.
+std::vector<std::string> listedNames(const fs::path& list) {
+    std::vector<std::string> names;
+    if (!isPlainFile(list)) return names;
+    const Result<std::string> bytes = readRegularFile(list.string(), kMostListBytes);
+    if (!bytes || !bytes.value().starts_with(std::string(kListTitle) + "\n")) return names;
+    std::string_view rest = std::string_view(bytes.value()).substr(kListTitle.size() + 1);
+    for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos; rest.remove_prefix(end + 1)) {
+        const std::string name(rest.substr(0, end));
+        const Result<std::string> clean = cleanLogName(name);
+        if (clean && clean.value() == name && name.find('/') == std::string::npos) names.push_back(name);
+    }
+    return names;
 }
 
 } // namespace
@@ -102,6 +127,7 @@ Result<std::string> cleanLogName(std::string_view name) {
     const bool namesFile = !part.empty() && part != ".";
     if (const char* why = takePart()) return refused(why);
     if (!namesFile) return refused("it names no file");
+    if (clean == kLogList) return refused("the list of logs has that name");
     return clean;
 }
 
@@ -126,6 +152,26 @@ Result<LogFile*> LogFolder::create(std::string_view name) {
     std::setvbuf(file, nullptr, _IONBF, 0); // ours is the buffer
     m_files.push_back(std::make_unique<LogFile>(clean.value(), path.string(), file));
     return m_files.back().get();
+}
+
+void LogFolder::settle() {
+    if (m_path.empty()) return;
+    const fs::path folder = m_path, list = folder / kLogList;
+    std::set<std::string> own;
+    for (const auto& file : m_files)
+        if (file->name().find('/') == std::string::npos) own.insert(file->name());
+
+    // The list is for tidiness alone: a run is none the worse where it cannot be kept.
+    std::error_code ignored;
+    for (const std::string& name : listedNames(list))
+        if (!own.contains(name) && isPlainFile(folder / name)) fs::remove(folder / name, ignored);
+    if (isPlainFile(list)) fs::remove(list, ignored);
+    std::FILE* file = own.empty() ? nullptr : std::fopen(list.c_str(), "wbxe"); // a new one: no link is followed
+    if (!file) return;
+    std::string text = std::string(kListTitle) + "\n";
+    for (const std::string& name : own) text += name + "\n";
+    (void)std::fwrite(text.data(), 1, text.size(), file);
+    std::fclose(file);
 }
 
 } // namespace trundle

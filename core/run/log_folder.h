@@ -37,7 +37,11 @@ private:
     std::optional<Error> m_failure;
 };
 
-/// `name` with forward slashes and no idle parts. Fails for what could leave the folder: an absolute path, `..`, control bytes.
+/// The list of a run's log files, in the log folder.
+inline constexpr std::string_view kLogList = ".trundle-logs";
+
+/// `name` with forward slashes and no idle parts. Fails for what could leave the folder: an absolute path, `..`, control bytes;
+/// and for kLogList.
 [[nodiscard]] Result<std::string> cleanLogName(std::string_view name);
 
 class LogFolder {
@@ -48,6 +52,10 @@ public:
     /// Opens a new file in place of one that an earlier run left there. Refused: a name already open in this run, a name that
     /// leaves the folder, a way through a symbolic link, anything in its place that is no regular file.
     [[nodiscard]] Result<LogFile*> create(std::string_view name);
+
+    /// Removes what an earlier run wrote and this one did not, going by the list that run left, and leaves a list of its own. Only
+    /// regular files right inside the folder are removed, whatever the list says. Files are to be closed before.
+    void settle();
 
     [[nodiscard]] const std::vector<std::unique_ptr<LogFile>>& files() const { return m_files; }
     [[nodiscard]] const std::string& path() const { return m_path; }

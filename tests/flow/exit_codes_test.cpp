@@ -62,6 +62,9 @@ void ExitCodesTest::everyEndHasItsCode_data() {
     QTest::newRow("no such import folder") << QStringList{"check", good, "-I", m_folder.filePath("none")} << 2 << QByteArray("none");
     QTest::newRow("no Duration anywhere") << QStringList{"run", experiment("endless.sim", "", "")} << 2 << QByteArray("give --duration S");
     QTest::newRow("errors in the text") << QStringList{"run", wrong} << 1 << QByteArray("E201");
+    QTest::newRow("a --set without a value") << QStringList{"run", good, "--set", "Duration"} << 2 << QByteArray("give PATH=VALUE");
+    QVERIFY(QFile::link("loop.sim", m_folder.filePath("loop.sim")));
+    QTest::newRow("a link to itself") << QStringList{"check", m_folder.filePath("loop.sim")} << 2 << QByteArray("leads back to itself");
     QTest::newRow("errors in a --set") << QStringList{"run", good, "--set", "robot0.leftMotor.Resistance=-3"} << 1 << QByteArray("--set#1");
     QTest::newRow("controller cannot start") << QStringList{"run", experiment("port.sim", "LinearMotion brain { Drive=legs }")} << 4 << QByteArray("legs");
     QTest::newRow("blown up") << QStringList{"run", experiment("up.sim", "", "Duration = 5\nGravity = 0,0,1000")} << 3 << QByteArray("E501");

@@ -52,6 +52,8 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("said");
         QTest::newRow("unknown robot") << QByteArray("PoseLog p { Robot=robbot0 }\n") << QByteArray("robot0");
         QTest::newRow("unknown signal") << QByteArray("SignalLog s { Signals=robot0/leftEncoder/cuont }\n") << QByteArray("robot0/leftEncoder/count");
+        QTest::newRow("a Grid's name") << QByteArray("Grid g { Config=SimpleRobot Pos=9,9,0 Count=2 Spacing=1 }   SignalLog s { Signals=\"g/leftEncoder/count\" }\n")
+                                       << QByteArray("g_*/leftEncoder/count");
         QTest::newRow("leaves the folder") << QByteArray("PoseLog p { File=\"../p.csv\" }\n") << QByteArray("E503");
         QTest::newRow("absolute") << QByteArray("PoseLog p { File=\"/tmp/p.csv\" }\n") << QByteArray("E503");
         QTest::newRow("two of one name") << QByteArray("PoseLog p { File=a.csv }\nEnergyLog e { File=a.csv }\n") << QByteArray("a.csv");

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void theSameInputGivesTheSameBits();
     void logsChangeNothing();
     void ctrlCEndsWithEverythingComplete();
+    void manyRobotsAreSummedUp();
     void aQuietRunSaysNothing();
     void seedAndSetReachTheExperiment();
     void theThesisExperimentRuns();
@@ -113,6 +114,16 @@ void RunFlowTest::ctrlCEndsWithEverythingComplete() {
     const QByteArray csv = contentOf(m_folder.filePath("ctrlc/linear_motion.csv"));
     QVERIFY(csv.endsWith('\n'));
     QCOMPARE(csv.count('\n'), 1 + (json["ticks"].toInteger() / 10 + 1));
+}
+
+void RunFlowTest::manyRobotsAreSummedUp() {
+    const QString path = m_folder.filePath("many.sim");
+    QVERIFY(writeFile(path, "Duration = 4\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
+                            "Static floor { Config=OpenFloor }\n"
+                            "Grid g { Config=SimpleRobot Count=3,3 Spacing=1 LinearMotion brain { Distance=0.2 } }\n"));
+    const Outcome run = cli({"run", path});
+    QVERIFY2(run.code == 0, shown(run));
+    QVERIFY2(QRegularExpression("9 drives with commanded amounts: at most 0\\.[0-9]+ mm off \\(g_[0-8]\\), [0-9.]+ deg off \\(g_[0-8]\\)").match(run.out).hasMatch(), shown(run));
 }
 
 void RunFlowTest::aQuietRunSaysNothing() {

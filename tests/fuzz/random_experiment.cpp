@@ -178,8 +178,10 @@ std::string robotConfig(Choices& c, const Registry& registry, const std::string&
 
 std::string randomExperiment(Choices& c, const Registry& registry) {
     std::string text = "Tick=" + std::string(c.chance(12) ? "0.01" : (c.pick(2) ? "0.03" : "0.001"));
-    static const char* const solvers[] = {"auto", "exact", "quick"};
-    text += " Seed=" + std::to_string(c.pick(1000)) + " Solver=" + solvers[c.pick(3)] + "\n";
+    static const char* const solvers[] = {"auto", "quick", "exact"};
+    const std::uint32_t robots = 1 + c.pick(6);
+    // Exact is cubic in what touches, and who asks for it for a heap gets it: not a hang, but not worth a fuzzer's time.
+    text += " Seed=" + std::to_string(c.pick(1000)) + " Solver=" + solvers[c.pick(robots > 2 ? 2 : 3)] + "\n";
     if (c.chance(2)) text += "Gravity=" + std::to_string(c.pick(9)) + ",0,-" + std::to_string(c.pick(30)) + "\n";
     const Kind* surface = registry.find("Surface");
     for (int i = 0; i < 3 && surface; ++i)
@@ -190,10 +192,9 @@ std::string randomExperiment(Choices& c, const Registry& registry) {
     const std::uint32_t geomCount = 1 + c.pick(3);
     for (std::uint32_t g = 0; g < geomCount; ++g) text += geom(c, registry, "g" + std::to_string(g), true);
     text += "}\nStatic ground { Config=Ground }\n";
-    const std::uint32_t robots = 1 + c.pick(6);
     for (std::uint32_t i = 0; i < robots; ++i)
         text += "Robot r" + std::to_string(i) + " { Config=C" + std::to_string(c.pick(configs)) + pose(c, 1.5) + " }\n";
-    if (c.chance(4)) text += "Grid swarm { Config=C0 Count=" + std::to_string(1 + c.pick(4)) + " Spacing=" + show(0.1 + 0.1 * c.pick(10)) + pose(c, 2) + " }\n";
+    if (robots > 2 && c.chance(4)) text += "Grid swarm { Config=C0 Count=" + std::to_string(1 + c.pick(4)) + " Spacing=" + show(0.1 + 0.1 * c.pick(10)) + pose(c, 2) + " }\n";
     return text;
 }
 

@@ -29,6 +29,8 @@ private Q_SLOTS:
     void whatIsNoFileIsNotReplaced();
     void largeTextsPassThroughTheBuffer();
     void aFullDiskIsToldOnceAndKept();
+    void whatTheLastRunLeftIsRemoved();
+    void aHostileListRemovesNothingElse();
 };
 
 void LogFolderTest::namesThatLeaveTheFolderAreRefused_data() {
@@ -141,6 +143,48 @@ void LogFolderTest::aFullDiskIsToldOnceAndKept() {
     QVERIFY(file.failure()->message.find("logs/x.csv") != std::string::npos);
     file.write("more"); // nothing happens
     QVERIFY(!file.close().ok());
+}
+
+void LogFolderTest::whatTheLastRunLeftIsRemoved() {
+    for (const QStringList& names : {QStringList{"a.csv", "b.csv"}, QStringList{"b.csv", "c.csv"}}) {
+        LogFolder logs(folder());
+        for (const QString& name : names) QVERIFY(logs.create(name.toStdString()).ok());
+        QFile own(m_outer.filePath("logs/notes.txt"));
+        QVERIFY(own.open(QIODevice::WriteOnly));
+        for (const auto& file : logs.files()) QVERIFY(file->close().ok());
+        logs.settle();
+    }
+    QCOMPARE(QDir(m_outer.filePath("logs")).entryList(QDir::Files), QStringList({"b.csv", "c.csv", "notes.txt"}));
+    LogFolder(folder()).settle(); // a run without logs
+    QCOMPARE(QDir(m_outer.filePath("logs")).entryList(QDir::Files | QDir::Hidden), QStringList({"notes.txt"}));
+    QVERIFY(!LogFolder(folder()).create(".trundle-logs").ok());
+}
+
+void LogFolderTest::aHostileListRemovesNothingElse() {
+    QVERIFY(QDir(m_outer.path()).mkpath("logs/sub"));
+    const auto write = [this](const QString& name, const QByteArray& text) {
+        QFile file(m_outer.filePath(name));
+        return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+    };
+    for (const char* name : {"x", "target", "logs/sub/x"}) QVERIFY(write(name, "precious"));
+    QVERIFY(QFile::link(m_outer.filePath("target"), m_outer.filePath("logs/way")));
+    QVERIFY(write("logs/old.csv", "old"));
+    QVERIFY(write("logs/.trundle-logs", "logs of the last run, removed by the next\n../x\n" + m_outer.filePath("x").toUtf8() +
+                                            "\nsub/x\nsub\nway\n.\n..\n\n./old.csv\nold.csv\n" + QByteArray("a\0b", 3) + "\nno end"));
+    LogFolder(folder()).settle();
+    for (const char* name : {"x", "target", "logs/sub/x"}) QCOMPARE(contentOf(m_outer.filePath(name)), QByteArray("precious"));
+    QVERIFY(QFileInfo(m_outer.filePath("logs/way")).isSymLink());
+    QVERIFY(!QFileInfo::exists(m_outer.filePath("logs/old.csv")));
+
+    // The list itself a link: neither believed nor written through.
+    QVERIFY(write("elsewhere", "logs of the last run, removed by the next\nmine.csv\n"));
+    QVERIFY(write("logs/mine.csv", "precious"));
+    QVERIFY(QFile::link(m_outer.filePath("elsewhere"), m_outer.filePath("logs/.trundle-logs")));
+    LogFolder logs(folder());
+    QVERIFY(logs.create("new.csv").ok());
+    logs.settle();
+    QCOMPARE(contentOf(m_outer.filePath("logs/mine.csv")), QByteArray("precious"));
+    QVERIFY(contentOf(m_outer.filePath("elsewhere")).endsWith("mine.csv\n"));
 }
 
 QTEST_APPLESS_MAIN(LogFolderTest)

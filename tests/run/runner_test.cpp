@@ -99,6 +99,7 @@ private Q_SLOTS:
     void noLogFolderMeansNoLogs();
     void aControllersLogStandsInTheLogFolder();
     void aControllersLogCannotLeaveTheLogFolder();
+    void aTalkativeControllerIsCutShort();
 };
 
 void RunnerTest::commandsThenThinkThenStep() {
@@ -217,6 +218,7 @@ void RunnerTest::aControllersLogStandsInTheLogFolder() {
     m_backend->outlet.writeLog(id, "hello\n");
     m_backend->outlet.writeLog(id + 1, "nowhere\n");
     m_backend->outlet.writeLog(-1, "nowhere\n");
+    QVERIFY(m_backend->outlet.openLog("sub/mine.txt") >= 0);
     QVERIFY(m_runner->finish().ok());
     QCOMPARE(log("mine.txt"), QByteArray("hello\n"));
 }
@@ -227,6 +229,25 @@ void RunnerTest::aControllersLogCannotLeaveTheLogFolder() {
     QCOMPARE(m_backend->outlet.openLog("../mine.txt"), -1);
     QVERIFY(!QFileInfo::exists(m_folder.filePath("mine.txt")));
     QCOMPARE(m_console.size(), std::size_t(1));
+}
+
+void RunnerTest::aTalkativeControllerIsCutShort() {
+    giveController();
+    build();
+    for (int i = 0; i < 100; ++i) QVERIFY(m_runner->tick().ok()); // one line each
+    m_console.clear();
+    for (int i = 0; i < 1000; ++i) m_backend->outlet.print(TRUNDLE_INFO, "chatter");
+    QCOMPARE(m_console.size(), std::size_t(100));
+    m_console.clear();
+    m_backend->outlet.print(TRUNDLE_INFO, "a\nb\nc\n");
+    for (int i = 0; i < 99; ++i) QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->tick().ok());
+    QCOMPARE(m_console.size(), std::size_t(100)); // 99 turns, the first turn's line is dropped too
+    QCOMPARE(m_console.back(), std::string("[2 robot0] E506: \u2026 904 lines dropped"));
+    m_backend->outlet.print(TRUNDLE_INFO, QByteArray("x\n").repeated(101).toStdString());
+    QCOMPARE(m_console.back().size(), std::string("[2 robot0] ").size() + 200);
+    QVERIFY(m_runner->finish().ok());
+    QCOMPARE(m_console.back(), std::string("[2 robot0] E506: \u2026 1 line dropped"));
 }
 
 QTEST_APPLESS_MAIN(RunnerTest)

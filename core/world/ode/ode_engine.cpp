@@ -43,7 +43,9 @@ OdeEngine::~OdeEngine() {
         m_geoms.clear();
         dJointGroupDestroy(m_contactGroup);
         dWorldDestroy(m_world);
-        if (m_threading) dThreadingFreeImplementation(m_threading);
+        if (!m_threading) return;
+        if (m_interrupted) abandon(m_threading); // its list of jobs was left half done, and its destructor would abort over that
+        else dThreadingFreeImplementation(m_threading);
     } catch (const OdeFault&) { // after a fault some of it may not come apart: better lost than dead
     }
 }
@@ -82,6 +84,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         m_fault = findFault();
         if (!m_fault) publish(h);
     } catch (const OdeFault& fault) {
+        m_interrupted = true;
         m_fault = faultFrom(fault);
     }
     m_complaints += odeMessages() - before;

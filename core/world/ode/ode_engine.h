@@ -163,6 +163,7 @@ private:
 
     std::uint64_t m_tick = 0, m_quickTicks = 0, m_complaints = 0;
     bool m_quick = false;
+    bool m_interrupted = false; ///< a fault was thrown out of the middle of ODE
     std::optional<EngineFault> m_fault;
 };
 

@@ -16,6 +16,8 @@ struct OdeFault {
 void startOde();
 /// Gives the calling thread the collision buffers that ODE keeps per thread.
 void prepareThread();
+/// Keeps what a fault left half done inside ODE, for good: taking it apart would end the program.
+void abandon(void* threading);
 /// Messages ODE has given on this thread so far ("LCP internal error"); each means a singular system.
 [[nodiscard]] std::uint64_t odeMessages();
 

@@ -57,7 +57,8 @@ protected:
     [[nodiscard]] double random() const { return static_cast<double>(randomBits() >> 11) * 0x1p-53; } ///< [0, 1)
     [[nodiscard]] double random(double low, double high) const { return low + (high - low) * random(); }
 
-    /// A file of one's own in the run's log folder. Not open() where that is refused (a name with a folder in it, no log folder).
+    /// A file of one's own in the run's log folder. The name may hold folders. Not open() where that is
+    /// refused: a name that leads out of the log folder, one that is written already, a run without logs.
     [[nodiscard]] Log openLog(const std::string& fileName) const {
         return m_robot ? Log(m_robot, m_robot->openLog(m_robot->context, fileName.c_str())) : Log();
     }
