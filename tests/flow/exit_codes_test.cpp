@@ -170,8 +170,9 @@ void ExitCodesTest::aCrashInAModuleIsSaid() {
     const QString path = m_folder.filePath("crash.sim");
     QVERIFY(writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot Exits brain { Recurse=true } }\n"));
     const Outcome run = cli({"run", path, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules")});
-    QCOMPARE(run.code, -2); // it did crash
-    QVERIFY2(run.err.contains("crashed in the middle of the run") || run.err.contains("Sanitizer"), shown(run));
+    const bool sanitizer = run.err.contains("Sanitizer"); // it answers the signal in our place, with an exit code of its own
+    QVERIFY2(sanitizer || run.err.contains("crashed in the middle of the run"), shown(run));
+    if (!sanitizer) QCOMPARE(run.code, -2); // it did crash
 }
 
 void ExitCodesTest::anExitInAModuleIsNoSuccess_data() {

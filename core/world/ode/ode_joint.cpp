@@ -198,7 +198,7 @@ void OdeEngine::findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle) {
         g.wheel = any = true;
         g.axle = turnBack(body.r, axle);
         joint.gapLimit = g.radius / 10;
-        if (g.shape == GeomShape::Cylinder) {
+        if (g.shape == GeomShape::Cylinder && !g.asSphere) { // two joints may turn one wheel
             g.asSphere = dCreateSphere(nullptr, g.radius);
             dGeomSetBody(g.asSphere, body.id);
             dGeomSetOffsetPosition(g.asSphere, g.offset.x(), g.offset.y(), g.offset.z());
