@@ -127,7 +127,7 @@ def starting(programs, options):
 def axle_pose(run):
     """True x, y [m] and heading [deg] of the axle's middle."""
     x, y, heading = run["robots"]["robot0"]["signals"]["base/pose"]
-    return x, y, math.degrees(heading)
+    return x, y, heading  # JSON shows angles in degrees
 
 
 def straight_lines(programs, options):
