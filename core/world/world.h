@@ -62,7 +62,7 @@ public:
 
     [[nodiscard]] virtual std::uint64_t ticks() const = 0;
     [[nodiscard]] double time() const { return static_cast<double>(ticks()) * experiment().settings.tick; }
-    /// Ticks that the quick solver took under Solver = auto.
+    /// Ticks the quick solver took unasked: large clusters under Solver = auto, and what the exact one could not solve at all.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
 
     /// FNV-1a 64 over position, quaternion (w x y z), linear and angular velocity as little-endian doubles, bodies in path order.
