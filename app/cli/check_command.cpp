@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -6,7 +7,9 @@
 #include "cli/console.h"
 #include "cli/diagnostic_json.h"
 #include "cli/messages.h"
+#include "cli/open_options.h"
 #include "run/log_kinds.h"
+#include "world/signal_plan.h"
 #include "world/validate.h"
 
 namespace trundle {
@@ -25,6 +28,17 @@ nlohmann::ordered_json unreadableJson(const std::string& file, const Error& erro
     return entries;
 }
 
+/// What `run` would refuse although the text makes sense.
+void checkForRun(const Loaded& loaded, Diagnostics& diagnostics) {
+    checkLogs(*loaded.experiment, diagnostics);
+    if (diagnostics.hasErrors() || !isBuildable(*loaded.experiment, diagnostics)) return;
+    const bool allKindsKnown = std::ranges::none_of(diagnostics.all(), [](const Diagnostic& d) {
+        return d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed;
+    });
+    if (allKindsKnown) // a device that is not known may have any signal
+        checkLogSignals(*loaded.experiment, plannedLayout(*loaded.experiment, *loaded.registry), diagnostics);
+}
+
 ExitCode check(Parts& parts, const CheckArguments& arguments) {
     ExitCode code = kExitDone;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -38,8 +52,7 @@ ExitCode check(Parts& parts, const CheckArguments& arguments) {
         }
         const Loaded& loaded = *opened.value();
         Diagnostics diagnostics = loaded.diagnostics;
-        checkLogs(*loaded.experiment, diagnostics);
-        if (!diagnostics.hasErrors()) (void)isBuildable(*loaded.experiment, diagnostics); // what `run` would refuse
+        checkForRun(loaded, diagnostics);
         if (diagnostics.hasErrors() && code == kExitDone) code = kExitText;
         if (arguments.json) {
             for (auto& entry : diagnosticsJson(diagnostics.all(), loaded.sources)) all.push_back(std::move(entry));
@@ -53,7 +66,7 @@ ExitCode check(Parts& parts, const CheckArguments& arguments) {
     return code;
 }
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kCheckExamples = R"(Examples:
   trundle-cli check configs/experiments/*.sim
   trundle-cli check my.sim --json
 
@@ -68,7 +81,7 @@ void addCheck(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     command->add_flag("--json", arguments->json, "A JSON array of all messages instead of text");
     addSetOption(*command, arguments->open);
     addOpenOptions(*command, arguments->open);
-    command->footer(kExamples);
+    command->footer(kCheckExamples);
     command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return check(parts(), *arguments); }; });
 }
 

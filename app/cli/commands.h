@@ -6,7 +6,8 @@
 #include <CLI/App.hpp>
 
 #include "cli/exit_code.h"
-#include "cli/parts.h"
+#include "cli/open_options.h"
+#include "parts/parts.h"
 
 namespace trundle {
 

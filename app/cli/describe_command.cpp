@@ -33,7 +33,8 @@ ExitCode describeKinds(Parts& parts, const DescribeArguments& arguments) {
     if (arguments.kind.empty()) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
         for (const Kind* kind : kinds) all.push_back(manualJson(*kind));
-        const bool told = writeOut(arguments.json ? jsonText(all) : manualList(kinds) + "\n`trundle-cli describe KIND` tells more of each.\n");
+        const bool told =
+            writeOut(arguments.json ? jsonText(all) : manualList(kinds) + "\n`trundle-cli describe KIND` tells more of each.\n");
         return told ? kExitDone : kExitText;
     }
     std::vector<std::string> names;
@@ -44,11 +45,12 @@ ExitCode describeKinds(Parts& parts, const DescribeArguments& arguments) {
         names.push_back(kind->name);
     }
     const std::vector<std::string> near = nearestWords(arguments.kind, names, 1);
-    printProblem("there is no kind " + arguments.kind + (near.empty() ? "" : "; did you mean " + near[0] + "?") + " (`trundle-cli describe` lists all)");
+    printProblem("there is no kind " + arguments.kind + (near.empty() ? "" : "; did you mean " + near[0] + "?") +
+                 " (`trundle-cli describe` lists all)");
     return kExitUsage;
 }
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kDescribeExamples = R"(Examples:
   trundle-cli describe
   trundle-cli describe RotaryMotor
   trundle-cli describe LinearMotion --modules build/my_modules
@@ -62,12 +64,21 @@ void addDescribe(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     command->add_option("KIND", arguments->kind, "The kind to describe; without it, a list of all")->type_name("");
     command->add_flag("--json", arguments->json, "As JSON");
     command->add_option("--modules", arguments->open.modules, "Also the kinds of the modules in DIR (may be repeated)")
-        ->type_name("DIR")->check(CLI::ExistingDirectory)->allow_extra_args(false);
-    CLI::Option* module = command->add_option("--module", arguments->module, "Load a module and write its description file")->type_name("LIB")->group("");
-    command->add_option("--output", arguments->output, "Where to; by default LIB.kinds.json")->type_name("FILE")->needs(module)->group("");
-    command->footer(kExamples);
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory)
+        ->allow_extra_args(false);
+    CLI::Option* module = command->add_option("--module", arguments->module, "Load a module and write its description file")
+                              ->type_name("LIB")
+                              ->group("");
+    command->add_option("--output", arguments->output, "Where to; by default LIB.kinds.json")
+        ->type_name("FILE")
+        ->needs(module)
+        ->group("");
+    command->footer(kDescribeExamples);
     command->callback([arguments, &parts, &chosen] {
-        chosen = [arguments, &parts] { return arguments->module.empty() ? describeKinds(parts(), *arguments) : describeModule(*arguments); };
+        chosen = [arguments, &parts] {
+            return arguments->module.empty() ? describeKinds(parts(), *arguments) : describeModule(*arguments);
+        };
     });
 }
 

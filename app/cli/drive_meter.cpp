@@ -16,9 +16,12 @@ DriveMeter::DriveMeter(const World& world) {
     const std::span<const double> slots = world.block().slots();
     for (std::size_t i = 0; i < robots.size(); ++i) {
         for (const ComponentSpec& device : robots[i].config->devices) {
-            const auto find = [&](const char* signal) { return world.layout().find(robots[i].name + "/" + device.name + "/" + signal); };
+            const auto find = [&](const char* signal) {
+                return world.layout().find(robots[i].name + "/" + device.name + "/" + signal);
+            };
             const SignalEntry* pose = find("pose");
-            const SignalEntry* commands[] = {find("linearVelocity"), find("angularVelocity"), find("linearAmount"), find("angularAmount")};
+            const SignalEntry* commands[] = {find("linearVelocity"), find("angularVelocity"), find("linearAmount"),
+                                             find("angularAmount")};
             const SignalEntry* sequence = find("sequence");
             const SignalEntry* done = find("done");
             if (!pose || pose->count != 3 || !sequence || !done || std::ranges::count(commands, nullptr) > 0) continue;

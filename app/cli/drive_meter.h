@@ -31,8 +31,8 @@ public:
 private:
     struct Drive {
         DriveTotals totals;
-        std::array<std::uint32_t, 4> commands{};   // slots of linear and angular velocity, linear and angular amount
-        std::uint32_t pose = 0, sequence = 0, done = 0; // slots
+        std::array<std::uint32_t, 4> commands{};            // slots of linear and angular velocity, linear and angular amount
+        std::uint32_t pose = 0, sequence = 0, done = 0;     // slots
         double x = 0, y = 0, heading = 0, lastSequence = 0; // of the last tick
         bool commanded = false;
     };

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/messages.h"
+#include "cli/open_options.h"
 #include "lang/tree_edit.h"
 #include "project/set_path.h"
 
@@ -68,7 +69,7 @@ ExitCode edit(Parts& parts, const EditArguments& arguments) {
     return kExitDone;
 }
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kEditExamples = R"(Examples:
   trundle-cli edit my.sim --set robot0.brain.Speed=0.3              print the changed text
   trundle-cli edit my.sim --set Duration=60 --set Seed=2 --write
   trundle-cli edit my.sim --set RobotConfig.SimpleRobot.leftMotor.Resistance=3 --write
@@ -86,7 +87,7 @@ void addEdit(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     addSetOption(*command, arguments->open)->required();
     command->add_flag("--write", arguments->write, "Write the files; without it the changed text is printed");
     addOpenOptions(*command, arguments->open);
-    command->footer(kExamples);
+    command->footer(kEditExamples);
     command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return edit(parts(), *arguments); }; });
 }
 

@@ -28,7 +28,8 @@ void atExit() {
 
 /// Only says what happened; returning meets the default action, as if nobody had watched.
 void onCrash(int signal) {
-    static constexpr char kText[] = "\ntrundle-cli: crashed in the middle of the run, in the code of a module or in the program itself; its logs are not complete\n";
+    static constexpr char kText[] = "\ntrundle-cli: crashed in the middle of the run, in the code of a module or in the program "
+                                    "itself; its logs are not complete\n";
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kText, sizeof kText - 1);
     raise(signal);
 }

@@ -52,7 +52,7 @@ ExitCode formatAll(const FormatArguments& arguments) {
     return worst;
 }
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kFormatExamples = R"(Examples:
   trundle-cli format my.sim                 print the formatted text
   trundle-cli format configs/*/*.sim --check
   trundle-cli format my.sim --write
@@ -68,7 +68,7 @@ void addFormat(CLI::App& app, Chosen& chosen) {
     command->add_option("FILE", arguments->files, "Files to format")->required()->type_name("");
     CLI::Option* check = command->add_flag("--check", arguments->check, "Only say which files would change");
     command->add_flag("--write", arguments->write, "Write the files")->excludes(check);
-    command->footer(kExamples);
+    command->footer(kFormatExamples);
     command->callback([arguments, &chosen] { chosen = [arguments] { return formatAll(*arguments); }; });
 }
 

@@ -27,11 +27,13 @@ constexpr const char* kFooter = R"(Examples:
 std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return std::nullopt;
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
     const std::string word = argv[1];
     if (std::ranges::find(names, word) != names.end()) return std::nullopt;
     const std::vector<std::string> near = trundle::nearestWords(word, names, 1);
-    return "there is no command " + word + (near.empty() ? "" : "; did you mean " + near[0] + "?") + " (`trundle-cli --help` lists all)";
+    return "there is no command " + word + (near.empty() ? "" : "; did you mean " + near[0] + "?") +
+           " (`trundle-cli --help` lists all)";
 }
 
 int run(int argc, char** argv) {
@@ -59,9 +61,7 @@ int run(int argc, char** argv) {
     }
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError& problem) {
-        return app.exit(problem) == 0 ? trundle::kExitDone : trundle::kExitUsage;
-    }
+    } catch (const CLI::ParseError& problem) { return app.exit(problem) == 0 ? trundle::kExitDone : trundle::kExitUsage; }
     return chosen ? chosen() : trundle::kExitUsage;
 }
 

@@ -12,7 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct RoleText { Role role; const char* name; const char* title; };
+struct RoleText {
+    Role role;
+    const char* name;
+    const char* title;
+};
 constexpr RoleText kRoles[] = {
     {Role::Settings, "settings", "Settings of an experiment"},
     {Role::Instance, "instance", "Things in the world"},
@@ -28,7 +32,7 @@ constexpr RoleText kRoles[] = {
     {Role::Log, "log", "Logs"},
 };
 
-const char* roleName(Role role) {
+const char* roleWord(Role role) {
     for (const RoleText& text : kRoles)
         if (text.role == role) return text.name;
     return "";
@@ -63,7 +67,8 @@ std::string defaultText(const Property& property) {
     const PropertyValue& value = *property.defaultValue;
     std::vector<std::string> parts = value.texts;
     for (const double number : value.numbers)
-        parts.push_back(property.type == PropertyType::Boolean ? (number != 0 ? "true" : "false") : exactText(inTextUnit(property, number)));
+        parts.push_back(property.type == PropertyType::Boolean ? (number != 0 ? "true" : "false")
+                                                               : exactText(inTextUnit(property, number)));
     return joined(parts, ",");
 }
 
@@ -79,7 +84,8 @@ std::string rangeText(const Property& property) {
 
 std::string countOf(const Property& property) {
     if (property.minCount == property.maxCount) return property.maxCount == 1 ? "" : std::to_string(property.maxCount) + " ";
-    if (property.maxCount >= 100000) return property.minCount == 0 ? "any number of " : std::to_string(property.minCount) + " or more ";
+    if (property.maxCount >= 100000)
+        return property.minCount == 0 ? "any number of " : std::to_string(property.minCount) + " or more ";
     return std::to_string(property.minCount) + " to " + std::to_string(property.maxCount) + " ";
 }
 
@@ -93,8 +99,12 @@ std::string meaningText(const Property& property) {
     case PropertyType::Boolean: text += "true or false"; break;
     case PropertyType::Choice: text += "one of " + joined(property.choices, " "); break;
     case PropertyType::Text: text += many ? "texts" : "text"; break;
-    case PropertyType::File: text += "file" + (property.choices.empty() ? "" : " (" + joined(property.choices, ", ") + ")"); break;
-    case PropertyType::Reference: text += std::string(many ? "names of " : "name of a ") + joined(property.choices, " or "); break;
+    case PropertyType::File:
+        text += "file" + (property.choices.empty() ? "" : " (" + joined(property.choices, ", ") + ")");
+        break;
+    case PropertyType::Reference:
+        text += std::string(many ? "names of " : "name of a ") + joined(property.choices, " or ");
+        break;
     }
     if (!property.unit.empty()) text += " in " + property.unit;
     if (property.type == PropertyType::Number || property.type == PropertyType::Integer)
@@ -165,7 +175,7 @@ std::string manualList(const std::vector<const Kind*>& kinds) {
 }
 
 std::string manualPage(const Kind& kind) {
-    std::string text = kind.name + " (" + roleName(kind.role) + ")\n";
+    std::string text = kind.name + " (" + roleWord(kind.role) + ")\n";
     if (!kind.help.empty()) text += kind.help + "\n";
     if (const std::string place = placeText(kind); !place.empty()) text += place + "\n";
     if (!kind.module.empty()) text += "From the module " + std::filesystem::path(kind.module).filename().string() + ".\n";
@@ -178,6 +188,7 @@ std::string manualPage(const Kind& kind) {
         text += "  " + padded(property.name, width) + meaningText(property) + "\n";
         if (!property.help.empty()) text += "  " + padded("", width) + property.help + "\n";
     }
+    for (const Alternatives& a : kind.alternatives) text += "  Exactly one of " + joined(a.names, ", ") + " is given.\n";
     if (!kind.signals.empty()) text += "\nSignals\n";
     for (const SignalDescription& signal : kind.signals) {
         text += "  " + padded(signal.name, width) + directionText(signal.direction);
@@ -190,14 +201,26 @@ std::string manualPage(const Kind& kind) {
 }
 
 Json manualJson(const Kind& kind) {
-    Json json{{"name", kind.name}, {"role", roleName(kind.role)}, {"help", kind.help}, {"parents", kind.parents}, {"module", kind.module}};
+    Json json{{"name", kind.name},
+              {"role", roleWord(kind.role)},
+              {"help", kind.help},
+              {"parents", kind.parents},
+              {"module", kind.module}};
     json["properties"] = Json::array();
     for (const Property& property : kind.properties) json["properties"].push_back(propertyJson(property));
+    json["exactly_one_of"] = Json::array();
+    for (const Alternatives& a : kind.alternatives) json["exactly_one_of"].push_back(a.names);
     json["signals"] = Json::array();
     for (const SignalDescription& signal : kind.signals) {
-        const char* type = signal.type == TRUNDLE_BOOLEAN_SIGNAL ? "boolean" : signal.type == TRUNDLE_INTEGER_SIGNAL ? "integer" : "number";
-        json["signals"].push_back({{"name", signal.name}, {"type", type}, {"count", signal.count}, {"unit", signal.unit},
-                                   {"direction", directionText(signal.direction)}, {"help", signal.help}});
+        const char* type = signal.type == TRUNDLE_BOOLEAN_SIGNAL   ? "boolean"
+                           : signal.type == TRUNDLE_INTEGER_SIGNAL ? "integer"
+                                                                   : "number";
+        json["signals"].push_back({{"name", signal.name},
+                                   {"type", type},
+                                   {"count", signal.count},
+                                   {"unit", signal.unit},
+                                   {"direction", directionText(signal.direction)},
+                                   {"help", signal.help}});
     }
     return json;
 }

@@ -13,15 +13,21 @@ std::string setProblem(const std::string& text) {
 
 void addOpenOptions(CLI::App& command, OpenOptions& options) {
     command.add_option("-I", options.includes, "Also look for imported files in DIR (may be repeated)")
-        ->type_name("DIR")->check(CLI::ExistingDirectory)->allow_extra_args(false);
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory)
+        ->allow_extra_args(false);
     command.add_option("--modules", options.modules, "Also look for modules in DIR, and trust those there (may be repeated)")
-        ->type_name("DIR")->check(CLI::ExistingDirectory)->allow_extra_args(false);
+        ->type_name("DIR")
+        ->check(CLI::ExistingDirectory)
+        ->allow_extra_args(false);
     command.add_flag("--trust", options.trust, "Trust the modules that lie beside the experiment's files");
 }
 
 CLI::Option* addSetOption(CLI::App& command, OpenOptions& options) {
     return command.add_option("--set", options.sets, "Set one value: robot0.leftMotor.Resistance=3 (may be repeated)")
-        ->type_name("PATH=VALUE")->check(&setProblem)->allow_extra_args(false);
+        ->type_name("PATH=VALUE")
+        ->check(&setProblem)
+        ->allow_extra_args(false);
 }
 
 } // namespace trundle

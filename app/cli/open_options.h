@@ -1,18 +1,9 @@
 #pragma once
-#include <string>
-#include <vector>
-
 #include <CLI/App.hpp>
 
-namespace trundle {
+#include "parts/open_options.h"
 
-/// What every command that loads an experiment takes.
-struct OpenOptions {
-    std::vector<std::string> includes; ///< -I
-    std::vector<std::string> modules;  ///< --modules
-    std::vector<std::string> sets;     ///< --set
-    bool trust = false;
-};
+namespace trundle {
 
 /// Adds -I, --modules and --trust.
 void addOpenOptions(CLI::App& command, OpenOptions& options);

@@ -16,16 +16,17 @@ ExitCode printTree(const std::string& file) {
     return writeOut(print(*parse(source, 0))) ? kExitDone : kExitText;
 }
 
-constexpr const char* kExamples = R"(Example:
+constexpr const char* kPrintExamples = R"(Example:
   trundle-cli print configs/robots/simple_robot.sim)";
 
 } // namespace
 
 void addPrint(CLI::App& app, Chosen& chosen) {
-    CLI::App* command = app.add_subcommand("print", "Read a file into its tree and print the tree: the same bytes, whatever they are");
+    CLI::App* command =
+        app.add_subcommand("print", "Read a file into its tree and print the tree: the same bytes, whatever they are");
     auto file = std::make_shared<std::string>();
     command->add_option("FILE", *file, "The file")->required()->type_name("");
-    command->footer(kExamples);
+    command->footer(kPrintExamples);
     command->callback([file, &chosen] { chosen = [file] { return printTree(*file); }; });
 }
 

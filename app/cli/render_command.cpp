@@ -7,8 +7,9 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/exit_guard.h"
-#include "cli/locations.h"
 #include "cli/messages.h"
+#include "cli/open_options.h"
+#include "parts/locations.h"
 #include "render/render_entry.h"
 
 namespace trundle {
@@ -25,7 +26,8 @@ struct RenderArguments {
 /// "1280x720"
 bool readSize(const std::string& text, RenderJob& job) {
     int end = 0;
-    return std::sscanf(text.c_str(), "%5ux%5u%n", &job.width, &job.height, &end) == 2 && static_cast<std::size_t>(end) == text.size();
+    return std::sscanf(text.c_str(), "%5ux%5u%n", &job.width, &job.height, &end) == 2 &&
+           static_cast<std::size_t>(end) == text.size();
 }
 
 void setView(const RenderArguments& arguments, RenderJob& job) {
@@ -93,7 +95,7 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     return draw(job);
 }
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kRenderExamples = R"(Examples:
   trundle-cli render configs/experiments/swarm.sim -o swarm.png
   trundle-cli render my.sim --at 5 --size 1920x1080 --eye 2,-2,1.5 --target 0,0,0.1 -o after_five_seconds.jpg)";
 
@@ -107,12 +109,18 @@ void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     command->add_option("-o,--output", a.output, "The picture: .png or .jpg")->required()->type_name("OUT");
     command->add_option("--at", a.at, "Run for that many simulated seconds first")->type_name("S")->check(CLI::Range(0.0, 1e9));
     command->add_option("--size", a.size, "Width and height in pixels, up to 4096x4096")->type_name("WxH")->capture_default_str();
-    command->add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")->type_name("X,Y,Z")->delimiter(',')->expected(3);
+    command->add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")
+        ->type_name("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3);
     command->add_option("--target", a.target, "What is in the middle of it, m")->type_name("X,Y,Z")->delimiter(',')->expected(3);
-    command->add_option("--fov", a.fieldOfView, "Horizontal field of view, deg")->type_name("DEG")->check(CLI::Range(1.0, 179.0))->capture_default_str();
+    command->add_option("--fov", a.fieldOfView, "Horizontal field of view, deg")
+        ->type_name("DEG")
+        ->check(CLI::Range(1.0, 179.0))
+        ->capture_default_str();
     addSetOption(*command, a.open);
     addOpenOptions(*command, a.open);
-    command->footer(kExamples);
+    command->footer(kRenderExamples);
     command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return renderFile(parts(), *arguments); }; });
 }
 

@@ -11,9 +11,11 @@
 #include "cli/exit_guard.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
+#include "cli/open_options.h"
 #include "cli/progress.h"
 #include "cli/run_loop.h"
 #include "cli/run_report.h"
+#include "lang/render.h"
 
 namespace trundle {
 namespace {
@@ -40,6 +42,7 @@ private:
     ExitCode runLoaded();
     ExitCode tell(ExitCode code);
     RunOptions runOptions();
+    void warn(const Diagnostic& warning);
 
     Parts& m_parts;
     RunArguments m_arguments;
@@ -85,7 +88,8 @@ bool RunCommand::load() {
     m_report.diagnostics = m_loaded->diagnostics.all();
     // Looking at a text without a module's kinds is fair; running it without its controller is not.
     for (Diagnostic& diagnostic : m_report.diagnostics)
-        if (diagnostic.code == Code::ModuleNotTrusted || diagnostic.code == Code::ModuleUndescribed) diagnostic.severity = Severity::Error;
+        if (diagnostic.code == Code::ModuleNotTrusted || diagnostic.code == Code::ModuleUndescribed)
+            diagnostic.severity = Severity::Error;
     return true;
 }
 
@@ -104,14 +108,20 @@ bool RunCommand::planTicks() {
 
 RunOptions RunCommand::runOptions() {
     RunOptions options;
-    options.logFolder = !m_arguments.logDir.empty() ? m_arguments.logDir
-                                                    : (std::filesystem::path(m_loaded->projectFolder) / "logs" / m_report.name).string();
+    options.logFolder = !m_arguments.logDir.empty()
+                            ? m_arguments.logDir
+                            : (std::filesystem::path(m_loaded->projectFolder) / "logs" / m_report.name).string();
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         const std::string lines = consoleLines(time, who, severity, text);
         if (m_progress) m_progress->line(lines);
         else std::fputs(lines.c_str(), stderr);
     };
     return options;
+}
+
+void RunCommand::warn(const Diagnostic& warning) {
+    m_progress->line(render(warning, m_report.sources));
+    m_report.diagnostics.push_back(warning);
 }
 
 ExitCode RunCommand::runLoaded() {
@@ -132,7 +142,8 @@ ExitCode RunCommand::runLoaded() {
     m_progress = std::make_unique<Progress>(m_ticks, m_loaded->experiment->settings.tick, m_arguments.quiet);
     DriveMeter meter(world);
     const bool metered = !m_arguments.quiet && !m_arguments.json;
-    const LoopOutcome outcome = runTicks(*m_runner, m_ticks, m_endless, m_arguments.realtime, *m_progress, metered ? &meter : nullptr);
+    const LoopPlan plan{m_ticks, m_endless, m_arguments.realtime, [this](const Diagnostic& warning) { warn(warning); }};
+    const LoopOutcome outcome = runTicks(*m_runner, plan, *m_progress, metered ? &meter : nullptr);
     m_report.wallS = outcome.wallS;
     m_report.interrupted = outcome.interrupted;
     m_report.drives = meter.totals();
@@ -172,13 +183,14 @@ ExitCode RunCommand::tell(ExitCode code) {
     } else if (m_runner) {
         if (!m_arguments.quiet) text = runSummary(m_report);
         if (m_arguments.hash)
-            text += "state-hash " + hashText(m_runner->world().stateHash()) + " tick " + std::to_string(m_runner->world().ticks()) + "\n";
+            text += "state-hash " + hashText(m_runner->world().stateHash()) + " tick " +
+                    std::to_string(m_runner->world().ticks()) + "\n";
     }
     if (!text.empty() && !writeOut(text) && code == kExitDone) return kExitText;
     return code;
 }
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kRunExamples = R"(Examples:
   trundle-cli run configs/experiments/linear_motion.sim
   trundle-cli run my.sim --duration 60 --seed 7 --log-dir results
   trundle-cli run my.sim --set robot0.brain.Distance=2 --set Tick=0.02
@@ -195,17 +207,23 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     auto arguments = std::make_shared<RunArguments>();
     RunArguments& a = *arguments;
     command->add_option("FILE", a.file, "The experiment")->required()->type_name("");
-    command->add_option("--duration", a.duration, "Simulated seconds to run, instead of the text's Duration")->type_name("S")->check(&durationProblem);
-    command->add_option("--seed", a.seed, "Seed of all random numbers, instead of the text's Seed")->type_name("N")->check(&seedProblem);
+    command->add_option("--duration", a.duration, "Simulated seconds to run, instead of the text's Duration")
+        ->type_name("S")
+        ->check(&durationProblem);
+    command->add_option("--seed", a.seed, "Seed of all random numbers, instead of the text's Seed")
+        ->type_name("N")
+        ->check(&seedProblem);
     addSetOption(*command, a.open);
-    command->add_option("--log-dir", a.logDir, "Folder for the logs; by default logs/<experiment> in the project folder")->type_name("DIR");
+    command->add_option("--log-dir", a.logDir, "Folder for the logs; by default logs/<experiment> in the project folder")
+        ->type_name("DIR");
     command->add_flag("--realtime", a.realtime, "No faster than real time");
     command->add_flag("--hash", a.hash, "End with `state-hash <16 hex digits> tick <n>`");
     command->add_flag("--json", a.json, "One JSON object instead of the summary");
     command->add_flag("--quiet", a.quiet, "No progress and no summary");
     addOpenOptions(*command, a.open);
-    command->footer(kExamples);
-    command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return RunCommand(parts(), *arguments).go(); }; });
+    command->footer(kRunExamples);
+    command->callback(
+        [arguments, &parts, &chosen] { chosen = [arguments, &parts] { return RunCommand(parts(), *arguments).go(); }; });
 }
 
 } // namespace trundle

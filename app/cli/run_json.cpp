@@ -34,7 +34,8 @@ Json robotsJson(const World& world) {
     const std::vector<RobotSpec>& specs = world.experiment().robots;
     for (std::size_t i = 0; i < specs.size(); ++i) {
         const Pose pose = world.robotPose(i);
-        robots[specs[i].name] = {{"pos", triple(pose.position)}, {"hpr", triple(hprFromRotation(pose.rotation).unaryExpr(&readableDegrees))},
+        robots[specs[i].name] = {{"pos", triple(pose.position)},
+                                 {"hpr", triple(hprFromRotation(pose.rotation).unaryExpr(&readableDegrees))},
                                  {"signals", Json::object()}};
     }
     for (const SignalEntry& entry : world.layout().entries()) {
@@ -59,6 +60,7 @@ std::string runJson(const RunReport& report) {
     json["peak_memory_kb"] = peakMemoryKb();
     json["state_hash"] = world ? Json(hashText(world->stateHash())) : Json(nullptr);
     json["quick_ticks"] = world ? world->quickTicks() : 0;
+    json["rescued_ticks"] = world ? world->rescuedTicks() : 0;
     json["interrupted"] = report.interrupted;
     json["robots"] = world ? robotsJson(*world) : Json::object();
     json["diagnostics"] = diagnosticsJson(report.diagnostics, report.sources);

@@ -27,19 +27,22 @@ void sleepUntil(Clock::time_point start, double seconds) {
 
 } // namespace
 
-LoopOutcome runTicks(Runner& runner, std::uint64_t ticks, bool endless, bool realtime, Progress& progress, DriveMeter* meter) {
+LoopOutcome runTicks(Runner& runner, const LoopPlan& plan, Progress& progress, DriveMeter* meter) {
     LoopOutcome outcome;
+    std::size_t warned = 0;
     const Clock::time_point start = Clock::now();
     const double tick = runner.world().experiment().settings.tick;
-    for (std::uint64_t done = 0; endless || done < ticks; ++done) {
+    for (std::uint64_t done = 0; plan.endless || done < plan.ticks; ++done) {
         if (interrupted()) {
             outcome.interrupted = true;
             break;
         }
-        if (!runner.tick()) break;
+        const bool good = runner.tick().ok();
+        for (; warned < runner.warnings().size(); ++warned) plan.warn(runner.warnings()[warned]);
+        if (!good) break;
         if (meter) meter->afterTick(runner.world());
         progress.update(done + 1);
-        if (realtime) sleepUntil(start, static_cast<double>(done + 1) * tick);
+        if (plan.realtime) sleepUntil(start, static_cast<double>(done + 1) * tick);
     }
     outcome.wallS = secondsSince(start);
     return outcome;

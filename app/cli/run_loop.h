@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 
 #include "cli/drive_meter.h"
 #include "cli/progress.h"
@@ -12,7 +13,14 @@ struct LoopOutcome {
     bool interrupted = false; ///< ended by Ctrl+C
 };
 
-/// Ticks until `ticks` are done (0 with `endless`: until stopped), Ctrl+C, or a tick fails: then runner.failure() says why.
-[[nodiscard]] LoopOutcome runTicks(Runner& runner, std::uint64_t ticks, bool endless, bool realtime, Progress& progress, DriveMeter* meter);
+struct LoopPlan {
+    std::uint64_t ticks = 0;
+    bool endless = false;                        ///< until stopped, whatever `ticks` is
+    bool realtime = false;                       ///< no faster than that
+    std::function<void(const Diagnostic&)> warn; ///< hears each warning of the runner when it comes
+};
+
+/// Ticks as planned, until Ctrl+C, or until a tick fails: then runner.failure() says why.
+[[nodiscard]] LoopOutcome runTicks(Runner& runner, const LoopPlan& plan, Progress& progress, DriveMeter* meter);
 
 } // namespace trundle

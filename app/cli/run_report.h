@@ -13,7 +13,7 @@
 namespace trundle {
 
 struct RunReport {
-    std::string name; ///< of the experiment: its file without folder and ending
+    std::string name;       ///< of the experiment: its file without folder and ending
     std::string unreadable; ///< the file as it was named, where it cannot be read
     double wallS = 0;
     bool interrupted = false;

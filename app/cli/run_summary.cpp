@@ -53,9 +53,10 @@ std::string worstDriveRow(const std::vector<DriveTotals>& drives, const std::vec
     const DriveTotals& distance = *std::ranges::max_element(drives, {}, distanceError);
     const DriveTotals& angle = *std::ranges::max_element(drives, {}, angleError);
     const auto underWay = static_cast<std::size_t>(std::ranges::count(drives, true, &DriveTotals::underWay));
-    std::string text = row("", counted(drives.size(), "drive") + " with commanded amounts: at most " + fixedText(distanceError(distance) * 1000, 4) +
-                                   " mm off (" + robots[distance.robot].name + "), " + fixedText(angleError(angle) * kDegrees, 4) + " deg off (" +
-                                   robots[angle.robot].name + ")");
+    std::string text =
+        row("", counted(drives.size(), "drive") + " with commanded amounts: at most " +
+                    fixedText(distanceError(distance) * 1000, 4) + " mm off (" + robots[distance.robot].name + "), " +
+                    fixedText(angleError(angle) * kDegrees, 4) + " deg off (" + robots[angle.robot].name + ")");
     if (underWay > 0) text += row("", "the last command of " + std::to_string(underWay) + " was still under way");
     return text;
 }
@@ -78,16 +79,29 @@ std::string robotRows(const RunReport& report, const World& world) {
         high = high.cwiseMax(position);
         farthest = std::max(farthest, (position - robots[i].pose.position).norm());
     }
-    return row("robots", counted(robots.size(), "robot") + " between x " + fixedText(low.x(), 2) + " and " + fixedText(high.x(), 2) + " m, y " +
-                             fixedText(low.y(), 2) + " and " + fixedText(high.y(), 2) + " m; the farthest " + fixedText(farthest, 2) +
-                             " m from its start") +
+    return row("robots", counted(robots.size(), "robot") + " between x " + fixedText(low.x(), 2) + " and " +
+                             fixedText(high.x(), 2) + " m, y " + fixedText(low.y(), 2) + " and " + fixedText(high.y(), 2) +
+                             " m; the farthest " + fixedText(farthest, 2) + " m from its start") +
            worstDriveRow(report.drives, robots);
+}
+
+std::string solverRows(const World& world) {
+    std::string text;
+    if (world.quickTicks() > 0)
+        text += row("solver", counted(world.quickTicks(), "tick") +
+                                  " taken by the quick solver (more than 60 contacts hung together" +
+                                  (world.rescuedTicks() > 0 ? ", or the exact one could not" : "") + ")");
+    if (world.rescuedTicks() > 0)
+        text += row(text.empty() ? "solver" : "",
+                    counted(world.rescuedTicks(), "tick") + " taken again with more give (the exact solver stumbled)");
+    return text;
 }
 
 std::string logRows(const std::vector<std::string>& files) {
     std::string text;
     for (std::size_t i = 0; i < files.size() && i < kMostListed; ++i) text += row(i == 0 ? "logs" : "", safeText(files[i]));
-    if (files.size() > kMostListed) text += row("", "and " + std::to_string(files.size() - kMostListed) + " more in the same folder");
+    if (files.size() > kMostListed)
+        text += row("", "and " + std::to_string(files.size() - kMostListed) + " more in the same folder");
     return text;
 }
 
@@ -102,13 +116,15 @@ std::string hashText(std::uint64_t hash) {
 std::string runSummary(const RunReport& report) {
     const World& world = report.runner->world();
     const double simulated = world.time();
-    std::string text = row("experiment", safeText(report.name) + (report.interrupted ? ", interrupted" : report.runner->failure() ? ", stopped by an error" : ""));
+    std::string text = row("experiment", safeText(report.name) + (report.interrupted         ? ", interrupted"
+                                                                  : report.runner->failure() ? ", stopped by an error"
+                                                                                             : ""));
     text += row("simulated", shortText(simulated, 9) + " s in " + counted(world.ticks(), "tick") + " of " +
                                  exactText(world.experiment().settings.tick) + " s");
     if (world.ticks() > 0 && report.wallS > 0)
         text += row("took", shortText(report.wallS) + " s, " + shortText(simulated / report.wallS) + " x real time");
     if (!world.experiment().robots.empty()) text += robotRows(report, world);
-    if (world.quickTicks() > 0) text += row("solver", counted(world.quickTicks(), "tick") + " taken by the quick solver (a cluster of more than 60 contacts)");
+    text += solverRows(world);
     text += logRows(report.runner->logFiles());
     if (const std::string counts = countText(report.diagnostics); !counts.empty()) text += row("messages", counts);
     return text;

@@ -79,7 +79,8 @@ Assimp::IOStream* FencedFiles::Open(const char* file, const char* mode) {
     if (verdict == Verdict::Outside && m_refused.empty()) m_refused = file;
     if (verdict != Verdict::Readable) return nullptr;
     const fs::path written(file);
-    Result<std::string> bytes = readRegularFile((written.is_absolute() ? written : fs::path(m_folder) / written).string(), kMostFileBytes);
+    Result<std::string> bytes =
+        readRegularFile((written.is_absolute() ? written : fs::path(m_folder) / written).string(), kMostFileBytes);
     if (!bytes) {
         m_unreadable = bytes.error().message;
         return nullptr;

@@ -14,10 +14,9 @@
 
 namespace {
 
-constexpr const char* kUsage =
-    "Usage: trundle-meshreader mesh FILE      (OBJ, STL, DAE, glTF, GLB)\n"
-    "       trundle-meshreader picture FILE   (PNG, JPEG, BMP, PGM, TIFF: as heights)\n"
-    "Writes the mesh or the heights to standard output in Trundle's binary form.\n";
+constexpr const char* kUsage = "Usage: trundle-meshreader mesh FILE      (OBJ, STL, DAE, glTF, GLB)\n"
+                               "       trundle-meshreader picture FILE   (PNG, JPEG, BMP, PGM, TIFF: as heights)\n"
+                               "Writes the mesh or the heights to standard output in Trundle's binary form.\n";
 
 constexpr trundle::ResourceLimits kLimits{.memoryBytes = 1u << 30, .cpuSeconds = 30, .fileBytes = 0, .coreDumps = false};
 
@@ -60,8 +59,6 @@ int main(int argc, char** argv) {
         return run(kind, argv[2]);
     } catch (const std::bad_alloc&) {
         std::fputs("it needs more than 1 GiB of memory\n", stderr);
-    } catch (const std::exception& fault) {
-        std::fprintf(stderr, "%s\n", fault.what());
-    }
+    } catch (const std::exception& fault) { std::fprintf(stderr, "%s\n", fault.what()); }
     return 1;
 }

@@ -43,9 +43,10 @@ void keepOurReaders(Assimp::Importer& importer) {
 }
 
 void configure(Assimp::Importer& importer) {
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
-                                                            aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-                                                            aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS);
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                                            aiComponent_COLORS | aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
+                                                            aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
+                                                            aiComponent_CAMERAS);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
 }
 
@@ -78,13 +79,17 @@ public:
     explicit MeshCollector(bool yIsUp) : m_yIsUp(yIsUp), m_joiner(m_mesh.points) {}
 
     Status addNodes(const aiScene& scene) {
-        struct Open { const aiNode* node; aiMatrix4x4 toWorld; };
+        struct Open {
+            const aiNode* node;
+            aiMatrix4x4 toWorld;
+        };
         std::vector<Open> open{{scene.mRootNode, scene.mRootNode->mTransformation}};
         while (!open.empty()) {
             const Open now = open.back();
             open.pop_back();
             for (unsigned i = 0; i < now.node->mNumMeshes; ++i) {
-                if (now.node->mMeshes[i] >= scene.mNumMeshes) return failure("it is damaged: a node names a mesh that is not there");
+                if (now.node->mMeshes[i] >= scene.mNumMeshes)
+                    return failure("it is damaged: a node names a mesh that is not there");
                 if (const Status added = addMesh(*scene.mMeshes[now.node->mMeshes[i]], now.toWorld); !added) return added;
             }
             for (unsigned i = now.node->mNumChildren; i-- > 0;)
@@ -119,17 +124,21 @@ private:
     }
 
     Result<std::uint32_t> addPoint(const aiVector3D& at) {
-        if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z)) return failure("one of its points is not a number");
-        if (std::fabs(at.x) > kFarthest || std::fabs(at.y) > kFarthest || std::fabs(at.z) > kFarthest) return failure("one of its points is more than 1e9 away");
+        if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
+            return failure("one of its points is not a number");
+        if (std::fabs(at.x) > kFarthest || std::fabs(at.y) > kFarthest || std::fabs(at.z) > kFarthest)
+            return failure("one of its points is more than 1e9 away");
         const std::uint32_t place = m_yIsUp ? m_joiner.add({at.x, -at.z, at.y}) : m_joiner.add({at.x, at.y, at.z});
-        if (m_mesh.points.size() > kMostMeshPoints) return failure("it has more than " + std::to_string(kMostMeshPoints) + " points");
+        if (m_mesh.points.size() > kMostMeshPoints)
+            return failure("it has more than " + std::to_string(kMostMeshPoints) + " points");
         return place;
     }
 
     Status addTriangle(const std::array<std::uint32_t, 3>& triangle) {
         if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) return {};
         m_mesh.triangles.push_back(triangle);
-        if (m_mesh.triangles.size() > kMostMeshTriangles) return failure("it has more than " + std::to_string(kMostMeshTriangles) + " triangles");
+        if (m_mesh.triangles.size() > kMostMeshTriangles)
+            return failure("it has more than " + std::to_string(kMostMeshTriangles) + " triangles");
         return {};
     }
 
@@ -144,7 +153,8 @@ private:
 // Some of assimp's words tell a programmer more than the owner of the file.
 std::string inPlainWords(const std::string& words) {
     if (words.find("bad_alloc") != std::string::npos) return "it needs more memory than its reader may take";
-    if (words.find("STL storage representation") != std::string::npos) return "its length is not that of a binary STL with its count, and it is no text STL";
+    if (words.find("STL storage representation") != std::string::npos)
+        return "its length is not that of a binary STL with its count, and it is no text STL";
     if (words.find("No suitable reader") != std::string::npos) return "its content is not of the format that its name says";
     if (words.find("No meshes remaining") != std::string::npos) return "it holds no triangle";
     return words.empty() ? "its format is not understood" : words;
@@ -165,7 +175,8 @@ Result<TriangleMesh> readMeshFile(const std::string& path) {
     importer.SetIOHandler(files);
     keepOurReaders(importer);
     configure(importer);
-    const aiScene* scene = importer.ReadFile(files->meshFile(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType);
+    const aiScene* scene =
+        importer.ReadFile(files->meshFile(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType);
     if (!files->refused().empty()) return failure("it refers to " + files->refused() + ", which lies outside its folder");
     if (scene == nullptr && !files->unreadable().empty()) return failure(files->unreadable());
     if (scene == nullptr) return failure(inPlainWords(importer.GetErrorString()));

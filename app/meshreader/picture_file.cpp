@@ -27,7 +27,8 @@ Status checkSize(const QSize& size) {
     const auto columns = static_cast<std::uint64_t>(size.width()), rows = static_cast<std::uint64_t>(size.height());
     const std::string text = "it has " + std::to_string(columns) + " x " + std::to_string(rows) + " points, ";
     if (columns < 2 || rows < 2) return failure(text + "at least 2 x 2 are needed");
-    if (columns > kMostGreySide || rows > kMostGreySide || columns * rows > kMostGreyPoints) return failure(text + "at most 4096 x 4096 can be used");
+    if (columns > kMostGreySide || rows > kMostGreySide || columns * rows > kMostGreyPoints)
+        return failure(text + "at most 4096 x 4096 can be used");
     return {};
 }
 
@@ -61,7 +62,8 @@ Result<HeightMap> readPictureFile(const std::string& path) {
     QImageReader reader(&buffer);
     reader.setAutoTransform(false);
     if (!reader.canRead()) return failure("it is not a picture of a known format, or it is damaged");
-    if (!formatIsKnown(reader.format())) return failure("a picture is a PNG, JPEG, BMP, PGM or TIFF file, this is " + reader.format().toStdString());
+    if (!formatIsKnown(reader.format()))
+        return failure("a picture is a PNG, JPEG, BMP, PGM or TIFF file, this is " + reader.format().toStdString());
     if (const Status size = checkSize(reader.size()); !size) return size.error();
     const QImage picture = reader.read();
     if (picture.isNull()) return failure("the picture is damaged: " + reader.errorString().toStdString());

@@ -25,8 +25,7 @@ std::string lowerEnding(const std::string& path) {
     return ending;
 }
 
-template <std::size_t Count>
-bool endsInOne(const std::string& path, const std::array<std::string_view, Count>& endings) {
+template <std::size_t Count> bool endsInOne(const std::string& path, const std::array<std::string_view, Count>& endings) {
     const std::string ending = lowerEnding(path);
     for (const std::string_view known : endings)
         if (ending == known) return true;
@@ -58,35 +57,63 @@ std::string reasonOf(const ProcessRequest& request, const ProcessResult& result)
 
 AssetReader::AssetReader(std::string program, AssetLimits limits) : m_program(std::move(program)), m_limits(limits) {}
 
+namespace {
+
+Error noMesh(const std::string& path) { return failure(path, "a mesh is an OBJ, STL, DAE, glTF or GLB file"); }
+Error noPicture(const std::string& path) { return failure(path, "a picture is a PNG, JPEG, BMP, PGM or TIFF file"); }
+
+} // namespace
+
 Result<std::shared_ptr<const TriangleMesh>> AssetReader::mesh(const std::string& path) {
-    if (!endsInOne(path, kMeshEndings)) return failure(path, "a mesh is an OBJ, STL, DAE, glTF or GLB file");
+    if (!endsInOne(path, kMeshEndings)) return noMesh(path);
     return find(m_meshes, "mesh", path, decodeMesh);
 }
 
 Result<std::shared_ptr<const HeightMap>> AssetReader::heightMap(const std::string& path) {
-    if (!endsInOne(path, kPictureEndings)) return failure(path, "a picture is a PNG, JPEG, BMP, PGM or TIFF file");
+    if (!endsInOne(path, kPictureEndings)) return noPicture(path);
     return find(m_heightMaps, "picture", path, decodeHeightMap);
 }
 
-template <class Asset, class Decode>
-Result<std::shared_ptr<const Asset>> AssetReader::find(Shelf<Asset>& shelf, const char* kind, const std::string& path, Decode decode) {
+std::optional<Result<std::shared_ptr<const TriangleMesh>>> AssetReader::keptMesh(const std::string& path) {
+    if (!endsInOne(path, kMeshEndings)) return noMesh(path);
+    return kept(m_meshes, path);
+}
+
+std::optional<Result<std::shared_ptr<const HeightMap>>> AssetReader::keptHeightMap(const std::string& path) {
+    if (!endsInOne(path, kPictureEndings)) return noPicture(path);
+    return kept(m_heightMaps, path);
+}
+
+template <class Asset>
+std::optional<AssetReader::Answer<Asset>> AssetReader::kept(const Shelf<Asset>& shelf, const std::string& path) {
     const Result<FileStamp> stamp = regularFileStamp(path);
     if (!stamp) return Error{Code::MeshUnreadable, stamp.error().message};
     if (stamp.value().size == 0) return failure(path, "it is empty");
-    if (stamp.value().size > m_limits.fileBytes) return failure(path, "it is larger than " + std::to_string(m_limits.fileBytes >> 20) + " MiB");
-
+    if (stamp.value().size > m_limits.fileBytes)
+        return failure(path, "it is larger than " + std::to_string(m_limits.fileBytes >> 20) + " MiB");
     const std::lock_guard lock(m_mutex);
-    if (const auto kept = shelf.find(path); kept != shelf.end() && kept->second.stamp == stamp.value()) return kept->second.answer;
+    const auto kept = shelf.find(path);
+    if (kept == shelf.end() || kept->second.stamp != stamp.value()) return std::nullopt;
+    return kept->second.answer;
+}
 
-    const auto read = [&]() -> Result<std::shared_ptr<const Asset>> {
+template <class Asset, class Decode>
+AssetReader::Answer<Asset> AssetReader::find(Shelf<Asset>& shelf, const char* kind, const std::string& path, Decode decode) {
+    if (auto known = kept(shelf, path)) return *known;
+    const std::lock_guard reading(m_reading);
+    if (auto known = kept(shelf, path)) return *known; // somebody else read it meanwhile
+    const Result<FileStamp> stamp = regularFileStamp(path);
+    const auto read = [&]() -> Answer<Asset> {
+        if (!stamp) return Error{Code::MeshUnreadable, stamp.error().message};
         const Result<std::string> bytes = ask(kind, path);
         if (!bytes) return bytes.error();
         Result<Asset> asset = decode(bytes.value());
         if (!asset) return failure(path, asset.error().message);
         return std::make_shared<const Asset>(std::move(asset).value());
     };
-    Result<std::shared_ptr<const Asset>> answer = read();
-    shelf.insert_or_assign(path, Kept<Asset>{stamp.value(), answer});
+    Answer<Asset> answer = read();
+    const std::lock_guard lock(m_mutex);
+    if (stamp) shelf.insert_or_assign(path, Kept<Asset>{stamp.value(), answer});
     return answer;
 }
 

@@ -15,7 +15,9 @@ constexpr std::size_t kHeaderBytes = 16;
 
 Error damaged(const std::string& why) { return Error{Code::MeshUnreadable, "its reader's answer is damaged: " + why}; }
 
-struct Header { std::uint32_t first = 0, second = 0; };
+struct Header {
+    std::uint32_t first = 0, second = 0;
+};
 
 std::string startStream(std::string_view magic, Header header) {
     std::string bytes(magic);
@@ -31,14 +33,12 @@ Result<Header> readHeader(std::string_view bytes, std::string_view magic) {
 }
 
 // `count` was checked against its limit, so the product cannot overflow.
-template <class Item>
-void copyItems(std::string_view bytes, std::size_t offset, std::size_t count, std::vector<Item>& into) {
+template <class Item> void copyItems(std::string_view bytes, std::size_t offset, std::size_t count, std::vector<Item>& into) {
     into.resize(count);
     if (count > 0) std::memcpy(into.data(), bytes.data() + offset, count * sizeof(Item));
 }
 
-template <class Item>
-void appendItems(std::string& bytes, const std::vector<Item>& items) {
+template <class Item> void appendItems(std::string& bytes, const std::vector<Item>& items) {
     bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
 }
 
@@ -65,7 +65,8 @@ bool allGrey(const std::vector<float>& heights) {
 } // namespace
 
 std::string encodeMesh(const TriangleMesh& mesh) {
-    std::string bytes = startStream(kMeshMagic, {static_cast<std::uint32_t>(mesh.points.size()), static_cast<std::uint32_t>(mesh.triangles.size())});
+    std::string bytes = startStream(
+        kMeshMagic, {static_cast<std::uint32_t>(mesh.points.size()), static_cast<std::uint32_t>(mesh.triangles.size())});
     appendItems(bytes, mesh.points);
     appendItems(bytes, mesh.triangles);
     return bytes;

@@ -2,8 +2,7 @@
 
 namespace trundle {
 
-Diagnostic& Diagnostics::add(Severity severity, Code code, SourceRange range, std::string message)
-{
+Diagnostic& Diagnostics::add(Severity severity, Code code, SourceRange range, std::string message) {
     if (severity == Severity::Error) ++m_errors;
     Diagnostic& d = m_all.emplace_back();
     d.severity = severity;
@@ -13,8 +12,7 @@ Diagnostic& Diagnostics::add(Severity severity, Code code, SourceRange range, st
     return d;
 }
 
-void Diagnostics::append(std::vector<Diagnostic> more)
-{
+void Diagnostics::append(std::vector<Diagnostic> more) {
     for (Diagnostic& d : more) {
         if (d.severity == Severity::Error) ++m_errors;
         m_all.push_back(std::move(d));

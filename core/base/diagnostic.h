@@ -33,9 +33,15 @@ struct Diagnostic {
 class Diagnostics {
 public:
     Diagnostic& add(Severity severity, Code code, SourceRange range, std::string message);
-    Diagnostic& error(Code code, SourceRange range, std::string message) { return add(Severity::Error, code, range, std::move(message)); }
-    Diagnostic& warning(Code code, SourceRange range, std::string message) { return add(Severity::Warning, code, range, std::move(message)); }
-    Diagnostic& hint(Code code, SourceRange range, std::string message) { return add(Severity::Hint, code, range, std::move(message)); }
+    Diagnostic& error(Code code, SourceRange range, std::string message) {
+        return add(Severity::Error, code, range, std::move(message));
+    }
+    Diagnostic& warning(Code code, SourceRange range, std::string message) {
+        return add(Severity::Warning, code, range, std::move(message));
+    }
+    Diagnostic& hint(Code code, SourceRange range, std::string message) {
+        return add(Severity::Hint, code, range, std::move(message));
+    }
     void append(std::vector<Diagnostic> more);
 
     [[nodiscard]] const std::vector<Diagnostic>& all() const { return m_all; }

@@ -12,28 +12,25 @@ constexpr std::size_t kLongestWord = 64; ///< beyond it nobody mistyped a word; 
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-bool startsLike(std::string_view word, std::string_view start)
-{
-    return word.size() >= start.size() && std::equal(start.begin(), start.end(), word.begin(), [](char a, char b) { return lower(a) == lower(b); });
+bool startsLike(std::string_view word, std::string_view start) {
+    return word.size() >= start.size() &&
+           std::equal(start.begin(), start.end(), word.begin(), [](char a, char b) { return lower(a) == lower(b); });
 }
 
-double substitution(char a, char b)
-{
+double substitution(char a, char b) {
     if (a == b) return 0;
     return lower(a) == lower(b) ? kCaseCost : 1;
 }
 
 /// How far off a word of this length may be and still be meant.
-double reach(std::size_t length)
-{
+double reach(std::size_t length) {
     if (length <= 3) return 1;
     return length <= 5 ? 2 : static_cast<double>(length) / 3 + 1;
 }
 
 } // namespace
 
-double spellingDistance(std::string_view a, std::string_view b)
-{
+double spellingDistance(std::string_view a, std::string_view b) {
     if (a.size() > kLongestWord || b.size() > kLongestWord) return a == b ? 0 : static_cast<double>(std::max(a.size(), b.size()));
     std::array<double, 3 * (kLongestWord + 1)> rows;
     double *before = rows.data(), *last = before + kLongestWord + 1, *row = last + kLongestWord + 1;
@@ -53,9 +50,11 @@ double spellingDistance(std::string_view a, std::string_view b)
     return last[b.size()];
 }
 
-std::vector<std::string> nearestWords(std::string_view word, std::span<const std::string> candidates, std::size_t most)
-{
-    struct Ranked { double distance; const std::string* word; };
+std::vector<std::string> nearestWords(std::string_view word, std::span<const std::string> candidates, std::size_t most) {
+    struct Ranked {
+        double distance;
+        const std::string* word;
+    };
     std::vector<Ranked> near;
     for (const std::string& candidate : candidates) {
         const std::size_t longer = std::max(word.size(), candidate.size());

@@ -11,56 +11,99 @@ constexpr double kPi = std::numbers::pi;
 
 // The first unit of each dimension has factor 1; the order is the order of help texts.
 constexpr UnitInfo kUnits[] = {
-    {"m", "length", 1}, {"cm", "length", 0.01}, {"mm", "length", 0.001}, {"km", "length", 1000}, {"um", "length", 1e-6},
-    {"kg", "mass", 1}, {"g", "mass", 0.001},
-    {"s", "time", 1}, {"ms", "time", 0.001}, {"us", "time", 1e-6}, {"min", "time", 60}, {"h", "time", 3600},
-    {"rad", "angle", 1}, {"deg", "angle", kPi / 180},
-    {"N", "force", 1}, {"mN", "force", 0.001}, {"kN", "force", 1000},
-    {"Nm", "torque", 1}, {"mNm", "torque", 0.001},
-    {"V", "voltage", 1}, {"mV", "voltage", 0.001},
-    {"A", "current", 1}, {"mA", "current", 0.001},
-    {"ohm", "resistance", 1}, {"mohm", "resistance", 0.001}, {"kohm", "resistance", 1000},
-    {"H", "inductance", 1}, {"mH", "inductance", 0.001}, {"uH", "inductance", 1e-6},
-    {"W", "power", 1}, {"mW", "power", 0.001}, {"kW", "power", 1000},
+    {"m", "length", 1},
+    {"cm", "length", 0.01},
+    {"mm", "length", 0.001},
+    {"km", "length", 1000},
+    {"um", "length", 1e-6},
+    {"kg", "mass", 1},
+    {"g", "mass", 0.001},
+    {"s", "time", 1},
+    {"ms", "time", 0.001},
+    {"us", "time", 1e-6},
+    {"min", "time", 60},
+    {"h", "time", 3600},
+    {"rad", "angle", 1},
+    {"deg", "angle", kPi / 180},
+    {"N", "force", 1},
+    {"mN", "force", 0.001},
+    {"kN", "force", 1000},
+    {"Nm", "torque", 1},
+    {"mNm", "torque", 0.001},
+    {"V", "voltage", 1},
+    {"mV", "voltage", 0.001},
+    {"A", "current", 1},
+    {"mA", "current", 0.001},
+    {"ohm", "resistance", 1},
+    {"mohm", "resistance", 0.001},
+    {"kohm", "resistance", 1000},
+    {"H", "inductance", 1},
+    {"mH", "inductance", 0.001},
+    {"uH", "inductance", 1e-6},
+    {"W", "power", 1},
+    {"mW", "power", 0.001},
+    {"kW", "power", 1000},
     {"J", "energy", 1},
-    {"Hz", "frequency", 1}, {"kHz", "frequency", 1e3}, {"MHz", "frequency", 1e6}, {"GHz", "frequency", 1e9},
-    {"dB", "ratio in dB", 1}, {"dBm", "power in dBm", 1}, {"dBi", "antenna gain in dBi", 1},
-    {"m/s", "speed", 1}, {"cm/s", "speed", 0.01}, {"mm/s", "speed", 0.001}, {"km/h", "speed", 1 / 3.6},
-    {"rad/s", "rate", 1}, {"deg/s", "rate", kPi / 180}, {"rpm", "rate", kPi / 30},
-    {"m/s^2", "acceleration", 1}, {"cm/s^2", "acceleration", 0.01}, {"mm/s^2", "acceleration", 0.001},
-    {"rad/s^2", "angular acceleration", 1}, {"deg/s^2", "angular acceleration", kPi / 180},
-    {"m/N", "softness", 1}, {"mm/N", "softness", 0.001},
-    {"N/m", "stiffness", 1}, {"N/mm", "stiffness", 1000},
+    {"Hz", "frequency", 1},
+    {"kHz", "frequency", 1e3},
+    {"MHz", "frequency", 1e6},
+    {"GHz", "frequency", 1e9},
+    {"dB", "ratio in dB", 1},
+    {"dBm", "power in dBm", 1},
+    {"dBi", "antenna gain in dBi", 1},
+    {"m/s", "speed", 1},
+    {"cm/s", "speed", 0.01},
+    {"mm/s", "speed", 0.001},
+    {"km/h", "speed", 1 / 3.6},
+    {"rad/s", "rate", 1},
+    {"deg/s", "rate", kPi / 180},
+    {"rpm", "rate", kPi / 30},
+    {"m/s^2", "acceleration", 1},
+    {"cm/s^2", "acceleration", 0.01},
+    {"mm/s^2", "acceleration", 0.001},
+    {"rad/s^2", "angular acceleration", 1},
+    {"deg/s^2", "angular acceleration", kPi / 180},
+    {"m/N", "softness", 1},
+    {"mm/N", "softness", 0.001},
+    {"N/m", "stiffness", 1},
+    {"N/mm", "stiffness", 1000},
     {"Ns/m", "damping", 1},
-    {"Nm/rad", "angular stiffness", 1}, {"Nm/deg", "angular stiffness", 180 / kPi},
-    {"Nms/rad", "angular damping", 1}, {"Nms/deg", "angular damping", 180 / kPi},
-    {"Nm/A", "torque constant", 1}, {"mNm/A", "torque constant", 0.001},
-    {"rad/s/V", "speed constant", 1}, {"rpm/V", "speed constant", kPi / 30},
-    {"Vs/rad", "back-EMF constant", 1}, {"V/rpm", "back-EMF constant", 30 / kPi},
-    {"kgm^2", "inertia", 1}, {"gcm^2", "inertia", 1e-7},
-    {"kg/m^3", "density", 1}, {"g/cm^3", "density", 1000},
-    {"m^2", "area", 1}, {"m^3", "volume", 1},
-    {"bit/s", "bit rate", 1}, {"kbit/s", "bit rate", 1e3}, {"Mbit/s", "bit rate", 1e6},
+    {"Nm/rad", "angular stiffness", 1},
+    {"Nm/deg", "angular stiffness", 180 / kPi},
+    {"Nms/rad", "angular damping", 1},
+    {"Nms/deg", "angular damping", 180 / kPi},
+    {"Nm/A", "torque constant", 1},
+    {"mNm/A", "torque constant", 0.001},
+    {"rad/s/V", "speed constant", 1},
+    {"rpm/V", "speed constant", kPi / 30},
+    {"Vs/rad", "back-EMF constant", 1},
+    {"V/rpm", "back-EMF constant", 30 / kPi},
+    {"kgm^2", "inertia", 1},
+    {"gcm^2", "inertia", 1e-7},
+    {"kg/m^3", "density", 1},
+    {"g/cm^3", "density", 1000},
+    {"m^2", "area", 1},
+    {"m^3", "volume", 1},
+    {"bit/s", "bit rate", 1},
+    {"kbit/s", "bit rate", 1e3},
+    {"Mbit/s", "bit rate", 1e6},
     {"%", "fraction", 0.01},
 };
 
 } // namespace
 
-const UnitInfo* findUnit(std::string_view name)
-{
+const UnitInfo* findUnit(std::string_view name) {
     const auto it = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const UnitInfo& u) { return u.name == name; });
     return it == std::end(kUnits) ? nullptr : &*it;
 }
 
-std::vector<std::string> allUnitNames()
-{
+std::vector<std::string> allUnitNames() {
     std::vector<std::string> names;
     for (const UnitInfo& unit : kUnits) names.emplace_back(unit.name);
     return names;
 }
 
-std::optional<double> convertUnit(double value, std::string_view from, std::string_view to)
-{
+std::optional<double> convertUnit(double value, std::string_view from, std::string_view to) {
     if (from == to) return value; // also no unit to no unit, and without rounding
     const UnitInfo* a = findUnit(from);
     // A bare number is a fraction of one: 50 % is 0.5 where no unit is expected.

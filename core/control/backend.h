@@ -25,6 +25,8 @@ public:
     [[nodiscard]] virtual Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutlet outlet) = 0;
     /// Its turn in tick number `tick` at simulated time `time`; `sinceLast` s since its last turn (0 the first time).
     [[nodiscard]] virtual Status tick(std::uint64_t tick, double time, double sinceLast) = 0;
+    /// Sets a field that the controller's kind describes as live.
+    [[nodiscard]] virtual Status set(const std::string& property, const PropertyValue& value) = 0;
     virtual void stop() = 0;
     [[nodiscard]] virtual std::string describe() const = 0; ///< "LinearMotion from linear_motion.so, in process"
 };

@@ -62,8 +62,9 @@ fs::path stem(const std::string& written) {
 bool climbs(const fs::path& path) { return std::find(path.begin(), path.end(), "..") != path.end(); }
 
 Error notTrusted(const std::string& written, const fs::path& library) {
-    return {Code::ModuleNotTrusted, "the module " + written + " is " + library.string() +
-                                        ", in a folder that is not trusted, so its code is not run; give --trust, or --modules with its folder"};
+    return {Code::ModuleNotTrusted,
+            "the module " + written + " is " + library.string() +
+                ", in a folder that is not trusted, so its code is not run; give --trust, or --modules with its folder"};
 }
 
 std::string joined(const std::vector<std::string>& paths) {
@@ -147,24 +148,29 @@ Result<std::string> DirectoryCatalog::locate(const std::string& written, const s
             if (std::find(tried.begin(), tried.end(), path.string()) != tried.end()) continue;
             tried.push_back(path.string());
             if (!isThere(path)) continue;
-            // A path that climbs or is absolute counts by where it leads, any other by the folder it was searched in.
+            // A path that climbs or is absolute counts by where it leads, any other also by the folder it was searched in.
             const bool leadsAway = climbs(name) || fs::path(name).is_absolute();
-            if (isTrusted(leadsAway ? path.parent_path().string() : place)) return absolutePath(path);
+            if (isTrusted(path.parent_path().string()) || (!leadsAway && isTrusted(place))) return absolutePath(path);
             if (untrusted.empty()) untrusted = path;
         }
         const fs::path python = fs::path(place) / (stem(written).string() + ".py");
-        if (isThere(python)) return Error{Code::PythonModule, "the module " + written + " is the Python file " + python.string() + "; Python modules come later"};
+        if (isThere(python))
+            return Error{Code::PythonModule,
+                         "the module " + written + " is the Python file " + python.string() + "; Python modules come later"};
     }
     if (!untrusted.empty()) return notTrusted(written, untrusted);
     std::vector<std::string> shelves = m_folders.modules; // not the experiment's own folder, which may be anybody's home
     shelves.push_back(m_folders.program);
     const std::string near = nearestModule(stem(written).string(), shelves);
-    return Error{Code::ModuleNotFound, "there is no module " + written + (near.empty() ? "" : " (did you mean " + near + "?)") + "; tried " + joined(tried)};
+    return Error{Code::ModuleNotFound, "there is no module " + written + (near.empty() ? "" : " (did you mean " + near + "?)") +
+                                           "; tried " + joined(tried)};
 }
 
 Result<ModuleListing> DirectoryCatalog::find(const std::string& written, const std::string& folder) {
-    if (endsLike(written, ".py")) return Error{Code::PythonModule, "the module " + written + " is Python; Python modules come later"};
-    if (stem(written).filename().empty()) return Error{Code::ModuleNotFound, "there is no module '" + written + "': the path names no file"};
+    if (endsLike(written, ".py"))
+        return Error{Code::PythonModule, "the module " + written + " is Python; Python modules come later"};
+    if (stem(written).filename().empty())
+        return Error{Code::ModuleNotFound, "there is no module '" + written + "': the path names no file"};
     const auto library = locate(written, folder);
     if (!library) return library.error();
     if (auto status = checkModuleFile(library.value()); !status) return status.error();

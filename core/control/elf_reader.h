@@ -11,7 +11,10 @@ class ElfReader {
 public:
     explicit ElfReader(std::string_view bytes) : m_bytes(bytes) {}
 
-    [[nodiscard]] bool isElf() const { return m_bytes.starts_with("\x7f" "ELF"); }
+    [[nodiscard]] bool isElf() const {
+        return m_bytes.starts_with("\x7f"
+                                   "ELF");
+    }
     [[nodiscard]] int bits() const; ///< 32, 64, or 0 where the file does not say
     [[nodiscard]] bool bigEndian() const { return m_bytes.size() > 5 && m_bytes[5] == 2; }
     [[nodiscard]] std::uint64_t type() const { return number(16, 2); }    ///< 1 object, 2 program, 3 shared object
@@ -26,7 +29,9 @@ public:
 private:
     /// 0 where the bytes end before.
     [[nodiscard]] std::uint64_t number(std::uint64_t offset, unsigned size) const;
-    struct Section { std::uint64_t type, offset, size, link; };
+    struct Section {
+        std::uint64_t type, offset, size, link;
+    };
     [[nodiscard]] std::uint64_t sectionCount() const { return number(40, 8) ? number(60, 2) : 0; }
     [[nodiscard]] Section section(std::uint64_t index) const;
     [[nodiscard]] bool definesIn(const Section& symbols, const Section& names, std::string_view symbol) const;

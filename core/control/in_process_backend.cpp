@@ -6,6 +6,7 @@
 
 #include "base/rng.h"
 #include "control/port_names.h"
+#include "schema/live_value.h"
 
 namespace trundle {
 namespace {
@@ -60,6 +61,10 @@ public:
         return {};
     }
 
+    Status set(const std::string& property, const PropertyValue& value) override {
+        return setLive(m_code, m_instance, "the controller of " + m_robot.name, property, value);
+    }
+
     void stop() override {
         if (m_instance) m_code.destroy(m_instance);
         m_instance = nullptr;
@@ -76,7 +81,8 @@ private:
 
     Error failed(const std::string& how, const char* why) const {
         const std::string reason = why && *why ? std::string(": ") + why : "";
-        return {Code::ControllerFailed, "the controller " + std::string(m_code.name) + " of " + m_robot.name + " " + how + reason};
+        return {Code::ControllerFailed,
+                "the controller " + std::string(m_code.name) + " of " + m_robot.name + " " + how + reason};
     }
 
     Status setField(std::uint32_t index) {
@@ -89,7 +95,8 @@ private:
         const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
         const std::size_t count = numeric ? value.numbers.size() : texts.size();
         // The class reads as many elements as it has room for: a description that no longer fits must not make it read beyond.
-        if (count < field.minCount || count > field.maxCount) return failed(std::string("cannot take the value of ") + field.name, "wrong count of elements");
+        if (count < field.minCount || count > field.maxCount)
+            return failed(std::string("cannot take the value of ") + field.name, "wrong count of elements");
         const TrundleValue crossing{value.numbers.data(), texts.data(), static_cast<std::uint32_t>(count)};
         if (m_code.set(m_instance, index, &crossing) == 0) return {};
         return failed(std::string("refuses the value of ") + field.name, m_code.lastError(m_instance));
@@ -105,7 +112,8 @@ private:
         if (!me.m_failure) me.m_failure = entry.error();
         return nullptr;
     }
-    static std::int32_t signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count, std::uint32_t* direction) {
+    static std::int32_t signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count,
+                                   std::uint32_t* direction) {
         auto& me = self(context);
         const SignalEntry* entry = PortNames(me.m_robot, *me.m_layout).look(textOf(device), textOf(signal));
         if (!entry) return 1;
@@ -149,11 +157,13 @@ private:
 
 } // namespace
 
-std::unique_ptr<ControllerBackend> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings, const TrundleKind& code, std::string library) {
+std::unique_ptr<ControllerBackend> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings,
+                                                        const TrundleKind& code, std::string library) {
     return std::make_unique<InProcessBackend>(robot, settings, code, std::move(library));
 }
 
-Result<std::unique_ptr<ControllerBackend>> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings, const ModuleStore& store) {
+Result<std::unique_ptr<ControllerBackend>> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings,
+                                                                const ModuleStore& store) {
     if (!robot.controller) return Error{Code::Internal, robot.name + " has no controller"};
     const std::string& kind = robot.controller->kind;
     const LoadedModule* module = store.owner(kind, TRUNDLE_CONTROLLER);

@@ -17,8 +17,9 @@ constexpr int kFormat = 1;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr std::pair<PropertyType, const char*> kTypeNames[] = {
-    {PropertyType::Number, "number"}, {PropertyType::Integer, "integer"}, {PropertyType::Boolean, "boolean"}, {PropertyType::Choice, "choice"},
-    {PropertyType::Text, "text"},     {PropertyType::File, "file"},       {PropertyType::Reference, "reference"}};
+    {PropertyType::Number, "number"},      {PropertyType::Integer, "integer"}, {PropertyType::Boolean, "boolean"},
+    {PropertyType::Choice, "choice"},      {PropertyType::Text, "text"},       {PropertyType::File, "file"},
+    {PropertyType::Reference, "reference"}};
 constexpr const char* kSignalTypes[] = {"", "real", "integer", "boolean"};
 constexpr const char* kDirections[] = {"", "output", "command", "truth"};
 
@@ -44,9 +45,19 @@ template <std::size_t N> std::uint32_t indexOf(const char* const (&names)[N], co
 Json limit(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json toJson(const Property& p) {
-    Json j{{"name", p.name}, {"type", typeName(p.type)}, {"unit", p.unit}, {"help", p.help}, {"choices", p.choices}, {"scale", p.scale},
-           {"minimum", limit(p.minimum)}, {"maximum", limit(p.maximum)}, {"min_exclusive", p.minExclusive}, {"max_exclusive", p.maxExclusive},
-           {"required", p.required}, {"live", p.live}, {"count", {p.minCount, p.maxCount}}};
+    Json j{{"name", p.name},
+           {"type", typeName(p.type)},
+           {"unit", p.unit},
+           {"help", p.help},
+           {"choices", p.choices},
+           {"scale", p.scale},
+           {"minimum", limit(p.minimum)},
+           {"maximum", limit(p.maximum)},
+           {"min_exclusive", p.minExclusive},
+           {"max_exclusive", p.maxExclusive},
+           {"required", p.required},
+           {"live", p.live},
+           {"count", {p.minCount, p.maxCount}}};
     if (p.defaultValue && p.defaultValue->texts.empty()) j["default"] = p.defaultValue->numbers;
     else if (p.defaultValue) j["default"] = p.defaultValue->texts;
     return j;
@@ -56,9 +67,14 @@ Json toJson(const Kind& kind) {
     Json j{{"name", kind.name}, {"role", kind.role == Role::Controller ? "controller" : "device"}, {"help", kind.help}};
     j["fields"] = Json::array();
     for (const Property& p : kind.properties) j["fields"].push_back(toJson(p));
+    for (const Alternatives& a : kind.alternatives) j["exactly_one_of"].push_back({{"names", a.names}, {"likely", a.likely}});
     j["signals"] = Json::array();
     for (const SignalDescription& s : kind.signals)
-        j["signals"].push_back({{"name", s.name}, {"unit", s.unit}, {"help", s.help}, {"type", kSignalTypes[s.type]}, {"count", s.count},
+        j["signals"].push_back({{"name", s.name},
+                                {"unit", s.unit},
+                                {"help", s.help},
+                                {"type", kSignalTypes[s.type]},
+                                {"count", s.count},
                                 {"direction", kDirections[s.direction]}});
     return j;
 }
@@ -99,8 +115,12 @@ Kind kindFromJson(const Json& j, const std::string& library) {
     const std::string role = j.at("role").get<std::string>();
     if (role != "controller" && role != "device") throw std::runtime_error("'" + role + "' is no role of a kind");
     kind.role = role == "controller" ? Role::Controller : Role::Device;
-    kind.parents = kind.role == Role::Controller ? std::vector<std::string>{"Robot", "Grid", "Scatter"} : std::vector<std::string>{"RobotConfig"};
+    kind.parents = kind.role == Role::Controller ? std::vector<std::string>{"Robot", "Grid", "Scatter"}
+                                                 : std::vector<std::string>{"RobotConfig"};
     for (const Json& field : j.at("fields")) kind.properties.push_back(propertyFromJson(field));
+    if (j.contains("exactly_one_of"))
+        for (const Json& a : j.at("exactly_one_of"))
+            kind.alternatives.push_back({a.at("names").get<std::vector<std::string>>(), a.at("likely").get<std::string>()});
     for (const Json& s : j.at("signals"))
         kind.signals.push_back({s.at("name").get<std::string>(), s.at("unit").get<std::string>(), s.at("help").get<std::string>(),
                                 indexOf(kSignalTypes, s.at("type").get<std::string>()), s.at("count").get<std::uint32_t>(),
@@ -114,7 +134,10 @@ Kind kindFromJson(const Json& j, const std::string& library) {
 std::string kindsJsonPath(const std::string& library) { return library + ".kinds.json"; }
 
 std::string kindsToJson(const std::vector<Kind>& kinds) {
-    Json j{{"format", kFormat}, {"sdk", TRUNDLE_SDK_VERSION}, {"interface", {TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR}}, {"kinds", Json::array()}};
+    Json j{{"format", kFormat},
+           {"sdk", TRUNDLE_SDK_VERSION},
+           {"interface", {TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR}},
+           {"kinds", Json::array()}};
     for (const Kind& kind : kinds) j["kinds"].push_back(toJson(kind));
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // a help text in broken UTF-8 is no reason to throw
 }
@@ -129,9 +152,7 @@ Result<std::vector<Kind>> kindsFromJson(const std::string& text, const std::stri
         std::vector<Kind> kinds;
         for (const Json& kind : j.at("kinds")) kinds.push_back(kindFromJson(kind, library));
         return kinds;
-    } catch (const std::exception& e) {
-        return fault(e.what());
-    }
+    } catch (const std::exception& e) { return fault(e.what()); }
 }
 
 Status writeKindsJson(const std::string& library, const std::string& out) {

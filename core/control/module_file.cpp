@@ -29,9 +29,11 @@ std::string notElf(const std::string& bytes) {
 Status checkMachine(const std::string& path, const ElfReader& elf) {
     if (elf.bits() == 32) return wrongFormat(path, "is a 32-bit library; this program is 64-bit");
     if (elf.bits() != 64) return wrongFormat(path, "is neither a 32-bit nor a 64-bit library");
-    if (elf.bigEndian() != (std::endian::native == std::endian::big)) return wrongFormat(path, "has the byte order of another machine");
+    if (elf.bigEndian() != (std::endian::native == std::endian::big))
+        return wrongFormat(path, "has the byte order of another machine");
     if (elf.machine() != ownElfMachine() && ownElfMachine() != 0)
-        return wrongFormat(path, "is built for " + elfMachineName(elf.machine()) + "; this program is built for " + elfMachineName(ownElfMachine()));
+        return wrongFormat(path, "is built for " + elfMachineName(elf.machine()) + "; this program is built for " +
+                                     elfMachineName(ownElfMachine()));
     return {};
 }
 
@@ -43,16 +45,18 @@ Status checkModuleFile(const std::string& path) {
     const std::string& bytes = file.value();
     const ElfReader elf(bytes);
     if (!elf.isElf()) return wrongFormat(path, notElf(bytes));
-    if (bytes.size() < 20) return Error{Code::ModuleUnreadable, path + " is cut off: it has only " + std::to_string(bytes.size()) + " bytes"};
+    if (bytes.size() < 20)
+        return Error{Code::ModuleUnreadable, path + " is cut off: it has only " + std::to_string(bytes.size()) + " bytes"};
     if (auto status = checkMachine(path, elf); !status) return status;
     if (elf.type() == 1) return wrongFormat(path, "is an object file; a module is a linked shared library");
     if (elf.type() == 2) return wrongFormat(path, "is a program; a module is a shared library");
     if (elf.type() != 3) return wrongFormat(path, "is no shared library");
     if (elf.bytesNeeded() > bytes.size())
-        return Error{Code::ModuleUnreadable, path + " is cut off: it has " + std::to_string(bytes.size()) + " bytes and its tables need " +
-                                                 std::to_string(elf.bytesNeeded())};
+        return Error{Code::ModuleUnreadable, path + " is cut off: it has " + std::to_string(bytes.size()) +
+                                                 " bytes and its tables need " + std::to_string(elf.bytesNeeded())};
     if (!elf.exports(TRUNDLE_ENTRY_SYMBOL).value_or(true))
-        return Error{Code::ModuleNoEntry, path + " exports no " TRUNDLE_ENTRY_SYMBOL "; a module's source ends with TRUNDLE_MODULE(registry) { ... }"};
+        return Error{Code::ModuleNoEntry,
+                     path + " exports no " TRUNDLE_ENTRY_SYMBOL "; a module's source ends with TRUNDLE_MODULE(registry) { ... }"};
     return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <set>
 
@@ -18,8 +19,10 @@ struct CommonFields {
     std::optional<std::string> isolation;
     static void describe(Describe<CommonFields>& d) {
         d.field("UpdatePeriod", &CommonFields::updatePeriod, seconds().within(0, 1e6), "Time between two turns; 0: every tick.");
-        d.field("Isolation", &CommonFields::isolation, oneOf("none|module|robot"), "Which controllers share a process; not given: as the experiment says.");
-        d.field("Budget", &CommonFields::budget, milliseconds().within(0, 1e9), "Time a turn may take before it is named as slow; 0: any.");
+        d.field("Isolation", &CommonFields::isolation, oneOf("none|module|robot"),
+                "Which controllers share a process; not given: as the experiment says.");
+        d.field("Budget", &CommonFields::budget, milliseconds().within(0, 1e9),
+                "Time a turn may take before it is named as slow; 0: any.");
     }
 };
 
@@ -27,14 +30,19 @@ struct CommonFields {
 Status checkDescriptor(const TrundleModule* module, const std::string& library) {
     const auto fault = [&](Code code, const std::string& why) { return Status(Error{code, library + " " + why}); };
     if (!module) return fault(Code::ModuleNoEntry, "gives no description of itself: describing its kinds failed");
-    if (module->magic != TRUNDLE_MAGIC) return fault(Code::ModuleWrongFormat, "answers with the wrong mark; it is no Trundle module");
+    if (module->magic != TRUNDLE_MAGIC)
+        return fault(Code::ModuleWrongFormat, "answers with the wrong mark; it is no Trundle module");
     if (module->abiMajor != TRUNDLE_ABI_MAJOR || module->abiMinor > TRUNDLE_ABI_MINOR) {
-        const auto version = [](std::uint32_t major, std::uint32_t minor) { return std::to_string(major) + "." + std::to_string(minor); };
-        return fault(Code::ModuleVersion, "is built for module interface " + version(module->abiMajor, module->abiMinor) + "; this program has " +
-                                              version(TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR) + ": build the module again");
+        const auto version = [](std::uint32_t major, std::uint32_t minor) {
+            return std::to_string(major) + "." + std::to_string(minor);
+        };
+        return fault(Code::ModuleVersion, "is built for module interface " + version(module->abiMajor, module->abiMinor) +
+                                              "; this program has " + version(TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR) +
+                                              ": build the module again");
     }
     if (module->size < sizeof(TrundleModule)) return fault(Code::ModuleWrongFormat, "has a description that is too short");
-    if (module->kindCount > kMostKinds || (module->kindCount > 0 && !module->kinds)) return fault(Code::ModuleWrongFormat, "has a broken table of kinds");
+    if (module->kindCount > kMostKinds || (module->kindCount > 0 && !module->kinds))
+        return fault(Code::ModuleWrongFormat, "has a broken table of kinds");
     return {};
 }
 
@@ -64,7 +72,8 @@ bool copyField(const TrundleField& from, FieldInfo& to) {
     to.flags = from.flags;
     const TrundleValue& value = from.defaultValue;
     const bool numeric = from.type == TRUNDLE_NUMBER || from.type == TRUNDLE_INTEGER || from.type == TRUNDLE_BOOLEAN;
-    if (value.count > kMostElements || (value.count > 0 && !(numeric ? static_cast<const void*>(value.numbers) : value.texts))) return false;
+    if (value.count > kMostElements || (value.count > 0 && !(numeric ? static_cast<const void*>(value.numbers) : value.texts)))
+        return false;
     for (std::uint32_t i = 0; i < value.count; ++i) {
         if (numeric) to.defaultNumbers.push_back(value.numbers[i]);
         else to.defaultTexts.push_back(copied(value.texts[i], ok));
@@ -77,6 +86,20 @@ bool hasFunctions(const TrundleKind& kind) {
     return kind.role == TRUNDLE_CONTROLLER ? kind.setupController && kind.update : kind.setupDevice && (kind.act || kind.sense);
 }
 
+/// A kind built before interface 1.1 ends before them.
+constexpr std::size_t kSizeWithoutAlternatives = offsetof(TrundleKind, alternatives);
+
+bool copyAlternatives(const TrundleKind& from, Kind& to) {
+    if (from.size < sizeof(TrundleKind)) return true;
+    if (from.alternativesCount > kMostFields || (from.alternativesCount > 0 && !from.alternatives)) return false;
+    bool ok = true;
+    for (std::uint32_t i = 0; i < from.alternativesCount; ++i) {
+        const TrundleAlternatives& a = from.alternatives[i];
+        to.alternatives.push_back(alternativesFrom({copied(a.names, ok), copied(a.likely, ok)}));
+    }
+    return ok;
+}
+
 /// Copies one kind; an empty fault means it went well.
 std::string copyKind(const TrundleKind& from, Kind& to) {
     bool ok = true;
@@ -85,8 +108,8 @@ std::string copyKind(const TrundleKind& from, Kind& to) {
     if (!ok) return "has no name or no end";
     if (from.role != TRUNDLE_CONTROLLER && from.role != TRUNDLE_DEVICE) return "is neither a controller nor a device";
     if (!hasFunctions(from)) return "lacks one of its functions";
-    const bool broken = from.fieldCount > kMostFields || from.signalCount > kMostFields || (from.fieldCount > 0 && !from.fields) ||
-                        (from.signalCount > 0 && !from.signals);
+    const bool broken = from.fieldCount > kMostFields || from.signalCount > kMostFields ||
+                        (from.fieldCount > 0 && !from.fields) || (from.signalCount > 0 && !from.signals);
     if (broken) return "has a broken table of fields or signals";
     const bool controller = from.role == TRUNDLE_CONTROLLER;
     to.role = controller ? Role::Controller : Role::Device;
@@ -101,6 +124,7 @@ std::string copyKind(const TrundleKind& from, Kind& to) {
         to.signals.push_back({copied(s.name, ok), copied(s.unit, ok), copied(s.help, ok), s.type, s.count, s.direction});
         if (!ok) return "has a broken signal, number " + std::to_string(i + 1);
     }
+    if (!copyAlternatives(from, to)) return "has a broken table of alternatives";
     return kindFault(to);
 }
 
@@ -119,13 +143,27 @@ std::string propertyFault(const Property& p) {
     if (!(p.minimum <= p.maximum)) return field + "whose range is empty";
     if (p.minCount > p.maxCount || p.maxCount == 0 || p.maxCount > kMostElements) return field + "whose count is none";
     if (p.type == PropertyType::Choice && p.choices.empty()) return field + "without choices";
-    if (p.defaultValue && (p.defaultValue->count() < p.minCount || p.defaultValue->count() > p.maxCount)) return field + "whose default has the wrong count";
+    if (p.defaultValue && (p.defaultValue->count() < p.minCount || p.defaultValue->count() > p.maxCount))
+        return field + "whose default has the wrong count";
     if (p.defaultValue)
         for (const double number : p.defaultValue->numbers)
             if (!std::isfinite(number)) return field + "whose default is not finite";
     if (p.defaultValue && p.type == PropertyType::Choice)
         for (const std::string& word : p.defaultValue->texts)
-            if (std::find(p.choices.begin(), p.choices.end(), word) == p.choices.end()) return field + "whose default is none of its choices";
+            if (std::find(p.choices.begin(), p.choices.end(), word) == p.choices.end())
+                return field + "whose default is none of its choices";
+    return {};
+}
+
+/// Each must be able to be absent, or there would be nothing to choose.
+std::string alternativesFault(const Kind& kind, const Alternatives& alternatives) {
+    if (alternatives.names.size() < 2) return "has a choice between fewer than two fields";
+    for (const std::string& name : alternatives.names) {
+        const Property* p = kind.find(name);
+        if (!p) return "has a choice between fields with '" + name + "', which it does not have";
+        if (p->required || p->defaultValue) return "has a choice between fields with " + name + ", which is always there";
+    }
+    if (!alternatives.likely.empty() && !kind.find(alternatives.likely)) return "likens a field to one that it does not have";
     return {};
 }
 
@@ -138,12 +176,15 @@ std::string kindFault(const Kind& kind) {
         if (auto fault = propertyFault(p); !fault.empty()) return fault;
         if (!names.insert(p.name).second) return "has two fields named " + p.name;
     }
+    for (const Alternatives& a : kind.alternatives)
+        if (auto fault = alternativesFault(kind, a); !fault.empty()) return fault;
     names.clear();
     for (const SignalDescription& s : kind.signals) {
         if (!isName(s.name)) return "has a signal whose name '" + s.name + "' is no name";
         if (!names.insert(s.name).second) return "has two signals named " + s.name;
         if (s.count == 0 || s.count > kMostElements) return "has a signal " + s.name + " of no size";
-        if (s.type < TRUNDLE_REAL_SIGNAL || s.type > TRUNDLE_BOOLEAN_SIGNAL || s.direction < TRUNDLE_OUTPUT || s.direction > TRUNDLE_TRUTH)
+        if (s.type < TRUNDLE_REAL_SIGNAL || s.type > TRUNDLE_BOOLEAN_SIGNAL || s.direction < TRUNDLE_OUTPUT ||
+            s.direction > TRUNDLE_TRUTH)
             return "has a signal " + s.name + " of an unknown type";
     }
     return {};
@@ -157,7 +198,7 @@ Result<std::vector<Kind>> kindsOfModule(const TrundleModule* module, const std::
         const TrundleKind* table = module->kinds[i];
         Kind kind;
         kind.module = library;
-        std::string fault = !table || table->size < sizeof(TrundleKind) ? "is too short" : copyKind(*table, kind);
+        std::string fault = !table || table->size < kSizeWithoutAlternatives ? "is too short" : copyKind(*table, kind);
         if (fault.empty() && !names.insert(kind.name).second) fault = "is there twice";
         if (!fault.empty()) {
             const std::string name = kind.name.empty() ? "kind number " + std::to_string(i + 1) : "kind '" + kind.name + "'";

@@ -27,7 +27,8 @@ Error loaderError(const std::string& path, const Error& error) {
         constexpr std::string_view mark = "undefined symbol: ";
         const std::size_t at = words.find(mark);
         const std::string symbol = at == std::string::npos ? words : words.substr(at + mark.size());
-        return {error.code, path + " needs the symbol " + symbol + ", which nothing provides; link what defines it into the module"};
+        return {error.code,
+                path + " needs the symbol " + symbol + ", which nothing provides; link what defines it into the module"};
     }
     return {error.code, path + " cannot be opened: " + words};
 }
@@ -54,7 +55,8 @@ Result<const LoadedModule*> ModuleStore::load(const std::string& library) {
     const TrundleModule* descriptor = entry();
     auto kinds = kindsOfModule(descriptor, path);
     if (!kinds) return kinds.error();
-    auto module = std::make_unique<LoadedModule>(LoadedModule{path, std::move(code).value(), descriptor, std::move(kinds).value()});
+    auto module =
+        std::make_unique<LoadedModule>(LoadedModule{path, std::move(code).value(), descriptor, std::move(kinds).value()});
     if (auto status = checkNames(*module); !status) return status.error();
     m_modules.push_back(std::move(module));
     return static_cast<const LoadedModule*>(m_modules.back().get());
@@ -65,7 +67,8 @@ Status ModuleStore::checkNames(const LoadedModule& module) const {
         for (const Kind& mine : module.kinds)
             for (const Kind& its : other->kinds)
                 if (mine.name == its.name)
-                    return Error{Code::ModuleDuplicateKind, "two modules bring the kind " + mine.name + ": " + other->library + " and " + module.library};
+                    return Error{Code::ModuleDuplicateKind,
+                                 "two modules bring the kind " + mine.name + ": " + other->library + " and " + module.library};
     return {};
 }
 
@@ -95,7 +98,8 @@ void loadModules(const ExperimentSpec& experiment, ModuleStore& store, Diagnosti
             diagnostics.error(module.error().code, spec.range, module.error().message);
         } else if (isStale(*module.value())) {
             diagnostics.warning(Code::ModuleDescriptionStale, spec.range,
-                                kindsJsonPath(module.value()->library) + " no longer says what the module says; build the module again");
+                                kindsJsonPath(module.value()->library) +
+                                    " no longer says what the module says; build the module again");
         }
     }
 }

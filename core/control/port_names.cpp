@@ -45,7 +45,8 @@ std::string PortNames::devices(const std::string& kind) const {
 std::string PortNames::signalsBelow(const std::string& prefix, bool truth) const {
     std::vector<std::string> names;
     for (const SignalEntry& entry : m_layout.entries())
-        if (entry.path.starts_with(prefix) && (entry.direction == SignalDirection::Truth) == truth) names.push_back(entry.path.substr(prefix.size()));
+        if (entry.path.starts_with(prefix) && (entry.direction == SignalDirection::Truth) == truth)
+            names.push_back(entry.path.substr(prefix.size()));
     return listed(names);
 }
 
@@ -67,12 +68,16 @@ Result<const SignalEntry*> PortNames::bind(const std::string& kind, const std::s
         return unknown(m_robot, "has no " + wanted + " '" + device + "'" + meant(device, names) + " (" + devices(kind) + ")");
     }
     if (!kind.empty() && spec->kind != kind)
-        return unknown(m_robot, "has no " + kind + " port '" + device + "': that is of kind " + spec->kind + " (" + devices(kind) + ")");
+        return unknown(m_robot,
+                       "has no " + kind + " port '" + device + "': that is of kind " + spec->kind + " (" + devices(kind) + ")");
     const std::string prefix = m_robot.name + "/" + device + "/";
     const SignalEntry* entry = m_layout.find(prefix + signal);
-    if (!entry) return unknown(m_robot, "has no signal '" + device + "/" + signal + "'; the signals of " + device + ": " + signalsBelow(prefix, false));
+    if (!entry)
+        return unknown(m_robot, "has no signal '" + device + "/" + signal + "'; the signals of " + device + ": " +
+                                    signalsBelow(prefix, false));
     if (entry->direction == SignalDirection::Truth)
-        return unknown(m_robot, "gives '" + device + "/" + signal + "' through the port groundTruth alone: a real robot could not know it");
+        return unknown(m_robot, "gives '" + device + "/" + signal +
+                                    "' through the port groundTruth alone: a real robot could not know it");
     return entry;
 }
 

@@ -15,7 +15,8 @@ public:
 
     /// The entry of a signal of a device of this kind ("": any). Ground truth is the kind GroundTruth named groundTruth, and nothing
     /// else gives it. Fails with E411, naming what there is.
-    [[nodiscard]] Result<const SignalEntry*> bind(const std::string& kind, const std::string& device, const std::string& signal) const;
+    [[nodiscard]] Result<const SignalEntry*> bind(const std::string& kind, const std::string& device,
+                                                  const std::string& signal) const;
     /// Without a failure to tell: nullptr where there is none. Empty `signal`: any of the device's.
     [[nodiscard]] const SignalEntry* look(const std::string& device, const std::string& signal) const;
 

@@ -19,17 +19,20 @@ template <class... Values> std::string formatted(const char* pattern, Values... 
 
 void DifferentialDrive::describe(Describe<DifferentialDrive>& d) {
     d.help("A base with two driven wheels: turns speeds of the robot into speeds of the wheels.");
-    d.field("LeftMotor", &DifferentialDrive::m_leftMotor, reference("RotaryMotor").required(), "Turns the left wheel; forward is positive.");
+    d.field("LeftMotor", &DifferentialDrive::m_leftMotor, reference("RotaryMotor").required(),
+            "Turns the left wheel; forward is positive.");
     d.field("RightMotor", &DifferentialDrive::m_rightMotor, reference("RotaryMotor").required(), "Turns the right wheel.");
     d.field("WheelRadius", &DifferentialDrive::m_radiusM, metres().within(1e-4, 1e3).required(), "Of both wheels.");
-    d.field("WheelSeparation", &DifferentialDrive::m_separationM, metres().within(1e-4, 1e3).required(), "Between the wheels' middles.");
+    d.field("WheelSeparation", &DifferentialDrive::m_separationM, metres().within(1e-4, 1e3).required(),
+            "Between the wheels' middles.");
     d.field("Control", &DifferentialDrive::m_controlName, oneOf("servo|pi|voltage"),
             "servo: wheels hold their rate; pi: a speed controller sets the voltage; voltage: open loop.");
     d.field("Kp", &DifferentialDrive::m_kp, unitOf("V s/rad").within(0, 1e6).live(), "Of Control = pi.");
     d.field("Ki", &DifferentialDrive::m_ki, unitOf("V/rad").within(0, 1e6).live(), "Of Control = pi.");
-    d.field("MaxAcceleration", &DifferentialDrive::m_maxAcceleration, metresPerSecondSquared().within(0, 1e6).live(), "Ramps of the speed; 0: no limit.");
-    d.field("MaxAngularAcceleration", &DifferentialDrive::m_maxAngularAcceleration, radiansPerSecondSquared().within(0, 1e6).live(),
-            "Ramps of the turn rate; 0: no limit.");
+    d.field("MaxAcceleration", &DifferentialDrive::m_maxAcceleration, metresPerSecondSquared().within(0, 1e6).live(),
+            "Ramps of the speed; 0: no limit.");
+    d.field("MaxAngularAcceleration", &DifferentialDrive::m_maxAngularAcceleration,
+            radiansPerSecondSquared().within(0, 1e6).live(), "Ramps of the turn rate; 0: no limit.");
     d.command("linearVelocity", "m/s", "Of the middle of the axle.");
     d.command("angularVelocity", "rad/s", "Positive turns left.");
     d.command("linearAmount", "m", "Stop after this; 0: no limit.");
@@ -120,8 +123,8 @@ double DifferentialDrive::piVoltage(const Services& world, Wheel& wheel, double 
 void DifferentialDrive::warnOfSpeeds(const Services& world, const ChassisMotion& velocity, const WheelMotion& rates) {
     if (!m_toldTurn && std::abs(velocity.angular) * world.tick() > kMaxTurnPerTick) {
         m_toldTurn = true;
-        world.warn(formatted("turning at %.3g rad/s is too fast for a tick of %.3g s: heading gets inexact above %.3g rad/s", velocity.angular,
-                             world.tick().value, kMaxTurnPerTick / world.tick()));
+        world.warn(formatted("turning at %.3g rad/s is too fast for a tick of %.3g s: heading gets inexact above %.3g rad/s",
+                             velocity.angular, world.tick().value, kMaxTurnPerTick / world.tick()));
     }
     const double fastest = std::max(std::abs(rates.left), std::abs(rates.right));
     const double possible = std::min(m_left.maxVoltage / m_left.voltsPerRate, m_right.maxVoltage / m_right.voltsPerRate);

@@ -25,9 +25,9 @@ private:
         Slot servo, targetRate, voltage;
         double voltsPerRate = 0; ///< back-EMF seen at the joint, V s/rad
         double maxVoltage = 0;
-        double lastTarget = 0;   ///< rad/s
-        double errorAngle = 0;   ///< rad, integral of the rate's error
-        double angle = 0;        ///< rad, at the last sense
+        double lastTarget = 0; ///< rad/s
+        double errorAngle = 0; ///< rad, integral of the rate's error
+        double angle = 0;      ///< rad, at the last sense
     };
     [[nodiscard]] Wheel mountWheel(Mount& mount, const std::string& motor);
     void readCommands(const Services& world);

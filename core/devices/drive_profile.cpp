@@ -33,7 +33,9 @@ bool opposed(double velocity, double wanted, double remainder) { return velocity
 
 double UnitTrapezoid::peak() const { return std::min(rate, std::sqrt(acceleration)); }
 
-double UnitTrapezoid::duration() const { return std::isfinite(peak()) ? 1 / peak() + peak() / acceleration : 0; } // infinite: nothing to cover
+double UnitTrapezoid::duration() const {
+    return std::isfinite(peak()) ? 1 / peak() + peak() / acceleration : 0;
+} // infinite: nothing to cover
 
 double UnitTrapezoid::position(double t) const {
     const double total = duration(), rise = peak() / acceleration;
@@ -56,7 +58,8 @@ void DriveProfile::aim(const ChassisMotion& velocity) {
     m_busy = false;
 }
 
-std::optional<std::string> DriveProfile::start(const ChassisMotion& velocity, const ChassisMotion& amount, const DriveLimits& limits) {
+std::optional<std::string> DriveProfile::start(const ChassisMotion& velocity, const ChassisMotion& amount,
+                                               const DriveLimits& limits) {
     aim({});
     if (auto why = refusal(velocity.linear, amount.linear, "linear")) return why;
     if (auto why = refusal(velocity.angular, amount.angular, "angular")) return why;
@@ -70,9 +73,11 @@ std::optional<std::string> DriveProfile::start(const ChassisMotion& velocity, co
     m_remainder = {wanted.linear == 0 ? 0 : wanted.linear - m_now.linear * m_brakeTime / 2,
                    wanted.angular == 0 ? 0 : wanted.angular - m_now.angular * m_brakeTime / 2};
     // Braking and starting overlap where they go the same way: the sum then keeps its speed. Otherwise brake first.
-    const bool brakeFirst = opposed(m_now.linear, wanted.linear, m_remainder.linear) || opposed(m_now.angular, wanted.angular, m_remainder.angular);
+    const bool brakeFirst =
+        opposed(m_now.linear, wanted.linear, m_remainder.linear) || opposed(m_now.angular, wanted.angular, m_remainder.angular);
     m_delay = brakeFirst ? m_brakeTime : 0;
-    m_shape.rate = std::min(scaleLimit(std::abs(velocity.linear), m_remainder.linear), scaleLimit(std::abs(velocity.angular), m_remainder.angular));
+    m_shape.rate = std::min(scaleLimit(std::abs(velocity.linear), m_remainder.linear),
+                            scaleLimit(std::abs(velocity.angular), m_remainder.angular));
     m_shape.acceleration = std::min(limits.linear > 0 ? scaleLimit(limits.linear, m_remainder.linear) : kInfinity,
                                     limits.angular > 0 ? scaleLimit(limits.angular, m_remainder.angular) : kInfinity);
     m_elapsed = 0;
@@ -105,7 +110,8 @@ ChassisMotion DriveProfile::positionAt(double t) const {
     const double braking = std::min(t, m_brakeTime);
     const double covered = m_brakeTime > 0 ? braking - braking * braking / (2 * m_brakeTime) : 0; // s at the start velocity
     const double s = m_shape.position(t - m_delay);
-    return {m_startVelocity.linear * covered + m_remainder.linear * s, m_startVelocity.angular * covered + m_remainder.angular * s};
+    return {m_startVelocity.linear * covered + m_remainder.linear * s,
+            m_startVelocity.angular * covered + m_remainder.angular * s};
 }
 
 ChassisMotion DriveProfile::velocityAt(double t) const {

@@ -26,14 +26,17 @@ private:
 };
 
 /// m/s^2 and rad/s^2; 0: no limit.
-struct DriveLimits { double linear = 0, angular = 0; };
+struct DriveLimits {
+    double linear = 0, angular = 0;
+};
 
 class DriveProfile {
 public:
     /// From now on ramps towards this velocity; linear and angular arrive together, so the curve is kept. Ends an amount.
     void aim(const ChassisMotion& velocity);
     /// Starts an amount; an amount of 0 is no limit on its axis. Says why where it makes no sense; then it only brakes.
-    [[nodiscard]] std::optional<std::string> start(const ChassisMotion& velocity, const ChassisMotion& amount, const DriveLimits& limits);
+    [[nodiscard]] std::optional<std::string> start(const ChassisMotion& velocity, const ChassisMotion& amount,
+                                                   const DriveLimits& limits);
     /// The mean velocity of the next tick.
     [[nodiscard]] ChassisMotion next(const DriveLimits& limits, double h);
     /// An amount is under way.

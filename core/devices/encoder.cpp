@@ -7,9 +7,7 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 } // namespace
 
-double encoderCount(double angle, double countsPerTurn) {
-    return std::floor(angle / kTurn * countsPerTurn + 1e-9);
-}
+double encoderCount(double angle, double countsPerTurn) { return std::floor(angle / kTurn * countsPerTurn + 1e-9); }
 
 void Encoder::describe(Describe<Encoder>& d) {
     d.help("Counts the steps that a joint turns.");

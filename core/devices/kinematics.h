@@ -4,10 +4,16 @@
 namespace trundle {
 
 /// Of the middle of the axle: m/s and rad/s, or m and rad.
-struct ChassisMotion { double linear = 0, angular = 0; };
+struct ChassisMotion {
+    double linear = 0, angular = 0;
+};
 /// rad/s, or rad.
-struct WheelMotion { double left = 0, right = 0; };
-struct PlanePose { double x = 0, y = 0, heading = 0; };
+struct WheelMotion {
+    double left = 0, right = 0;
+};
+struct PlanePose {
+    double x = 0, y = 0, heading = 0;
+};
 
 /// Eqs. 3.2, 3.3.
 [[nodiscard]] ChassisMotion chassisFromWheels(const WheelMotion& wheels, double r, double d);

@@ -17,18 +17,25 @@ VoltageRow voltageRow(const MotorConstants& motor, double voltage, double lastCu
 void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.help("A direct-current motor with a gear that turns a joint.");
     d.field("Joint", &RotaryMotor::m_jointName, reference("Hinge|Suspension").required(), "The joint it turns.");
-    d.field("TorqueConstant", &RotaryMotor::m_torqueConstant, unitOf("N m/A").above(0).atMost(1e6).required(), "Torque per current, before the gear.");
-    d.field("SpeedConstant", &RotaryMotor::m_speedConstant, unitOf("rad/s/V").within(1e-6, 1e6), "Speed without load per voltage. Give this or BackEmfConstant.");
-    d.field("BackEmfConstant", &RotaryMotor::m_backEmfConstant, unitOf("V s/rad").within(1e-6, 1e6), "Voltage induced per speed: 1 / SpeedConstant.");
-    d.field("Resistance", &RotaryMotor::m_resistance, ohms().within(1e-6, 1e9).required(), "Of the winding.");
+    d.field("TorqueConstant", &RotaryMotor::m_torqueConstant, unitOf("N m/A").above(0).atMost(1e6).required().live(),
+            "Torque per current, before the gear.");
+    d.field("SpeedConstant", &RotaryMotor::m_speedConstant, unitOf("rad/s/V").within(1e-6, 1e6),
+            "Speed without load per voltage: 1 / BackEmfConstant.");
+    d.field("BackEmfConstant", &RotaryMotor::m_backEmfConstant, unitOf("V s/rad").within(1e-6, 1e6),
+            "Voltage induced per speed: 1 / SpeedConstant.");
+    d.exactlyOneOf("SpeedConstant|BackEmfConstant", "TorqueConstant"); // without losses they are equal: k_e = k_t in SI units
+    d.field("Resistance", &RotaryMotor::m_resistance, ohms().within(1e-6, 1e9).required().live(), "Of the winding.");
     d.field("GearRatio", &RotaryMotor::m_gearRatio, number().within(1e-6, 1e6), "Turns of the motor per turn of the joint.");
-    d.field("MaxVoltage", &RotaryMotor::m_maxVoltage, volts().above(0).atMost(1e6).required(), "The voltage is clipped to this; it also limits the current.");
-    d.field("Inductance", &RotaryMotor::m_inductance, unitOf("H").within(0, 1e3), "Of the winding: the current lags.");
-    d.field("Efficiency", &RotaryMotor::m_efficiency, number().above(0).atMost(1), "Part of the torque that passes the gear.");
+    d.field("MaxVoltage", &RotaryMotor::m_maxVoltage, volts().above(0).atMost(1e6).required(),
+            "The voltage is clipped to this; it also limits the current.");
+    d.field("Inductance", &RotaryMotor::m_inductance, unitOf("H").within(0, 1e3).live(), "Of the winding: the current lags.");
+    d.field("Efficiency", &RotaryMotor::m_efficiency, number().above(0).atMost(1).live(),
+            "Part of the torque that passes the gear.");
     d.field("RotorInertia", &RotaryMotor::m_rotorInertia, unitOf("kg m^2").within(0, 1e3), "Of the rotor, before the gear.");
     d.command("voltage", "V", "Clipped to MaxVoltage.");
     d.command("targetRate", "rad/s", "Of the joint, while servo is set.");
-    d.command("servo", "", "Holds targetRate with up to the stall torque instead of following the voltage.", 1, TRUNDLE_BOOLEAN_SIGNAL);
+    d.command("servo", "", "Holds targetRate with up to the stall torque instead of following the voltage.", 1,
+              TRUNDLE_BOOLEAN_SIGNAL);
     d.output("current", "A", "Through the winding.");
     d.output("torque", "N m", "At the joint, given in the last tick.");
     d.output("rate", "rad/s", "Of the joint.");
@@ -40,8 +47,10 @@ void RotaryMotor::setup(Mount& mount) {
                                    : "give SpeedConstant or BackEmfConstant");
         return;
     }
-    m_motor = {m_torqueConstant, m_speedConstant ? *m_speedConstant : 1 / *m_backEmfConstant, m_resistance, m_gearRatio, m_maxVoltage,
-               m_inductance, m_efficiency};
+    m_motor = {m_torqueConstant, m_speedConstant ? *m_speedConstant : 1 / *m_backEmfConstant,
+               m_resistance,     m_gearRatio,
+               m_maxVoltage,     m_inductance,
+               m_efficiency};
     m_joint = mount.joint(m_jointName);
     m_voltage.bind(mount, "voltage");
     m_targetRate.bind(mount, "targetRate");
@@ -53,7 +62,16 @@ void RotaryMotor::setup(Mount& mount) {
     if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
 }
 
+/// What may change during a run.
+void RotaryMotor::takeLiveConstants() {
+    m_motor.torqueConstant = m_torqueConstant;
+    m_motor.resistance = m_resistance;
+    m_motor.inductance = m_inductance;
+    m_motor.efficiency = m_efficiency;
+}
+
 void RotaryMotor::act(Actuation& world) {
+    takeLiveConstants();
     if (m_servo.read(world) != 0) {
         world.motorRow(m_joint, m_targetRate.read(world), 0, m_motor.stallTorque());
         return;

@@ -24,7 +24,9 @@ struct MotorConstants {
 };
 
 /// The row of the joint: torque = (rate - w) / softness within the limit.
-struct VoltageRow { double rate = 0, softness = 0, limit = 0; };
+struct VoltageRow {
+    double rate = 0, softness = 0, limit = 0;
+};
 
 /// T = G kt (V - G w / kv) / R (thesis eq. 3.1) with w the rate after the step. The inductance is a first-order lag of the current,
 /// L di/dt = V - R i - G w / kv, taken implicitly, so that it too is stable at any tick.
@@ -40,9 +42,12 @@ public:
     void sense(Sensing& world) override;
 
 private:
+    void takeLiveConstants();
+
     std::string m_jointName;
     MotorConstants m_motor;
-    double m_torqueConstant = 0, m_resistance = 0, m_gearRatio = 1, m_maxVoltage = 0, m_inductance = 0, m_efficiency = 1, m_rotorInertia = 0;
+    double m_torqueConstant = 0, m_resistance = 0, m_gearRatio = 1, m_maxVoltage = 0, m_inductance = 0, m_efficiency = 1,
+           m_rotorInertia = 0;
     std::optional<double> m_speedConstant, m_backEmfConstant;
 
     JointId m_joint;

@@ -4,11 +4,11 @@
 
 namespace trundle {
 
-Result<std::string> applyEdits(std::string_view bytes, std::span<const TextEdit> edits)
-{
+Result<std::string> applyEdits(std::string_view bytes, std::span<const TextEdit> edits) {
     std::vector<const TextEdit*> ordered;
     for (const TextEdit& edit : edits) ordered.push_back(&edit);
-    std::stable_sort(ordered.begin(), ordered.end(), [](const TextEdit* a, const TextEdit* b) { return a->range.range < b->range.range; });
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const TextEdit* a, const TextEdit* b) { return a->range.range < b->range.range; });
     std::string out;
     std::uint32_t done = 0;
     for (const TextEdit* edit : ordered) {
@@ -22,8 +22,7 @@ Result<std::string> applyEdits(std::string_view bytes, std::span<const TextEdit>
     return out.append(bytes.substr(done));
 }
 
-Result<std::shared_ptr<const Tree>> applyEdits(const Tree& tree, std::span<const TextEdit> edits)
-{
+Result<std::shared_ptr<const Tree>> applyEdits(const Tree& tree, std::span<const TextEdit> edits) {
     for (const TextEdit& edit : edits)
         if (edit.range.file != tree.file()) return Error{Code::Internal, "an edit of another file"};
     Result<std::string> bytes = applyEdits(tree.source().bytes(), edits);

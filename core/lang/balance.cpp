@@ -7,8 +7,7 @@
 
 namespace trundle {
 
-int Parser::indentOf(std::uint32_t offset) const
-{
+int Parser::indentOf(std::uint32_t offset) const {
     constexpr int kTab = 4;
     const std::string_view bytes = m_source->bytes();
     int columns = 0;
@@ -20,8 +19,7 @@ int Parser::indentOf(std::uint32_t offset) const
 }
 
 /// Looks at the token that begins an item, or closes the block, for a sign that the block ended before it.
-void Parser::noteIndent()
-{
+void Parser::noteIndent() {
     OpenBlock& open = m_open.back();
     if (!newLine() && m_at == open.openAt + 1 && kind() != TokenKind::CloseBrace) open.inlineItems = true;
     if (open.indent < 0 || !newLine()) return;
@@ -29,13 +27,13 @@ void Parser::noteIndent()
     if (indent < 0) return;
     const bool closes = kind() == TokenKind::CloseBrace;
     if (indent > open.indent) open.indentedItems = open.indentedItems || !closes;
-    else if (closes ? indent < open.indent : open.indentedItems) m_suspects.push_back({open.openAt, static_cast<std::uint32_t>(m_at)});
+    else if (closes ? indent < open.indent : open.indentedItems)
+        m_suspects.push_back({open.openAt, static_cast<std::uint32_t>(m_at)});
     else if (!closes && open.inlineItems && namedBlock()) m_onOneLine.push_back({open.openAt, static_cast<std::uint32_t>(m_at)});
 }
 
 /// The places where a `}` may be missing, the likeliest first.
-std::vector<Parser::MissingBrace> Parser::likelyMissing() const
-{
+std::vector<Parser::MissingBrace> Parser::likelyMissing() const {
     const auto earlier = [](const MissingBrace& a, const MissingBrace& b) { return a.before < b.before; };
     std::vector<MissingBrace> places;
     if (!m_suspects.empty()) places.push_back(*std::min_element(m_suspects.begin(), m_suspects.end(), earlier));
@@ -46,14 +44,12 @@ std::vector<Parser::MissingBrace> Parser::likelyMissing() const
 }
 
 /// `]` or `)` where the block itself began with such a sign.
-bool Parser::foreignClose() const
-{
+bool Parser::foreignClose() const {
     return m_open.back().bracket && (kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]"));
 }
 
 /// Looks at what follows a block: an item deeper than the block on a line of its own may still belong to it.
-void Parser::noteEarlyClose(int indent, std::size_t brace)
-{
+void Parser::noteEarlyClose(int indent, std::size_t brace) {
     if (indent < 0 || !newLine() || atEnd() || kind() == TokenKind::CloseBrace) return;
     if (indentOf(range().begin) > indent) m_early.push_back(static_cast<std::uint32_t>(brace));
 }
@@ -62,8 +58,7 @@ bool Parser::ignoredBrace() const { return std::find(m_ignored.begin(), m_ignore
 
 /// Where braces do not balance and the indentation says which one is missing or too many: reads again as if it were mended, so that
 /// one brace costs one message. False when there is nothing to assume, or when it made things worse.
-bool Parser::assume()
-{
+bool Parser::assume() {
     const bool wasUnclosed = m_unclosed;
     const int strays = m_strays;
     if (const std::vector<MissingBrace> places = likelyMissing(); m_unclosed && !places.empty()) {
@@ -85,13 +80,12 @@ bool Parser::assume()
     return false;
 }
 
-bool Parser::closedHere(const OpenBlock& block) const
-{
-    return std::any_of(m_assumed.begin(), m_assumed.end(), [&](const MissingBrace& m) { return m.openAt == block.openAt && m.before == m_at; });
+bool Parser::closedHere(const OpenBlock& block) const {
+    return std::any_of(m_assumed.begin(), m_assumed.end(),
+                       [&](const MissingBrace& m) { return m.openAt == block.openAt && m.before == m_at; });
 }
 
-void Parser::reportUnclosed(const OpenBlock& open, std::uint32_t place)
-{
+void Parser::reportUnclosed(const OpenBlock& open, std::uint32_t place) {
     const std::string_view bytes = m_source->bytes();
     if (atEnd()) m_unclosed = true;
     Diagnostic& d = error(Code::UnclosedBlock, open.name, "block `" + std::string(slice(open.name)) + "` lacks its closing `}`");
@@ -106,7 +100,8 @@ void Parser::reportUnclosed(const OpenBlock& open, std::uint32_t place)
         std::uint32_t line = place;
         while (line > 0 && isBlank(bytes[line - 1])) --line;
         d.notes.push_back({"by the indentation it belongs before this line", {m_file, range()}});
-        fix(d, "insert `}` before line " + std::to_string(m_source->position(place).line), {edit({line, line}, indent + "}" + lineEnd())});
+        fix(d, "insert `}` before line " + std::to_string(m_source->position(place).line),
+            {edit({line, line}, indent + "}" + lineEnd())});
         return;
     }
     const bool ownLine = bytes.empty() || bytes.back() == '\n' || bytes.back() == '\r';

@@ -8,8 +8,7 @@ namespace trundle {
 namespace {
 
 /// Of the assignments directly in `items`: those with a blank before `=` less those without.
-int countSpaced(const Tree& tree, const std::vector<Item>& items)
-{
+int countSpaced(const Tree& tree, const std::vector<Item>& items) {
     const std::string_view bytes = tree.source().bytes();
     int spaced = 0;
     for (const Item& item : items) {
@@ -20,8 +19,7 @@ int countSpaced(const Tree& tree, const std::vector<Item>& items)
 }
 
 /// The same, and where these do not tell, those in the blocks among them.
-int countSpacedInside(const Tree& tree, const std::vector<Item>& items)
-{
+int countSpacedInside(const Tree& tree, const std::vector<Item>& items) {
     int spaced = countSpaced(tree, items);
     if (spaced != 0) return spaced;
     for (const Item& item : items)
@@ -31,8 +29,7 @@ int countSpacedInside(const Tree& tree, const std::vector<Item>& items)
 
 } // namespace
 
-std::string indentOfLine(std::string_view bytes, std::uint32_t offset)
-{
+std::string indentOfLine(std::string_view bytes, std::uint32_t offset) {
     std::uint32_t start = offset;
     while (start > 0 && bytes[start - 1] != '\n' && bytes[start - 1] != '\r') --start;
     if (start == 0 && bytes.starts_with("\xEF\xBB\xBF")) start = 3;
@@ -41,8 +38,7 @@ std::string indentOfLine(std::string_view bytes, std::uint32_t offset)
     return std::string(bytes.substr(start, end - start));
 }
 
-EditStyle editStyle(const Tree& tree)
-{
+EditStyle editStyle(const Tree& tree) {
     EditStyle style;
     const std::string_view bytes = tree.source().bytes();
     const auto& tokens = tree.tokens();
@@ -57,7 +53,8 @@ EditStyle editStyle(const Tree& tree)
         const auto inner = std::find_if(block->items.begin(), block->items.end(), [&](const Item& i) {
             const std::string indent = indentOfLine(bytes, i.range.begin);
             const std::uint32_t start = tree.source().position(i.range.begin).line;
-            return start != tree.source().position(item.range.begin).line && indent.size() > outer.size() && indent.starts_with(outer);
+            return start != tree.source().position(item.range.begin).line && indent.size() > outer.size() &&
+                   indent.starts_with(outer);
         });
         if (inner == block->items.end()) continue;
         style.step = indentOfLine(bytes, inner->range.begin).substr(outer.size());
@@ -68,8 +65,7 @@ EditStyle editStyle(const Tree& tree)
     return style;
 }
 
-bool spacedEquals(const Tree& tree, const BlockItem* block, const EditStyle& style)
-{
+bool spacedEquals(const Tree& tree, const BlockItem* block, const EditStyle& style) {
     const int spaced = countSpacedInside(tree, block ? block->items : tree.items());
     return spaced == 0 ? style.spacedEquals : spaced > 0;
 }

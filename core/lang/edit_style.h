@@ -10,9 +10,9 @@ namespace trundle {
 
 struct EditStyle {
     std::string lineEnd = "\n";
-    std::string step = "  ";      ///< one level of indent
-    bool spacedEquals = true;     ///< `Key = value` rather than `Key=value`
-    std::size_t itemGap = 1;      ///< blanks between items of one line
+    std::string step = "  ";  ///< one level of indent
+    bool spacedEquals = true; ///< `Key = value` rather than `Key=value`
+    std::size_t itemGap = 1;  ///< blanks between items of one line
 };
 
 [[nodiscard]] EditStyle editStyle(const Tree& tree);

@@ -12,23 +12,28 @@
 namespace trundle {
 namespace {
 
-struct Function { std::string_view name; std::size_t least, most; };
-constexpr std::array<Function, 7> kFunctions{{{"min", 2, 100}, {"max", 2, 100}, {"abs", 1, 1}, {"sqrt", 1, 1}, {"sin", 1, 1}, {"cos", 1, 1}, {"tan", 1, 1}}};
+struct Function {
+    std::string_view name;
+    std::size_t least, most;
+};
+constexpr std::array<Function, 7> kFunctions{
+    {{"min", 2, 100}, {"max", 2, 100}, {"abs", 1, 1}, {"sqrt", 1, 1}, {"sin", 1, 1}, {"cos", 1, 1}, {"tan", 1, 1}}};
 
 } // namespace
 
-void Parser::expressionElement(Element& e, Value& v)
-{
+void Parser::expressionElement(Element& e, Value& v) {
     e.kind = Element::Kind::Expression;
     const std::size_t start = m_at;
     advance();
     Sum inner = sum(1);
     if (inner.ok && kind() != TokenKind::CloseParen) {
-        const bool over = atEnd() || newLine() || kind() == TokenKind::OpenBrace || kind() == TokenKind::CloseBrace || kind() == TokenKind::Comma || startsItem();
+        const bool over = atEnd() || newLine() || kind() == TokenKind::OpenBrace || kind() == TokenKind::CloseBrace ||
+                          kind() == TokenKind::Comma || startsItem();
         const TextRange open = m_tree->m_tokens[m_significant[start].token].range;
         if (over) {
             inner = expressionFault(Code::BadExpression, open, "`$(` lacks its `)`");
-            if (Diagnostic* d = lastAt(open); d && kind() != TokenKind::Comma) fix(*d, "add `)`", {edit({previous().end, previous().end}, ")")});
+            if (Diagnostic* d = lastAt(open); d && kind() != TokenKind::Comma)
+                fix(*d, "add `)`", {edit({previous().end, previous().end}, ")")});
         } else if (kind() == TokenKind::Word && adjacent()) {
             inner = expressionFault(Code::BadExpression, range(), "numbers in $( ) have no unit");
         } else {
@@ -42,7 +47,8 @@ void Parser::expressionElement(Element& e, Value& v)
             const TokenKind k = m_tree->m_tokens[m_significant[i].token].kind;
             parens += k == TokenKind::OpenParen ? 1 : k == TokenKind::CloseParen ? -1 : 0;
         }
-        while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && !startsItem() && kind() != TokenKind::Directive) {
+        while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && !startsItem() &&
+               kind() != TokenKind::Directive) {
             if (kind() == TokenKind::CloseParen && parens-- <= 0) break;
             if (kind() == TokenKind::OpenParen) ++parens;
             if (kind() == TokenKind::ExprOpen || kind() == TokenKind::String || kind() == TokenKind::ParamRef) {
@@ -59,32 +65,32 @@ void Parser::expressionElement(Element& e, Value& v)
     e.expression = std::make_shared<const Expression>(std::move(inner.expression));
 }
 
-Parser::Sum Parser::expressionFault(Code code, TextRange r, std::string message)
-{
+Parser::Sum Parser::expressionFault(Code code, TextRange r, std::string message) {
     error(code, r, std::move(message));
     Sum fault;
     fault.ok = false;
     return fault;
 }
 
-Parser::Sum Parser::binary(Expression::Op op, Sum left, Sum right)
-{
+Parser::Sum Parser::binary(Expression::Op op, Sum left, Sum right) {
     if (!left.ok) return left;
     if (!right.ok) return right;
     Sum both;
     both.height = std::max(left.height, right.height) + 1;
     both.expression.op = op;
     both.expression.range = {left.expression.range.begin, right.expression.range.end};
-    if (both.height > kMaxExpressionDepth) return expressionFault(Code::TooDeep, both.expression.range, "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
+    if (both.height > kMaxExpressionDepth)
+        return expressionFault(Code::TooDeep, both.expression.range,
+                               "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
     both.expression.arguments.reserve(2);
     both.expression.arguments.push_back(std::move(left.expression));
     both.expression.arguments.push_back(std::move(right.expression));
     return both;
 }
 
-Parser::Sum Parser::sum(int depth)
-{
-    if (depth > kMaxExpressionDepth) return expressionFault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
+Parser::Sum Parser::sum(int depth) {
+    if (depth > kMaxExpressionDepth)
+        return expressionFault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
     Sum left = product(depth);
     while (left.ok && (kind() == TokenKind::Plus || kind() == TokenKind::Minus)) {
         const auto op = kind() == TokenKind::Plus ? Expression::Op::Add : Expression::Op::Subtract;
@@ -95,8 +101,7 @@ Parser::Sum Parser::sum(int depth)
     return left;
 }
 
-Parser::Sum Parser::product(int depth)
-{
+Parser::Sum Parser::product(int depth) {
     Sum left = signedTerm(depth);
     while (left.ok && (kind() == TokenKind::Star || kind() == TokenKind::Slash)) {
         const auto op = kind() == TokenKind::Star ? Expression::Op::Multiply : Expression::Op::Divide;
@@ -106,9 +111,9 @@ Parser::Sum Parser::product(int depth)
     return left;
 }
 
-Parser::Sum Parser::signedTerm(int depth)
-{
-    if (depth > kMaxExpressionDepth) return expressionFault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
+Parser::Sum Parser::signedTerm(int depth) {
+    if (depth > kMaxExpressionDepth)
+        return expressionFault(Code::TooDeep, range(), "expressions nest deeper than " + std::to_string(kMaxExpressionDepth));
     if (kind() != TokenKind::Plus && kind() != TokenKind::Minus) return power(depth);
     const bool minus = kind() == TokenKind::Minus;
     const std::uint32_t begin = range().begin;
@@ -125,28 +130,28 @@ Parser::Sum Parser::signedTerm(int depth)
 }
 
 /// 2^3^2 is 2^(3^2), -2^2 is -(2^2), 2^-1 is allowed.
-Parser::Sum Parser::power(int depth)
-{
+Parser::Sum Parser::power(int depth) {
     Sum base = primary(depth);
     if (!base.ok || kind() != TokenKind::Caret) return base;
     advance();
     return binary(Expression::Op::Power, std::move(base), signedTerm(depth + 1));
 }
 
-Parser::Sum Parser::primary(int depth)
-{
+Parser::Sum Parser::primary(int depth) {
     Sum s;
     s.expression.range = range();
     switch (kind()) {
     case TokenKind::Number: {
         const std::string_view digits = text();
         const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), s.expression.number);
-        if (fault != std::errc() || end != digits.data() + digits.size()) return expressionFault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
+        if (fault != std::errc() || end != digits.data() + digits.size())
+            return expressionFault(Code::BadNumber, range(), "`" + std::string(digits) + "` is no number, or out of range");
         advance();
         return s;
     }
     case TokenKind::Word:
-        if (newLine() && startsItem()) return expressionFault(Code::BadExpression, previous(), "a number or a name is missing here");
+        if (newLine() && startsItem())
+            return expressionFault(Code::BadExpression, previous(), "a number or a name is missing here");
         if (kind(1) == TokenKind::OpenParen && !newLine(1)) return call(depth);
         s.expression.op = Expression::Op::Name;
         s.expression.name = text();
@@ -156,7 +161,8 @@ Parser::Sum Parser::primary(int depth)
         advance();
         s = sum(depth + 1);
         if (!s.ok) return s;
-        if (kind() != TokenKind::CloseParen) return expressionFault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`)` expected");
+        if (kind() != TokenKind::CloseParen)
+            return expressionFault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`)` expected");
         advance();
         return s;
     }
@@ -168,25 +174,27 @@ Parser::Sum Parser::primary(int depth)
         advance();
         return s;
     }
-    case TokenKind::CloseParen:
-        return expressionFault(Code::BadExpression, range(), "a number or a name is missing before `)`");
+    case TokenKind::CloseParen: return expressionFault(Code::BadExpression, range(), "a number or a name is missing before `)`");
     default:
-        if (newLine() || atEnd() || kind() == TokenKind::CloseBrace || kind() == TokenKind::OpenBrace) return expressionFault(Code::BadExpression, previous(), "a number or a name is missing here");
-        return expressionFault(Code::BadExpression, range(), "a number or a name expected, not `" + std::string(text().substr(0, 20)) + "`");
+        if (newLine() || atEnd() || kind() == TokenKind::CloseBrace || kind() == TokenKind::OpenBrace)
+            return expressionFault(Code::BadExpression, previous(), "a number or a name is missing here");
+        return expressionFault(Code::BadExpression, range(),
+                               "a number or a name expected, not `" + std::string(text().substr(0, 20)) + "`");
     }
 }
 
-Parser::Sum Parser::call(int depth)
-{
+Parser::Sum Parser::call(int depth) {
     Sum s;
     s.expression.op = Expression::Op::Call;
     s.expression.name = text();
     const TextRange nameRange = range();
     s.expression.range = nameRange;
     const std::string functionName = s.expression.name;
-    const auto function = std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == functionName; });
+    const auto function =
+        std::find_if(kFunctions.begin(), kFunctions.end(), [&](const Function& f) { return f.name == functionName; });
     if (function == kFunctions.end()) {
-        Sum fault = expressionFault(Code::BadExpression, nameRange, "there is no function `" + functionName + "`; there are min max abs sqrt sin cos tan");
+        Sum fault = expressionFault(Code::BadExpression, nameRange,
+                                    "there is no function `" + functionName + "`; there are min max abs sqrt sin cos tan");
         std::vector<std::string> names;
         for (const Function& f : kFunctions) names.emplace_back(f.name);
         if (Diagnostic* d = lastAt(nameRange)) {
@@ -204,15 +212,20 @@ Parser::Sum Parser::call(int depth)
         height = std::max(height, argument.height);
         s.expression.arguments.push_back(std::move(argument.expression));
         if (kind() == TokenKind::Comma) advance();
-        else if (kind() != TokenKind::CloseParen) return expressionFault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`,` or `)` expected");
+        else if (kind() != TokenKind::CloseParen)
+            return expressionFault(Code::BadExpression, newLine() || atEnd() ? previous() : range(), "`,` or `)` expected");
     }
     s.expression.range.end = range().end;
     advance();
     s.height = height + 1;
     const std::size_t count = s.expression.arguments.size();
-    if (s.height > kMaxExpressionDepth) return expressionFault(Code::TooDeep, s.expression.range, "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
+    if (s.height > kMaxExpressionDepth)
+        return expressionFault(Code::TooDeep, s.expression.range,
+                               "this expression nests deeper than " + std::to_string(kMaxExpressionDepth));
     if (count < function->least || count > function->most)
-        return expressionFault(Code::BadExpression, s.expression.range, "`" + functionName + (function->most > 1 ? "` takes two or more arguments" : "` takes one argument"));
+        return expressionFault(Code::BadExpression, s.expression.range,
+                               "`" + functionName +
+                                   (function->most > 1 ? "` takes two or more arguments" : "` takes one argument"));
     return s;
 }
 

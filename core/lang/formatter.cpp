@@ -13,8 +13,7 @@ namespace {
 constexpr int kStep = 2;
 constexpr int kTab = 4;
 
-int widthOf(std::string_view blanks)
-{
+int widthOf(std::string_view blanks) {
     int width = 0;
     for (const char c : blanks) width += c == '\t' ? kTab : 1;
     return width;
@@ -24,8 +23,7 @@ class Formatter {
 public:
     explicit Formatter(const Tree& tree) : m_tree(tree) { collectContinuations(tree.items()); }
 
-    std::string run()
-    {
+    std::string run() {
         const std::vector<Token>& tokens = m_tree.tokens();
         std::size_t i = 0;
         if (!tokens.empty() && tokens[0].kind == TokenKind::Bom) m_out += text(tokens[i++]);
@@ -38,8 +36,7 @@ private:
     std::string_view text(const Token& token) const { return m_tree.source().slice(token.range); }
 
     /// Places inside values where an element begins a line that the value did not begin on.
-    void collectContinuations(const std::vector<Item>& items)
-    {
+    void collectContinuations(const std::vector<Item>& items) {
         for (const Item& item : items) {
             if (const auto* block = item.as<BlockItem>()) collectContinuations(block->items);
             else m_continued.push_back(item.range);
@@ -47,8 +44,7 @@ private:
     }
 
     /// One line from its first token; gives the token after its end.
-    std::size_t line(std::size_t i)
-    {
+    std::size_t line(std::size_t i) {
         const std::vector<Token>& tokens = m_tree.tokens();
         std::string_view blanks;
         if (tokens[i].kind == TokenKind::Space) blanks = text(tokens[i++]);
@@ -69,12 +65,12 @@ private:
         return end + 1;
     }
 
-    int indent(std::size_t from, std::size_t end, int width)
-    {
+    int indent(std::size_t from, std::size_t end, int width) {
         const std::vector<Token>& tokens = m_tree.tokens();
         if (continues(tokens[from].range.begin)) return std::max(0, width + m_shift);
         int depth = m_depth;
-        for (std::size_t k = from; k < end && (tokens[k].kind == TokenKind::CloseBrace || tokens[k].kind == TokenKind::Space); ++k)
+        for (std::size_t k = from; k < end && (tokens[k].kind == TokenKind::CloseBrace || tokens[k].kind == TokenKind::Space);
+             ++k)
             depth -= tokens[k].kind == TokenKind::CloseBrace ? 1 : 0;
         const int indent = kStep * std::max(depth, 0);
         m_shift = indent - width;
@@ -82,17 +78,16 @@ private:
     }
 
     /// True inside an assignment or Param that began on a line above.
-    bool continues(std::uint32_t offset)
-    {
+    bool continues(std::uint32_t offset) {
         while (m_next < m_continued.size() && m_continued[m_next].end <= offset) ++m_next;
         return m_next < m_continued.size() && m_continued[m_next].begin < offset;
     }
 
-    void finish()
-    {
+    void finish() {
         // Of the text as it is now: without the blank between them a CR and an LF are one line end.
         const std::size_t first = m_out.find_first_of("\r\n");
-        const std::string lineEnd = first == std::string::npos ? "\n" : m_out.substr(first, m_out.compare(first, 2, "\r\n") == 0 ? 2 : 1);
+        const std::string lineEnd =
+            first == std::string::npos ? "\n" : m_out.substr(first, m_out.compare(first, 2, "\r\n") == 0 ? 2 : 1);
         const std::size_t start = m_out.starts_with("\xEF\xBB\xBF") ? 3 : 0;
         std::size_t size = m_out.size();
         while (size > start && (m_out[size - 1] == '\n' || m_out[size - 1] == '\r')) --size;
@@ -110,8 +105,7 @@ private:
 
 } // namespace
 
-std::string format(const Tree& tree)
-{
+std::string format(const Tree& tree) {
     const auto& said = tree.diagnostics();
     const bool broken = std::any_of(said.begin(), said.end(), [](const Diagnostic& d) { return d.severity == Severity::Error; });
     return broken ? std::string(tree.source().bytes()) : Formatter(tree).run();

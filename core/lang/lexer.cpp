@@ -5,8 +5,7 @@
 
 namespace trundle {
 
-std::vector<Token> Lexer::lex()
-{
+std::vector<Token> Lexer::lex() {
     m_tokens.reserve(m_text.size() / 4);
     if (m_text.starts_with(kBom)) emit(TokenKind::Bom, kBom.size());
     while (m_at < m_text.size()) next();
@@ -14,8 +13,7 @@ std::vector<Token> Lexer::lex()
     return std::move(m_tokens);
 }
 
-void Lexer::emit(TokenKind kind, std::size_t end)
-{
+void Lexer::emit(TokenKind kind, std::size_t end) {
     m_tokens.push_back({kind, {static_cast<std::uint32_t>(m_at), static_cast<std::uint32_t>(end)}});
     m_at = end;
     if (isTrivia(kind)) return;
@@ -23,8 +21,7 @@ void Lexer::emit(TokenKind kind, std::size_t end)
     m_firstOnLine = false;
 }
 
-void Lexer::next()
-{
+void Lexer::next() {
     if (trivia()) return;
     const char c = at(m_at);
     if (const std::size_t end = numberEnd(m_at, m_parens == 0); end > m_at) return number(end);
@@ -35,8 +32,7 @@ void Lexer::next()
     punctuation();
 }
 
-bool Lexer::trivia()
-{
+bool Lexer::trivia() {
     const char c = at(m_at);
     if (isBlank(c)) return emit(TokenKind::Space, skipBlanks(m_at)), true;
     if (c == '\n' || c == '\r') {
@@ -52,24 +48,29 @@ bool Lexer::trivia()
 }
 
 // An expression goes on over a line end only at an operator; so a forgotten `)` costs one line, not the rest of the file.
-void Lexer::expressionLineEnd()
-{
+void Lexer::expressionLineEnd() {
     switch (m_last) {
-    case TokenKind::Plus: case TokenKind::Minus: case TokenKind::Star: case TokenKind::Slash: case TokenKind::Caret:
-    case TokenKind::Comma: case TokenKind::OpenParen: case TokenKind::ExprOpen: return;
+    case TokenKind::Plus:
+    case TokenKind::Minus:
+    case TokenKind::Star:
+    case TokenKind::Slash:
+    case TokenKind::Caret:
+    case TokenKind::Comma:
+    case TokenKind::OpenParen:
+    case TokenKind::ExprOpen: return;
     default: break;
     }
     const char c = at(skipTrivia(m_at));
     if (c == '\0' || std::string_view("+-*/^,)").find(c) == std::string_view::npos) m_parens = 0;
 }
 
-void Lexer::number(std::size_t end)
-{
+void Lexer::number(std::size_t end) {
     emit(TokenKind::Number, end);
     if (m_parens > 0) return;
     m_place = Place::AfterElement;
     m_sameLine = m_numbers = true;
-    if (const std::size_t wide = invisibleAt(m_at); wide > 0 && unitEnd(m_at + wide) > m_at + wide) emit(TokenKind::Unknown, m_at + wide);
+    if (const std::size_t wide = invisibleAt(m_at); wide > 0 && unitEnd(m_at + wide) > m_at + wide)
+        emit(TokenKind::Unknown, m_at + wide);
     const std::size_t unit = skipBlanks(m_at);
     const std::size_t unitStop = unitEnd(unit);
     if (unitStop == unit) return;
@@ -78,13 +79,11 @@ void Lexer::number(std::size_t end)
 }
 
 /// `1,2,` or `X =` and then `Box b {` on the next line: an element was forgotten, Box is none.
-bool Lexer::blockMayFollow() const
-{
+bool Lexer::blockMayFollow() const {
     return !m_sameLine && (m_last == TokenKind::Equals || (m_numbers && m_last == TokenKind::Comma));
 }
 
-void Lexer::word()
-{
+void Lexer::word() {
     const std::size_t ident = identEnd(m_at);
     // Looking ahead from every part of one long path would cost its length squared.
     const bool insidePath = m_last == TokenKind::Dot;
@@ -103,8 +102,7 @@ void Lexer::word()
     emit(TokenKind::Word, ident);
 }
 
-void Lexer::string()
-{
+void Lexer::string() {
     std::size_t i = m_at + 1;
     const auto inLine = [this](std::size_t k) { return k < m_text.size() && m_text[k] != '\n' && m_text[k] != '\r'; };
     while (inLine(i) && m_text[i] != '"') i += m_text[i] == '\\' && inLine(i + 1) ? 2 : 1;
@@ -115,8 +113,7 @@ void Lexer::string()
     m_numbers = false;
 }
 
-void Lexer::dollar()
-{
+void Lexer::dollar() {
     if (at(m_at + 1) == '(') {
         emit(TokenKind::ExprOpen, m_at + 2);
         m_parens = 1;
@@ -130,8 +127,7 @@ void Lexer::dollar()
     m_sameLine = m_numbers = true;
 }
 
-void Lexer::hash()
-{
+void Lexer::hash() {
     m_parens = 0;
     std::size_t end = m_at + 1;
     while (isIdent(at(end))) ++end;
@@ -148,8 +144,7 @@ void Lexer::hash()
 }
 
 /// The rest of the line, cut at a blank before a comment. Where the directive is not first on its line, a last `}` stays outside.
-void Lexer::path(std::size_t from, bool firstOnLine)
-{
+void Lexer::path(std::size_t from, bool firstOnLine) {
     std::size_t stop = from;
     if (at(from) == '"') {
         for (++stop; stop < m_text.size() && at(stop) != '"' && at(stop) != '\n' && at(stop) != '\r';) ++stop;
@@ -168,8 +163,7 @@ void Lexer::path(std::size_t from, bool firstOnLine)
     emit(TokenKind::Path, stop);
 }
 
-void Lexer::punctuation()
-{
+void Lexer::punctuation() {
     const auto structure = [this](TokenKind kind) {
         m_place = Place::Structure;
         m_parens = 0;
@@ -208,8 +202,7 @@ void Lexer::punctuation()
 }
 
 /// Quotes of other kinds with what they hold, single signs, and runs of anything else.
-void Lexer::unknown()
-{
+void Lexer::unknown() {
     if (startsWith(m_at, kUnicodeMinus)) return emit(TokenKind::Minus, m_at + kUnicodeMinus.size());
     if (const std::size_t quoted = foreignQuoteEnd(m_text, m_at); quoted > m_at) {
         m_place = Place::AfterElement;
@@ -225,7 +218,9 @@ void Lexer::unknown()
     while (end < m_text.size()) {
         const CodePoint point = codePointAt(m_text, end);
         const auto byte = static_cast<unsigned char>(m_text[end]);
-        if ((point.valid && byte != 0) != valid || (byte >= ' ' && byte < 0x7F) || isBlank(m_text[end]) || byte == '\n' || byte == '\r') break;
+        if ((point.valid && byte != 0) != valid || (byte >= ' ' && byte < 0x7F) || isBlank(m_text[end]) || byte == '\n' ||
+            byte == '\r')
+            break;
         if (end > m_at && (startsWith(end, kUnicodeMinus) || (invisibleAt(end) > 0) != invisible || letterAt(end) > 0)) break;
         end += point.length;
     }

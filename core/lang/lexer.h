@@ -21,7 +21,9 @@ private:
 
     // what stands at an offset
     [[nodiscard]] char at(std::size_t i) const { return i < m_text.size() ? m_text[i] : '\0'; }
-    [[nodiscard]] bool startsWith(std::size_t i, std::string_view what) const { return m_text.compare(i, what.size(), what) == 0; }
+    [[nodiscard]] bool startsWith(std::size_t i, std::string_view what) const {
+        return m_text.compare(i, what.size(), what) == 0;
+    }
     [[nodiscard]] bool commentAt(std::size_t i) const { return at(i) == '/' && (at(i + 1) == '/' || at(i + 1) == '*'); }
     [[nodiscard]] std::size_t lineEnd(std::size_t from) const;
     [[nodiscard]] std::size_t skipBlanks(std::size_t from) const;
@@ -56,11 +58,11 @@ private:
     std::size_t m_at = 0;
     std::vector<Token> m_tokens;
     Place m_place = Place::Structure;
-    int m_parens = 0;             ///< open ones of an expression; 0 outside
-    bool m_firstOnLine = true;    ///< only blanks and comments before on this line
-    bool m_sameLine = false;      ///< the last element stands on this line
+    int m_parens = 0;                  ///< open ones of an expression; 0 outside
+    bool m_firstOnLine = true;         ///< only blanks and comments before on this line
+    bool m_sameLine = false;           ///< the last element stands on this line
     TokenKind m_last = TokenKind::End; ///< last token that is no trivia
-    bool m_numbers = false;       ///< the last element was a number
+    bool m_numbers = false;            ///< the last element was a number
 };
 
 } // namespace trundle

@@ -11,20 +11,25 @@
 
 namespace trundle {
 
-bool isDirectiveLike(std::string_view name)
-{
+bool isDirectiveLike(std::string_view name) {
     std::string lower;
     for (const char c : name.substr(0, 12)) lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     constexpr std::array<std::string_view, 6> kLike{"import", "imports", "include", "loadmodule", "loadmodules", "load_module"};
     return std::find(kLike.begin(), kLike.end(), lower) != kLike.end();
 }
 
-std::size_t foreignQuoteEnd(std::string_view text, std::size_t at)
-{
+std::size_t foreignQuoteEnd(std::string_view text, std::size_t at) {
     constexpr std::size_t kLongestQuoted = 200; // bounds the search: a text of nothing but opening quotes stays linear
-    struct Quotes { std::string_view open, close; };
-    constexpr std::array<Quotes, 7> kQuotes{{{"'", "'"}, {"`", "`"}, {"\u201C", "\u201D"}, {"\u201D", "\u201D"}, {"\u201E", "\u201C"},
-                                             {"\u2018", "\u2019"}, {"\u00AB", "\u00BB"}}};
+    struct Quotes {
+        std::string_view open, close;
+    };
+    constexpr std::array<Quotes, 7> kQuotes{{{"'", "'"},
+                                             {"`", "`"},
+                                             {"\u201C", "\u201D"},
+                                             {"\u201D", "\u201D"},
+                                             {"\u201E", "\u201C"},
+                                             {"\u2018", "\u2019"},
+                                             {"\u00AB", "\u00BB"}}};
     for (const auto& [open, close] : kQuotes) {
         if (text.compare(at, open.size(), open) != 0) continue;
         std::string_view rest = text.substr(0, at + kLongestQuoted);
@@ -35,20 +40,17 @@ std::size_t foreignQuoteEnd(std::string_view text, std::size_t at)
     return at;
 }
 
-std::size_t Lexer::lineEnd(std::size_t from) const
-{
+std::size_t Lexer::lineEnd(std::size_t from) const {
     while (from < m_text.size() && m_text[from] != '\n' && m_text[from] != '\r') ++from;
     return from;
 }
 
-std::size_t Lexer::skipBlanks(std::size_t from) const
-{
+std::size_t Lexer::skipBlanks(std::size_t from) const {
     while (isBlank(at(from))) ++from;
     return from;
 }
 
-std::size_t Lexer::skipTrivia(std::size_t from) const
-{
+std::size_t Lexer::skipTrivia(std::size_t from) const {
     while (from < m_text.size()) {
         const char c = m_text[from];
         if (isBlank(c) || c == '\n' || c == '\r') {
@@ -65,29 +67,25 @@ std::size_t Lexer::skipTrivia(std::size_t from) const
     return from;
 }
 
-std::size_t Lexer::letterAt(std::size_t i) const
-{
+std::size_t Lexer::letterAt(std::size_t i) const {
     if (isIdent(at(i))) return 1;
     if (static_cast<unsigned char>(at(i)) < 0x80) return 0;
     const CodePoint point = codePointAt(m_text, i);
     return point.valid && isForeignLetter(point.value) ? point.length : 0;
 }
 
-std::size_t Lexer::invisibleAt(std::size_t i) const
-{
+std::size_t Lexer::invisibleAt(std::size_t i) const {
     if (static_cast<unsigned char>(at(i)) < 0x80) return 0;
     const CodePoint point = codePointAt(m_text, i);
     return point.valid && isInvisible(point.value) ? point.length : 0;
 }
 
-std::size_t Lexer::identEnd(std::size_t from) const
-{
+std::size_t Lexer::identEnd(std::size_t from) const {
     while (const std::size_t letter = letterAt(from)) from += letter;
     return from;
 }
 
-std::size_t Lexer::wordEnd(std::size_t from) const
-{
+std::size_t Lexer::wordEnd(std::size_t from) const {
     while (!commentAt(from)) {
         const std::size_t letter = isWordChar(at(from)) ? 1 : letterAt(from);
         if (letter == 0) break;
@@ -96,8 +94,7 @@ std::size_t Lexer::wordEnd(std::size_t from) const
     return from;
 }
 
-std::size_t Lexer::numberEnd(std::size_t from, bool sign) const
-{
+std::size_t Lexer::numberEnd(std::size_t from, bool sign) const {
     std::size_t i = from;
     if (sign && (at(i) == '+' || at(i) == '-')) ++i;
     else if (sign && startsWith(i, kUnicodeMinus)) i += kUnicodeMinus.size();
@@ -106,22 +103,24 @@ std::size_t Lexer::numberEnd(std::size_t from, bool sign) const
     while (isDigit(at(i)) || at(i) == '.') ++i;
     if (at(i) == 'e' || at(i) == 'E') {
         const std::size_t exponent = i + 1 + (at(i + 1) == '+' || at(i + 1) == '-' ? 1 : 0);
-        if (isDigit(at(exponent))) for (i = exponent; isDigit(at(i));) ++i;
+        if (isDigit(at(exponent)))
+            for (i = exponent; isDigit(at(i));) ++i;
     }
     return i;
 }
 
-std::size_t Lexer::unitEnd(std::size_t from) const
-{
+std::size_t Lexer::unitEnd(std::size_t from) const {
     if (at(from) == '%') return from + 1;
-    for (const std::string_view sign : {"\u00B0", "\u03A9", "\u2126", "\u00B5m", "\u03BCm", "\u00B5s", "\u03BCs"}) // degree, ohm, micro
+    for (const std::string_view sign :
+         {"\u00B0", "\u03A9", "\u2126", "\u00B5m", "\u03BCm", "\u00B5s", "\u03BCs"}) // degree, ohm, micro
         if (startsWith(from, sign)) return from + sign.size();
     if (!wordStartsAt(from)) return from;
     const std::size_t ident = identEnd(from);
     if (isReservedWord(from, ident) || isKeyOrKind(from, ident)) return from;
 
     std::size_t run = from;
-    while ((letterAt(run) || ((at(run) == '/' || at(run) == '^') && letterAt(run + 1))) && !commentAt(run)) run += std::max<std::size_t>(letterAt(run), 1);
+    while ((letterAt(run) || ((at(run) == '/' || at(run) == '^') && letterAt(run + 1))) && !commentAt(run))
+        run += std::max<std::size_t>(letterAt(run), 1);
     constexpr std::size_t kLongestUnit = 12;
     for (std::size_t end = std::min(run, from + kLongestUnit); end > from; --end)
         if (!letterAt(end) && findUnit(m_text.substr(from, end - from))) return end;
@@ -130,8 +129,7 @@ std::size_t Lexer::unitEnd(std::size_t from) const
     return run;
 }
 
-bool Lexer::isReservedWord(std::size_t from, std::size_t end) const
-{
+bool Lexer::isReservedWord(std::size_t from, std::size_t end) const {
     const std::string_view word = m_text.substr(from, end - from);
     return word == "Param" || word == "true" || word == "false";
 }
@@ -140,8 +138,7 @@ bool Lexer::isReservedWord(std::size_t from, std::size_t end) const
 constexpr int kLongestPath = 64;
 
 /// True for a word before `=`, before `.key =` or before `{`: it begins something new and is never part of a value.
-bool Lexer::isKeyOrKind(std::size_t from, std::size_t end) const
-{
+bool Lexer::isKeyOrKind(std::size_t from, std::size_t end) const {
     if (m_text.substr(from, end - from) == "Param") return true;
     std::size_t i = skipTrivia(end);
     if (at(i) == '=' || at(i) == '{') return true;
@@ -154,8 +151,7 @@ bool Lexer::isKeyOrKind(std::size_t from, std::size_t end) const
 }
 
 /// True for the kind in `Kind name {`.
-bool Lexer::isNamedBlock(std::size_t end) const
-{
+bool Lexer::isNamedBlock(std::size_t end) const {
     const std::size_t name = skipTrivia(end);
     if (!wordStartsAt(name)) return false;
     return at(skipTrivia(identEnd(name))) == '{';

@@ -11,16 +11,14 @@ namespace {
 
 constexpr std::size_t kShortText = 40;
 
-std::string shortened(std::string_view text)
-{
+std::string shortened(std::string_view text) {
     if (text.size() <= kShortText) return std::string(text);
     std::size_t cut = kShortText;
     while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;
     return std::string(text.substr(0, cut)) + "...";
 }
 
-std::string hexOf(std::uint32_t value, int digits)
-{
+std::string hexOf(std::uint32_t value, int digits) {
     std::string hex;
     for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) hex += "0123456789ABCDEF"[value >> shift & 0xF];
     return hex;
@@ -29,8 +27,7 @@ std::string hexOf(std::uint32_t value, int digits)
 } // namespace
 
 /// `c */` behind a nested comment: the comment ended at its first `*/`.
-bool Parser::restOfComment()
-{
+bool Parser::restOfComment() {
     constexpr std::size_t kFar = 50;
     for (std::size_t i = 1; i < kFar && !newLine(i); ++i) {
         if (kind(i) == TokenKind::End || kind(i) == TokenKind::OpenBrace || kind(i) == TokenKind::CloseBrace) return false;
@@ -44,10 +41,10 @@ bool Parser::restOfComment()
 }
 
 /// A word that begins neither an assignment nor a block.
-void Parser::strayWord(std::vector<Item>& out, int depth)
-{
+void Parser::strayWord(std::vector<Item>& out, int depth) {
     const auto startsNumberOrText = [this](std::size_t i) {
-        return !newLine(i) && (kind(i) == TokenKind::Number || kind(i) == TokenKind::String || kind(i) == TokenKind::ParamRef || kind(i) == TokenKind::ExprOpen);
+        return !newLine(i) && (kind(i) == TokenKind::Number || kind(i) == TokenKind::String || kind(i) == TokenKind::ParamRef ||
+                               kind(i) == TokenKind::ExprOpen);
     };
     const std::string word(text());
     if (restOfComment()) return;
@@ -55,10 +52,12 @@ void Parser::strayWord(std::vector<Item>& out, int depth)
         Diagnostic& d = error(Code::UnexpectedText, range(1), "a name stands without quotes");
         const std::string_view quoted = text(1);
         const std::string bare(quoted.substr(1, quoted.size() - 2));
-        if (!bare.empty() && isIdentStart(bare[0]) && std::all_of(bare.begin(), bare.end(), isIdent)) fix(d, bare, {edit(range(1), bare)});
+        if (!bare.empty() && isIdentStart(bare[0]) && std::all_of(bare.begin(), bare.end(), isIdent))
+            fix(d, bare, {edit(range(1), bare)});
         return block(out, depth, 1);
     }
-    const bool numberAndWord = (kind(2) == TokenKind::Unit || kind(2) == TokenKind::Word) && adjacent(2) && kind(3) == TokenKind::OpenBrace;
+    const bool numberAndWord =
+        (kind(2) == TokenKind::Unit || kind(2) == TokenKind::Word) && adjacent(2) && kind(3) == TokenKind::OpenBrace;
     if (kind(1) == TokenKind::Number && (kind(2) == TokenKind::OpenBrace || numberAndWord)) {
         const bool two = numberAndWord;
         error(Code::UnexpectedText, {range(1).begin, range(two ? 2 : 1).end}, "a name begins with a letter or _");
@@ -87,7 +86,8 @@ void Parser::strayWord(std::vector<Item>& out, int depth)
     if (blockInBrackets(out, depth) || nameWithSigns(out, depth)) return;
     if (kind(1) == TokenKind::Word && !newLine(1)) {
         if (kind(2) == TokenKind::Equals || wrongEquals(2)) { // `double x = 5`
-            Diagnostic& d = error(Code::UnexpectedText, range(), "`" + word + "` does not belong before `" + std::string(text(1)) + " =`");
+            Diagnostic& d =
+                error(Code::UnexpectedText, range(), "`" + word + "` does not belong before `" + std::string(text(1)) + " =`");
             if (word == "param" || word == "PARAM" || word == "var" || word == "let" || word == "const") {
                 d.suggestions = {"Param"};
                 fix(d, "Param", {edit(range(), "Param")});
@@ -104,8 +104,10 @@ void Parser::strayWord(std::vector<Item>& out, int depth)
             return block(out, depth, 2);
         }
         const int indent = indentOf(range().begin);
-        if (indent >= 0 && kind(2) != TokenKind::End && newLine(2) && indentOf(range(2).begin) > indent) { // `Robot r` and its items below
-            Diagnostic& d = error(Code::UnexpectedText, range(1), "`{` expected after `" + word + " " + std::string(text(1)) + "`");
+        if (indent >= 0 && kind(2) != TokenKind::End && newLine(2) &&
+            indentOf(range(2).begin) > indent) { // `Robot r` and its items below
+            Diagnostic& d =
+                error(Code::UnexpectedText, range(1), "`{` expected after `" + word + " " + std::string(text(1)) + "`");
             fix(d, std::string(text(1)) + " {", {edit({range(1).end, range(1).end}, " {")});
             return blockWithoutBrace(out, depth);
         }
@@ -113,14 +115,14 @@ void Parser::strayWord(std::vector<Item>& out, int depth)
     const bool named = kind(1) == TokenKind::Word && !newLine(1) && newLine(2);
     const std::string what = named ? word + " " + std::string(text(1)) : word;
     const TextRange where{range().begin, named ? range(1).end : range().end};
-    error(Code::UnexpectedText, where, named ? "`{` expected after `" + shortened(what) + "`" : "`=` or `{` expected after `" + shortened(what) + "`");
+    error(Code::UnexpectedText, where,
+          named ? "`{` expected after `" + shortened(what) + "`" : "`=` or `{` expected after `" + shortened(what) + "`");
     if (named) advance();
     skipLine();
 }
 
 /// `Robot r [ ... ]` or `Robot r ( ... )`. False when there is no such thing here.
-bool Parser::blockInBrackets(std::vector<Item>& out, int depth)
-{
+bool Parser::blockInBrackets(std::vector<Item>& out, int depth) {
     const auto bracketAt = [this](std::size_t i) {
         if (newLine(i) || !(kind(i) == TokenKind::OpenParen || (kind(i) == TokenKind::Unknown && text(i) == "["))) return false;
         return newLine(i + 1) || (kind(i + 1) == TokenKind::Word && kind(i + 2) == TokenKind::Equals);
@@ -132,14 +134,20 @@ bool Parser::blockInBrackets(std::vector<Item>& out, int depth)
 }
 
 /// `Robot r-1 {`. False when there is no such thing here.
-bool Parser::nameWithSigns(std::vector<Item>& out, int depth)
-{
+bool Parser::nameWithSigns(std::vector<Item>& out, int depth) {
     if (kind(1) != TokenKind::Word || newLine(1)) return false;
     constexpr std::size_t kMostPieces = 20;
     const auto pieceAt = [this](std::size_t i) {
         switch (kind(i)) {
-        case TokenKind::Word: case TokenKind::Number: case TokenKind::Unit: case TokenKind::Dot: case TokenKind::Plus: case TokenKind::Minus:
-        case TokenKind::Star: case TokenKind::Slash: case TokenKind::Caret: return adjacent(i);
+        case TokenKind::Word:
+        case TokenKind::Number:
+        case TokenKind::Unit:
+        case TokenKind::Dot:
+        case TokenKind::Plus:
+        case TokenKind::Minus:
+        case TokenKind::Star:
+        case TokenKind::Slash:
+        case TokenKind::Caret: return adjacent(i);
         case TokenKind::Unknown: return adjacent(i) && text(i) != ";" && !wrongEquals(i);
         default: return false;
         }
@@ -150,22 +158,23 @@ bool Parser::nameWithSigns(std::vector<Item>& out, int depth)
     const TextRange names{range(1).begin, range(brace - 1).end};
     Diagnostic& d = error(Code::UnexpectedText, names, "a name is letters, digits and _");
     std::string joined(slice(names));
-    for (char& c : joined) if (!isIdent(c)) c = '_';
+    for (char& c : joined)
+        if (!isIdent(c)) c = '_';
     fix(d, joined, {edit(names, joined)});
     block(out, depth, brace - 1);
     return true;
 }
 
 /// Past the current token, then to what begins something: a line, a key, a kind, a brace, a directive.
-void Parser::skipLine()
-{
+void Parser::skipLine() {
     advance();
-    while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && kind() != TokenKind::Directive && !startsItem() && !namedBlock()) advance();
+    while (!atEnd() && !newLine() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace &&
+           kind() != TokenKind::Directive && !startsItem() && !namedBlock())
+        advance();
 }
 
 /// `Type name` whose `{` was forgotten; what stands deeper below is its body.
-void Parser::blockWithoutBrace(std::vector<Item>& out, int depth)
-{
+void Parser::blockWithoutBrace(std::vector<Item>& out, int depth) {
     BlockItem node;
     OpenBlock open;
     const std::uint32_t begin = range().begin;
@@ -184,17 +193,16 @@ void Parser::blockWithoutBrace(std::vector<Item>& out, int depth)
     out.push_back({{begin, std::max(node.close.end, node.open.end)}, std::move(node)});
 }
 
-void Parser::strayBrace(bool tooEarly)
-{
+void Parser::strayBrace(bool tooEarly) {
     m_strays += tooEarly ? 0 : 1;
-    Diagnostic& d = error(Code::StrayBrace, range(), tooEarly ? "one `}` too many: by the indentation the block goes on" : "this `}` closes nothing");
+    Diagnostic& d = error(Code::StrayBrace, range(),
+                          tooEarly ? "one `}` too many: by the indentation the block goes on" : "this `}` closes nothing");
     fix(d, "remove `}`", {edit(range(), "")});
     advance();
 }
 
 /// A token that can begin no item. Runs of them are one mistake, up to the next line, key or brace.
-void Parser::unexpected(int depth)
-{
+void Parser::unexpected(int depth) {
     if (knownUnexpected()) return;
     if (kind() == TokenKind::OpenBrace) {
         error(Code::StrayBrace, range(), "a block needs its kind before `{`");
@@ -211,19 +219,20 @@ void Parser::unexpected(int depth)
     }
     TextRange r = range();
     bool first = true;
-    while (!atEnd() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && kind() != TokenKind::Directive
-           && (first || (!newLine() && !startsItem() && !namedBlock() && text() != ";"))) {
+    while (!atEnd() && kind() != TokenKind::OpenBrace && kind() != TokenKind::CloseBrace && kind() != TokenKind::Directive &&
+           (first || (!newLine() && !startsItem() && !namedBlock() && text() != ";"))) {
         r.end = range().end;
         first = false;
         advance();
     }
     const bool number = r.begin < r.end && isDigit(m_source->bytes()[r.begin]);
-    error(Code::UnexpectedText, r, number ? "a number begins nothing; a list goes on over a line end only behind a comma" : "this cannot be read: `" + shortened(slice(r)) + "`");
+    error(Code::UnexpectedText, r,
+          number ? "a number begins nothing; a list goes on over a line end only behind a comma"
+                 : "this cannot be read: `" + shortened(slice(r)) + "`");
 }
 
 /// Single tokens with a message of their own.
-bool Parser::knownUnexpected()
-{
+bool Parser::knownUnexpected() {
     const std::string_view sign = text();
     if (kind() == TokenKind::Comma) {
         Diagnostic& d = error(Code::UnexpectedText, range(), "this comma belongs to no value");
@@ -247,20 +256,15 @@ bool Parser::knownUnexpected()
     return true;
 }
 
-bool Parser::isUtf16() const
-{
-    return m_source->bytes().starts_with("\xFF\xFE") || m_source->bytes().starts_with("\xFE\xFF");
-}
+bool Parser::isUtf16() const { return m_source->bytes().starts_with("\xFF\xFE") || m_source->bytes().starts_with("\xFE\xFF"); }
 
 /// Tokens that the grammar does not see: they are reported for what they are and read as blanks.
-bool Parser::checkedAsBytes(TextRange r) const
-{
+bool Parser::checkedAsBytes(TextRange r) const {
     const CodePoint point = codePointAt(m_source->bytes(), r.begin);
     return !point.valid || point.value == 0 || isInvisible(point.value);
 }
 
-void Parser::checkInvisible()
-{
+void Parser::checkInvisible() {
     for (const std::uint32_t i : m_invisible) {
         const TextRange r = m_tree->m_tokens[i].range;
         const CodePoint point = codePointAt(m_source->bytes(), r.begin);
@@ -271,8 +275,7 @@ void Parser::checkInvisible()
 }
 
 /// NUL and broken UTF-8 anywhere, comments too: one message for each run, at its first byte.
-void Parser::checkBytes()
-{
+void Parser::checkBytes() {
     const std::string_view bytes = m_source->bytes();
     if (isUtf16()) {
         error(Code::InvalidBytes, {0, 2}, "this file is UTF-16, save it as UTF-8");
@@ -292,8 +295,7 @@ void Parser::checkBytes()
     }
 }
 
-void Parser::checkComments()
-{
+void Parser::checkComments() {
     const std::vector<Token>& tokens = m_tree->m_tokens;
     if (tokens.size() < 2) return;
     const Token& last = tokens[tokens.size() - 2]; // only the last one can be open

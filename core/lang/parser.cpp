@@ -14,20 +14,22 @@ constexpr int kMostRuns = 4;                  ///< the first and three with a `}
 
 bool isReserved(std::string_view word) { return word == "Param" || word == "true" || word == "false" || word == "world"; }
 
-bool isName(std::string_view word) { return !word.empty() && isIdentStart(word[0]) && std::all_of(word.begin(), word.end(), isIdent); }
+bool isName(std::string_view word) {
+    return !word.empty() && isIdentStart(word[0]) && std::all_of(word.begin(), word.end(), isIdent);
+}
 
 } // namespace
 
 Parser::Parser(std::shared_ptr<const SourceText> source, FileId file) : m_source(std::move(source)), m_file(file) {}
 
-std::shared_ptr<const Tree> Parser::parse()
-{
+std::shared_ptr<const Tree> Parser::parse() {
     m_tree = std::make_shared<Tree>();
     m_tree->m_file = m_file;
     m_tree->m_source = m_source;
     m_tree->m_tokens = Lexer(m_source->bytes()).lex();
     const std::string_view bytes = m_source->bytes();
-    if (const std::size_t first = bytes.find_first_of("\r\n"); first != std::string_view::npos) m_lineEnd = bytes.substr(first, bytes.substr(first, 2) == "\r\n" ? 2 : 1);
+    if (const std::size_t first = bytes.find_first_of("\r\n"); first != std::string_view::npos)
+        m_lineEnd = bytes.substr(first, bytes.substr(first, 2) == "\r\n" ? 2 : 1);
     bool newLine = true;
     const std::vector<Token>& tokens = m_tree->m_tokens;
     for (std::uint32_t i = 0; i < tokens.size(); ++i) {
@@ -42,14 +44,14 @@ std::shared_ptr<const Tree> Parser::parse()
     }
     run();
     for (int i = 1; i < kMostRuns && assume(); ++i) {}
-    std::stable_sort(m_diagnostics.begin(), m_diagnostics.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.range.range.begin < b.range.range.begin; });
+    std::stable_sort(m_diagnostics.begin(), m_diagnostics.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.range.range.begin < b.range.range.begin; });
     m_tree->m_diagnostics = std::move(m_diagnostics);
     return m_tree;
 }
 
 /// One reading of all tokens.
-void Parser::run()
-{
+void Parser::run() {
     m_at = 0;
     m_open.clear();
     m_suspects.clear();
@@ -66,25 +68,20 @@ void Parser::run()
     items(m_tree->m_items, 0);
 }
 
-const Token& Parser::token(std::size_t ahead) const
-{
+const Token& Parser::token(std::size_t ahead) const {
     return m_tree->m_tokens[m_significant[std::min(m_at + ahead, m_significant.size() - 1)].token];
 }
 
 bool Parser::newLine(std::size_t ahead) const { return m_significant[std::min(m_at + ahead, m_significant.size() - 1)].newLine; }
 
-bool Parser::adjacent(std::size_t ahead) const
-{
-    return m_at + ahead > 0 && m_at + ahead < m_significant.size() && token(ahead).range.begin == m_tree->m_tokens[m_significant[m_at + ahead - 1].token].range.end;
+bool Parser::adjacent(std::size_t ahead) const {
+    return m_at + ahead > 0 && m_at + ahead < m_significant.size() &&
+           token(ahead).range.begin == m_tree->m_tokens[m_significant[m_at + ahead - 1].token].range.end;
 }
 
-TextRange Parser::previous() const
-{
-    return m_at == 0 ? TextRange{} : m_tree->m_tokens[m_significant[m_at - 1].token].range;
-}
+TextRange Parser::previous() const { return m_at == 0 ? TextRange{} : m_tree->m_tokens[m_significant[m_at - 1].token].range; }
 
-bool Parser::wrongEquals(std::size_t ahead) const
-{
+bool Parser::wrongEquals(std::size_t ahead) const {
     if (kind(ahead) != TokenKind::Unknown) return false;
     const std::string_view sign = text(ahead);
     if (sign == "==" || sign == ":=") return true;
@@ -93,18 +90,17 @@ bool Parser::wrongEquals(std::size_t ahead) const
     return sign == ":" && !(after < bytes.size() && (bytes[after] == '/' || bytes[after] == '\\'));
 }
 
-bool Parser::startsItem() const
-{
+bool Parser::startsItem() const {
     if (kind() != TokenKind::Word) return false;
     if (text() == "Param" || kind(1) == TokenKind::Equals || kind(1) == TokenKind::OpenBrace || wrongEquals(1)) return true;
     constexpr std::size_t kLongestPath = 64;
     std::size_t i = 1;
-    while (i < 2 * kLongestPath && kind(i) == TokenKind::Dot && kind(i + 1) == TokenKind::Word && adjacent(i) && adjacent(i + 1)) i += 2;
+    while (i < 2 * kLongestPath && kind(i) == TokenKind::Dot && kind(i + 1) == TokenKind::Word && adjacent(i) && adjacent(i + 1))
+        i += 2;
     return i > 1 && kind(i) == TokenKind::Equals;
 }
 
-Diagnostic& Parser::report(Severity severity, Code code, TextRange r, std::string message)
-{
+Diagnostic& Parser::report(Severity severity, Code code, TextRange r, std::string message) {
     if (m_diagnostics.size() > kMostDiagnostics) return m_unsaid = {};
     if (m_diagnostics.size() == kMostDiagnostics) {
         code = Code::UnexpectedText;
@@ -119,23 +115,24 @@ Diagnostic& Parser::report(Severity severity, Code code, TextRange r, std::strin
     return d;
 }
 
-Diagnostic* Parser::lastAt(TextRange r)
-{
+Diagnostic* Parser::lastAt(TextRange r) {
     return !m_diagnostics.empty() && m_diagnostics.back().range.range == r ? &m_diagnostics.back() : nullptr;
 }
 
-void Parser::fix(Diagnostic& d, std::string title, std::vector<TextEdit> edits) const { d.fixes.push_back({std::move(title), std::move(edits)}); }
+void Parser::fix(Diagnostic& d, std::string title, std::vector<TextEdit> edits) const {
+    d.fixes.push_back({std::move(title), std::move(edits)});
+}
 
 Name Parser::name(std::size_t ahead) const { return {std::string(text(ahead)), range(ahead)}; }
 
-void Parser::refuseReserved(const Name& name, std::string_view use)
-{
-    if (isReserved(name.text)) error(Code::ReservedWord, name.range, "`" + name.text + "` is reserved and cannot be " + std::string(use));
-    else if (!isName(name.text)) error(Code::UnexpectedText, name.range, "`" + name.text + "` cannot be " + std::string(use) + ": only A-Z a-z 0-9 and _");
+void Parser::refuseReserved(const Name& name, std::string_view use) {
+    if (isReserved(name.text))
+        error(Code::ReservedWord, name.range, "`" + name.text + "` is reserved and cannot be " + std::string(use));
+    else if (!isName(name.text))
+        error(Code::UnexpectedText, name.range, "`" + name.text + "` cannot be " + std::string(use) + ": only A-Z a-z 0-9 and _");
 }
 
-void Parser::items(std::vector<Item>& out, int depth)
-{
+void Parser::items(std::vector<Item>& out, int depth) {
     while (!atEnd()) {
         if (depth > 0 && closedHere(m_open.back())) return;
         if (depth > 0 && foreignClose()) return;
@@ -152,11 +149,11 @@ void Parser::items(std::vector<Item>& out, int depth)
     }
 }
 
-void Parser::item(std::vector<Item>& out, int depth)
-{
+void Parser::item(std::vector<Item>& out, int depth) {
     const TokenKind second = kind(1);
     const auto opensBlock = [this](std::size_t i) { // `chassis = { Mass=1 }`; with a number inside it is a list in braces
-        return (kind(i) == TokenKind::Equals || wrongEquals(i)) && kind(i + 1) == TokenKind::OpenBrace && (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
+        return (kind(i) == TokenKind::Equals || wrongEquals(i)) && kind(i + 1) == TokenKind::OpenBrace &&
+               (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
     };
     if (text() == "Param" && second == TokenKind::Word) return param(out);
     if (second == TokenKind::OpenBrace) return block(out, depth, 0);
@@ -171,8 +168,7 @@ void Parser::item(std::vector<Item>& out, int depth)
     strayWord(out, depth);
 }
 
-void Parser::assignment(std::vector<Item>& out)
-{
+void Parser::assignment(std::vector<Item>& out) {
     AssignmentItem node;
     const std::uint32_t begin = range().begin;
     node.path.push_back(name());
@@ -184,15 +180,20 @@ void Parser::assignment(std::vector<Item>& out)
     }
     node.pathRange = {begin, node.path.back().range.end};
     if (kind() == TokenKind::OpenBrace) {
-        error(Code::UnexpectedText, node.pathRange, "a block has no dotted name; to change a property write `" + std::string(slice(node.pathRange)) + ".Property = value`");
+        error(Code::UnexpectedText, node.pathRange,
+              "a block has no dotted name; to change a property write `" + std::string(slice(node.pathRange)) +
+                  ".Property = value`");
         advance();
         return skipBlockBody();
     }
     if (kind() != TokenKind::Equals && !wrongEquals(0)) {
-        Diagnostic& d = error(Code::UnexpectedText, node.pathRange, "`=` expected after `" + std::string(slice(node.pathRange)) + "`");
+        Diagnostic& d =
+            error(Code::UnexpectedText, node.pathRange, "`=` expected after `" + std::string(slice(node.pathRange)) + "`");
         if (kind() == TokenKind::Dot) d.range.range.end = range().end;
         // The rest of the line belongs to what cannot be read.
-        while (!atEnd() && !newLine() && !startsItem() && !namedBlock() && kind() != TokenKind::CloseBrace && kind() != TokenKind::OpenBrace && kind() != TokenKind::Directive) advance();
+        while (!atEnd() && !newLine() && !startsItem() && !namedBlock() && kind() != TokenKind::CloseBrace &&
+               kind() != TokenKind::OpenBrace && kind() != TokenKind::Directive)
+            advance();
         return;
     }
     for (const Name& part : node.path) refuseReserved(part, "a key");
@@ -208,8 +209,7 @@ void Parser::assignment(std::vector<Item>& out)
     out.push_back({{begin, std::max(equals.end, node.value.range.end)}, std::move(node)});
 }
 
-void Parser::param(std::vector<Item>& out)
-{
+void Parser::param(std::vector<Item>& out) {
     ParamItem node;
     const std::uint32_t begin = range().begin;
     advance();
@@ -227,7 +227,9 @@ void Parser::param(std::vector<Item>& out)
         advance();
     } else {
         const bool wrong = wrongEquals(0);
-        Diagnostic& d = error(Code::UnexpectedText, wrong ? range() : node.name.range, wrong ? "`=` expected, not `" + std::string(text()) + "`" : "`=` expected after `Param " + node.name.text + "`");
+        Diagnostic& d = error(Code::UnexpectedText, wrong ? range() : node.name.range,
+                              wrong ? "`=` expected, not `" + std::string(text()) + "`"
+                                    : "`=` expected after `Param " + node.name.text + "`");
         if (wrong) fix(d, "=", {edit(range(), "=")});
         else if (!newLine() && startsElement()) fix(d, node.name.text + " =", {edit({equals.end, equals.end}, " =")});
         if (wrong) {
@@ -243,8 +245,7 @@ void Parser::param(std::vector<Item>& out)
 }
 
 /// `Type {`, or with so many extra tokens before the brace: a name, or what stands there instead and was reported.
-void Parser::block(std::vector<Item>& out, int depth, std::size_t extra)
-{
+void Parser::block(std::vector<Item>& out, int depth, std::size_t extra) {
     BlockItem node;
     const std::uint32_t begin = range().begin;
     OpenBlock open;
@@ -264,7 +265,8 @@ void Parser::block(std::vector<Item>& out, int depth, std::size_t extra)
     open.openAt = static_cast<std::uint32_t>(m_at);
     open.bracket = kind() != TokenKind::OpenBrace;
     if (open.bracket) {
-        Diagnostic& d = error(Code::UnexpectedText, range(), "a block stands in { }, not in " + std::string(text() == "[" ? "[ ]" : "( )"));
+        Diagnostic& d =
+            error(Code::UnexpectedText, range(), "a block stands in { }, not in " + std::string(text() == "[" ? "[ ]" : "( )"));
         fix(d, "{", {edit(range(), "{")});
         if (!m_diagnostics.empty() && &d == &m_diagnostics.back()) open.bracketFault = m_diagnostics.size();
     }
@@ -282,8 +284,7 @@ void Parser::block(std::vector<Item>& out, int depth, std::size_t extra)
     out.push_back({{begin, std::max(node.close.end, node.open.end)}, std::move(node)});
 }
 
-void Parser::blockBody(BlockItem& node, int depth)
-{
+void Parser::blockBody(BlockItem& node, int depth) {
     items(node.items, depth + 1);
     const OpenBlock& open = m_open.back();
     if (foreignClose() && !closedHere(open)) {
@@ -308,8 +309,7 @@ void Parser::blockBody(BlockItem& node, int depth)
 }
 
 /// To the `}` of a block whose `{` has been read, without looking at what it holds.
-void Parser::skipBlockBody()
-{
+void Parser::skipBlockBody() {
     std::size_t depth = 1;
     while (!atEnd() && depth > 0) {
         if (kind() == TokenKind::OpenBrace) ++depth;
@@ -318,18 +318,20 @@ void Parser::skipBlockBody()
     }
 }
 
-void Parser::directive(std::vector<Item>& out)
-{
+void Parser::directive(std::vector<Item>& out) {
     const TextRange word = range();
     std::string_view written = text();
     const std::uint32_t line = word.begin;
     std::string meant(written);
     if (written != "#import" && written != "#loadModule") {
         std::vector<std::string> known{"#import", "#loadModule"};
-        const bool include = written.size() == 8 && (written[1] == 'i' || written[1] == 'I') && (written[3] == 'c' || written[3] == 'C');
+        const bool include =
+            written.size() == 8 && (written[1] == 'i' || written[1] == 'I') && (written[3] == 'c' || written[3] == 'C');
         std::vector<std::string> near = include ? std::vector<std::string>{"#import"} : nearestWords(written, known, 1);
-        Diagnostic& d = error(Code::UnexpectedText, word, near.empty() ? "unknown directive `" + std::string(written) + "`, there are #import and #loadModule; a comment begins with //"
-                                                                       : "unknown directive `" + std::string(written) + "`");
+        Diagnostic& d = error(Code::UnexpectedText, word,
+                              near.empty() ? "unknown directive `" + std::string(written) +
+                                                 "`, there are #import and #loadModule; a comment begins with //"
+                                           : "unknown directive `" + std::string(written) + "`");
         d.suggestions = near;
         if (!near.empty()) fix(d, near[0], {edit(word, near[0])});
         meant = near.empty() ? "" : near[0];
@@ -338,7 +340,8 @@ void Parser::directive(std::vector<Item>& out)
         std::uint32_t blanks = line;
         while (blanks > 0 && (m_source->bytes()[blanks - 1] == ' ' || m_source->bytes()[blanks - 1] == '\t')) --blanks;
         std::vector<TextEdit> edits{edit({blanks, line}, lineEnd())};
-        if (kind(1) == TokenKind::Path && kind(2) != TokenKind::End && !newLine(2)) edits.push_back(edit({range(1).end, range(1).end}, lineEnd()));
+        if (kind(1) == TokenKind::Path && kind(2) != TokenKind::End && !newLine(2))
+            edits.push_back(edit({range(1).end, range(1).end}, lineEnd()));
         fix(d, "put it on a line of its own", std::move(edits));
     }
     advance();
@@ -354,8 +357,7 @@ void Parser::directive(std::vector<Item>& out)
     else out.push_back({{word.begin, end}, ModuleItem{std::move(path), pathRange}});
 }
 
-std::pair<std::string, TextRange> Parser::directivePath(TextRange directive)
-{
+std::pair<std::string, TextRange> Parser::directivePath(TextRange directive) {
     const TextRange r = range();
     std::string path(text());
     const auto unquoted = [&] { return path.size() < 2 ? std::string() : path.substr(1, path.size() - 2); };

@@ -16,20 +16,29 @@ public:
 
 private:
     /// A token that is no trivia and whether a line end stands before it.
-    struct Significant { std::uint32_t token; bool newLine; };
+    struct Significant {
+        std::uint32_t token;
+        bool newLine;
+    };
     /// A block whose `}` has not come yet.
     struct OpenBlock {
-        TextRange name;                ///< its name, or its kind
-        std::uint32_t openAt = 0;      ///< index of `{`
-        int indent = -1;               ///< of its line; -1 when it is not first there
-        bool indentedItems = false;    ///< an item stands deeper than the block: the author indents
-        bool inlineItems = false;      ///< an item stands on the line of `{`
-        bool bracket = false;          ///< `[` or `(` stands where `{` belongs
-        std::size_t bracketFault = 0;  ///< the message of that, counted from 1
+        TextRange name;               ///< its name, or its kind
+        std::uint32_t openAt = 0;     ///< index of `{`
+        int indent = -1;              ///< of its line; -1 when it is not first there
+        bool indentedItems = false;   ///< an item stands deeper than the block: the author indents
+        bool inlineItems = false;     ///< an item stands on the line of `{`
+        bool bracket = false;         ///< `[` or `(` stands where `{` belongs
+        std::size_t bracketFault = 0; ///< the message of that, counted from 1
     };
     /// A place where, by the indentation, a `}` is missing.
-    struct MissingBrace { std::uint32_t openAt, before; };
-    struct Sum { Expression expression; int height = 1; bool ok = true; };
+    struct MissingBrace {
+        std::uint32_t openAt, before;
+    };
+    struct Sum {
+        Expression expression;
+        int height = 1;
+        bool ok = true;
+    };
 
     // parser.cpp: looking
     [[nodiscard]] const Token& token(std::size_t ahead = 0) const;
@@ -41,14 +50,20 @@ private:
     [[nodiscard]] bool adjacent(std::size_t ahead = 0) const; ///< touches the token before it
     [[nodiscard]] TextRange previous() const;
     [[nodiscard]] bool atEnd() const { return kind() == TokenKind::End; }
-    [[nodiscard]] bool wrongEquals(std::size_t ahead) const;  ///< `==`, `:=` or `:`
-    [[nodiscard]] bool startsItem() const;                    ///< a key before `=`, a kind before `{`, Param
-    [[nodiscard]] bool namedBlock() const { return kind() == TokenKind::Word && kind(1) == TokenKind::Word && kind(2) == TokenKind::OpenBrace; }
-    void advance() { if (m_at + 1 < m_significant.size()) ++m_at; }
+    [[nodiscard]] bool wrongEquals(std::size_t ahead) const; ///< `==`, `:=` or `:`
+    [[nodiscard]] bool startsItem() const;                   ///< a key before `=`, a kind before `{`, Param
+    [[nodiscard]] bool namedBlock() const {
+        return kind() == TokenKind::Word && kind(1) == TokenKind::Word && kind(2) == TokenKind::OpenBrace;
+    }
+    void advance() {
+        if (m_at + 1 < m_significant.size()) ++m_at;
+    }
 
     // parser.cpp: saying
     Diagnostic& report(Severity severity, Code code, TextRange r, std::string message);
-    Diagnostic& error(Code code, TextRange r, std::string message) { return report(Severity::Error, code, r, std::move(message)); }
+    Diagnostic& error(Code code, TextRange r, std::string message) {
+        return report(Severity::Error, code, r, std::move(message));
+    }
     [[nodiscard]] Diagnostic* lastAt(TextRange r); ///< the last one said, when it is at `r`
     void fix(Diagnostic& d, std::string title, std::vector<TextEdit> edits) const;
     [[nodiscard]] const std::string& lineEnd() const { return m_lineEnd; } ///< as the file has it
@@ -132,20 +147,20 @@ private:
     FileId m_file;
     std::shared_ptr<Tree> m_tree;
     std::vector<Significant> m_significant;
-    std::vector<std::uint32_t> m_invisible;  ///< tokens that the grammar does not see
+    std::vector<std::uint32_t> m_invisible; ///< tokens that the grammar does not see
     std::vector<Diagnostic> m_diagnostics;
-    Diagnostic m_unsaid;                     ///< takes what is said beyond the limit
+    Diagnostic m_unsaid; ///< takes what is said beyond the limit
     std::size_t m_at = 0;
     std::vector<OpenBlock> m_open;
-    std::vector<MissingBrace> m_suspects;    ///< of this run
-    std::vector<MissingBrace> m_onOneLine;   ///< of this run: a block on one line, then one that stands no deeper
-    std::vector<MissingBrace> m_assumed;     ///< braces taken as there in this run
-    std::vector<std::uint32_t> m_early;      ///< `}` of this run that may have come too early
-    std::vector<std::uint32_t> m_ignored;    ///< `}` taken as not there in this run
-    int m_strays = 0;                        ///< `}` of this run that closed nothing
+    std::vector<MissingBrace> m_suspects;  ///< of this run
+    std::vector<MissingBrace> m_onOneLine; ///< of this run: a block on one line, then one that stands no deeper
+    std::vector<MissingBrace> m_assumed;   ///< braces taken as there in this run
+    std::vector<std::uint32_t> m_early;    ///< `}` of this run that may have come too early
+    std::vector<std::uint32_t> m_ignored;  ///< `}` taken as not there in this run
+    int m_strays = 0;                      ///< `}` of this run that closed nothing
     std::string m_lineEnd = "\n";
-    bool m_unclosed = false;                 ///< a block of this run stayed open to the end
-    int m_brackets = 0;                      ///< foreign brackets open in the value being read
+    bool m_unclosed = false; ///< a block of this run stayed open to the end
+    int m_brackets = 0;      ///< foreign brackets open in the value being read
 };
 
 } // namespace trundle

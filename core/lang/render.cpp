@@ -7,37 +7,41 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kWidest = 160;      ///< code points of a line that are shown
-constexpr std::size_t kBeforeCaret = 60;  ///< of them before the caret when the line is cut
+constexpr std::size_t kWidest = 160;     ///< code points of a line that are shown
+constexpr std::size_t kBeforeCaret = 60; ///< of them before the caret when the line is cut
 constexpr int kLongestChain = 40;
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
 /// A source line as shown, code point by code point, with the byte each came from.
 struct Shown {
-    struct Cell { std::string text; std::size_t byte; };
+    struct Cell {
+        std::string text;
+        std::size_t byte;
+    };
     std::vector<Cell> cells;
 };
 
-Shown show(std::string_view line, std::size_t from, std::size_t to)
-{
+Shown show(std::string_view line, std::size_t from, std::size_t to) {
     Shown shown;
     for (std::size_t at = from; at < std::min(to, line.size());) {
         const CodePoint point = codePointAt(line, at);
-        const bool control = point.value != '\t' && (point.value < 0x20 || (point.value >= 0x7F && point.value < 0xA0) || (point.value >= 0x202A && point.value <= 0x202E)
-                                                     || (point.value >= 0x2066 && point.value <= 0x2069) || point.value == 0x2028 || point.value == 0x2029);
+        const bool control = point.value != '\t' &&
+                             (point.value < 0x20 || (point.value >= 0x7F && point.value < 0xA0) ||
+                              (point.value >= 0x202A && point.value <= 0x202E) ||
+                              (point.value >= 0x2066 && point.value <= 0x2069) || point.value == 0x2028 || point.value == 0x2029);
         if (point.valid && point.value == 0xFEFF) { // takes no column
             at += point.length;
             continue;
         }
-        shown.cells.push_back({point.valid && !control ? std::string(line.substr(at, point.length)) : std::string(kReplacement), at});
+        shown.cells.push_back(
+            {point.valid && !control ? std::string(line.substr(at, point.length)) : std::string(kReplacement), at});
         at += point.length;
     }
     return shown;
 }
 
 /// The beginning of the code point that `at` lies in, walking back `count` more.
-std::size_t back(std::string_view line, std::size_t at, std::size_t count)
-{
+std::size_t back(std::string_view line, std::size_t at, std::size_t count) {
     while (at > 0 && count-- > 0) {
         --at;
         for (int i = 0; i < 3 && at > 0 && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80; ++i) --at;
@@ -45,45 +49,44 @@ std::size_t back(std::string_view line, std::size_t at, std::size_t count)
     return at;
 }
 
-std::string severityName(Severity severity)
-{
+std::string severityName(Severity severity) {
     return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "hint";
 }
 
-std::string place(const SourceText& text, std::uint32_t offset)
-{
+std::string place(const SourceText& text, std::uint32_t offset) {
     const LineColumn at = text.position(offset);
     return text.path() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
 }
 
 /// Words of people's texts in a message must not break its line.
-std::string oneLine(std::string_view text)
-{
+std::string oneLine(std::string_view text) {
     std::string line;
     for (std::size_t at = 0; at < text.size();) {
         const CodePoint point = codePointAt(text, at);
         const bool plain = point.valid && point.value >= 0x20 && point.value != 0x7F;
         if (plain) line += text.substr(at, point.length);
-        else line += point.valid && (point.value == '\n' || point.value == '\r' || point.value == '\t') ? " " : std::string(kReplacement);
+        else
+            line += point.valid && (point.value == '\n' || point.value == '\r' || point.value == '\t')
+                        ? " "
+                        : std::string(kReplacement);
         at += point.length;
     }
     return line;
 }
 
-std::string advice(const Diagnostic& d)
-{
+std::string advice(const Diagnostic& d) {
     if (!d.fixes.empty()) return "fix: " + oneLine(d.fixes[0].title);
     if (d.suggestions.empty() || d.message.find("did you mean") != std::string::npos) return {};
     return "did you mean " + oneLine(d.suggestions[0]) + "?";
 }
 
 /// The source line and the line of carets under it.
-std::string excerpt(const Diagnostic& d, const SourceText& text)
-{
+std::string excerpt(const Diagnostic& d, const SourceText& text) {
     const std::uint32_t lineNumber = text.position(d.range.range.begin).line;
     const std::string_view line = text.line(lineNumber);
     const auto lineBegin = static_cast<std::size_t>(line.data() - text.bytes().data());
-    const std::size_t begin = std::min<std::size_t>(d.range.range.begin - std::min<std::size_t>(lineBegin, d.range.range.begin), line.size());
+    const std::size_t begin =
+        std::min<std::size_t>(d.range.range.begin - std::min<std::size_t>(lineBegin, d.range.range.begin), line.size());
     const std::size_t end = std::min(std::max<std::size_t>(d.range.range.end, lineBegin + begin) - lineBegin, line.size());
 
     // A long line is cut to a window round the caret.
@@ -114,15 +117,15 @@ std::string excerpt(const Diagnostic& d, const SourceText& text)
 
     std::string number = std::to_string(lineNumber);
     if (number.size() < 5) number.insert(0, 5 - number.size(), ' ');
-    std::string out = number + " |" + (source.empty() ? "" : " " + source) + "\n" + std::string(number.size(), ' ') + " | " + marks;
+    std::string out =
+        number + " |" + (source.empty() ? "" : " " + source) + "\n" + std::string(number.size(), ' ') + " | " + marks;
     if (const std::string words = advice(d); !words.empty()) out += "  " + words;
     return out + "\n";
 }
 
 } // namespace
 
-std::string render(const Diagnostic& d, const SourceTable& sources)
-{
+std::string render(const Diagnostic& d, const SourceTable& sources) {
     const std::string head = severityName(d.severity) + " " + codeName(d.code) + ": " + oneLine(d.message) + "\n";
     const bool placed = d.range.file < sources.size() && sources[d.range.file].text;
     std::string out;
@@ -134,7 +137,8 @@ std::string render(const Diagnostic& d, const SourceTable& sources)
         if (const std::string words = advice(d); !words.empty()) out += "  " + words + "\n";
     }
     for (const auto& [words, range] : d.notes) {
-        if (range.file < sources.size() && sources[range.file].text) out += place(*sources[range.file].text, range.range.begin) + ": ";
+        if (range.file < sources.size() && sources[range.file].text)
+            out += place(*sources[range.file].text, range.range.begin) + ": ";
         out += "note: " + oneLine(words) + "\n";
     }
     if (!placed) return out;

@@ -5,19 +5,34 @@ namespace trundle {
 
 enum class TokenKind {
     // trivia
-    Bom, Space, LineEnd, LineComment, BlockComment,
+    Bom,
+    Space,
+    LineEnd,
+    LineComment,
+    BlockComment,
     // words and values
-    Word,       ///< names, keys, kinds and word values (with . / \ - where the lexer sees a value)
-    Number,     ///< without its unit
+    Word,   ///< names, keys, kinds and word values (with . / \ - where the lexer sees a value)
+    Number, ///< without its unit
     Unit,
     String,
-    ParamRef,   ///< $name
-    ExprOpen,   ///< $(
+    ParamRef, ///< $name
+    ExprOpen, ///< $(
     // punctuation
-    OpenBrace, CloseBrace, OpenParen, CloseParen, Equals, Comma, Dot, Plus, Minus, Star, Slash, Caret,
-    Directive,  ///< #import or #loadModule
-    Path,       ///< the rest of a directive's line
-    Unknown,    ///< what no rule reads; kept as found
+    OpenBrace,
+    CloseBrace,
+    OpenParen,
+    CloseParen,
+    Equals,
+    Comma,
+    Dot,
+    Plus,
+    Minus,
+    Star,
+    Slash,
+    Caret,
+    Directive, ///< #import or #loadModule
+    Path,      ///< the rest of a directive's line
+    Unknown,   ///< what no rule reads; kept as found
     End,
 };
 

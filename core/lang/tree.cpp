@@ -4,13 +4,11 @@
 
 namespace trundle {
 
-std::shared_ptr<const Tree> parse(std::shared_ptr<const SourceText> source, FileId file)
-{
+std::shared_ptr<const Tree> parse(std::shared_ptr<const SourceText> source, FileId file) {
     return Parser(std::move(source), file).parse();
 }
 
-std::string print(const Tree& tree)
-{
+std::string print(const Tree& tree) {
     std::string text;
     text.reserve(tree.source().bytes().size());
     for (const Token& token : tree.tokens()) text += tree.source().slice(token.range);

@@ -34,7 +34,7 @@ struct Expression {
 struct Element {
     enum class Kind { Number, Word, String, Boolean, ParamRef, Expression };
     Kind kind = Kind::Word;
-    TextRange range;  ///< with the unit
+    TextRange range; ///< with the unit
     double number = 0;
     bool boolean = false;
     std::string text; ///< the word, the unescaped string, or the Param's name without `$`
@@ -51,15 +51,28 @@ struct Value {
 
 struct Item;
 
-struct ImportItem { std::string path; TextRange pathRange; };
-struct ModuleItem { std::string path; TextRange pathRange; };
-struct ParamItem { Name name; Value value; };
-struct AssignmentItem { std::vector<Name> path; Value value; TextRange pathRange; };
+struct ImportItem {
+    std::string path;
+    TextRange pathRange;
+};
+struct ModuleItem {
+    std::string path;
+    TextRange pathRange;
+};
+struct ParamItem {
+    Name name;
+    Value value;
+};
+struct AssignmentItem {
+    std::vector<Name> path;
+    Value value;
+    TextRange pathRange;
+};
 struct BlockItem {
     Name type;
     std::optional<Name> name;
-    TextRange open;   ///< `{`
-    TextRange close;  ///< `}`; empty at the end of what was read when it is missing
+    TextRange open;  ///< `{`
+    TextRange close; ///< `}`; empty at the end of what was read when it is missing
     std::vector<Item> items;
 };
 

@@ -11,30 +11,28 @@
 namespace trundle {
 namespace {
 
-TextEdit at(const Tree& tree, std::uint32_t begin, std::uint32_t end, std::string text) { return {{tree.file(), {begin, end}}, std::move(text)}; }
+TextEdit at(const Tree& tree, std::uint32_t begin, std::uint32_t end, std::string text) {
+    return {{tree.file(), {begin, end}}, std::move(text)};
+}
 
-std::uint32_t lineStart(std::string_view bytes, std::uint32_t from)
-{
+std::uint32_t lineStart(std::string_view bytes, std::uint32_t from) {
     while (from > 0 && bytes[from - 1] != '\n' && bytes[from - 1] != '\r') --from;
     return from;
 }
 
-std::uint32_t blanksAfter(std::string_view bytes, std::uint32_t from)
-{
+std::uint32_t blanksAfter(std::string_view bytes, std::uint32_t from) {
     while (from < bytes.size() && isBlank(bytes[from])) ++from;
     return from;
 }
 
-std::uint32_t blanksBefore(std::string_view bytes, std::uint32_t from)
-{
+std::uint32_t blanksBefore(std::string_view bytes, std::uint32_t from) {
     while (from > 0 && isBlank(bytes[from - 1])) --from;
     return from;
 }
 
 bool isLineEnd(std::string_view bytes, std::uint32_t at) { return at >= bytes.size() || bytes[at] == '\n' || bytes[at] == '\r'; }
 
-std::uint32_t afterLineEnd(std::string_view bytes, std::uint32_t at)
-{
+std::uint32_t afterLineEnd(std::string_view bytes, std::uint32_t at) {
     if (at >= bytes.size()) return at;
     return at + (bytes[at] == '\r' && at + 1 < bytes.size() && bytes[at + 1] == '\n' ? 2 : 1);
 }
@@ -42,8 +40,7 @@ std::uint32_t afterLineEnd(std::string_view bytes, std::uint32_t at)
 bool hasLineEnd(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
 
 /// Lines of `text` behind `indent`, with the file's line ends, whatever the text has. Its own common indent goes.
-std::string reindent(std::string_view text, const std::string& indent, const std::string& lineEnd)
-{
+std::string reindent(std::string_view text, const std::string& indent, const std::string& lineEnd) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
@@ -59,7 +56,9 @@ std::string reindent(std::string_view text, const std::string& indent, const std
     for (std::size_t i = 0; i < lines.size(); ++i) {
         std::string_view line = lines[i];
         const std::size_t first = line.find_first_not_of(" \t");
-        line.remove_prefix(i == 0 ? std::min(first, line.size()) : first == std::string_view::npos ? line.size() : std::min(common, line.size()));
+        line.remove_prefix(i == 0                            ? std::min(first, line.size())
+                           : first == std::string_view::npos ? line.size()
+                                                             : std::min(common, line.size()));
         if (i > 0) out += lineEnd;
         if (!line.empty()) out += indent + std::string(line);
     }
@@ -75,27 +74,26 @@ struct Slot {
 };
 
 /// The end of the line comment that stands behind `from` on its line, else `from`: nothing is put behind a `//`.
-std::uint32_t behindComments(const Tree& tree, std::uint32_t from)
-{
+std::uint32_t behindComments(const Tree& tree, std::uint32_t from) {
     const auto& tokens = tree.tokens();
-    auto token = std::lower_bound(tokens.begin(), tokens.end(), from, [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), from,
+                                  [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
     std::uint32_t end = from;
     for (; token != tokens.end() && isTrivia(token->kind) && token->kind != TokenKind::LineEnd; ++token)
         if (token->kind == TokenKind::LineComment || token->kind == TokenKind::BlockComment) end = token->range.end;
     return end;
 }
 
-bool containsLineComment(const Tree& tree, std::uint32_t from, std::uint32_t to)
-{
+bool containsLineComment(const Tree& tree, std::uint32_t from, std::uint32_t to) {
     const auto& tokens = tree.tokens();
-    auto token = std::lower_bound(tokens.begin(), tokens.end(), from, [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), from,
+                                  [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
     for (; token != tokens.end() && token->range.begin < to; ++token)
         if (token->kind == TokenKind::LineComment) return true;
     return false;
 }
 
-Slot slotInFile(const Tree& tree, const EditStyle& style)
-{
+Slot slotInFile(const Tree& tree, const EditStyle& style) {
     const auto bytes = tree.source().bytes();
     const auto size = static_cast<std::uint32_t>(bytes.size());
     Slot slot;
@@ -107,8 +105,7 @@ Slot slotInFile(const Tree& tree, const EditStyle& style)
     return slot;
 }
 
-Slot slotInBlock(const Tree& tree, const BlockItem& block, std::uint32_t blockBegin, const EditStyle& style)
-{
+Slot slotInBlock(const Tree& tree, const BlockItem& block, std::uint32_t blockBegin, const EditStyle& style) {
     const auto bytes = tree.source().bytes();
     const bool oneLine = !hasLineEnd(bytes.substr(block.open.end, block.close.begin - block.open.end));
     const std::string outer = indentOfLine(bytes, blockBegin);
@@ -127,11 +124,13 @@ Slot slotInBlock(const Tree& tree, const BlockItem& block, std::uint32_t blockBe
     slot.indent = outer + style.step;
     for (const Item& item : block.items) {
         const std::uint32_t start = lineStart(bytes, item.range.begin);
-        if (blanksAfter(bytes, start) == item.range.begin) slot.indent = std::string(bytes.substr(start, item.range.begin - start));
+        if (blanksAfter(bytes, start) == item.range.begin)
+            slot.indent = std::string(bytes.substr(start, item.range.begin - start));
     }
     // Behind all comments of the block, on the line above its `}`.
     const std::uint32_t closeLine = lineStart(bytes, block.close.begin);
-    if (block.close.size() > 0 && closeLine >= last && closeLine > block.open.end && blanksAfter(bytes, closeLine) == block.close.begin) {
+    if (block.close.size() > 0 && closeLine >= last && closeLine > block.open.end &&
+        blanksAfter(bytes, closeLine) == block.close.begin) {
         slot.place = closeLine;
         slot.behind = style.lineEnd;
         return slot;
@@ -147,15 +146,13 @@ Slot slotInBlock(const Tree& tree, const BlockItem& block, std::uint32_t blockBe
     return slot;
 }
 
-Slot slotFor(const Tree& tree, const BlockItem* block, const EditStyle& style)
-{
+Slot slotFor(const Tree& tree, const BlockItem* block, const EditStyle& style) {
     return block ? slotInBlock(tree, *block, block->type.range.begin, style) : slotInFile(tree, style);
 }
 
 } // namespace
 
-TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view newText)
-{
+TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view newText) {
     // A value that was missing: `Key =` and at once something else.
     const auto bytes = tree.source().bytes();
     std::string text(newText);
@@ -167,10 +164,11 @@ TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view new
     return {{tree.file(), value.range}, std::move(text)};
 }
 
-TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText) { return {{tree.file(), range}, std::string(newText)}; }
+TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText) {
+    return {{tree.file(), range}, std::string(newText)};
+}
 
-TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string_view key, std::string_view text)
-{
+TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string_view key, std::string_view text) {
     const EditStyle style = editStyle(tree);
     // Behind the last assignment, so that keys stay beside keys; where there is none, at the end.
     const Slot slot = slotFor(tree, block, style);
@@ -189,14 +187,16 @@ TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string
             if (isLineEnd(bytes, blanksAfter(bytes, end))) return at(tree, end, end, style.lineEnd + indent + line);
         }
     }
-    return at(tree, slot.place, std::max(slot.end, slot.place), slot.before + (slot.ownLine ? slot.indent : "") + line + slot.behind);
+    return at(tree, slot.place, std::max(slot.end, slot.place),
+              slot.before + (slot.ownLine ? slot.indent : "") + line + slot.behind);
 }
 
-TextEdit editAddItem(const Tree& tree, const BlockItem* block, std::string_view itemText)
-{
+TextEdit editAddItem(const Tree& tree, const BlockItem* block, std::string_view itemText) {
     const EditStyle style = editStyle(tree);
     Slot slot = slotFor(tree, block, style);
-    while (!itemText.empty() && (isLineEnd(itemText, static_cast<std::uint32_t>(itemText.size() - 1)) || isBlank(itemText.back()))) itemText.remove_suffix(1);
+    while (!itemText.empty() &&
+           (isLineEnd(itemText, static_cast<std::uint32_t>(itemText.size() - 1)) || isBlank(itemText.back())))
+        itemText.remove_suffix(1);
     const bool needsLine = hasLineEnd(itemText) || itemText.starts_with('#') || itemText.find("//") != std::string_view::npos;
     if (!slot.ownLine && needsLine && block) {
         // A block on one line is opened for an item that needs lines.
@@ -206,13 +206,15 @@ TextEdit editAddItem(const Tree& tree, const BlockItem* block, std::string_view 
         slot.before = style.lineEnd;
         slot.behind = style.lineEnd + outer;
         const std::uint32_t close = block->close.begin;
-        return at(tree, slot.place, close, slot.before + reindent(itemText, slot.indent, style.lineEnd) + (block->close.size() ? slot.behind : style.lineEnd));
+        return at(tree, slot.place, close,
+                  slot.before + reindent(itemText, slot.indent, style.lineEnd) +
+                      (block->close.size() ? slot.behind : style.lineEnd));
     }
-    return at(tree, slot.place, std::max(slot.end, slot.place), slot.before + reindent(itemText, slot.ownLine ? slot.indent : "", style.lineEnd) + slot.behind);
+    return at(tree, slot.place, std::max(slot.end, slot.place),
+              slot.before + reindent(itemText, slot.ownLine ? slot.indent : "", style.lineEnd) + slot.behind);
 }
 
-TextEdit editRemoveItem(const Tree& tree, const Item& item)
-{
+TextEdit editRemoveItem(const Tree& tree, const Item& item) {
     const auto bytes = tree.source().bytes();
     const std::uint32_t start = lineStart(bytes, item.range.begin);
     const std::uint32_t before = blanksBefore(bytes, item.range.begin);
@@ -227,7 +229,7 @@ TextEdit editRemoveItem(const Tree& tree, const Item& item)
         }
         return at(tree, start, afterLineEnd(bytes, after), "");
     }
-    if (first) return at(tree, item.range.begin, after, "");            // what follows moves to its place
+    if (first) return at(tree, item.range.begin, after, ""); // what follows moves to its place
     if (isLineEnd(bytes, after)) return at(tree, before, item.range.end, "");
     return at(tree, before, item.range.end, after > item.range.end ? "" : " ");
 }

@@ -16,8 +16,7 @@ struct CodePoint {
 };
 
 /// Strict: no overlong forms, no surrogates, nothing above U+10FFFF. `at` is inside `text`.
-[[nodiscard]] inline CodePoint codePointAt(std::string_view text, std::size_t at)
-{
+[[nodiscard]] inline CodePoint codePointAt(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
     const std::uint32_t first = byte(at);
     if (first < 0x80) return {first, 1, true};

@@ -13,14 +13,13 @@ namespace {
 
 constexpr std::size_t kMostGaps = 1000; ///< no fix that nobody would look through
 
-bool isOperator(TokenKind kind)
-{
-    return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star || kind == TokenKind::Slash || kind == TokenKind::Caret;
+bool isOperator(TokenKind kind) {
+    return kind == TokenKind::Plus || kind == TokenKind::Minus || kind == TokenKind::Star || kind == TokenKind::Slash ||
+           kind == TokenKind::Caret;
 }
 
 /// `written`, which begins at `begin`, with a comma in each gap.
-std::string withCommas(std::string_view written, std::uint32_t begin, const std::vector<TextRange>& gaps)
-{
+std::string withCommas(std::string_view written, std::uint32_t begin, const std::vector<TextRange>& gaps) {
     std::string repaired(written);
     for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap) repaired.replace(gap->begin - begin, gap->size(), ",");
     return repaired;
@@ -28,17 +27,19 @@ std::string withCommas(std::string_view written, std::uint32_t begin, const std:
 
 } // namespace
 
-void Parser::reportGaps(Value& v, const std::vector<TextRange>& gaps)
-{
+void Parser::reportGaps(Value& v, const std::vector<TextRange>& gaps) {
     v.broken = true;
-    const bool words = std::all_of(v.elements.begin(), v.elements.end(), [](const Element& e) { return e.kind == Element::Kind::Word; });
+    const bool words =
+        std::all_of(v.elements.begin(), v.elements.end(), [](const Element& e) { return e.kind == Element::Kind::Word; });
     const bool semicolons = std::any_of(gaps.begin(), gaps.end(), [](TextRange gap) { return gap.size() > 0; });
-    Diagnostic& d = error(Code::MissingComma, v.range, words        ? "several words need double quotes or commas"
-                                                       : semicolons ? "elements are separated by commas"
-                                                                    : "a comma is missing between the elements");
+    Diagnostic& d = error(Code::MissingComma, v.range,
+                          words        ? "several words need double quotes or commas"
+                          : semicolons ? "elements are separated by commas"
+                                       : "a comma is missing between the elements");
     constexpr std::size_t kShort = 40;
     const std::string written(slice(v.range));
-    if (words && gaps.size() + 1 == v.elements.size()) fix(d, written.size() < kShort ? "\"" + written + "\"" : "put it in quotes", {edit(v.range, "\"" + written + "\"")});
+    if (words && gaps.size() + 1 == v.elements.size())
+        fix(d, written.size() < kShort ? "\"" + written + "\"" : "put it in quotes", {edit(v.range, "\"" + written + "\"")});
     if (gaps.size() > kMostGaps) return;
     std::vector<TextEdit> edits;
     for (const TextRange gap : gaps) edits.push_back(edit(gap, ","));
@@ -47,10 +48,10 @@ void Parser::reportGaps(Value& v, const std::vector<TextRange>& gaps)
 }
 
 /// What looks like a unit and is the rest of a number in another language's style.
-void Parser::checkNumberTail(Element& e, Value& v)
-{
+void Parser::checkNumberTail(Element& e, Value& v) {
     const std::string_view digits = slice({e.range.begin, e.unitRange.begin});
-    const bool hex = digits == "0" && e.unit.size() > 1 && (e.unit[0] == 'x' || e.unit[0] == 'X') && e.unit.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    const bool hex = digits == "0" && e.unit.size() > 1 && (e.unit[0] == 'x' || e.unit[0] == 'X') &&
+                     e.unit.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
     if (hex) {
         std::uint64_t number = 0;
         const auto [end, fault] = std::from_chars(e.unit.data() + 1, e.unit.data() + e.unit.size(), number, 16);
@@ -73,8 +74,7 @@ void Parser::checkNumberTail(Element& e, Value& v)
 }
 
 /// `0.3 m /s`, `9.81 m/s ^2`: the pieces make one unit.
-bool Parser::unitInPieces(Element& e)
-{
+bool Parser::unitInPieces(Element& e) {
     if (e.unit.empty()) return false;
     constexpr std::size_t kMostPieces = 8;
     std::string joined = e.unit;
@@ -95,26 +95,28 @@ bool Parser::unitInPieces(Element& e)
     return true;
 }
 
-void Parser::unicodeMinus(TextRange r)
-{
+void Parser::unicodeMinus(TextRange r) {
     Diagnostic& d = report(Severity::Warning, Code::UnicodeMinus, r, "typographic minus U+2212, read as -");
     fix(d, "-", {edit(r, "-")});
 }
 
 /// An element that does not end where it should: `2*0.05` goes on as arithmetic, `robot0@x` and `3d.png` as text.
-void Parser::goesOn(Element& e, Value& v)
-{
+void Parser::goesOn(Element& e, Value& v) {
     if (newLine() || atEnd()) return;
     const auto operandAt = [this](std::size_t i) {
         const TokenKind k = kind(i);
-        return k == TokenKind::Number || k == TokenKind::ParamRef || k == TokenKind::ExprOpen || k == TokenKind::Word || k == TokenKind::OpenParen;
+        return k == TokenKind::Number || k == TokenKind::ParamRef || k == TokenKind::ExprOpen || k == TokenKind::Word ||
+               k == TokenKind::OpenParen;
     };
     const bool number = e.kind == Element::Kind::Number;
     const bool word = e.kind == Element::Kind::Word;
     if (number && unitInPieces(e)) return;
-    if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) && operandAt(1)) return arithmetic(e, v);
+    if (isOperator(kind()) && (number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression) &&
+        operandAt(1))
+        return arithmetic(e, v);
     if (!adjacent()) return;
-    if ((word && kind() == TokenKind::OpenParen) || (number && e.unit.empty() && kind() == TokenKind::Number)) return arithmetic(e, v);
+    if ((word && kind() == TokenKind::OpenParen) || (number && e.unit.empty() && kind() == TokenKind::Number))
+        return arithmetic(e, v);
     if (!word && !number) return;
     const bool sign = kind() == TokenKind::Unknown && text() != ";" && text() != "]" && text() != "[";
     if (!sign && kind() != TokenKind::Dot && kind() != TokenKind::Slash && kind() != TokenKind::Star) return;
@@ -122,9 +124,9 @@ void Parser::goesOn(Element& e, Value& v)
 }
 
 /// `[1,2,3]`, `(1,2,3)`, `{1,2,3}`: the elements have been read, the closing sign has not.
-void Parser::reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps)
-{
-    const bool closed = kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]") || (slice(bracket) == "{" && kind() == TokenKind::CloseBrace);
+void Parser::reportBrackets(Value& v, TextRange bracket, const std::vector<TextRange>& gaps) {
+    const bool closed = kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]") ||
+                        (slice(bracket) == "{" && kind() == TokenKind::CloseBrace);
     const TextRange whole{bracket.begin, closed ? range().end : std::max(bracket.end, v.range.end)};
     Diagnostic& d = error(Code::UnexpectedText, whole, "a list stands without brackets");
     std::vector<TextEdit> edits{edit(bracket, "")};
@@ -140,8 +142,7 @@ void Parser::reportBrackets(Value& v, TextRange bracket, const std::vector<TextR
 }
 
 /// `- 3`, `-$x`, `-$(a)`, `-word`: a sign apart from its number.
-void Parser::signedElement(Element& e, Value& v)
-{
+void Parser::signedElement(Element& e, Value& v) {
     const TextRange sign = range();
     const bool minus = kind() == TokenKind::Minus;
     const bool number = kind(1) == TokenKind::Number;
@@ -176,14 +177,14 @@ void Parser::signedElement(Element& e, Value& v)
         }
         return;
     }
-    const bool infinite = inside == "inf" || inside == "infinity" || inside == "Infinity" || inside == "INF" || inside == "nan" || inside == "NaN";
+    const bool infinite =
+        inside == "inf" || inside == "infinity" || inside == "Infinity" || inside == "INF" || inside == "nan" || inside == "NaN";
     error(infinite ? Code::BadNumber : Code::UnexpectedText, e.range, infinite ? "numbers are finite" : "a word has no sign");
     e.text = inside;
 }
 
 /// 'text' or "text" in typographic quotes, as text processors make them.
-void Parser::foreignQuotes(Element& e, Value& v)
-{
+void Parser::foreignQuotes(Element& e, Value& v) {
     const std::string_view written = text();
     const std::uint32_t open = codePointAt(written, 0).length;
     std::uint32_t close = 1;
@@ -197,13 +198,18 @@ void Parser::foreignQuotes(Element& e, Value& v)
 }
 
 /// A run without blanks that is no word: `../x.csv`, `3d.png`, `C:\maps`, `#ff0000`.
-void Parser::unquotedText(Element& e, Value& v)
-{
-    const bool begun = e.range.end <= previous().end && m_at > 0 && previous().end >= e.range.end && e.range.begin < range().begin;
+void Parser::unquotedText(Element& e, Value& v) {
+    const bool begun =
+        e.range.end <= previous().end && m_at > 0 && previous().end >= e.range.end && e.range.begin < range().begin;
     if (!begun) advance();
     const auto goesOn = [this] {
         switch (kind()) {
-        case TokenKind::End: case TokenKind::Comma: case TokenKind::OpenBrace: case TokenKind::CloseBrace: case TokenKind::String: case TokenKind::Directive: return false;
+        case TokenKind::End:
+        case TokenKind::Comma:
+        case TokenKind::OpenBrace:
+        case TokenKind::CloseBrace:
+        case TokenKind::String:
+        case TokenKind::Directive: return false;
         case TokenKind::Unknown: return text() != ";";
         default: return true;
         }
@@ -212,7 +218,9 @@ void Parser::unquotedText(Element& e, Value& v)
     e.range.end = previous().end;
     const std::string_view bytes = m_source->bytes();
     if (bytes[e.range.end - 1] == ':' && bytes.substr(e.range.end, 2) == "//") { // of a URL that reads as a comment
-        while (e.range.end < bytes.size() && !isBlank(bytes[e.range.end]) && bytes[e.range.end] != '\n' && bytes[e.range.end] != '\r') ++e.range.end;
+        while (e.range.end < bytes.size() && !isBlank(bytes[e.range.end]) && bytes[e.range.end] != '\n' &&
+               bytes[e.range.end] != '\r')
+            ++e.range.end;
     }
     const std::string written(slice(e.range));
     v.broken = true;
@@ -225,7 +233,10 @@ void Parser::unquotedText(Element& e, Value& v)
     } else if (written.starts_with("${")) {
         error(Code::UnexpectedText, e.range, "a Param is written $name");
     } else {
-        Diagnostic& d = error(Code::UnexpectedText, e.range, written[0] == '#' ? "a value has no `#`; a text stands in double quotes, a colour as r,g,b from 0 to 1" : "this text needs double quotes");
+        Diagnostic& d =
+            error(Code::UnexpectedText, e.range,
+                  written[0] == '#' ? "a value has no `#`; a text stands in double quotes, a colour as r,g,b from 0 to 1"
+                                    : "this text needs double quotes");
         std::string quoted = "\"";
         for (const char c : written) quoted += c == '\\' ? std::string("\\\\") : std::string(1, c);
         quoted += '"';
@@ -237,8 +248,7 @@ void Parser::unquotedText(Element& e, Value& v)
 }
 
 /// `2*0.05` or `1 - $x` outside `$( )`.
-void Parser::arithmetic(Element& e, Value& v)
-{
+void Parser::arithmetic(Element& e, Value& v) {
     int parens = 0;
     bool units = !e.unit.empty();
     bool refs = e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
@@ -249,7 +259,8 @@ void Parser::arithmetic(Element& e, Value& v)
         else if (k == TokenKind::OpenParen) ++parens;
         else if (k == TokenKind::CloseParen && parens > 0) --parens;
         else if (k == TokenKind::Unit) units = true;
-        else if ((k == TokenKind::Number && (operand || adjacent())) || (operand && (k == TokenKind::ParamRef || k == TokenKind::ExprOpen || (k == TokenKind::Word && !startsItem())))) {
+        else if ((k == TokenKind::Number && (operand || adjacent())) ||
+                 (operand && (k == TokenKind::ParamRef || k == TokenKind::ExprOpen || (k == TokenKind::Word && !startsItem())))) {
             refs = refs || k == TokenKind::ParamRef || k == TokenKind::ExprOpen;
             operand = parens > 0;
             if (k == TokenKind::ExprOpen) ++parens;

@@ -10,11 +10,12 @@
 namespace trundle {
 namespace {
 
-bool numberLike(const Element& e) { return e.kind == Element::Kind::Number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression; }
+bool numberLike(const Element& e) {
+    return e.kind == Element::Kind::Number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
+}
 
 /// With a hyphen for each typographic minus and without a leading `+`, as from_chars wants it.
-std::string plainNumber(std::string_view written)
-{
+std::string plainNumber(std::string_view written) {
     std::string plain;
     if (written.starts_with(kUnicodeMinus)) {
         plain = "-";
@@ -26,8 +27,7 @@ std::string plainNumber(std::string_view written)
 }
 
 /// from_chars says "out of range" both above and below: the exponent of the first digit that is not 0 tells which.
-bool isTiny(std::string_view number)
-{
+bool isTiny(std::string_view number) {
     const std::size_t e = number.find_first_of("eE");
     const std::string_view mantissa = number.substr(0, e);
     const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
@@ -37,13 +37,13 @@ bool isTiny(std::string_view number)
     if (e == std::string_view::npos) return lead < 0;
     if (number[e + 1] == '-' && number.size() - e > 12) return true;
     double exponent = 0;
-    for (const char c : number.substr(e + 1)) if (isDigit(c)) exponent = std::min(exponent * 10 + (c - '0'), 1e15);
+    for (const char c : number.substr(e + 1))
+        if (isDigit(c)) exponent = std::min(exponent * 10 + (c - '0'), 1e15);
     return lead + (number[e + 1] == '-' ? -exponent : exponent) < 0;
 }
 
 /// False for `"abc` and for `"abc\"`, whose last quote is escaped.
-bool isClosedString(std::string_view written)
-{
+bool isClosedString(std::string_view written) {
     if (written.size() < 2 || written.back() != '"') return false;
     std::size_t backslashes = 0;
     while (written[written.size() - 2 - backslashes] == '\\') ++backslashes;
@@ -52,24 +52,24 @@ bool isClosedString(std::string_view written)
 
 } // namespace
 
-bool Parser::startsElement() const
-{
+bool Parser::startsElement() const {
     switch (kind()) {
-    case TokenKind::Number: case TokenKind::String: case TokenKind::ParamRef: case TokenKind::ExprOpen: return true;
+    case TokenKind::Number:
+    case TokenKind::String:
+    case TokenKind::ParamRef:
+    case TokenKind::ExprOpen: return true;
     case TokenKind::Word: return !startsItem();
     default: return false;
     }
 }
 
-bool Parser::openBracket() const
-{
+bool Parser::openBracket() const {
     if (kind() == TokenKind::OpenParen || (kind() == TokenKind::Unknown && text() == "[")) return true;
     return kind() == TokenKind::OpenBrace && (kind(1) == TokenKind::Number || kind(1) == TokenKind::String);
 }
 
 /// Reads the elements after `=`. `equals` is where an element was to come when there is none.
-Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals)
-{
+Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals) {
     Value v;
     v.range = {equals.end, equals.end};
     std::vector<TextRange> gaps; // where a comma is missing: the end of an element, or the `;` that stands there instead
@@ -109,7 +109,8 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals)
             Diagnostic& d = error(Code::MissingValue, place, "an element is missing after this comma");
             if (!v.elements.empty()) fix(d, "remove `,`", {edit(place, "")});
         } else if (v.elements.empty()) {
-            error(Code::MissingValue, equals.size() ? TextRange{equals.end, equals.end} : keyRange, "`" + std::string(key) + "` has no value");
+            error(Code::MissingValue, equals.size() ? TextRange{equals.end, equals.end} : keyRange,
+                  "`" + std::string(key) + "` has no value");
         }
         break;
     }
@@ -120,14 +121,14 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals)
 }
 
 /// True when another element follows. The current token is the one after an element.
-bool Parser::afterElement(Value& v, std::vector<TextRange>& gaps)
-{
+bool Parser::afterElement(Value& v, std::vector<TextRange>& gaps) {
     if (kind() == TokenKind::Comma) {
         advance();
         return true;
     }
     const bool semicolon = kind() == TokenKind::Unknown && text() == ";" && !newLine() && !newLine(1);
-    if (semicolon && (kind(1) == TokenKind::Number || kind(1) == TokenKind::ParamRef || kind(1) == TokenKind::ExprOpen || kind(1) == TokenKind::String)) {
+    if (semicolon && (kind(1) == TokenKind::Number || kind(1) == TokenKind::ParamRef || kind(1) == TokenKind::ExprOpen ||
+                      kind(1) == TokenKind::String)) {
         gaps.push_back(range());
         advance();
         return true;
@@ -139,8 +140,7 @@ bool Parser::afterElement(Value& v, std::vector<TextRange>& gaps)
 }
 
 /// Reads one element into `v`; false when none begins here.
-bool Parser::element(Value& v)
-{
+bool Parser::element(Value& v) {
     Element e;
     e.range = range();
     switch (kind()) {
@@ -156,12 +156,17 @@ bool Parser::element(Value& v)
         if (startsItem()) return false;
         wordElement(e);
         break;
-    case TokenKind::Plus: case TokenKind::Minus:
-        if (kind(1) != TokenKind::Number && kind(1) != TokenKind::ParamRef && kind(1) != TokenKind::ExprOpen && kind(1) != TokenKind::Word) return false;
+    case TokenKind::Plus:
+    case TokenKind::Minus:
+        if (kind(1) != TokenKind::Number && kind(1) != TokenKind::ParamRef && kind(1) != TokenKind::ExprOpen &&
+            kind(1) != TokenKind::Word)
+            return false;
         if (newLine(1)) return false;
         signedElement(e, v);
         break;
-    case TokenKind::Dot: case TokenKind::Slash: case TokenKind::Star: unquotedText(e, v); break;
+    case TokenKind::Dot:
+    case TokenKind::Slash:
+    case TokenKind::Star: unquotedText(e, v); break;
     case TokenKind::Unknown:
         if (wrongEquals(0) || text() == ";" || text() == "]" || text() == "[" || text() == "*/") return false;
         if (foreignQuoteEnd(m_source->bytes(), range().begin) == range().end) foreignQuotes(e, v);
@@ -174,8 +179,7 @@ bool Parser::element(Value& v)
     return true;
 }
 
-void Parser::wordElement(Element& e)
-{
+void Parser::wordElement(Element& e) {
     e.text = text();
     e.kind = e.text == "true" || e.text == "false" ? Element::Kind::Boolean : Element::Kind::Word;
     e.boolean = e.text == "true";
@@ -187,11 +191,11 @@ void Parser::wordElement(Element& e)
     e.kind = Element::Kind::String;
 }
 
-void Parser::numberElement(Element& e, Value& v)
-{
+void Parser::numberElement(Element& e, Value& v) {
     e.kind = Element::Kind::Number;
     const TextRange digits = range();
-    if (slice(digits).starts_with(kUnicodeMinus)) unicodeMinus({digits.begin, digits.begin + static_cast<std::uint32_t>(kUnicodeMinus.size())});
+    if (slice(digits).starts_with(kUnicodeMinus))
+        unicodeMinus({digits.begin, digits.begin + static_cast<std::uint32_t>(kUnicodeMinus.size())});
     const std::string plain = plainNumber(slice(digits));
     const auto [end, fault] = std::from_chars(plain.data(), plain.data() + plain.size(), e.number);
     if (fault == std::errc::result_out_of_range) {
@@ -210,8 +214,11 @@ void Parser::numberElement(Element& e, Value& v)
     e.unitRange = range();
     e.range.end = range().end;
     if (adjacent()) checkNumberTail(e, v);
-    struct Sign { std::string_view written, unit; };
-    constexpr Sign kSigns[] = {{"\u00B0", "deg"}, {"\u03A9", "ohm"}, {"\u2126", "ohm"}, {"\u00B5m", "um"}, {"\u03BCm", "um"}, {"\u00B5s", "us"}, {"\u03BCs", "us"}};
+    struct Sign {
+        std::string_view written, unit;
+    };
+    constexpr Sign kSigns[] = {{"\u00B0", "deg"}, {"\u03A9", "ohm"}, {"\u2126", "ohm"}, {"\u00B5m", "um"},
+                               {"\u03BCm", "um"}, {"\u00B5s", "us"}, {"\u03BCs", "us"}};
     for (const Sign& sign : kSigns) {
         if (e.unit != sign.written) continue;
         Diagnostic& d = error(Code::UnknownUnit, e.unitRange, "the unit `" + e.unit + "` is written " + std::string(sign.unit));
@@ -221,8 +228,7 @@ void Parser::numberElement(Element& e, Value& v)
     advance();
 }
 
-void Parser::stringElement(Element& e, Value& v)
-{
+void Parser::stringElement(Element& e, Value& v) {
     e.kind = Element::Kind::String;
     const std::string_view written = text();
     const bool closed = isClosedString(written);

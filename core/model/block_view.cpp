@@ -54,7 +54,8 @@ private:
         const auto [it, fresh] = m_params.try_emplace(item.name.text, m_view.params.size());
         if (!fresh) {
             const PlacedParam& first = m_view.params[it->second];
-            Diagnostic& d = m_diagnostics.error(Code::DuplicateName, {file, item.name.range}, "Param " + item.name.text + " is defined twice");
+            Diagnostic& d = m_diagnostics.error(Code::DuplicateName, {file, item.name.range},
+                                                "Param " + item.name.text + " is defined twice");
             d.notes.push_back({"first defined here", first.nameRange()});
             return;
         }
@@ -76,9 +77,9 @@ private:
         const std::string_view a = m_texts.slice(before.valueRange()), b = m_texts.slice(later.valueRange());
         if (a == b) return;
         Diagnostic& d = m_diagnostics.warning(Code::ImportDisagrees, later.valueRange(),
-                                              "imported files disagree: " + later.key + " is " + std::string(a.substr(0, 40)) + " in " +
-                                                  m_texts.trees[before.file]->source().path() + " and " + std::string(b.substr(0, 40)) +
-                                                  " here; the later one holds");
+                                              "imported files disagree: " + later.key + " is " + std::string(a.substr(0, 40)) +
+                                                  " in " + m_texts.trees[before.file]->source().path() + " and " +
+                                                  std::string(b.substr(0, 40)) + " here; the later one holds");
         d.notes.push_back({"the other one", before.valueRange()});
     }
 

@@ -24,7 +24,10 @@ struct ComponentSpec {
     SourceRange range;     ///< the whole block
     SourceRange nameRange; ///< its name, or its kind where unnamed
 
-    [[nodiscard]] const ResolvedValue* find(std::string_view key) const { const auto it = values.find(key); return it == values.end() ? nullptr : &it->second; }
+    [[nodiscard]] const ResolvedValue* find(std::string_view key) const {
+        const auto it = values.find(key);
+        return it == values.end() ? nullptr : &it->second;
+    }
     [[nodiscard]] double number(std::string_view key, double otherwise = 0) const;
     [[nodiscard]] std::string text(std::string_view key, std::string otherwise = {}) const;
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;

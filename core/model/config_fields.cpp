@@ -23,7 +23,8 @@ template <class T> void describeGeom(Describe<T>& d) {
 
 template <class T> void describeSolid(Describe<T>& d) {
     describeGeom(d);
-    d.field("Mass", &SolidFields::mass, kilograms().above(0).atMost(1e9), "Its mass; not with Density, nor with Mass of the body.");
+    d.field("Mass", &SolidFields::mass, kilograms().above(0).atMost(1e9),
+            "Its mass; not with Density, nor with Mass of the body.");
     d.field("Density", &SolidFields::density, unitOf("kg/m^3").above(0).atMost(1e6), "Its mass per volume.");
 }
 
@@ -33,7 +34,8 @@ template <class T> void describeEnds(Describe<T>& d) {
 }
 
 template <class T> void describeAnchor(Describe<T>& d) {
-    d.field("Anchor", &JointFields::anchor, position(), "Point of the joint in the config frame; the child's origin where absent.");
+    d.field("Anchor", &JointFields::anchor, position(),
+            "Point of the joint in the config frame; the child's origin where absent.");
 }
 
 template <class T> void describeSpring(Describe<T>& d, const char* stiffness, const char* damping) {
@@ -47,7 +49,8 @@ void BodyFields::describe(Describe<BodyFields>& d) {
     d.help("One rigid body of a robot: its geoms and its mass.");
     d.field("Pos", &BodyFields::pos, position(), "Where its frame stands in the config frame.");
     d.field("HPR", &BodyFields::hpr, angles(), "Heading, pitch and roll in the config frame.");
-    d.field("Mass", &BodyFields::mass, kilograms().above(0).atMost(1e9), "Spread evenly over its geoms, which then have no mass of their own.");
+    d.field("Mass", &BodyFields::mass, kilograms().above(0).atMost(1e9),
+            "Spread evenly over its geoms, which then have no mass of their own.");
     d.field("CenterOfMass", &BodyFields::centreOfMass, position(), "In the body's frame; from the geoms where absent.");
     d.field("Inertia", &BodyFields::inertia, unitOf("kgm^2").counted(3, 6),
             "Ixx, Iyy, Izz[, Ixy, Ixz, Iyz] about the centre of mass; from the geoms where absent.");
@@ -82,15 +85,18 @@ void CapsuleFields::describe(Describe<CapsuleFields>& d) {
 void ConvexFields::describe(Describe<ConvexFields>& d) {
     d.help("The convex hull of a mesh.");
     d.field("File", &ConvexFields::file, trundle::file("obj|stl|dae|gltf|glb|ply").required(), "The mesh.");
-    d.field("Scale", &ConvexFields::scale, number().above(0).atMost(1e6).counted(1, 3), "Factor on its lengths, or one for each axis.");
+    d.field("Scale", &ConvexFields::scale, number().above(0).atMost(1e6).counted(1, 3),
+            "Factor on its lengths, or one for each axis.");
     describeSolid(d);
 }
 
 void MeshFields::describe(Describe<MeshFields>& d) {
     d.help("A triangle mesh.");
     d.field("File", &MeshFields::file, trundle::file("obj|stl|dae|gltf|glb|ply").required(), "The mesh.");
-    d.field("Scale", &MeshFields::scale, number().above(0).atMost(1e6).counted(1, 3), "Factor on its lengths, or one for each axis.");
-    d.field("Shape", &MeshFields::shape, oneOf("mesh|hull|none"), "What collides; the mesh of scenery and the hull on bodies where absent.");
+    d.field("Scale", &MeshFields::scale, number().above(0).atMost(1e6).counted(1, 3),
+            "Factor on its lengths, or one for each axis.");
+    d.field("Shape", &MeshFields::shape, oneOf("mesh|hull|none"),
+            "What collides; the mesh of scenery and the hull on bodies where absent.");
     describeSolid(d);
 }
 

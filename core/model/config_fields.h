@@ -73,11 +73,21 @@ struct JointFields {
     std::optional<double> lowStop, highStop;
     double damping = 0, friction = 0, stiffness = 0, travel = 0;
 };
-struct HingeFields : JointFields { static void describe(Describe<HingeFields>& d); };
-struct SliderFields : JointFields { static void describe(Describe<SliderFields>& d); };
-struct BallFields : JointFields { static void describe(Describe<BallFields>& d); };
-struct UniversalFields : JointFields { static void describe(Describe<UniversalFields>& d); };
-struct FixedFields : JointFields { static void describe(Describe<FixedFields>& d); };
+struct HingeFields : JointFields {
+    static void describe(Describe<HingeFields>& d);
+};
+struct SliderFields : JointFields {
+    static void describe(Describe<SliderFields>& d);
+};
+struct BallFields : JointFields {
+    static void describe(Describe<BallFields>& d);
+};
+struct UniversalFields : JointFields {
+    static void describe(Describe<UniversalFields>& d);
+};
+struct FixedFields : JointFields {
+    static void describe(Describe<FixedFields>& d);
+};
 struct SuspensionFields : JointFields {
     SuspensionFields() { axis2 = {0, 1, 0}; }
     static void describe(Describe<SuspensionFields>& d);

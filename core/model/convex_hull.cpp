@@ -43,7 +43,9 @@ public:
             std::array<std::uint32_t, 3> triangle;
             for (int i = 0; i < 3; ++i) {
                 const auto [it, fresh] = places.try_emplace(face.corner[i], static_cast<std::uint32_t>(out.points.size()));
-                if (fresh) out.points.push_back({m_points[face.corner[i]].x(), m_points[face.corner[i]].y(), m_points[face.corner[i]].z()});
+                if (fresh)
+                    out.points.push_back(
+                        {m_points[face.corner[i]].x(), m_points[face.corner[i]].y(), m_points[face.corner[i]].z()});
                 triangle[i] = it->second;
             }
             out.triangles.push_back(triangle);
@@ -112,8 +114,10 @@ private:
 
     void linkAll() {
         std::map<std::pair<int, int>, std::pair<int, int>> edges;
-        for (int f = 0; f < 4; ++f) for (int i = 0; i < 3; ++i) edges[{m_faces[f].corner[i], m_faces[f].corner[(i + 1) % 3]}] = {f, i};
-        for (const auto& [edge, place] : edges) m_faces[place.first].neighbour[place.second] = edges.at({edge.second, edge.first}).first;
+        for (int f = 0; f < 4; ++f)
+            for (int i = 0; i < 3; ++i) edges[{m_faces[f].corner[i], m_faces[f].corner[(i + 1) % 3]}] = {f, i};
+        for (const auto& [edge, place] : edges)
+            m_faces[place.first].neighbour[place.second] = edges.at({edge.second, edge.first}).first;
     }
 
     void distribute(const std::vector<int>& points, const std::vector<int>& faces) {
@@ -126,7 +130,9 @@ private:
         }
     }
 
-    struct RimEdge { int from, to, beyond; };
+    struct RimEdge {
+        int from, to, beyond;
+    };
 
     /// The faces that `eye` sees, beginning at `first`, and the rim round them.
     bool lookFrom(int eye, int first, std::vector<int>& seen, std::vector<RimEdge>& rim) {

@@ -10,6 +10,7 @@ namespace trundle {
 [[nodiscard]] std::optional<TriangleMesh> convexHull(const std::vector<std::array<double, 3>>& points);
 
 /// At most `most` of the points: those that reach farthest in as many directions spread over the sphere. All of them where they are no more.
-[[nodiscard]] std::vector<std::array<double, 3>> farthestPoints(const std::vector<std::array<double, 3>>& points, std::size_t most);
+[[nodiscard]] std::vector<std::array<double, 3>> farthestPoints(const std::vector<std::array<double, 3>>& points,
+                                                                std::size_t most);
 
 } // namespace trundle

@@ -15,8 +15,8 @@ namespace trundle {
 struct MaterialSpec {
     std::string name;
     std::array<double, 3> colour{0.8, 0.8, 0.8};
-    std::string texture; ///< as written
-    std::string texturePath; ///< the picture found, or empty
+    std::string texture;             ///< as written
+    std::string texturePath;         ///< the picture found, or empty
     std::string textureMap = "auto"; ///< auto planar box cylinder sphere
     double textureScale = 1, shininess = 0, opacity = 1;
     std::array<double, 3> emission{0, 0, 0};
@@ -28,7 +28,8 @@ struct SurfaceSpec {
     double friction = 0.5, restitution = 0;
     double rollingFriction = 0; ///< m
     double softness = 0;        ///< m/N
-    SourceRange range;
+    SourceRange range;          ///< the whole block
+    SourceRange nameRange;      ///< where a message about it points
 };
 
 /// A RobotConfig with one set of Param values and overrides applied. Instances that are equal share it.
@@ -46,7 +47,7 @@ struct RobotSpec {
     Pose pose; ///< of the config frame in the world at t = 0
     std::shared_ptr<const RobotConfigSpec> config;
     std::optional<ComponentSpec> controller; ///< with UpdatePeriod, Isolation, Budget among its values
-    SourceRange range;     ///< the whole block
+    SourceRange range;                       ///< the whole block
     SourceRange nameRange; ///< where a message about the robot points; of a member, the Grid's or Scatter's name
 };
 
@@ -54,25 +55,27 @@ struct StaticSpec {
     std::string name, configName;
     Pose pose;
     std::shared_ptr<const std::vector<GeomSpec>> geoms;
-    SourceRange range;
+    SourceRange range;     ///< the whole block
+    SourceRange nameRange; ///< where a message about it points
 };
 
 enum class SolverChoice { Auto, Exact, Quick };
 
 struct SettingsSpec {
-    double tick = 0.01;   ///< s
-    double duration = 0;  ///< s, 0 = until stopped
+    double tick = 0.01;  ///< s
+    double duration = 0; ///< s, 0 = until stopped
     std::uint64_t seed = 1;
     Vec3 gravity{0, 0, -9.81};
     SolverChoice solver = SolverChoice::Auto;
+    SourceRange solverRange; ///< of its value; unknown where the text says nothing
     int iterations = 20;
     std::string isolation = "none", title, description;
 };
 
 struct ModuleSpec {
-    std::string written;  ///< as in the text
-    std::string library;  ///< absolute path found; empty when it was not
-    SourceRange range;    ///< of the path
+    std::string written; ///< as in the text
+    std::string library; ///< absolute path found; empty when it was not
+    SourceRange range;   ///< of the path
 };
 
 struct ExperimentSpec {

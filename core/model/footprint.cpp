@@ -15,7 +15,8 @@ double cross(const Vec2& a, const Vec2& b, const Vec2& c) { return (b - a).x() *
 
 /// Andrew's monotone chain.
 std::vector<Vec2> hull(std::vector<Vec2> points) {
-    std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+    std::sort(points.begin(), points.end(),
+              [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 3) return points;
     std::vector<Vec2> chain(points.size() * 2);
@@ -38,7 +39,8 @@ std::vector<Vec3> outline(const GeomSpec& geom, double& grown) {
     std::vector<Vec3> points;
     switch (geom.shape) {
     case GeomShape::Box:
-        for (int i = 0; i < 8; ++i) points.push_back(0.5 * geom.size.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+        for (int i = 0; i < 8; ++i)
+            points.push_back(0.5 * geom.size.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
         break;
     case GeomShape::Sphere:
         points.push_back(Vec3::Zero());
@@ -58,7 +60,8 @@ std::vector<Vec3> outline(const GeomSpec& geom, double& grown) {
         break;
     }
     default:
-        if (geom.mesh) for (const auto& p : geom.mesh->points) points.emplace_back(p[0], p[1], p[2]);
+        if (geom.mesh)
+            for (const auto& p : geom.mesh->points) points.emplace_back(p[0], p[1], p[2]);
         break;
     }
     return points;
@@ -107,7 +110,8 @@ std::vector<Footprint> footprintsOf(const GeomSpec& geom, const Pose& pose) {
     if (geom.shape == GeomShape::Mesh && geom.mesh && !geom.collideAsHull && geom.mesh->triangles.size() <= kMostTriangles) {
         for (const auto& t : geom.mesh->triangles) { // a hollow mesh, an arena say, has room inside
             std::vector<Vec3> points;
-            for (std::uint32_t i : t) points.push_back(at * Vec3(geom.mesh->points[i][0], geom.mesh->points[i][1], geom.mesh->points[i][2]));
+            for (std::uint32_t i : t)
+                points.push_back(at * Vec3(geom.mesh->points[i][0], geom.mesh->points[i][1], geom.mesh->points[i][2]));
             all.push_back(footprint(points, 0));
         }
         return all;

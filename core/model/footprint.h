@@ -24,7 +24,9 @@ struct Footprint {
 [[nodiscard]] std::vector<Footprint> footprintsOf(const GeomSpec& geom, const Pose& pose);
 
 /// The disc about the config's origin that a robot covers, whatever way it faces.
-struct RobotDisc { double radius = 0, low = 0, high = 0; };
+struct RobotDisc {
+    double radius = 0, low = 0, high = 0;
+};
 [[nodiscard]] RobotDisc discOf(const RobotConfigSpec& config);
 
 } // namespace trundle

@@ -20,14 +20,15 @@ struct JointSpec {
     int parent = kWorldBody; ///< index into the config's bodies
     int child = 0;
     Vec3 anchor = Vec3::Zero();
-    Vec3 axis = Vec3::UnitZ();  ///< unit
-    Vec3 axis2 = Vec3::UnitX(); ///< unit
+    Vec3 axis = Vec3::UnitZ();               ///< unit
+    Vec3 axis2 = Vec3::UnitX();              ///< unit
     std::optional<double> lowStop, highStop; ///< rad or m
-    double damping = 0;   ///< N m s/rad or N s/m
-    double friction = 0;  ///< N m or N, Coulomb
-    double stiffness = 0; ///< N m/rad or N/m
-    double travel = 0;    ///< m, Suspension
-    SourceRange range;
+    double damping = 0;                      ///< N m s/rad or N s/m
+    double friction = 0;                     ///< N m or N, Coulomb
+    double stiffness = 0;                    ///< N m/rad or N/m
+    double travel = 0;                       ///< m, Suspension
+    SourceRange range;                       ///< the whole block
+    SourceRange nameRange;                   ///< where a message about the joint points
 };
 
 } // namespace trundle

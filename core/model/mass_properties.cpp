@@ -16,7 +16,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kSmallestMoment = 1e-18; ///< kg m^2; below it inertia drowns in rounding
 
-MassProperties centred(double volume, double xx, double yy, double zz) { return {volume, Vec3::Zero(), volume * Vec3(xx, yy, zz).asDiagonal().toDenseMatrix()}; }
+MassProperties centred(double volume, double xx, double yy, double zz) {
+    return {volume, Vec3::Zero(), volume * Vec3(xx, yy, zz).asDiagonal().toDenseMatrix()};
+}
 
 MassProperties box(const Vec3& s) {
     const Vec3 q = s.cwiseProduct(s) / 12;
@@ -72,7 +74,9 @@ Result<MassProperties> solidOf(const TriangleMesh& mesh) {
     if (!closed(triangles)) return Error{Code::BadMass, "the mesh is not closed, so that it has no volume"};
     Vec3 origin = Vec3::Zero(); // near the points, or far ones would cost digits
     for (const auto& p : mesh.points) origin += Vec3(p[0], p[1], p[2]) / static_cast<double>(mesh.points.size());
-    const auto point = [&](std::uint32_t i) { return Vec3(Vec3(mesh.points[i][0], mesh.points[i][1], mesh.points[i][2]) - origin); };
+    const auto point = [&](std::uint32_t i) {
+        return Vec3(Vec3(mesh.points[i][0], mesh.points[i][1], mesh.points[i][2]) - origin);
+    };
     double volume = 0;
     Vec3 moment = Vec3::Zero();
     Mat3 second = Mat3::Zero(); // integral of x x^T, a sum over tetrahedra with one corner at the origin
@@ -110,7 +114,9 @@ Result<MassProperties> solidOf(const GeomSpec& geom) {
     return Error{Code::BadMass, "it has no volume"};
 }
 
-MassProperties withMass(const MassProperties& solid, double mass) { return {mass, solid.centre, solid.inertia * (mass / solid.mass)}; }
+MassProperties withMass(const MassProperties& solid, double mass) {
+    return {mass, solid.centre, solid.inertia * (mass / solid.mass)};
+}
 
 MassProperties placed(const MassProperties& solid, const Pose& pose) {
     const Mat3 r = pose.rotation.toRotationMatrix();
@@ -139,10 +145,12 @@ Status checkMass(const MassProperties& m) {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(m.inertia, Eigen::EigenvaluesOnly);
     const Vec3 moments = solver.eigenvalues(); // in rising order
     if (!moments.allFinite() || moments.x() <= 0) return Error{Code::BadMass, "its inertia is not positive definite"};
-    if (moments.x() < kSmallestMoment) return Error{Code::BadMass, "its inertia is too small to be simulated (" + numberText(moments.x()) + " kg m^2)"};
+    if (moments.x() < kSmallestMoment)
+        return Error{Code::BadMass, "its inertia is too small to be simulated (" + numberText(moments.x()) + " kg m^2)"};
     if (moments.x() + moments.y() < moments.z() * (1 - 1e-6)) {
-        return Error{Code::BadMass, "no body has this inertia: of the principal moments " + numberText(moments.x()) + ", " + numberText(moments.y()) +
-                                        " and " + numberText(moments.z()) + " the largest is above the sum of the others"};
+        return Error{Code::BadMass, "no body has this inertia: of the principal moments " + numberText(moments.x()) + ", " +
+                                        numberText(moments.y()) + " and " + numberText(moments.z()) +
+                                        " the largest is above the sum of the others"};
     }
     return {};
 }

@@ -106,12 +106,14 @@ const NameSpace* Outline::spaceOf(const Kind& kind) const {
     }
 }
 
-std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, std::shared_ptr<const Registry> registry, Diagnostics& diagnostics) {
+std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, std::shared_ptr<const Registry> registry,
+                                        Diagnostics& diagnostics) {
     auto outline = std::make_shared<Outline>();
     outline->m_texts = texts;
     outline->m_registry = registry;
     if (countBlocks(*texts, kMaxObjects) > kMaxObjects) {
-        diagnostics.error(Code::TooManyObjects, {0, {0, 0}}, "the text holds more than 200000 blocks once its imports are in place");
+        diagnostics.error(Code::TooManyObjects, {0, {0, 0}},
+                          "the text holds more than 200000 blocks once its imports are in place");
         return outline;
     }
     BlockView top = viewOf(*texts, texts->trees[0]->items(), 0, diagnostics);
@@ -120,7 +122,9 @@ std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, st
     Lifter lifter(*texts, *registry, top.imported);
     PartBuilder builder(*texts, *registry, diagnostics);
     std::uint32_t order = 0;
-    const auto place = [&](const PlacedBlock& placed) { outline->parts.push_back(std::make_unique<Part>(builder.build(placed, nullptr, order))); };
+    const auto place = [&](const PlacedBlock& placed) {
+        outline->parts.push_back(std::make_unique<Part>(builder.build(placed, nullptr, order)));
+    };
     for (const PlacedBlock& placed : top.blocks) {
         for (const PlacedBlock& lifted : lifter.from(*placed.block)) place(lifted);
         ++order;
@@ -129,7 +133,8 @@ std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, st
     // one namer per name space: a robot may be called as a material is
     std::unordered_map<const NameSpace*, PartNamer> namers;
     for (const auto& part : outline->parts) {
-        if (NameSpace* space = part->kind ? const_cast<NameSpace*>(outline->spaceOf(*part->kind)) : nullptr; space && part->block->name) {
+        if (NameSpace* space = part->kind ? const_cast<NameSpace*>(outline->spaceOf(*part->kind)) : nullptr;
+            space && part->block->name) {
             namers.try_emplace(space, diagnostics).first->second.reserve(part->name);
         }
     }

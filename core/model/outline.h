@@ -18,14 +18,14 @@ namespace trundle {
 struct Part {
     const BlockItem* block = nullptr;
     FileId file = kNoFile;
-    SourceRange range;        ///< the whole block
+    SourceRange range;          ///< the whole block
     const Kind* kind = nullptr; ///< nullptr: no such kind (said, or to be left as raw text)
-    std::string name;         ///< given, or made: box, box2 ...
-    std::uint32_t order = 0;  ///< of the top-level block it stands in
-    bool usable = true;       ///< false: misplaced, unknown or a second one of its name
+    std::string name;           ///< given, or made: box, box2 ...
+    std::uint32_t order = 0;    ///< of the top-level block it stands in
+    bool usable = true;         ///< false: misplaced, unknown or a second one of its name
     AssignmentList assignments;
     std::vector<PlacedParam> params;
-    std::vector<Part> parts;  ///< blocks inside, in order
+    std::vector<Part> parts;                            ///< blocks inside, in order
     std::unordered_map<std::string, std::size_t> index; ///< of the parts by name, only where there are many
 
     [[nodiscard]] SourceRange nameRange() const { return {file, block->name ? block->name->range : block->type.range}; }
@@ -56,14 +56,14 @@ private:
 class Outline {
 public:
     /// Says what is unknown, misplaced, unnamed or twice there. Gives an empty outline with E312 when the text holds too much.
-    [[nodiscard]] static std::shared_ptr<Outline> build(std::shared_ptr<const TextSet> texts, std::shared_ptr<const Registry> registry,
-                                                        Diagnostics& diagnostics);
+    [[nodiscard]] static std::shared_ptr<Outline> build(std::shared_ptr<const TextSet> texts,
+                                                        std::shared_ptr<const Registry> registry, Diagnostics& diagnostics);
 
     AssignmentList settings;
     std::vector<PlacedParam> params;
     std::vector<std::unique_ptr<Part>> parts; ///< everything at the top level, in order
     NameSpace materials, surfaces, configs, world;
-    std::unordered_set<std::string> unknown;  ///< names of blocks that could not be placed: no follow-ups about them
+    std::unordered_set<std::string> unknown; ///< names of blocks that could not be placed: no follow-ups about them
 
     [[nodiscard]] const TextSet& texts() const { return *m_texts; }
     [[nodiscard]] const Registry& registry() const { return *m_registry; }

@@ -194,7 +194,8 @@ void Evaluator::circle(const ParamScope::Entry& entry) {
             e->state = ParamScope::State::Failed;
         }
     }
-    m_diagnostics.error(Code::ParamCycle, entry.param.nameRange(), "Params need each other in a circle: " + chain + entry.param.name->text);
+    m_diagnostics.error(Code::ParamCycle, entry.param.nameRange(),
+                        "Params need each other in a circle: " + chain + entry.param.name->text);
 }
 
 std::optional<Evaluator::Amount> Evaluator::fault(const Expression& e, FileId file, std::string message) {
@@ -212,9 +213,13 @@ std::optional<Evaluator::Amount> Evaluator::paramAmount(const Expression& e, Fil
     if (e.name == "pi" && !scope.find("pi")) return Amount{std::numbers::pi, {}};
     value = paramValue(e.name, {file, e.range}, scope);
     if (!value) return std::nullopt;
-    if (value->elements.size() != 1) return fault(e, file, "Param " + e.name + " is a list of " + std::to_string(value->elements.size()) + ", an expression takes numbers");
+    if (value->elements.size() != 1)
+        return fault(e, file,
+                     "Param " + e.name + " is a list of " + std::to_string(value->elements.size()) +
+                         ", an expression takes numbers");
     const GivenElement& element = value->elements[0];
-    if (element.kind != GivenElement::Kind::Number) return fault(e, file, "Param " + e.name + " is " + elementText(element) + ", an expression takes numbers");
+    if (element.kind != GivenElement::Kind::Number)
+        return fault(e, file, "Param " + e.name + " is " + elementText(element) + ", an expression takes numbers");
     if (element.unit.empty()) return Amount{element.number, {}};
     const UnitInfo* unit = findUnit(element.unit);
     if (!unit) return fault(e, file, "Param " + e.name + " is " + elementText(element) + ": there is no unit " + element.unit);
@@ -242,15 +247,15 @@ std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId f
         if (!a->unit.empty() && !b->unit.empty() && a->unit != b->unit) {
             return fault(e, file, a->unit + " and " + b->unit + " cannot be added");
         }
-        return finite(e, file, {e.op == Op::Add ? a->value + b->value : a->value - b->value, a->unit.empty() ? b->unit : a->unit});
+        return finite(e, file,
+                      {e.op == Op::Add ? a->value + b->value : a->value - b->value, a->unit.empty() ? b->unit : a->unit});
     case Op::Multiply:
         // the product of two units is a number of which only its author knows what it is
         return finite(e, file, {a->value * b->value, a->unit.empty() ? b->unit : b->unit.empty() ? a->unit : std::string()});
     case Op::Divide:
         if (b->value == 0) return fault(e, file, "division by zero");
         return finite(e, file, {a->value / b->value, b->unit.empty() ? a->unit : std::string()});
-    default:
-        return finite(e, file, {std::pow(a->value, b->value), {}});
+    default: return finite(e, file, {std::pow(a->value, b->value), {}});
     }
 }
 
@@ -273,7 +278,8 @@ std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId fil
     }
     static const std::string functions[] = {"min", "max", "abs", "sqrt", "sin", "cos", "tan"};
     if (std::find(std::begin(functions), std::end(functions), e.name) == std::end(functions)) {
-        Diagnostic& d = m_diagnostics.error(Code::ExpressionValue, {file, e.range}, "there is no function " + e.name + "; there are " + listText(functions, "and"));
+        Diagnostic& d = m_diagnostics.error(Code::ExpressionValue, {file, e.range},
+                                            "there is no function " + e.name + "; there are " + listText(functions, "and"));
         const std::uint32_t begin = e.range.begin;
         suggest(d, e.name, functions, {file, {begin, begin + static_cast<std::uint32_t>(e.name.size())}});
         return std::nullopt;

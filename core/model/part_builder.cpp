@@ -105,7 +105,8 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     for (const Kind* kind : m_registry.all()) {
         if (mayStand(*kind, kindIn(parent))) candidates.push_back(kind->name);
     }
-    const bool holdsModuleKinds = parent && (parent->is(Role::Instance) || parent->is(Role::Layout) || kindIn(parent) == "RobotConfig");
+    const bool holdsModuleKinds =
+        parent && (parent->is(Role::Instance) || parent->is(Role::Layout) || kindIn(parent) == "RobotConfig");
     std::vector<std::string> near = manyAlready(m_diagnostics) ? std::vector<std::string>() : nearestWords(word, candidates);
     if (m_texts.openModules && holdsModuleKinds && (near.empty() || !parent->is(Role::Config))) return;
     if (near.empty() && !manyAlready(m_diagnostics)) {
@@ -117,7 +118,8 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     }
     Diagnostic& d = m_diagnostics.error(Code::UnknownKind, part.typeRange(), "there is no kind " + word);
     if (near.empty()) {
-        d.message += parent ? "; " + withArticle(kindIn(parent)) + (candidates.empty() ? " holds no blocks" : " may hold " + listText(candidates))
+        d.message += parent ? "; " + withArticle(kindIn(parent)) +
+                                  (candidates.empty() ? " holds no blocks" : " may hold " + listText(candidates))
                             : "; at the top level stand " + listText(candidates, "and");
         if (parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && candidates.empty()) {
             d.message = "there is no kind " + word + "; a controller's kind comes from the module that #loadModule names";
@@ -130,18 +132,23 @@ void PartBuilder::wrongPlace(const Part& part, const Part* parent) {
     const std::string here = parent ? "in " + withArticle(kindIn(parent)) : std::string("at the top level");
     const std::vector<std::string> legal = places(*part.kind);
     if (part.is(Role::Settings)) {
-        m_diagnostics.error(Code::WrongPlace, part.typeRange(), "settings are written at the top level without a block: Tick = 0.01");
+        m_diagnostics.error(Code::WrongPlace, part.typeRange(),
+                            "settings are written at the top level without a block: Tick = 0.01");
         return;
     }
     const bool top = legal.size() == 1 && legal[0].empty();
-    std::string text = part.block->type.text + " stands " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
+    std::string text =
+        part.block->type.text + " stands " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
     if (kindIn(parent) == "StaticConfig" && part.is(Role::Body)) text = "a StaticConfig holds its geoms directly, without a Body";
     m_diagnostics.error(Code::WrongPlace, part.typeRange(), text);
 }
 
 void PartBuilder::looseGeoms(const Part& config) {
     for (std::size_t i = 0; i < config.parts.size(); ++i) {
-        const auto loose = [&](std::size_t k) { return k < config.parts.size() && config.parts[k].is(Role::Geom) && !config.parts[k].usable && mayStand(*config.parts[k].kind, "Body"); };
+        const auto loose = [&](std::size_t k) {
+            return k < config.parts.size() && config.parts[k].is(Role::Geom) && !config.parts[k].usable &&
+                   mayStand(*config.parts[k].kind, "Body");
+        };
         if (!loose(i)) continue;
         std::size_t last = i;
         while (loose(last + 1) && config.parts[last + 1].file == config.parts[i].file) ++last;
@@ -151,8 +158,9 @@ void PartBuilder::looseGeoms(const Part& config) {
         const TextRange from = first.range.range, to = config.parts[last].range.range;
         std::string name = "chassis";
         for (int n = 2; config.find(name); ++n) name = "body" + std::to_string(n);
-        d.fixes.push_back({"Body " + name + " { ... }",
-                           {{{first.file, {from.begin, from.begin}}, "Body " + name + " { "}, {{first.file, {to.end, to.end}}, " }"}}});
+        d.fixes.push_back(
+            {"Body " + name + " { ... }",
+             {{{first.file, {from.begin, from.begin}}, "Body " + name + " { "}, {{first.file, {to.end, to.end}}, " }"}}});
         i = last;
     }
 }
@@ -176,7 +184,8 @@ bool PartNamer::name(Part& part) {
     if (!part.block->name) {
         if (part.kind && !part.kind->nameOptional) {
             if (!part.usable) return false;
-            Diagnostic& d = m_diagnostics.error(Code::MissingName, part.typeRange(), "this " + part.block->type.text + " needs a name");
+            Diagnostic& d =
+                m_diagnostics.error(Code::MissingName, part.typeRange(), "this " + part.block->type.text + " needs a name");
             std::string name = lowerFirst(part.block->type.text);
             for (int n = 2; m_taken.count(name); ++n) name = lowerFirst(part.block->type.text) + std::to_string(n);
             const std::uint32_t at = part.block->type.range.end;

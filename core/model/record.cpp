@@ -13,7 +13,8 @@ namespace {
 std::string inBrackets(std::string help) {
     if (help.empty()) return help;
     if (help.back() == '.') help.pop_back();
-    if (help.size() > 1 && help[1] >= 'a' && help[1] <= 'z') help[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(help[0])));
+    if (help.size() > 1 && help[1] >= 'a' && help[1] <= 'z')
+        help[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(help[0])));
     return " (" + help + ")";
 }
 
@@ -68,7 +69,8 @@ void ResolveContext::fixAdd(Diagnostic& d, const Part& part, const std::string& 
     d.suggestions.push_back(key + "=" + value);
 }
 
-Record ResolveContext::read(const Part& part, ParamScope& scope, const OverrideNode* overrides, Origin origin, const ExtraKeys& extra) {
+Record ResolveContext::read(const Part& part, ParamScope& scope, const OverrideNode* overrides, Origin origin,
+                            const ExtraKeys& extra) {
     Record record;
     record.kind = part.kind;
     fill(record, part.assignments, &part, scope, overrides, origin, extra);
@@ -120,20 +122,24 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
             if (!record.values[i]) record.complete = false;
         }
         if (record.values[i]) continue;
-        if (p.defaultValue) record.values[i] = ResolvedValue{*p.defaultValue, {}, Origin::Default}; // also for an unreadable one: the rest is still checked
+        if (p.defaultValue)
+            record.values[i] =
+                ResolvedValue{*p.defaultValue, {}, Origin::Default}; // also for an unreadable one: the rest is still checked
         if (!p.required || record.values[i]) continue;
         record.complete = false;
         if (tried[i] || !part || std::count(meant.begin(), meant.end(), p.name) || brokenText(part->range)) continue;
         diagnostics.error(Code::MissingRequired, part->nameRange(), part->title() + " needs " + p.name + inBrackets(p.help));
     }
+    if (part) checkAlternatives(record, *part, tried, meant);
 }
 
-void ResolveContext::unknownKey(const Kind& kind, const PlacedAssignment& a, const std::string& title, const std::vector<std::string>& more,
-                                std::vector<std::string>& meant) {
+void ResolveContext::unknownKey(const Kind& kind, const PlacedAssignment& a, const std::string& title,
+                                const std::vector<std::string>& more, std::vector<std::string>& meant) {
     if (a.path.size() > 1) {
-        Diagnostic& d = diagnostics.error(Code::NoSuchPath, a.keyRange(),
-                                          title.empty() ? "a path is set inside its Robot, Static, Grid or Scatter, not at the top level"
-                                                        : "a path cannot be set in " + title + "; instances set paths into their config");
+        Diagnostic& d =
+            diagnostics.error(Code::NoSuchPath, a.keyRange(),
+                              title.empty() ? "a path is set inside its Robot, Static, Grid or Scatter, not at the top level"
+                                            : "a path cannot be set in " + title + "; instances set paths into their config");
         const Part* thing = title.empty() ? outline.world.find(a.path[0].text) : nullptr;
         if (thing && !texts.commandLine(a.file)) {
             const std::string rest = a.key.substr(a.path[0].text.size() + 1);

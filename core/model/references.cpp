@@ -14,7 +14,8 @@ constexpr int kMostFollowUps = 3; ///< the same unknown name is said so often; t
 
 bool kindFits(const Part& part, const std::vector<std::string>& choices) {
     if (choices.empty() || !part.kind) return true; // an unknown kind has been said
-    return std::any_of(choices.begin(), choices.end(), [&](const std::string& c) { return c == part.kind->name || c == roleName(part.kind->role); });
+    return std::any_of(choices.begin(), choices.end(),
+                       [&](const std::string& c) { return c == part.kind->name || c == roleName(part.kind->role); });
 }
 
 bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices) {
@@ -40,14 +41,15 @@ std::vector<std::string> fitting(const Property& property, const Part& config, b
 
 } // namespace
 
-void ResolveContext::unknownReference(const std::string& property, const std::string& what, const std::string& name, SourceRange range,
-                                      bool literal, const std::vector<std::string>& candidates) {
+void ResolveContext::unknownReference(const std::string& property, const std::string& what, const std::string& name,
+                                      SourceRange range, bool literal, const std::vector<std::string>& candidates) {
     if (m_unknownSaid[what + " " + name]++ >= kMostFollowUps) return;
     if (manyAlready(diagnostics)) {
         diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
         return;
     }
-    Diagnostic& d = diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
+    Diagnostic& d =
+        diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
     std::vector<std::string> near;
     for (const std::string& candidate : candidates) { // `bumper` for `chassis.bumper`
         if (candidate.size() > name.size() && candidate.ends_with("." + name)) near.push_back(candidate);
@@ -56,11 +58,13 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
         if (!std::count(near.begin(), near.end(), word)) near.push_back(std::move(word));
     }
     if (candidates.empty()) d.message = property + " names " + name + ", but there is no " + what + " here";
-    else if (near.empty()) d.message += "; there " + std::string(candidates.size() == 1 ? "is " : "are ") + listText(candidates, "and");
+    else if (near.empty())
+        d.message += "; there " + std::string(candidates.size() == 1 ? "is " : "are ") + listText(candidates, "and");
     suggestWords(d, std::move(near), literal ? range : SourceRange{});
 }
 
-bool ResolveContext::checkReference(const Property& property, const std::string& name, SourceRange range, bool literal, const Part& config) {
+bool ResolveContext::checkReference(const Property& property, const std::string& name, SourceRange range, bool literal,
+                                    const Part& config) {
     const std::vector<std::string>& choices = property.choices;
     if (name == "world" && std::count(choices.begin(), choices.end(), "world")) return true;
     const bool geoms = wantsGeom(registry, choices);
@@ -74,13 +78,15 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
     std::erase(kinds, "world");
     const std::string what = geoms ? "geom (body.geom)" : kinds.empty() ? "thing" : listText(kinds);
     if (!part) {
-        unknownReference(property.name, what, name, range, literal, manyAlready(diagnostics) ? std::vector<std::string>() : fitting(property, config, geoms));
+        unknownReference(property.name, what, name, range, literal,
+                         manyAlready(diagnostics) ? std::vector<std::string>() : fitting(property, config, geoms));
         return false;
     }
     if (!part->kind) return false; // said where it stands
     if (kindFits(*part, choices)) return part->usable;
     Diagnostic& d = diagnostics.error(Code::UnknownReference, range,
-                                      property.name + " names " + name + ", " + withArticle(part->kind->name) + "; it takes " + withArticle(what));
+                                      property.name + " names " + name + ", " + withArticle(part->kind->name) + "; it takes " +
+                                          withArticle(what));
     if (manyAlready(diagnostics)) return false;
     const std::vector<std::string> candidates = fitting(property, config, geoms);
     std::vector<std::string> near;
@@ -104,7 +110,8 @@ bool ResolveContext::checkReferences(const Record& record, const Part& config) {
         const ResolvedValue& value = *record.values[i];
         if (value.origin == Origin::Default) continue; // an empty default means "none"
         const bool literal = record.literal[i] && value.value.texts.size() == 1;
-        for (const std::string& name : value.value.texts) good = checkReference(property, name, value.range, literal, config) && good;
+        for (const std::string& name : value.value.texts)
+            good = checkReference(property, name, value.range, literal, config) && good;
     }
     return good;
 }
@@ -158,8 +165,8 @@ const Part* ResolveContext::configOf(const Record& record, const Part& user, std
     }
     if (config->kind->name != kind) {
         Diagnostic& d = diagnostics.error(Code::UnknownReference, value->range,
-                                          "Config names " + name + ", " + withArticle(config->kind->name) + "; " + withArticle(user.kind->name) +
-                                              " takes " + withArticle(kind));
+                                          "Config names " + name + ", " + withArticle(config->kind->name) + "; " +
+                                              withArticle(user.kind->name) + " takes " + withArticle(kind));
         suggest(d, name, names, literal ? value->range : SourceRange{});
         return nullptr;
     }

@@ -1,7 +1,6 @@
 // Bodies and their mass: the body's own, spread evenly; or the sum of its geoms'; or given outright.
 #include "lang/tree_edit.h"
 #include "model/config_fields.h"
-#include "model/convex_hull.h"
 #include "model/mass_properties.h"
 #include "model/resolve_parts.h"
 
@@ -57,12 +56,14 @@ private:
         if (m_fields.inertia && !readInertia(*m_fields.inertia)) return false;
         const Status status = checkMass(m_body.mass);
         if (status.ok()) return true;
-        return fail(place(m_fields.inertia ? "Inertia" : "Mass"), "the mass of " + m_part.title() + " cannot be: " + status.error().message);
+        return fail(place(m_fields.inertia ? "Inertia" : "Mass"),
+                    "the mass of " + m_part.title() + " cannot be: " + status.error().message);
     }
 
     bool readInertia(const std::vector<double>& i) {
         if (i.size() != 3 && i.size() != 6) {
-            m_context.diagnostics.error(Code::WrongCount, place("Inertia"), "Inertia has " + std::to_string(i.size()) + " elements, it takes three or six numbers");
+            m_context.diagnostics.error(Code::WrongCount, place("Inertia"),
+                                        "Inertia has " + std::to_string(i.size()) + " elements, it takes three or six numbers");
             return false;
         }
         Mat3& m = m_body.mass.inertia;
@@ -77,11 +78,13 @@ private:
 
     /// The shape of a geom as a solid of density 1. An open mesh counts as its hull: where its mass is given, only its spread is guessed.
     Result<MassProperties> solid(const GeomSpec& geom, bool openAllowed) {
-        Result<MassProperties> own = solidOf(geom);
-        if (own.ok() || !openAllowed || !geom.mesh) return own;
-        const std::optional<TriangleMesh> hull = convexHull(geom.mesh->points);
+        if (!geom.mesh) return solidOf(geom);
+        MeshShapes& shapes = *m_context.assets.shapes;
+        Result<MassProperties> own = shapes.solid(geom.mesh);
+        if (own.ok() || !openAllowed) return own;
+        const std::shared_ptr<const TriangleMesh> hull = shapes.hull(geom.mesh);
         if (!hull) return Error{Code::BadMass, "the points of the mesh lie in one plane"};
-        return solidOf(*hull);
+        return shapes.solid(hull);
     }
 
     /// Body.Mass, evenly over the volumes of the geoms.
@@ -91,17 +94,22 @@ private:
             const GeomSpec& geom = m_body.geoms[i];
             if (geom.mass || geom.density) {
                 m_context.diagnostics.error(Code::Conflict, m_parts[i]->nameRange(),
-                                            m_part.title() + " has a Mass, which is spread over its geoms; " + m_parts[i]->title() + " cannot have its own");
+                                            m_part.title() + " has a Mass, which is spread over its geoms; " +
+                                                m_parts[i]->title() + " cannot have its own");
                 return false;
             }
             Result<MassProperties> s = solid(geom, true);
-            if (!s.ok()) return fail(m_parts[i]->nameRange(), m_parts[i]->title() + " cannot take part in the mass of its body: " + s.error().message);
+            if (!s.ok())
+                return fail(m_parts[i]->nameRange(),
+                            m_parts[i]->title() + " cannot take part in the mass of its body: " + s.error().message);
             solids.push_back(placed(s.value(), geom.pose));
         }
         if (solids.empty() && !m_fields.inertia) {
-            return fail(m_part.nameRange(), m_part.title() + " has a Mass but no geoms to spread it over; give it Inertia or a geom");
+            return fail(m_part.nameRange(),
+                        m_part.title() + " has a Mass but no geoms to spread it over; give it Inertia or a geom");
         }
-        m_body.mass = solids.empty() ? MassProperties{*m_fields.mass, Vec3::Zero(), Mat3::Identity()} : withMass(sum(solids), *m_fields.mass);
+        m_body.mass = solids.empty() ? MassProperties{*m_fields.mass, Vec3::Zero(), Mat3::Identity()}
+                                     : withMass(sum(solids), *m_fields.mass);
         return true;
     }
 
@@ -113,7 +121,8 @@ private:
             Result<MassProperties> s = solid(geom, geom.mass.has_value());
             if (!s.ok()) {
                 Diagnostic& d = m_context.diagnostics.error(Code::BadMass, m_parts[i]->nameRange(),
-                                                            m_parts[i]->title() + " has no mass: " + s.error().message + "; give it Mass in place of Density");
+                                                            m_parts[i]->title() + " has no mass: " + s.error().message +
+                                                                "; give it Mass in place of Density");
                 if (const PlacedAssignment* a = m_parts[i]->assignments.find("Density")) {
                     d.fixes.push_back({"Mass=1", {{a->keyRange(), "Mass"}, {a->valueRange(), "1"}}});
                 }
@@ -126,7 +135,8 @@ private:
             m_body.mass = sum(solids);
             return true;
         }
-        Diagnostic& d = m_context.diagnostics.error(Code::BadMass, m_part.nameRange(), m_part.title() + " has no mass; give one to it or to its geoms");
+        Diagnostic& d = m_context.diagnostics.error(Code::BadMass, m_part.nameRange(),
+                                                    m_part.title() + " has no mass; give one to it or to its geoms");
         m_context.fixAdd(d, m_part, "Mass", "1");
         return false;
     }

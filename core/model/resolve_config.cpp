@@ -13,10 +13,12 @@ using JoinedPairs = std::map<std::pair<int, int>, std::string>;
 void warnOfDoubles(ResolveContext& context, JoinedPairs& pairs, const JointSpec& joint, const Part& part) {
     const auto [it, fresh] = pairs.try_emplace(std::minmax({joint.parent, joint.child}), joint.name);
     if (fresh) return;
-    context.diagnostics.warning(Code::BadJoint, part.nameRange(), "two joints join the same bodies: " + it->second + " and " + joint.name);
+    context.diagnostics.warning(Code::BadJoint, part.nameRange(),
+                                "two joints join the same bodies: " + it->second + " and " + joint.name);
 }
 
-std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides, const Part& config) {
+std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Part& part, ParamScope& scope,
+                                           const OverrideNode* overrides, const Part& config) {
     ParamScope own(&scope);
     own.declare(part.params);
     context.evaluator.checkAll(own);
@@ -28,7 +30,8 @@ std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Part& 
 
 } // namespace
 
-std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config, ParamScope& scope, const OverrideNode* overrides) {
+std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config, ParamScope& scope,
+                                                          const OverrideNode* overrides) {
     auto spec = std::make_shared<RobotConfigSpec>();
     spec->name = config.name;
     spec->range = config.range;
@@ -45,18 +48,21 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
         }
     }
     if (!bodies && !context.brokenText(config.range)) {
-        context.diagnostics.error(Code::MissingRequired, config.nameRange(), config.title() + " needs a Body: the first one carries the robot's pose");
+        context.diagnostics.error(Code::MissingRequired, config.nameRange(),
+                                  config.title() + " needs a Body: the first one carries the robot's pose");
     }
     for (const Part& part : config.parts) {
         if (!part.usable || !part.is(Role::Joint)) continue;
-        std::optional<JointSpec> joint = resolveJoint(context, part, scope, below(overrides, part.name), config, spec->bodies, places);
+        std::optional<JointSpec> joint =
+            resolveJoint(context, part, scope, below(overrides, part.name), config, spec->bodies, places);
         if (!joint) continue;
         warnOfDoubles(context, pairs, *joint, part);
         spec->joints.push_back(std::move(*joint));
     }
     for (const Part& part : config.parts) {
         if (!part.usable || !part.is(Role::Device)) continue;
-        if (auto device = resolveDevice(context, part, scope, below(overrides, part.name), config)) spec->devices.push_back(std::move(*device));
+        if (auto device = resolveDevice(context, part, scope, below(overrides, part.name), config))
+            spec->devices.push_back(std::move(*device));
     }
     return spec;
 }

@@ -1,6 +1,5 @@
 // Geoms of bodies and of scenery.
 #include "model/config_fields.h"
-#include "model/convex_hull.h"
 #include "model/resolve_parts.h"
 #include "schema/value_words.h"
 
@@ -23,6 +22,7 @@ public:
         if (!m_record.complete) return std::nullopt;
         m_geom.name = m_part.name;
         m_geom.range = m_part.range;
+        m_geom.nameRange = m_part.nameRange();
         return readShape() ? std::optional<GeomSpec>(std::move(m_geom)) : std::nullopt;
     }
 
@@ -92,7 +92,8 @@ private:
     std::shared_ptr<const TriangleMesh> load(const std::string& file, const std::vector<double>& scale) {
         const SourceRange place = m_record.rangeOf("File", m_part.nameRange());
         if (scale.size() == 2) {
-            m_context.diagnostics.error(Code::WrongCount, m_record.rangeOf("Scale", m_part.nameRange()), "Scale has 2 elements, it takes one or three numbers");
+            m_context.diagnostics.error(Code::WrongCount, m_record.rangeOf("Scale", m_part.nameRange()),
+                                        "Scale has 2 elements, it takes one or three numbers");
             return nullptr;
         }
         if (!m_context.assets.mesh) return nullptr;
@@ -107,10 +108,9 @@ private:
             m_context.diagnostics.error(Code::BadGeometry, place, "the mesh " + file + " has no triangles");
             return nullptr;
         }
-        const Vec3 s = scale.size() == 3 ? Vec3(scale[0], scale[1], scale[2]) : Vec3::Constant(scale.empty() ? 1 : scale[0]);
-        if (s == Vec3::Ones()) return inReach(*mesh, file, place) ? mesh : nullptr;
-        auto scaled = std::make_shared<TriangleMesh>(*mesh);
-        for (auto& p : scaled->points) for (int i = 0; i < 3; ++i) p[i] *= s[i];
+        const double first = scale.empty() ? 1 : scale[0];
+        const auto scaled = m_context.assets.shapes->scaled(mesh, scale.size() == 3 ? std::array{scale[0], scale[1], scale[2]}
+                                                                                    : std::array{first, first, first});
         return inReach(*scaled, file, place) ? scaled : nullptr;
     }
 
@@ -118,13 +118,14 @@ private:
         double most = 0;
         for (const auto& p : mesh.points) most = std::max({most, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
         if (most <= 1e5) return true;
-        m_context.diagnostics.error(Code::BadGeometry, place, "the mesh " + file + " reaches " + numberText(most) + " m from its origin, more than 100000 m; is a Scale missing?");
+        m_context.diagnostics.error(Code::BadGeometry, place,
+                                    "the mesh " + file + " reaches " + numberText(most) +
+                                        " m from its origin, more than 100000 m; is a Scale missing?");
         return false;
     }
 
-    std::shared_ptr<const TriangleMesh> hullOf(const TriangleMesh& mesh) {
-        std::optional<TriangleMesh> hull = convexHull(mesh.points);
-        if (hull) return std::make_shared<TriangleMesh>(std::move(*hull));
+    std::shared_ptr<const TriangleMesh> hullOf(const std::shared_ptr<const TriangleMesh>& mesh) {
+        if (auto hull = m_context.assets.shapes->hull(mesh)) return hull;
         m_context.diagnostics.error(Code::BadGeometry, m_record.rangeOf("File", m_part.nameRange()),
                                     "the points of the mesh lie in one plane, they have no convex hull");
         return nullptr;
@@ -135,7 +136,7 @@ private:
         m_geom.shape = GeomShape::Convex;
         const std::shared_ptr<const TriangleMesh> mesh = load(f.file, f.scale);
         if (!mesh) return false;
-        m_geom.hull = hullOf(*mesh);
+        m_geom.hull = hullOf(mesh);
         if (!m_geom.hull) return false;
         m_geom.mesh = m_geom.hull;
         m_geom.collideAsHull = true;
@@ -150,7 +151,7 @@ private:
         const std::string shape = f.shape.value_or(m_onBody ? "hull" : "mesh");
         if (shape == "none") m_geom.collide = false;
         m_geom.collideAsHull = shape == "hull" && m_geom.collide;
-        if (m_geom.collideAsHull) m_geom.hull = hullOf(*m_geom.mesh);
+        if (m_geom.collideAsHull) m_geom.hull = hullOf(m_geom.mesh);
         return !m_geom.collideAsHull || m_geom.hull;
     }
 
@@ -183,7 +184,8 @@ private:
 
 } // namespace
 
-std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides, bool onBody) {
+std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides,
+                                    bool onBody) {
     return GeomReader(context, part, scope, overrides, onBody).read();
 }
 
@@ -193,7 +195,8 @@ std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext&
     (void)context.read(config, scope, overrides, Origin::Config);
     for (const Part& part : config.parts) {
         if (!part.usable || !part.is(Role::Geom)) continue;
-        if (std::optional<GeomSpec> geom = resolveGeom(context, part, scope, below(overrides, part.name), false)) geoms->push_back(std::move(*geom));
+        if (std::optional<GeomSpec> geom = resolveGeom(context, part, scope, below(overrides, part.name), false))
+            geoms->push_back(std::move(*geom));
     }
     return geoms;
 }

@@ -76,7 +76,8 @@ private:
         extra.take = [&](const PlacedAssignment& a) {
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
                 const std::vector<std::string> own = propertyNames(*part.kind);
-                return !likely && part.assignments.find("Config") && nearestWords(a.key, own).empty(); // its config is unknown: so is what it has
+                return !likely && part.assignments.find("Config") &&
+                       nearestWords(a.key, own).empty(); // its config is unknown: so is what it has
             }
             taken.push_back(&a);
             return true;
@@ -91,7 +92,9 @@ private:
     void takeValue(const Part& part, const Part& config, const PlacedAssignment& a, ParamScope& scope, Given& given) {
         const bool param = a.path.size() == 1 && config.param(a.key);
         if (!param && a.path.size() > 1 && part.find(a.path[0].text)) {
-            m_context.diagnostics.error(Code::NoSuchPath, a.keyRange(), "set " + a.key.substr(a.path[0].text.size() + 1) + " inside the block of " + a.path[0].text);
+            m_context.diagnostics.error(Code::NoSuchPath, a.keyRange(),
+                                        "set " + a.key.substr(a.path[0].text.size() + 1) + " inside the block of " +
+                                            a.path[0].text);
             return;
         }
         if (!param && !pathLeadsSomewhere(config, a)) return;
@@ -145,7 +148,8 @@ private:
     /// Resolves with the values given. What went wrong only with these values is resolved again for the next instance, so that
     /// each is told of its own fault.
     template <class Spec, class Resolve>
-    std::shared_ptr<const Spec> shared(std::map<std::string, std::shared_ptr<const Spec>>& cache, const Part& config, const Given& given, const Resolve& resolve) {
+    std::shared_ptr<const Spec> shared(std::map<std::string, std::shared_ptr<const Spec>>& cache, const Part& config,
+                                       const Given& given, const Resolve& resolve) {
         const std::string key = config.name + given.key;
         const auto it = cache.find(key);
         if (it != cache.end()) return it->second;
@@ -171,10 +175,16 @@ private:
         m_context.diagnostics = Diagnostics();
         m_context.diagnostics.append(std::move(all));
     }
-    static bool inside(const SourceRange& a, const SourceRange& b) { return a.range.begin >= b.range.begin && a.range.end <= b.range.end; }
+    static bool inside(const SourceRange& a, const SourceRange& b) {
+        return a.range.begin >= b.range.begin && a.range.end <= b.range.end;
+    }
 
-    std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const Given& given) { return shared(m_robots, config, given, resolveRobotConfig); }
-    std::shared_ptr<const std::vector<GeomSpec>> staticConfig(const Part& config, const Given& given) { return shared(m_statics, config, given, resolveStaticConfig); }
+    std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const Given& given) {
+        return shared(m_robots, config, given, resolveRobotConfig);
+    }
+    std::shared_ptr<const std::vector<GeomSpec>> staticConfig(const Part& config, const Given& given) {
+        return shared(m_statics, config, given, resolveStaticConfig);
+    }
 
     /// Counts before anything is built; false after saying that it would be too many.
     bool roomFor(const Part& part, const Part& config, double members, SourceRange place) {
@@ -183,7 +193,8 @@ private:
         m_objects += members * static_cast<double>(it->second);
         if (m_objects <= static_cast<double>(kMaxObjects)) return true;
         if (!m_tooMany) {
-            m_context.diagnostics.error(Code::TooManyObjects, place, "with " + part.title() + " the world would hold more than 200000 objects");
+            m_context.diagnostics.error(Code::TooManyObjects, place,
+                                        "with " + part.title() + " the world would hold more than 200000 objects");
         }
         m_tooMany = true;
         return false;
@@ -198,7 +209,8 @@ private:
         const Record record = readInstance(part, scope, given, config, "StaticConfig");
         if (!config || !record.complete || !roomFor(part, *config, 1, part.nameRange())) return;
         const StaticFields f = fieldsFrom<StaticFields>(record);
-        m_context.out.statics.push_back({part.name, config->name, poseOf(f.pos, f.hpr), staticConfig(*config, given), part.range});
+        m_context.out.statics.push_back(
+            {part.name, config->name, poseOf(f.pos, f.hpr), staticConfig(*config, given), part.range, part.nameRange()});
     }
 
     std::optional<ComponentSpec> controller(const Part& part, ParamScope& scope, const Part* config) {
@@ -216,7 +228,8 @@ private:
     double memberCount(const Part& part, const Record& record) {
         if (!part.is(Role::Layout)) return 1;
         double count = 1;
-        if (const ResolvedValue* value = record.find("Count")) for (double n : value->value.numbers) count *= n;
+        if (const ResolvedValue* value = record.find("Count"))
+            for (double n : value->value.numbers) count *= n;
         return count;
     }
 
@@ -236,14 +249,17 @@ private:
         if (spec->bodies.empty()) return; // said
         if (!part.is(Role::Layout)) {
             const RobotFields f = fieldsFrom<RobotFields>(record);
-            m_context.out.robots.push_back({part.name, poseOf(f.pos, f.hpr), spec, std::move(brain), part.range, part.nameRange()});
+            m_context.out.robots.push_back(
+                {part.name, poseOf(f.pos, f.hpr), spec, std::move(brain), part.range, part.nameRange()});
             return;
         }
-        const std::vector<Pose> poses = part.kind->name == "Grid" ? gridPoses(m_context, part, record) : scatterPoses(m_context, part, record, *spec);
+        const std::vector<Pose> poses =
+            part.kind->name == "Grid" ? gridPoses(m_context, part, record) : scatterPoses(m_context, part, record, *spec);
         for (std::size_t i = 0; i < poses.size(); ++i) {
             std::string name = part.name + "_" + std::to_string(i);
             if (const Part* other = m_context.outline.world.find(name)) {
-                Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, other->nameRange(), "the name " + name + " belongs to a member of " + part.title());
+                Diagnostic& d = m_context.diagnostics.error(Code::DuplicateName, other->nameRange(),
+                                                            "the name " + name + " belongs to a member of " + part.title());
                 d.notes.push_back({"defined here", part.nameRange()});
                 continue;
             }

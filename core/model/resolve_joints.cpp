@@ -9,25 +9,43 @@ namespace trundle {
 namespace {
 
 JointFields jointFields(const std::string& kind, const Record& record, JointType& type) {
-    if (kind == "Slider") { type = JointType::Slider; return fieldsFrom<SliderFields>(record); }
-    if (kind == "Ball") { type = JointType::Ball; return fieldsFrom<BallFields>(record); }
-    if (kind == "Universal") { type = JointType::Universal; return fieldsFrom<UniversalFields>(record); }
-    if (kind == "Fixed") { type = JointType::Fixed; return fieldsFrom<FixedFields>(record); }
-    if (kind == "Suspension") { type = JointType::Suspension; return fieldsFrom<SuspensionFields>(record); }
+    if (kind == "Slider") {
+        type = JointType::Slider;
+        return fieldsFrom<SliderFields>(record);
+    }
+    if (kind == "Ball") {
+        type = JointType::Ball;
+        return fieldsFrom<BallFields>(record);
+    }
+    if (kind == "Universal") {
+        type = JointType::Universal;
+        return fieldsFrom<UniversalFields>(record);
+    }
+    if (kind == "Fixed") {
+        type = JointType::Fixed;
+        return fieldsFrom<FixedFields>(record);
+    }
+    if (kind == "Suspension") {
+        type = JointType::Suspension;
+        return fieldsFrom<SuspensionFields>(record);
+    }
     type = JointType::Hinge;
     return fieldsFrom<HingeFields>(record);
 }
 
 class JointReader {
 public:
-    JointReader(ResolveContext& context, const Part& part, const Record& record) : m_context(context), m_part(part), m_record(record) {}
+    JointReader(ResolveContext& context, const Part& part, const Record& record)
+        : m_context(context), m_part(part), m_record(record) {}
 
     bool read(JointSpec& joint, const std::vector<BodySpec>& bodies, const BodyPlaces& places) {
         const JointFields f = jointFields(m_part.kind->name, m_record, joint.type);
         if (f.parent == f.child) return fail("Child", "the child of " + m_part.title() + " is its parent as well");
         joint.name = m_part.name;
         joint.range = m_part.range;
-        if (!findBody(places, f.child, joint.child) || (f.parent != "world" && !findBody(places, f.parent, joint.parent))) return false;
+        joint.nameRange = m_part.nameRange();
+        if (!findBody(places, f.child, joint.child) || (f.parent != "world" && !findBody(places, f.parent, joint.parent)))
+            return false;
         joint.anchor = f.anchor ? vec3(*f.anchor) : bodies[joint.child].pose.position;
         joint.damping = f.damping;
         joint.friction = f.friction;
@@ -68,8 +86,10 @@ private:
 
     bool checkStops(const JointFields& f) {
         if (!f.lowStop || !f.highStop || *f.lowStop <= *f.highStop) return true;
-        const SourceRange low = m_record.rangeOf("LowStop", m_part.nameRange()), high = m_record.rangeOf("HighStop", m_part.nameRange());
-        Diagnostic& d = m_context.diagnostics.error(Code::BadJoint, low, "the LowStop of " + m_part.title() + " is above its HighStop");
+        const SourceRange low = m_record.rangeOf("LowStop", m_part.nameRange()),
+                          high = m_record.rangeOf("HighStop", m_part.nameRange());
+        Diagnostic& d =
+            m_context.diagnostics.error(Code::BadJoint, low, "the LowStop of " + m_part.title() + " is above its HighStop");
         if (low.known() && high.known() && low != high) {
             const std::string lowText(m_context.texts.slice(low)), highText(m_context.texts.slice(high));
             d.fixes.push_back({"exchange them", {{low, highText}, {high, lowText}}});

@@ -7,7 +7,8 @@ namespace trundle {
 namespace {
 
 /// A user's own `default` takes the place of the built-in one.
-template <class Spec> Spec& placeFor(std::vector<Spec>& all, std::map<std::string, std::uint32_t>& places, const std::string& name) {
+template <class Spec>
+Spec& placeFor(std::vector<Spec>& all, std::map<std::string, std::uint32_t>& places, const std::string& name) {
     if (name == "default") {
         places[name] = 0;
         return all[0];
@@ -19,13 +20,15 @@ template <class Spec> Spec& placeFor(std::vector<Spec>& all, std::map<std::strin
 } // namespace
 
 SettingsSpec resolveSettings(ResolveContext& context) {
-    const SettingsFields f = fieldsFrom<SettingsFields>(context.readSettings());
+    const Record record = context.readSettings();
+    const SettingsFields f = fieldsFrom<SettingsFields>(record);
     SettingsSpec s;
     s.tick = f.tick;
     s.duration = f.duration;
     s.seed = static_cast<std::uint64_t>(f.seed);
     s.gravity = vec3(f.gravity);
     s.solver = f.solver == "exact" ? SolverChoice::Exact : f.solver == "quick" ? SolverChoice::Quick : SolverChoice::Auto;
+    s.solverRange = record.rangeOf("Solver", {});
     s.iterations = f.iterations;
     s.isolation = f.isolation;
     s.title = f.title;
@@ -68,7 +71,7 @@ void resolveSurfaces(ResolveContext& context) {
         scope.declare(part->params);
         const SurfaceFields f = fieldsFrom<SurfaceFields>(context.read(*part, scope, nullptr, Origin::Config));
         SurfaceSpec& s = placeFor(context.out.surfaces, context.surfacePlaces, part->name);
-        s = {part->name, f.friction, f.restitution, f.rollingFriction, f.softness, part->range};
+        s = {part->name, f.friction, f.restitution, f.rollingFriction, f.softness, part->range, part->nameRange()};
     }
     context.surfacePlaces.try_emplace("default", 0);
 }

@@ -16,23 +16,26 @@ void resolveSurfaces(ResolveContext& context);
 }
 
 /// Nothing when the geom cannot be (said).
-[[nodiscard]] std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides, bool onBody);
-[[nodiscard]] std::optional<BodySpec> resolveBody(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides);
+[[nodiscard]] std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, ParamScope& scope,
+                                                  const OverrideNode* overrides, bool onBody);
+[[nodiscard]] std::optional<BodySpec> resolveBody(ResolveContext& context, const Part& part, ParamScope& scope,
+                                                  const OverrideNode* overrides);
 /// Index of a body by name: those of the config that could be resolved.
 using BodyPlaces = std::unordered_map<std::string, int>;
-[[nodiscard]] std::optional<JointSpec> resolveJoint(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides,
-                                                    const Part& config, const std::vector<BodySpec>& bodies,
-                                                    const BodyPlaces& places);
-[[nodiscard]] std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config, ParamScope& scope,
-                                                                        const OverrideNode* overrides);
-[[nodiscard]] std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config, ParamScope& scope,
-                                                                               const OverrideNode* overrides);
+[[nodiscard]] std::optional<JointSpec> resolveJoint(ResolveContext& context, const Part& part, ParamScope& scope,
+                                                    const OverrideNode* overrides, const Part& config,
+                                                    const std::vector<BodySpec>& bodies, const BodyPlaces& places);
+[[nodiscard]] std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& context, const Part& config,
+                                                                        ParamScope& scope, const OverrideNode* overrides);
+[[nodiscard]] std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config,
+                                                                               ParamScope& scope, const OverrideNode* overrides);
 void resolveLogs(ResolveContext& context);
 /// Robots, statics, grids and scatters, in text order.
 void resolveInstances(ResolveContext& context);
 
 /// Where the members of a layout stand. Empty after saying why (E317).
 [[nodiscard]] std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Record& record);
-[[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record, const RobotConfigSpec& config);
+[[nodiscard]] std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const Record& record,
+                                             const RobotConfigSpec& config);
 
 } // namespace trundle

@@ -29,11 +29,13 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
                 return false;
             }
         } else if (!part && !context.outline.unknown.count(name)) {
-            context.unknownReference(property.name, "robot", name, value.range, value.value.texts.size() == 1 && value.origin != Origin::Param, robotNames(context));
+            context.unknownReference(property.name, "robot", name, value.range,
+                                     value.value.texts.size() == 1 && value.origin != Origin::Param, robotNames(context));
             return false;
         } else if (part && part->kind->name != "Robot" && !part->is(Role::Layout)) {
             Diagnostic& d = context.diagnostics.error(Code::UnknownReference, value.range,
-                                                      property.name + " names " + name + ", " + withArticle(part->kind->name) + "; it takes a robot");
+                                                      property.name + " names " + name + ", " + withArticle(part->kind->name) +
+                                                          "; it takes a robot");
             suggest(d, name, robotNames(context), value.range);
             return false;
         }
@@ -53,7 +55,8 @@ void sayDefaults(ResolveContext& context) {
     if (context.defaulted.empty()) return;
     const auto& [part, missing] = context.defaulted.front();
     std::string text = part->title() + " names no " + missing + ": the built-in default serves";
-    if (const std::size_t others = context.defaulted.size() - 1) text += " (here and for " + std::to_string(others) + (others == 1 ? " other geom)" : " other geoms)");
+    if (const std::size_t others = context.defaulted.size() - 1)
+        text += " (here and for " + std::to_string(others) + (others == 1 ? " other geom)" : " other geoms)");
     context.diagnostics.hint(Code::DefaultUsed, part->nameRange(), text);
 }
 
@@ -68,7 +71,8 @@ void resolveLogs(ResolveContext& context) {
         bool good = record.complete;
         for (std::size_t i = 0; i < record.values.size(); ++i) {
             const Property& property = record.kind->properties[i];
-            const bool robots = property.type == PropertyType::Reference && std::count(property.choices.begin(), property.choices.end(), "Robot");
+            const bool robots =
+                property.type == PropertyType::Reference && std::count(property.choices.begin(), property.choices.end(), "Robot");
             if (!robots || !record.values[i] || record.values[i]->origin == Origin::Default) continue;
             good = checkRobots(context, property, *record.values[i]) && good;
         }

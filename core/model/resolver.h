@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "base/triangle_mesh.h"
 #include "model/experiment_spec.h"
+#include "model/mesh_shapes.h"
 #include "model/outline.h"
 
 namespace trundle {
@@ -25,9 +26,11 @@ struct AssetLookup {
     std::function<Result<FoundAsset<HeightMap>>(const std::string& written, FileId file)> heightMap;
     /// The picture's path, an ending added where none is written; fails with the places looked at.
     std::function<Result<std::string>(const std::string& written, FileId file)> texture;
+    std::shared_ptr<MeshShapes> shapes = std::make_shared<MeshShapes>(); ///< of this load and of former ones
 };
 
 /// Resolves everything that can be; what is wrong is said and left out. Modules are filled in by the caller.
-[[nodiscard]] std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLookup& assets, Diagnostics& diagnostics);
+[[nodiscard]] std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLookup& assets,
+                                                      Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -87,7 +87,8 @@ private:
 
     void noSuch(SourceRange place, std::string message, const std::vector<std::string>& words, const std::string& word) {
         Diagnostic& d = m_diagnostics.error(Code::NoSuchPath, place, std::move(message));
-        if (!words.empty()) d.message += "; there " + std::string(words.size() == 1 ? "is " : "are ") + listText(words, "and", 20);
+        if (!words.empty())
+            d.message += "; there " + std::string(words.size() == 1 ? "is " : "are ") + listText(words, "and", 20);
         suggest(d, word, words, place);
     }
 
@@ -108,7 +109,8 @@ private:
             return noSuch(second, "there is no " + kind->name + " " + path[1].text, names, path[1].text);
         }
         if (space) {
-            m_diagnostics.error(Code::NoSuchPath, first, "a path into " + withArticle(kind->name) + " is " + kind->name + ".name.property");
+            m_diagnostics.error(Code::NoSuchPath, first,
+                                "a path into " + withArticle(kind->name) + " is " + kind->name + ".name.property");
             return;
         }
         std::vector<std::string> words = m_outline.world.names();

@@ -10,10 +10,10 @@ namespace trundle {
 
 /// One setting from the command line, laid over the outline.
 struct SetTarget {
-    const Part* part = nullptr;  ///< the block it belongs into; nullptr: the top level of the opened file
-    std::string key;             ///< relative to the block: "Tick", "leftMotor.Resistance"
-    SourceRange value;           ///< the new value, in its own `--set#N` text
-    SourceRange before;          ///< the value it takes the place of; unknown: there is none, it is added
+    const Part* part = nullptr; ///< the block it belongs into; nullptr: the top level of the opened file
+    std::string key;            ///< relative to the block: "Tick", "leftMotor.Resistance"
+    SourceRange value;          ///< the new value, in its own `--set#N` text
+    SourceRange before;         ///< the value it takes the place of; unknown: there is none, it is added
 };
 
 /// A path to one member of a Grid or Scatter, which has no text of its own.
@@ -32,7 +32,10 @@ struct AppliedSets {
 [[nodiscard]] AppliedSets applySets(Outline& outline, Diagnostics& diagnostics);
 
 /// The part that a dotted path begins with, and how many of its words that took; nullptr where it names nothing.
-struct PathStart { const Part* part = nullptr; std::size_t words = 0; };
+struct PathStart {
+    const Part* part = nullptr;
+    std::size_t words = 0;
+};
 [[nodiscard]] PathStart startOfPath(const Outline& outline, std::span<const std::string> path);
 
 } // namespace trundle

@@ -4,7 +4,7 @@ namespace trundle {
 
 namespace {
 
-constexpr double kFarthest = 1e5;      ///< m; beyond it the guard of the world stops a run
+constexpr double kFarthest = 1e5; ///< m; beyond it the guard of the world stops a run
 constexpr double kLargestWhole = 9007199254740992.0;
 
 constexpr Quantity position() { return metres().within(-kFarthest, kFarthest); }
@@ -16,7 +16,8 @@ constexpr Quantity whole(double low, double high) {
 }
 
 template <class T> void describePlace(Describe<T>& d, const char* config, const char* pos) {
-    d.field("Config", &PlaceFields::config, reference(config).required(), std::string("Name of the ") + config + " it is made from.");
+    d.field("Config", &PlaceFields::config, reference(config).required(),
+            std::string("Name of the ") + config + " it is made from.");
     d.field("Pos", &PlaceFields::pos, position(), pos);
     d.field("HPR", &PlaceFields::hpr, angles(), "Heading, pitch and roll.");
 }
@@ -29,7 +30,8 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
     d.field("Duration", &SettingsFields::duration, seconds().within(0, 1e9), "How long to simulate; 0 = until stopped.");
     d.field("Seed", &SettingsFields::seed, whole(0, kLargestWhole), "Start of all random numbers.");
     d.field("Gravity", &SettingsFields::gravity, metresPerSecondSquared().within(-1000, 1000), "Acceleration of free fall.");
-    d.field("Solver", &SettingsFields::solver, oneOf("auto|exact|quick"), "Exact, quick, or chosen by the size of the largest cluster of contacts.");
+    d.field("Solver", &SettingsFields::solver, oneOf("auto|exact|quick"),
+            "Exact, quick, or chosen by the size of the largest cluster of contacts.");
     d.field("Iterations", &SettingsFields::iterations, whole(1, 10000), "Iterations of the quick solver.");
     d.field("Isolation", &SettingsFields::isolation, oneOf("none|module|robot"), "Which controllers share a process.");
     d.field("Title", &SettingsFields::title, text(), "Name of the experiment.");
@@ -42,17 +44,20 @@ void MaterialFields::describe(Describe<MaterialFields>& d) {
     d.field("ColorRGB", &MaterialFields::colour, share, "Red, green and blue.");
     d.field("Texture", &MaterialFields::texture, file("jpg|jpeg|png"), "Picture on the surface; its ending may be left out.");
     d.field("TextureScale", &MaterialFields::textureScale, number().above(0), "How often the picture is repeated.");
-    d.field("TextureMap", &MaterialFields::textureMap, oneOf("auto|planar|box|cylinder|sphere"), "How the picture is laid on the surface.");
+    d.field("TextureMap", &MaterialFields::textureMap, oneOf("auto|planar|box|cylinder|sphere"),
+            "How the picture is laid on the surface.");
     d.field("Shininess", &MaterialFields::shininess, share, "0 = matt, 1 = polished.");
     d.field("Opacity", &MaterialFields::opacity, share, "0 = invisible, 1 = opaque.");
     d.field("Emission", &MaterialFields::emission, share, "Light of its own: red, green and blue.");
 }
 
 void SurfaceFields::describe(Describe<SurfaceFields>& d) {
-    d.help("How a geom touches others. Of a pair hold the smaller friction, the larger restitution and rolling friction, the sum of softness.");
+    d.help("How a geom touches others. Of a pair hold the smaller friction, the larger restitution and rolling friction, the sum "
+           "of softness.");
     d.field("Friction", &SurfaceFields::friction, number().within(0, 1000), "Coefficient of Coulomb friction.");
     d.field("Restitution", &SurfaceFields::restitution, number().within(0, 1), "Share of the speed that a bounce keeps.");
-    d.field("RollingFriction", &SurfaceFields::rollingFriction, metres().within(0, 10), "Lever of the force that brakes rolling.");
+    d.field("RollingFriction", &SurfaceFields::rollingFriction, metres().within(0, 10),
+            "Lever of the force that brakes rolling.");
     d.field("Softness", &SurfaceFields::softness, unitOf("m/N").within(0, 1), "How far it gives per newton.");
 }
 
@@ -61,7 +66,9 @@ void RobotConfigFields::describe(Describe<RobotConfigFields>& d) {
     d.field("SelfCollision", &RobotConfigFields::selfCollision, flag(), "Its bodies collide with each other, save joined ones.");
 }
 
-void StaticConfigFields::describe(Describe<StaticConfigFields>& d) { d.help("Scenery: geoms fixed to the world, to be placed by Static."); }
+void StaticConfigFields::describe(Describe<StaticConfigFields>& d) {
+    d.help("Scenery: geoms fixed to the world, to be placed by Static.");
+}
 
 void RobotFields::describe(Describe<RobotFields>& d) {
     d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path.");
@@ -77,22 +84,26 @@ void GridFields::describe(Describe<GridFields>& d) {
     d.help("Equal robots in rows. Takes what a Robot takes; its members are name_0, name_1 ...");
     describePlace(d, "RobotConfig", "Centre of the pattern.");
     d.field("Count", &GridFields::count, whole(1, 200000).required().counted(1, 2), "How many along x, and along y.");
-    d.field("Spacing", &GridFields::spacing, metres().within(0, kFarthest).required().counted(1, 2), "Distance between neighbours, or along x and along y.");
+    d.field("Spacing", &GridFields::spacing, metres().within(0, kFarthest).required().counted(1, 2),
+            "Distance between neighbours, or along x and along y.");
 }
 
 void ScatterFields::describe(Describe<ScatterFields>& d) {
-    d.help("Equal robots at random places clear of scenery and of each other. Takes what a Robot takes; its members are name_0, name_1 ...");
+    d.help("Equal robots at random places clear of scenery and of each other. Takes what a Robot takes; its members are name_0, "
+           "name_1 ...");
     describePlace(d, "RobotConfig", "Origin of the area.");
     d.field("Count", &ScatterFields::count, whole(1, 200000).required(), "How many.");
     d.field("Area", &ScatterFields::area, position().required(), "x0, y0, x1, y1 about Pos.");
-    d.field("MinDistance", &ScatterFields::minDistance, metres().within(0, kFarthest), "Between the members' origins; where absent, they just do not touch.");
+    d.field("MinDistance", &ScatterFields::minDistance, metres().within(0, kFarthest),
+            "Between the members' origins; where absent, they just do not touch.");
     d.field("Heading", &ScatterFields::heading, angles(), "Of every member; random where absent.");
     d.field("Seed", &ScatterFields::seed, whole(0, kLargestWhole), "0 = the experiment's.");
 }
 
 void ControllerFields::describe(Describe<ControllerFields>& d) {
     d.field("UpdatePeriod", &ControllerFields::updatePeriod, seconds().within(0, 1e6), "Time between its turns; 0 = every tick.");
-    d.field("Isolation", &ControllerFields::isolation, oneOf("none|module|robot"), "Which controllers share its process; where absent, the experiment's.");
+    d.field("Isolation", &ControllerFields::isolation, oneOf("none|module|robot"),
+            "Which controllers share its process; where absent, the experiment's.");
     d.field("Budget", &ControllerFields::budget, milliseconds().above(0), "Time one turn may take.");
 }
 

@@ -9,12 +9,12 @@ namespace trundle {
 namespace fs = std::filesystem;
 
 Status Loader::open(const std::string& path) {
-    Result<std::string> bytes = readFile(path, kMaxTextBytes);
+    const std::string absolute = canonicalPath(path);
+    Result<Bytes> bytes = read(path, absolute, kMaxTextBytes);
     if (!bytes.ok()) return bytes.error();
-    std::error_code ec;
-    const fs::path real = fs::canonical(path, ec);
-    m_byPath.emplace(ec ? path : real.string(), FileId{0});
-    const FileId file = add(path, std::move(bytes).value(), (ec ? fs::path(path) : real).parent_path().string(), {});
+    m_byPath.emplace(absolute, FileId{0});
+    const std::string shown = m_options.shownFrom.empty() ? path : shownPath(absolute, m_options.shownFrom);
+    const FileId file = add(shown, absolute, std::move(bytes).value(), fs::path(absolute).parent_path().string(), {});
     m_open.push_back(file);
     visit(m_texts.trees[file]->items(), file, 0);
     m_open.pop_back();
@@ -22,13 +22,40 @@ Status Loader::open(const std::string& path) {
     return {};
 }
 
-FileId Loader::add(std::string shown, std::string bytes, const std::string& folder, SourceRange importedFrom) {
-    m_bytes += bytes.size();
-    auto text = std::make_shared<const SourceText>(std::move(shown), std::move(bytes));
-    const FileId file = m_sources.add(text, importedFrom);
-    m_texts.trees.push_back(parse(std::move(text), file));
+Result<Loader::Bytes> Loader::read(const std::string& path, const std::string& absolute, std::size_t most) const {
+    if (m_options.texts) {
+        if (const auto held = m_options.texts->find(absolute); held != m_options.texts->end()) {
+            if (held->second->size() > most)
+                return Error{Code::TooLarge, path + " is too large: an experiment may hold 64 MiB of text"};
+            return Bytes{{}, held->second};
+        }
+    }
+    Result<std::string> bytes = readFile(path, most);
+    if (!bytes.ok()) return bytes.error();
+    return Bytes{std::move(bytes).value(), nullptr};
+}
+
+std::shared_ptr<const Tree> Loader::sameAsBefore(FileId file, const std::string& shown, const std::string& absolute,
+                                                 std::string_view bytes) const {
+    const Loaded* before = m_options.previous;
+    if (!before || absolute.empty() || file >= before->paths.size() || before->paths[file] != absolute) return nullptr;
+    const std::shared_ptr<const Tree>& tree = before->trees[file];
+    return tree->source().path() == shown && tree->source().bytes() == bytes ? tree : nullptr;
+}
+
+FileId Loader::add(std::string shown, std::string absolute, Bytes bytes, const std::string& folder, SourceRange importedFrom) {
+    m_bytes += bytes.view().size();
+    const auto file = static_cast<FileId>(m_sources.size());
+    std::shared_ptr<const Tree> tree = sameAsBefore(file, shown, absolute, bytes.view());
+    if (!tree) {
+        tree = parse(std::make_shared<const SourceText>(std::move(shown), bytes.take()), file);
+        ++m_parses;
+    }
+    m_sources.add(tree->sharedSource(), importedFrom);
+    m_texts.trees.push_back(tree);
     m_folders.push_back(folder);
-    m_diagnostics.append(m_texts.trees.back()->diagnostics());
+    m_paths.push_back(std::move(absolute));
+    m_diagnostics.append(tree->diagnostics());
     return file;
 }
 
@@ -60,20 +87,24 @@ void Loader::import(const ImportItem& item, FileId file, int depth) {
         return;
     }
     if (depth + 1 > kMaxImportDepth) {
-        m_diagnostics.error(Code::ImportDepth, range, "imports are nested more than " + std::to_string(kMaxImportDepth) + " deep");
+        m_diagnostics.error(Code::ImportDepth, range,
+                            "imports are nested more than " + std::to_string(kMaxImportDepth) + " deep");
         return;
     }
     if (m_texts.trees.size() >= kMaxFiles) {
-        if (!m_tooMany) m_diagnostics.error(Code::TooManyFiles, range, "an experiment may hold " + std::to_string(kMaxFiles) + " files, this is one more");
+        if (!m_tooMany)
+            m_diagnostics.error(Code::TooManyFiles, range,
+                                "an experiment may hold " + std::to_string(kMaxFiles) + " files, this is one more");
         m_tooMany = true;
         return;
     }
-    Result<std::string> bytes = readFile(path, kMaxTextBytes - m_bytes);
+    const std::string shown = shownPath(path, m_options.shownFrom);
+    Result<Bytes> bytes = read(path, path, kMaxTextBytes - m_bytes);
     if (!bytes.ok()) {
-        m_diagnostics.error(bytes.error().code, range, shownPath(path) + bytes.error().message.substr(path.size()));
+        m_diagnostics.error(bytes.error().code, range, shown + bytes.error().message.substr(path.size()));
         return;
     }
-    const FileId target = add(shownPath(path), std::move(bytes).value(), fs::path(path).parent_path().string(), range);
+    const FileId target = add(shown, path, std::move(bytes).value(), fs::path(path).parent_path().string(), range);
     m_byPath.emplace(path, target);
     m_texts.imports.emplace(&item, target);
     m_open.push_back(target);
@@ -89,18 +120,21 @@ void Loader::cycle(FileId target, SourceRange range) {
         inside = inside || file == target;
         if (inside) chain += m_texts.trees[file]->source().path() + " > ";
     }
-    m_diagnostics.error(Code::ImportCycle, range, "files import each other in a circle: " + chain + m_texts.trees[target]->source().path());
+    m_diagnostics.error(Code::ImportCycle, range,
+                        "files import each other in a circle: " + chain + m_texts.trees[target]->source().path());
 }
 
 void Loader::addSets(const std::vector<std::string>& sets) {
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        const FileId file = add("--set#" + std::to_string(i + 1), sets[i], m_folders[0], {});
+        const FileId file = add("--set#" + std::to_string(i + 1), {}, {sets[i], nullptr}, m_folders[0], {});
         const Tree& tree = *m_texts.trees[file];
         const AssignmentItem* item = tree.items().size() == 1 ? tree.items()[0].as<AssignmentItem>() : nullptr;
-        const bool broken = std::any_of(tree.diagnostics().begin(), tree.diagnostics().end(), [](const Diagnostic& d) { return d.severity == Severity::Error; });
+        const bool broken = std::any_of(tree.diagnostics().begin(), tree.diagnostics().end(),
+                                        [](const Diagnostic& d) { return d.severity == Severity::Error; });
         if (!item && !broken) {
             const auto end = static_cast<std::uint32_t>(sets[i].size());
-            m_diagnostics.error(Code::UnexpectedText, {file, {0, end}}, "--set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3");
+            m_diagnostics.error(Code::UnexpectedText, {file, {0, end}},
+                                "--set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3");
         }
         m_texts.sets.push_back({file, item});
     }

@@ -7,6 +7,7 @@
 
 #include "base/diagnostic.h"
 #include "model/text_set.h"
+#include "project/project.h"
 #include "project/search.h"
 
 namespace trundle {
@@ -22,9 +23,17 @@ struct ModuleMention {
     SourceRange range;  ///< of the path
 };
 
+/// Where a load takes its bytes from, beside the disk, and how it names them.
+struct LoadOptions {
+    const TextOverlay* texts = nullptr; ///< instead of the files
+    const Loaded* previous = nullptr;   ///< trees of it that are still right are taken over
+    std::string shownFrom;              ///< folder that shown paths start from; empty: the opened file as given, others from here
+};
+
 class Loader {
 public:
-    Loader(const FileSearch& search, Diagnostics& diagnostics) : m_search(search), m_diagnostics(diagnostics) {}
+    Loader(const FileSearch& search, Diagnostics& diagnostics, LoadOptions options = {})
+        : m_search(search), m_diagnostics(diagnostics), m_options(std::move(options)) {}
 
     /// Fails only when the file itself cannot be read; what is wrong with its imports is said at their place.
     [[nodiscard]] Status open(const std::string& path);
@@ -35,20 +44,36 @@ public:
     [[nodiscard]] TextSet takeTexts() { return std::move(m_texts); }
     [[nodiscard]] const SourceTable& sources() const { return m_sources; }
     [[nodiscard]] const std::vector<ModuleMention>& modules() const { return m_modules; }
+    /// Absolute, by FileId; "" for a `--set` text.
+    [[nodiscard]] std::vector<std::string> takePaths() { return std::move(m_paths); }
+    [[nodiscard]] std::size_t parses() const { return m_parses; }
     /// The folder of a file, by FileId.
     [[nodiscard]] std::vector<std::string> takeFolders() { return std::move(m_folders); }
 
 private:
-    FileId add(std::string shown, std::string bytes, const std::string& folder, SourceRange importedFrom);
+    /// Bytes of the overlay, or of the disk.
+    struct Bytes {
+        std::string own;
+        std::shared_ptr<const std::string> shared;
+        [[nodiscard]] std::string_view view() const { return shared ? std::string_view(*shared) : std::string_view(own); }
+        [[nodiscard]] std::string take() { return shared ? *shared : std::move(own); }
+    };
+    /// `path` is what to read, `absolute` what it is called in the overlay.
+    [[nodiscard]] Result<Bytes> read(const std::string& path, const std::string& absolute, std::size_t most) const;
+    [[nodiscard]] std::shared_ptr<const Tree> sameAsBefore(FileId file, const std::string& shown, const std::string& absolute,
+                                                           std::string_view bytes) const;
+    FileId add(std::string shown, std::string absolute, Bytes bytes, const std::string& folder, SourceRange importedFrom);
     void visit(const std::vector<Item>& items, FileId file, int depth);
     void import(const ImportItem& item, FileId file, int depth);
     void cycle(FileId target, SourceRange range);
 
     const FileSearch& m_search;
     Diagnostics& m_diagnostics;
+    LoadOptions m_options;
     TextSet m_texts;
     SourceTable m_sources;
-    std::vector<std::string> m_folders;
+    std::vector<std::string> m_folders, m_paths;
+    std::size_t m_parses = 0;
     std::vector<ModuleMention> m_modules;
     std::unordered_map<std::string, FileId> m_byPath; ///< canonical
     std::vector<FileId> m_open;                       ///< the chain of imports being followed

@@ -28,17 +28,20 @@ std::string singles(const Part& layout, const TextSet& texts, const ExperimentSp
     for (const RobotSpec& robot : experiment.robots) {
         if (robot.range != layout.range || !robot.name.starts_with(layout.name + "_")) continue;
         const Vec3 hpr = hprFromRotation(robot.pose.rotation) * (180 / std::numbers::pi);
-        out += (out.empty() ? "Robot " : "\nRobot ") + robot.name + " { Pos=" + triple(robot.pose.position) + " HPR=" + triple(hpr) + rest + " }";
+        out += (out.empty() ? "Robot " : "\nRobot ") + robot.name + " { Pos=" + triple(robot.pose.position) +
+               " HPR=" + triple(hpr) + rest + " }";
     }
     return out;
 }
 
 } // namespace
 
-void sayReplaceBySingles(const MemberPath& member, const Outline& outline, const ExperimentSpec& experiment, Diagnostics& diagnostics) {
+void sayReplaceBySingles(const MemberPath& member, const Outline& outline, const ExperimentSpec& experiment,
+                         Diagnostics& diagnostics) {
     const Part& layout = *member.layout;
     Diagnostic& d = diagnostics.error(Code::ReplaceBySingles, member.range,
-                                      std::string(outline.texts().slice(member.range)) + " is a member of " + layout.title() + " and has no text of its own");
+                                      std::string(outline.texts().slice(member.range)) + " is a member of " + layout.title() +
+                                          " and has no text of its own");
     const std::string text = singles(layout, outline.texts(), experiment);
     if (!text.empty()) d.fixes.push_back({"replace by single instances", {{layout.range, text}}});
 }

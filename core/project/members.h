@@ -5,6 +5,7 @@
 namespace trundle {
 
 /// E323 with the fix that writes a Grid or Scatter out as single robots at their places.
-void sayReplaceBySingles(const MemberPath& member, const Outline& outline, const ExperimentSpec& experiment, Diagnostics& diagnostics);
+void sayReplaceBySingles(const MemberPath& member, const Outline& outline, const ExperimentSpec& experiment,
+                         Diagnostics& diagnostics);
 
 } // namespace trundle

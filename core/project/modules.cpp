@@ -13,7 +13,8 @@ bool onlyUnknown(Code code) { return code == Code::ModuleNotTrusted || code == C
 
 } // namespace
 
-FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatalog& catalog, Registry& registry, Diagnostics& diagnostics) {
+FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatalog& catalog, Registry& registry,
+                         Diagnostics& diagnostics) {
     FoundModules found;
     std::set<std::string> libraries;
     std::set<std::pair<std::string, std::string>> failed; // one message for a module that several files name alike
@@ -33,7 +34,8 @@ FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatal
         if (!module.described) {
             found.open = true;
             diagnostics.warning(Code::ModuleUndescribed, mention.range,
-                                mention.written + " has no description file beside it, so its blocks can neither be checked nor run; build it with trundle_module");
+                                mention.written + " has no description file beside it, so its blocks can neither be checked nor "
+                                                  "run; build it with trundle_module");
             continue;
         }
         for (Kind kind : module.kinds) {

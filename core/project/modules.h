@@ -11,6 +11,7 @@ struct FoundModules {
     std::vector<ModuleSpec> modules;
     bool open = false; ///< the kinds of at least one are not known
 };
-[[nodiscard]] FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatalog& catalog, Registry& registry, Diagnostics& diagnostics);
+[[nodiscard]] FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatalog& catalog, Registry& registry,
+                                       Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -33,7 +33,9 @@ std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
         others.push_back(0);
     }
     for (std::size_t i = 0; i < kept.size(); ++i)
-        if (others[i]) kept[i].message += " (the value is wrong in " + std::to_string(others[i]) + (others[i] == 1 ? " other place too)" : " other places too)");
+        if (others[i])
+            kept[i].message += " (the value is wrong in " + std::to_string(others[i]) +
+                               (others[i] == 1 ? " other place too)" : " other places too)");
     return kept;
 }
 
@@ -100,20 +102,24 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     std::vector<std::string> folders{loaded->projectFolder};
     folders.insert(folders.end(), m_options.includeFolders.begin(), m_options.includeFolders.end());
     folders.push_back(m_options.shippedConfigs);
-    const FileSearch imports(folders);
+    const FileSearch imports(folders, &m_options.texts);
     if (!m_options.resources.empty()) {
         for (const char* below : {"", "/textures", "/meshes"}) folders.push_back(m_options.resources + below);
     }
     const FileSearch pictures(folders);
 
     Diagnostics diagnostics;
-    Loader loader(imports, diagnostics);
+    Loader loader(
+        imports, diagnostics,
+        {&m_options.texts, m_options.previous.get(), m_options.shownFromProject ? loaded->projectFolder : std::string()});
     if (Status status = loader.open(path); !status.ok()) return status.error();
     auto registry = std::make_shared<Registry>(withControllerProperties(*m_builtIn));
     FoundModules modules = findModules(loader.modules(), m_catalog, *registry, diagnostics);
     loader.addSets(m_options.sets);
 
     loaded->sources = loader.sources();
+    loaded->parses = loader.parses();
+    loaded->paths = loader.takePaths();
     const std::vector<std::string> fileFolders = loader.takeFolders();
     auto texts = std::make_shared<TextSet>(loader.takeTexts());
     texts->openModules = modules.open;
@@ -121,8 +127,12 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     loaded->registry = registry;
     std::shared_ptr<Outline> outline = Outline::build(texts, registry, diagnostics);
     AppliedSets sets = applySets(*outline, diagnostics);
-    std::shared_ptr<ExperimentSpec> experiment = resolve(*outline, assetsFrom(fileFolders, pictures, m_meshes), diagnostics);
+    AssetLookup assets = assetsFrom(fileFolders, pictures, m_meshes);
+    if (m_options.previous && m_options.previous->shapes) assets.shapes = m_options.previous->shapes;
+    loaded->shapes = assets.shapes;
+    std::shared_ptr<ExperimentSpec> experiment = resolve(*outline, assets, diagnostics);
     experiment->modules = std::move(modules.modules);
+    loaded->pending = m_meshes.pending();
     for (const MemberPath& member : sets.members) sayReplaceBySingles(member, *outline, *experiment, diagnostics);
     loaded->sets = std::move(sets.targets);
     loaded->outline = std::move(outline);

@@ -14,12 +14,6 @@ namespace {
 
 constexpr int kMostEntries = 2000; ///< of a folder that are looked at for suggestions
 
-std::string absolutePath(const std::string& path) {
-    std::error_code ec;
-    const fs::path canonical = fs::weakly_canonical(path.empty() ? "." : path, ec);
-    return ec ? path : canonical.string();
-}
-
 bool liesUnder(const fs::path& file, const fs::path& folder) {
     const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
     (void)rest;
@@ -34,7 +28,7 @@ void normalise(std::string& written) { std::replace(written.begin(), written.end
 
 std::string projectFolderOf(const std::string& file) {
     std::error_code ec;
-    const fs::path own = fs::path(absolutePath(file)).parent_path();
+    const fs::path own = fs::path(canonicalPath(file)).parent_path();
     for (fs::path folder = own;; folder = folder.parent_path()) {
         if (folder.filename() == "configs" || fs::is_directory(folder / ".trundle", ec)) return folder.string();
         if (folder == folder.parent_path() || folder.empty()) break;
@@ -42,18 +36,31 @@ std::string projectFolderOf(const std::string& file) {
     return own.string();
 }
 
-std::string shownPath(const std::string& absolute) {
+std::string canonicalPath(const std::string& path) {
     std::error_code ec;
-    const fs::path here = fs::current_path(ec);
+    const fs::path absolute = fs::absolute(path.empty() ? "." : path, ec);
+    const fs::path canonical = fs::weakly_canonical(ec ? fs::path(path) : absolute, ec);
+    return ec ? path : canonical.string();
+}
+
+std::string shownPath(const std::string& absolute, const std::string& from) {
+    std::error_code ec;
+    const fs::path here = from.empty() ? fs::current_path(ec) : fs::path(from);
     if (ec || here.empty() || !liesUnder(absolute, here)) return absolute;
     return fs::path(absolute).lexically_relative(here).string();
 }
 
+bool FileSearch::onlyAsText(const std::string& path, std::string& canonical) const {
+    if (!m_texts || m_texts->empty()) return false;
+    canonical = canonicalPath(path);
+    return m_texts->contains(canonical);
+}
+
 std::vector<std::string> FileSearch::roots(const std::string& folder) const {
-    std::vector<std::string> all{absolutePath(folder)};
+    std::vector<std::string> all{canonicalPath(folder)};
     for (const std::string& f : m_folders) {
         if (f.empty()) continue;
-        std::string path = absolutePath(f);
+        std::string path = canonicalPath(f);
         if (std::find(all.begin(), all.end(), path) == all.end()) all.push_back(std::move(path));
     }
     return all;
@@ -72,15 +79,17 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
             const fs::path path = fs::path(root) / name; // an absolute name stays what it is
             const fs::file_status status = fs::status(path, ec);
             loop = loop || isLoop(ec);
-            if (ec || !fs::exists(status)) continue;
-            if (!fs::is_regular_file(status)) {
-                unplain = true;
+            std::string real;
+            if (fs::is_regular_file(status)) {
+                real = fs::canonical(path, ec).string();
+                if (ec) continue;
+            } else if (!onlyAsText(path.string(), real)) {
+                unplain = unplain || fs::exists(status);
                 continue;
             }
-            const fs::path real = fs::canonical(path, ec);
-            if (ec) continue;
-            const bool allowed = std::any_of(folders.begin(), folders.end(), [&](const std::string& f) { return liesUnder(real, f); });
-            if (allowed) return real.string();
+            const bool allowed =
+                std::any_of(folders.begin(), folders.end(), [&](const std::string& f) { return liesUnder(real, f); });
+            if (allowed) return real;
             outside = true;
         }
     }

@@ -25,7 +25,8 @@ std::map<FileId, std::vector<TextEdit>> editsForSets(const Loaded& loaded) {
     const TextSet& texts = loaded.outline->texts();
     std::vector<SetTarget> targets;
     for (const SetTarget& set : loaded.sets) { // a later one of the same path takes the place of the earlier
-        const auto same = std::find_if(targets.begin(), targets.end(), [&](const SetTarget& t) { return t.part == set.part && t.key == set.key; });
+        const auto same = std::find_if(targets.begin(), targets.end(),
+                                       [&](const SetTarget& t) { return t.part == set.part && t.key == set.key; });
         if (same == targets.end()) targets.push_back(set);
         else same->value = set.value;
     }

@@ -13,8 +13,8 @@ namespace trundle {
 
 /// What is known of a module without running its code.
 struct ModuleListing {
-    std::string library;      ///< absolute path
-    bool described = false;   ///< false: no description file beside it; its blocks stay raw text
+    std::string library;    ///< absolute path
+    bool described = false; ///< false: no description file beside it; its blocks stay raw text
     std::vector<Kind> kinds;
 };
 
@@ -30,6 +30,8 @@ public:
     virtual ~MeshSource() = default;
     [[nodiscard]] virtual Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) = 0;
     [[nodiscard]] virtual Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) = 0;
+    /// Whether some answer was "not yet": asked again later, it may be another.
+    [[nodiscard]] virtual bool pending() const { return false; }
 };
 
 } // namespace trundle

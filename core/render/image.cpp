@@ -36,8 +36,8 @@ Result<std::string> jpegBytes(const Image& image, int quality) {
     if (!encoder) return broken(tjGetErrorStr2(nullptr));
     unsigned char* data = nullptr;
     unsigned long size = 0;
-    const int failed = tjCompress2(encoder, image.pixels.data(), int(image.width), 0, int(image.height), TJPF_RGB, &data, &size, TJSAMP_444,
-                                   std::clamp(quality, 1, 100), TJFLAG_ACCURATEDCT);
+    const int failed = tjCompress2(encoder, image.pixels.data(), int(image.width), 0, int(image.height), TJPF_RGB, &data, &size,
+                                   TJSAMP_444, std::clamp(quality, 1, 100), TJFLAG_ACCURATEDCT);
     const std::string why = failed ? tjGetErrorStr2(encoder) : "";
     std::string bytes(reinterpret_cast<const char*>(data), failed ? 0 : size);
     tjFree(data);

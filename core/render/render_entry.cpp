@@ -45,7 +45,9 @@ extern "C" int trundle_render_experiment(const trundle::RenderJob* job) {
     using namespace trundle;
     if (!job) return int(Code::Internal);
     Status status = Error{Code::Internal, "the render library failed"};
-    try { status = renderOnce(*job); } catch (const std::exception& e) { status = Error{Code::PictureFailed, e.what()}; }
+    try {
+        status = renderOnce(*job);
+    } catch (const std::exception& e) { status = Error{Code::PictureFailed, e.what()}; }
     if (status.ok()) return 0;
     if (job->error && job->errorSize > 0) std::snprintf(job->error, job->errorSize, "%s", status.error().message.c_str());
     return int(status.error().code);

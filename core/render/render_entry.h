@@ -18,10 +18,10 @@ struct RenderJob {
     const SignalBlock* block = nullptr;
     bool hasView = false; ///< false: the whole scene from a raised three-quarter view
     double eye[3] = {0, 0, 0}, target[3] = {0, 0, 0}, up[3] = {0, 0, 1}; ///< m, world
-    double fieldOfView = 0; ///< rad, horizontal; 0: the default
-    std::uint32_t width = 1280, height = 720; ///< up to 4096
-    const char* outputPath = nullptr;         ///< .png, .jpg or .jpeg
-    char* error = nullptr;                    ///< one line, ends with NUL; may be null
+    double fieldOfView = 0;                                              ///< rad, horizontal; 0: the default
+    std::uint32_t width = 1280, height = 720;                            ///< up to 4096
+    const char* outputPath = nullptr;                                    ///< .png, .jpg or .jpeg
+    char* error = nullptr;                                               ///< one line, ends with NUL; may be null
     std::size_t errorSize = 0;
 };
 

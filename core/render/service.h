@@ -3,6 +3,7 @@
 // OpenGL outside it.
 
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -10,8 +11,10 @@
 
 #include "model/experiment_spec.h"
 #include "render/image.h"
+#include "render/outline.h"
 #include "scene/masks.h"
 #include "scene/poses.h"
+#include "scene/scene_marks.h"
 #include "scene/view.h"
 
 namespace trundle {
@@ -26,9 +29,14 @@ struct PictureRequest {
     std::optional<CameraView> view;           ///< none: the default view of the scene
     std::uint32_t width = 1280, height = 720; ///< 1 .. kMostPixels
     std::uint32_t mask = kMaskStill;
-    int samples = 4;                          ///< for each pixel; 1: fast and jagged
-    std::shared_ptr<const BodyPoses> poses;   ///< none: start poses
-    std::uint64_t stream = 0; ///< not 0: a newer request of the same stream takes the place of one that still waits
+    int samples = 4;                        ///< for each pixel; 1: fast and jagged
+    std::shared_ptr<const BodyPoses> poses; ///< none: start poses
+    std::uint64_t stream = 0;               ///< not 0: a newer request of the same stream takes the place of one that still waits
+    bool capture = false;                   ///< a simulated camera waits for it: it goes before all views
+    bool wireframe = false;                 ///< robots and statics as lines
+    SceneMarks marks;                       ///< outlined; paths as "robot0/chassis/hull"
+    OutlineStyle outline;
+    std::vector<std::string> hidden; ///< left out, as the marks by path
 };
 
 struct PickRequest {
@@ -45,21 +53,35 @@ struct Picked {
     Vec3 point = Vec3::Zero();
 };
 
-/// Safe to call from any thread. Requests are served in order; a request that cannot be served gives an Error, never a crash.
+/// Safe to call from any thread. Requests are served in order, captures before views; a request that cannot be served gives an
+/// Error, never a crash. A `done` is called once, on the service's thread or, where the request is refused, on any: it must
+/// not wait, nor call the service's destructor.
 class RenderService {
 public:
+    using ImageDone = std::function<void(Result<Image>)>;
+    using PickDone = std::function<void(Result<std::vector<Picked>>)>;
+
     /// Starts the thread and its context. E510 where no OpenGL is to be had.
     [[nodiscard]] static Result<std::unique_ptr<RenderService>> start();
+    /// The same without waiting for the context; where there is none, each request ends with E510.
+    [[nodiscard]] static std::unique_ptr<RenderService> startInBackground();
     /// Waits for the request in work; those behind it end with an Error.
     ~RenderService();
 
-    /// Builds the scene (later, on the thread). The experiment is kept until the scene goes.
-    [[nodiscard]] SceneId addScene(std::shared_ptr<const ExperimentSpec> experiment);
+    /// Builds the scene (later, on the thread), at little cost where one like it is there already. The experiment is kept until
+    /// the scene goes. `ghosts` are drawn grey and translucent under kMaskGhosts.
+    [[nodiscard]] SceneId addScene(std::shared_ptr<const ExperimentSpec> experiment,
+                                   std::shared_ptr<const ExperimentSpec> ghosts = nullptr);
     void removeScene(SceneId scene);
 
     [[nodiscard]] std::future<Result<Image>> draw(PictureRequest request);
+    void draw(PictureRequest request, ImageDone done);
+    /// What is nearest below a pixel.
     [[nodiscard]] std::future<Result<Picked>> pick(PickRequest request);
+    /// Everything below a pixel, nearest first.
+    void pickAll(PickRequest request, PickDone done);
 
+    // Both wait until the context is there; empty and true where there is none.
     [[nodiscard]] const std::string& renderer() const; ///< GL_RENDERER
     [[nodiscard]] bool isSoftware() const;
 

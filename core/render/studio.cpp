@@ -19,7 +19,8 @@ Error refused(std::string why) { return {Code::PictureFailed, std::move(why)}; }
 
 } // namespace
 
-Studio::Studio(std::unique_ptr<EglContext> egl) : m_egl(std::move(egl)), m_context(new GraphicsContext) {
+Studio::Studio(std::unique_ptr<EglContext> egl)
+    : m_egl(std::move(egl)), m_context(new GraphicsContext), m_shapes(std::make_shared<ShapeStore>()) {
     glGetIntegerv(GL_MAX_SAMPLES_EXT, &m_mostSamples);
     m_mostSamples = std::max(1, m_mostSamples);
 }
@@ -33,15 +34,17 @@ Result<std::unique_ptr<Studio>> Studio::open() {
 
 Studio::~Studio() {
     for (auto& [id, stage] : m_stages) stage.scene->root().releaseGLObjects(m_context->getState());
+    m_shapes->releaseGlObjects(m_context->getState());
     m_targets.clear();
     m_stages.clear();
+    m_shapes.reset();
     m_context->release();
     m_context = nullptr;
 }
 
-void Studio::add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment) {
+void Studio::add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<const ExperimentSpec> ghosts) {
     Stage stage;
-    stage.scene = std::make_unique<Scene>(*experiment);
+    stage.scene = std::make_unique<Scene>(*experiment, m_shapes, ghosts.get());
     stage.start = startPoses(*experiment);
     stage.experiment = std::move(experiment);
     m_stages.emplace(id, std::move(stage));
@@ -50,8 +53,9 @@ void Studio::add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment) {
 void Studio::remove(SceneId id) {
     const auto it = m_stages.find(id);
     if (it == m_stages.end()) return;
-    it->second.scene->root().releaseGLObjects(m_context->getState());
+    // What other scenes share stays; the rest is deleted with its last owner.
     m_stages.erase(it);
+    m_shapes->forgetUnused();
     osg::flushAllDeletedGLObjects(m_context->getState()->getContextID());
 }
 
@@ -60,7 +64,8 @@ Result<Studio::Stage*> Studio::stage(SceneId id, const std::shared_ptr<const Bod
     if (it == m_stages.end()) return refused("there is no such scene");
     Stage& stage = it->second;
     if (poses && poses->size() != stage.start.size()) {
-        return refused("poses of " + std::to_string(poses->size()) + " bodies for a scene of " + std::to_string(stage.start.size()));
+        return refused("poses of " + std::to_string(poses->size()) + " bodies for a scene of " +
+                       std::to_string(stage.start.size()));
     }
     stage.scene->setPoses(poses ? *poses : stage.start);
     return &stage;
@@ -89,21 +94,29 @@ Result<Image> Studio::draw(const PictureRequest& request) {
     }
     const Result<Stage*> stage = this->stage(request.scene, request.poses);
     if (!stage) return stage.error();
-    const CameraView view = request.view ? *request.view
-        : defaultView(*stage.value()->experiment, request.poses ? *request.poses : stage.value()->start, request.width, request.height);
+    const CameraView view = request.view
+                                ? *request.view
+                                : defaultView(*stage.value()->experiment, request.poses ? *request.poses : stage.value()->start,
+                                              request.width, request.height);
     if (!isUsable(view)) return refused("no picture can be taken from this view");
     const Result<Target*> target = this->target({request.width, request.height, std::clamp(request.samples, 1, m_mostSamples)});
     if (!target) return target.error();
-    return target.value()->draw(*stage.value()->scene, view, request.mask, static_cast<unsigned>(++m_uses));
+    Scene& scene = *stage.value()->scene;
+    scene.setHidden(request.hidden);
+    scene.setMarks(request.marks);
+    scene.setWireframe(request.wireframe);
+    if (request.mask & kMaskCollision) scene.makeCollision(*stage.value()->experiment);
+    return target.value()->draw(scene, view, request.mask, static_cast<unsigned>(++m_uses), request.outline);
 }
 
-Result<Picked> Studio::pick(const PickRequest& request) {
+Result<std::vector<Picked>> Studio::pick(const PickRequest& request) {
     const Result<Stage*> stage = this->stage(request.scene, request.poses);
     if (!stage) return stage.error();
     if (!isUsable(request.view) || request.width < 1 || request.height < 1) return refused("nothing can be picked in this view");
-    const auto hit =
-        stage.value()->scene->pick(rayThrough(request.view, request.width, request.height, request.x, request.y), request.mask);
-    return hit ? Picked{hit->path, hit->point} : Picked{};
+    std::vector<Picked> all;
+    const ViewRay ray = rayThrough(request.view, request.width, request.height, request.x, request.y);
+    for (const SceneHit& hit : stage.value()->scene->pickAll(ray, request.mask)) all.push_back({hit.path, hit.point});
+    return all;
 }
 
 } // namespace trundle

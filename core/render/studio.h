@@ -15,10 +15,10 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<Studio>> open();
     ~Studio();
 
-    void add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment);
+    void add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<const ExperimentSpec> ghosts);
     void remove(SceneId id);
     [[nodiscard]] Result<Image> draw(const PictureRequest& request);
-    [[nodiscard]] Result<Picked> pick(const PickRequest& request);
+    [[nodiscard]] Result<std::vector<Picked>> pick(const PickRequest& request);
     [[nodiscard]] const EglContext& context() const { return *m_egl; }
 
 private:
@@ -31,9 +31,13 @@ private:
     [[nodiscard]] Result<Stage*> stage(SceneId id, const std::shared_ptr<const BodyPoses>& poses);
     [[nodiscard]] Result<Target*> target(TargetShape shape);
 
-    struct Kept { std::unique_ptr<Target> target; std::uint64_t lastUse = 0; };
+    struct Kept {
+        std::unique_ptr<Target> target;
+        std::uint64_t lastUse = 0;
+    };
     std::unique_ptr<EglContext> m_egl;
     osg::ref_ptr<GraphicsContext> m_context;
+    std::shared_ptr<ShapeStore> m_shapes;
     std::map<SceneId, Stage> m_stages;
     std::map<TargetShape, Kept> m_targets;
     std::uint64_t m_uses = 0;

@@ -23,6 +23,7 @@ Target::Target(GraphicsContext& context, TargetShape shape) : m_context(context)
     camera->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     camera->setClearColor(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
     camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    m_view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR); // the view does not ask its camera
     camera->setViewport(0, 0, int(shape.width), int(shape.height));
     m_view->init();
 }
@@ -64,8 +65,10 @@ Status Target::makeBuffers() {
 
 Target::~Target() {
     osg::GLExtensions& ext = gl(m_context);
-    for (const GLuint* frame : {&m_frame, &m_resolvedFrame}) if (*frame) ext.glDeleteFramebuffers(1, frame);
-    for (const GLuint* buffer : {&m_colour, &m_depth, &m_resolvedColour}) if (*buffer) ext.glDeleteRenderbuffers(1, buffer);
+    for (const GLuint* frame : {&m_frame, &m_resolvedFrame})
+        if (*frame) ext.glDeleteFramebuffers(1, frame);
+    for (const GLuint* buffer : {&m_colour, &m_depth, &m_resolvedColour})
+        if (*buffer) ext.glDeleteRenderbuffers(1, buffer);
     m_view->releaseGLObjects(m_context.getState());
     m_view->getCamera()->setGraphicsContext(nullptr);
 }
@@ -87,29 +90,39 @@ void Target::aim(const Scene& scene, const CameraView& view) {
     }
     const Mat3 axes = cameraAxes(view);
     osg::Matrixd world; // camera to world, as rows of OSG
-    for (int column = 0; column < 3; ++column) for (int row = 0; row < 3; ++row) world(column, row) = axes(row, column);
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) world(column, row) = axes(row, column);
     world.setTrans(view.eye.x(), view.eye.y(), view.eye.z());
     camera->setViewMatrix(osg::Matrixd::inverse(world));
 }
 
-Result<Image> Target::draw(Scene& scene, const CameraView& view, std::uint32_t mask, unsigned frame) {
-    osg::GLExtensions& ext = gl(m_context);
-    m_view->setSceneData(&scene.root());
+void Target::pass(osg::Group& root, std::uint32_t mask, const osg::Vec4& background) {
+    m_view->setSceneData(&root);
     m_view->setCullMask(mask);
-    const_cast<osg::FrameStamp*>(m_view->getFrameStamp())->setFrameNumber(frame);
-    aim(scene, view);
+    m_view->getCamera()->setClearColor(background);
     m_context.setDefaultFboId(m_frame);
-    ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_frame);
+    gl(m_context).glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_frame);
     m_view->cull();
     m_view->draw();
-    Image image = readBack();
+}
+
+Result<Image> Target::draw(Scene& scene, const CameraView& view, std::uint32_t mask, unsigned frame,
+                           const OutlineStyle& outline) {
+    const_cast<osg::FrameStamp*>(m_view->getFrameStamp())->setFrameNumber(frame);
+    aim(scene, view);
+    pass(scene.root(), mask, {0.5f, 0.5f, 0.5f, 1});
+    Image image{m_shape.width, m_shape.height, readBack(GL_RGB, 3)};
+    if (scene.marks().getBound().valid()) {
+        pass(scene.marks(), ~0u, {0, 0, 0, 0});
+        drawOutlines(image, readBack(GL_RGBA, 4), outline);
+    }
     m_view->setSceneData(nullptr);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         return Error{Code::PictureFailed, "OpenGL reports error " + std::to_string(error)};
     return image;
 }
 
-Image Target::readBack() {
+std::vector<std::uint8_t> Target::readBack(GLenum format, std::size_t bytes) {
     osg::GLExtensions& ext = gl(m_context);
     const auto width = GLsizei(m_shape.width), height = GLsizei(m_shape.height);
     if (m_resolvedFrame) {
@@ -118,18 +131,17 @@ Image Target::readBack() {
         ext.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_resolvedFrame);
     }
-    Image image{m_shape.width, m_shape.height, {}};
-    const std::size_t row = std::size_t(m_shape.width) * 3;
-    image.pixels.resize(row * m_shape.height);
+    const std::size_t row = std::size_t(m_shape.width) * bytes;
+    std::vector<std::uint8_t> pixels(row * m_shape.height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+    glReadPixels(0, 0, width, height, format, GL_UNSIGNED_BYTE, pixels.data());
     // OpenGL counts rows from the bottom.
     for (std::size_t y = 0; y < m_shape.height / 2; ++y) {
-        const auto top = image.pixels.begin() + std::ptrdiff_t(y * row),
-                   bottom = image.pixels.begin() + std::ptrdiff_t((m_shape.height - 1 - y) * row);
+        const auto top = pixels.begin() + std::ptrdiff_t(y * row),
+                   bottom = pixels.begin() + std::ptrdiff_t((m_shape.height - 1 - y) * row);
         std::swap_ranges(top, top + std::ptrdiff_t(row), bottom);
     }
-    return image;
+    return pixels;
 }
 
 } // namespace trundle

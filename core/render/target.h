@@ -7,6 +7,7 @@
 
 #include "render/graphics_context.h"
 #include "render/image.h"
+#include "render/outline.h"
 #include "scene/scene.h"
 
 namespace trundle {
@@ -26,13 +27,17 @@ public:
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
 
-    [[nodiscard]] Result<Image> draw(Scene& scene, const CameraView& view, std::uint32_t mask, unsigned frame);
+    /// Marked objects get an outline, in front of whatever hides them.
+    [[nodiscard]] Result<Image> draw(Scene& scene, const CameraView& view, std::uint32_t mask, unsigned frame,
+                                     const OutlineStyle& outline = {});
 
 private:
     Target(GraphicsContext& context, TargetShape shape);
     [[nodiscard]] Status makeBuffers();
     void aim(const Scene& scene, const CameraView& view);
-    [[nodiscard]] Image readBack();
+    void pass(osg::Group& root, std::uint32_t mask, const osg::Vec4& background);
+    /// Rows from the top, each pixel of so many bytes.
+    [[nodiscard]] std::vector<std::uint8_t> readBack(GLenum format, std::size_t bytes);
 
     GraphicsContext& m_context;
     TargetShape m_shape;

@@ -18,7 +18,8 @@ public:
 
     void header(std::string& csv) const override {
         CsvWriter out(csv);
-        for (const char* name : {"time [s]", "first", "second", "x [m]", "y [m]", "z [m]", "normal x", "normal y", "normal z", "depth [m]", "force [N]"})
+        for (const char* name : {"time [s]", "first", "second", "x [m]", "y [m]", "z [m]", "normal x", "normal y", "normal z",
+                                 "depth [m]", "force [N]"})
             out.cell(name);
         out.endRow();
     }
@@ -46,7 +47,8 @@ private:
 
 void ContactLogSettings::describe(Describe<ContactLogSettings>& d) {
     d.help("What touches what: place, normal towards the first, depth and force of each contact of the last tick.");
-    d.field("Robot", &ContactLogSettings::robots, text(), "Contacts of these robots only: names, a Grid's name, or a pattern such as \"robot*\".");
+    d.field("Robot", &ContactLogSettings::robots, text(),
+            "Contacts of these robots only: names, a Grid's name, or a pattern such as \"robot*\".");
     describeLogSettings(d);
 }
 

@@ -34,7 +34,8 @@ private:
 
 void EnergyLogSettings::describe(Describe<EnergyLogSettings>& d) {
     d.help("Kinetic and potential energy of robots.");
-    d.field("Robot", &EnergyLogSettings::robots, text(), "Robots to log: names, a Grid's name, or a pattern such as \"robot*\"; all by default.");
+    d.field("Robot", &EnergyLogSettings::robots, text(),
+            "Robots to log: names, a Grid's name, or a pattern such as \"robot*\"; all by default.");
     describeLogSettings(d);
 }
 

@@ -1,11 +1,13 @@
 #include "run/experiment_runner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include <trundle/abi.h>
 
 #include "run/log_kinds.h"
+#include "schema/value_words.h"
 
 namespace trundle {
 namespace {
@@ -19,20 +21,36 @@ ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions opti
     : m_options(std::move(options)), m_world(std::move(world)), m_folder(m_options.logFolder),
       m_tellsDropped(1, m_world->experiment().settings.tick) {
     (void)m_tellsDropped.due(0);
-    m_world->setDeviceText([this](const std::string& device, int severity, const std::string& text) { say(device, severity, text); });
+    m_world->setDeviceText(
+        [this](const std::string& device, int severity, const std::string& text) { say(device, severity, text); });
 }
 
 void ExperimentRunner::say(const std::string& who, int severity, const std::string& text) {
     if (!m_options.console) return;
     const std::string_view part = m_console.pass(who, m_world->ticks(), text);
-    if (!part.empty() || text.empty()) m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, std::string(part));
+    if (!part.empty() || text.empty())
+        m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, std::string(part));
 }
 
 void ExperimentRunner::tellDropped() {
     for (const auto& [who, lines] : m_console.takeDropped()) {
-        const std::string text = codeName(Code::DroppedLines) + ": \u2026 " + std::to_string(lines) + (lines == 1 ? " line dropped" : " lines dropped");
-        if (m_options.console) m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, TRUNDLE_WARNING, text);
+        const std::string text = codeName(Code::DroppedLines) + ": \u2026 " + std::to_string(lines) +
+                                 (lines == 1 ? " line dropped" : " lines dropped");
+        if (m_options.console)
+            m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, TRUNDLE_WARNING, text);
     }
+}
+
+/// Its time grows with the cube of what touches: whoever asked for it may wait for minutes and not know why.
+void ExperimentRunner::warnOfCluster() {
+    m_toldCluster = true;
+    const SettingsSpec& settings = experiment().settings;
+    Diagnostic d{Severity::Warning, Code::BigCluster, "", settings.solverRange, {}, {}, {}};
+    d.message = "at t = " + numberText(tickTime(m_world->ticks(), settings.tick)) + " s " +
+                std::to_string(m_world->largestExactCluster()) +
+                " contacts hang together; Solver = exact gets very slow with so many, auto takes the quick solver then";
+    if (d.range.known()) d.fixes.push_back({"auto", {{d.range, "auto"}}});
+    m_warnings.push_back(std::move(d));
 }
 
 Status ExperimentRunner::fail(const Error& error, SourceRange range) {
@@ -59,7 +77,8 @@ ControllerOutlet ExperimentRunner::outletFor(const RobotSpec& robot) {
         return static_cast<int>(m_controllerLogs.size() - 1);
     };
     outlet.writeLog = [this](int log, std::string_view bytes) {
-        if (log >= 0 && static_cast<std::size_t>(log) < m_controllerLogs.size()) m_controllerLogs[static_cast<std::size_t>(log)]->write(bytes);
+        if (log >= 0 && static_cast<std::size_t>(log) < m_controllerLogs.size())
+            m_controllerLogs[static_cast<std::size_t>(log)]->write(bytes);
     };
     return outlet;
 }
@@ -78,26 +97,30 @@ void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnost
             report(backend.error(), spec);
             continue;
         }
-        m_controllers.push_back({i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick)});
+        m_controllers.push_back(
+            {i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick)});
         const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outletFor(robots[i]));
         if (!started) report(started.error(), spec);
     }
 }
 
 void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
+    std::set<std::string> said; // a folder that cannot be written is one mistake, however many logs
     for (const ComponentSpec& spec : experiment().logs) {
         const std::size_t errorsBefore = diagnostics.errorCount();
         std::unique_ptr<Log> log = makeLog(spec, *m_world, diagnostics);
         if (!log || diagnostics.errorCount() > errorsBefore || m_options.logFolder.empty()) continue;
         const Result<LogFile*> file = m_folder.create(logFileName(spec));
         if (!file) {
-            diagnostics.error(file.error().code, spec.nameRange, file.error().message);
+            if (said.insert(file.error().message).second)
+                diagnostics.error(file.error().code, spec.nameRange, file.error().message);
             continue;
         }
         m_rows.clear();
         log->header(m_rows);
         file.value()->write(m_rows);
-        m_logs.push_back({std::move(log), file.value(), Schedule(spec.number("Interval"), experiment().settings.tick), spec.nameRange});
+        m_logs.push_back(
+            {std::move(log), file.value(), Schedule(spec.number("Interval"), experiment().settings.tick), spec.nameRange});
     }
     if (const Status written = writeLogs(); !written && m_failure) diagnostics.append({*m_failure});
 }
@@ -109,25 +132,54 @@ void ExperimentRunner::command(decltype(Command::what) what) { m_commands.push_b
 Status ExperimentRunner::apply(const Command& command) {
     if (const auto* push = std::get_if<PushCommand>(&command.what)) return m_world->push(push->body, push->force, push->point);
     if (const auto* place = std::get_if<PlaceCommand>(&command.what)) return m_world->place(place->robot, place->pose);
-    const auto& signal = std::get<SignalCommand>(command.what);
+    if (const auto* signal = std::get_if<SignalCommand>(&command.what)) return apply(*signal);
+    if (const auto* hold = std::get_if<HoldCommand>(&command.what)) return apply(*hold);
+    if (const auto* surface = std::get_if<SurfaceCommand>(&command.what)) return m_world->setSurface(surface->surface);
+    return apply(std::get<PropertyCommand>(command.what));
+}
+
+Status ExperimentRunner::apply(const SignalCommand& signal) {
     const SignalEntry* entry = m_world->layout().find(signal.path);
     if (!entry) return Error{Code::NoSuchPath, "there is no signal " + signal.path};
-    if (entry->direction != SignalDirection::Command || entry->count != 1) return Error{Code::WrongPlace, signal.path + " is no command"};
+    if (entry->direction != SignalDirection::Command || entry->count != 1)
+        return Error{Code::WrongPlace, signal.path + " is no command"};
     if (!std::isfinite(signal.value)) return Error{Code::OutOfRange, "the value for " + signal.path + " is not a finite number"};
     m_world->block().slots()[entry->offset] = signal.value;
     return {};
 }
 
+ExperimentRunner::Controller* ExperimentRunner::controllerOf(const std::string& robot) {
+    const auto it =
+        std::ranges::find_if(m_controllers, [&](const Controller& c) { return experiment().robots[c.robot].name == robot; });
+    return it == m_controllers.end() ? nullptr : &*it;
+}
+
+/// A robot without a controller is held by nobody anyway.
+Status ExperimentRunner::apply(const HoldCommand& hold) {
+    if (Controller* controller = controllerOf(hold.robot)) controller->held = hold.held;
+    return {};
+}
+
+Status ExperimentRunner::apply(const PropertyCommand& command) {
+    const std::size_t slash = command.object.find('/');
+    Controller* controller = controllerOf(command.object.substr(0, slash));
+    const bool meant = controller && slash != std::string::npos &&
+                       experiment().robots[controller->robot].controller->name == command.object.substr(slash + 1);
+    if (meant) return controller->backend->set(command.property, command.value);
+    return m_world->setProperty(command.object, command.property, command.value);
+}
+
 void ExperimentRunner::applyCommands() {
     for (; m_applied < m_commands.size(); ++m_applied)
-        if (const Status done = apply(m_commands[m_applied]); !done) say("", TRUNDLE_ERROR, "command refused: " + done.error().message);
+        if (const Status done = apply(m_commands[m_applied]); !done)
+            say("", TRUNDLE_ERROR, "command refused: " + done.error().message);
 }
 
 Status ExperimentRunner::think() {
     const std::uint64_t tick = m_world->ticks();
     const double time = m_world->time();
     for (Controller& controller : m_controllers) {
-        if (!controller.schedule.due(tick)) continue;
+        if (!controller.schedule.due(tick) || controller.held) continue;
         const double sinceLast = controller.called ? time - controller.lastTime : 0;
         controller.lastTime = time;
         controller.called = true;
@@ -161,6 +213,7 @@ Status ExperimentRunner::tick() {
         const Fault* fault = m_world->fault();
         return fail(done.error(), fault ? fault->range : SourceRange{});
     }
+    if (!m_toldCluster && m_world->largestExactCluster() > 0) warnOfCluster();
     if (m_tellsDropped.due(m_world->ticks())) tellDropped();
     return writeLogs();
 }

@@ -23,6 +23,7 @@ public:
     Status tick() override;
     void command(decltype(Command::what) what) override;
     const std::vector<Command>& commands() const override { return m_commands; }
+    const std::vector<Diagnostic>& warnings() const override { return m_warnings; }
     const Diagnostic* failure() const override { return m_failure ? &*m_failure : nullptr; }
     Status finish() override;
     World& world() override { return *m_world; }
@@ -34,7 +35,7 @@ private:
         std::unique_ptr<ControllerBackend> backend;
         Schedule schedule;
         double lastTime = 0;
-        bool called = false;
+        bool called = false, held = false;
     };
     struct OpenLog {
         std::unique_ptr<Log> log;
@@ -47,10 +48,15 @@ private:
     ControllerOutlet outletFor(const RobotSpec& robot);
     void say(const std::string& who, int severity, const std::string& text);
     void tellDropped();
+    void warnOfCluster();
     Status fail(const Error& error, SourceRange range);
 
     void applyCommands();
     Status apply(const Command& command);
+    Status apply(const SignalCommand& command);
+    Status apply(const HoldCommand& command);
+    Status apply(const PropertyCommand& command);
+    [[nodiscard]] Controller* controllerOf(const std::string& robot);
     Status think();
     Status writeLogs();
 
@@ -63,9 +69,11 @@ private:
     std::vector<LogFile*> m_controllerLogs; // by the number a controller was given
     std::vector<Command> m_commands;
     std::size_t m_applied = 0; // commands before this one are done
+    std::vector<Diagnostic> m_warnings;
     std::optional<Diagnostic> m_failure;
     Schedule m_tellsDropped; // once a second
     std::string m_rows;
+    bool m_toldCluster = false;
     bool m_finished = false;
 };
 

@@ -46,7 +46,8 @@ template <class T> T settingsFrom(const ComponentSpec& spec) {
 
 /// Describes what every log has, after its own fields.
 template <class T> void describeLogSettings(Describe<T>& d) {
-    d.field("Interval", &T::interval, seconds().atLeast(0), "Time between rows; 0 writes one every tick. The initial state is always there.");
+    d.field("Interval", &T::interval, seconds().atLeast(0),
+            "Time between rows; 0 writes one every tick. The initial state is always there.");
     d.field("File", &T::file, text(), "File in the log folder; by default the log's name with .csv.");
 }
 

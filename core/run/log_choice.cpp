@@ -30,7 +30,8 @@ void unknownName(const ComponentSpec& spec, const char* key, const std::string& 
                  const std::vector<std::string>& names, const std::string& best, Diagnostics& diagnostics) {
     const ResolvedValue* value = spec.find(key);
     Diagnostic& d = diagnostics.error(Code::UnknownReference, value && value->range.known() ? value->range : spec.nameRange,
-                                      "no " + what + " is called '" + written + "'; " + (best.empty() ? listed(names) : "its members are meant by '" + best + "'"));
+                                      "no " + what + " is called '" + written + "'; " +
+                                          (best.empty() ? listed(names) : "its members are meant by '" + best + "'"));
     d.suggestions = best.empty() ? nearestWords(written, names) : std::vector<std::string>{best};
 }
 
@@ -121,7 +122,9 @@ std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const S
                 found = true;
             }
         }
-        if (!found) unknownName(spec, "Signals", "signal", name, signalNamesNear(name, layout), patternForMembers(name, layout), diagnostics);
+        if (!found)
+            unknownName(spec, "Signals", "signal", name, signalNamesNear(name, layout), patternForMembers(name, layout),
+                        diagnostics);
     }
     return signals;
 }

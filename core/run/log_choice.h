@@ -16,9 +16,11 @@ namespace trundle {
 
 /// Indices of the robots under `Robot`, rising: names, wildcards, or a Grid's or Scatter's name for all its members. All robots where
 /// nothing is named. A name that means no robot is an error.
-[[nodiscard]] std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vector<RobotSpec>& robots, Diagnostics& diagnostics);
+[[nodiscard]] std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vector<RobotSpec>& robots,
+                                                    Diagnostics& diagnostics);
 
 /// The signals under `Signals`, in the text's order, each once. A name that means no signal is an error.
-[[nodiscard]] std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const SignalLayout& layout, Diagnostics& diagnostics);
+[[nodiscard]] std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const SignalLayout& layout,
+                                                            Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -29,8 +29,10 @@ Status makeFolders(const fs::path& root, const fs::path& inner) {
     for (const fs::path& part : inner) {
         at /= part;
         const fs::file_status status = fs::symlink_status(at, failed);
-        if (fs::is_symlink(status)) return unwritable(at.string(), "it is a symbolic link, which could lead out of the log folder");
-        if (fs::exists(status) && !fs::is_directory(status)) return unwritable(at.string(), "a file stands where a folder is needed");
+        if (fs::is_symlink(status))
+            return unwritable(at.string(), "it is a symbolic link, which could lead out of the log folder");
+        if (fs::exists(status) && !fs::is_directory(status))
+            return unwritable(at.string(), "a file stands where a folder is needed");
         if (!fs::exists(status) && !fs::create_directory(at, failed)) return unwritable(at.string(), failed.message());
     }
     return {};
@@ -144,7 +146,8 @@ Result<LogFile*> LogFolder::create(std::string_view name) {
     std::error_code failed;
     const fs::file_status status = fs::symlink_status(path, failed);
     if (fs::is_symlink(status)) return unwritable(path.string(), "it is a symbolic link, which could lead out of the log folder");
-    if (fs::exists(status) && !fs::is_regular_file(status)) return unwritable(path.string(), "something that is no file stands there");
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        return unwritable(path.string(), "something that is no file stands there");
     // A new file, not the old one emptied: a hard link elsewhere keeps its content.
     if (fs::exists(status) && !fs::remove(path, failed)) return unwritable(path.string(), failed.message());
     std::FILE* file = std::fopen(path.c_str(), "wbxe");

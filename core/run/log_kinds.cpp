@@ -58,4 +58,9 @@ void checkLogs(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
     }
 }
 
+void checkLogSignals(const ExperimentSpec& experiment, const SignalLayout& layout, Diagnostics& diagnostics) {
+    for (const ComponentSpec& spec : experiment.logs)
+        if (spec.find("Signals")) (void)chooseSignals(spec, layout, diagnostics);
+}
+
 } // namespace trundle

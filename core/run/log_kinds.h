@@ -16,6 +16,10 @@ namespace trundle {
 [[nodiscard]] std::string logFileName(const ComponentSpec& spec);
 
 /// What can be said of an experiment's logs without a world: robots that do not exist, files that may not be, files named twice.
+/// Says nothing of signals.
 void checkLogs(const ExperimentSpec& experiment, Diagnostics& diagnostics);
+
+/// Says which Signals of the logs do not exist in the layout of the experiment's world.
+void checkLogSignals(const ExperimentSpec& experiment, const SignalLayout& layout, Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -13,7 +13,8 @@ public:
 
     void header(std::string& csv) const override {
         CsvWriter out(csv);
-        for (const char* name : {"time [s]", "robot", "x [m]", "y [m]", "z [m]", "heading [deg]", "pitch [deg]", "roll [deg]"}) out.cell(name);
+        for (const char* name : {"time [s]", "robot", "x [m]", "y [m]", "z [m]", "heading [deg]", "pitch [deg]", "roll [deg]"})
+            out.cell(name);
         out.endRow();
     }
 
@@ -23,7 +24,8 @@ public:
             const Pose pose = world.robotPose(robot);
             const Vec3 hpr = hprFromRotation(pose.rotation).unaryExpr(&readableDegrees);
             out.cell(time).cell(world.experiment().robots[robot].name);
-            for (const double v : {pose.position.x(), pose.position.y(), pose.position.z(), hpr.x(), hpr.y(), hpr.z()}) out.cell(v);
+            for (const double v : {pose.position.x(), pose.position.y(), pose.position.z(), hpr.x(), hpr.y(), hpr.z()})
+                out.cell(v);
             out.endRow();
         }
     }
@@ -36,7 +38,8 @@ private:
 
 void PoseLogSettings::describe(Describe<PoseLogSettings>& d) {
     d.help("Where robots are: position and heading, pitch, roll of each.");
-    d.field("Robot", &PoseLogSettings::robots, text(), "Robots to log: names, a Grid's name, or a pattern such as \"robot*\"; all by default.");
+    d.field("Robot", &PoseLogSettings::robots, text(),
+            "Robots to log: names, a Grid's name, or a pattern such as \"robot*\"; all by default.");
     describeLogSettings(d);
 }
 

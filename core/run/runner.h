@@ -15,18 +15,21 @@
 namespace trundle {
 
 /// Makes the backend of a robot's controller. Fails with a module diagnostic.
-using BackendFactory = std::function<Result<std::unique_ptr<ControllerBackend>>(const RobotSpec& robot, const SettingsSpec& settings)>;
+using BackendFactory =
+    std::function<Result<std::unique_ptr<ControllerBackend>>(const RobotSpec& robot, const SettingsSpec& settings)>;
 
 struct RunOptions {
-    std::string logFolder;  ///< this run's own files in it are replaced; nothing is written outside it. Empty: no logs
+    std::string logFolder; ///< this run's own files in it are replaced; nothing is written outside it. Empty: no logs
     std::function<void(double time, const std::string& robot, int severity, const std::string& text)> console;
+    std::shared_ptr<void> keeps; ///< let go when controllers and devices are gone: the libraries that their code is in
 };
 
 class Runner {
 public:
     /// Builds world and controllers. Problems go to `diagnostics`; with an error there is no runner.
-    [[nodiscard]] static std::unique_ptr<Runner> create(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
-                                                        const BackendFactory& backends, RunOptions options, Diagnostics& diagnostics);
+    [[nodiscard]] static std::unique_ptr<Runner> create(std::shared_ptr<const ExperimentSpec> experiment,
+                                                        const DeviceCode& devices, const BackendFactory& backends,
+                                                        RunOptions options, Diagnostics& diagnostics);
     virtual ~Runner() = default;
 
     /// think, then World::tick, then logs. A failed controller or a blown-up world ends the run: see error().
@@ -34,6 +37,8 @@ public:
     /// Enters a command for the coming tick; it is stamped and kept.
     virtual void command(decltype(Command::what) what) = 0;
     [[nodiscard]] virtual const std::vector<Command>& commands() const = 0;
+    /// What a person should know of a run that goes on, each once, in the order it came up.
+    [[nodiscard]] virtual const std::vector<Diagnostic>& warnings() const = 0;
     /// What ended the run early, with its place; nullptr while all is well. Set by a tick() or finish() that failed.
     [[nodiscard]] virtual const Diagnostic* failure() const = 0;
     /// Stops the controllers, flushes and closes logs; also done by the destructor.

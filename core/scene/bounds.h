@@ -23,9 +23,18 @@ struct Bounds {
         return empty() ? 0.0 : (point - point.cwiseMax(low).cwiseMin(high)).norm();
     }
 
-    void add(const Vec3& point) { low = low.cwiseMin(point); high = high.cwiseMax(point); }
-    void add(const Bounds& other) { low = low.cwiseMin(other.low); high = high.cwiseMax(other.high); }
-    void grow(double by) { low.array() -= by; high.array() += by; }
+    void add(const Vec3& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    void add(const Bounds& other) {
+        low = low.cwiseMin(other.low);
+        high = high.cwiseMax(other.high);
+    }
+    void grow(double by) {
+        low.array() -= by;
+        high.array() += by;
+    }
 };
 
 } // namespace trundle

@@ -17,7 +17,8 @@ std::vector<FloorPlane> floorPlanes(const ExperimentSpec& experiment) {
             if (geom.shape != GeomShape::Plane || !geom.visible) continue;
             FloorPlane floor{fixed.pose * geom.pose, {0.6, 0.6, 0.6}, fixed.name + "/" + geom.name};
             if (geom.material < experiment.materials.size()) floor.colour = experiment.materials[geom.material].colour;
-            if (!floor.pose.position.allFinite() || !floor.pose.rotation.coeffs().allFinite() || floor.pose.position.norm() > 1e6) continue;
+            if (!floor.pose.position.allFinite() || !floor.pose.rotation.coeffs().allFinite() || floor.pose.position.norm() > 1e6)
+                continue;
             const bool known = std::any_of(floors.begin(), floors.end(), [&](const FloorPlane& other) {
                 return other.normal().dot(floor.normal()) > 1 - 1e-9 &&
                        std::abs(floor.normal().dot(other.pose.position - floor.pose.position)) < 1e-6;
@@ -37,13 +38,15 @@ std::optional<std::size_t> levelFloor(const std::vector<FloorPlane>& floors) {
     return best;
 }
 
-osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, const Bounds& about, double reach, const Look& look) {
+osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, const Bounds& about, double reach,
+                                      const Look& look) {
     // The quad keeps the plane's own frame, so that the lines of the grid stand where the text says the plane is.
     const Vec3 middle = about.empty() ? floor.pose.position : about.centre();
     const Vec3 local = floor.pose.inverse() * middle;
     const double r = reach;
     osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
-    for (const auto& [x, y] : {std::pair{-r, -r}, {r, -r}, {r, r}, {-r, r}}) points->push_back(osg::Vec3(local.x() + x, local.y() + y, 0));
+    for (const auto& [x, y] : {std::pair{-r, -r}, {r, -r}, {r, r}, {-r, r}})
+        points->push_back(osg::Vec3(local.x() + x, local.y() + y, 0));
     osg::ref_ptr<osg::Geometry> quad = new osg::Geometry;
     quad->setUseDisplayList(false);
     quad->setUseVertexBufferObjects(true);
@@ -53,7 +56,8 @@ osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, c
     osg::StateSet* state = quad->getOrCreateStateSet();
     state->setAttributeAndModes(look.floor);
     const auto share = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
-    state->addUniform(new osg::Uniform("floorColour", osg::Vec3(share(floor.colour[0]), share(floor.colour[1]), share(floor.colour[2]))));
+    state->addUniform(
+        new osg::Uniform("floorColour", osg::Vec3(share(floor.colour[0]), share(floor.colour[1]), share(floor.colour[2]))));
     const Vec3 n = floor.normal();
     state->addUniform(new osg::Uniform("floorLight", lightOn(osg::Vec3(n.x(), n.y(), n.z()))));
     // Whatever lies in the plane of a floor is seen, not the floor.

@@ -40,9 +40,11 @@ void Batch::add(const GeomSpec& geom, std::uint32_t index, const ShapeMesh& mesh
     const auto first = static_cast<std::uint32_t>(points->size());
     ranges->ranges.push_back({first, index});
     const Mat3 turn = geom.pose.rotation.toRotationMatrix();
-    const osg::Vec4ub colour(byteOf(material.colour[0]), byteOf(material.colour[1]), byteOf(material.colour[2]), byteOf(material.opacity));
+    const osg::Vec4ub colour(byteOf(material.colour[0]), byteOf(material.colour[1]), byteOf(material.colour[2]),
+                             byteOf(material.opacity));
     const auto share = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
-    const osg::Vec4 light(share(material.emission[0]), share(material.emission[1]), share(material.emission[2]), share(material.shininess));
+    const osg::Vec4 light(share(material.emission[0]), share(material.emission[1]), share(material.emission[2]),
+                          share(material.shininess));
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         const Vec3 p = geom.pose.position + turn * mesh.points[i].cast<double>();
         const Vec3 n = turn * mesh.normals[i].cast<double>();
@@ -71,7 +73,9 @@ osg::ref_ptr<osg::Geometry> Batch::finish(osg::StateSet* state) const {
     return geometry;
 }
 
-bool isRound(const GeomSpec& g) { return g.shape != GeomShape::Mesh && g.shape != GeomShape::Convex && g.shape != GeomShape::Heightfield; }
+bool isRound(const GeomSpec& g) {
+    return g.shape != GeomShape::Mesh && g.shape != GeomShape::Convex && g.shape != GeomShape::Heightfield;
+}
 bool finite(const GeomSpec& g) {
     return g.pose.position.allFinite() && g.pose.rotation.coeffs().allFinite() && g.pose.position.norm() < 1e6;
 }
@@ -95,6 +99,23 @@ osg::ref_ptr<osg::Geometry> merged(std::span<const GeomSpec> geoms, const std::v
     return batch.points->empty() ? nullptr : batch.finish(state);
 }
 
+osg::ref_ptr<osg::Geometry> partOf(const osg::Geometry& whole, const std::function<bool(std::uint32_t)>& keep) {
+    osg::ref_ptr<osg::Geometry> part = new osg::Geometry(whole, osg::CopyOp::SHALLOW_COPY);
+    part->removePrimitiveSet(0, part->getNumPrimitiveSets());
+    osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    const auto* ranges = dynamic_cast<const GeomRanges*>(whole.getUserData());
+    const auto* all =
+        whole.getNumPrimitiveSets() ? dynamic_cast<const osg::DrawElementsUInt*>(whole.getPrimitiveSet(0)) : nullptr;
+    if (ranges && all) {
+        for (std::size_t i = 0; i + 2 < all->size(); i += 3) {
+            if (keep(ranges->geomOf((*all)[i])))
+                triangles->insert(triangles->end(), all->begin() + long(i), all->begin() + long(i) + 3);
+        }
+    }
+    part->addPrimitiveSet(triangles);
+    return part;
+}
+
 } // namespace
 
 std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
@@ -103,13 +124,15 @@ std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
     return after == ranges.begin() ? 0 : std::prev(after)->geom;
 }
 
-osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials, const Look& look) {
+osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
+                                      const Look& look) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     osg::ref_ptr<GeomNames> names = new GeomNames;
     for (const GeomSpec& geom : geoms) names->names.push_back(geom.name);
     group->setUserData(names);
     const auto shapes = [&](Fineness fineness) {
-        return merged(geoms, materials, fineness, look.bodies, [](const GeomSpec& g, bool clear) { return !clear && isRound(g); });
+        return merged(geoms, materials, fineness, look.bodies,
+                      [](const GeomSpec& g, bool clear) { return !clear && isRound(g); });
     };
     if (const osg::ref_ptr<osg::Geometry> fine = shapes(kFine)) {
         osg::ref_ptr<osg::LOD> detail = new osg::LOD;
@@ -126,6 +149,43 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
         merged(geoms, materials, kFine, look.clear, [](const GeomSpec&, bool isClear) { return isClear; });
     if (clear) group->addChild(clear);
     return group;
+}
+
+osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms) {
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    if (const auto lines = merged(geoms, {}, kCoarse, nullptr, [](const GeomSpec&, bool) { return true; }))
+        group->addChild(lines);
+    return group;
+}
+
+std::optional<std::uint32_t> geomNamed(const osg::Group& geomNode, std::string_view name) {
+    const auto* names = dynamic_cast<const GeomNames*>(geomNode.getUserData());
+    if (!names) return std::nullopt;
+    const auto it = std::find(names->names.begin(), names->names.end(), name);
+    if (it == names->names.end()) return std::nullopt;
+    return static_cast<std::uint32_t>(it - names->names.begin());
+}
+
+osg::ref_ptr<osg::Group> partOf(const osg::Group& geomNode, const std::function<bool(std::uint32_t)>& keep) {
+    osg::ref_ptr<osg::Group> part;
+    if (const auto* detail = dynamic_cast<const osg::LOD*>(&geomNode)) {
+        osg::ref_ptr<osg::LOD> copy = new osg::LOD;
+        copy->setRangeMode(detail->getRangeMode());
+        copy->setRangeList(detail->getRangeList());
+        part = copy;
+    } else {
+        part = new osg::Group;
+    }
+    part->setUserData(const_cast<osg::Referenced*>(geomNode.getUserData()));
+    for (unsigned i = 0; i < geomNode.getNumChildren(); ++i) {
+        const osg::Node* child = geomNode.getChild(i);
+        if (const auto* geometry = dynamic_cast<const osg::Geometry*>(child)) {
+            part->osg::Group::addChild(partOf(*geometry, keep));
+        } else if (const auto* group = dynamic_cast<const osg::Group*>(child)) {
+            part->osg::Group::addChild(partOf(*group, keep));
+        }
+    }
+    return part;
 }
 
 } // namespace trundle

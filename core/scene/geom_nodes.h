@@ -2,9 +2,12 @@
 // What is drawn for a set of geoms that move as one: merged by the way they are drawn, in three degrees of detail.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <osg/Geometry>
@@ -17,7 +20,9 @@ namespace trundle {
 
 /// Remembered on a drawable: which geom each of its vertices belongs to, so that a hit can be named.
 struct GeomRanges : osg::Referenced {
-    struct Range { std::uint32_t firstVertex, geom; };
+    struct Range {
+        std::uint32_t firstVertex, geom;
+    };
     std::vector<Range> ranges; ///< ascending
     [[nodiscard]] std::uint32_t geomOf(std::uint32_t vertex) const;
 };
@@ -31,5 +36,12 @@ struct GeomNames : osg::Referenced {
 /// Planes are left out: they are floors.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
                                                     const Look& look);
+/// The same geoms without a look of their own and coarse, for lines.
+[[nodiscard]] osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms);
+
+/// Which geom of a geom node has a name.
+[[nodiscard]] std::optional<std::uint32_t> geomNamed(const osg::Group& geomNode, std::string_view name);
+/// A geom node with some of its geoms only. Vertices are shared with the whole one.
+[[nodiscard]] osg::ref_ptr<osg::Group> partOf(const osg::Group& geomNode, const std::function<bool(std::uint32_t geom)>& keep);
 
 } // namespace trundle

@@ -3,6 +3,7 @@
 #include <osg/BlendFunc>
 #include <osg/CullFace>
 #include <osg/Depth>
+#include <osg/PolygonMode>
 
 #include <cstdio>
 
@@ -15,13 +16,14 @@ const osg::Vec3 kSunLight(0.98f, 0.94f, 0.86f), kSkyLight(0.36f, 0.395f, 0.45f),
 
 std::string constant(const char* name, const osg::Vec3& v) {
     char text[128];
-    std::snprintf(text, sizeof text, "const vec3 %s = vec3(%.7f, %.7f, %.7f);\n", name, double(v.x()), double(v.y()), double(v.z()));
+    std::snprintf(text, sizeof text, "const vec3 %s = vec3(%.7f, %.7f, %.7f);\n", name, double(v.x()), double(v.y()),
+                  double(v.z()));
     return text;
 }
 
 std::string withHeader(const char* source) {
-    return "#version 130\n" + constant("kSun", sunDirection()) + constant("kSunLight", kSunLight) + constant("kSkyLight", kSkyLight)
-         + constant("kGroundLight", kGroundLight) + shaders::kLight + source;
+    return "#version 130\n" + constant("kSun", sunDirection()) + constant("kSunLight", kSunLight) +
+           constant("kSkyLight", kSkyLight) + constant("kGroundLight", kGroundLight) + shaders::kLight + source;
 }
 
 osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const char* fragment) {
@@ -52,9 +54,10 @@ float sunShare(const osg::Vec3& normal) {
 
 Look::Look()
     : bodies(new osg::StateSet), surfaces(new osg::StateSet), clear(new osg::StateSet), sky(new osg::StateSet),
+      ghosts(new osg::StateSet), collision(new osg::StateSet),
       floor(program("floor", shaders::kFloorVertex, shaders::kFloorFragment)),
       shadow(program("shadow", shaders::kShadowVertex, shaders::kShadowFragment)),
-      ground(new osg::Uniform("groundHeight", -1e6f)), haze(new osg::Uniform("hazeDistance", 100.f)) {
+      flat(program("flat", shaders::kFlatVertex, shaders::kFlatFragment)) {
     const osg::ref_ptr<osg::Program> body = program("body", shaders::kBodyVertex, shaders::kBodyFragment);
     for (osg::StateSet* set : {bodies.get(), surfaces.get(), clear.get()}) set->setAttributeAndModes(body);
     surfaces->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
@@ -67,14 +70,28 @@ Look::Look()
     sky->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
     sky->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     sky->setRenderBinDetails(kDrawSky, "RenderBin");
+
+    const unsigned force = osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON;
+    ghosts->setAttributeAndModes(program("ghost", shaders::kBodyVertex, shaders::kGhostFragment), force);
+    ghosts->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), force);
+    ghosts->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false), force);
+    ghosts->setRenderBinDetails(kDrawClear, "DepthSortedBin", osg::StateSet::OVERRIDE_RENDERBIN_DETAILS);
+
+    collision->setAttributeAndModes(flat, force);
+    collision->addUniform(new osg::Uniform("flatColour", osg::Vec4(0.25f, 0.95f, 0.35f, 0.85f)));
+    collision->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), force);
+    collision->setAttributeAndModes(new osg::PolygonMode(osg::PolygonMode::FRONT_AND_BACK, osg::PolygonMode::LINE), force);
+    collision->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false), force);
+    collision->setMode(GL_CULL_FACE, osg::StateAttribute::OVERRIDE | osg::StateAttribute::OFF);
+    collision->setRenderBinDetails(kDrawOver, "RenderBin", osg::StateSet::OVERRIDE_RENDERBIN_DETAILS);
 }
 
-void Look::applyTo(osg::StateSet& root) const {
+void Look::applyTo(osg::StateSet& root, const SceneUniforms& uniforms) {
     root.setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, true));
     root.setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
     root.setMode(GL_LIGHTING, osg::StateAttribute::OFF);
-    root.addUniform(ground);
-    root.addUniform(haze);
+    root.addUniform(uniforms.ground);
+    root.addUniform(uniforms.haze);
 }
 
 } // namespace trundle

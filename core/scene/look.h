@@ -1,6 +1,6 @@
 #pragma once
 // How everything is lit: the sun, the sky's light, and the small programs that draw bodies, floor, sky and shadows. One for
-// each scene, shared by all its nodes.
+// all scenes of a context, so that a program is compiled once; what differs between scenes is in their own uniforms.
 
 #include <osg/Program>
 #include <osg/StateSet>
@@ -14,7 +14,7 @@ inline constexpr unsigned kGlowUnit = 1;  ///< texture coordinates: emitted ligh
 inline constexpr unsigned kLayerUnit = 2; ///< texture coordinates: order among coplanar faces
 
 /// Order of drawing. Floors come after bodies so that hidden floor costs nothing, the sky after both.
-enum DrawOrder : int { kDrawBodies = 0, kDrawFloor = 1, kDrawShadows = 2, kDrawSky = 3, kDrawClear = 10 };
+enum DrawOrder : int { kDrawBodies = 0, kDrawFloor = 1, kDrawShadows = 2, kDrawSky = 3, kDrawClear = 10, kDrawOver = 12 };
 
 /// Towards the sun, unit.
 [[nodiscard]] osg::Vec3 sunDirection();
@@ -22,20 +22,28 @@ enum DrawOrder : int { kDrawBodies = 0, kDrawFloor = 1, kDrawShadows = 2, kDrawS
 [[nodiscard]] osg::Vec3 lightOn(const osg::Vec3& normal);
 [[nodiscard]] float sunShare(const osg::Vec3& normal);
 
+/// What a scene tells the programs.
+struct SceneUniforms {
+    /// Height of the ground below the bodies, for the darkening near it.
+    osg::ref_ptr<osg::Uniform> ground = new osg::Uniform("groundHeight", -1e6f);
+    /// Distance (m) over which a floor fades into the horizon.
+    osg::ref_ptr<osg::Uniform> haze = new osg::Uniform("hazeDistance", 100.f);
+};
+
 class Look {
 public:
     Look();
 
     /// For the whole scene: depth test, back faces culled, no fixed-function light.
-    void applyTo(osg::StateSet& root) const;
+    static void applyTo(osg::StateSet& root, const SceneUniforms& uniforms);
 
-    osg::ref_ptr<osg::StateSet> bodies;      ///< closed opaque shapes
-    osg::ref_ptr<osg::StateSet> surfaces;    ///< meshes and height maps: both sides are drawn
-    osg::ref_ptr<osg::StateSet> clear;       ///< shapes that one can see through
+    osg::ref_ptr<osg::StateSet> bodies;   ///< closed opaque shapes
+    osg::ref_ptr<osg::StateSet> surfaces; ///< meshes and height maps: both sides are drawn
+    osg::ref_ptr<osg::StateSet> clear;    ///< shapes that one can see through
     osg::ref_ptr<osg::StateSet> sky;
-    osg::ref_ptr<osg::Program> floor, shadow;
-    osg::ref_ptr<osg::Uniform> ground; ///< height of the ground below the bodies, for the darkening near it
-    osg::ref_ptr<osg::Uniform> haze;   ///< distance (m) over which a floor fades into the horizon
+    osg::ref_ptr<osg::StateSet> ghosts;    ///< grey and translucent, whatever lies below says
+    osg::ref_ptr<osg::StateSet> collision; ///< lines in one colour
+    osg::ref_ptr<osg::Program> floor, shadow, flat;
 };
 
 } // namespace trundle

@@ -3,7 +3,7 @@
 
 namespace trundle {
 
-/// What of a scene a picture shows. Sensors leave the overlays out.
+/// What of a scene a picture shows. Sensors see no more than is there.
 enum SceneMask : std::uint32_t {
     kMaskRobots = 1u << 0,
     kMaskStatics = 1u << 1,
@@ -11,7 +11,8 @@ enum SceneMask : std::uint32_t {
     kMaskSky = 1u << 3,
     kMaskShadows = 1u << 4,     ///< one sharp shadow: cheap
     kMaskSoftShadows = 1u << 5, ///< shadows that soften with their distance from what casts them: for stills
-    kMaskOverlays = 1u << 6,    ///< gizmos, outlines, names
+    kMaskCollision = 1u << 6,   ///< what collides, as lines
+    kMaskGhosts = 1u << 7,      ///< the last whole drawing of what the text no longer says
 
     kMaskWorld = kMaskRobots | kMaskStatics | kMaskFloor | kMaskSky,
     kMaskSensor = kMaskWorld | kMaskShadows,

@@ -26,18 +26,26 @@ std::string pathOf(const osgUtil::LineSegmentIntersector::Intersection& hit) {
 
 } // namespace
 
-std::optional<SceneHit> Scene::pick(const ViewRay& ray, std::uint32_t mask) const {
+std::vector<SceneHit> Scene::pickAll(const ViewRay& ray, std::uint32_t mask) const {
     osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
         new osgUtil::LineSegmentIntersector(toOsg(ray.origin), toOsg(Vec3(ray.origin + kReach * ray.direction)));
-    line->setIntersectionLimit(osgUtil::Intersector::LIMIT_NEAREST);
     osgUtil::IntersectionVisitor visitor(line);
     visitor.setTraversalMask(mask & (kMaskRobots | kMaskStatics | kMaskFloor));
     m_root->accept(visitor);
-    if (!line->containsIntersections()) return std::nullopt;
-    const auto hit = line->getFirstIntersection();
-    const osg::Vec3d at = hit.getWorldIntersectPoint();
-    const Vec3 point(at.x(), at.y(), at.z());
-    return SceneHit{pathOf(hit), point, (point - ray.origin).norm()};
+    std::vector<SceneHit> hits;
+    for (const auto& hit : line->getIntersections()) { // nearest first
+        std::string path = pathOf(hit);
+        if (std::any_of(hits.begin(), hits.end(), [&](const SceneHit& known) { return known.path == path; })) continue;
+        const osg::Vec3d at = hit.getWorldIntersectPoint();
+        const Vec3 point(at.x(), at.y(), at.z());
+        hits.push_back({std::move(path), point, (point - ray.origin).norm()});
+    }
+    return hits;
+}
+
+std::optional<SceneHit> Scene::pick(const ViewRay& ray, std::uint32_t mask) const {
+    std::vector<SceneHit> hits = pickAll(ray, mask);
+    return hits.empty() ? std::nullopt : std::optional(std::move(hits.front()));
 }
 
 } // namespace trundle

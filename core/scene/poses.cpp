@@ -43,7 +43,8 @@ void PoseReader::read(const SignalBlock& block, BodyPoses& poses) const {
 }
 
 std::size_t PoseReader::found() const {
-    return static_cast<std::size_t>(std::count_if(m_offsets.begin(), m_offsets.end(), [](std::uint32_t o) { return o != kAbsent; }));
+    return static_cast<std::size_t>(
+        std::count_if(m_offsets.begin(), m_offsets.end(), [](std::uint32_t o) { return o != kAbsent; }));
 }
 
 } // namespace trundle

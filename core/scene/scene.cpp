@@ -1,8 +1,5 @@
 #include "scene/scene.h"
 
-#include <map>
-
-#include "scene/geom_nodes.h"
 #include "scene/osg_types.h"
 #include "scene/surroundings.h"
 
@@ -22,32 +19,37 @@ Bounds boundsOf(const osg::Node& node) {
     return bounds;
 }
 
-bool isSane(const Pose& pose) { return pose.position.allFinite() && pose.rotation.coeffs().allFinite() && pose.position.norm() < 1e6; }
+bool isSane(const Pose& pose) {
+    return pose.position.allFinite() && pose.rotation.coeffs().allFinite() && pose.position.norm() < 1e6;
+}
 
 } // namespace
 
-Scene::Scene(const ExperimentSpec& experiment) {
-    m_look.applyTo(*m_root->getOrCreateStateSet());
+Scene::Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store, const ExperimentSpec* ghosts)
+    : m_store(store ? std::move(store) : std::make_shared<ShapeStore>()) {
+    Look::applyTo(*m_root->getOrCreateStateSet(), m_uniforms);
     m_robots->setNodeMask(kMaskRobots);
     m_statics->setNodeMask(kMaskStatics);
+    m_collision->setNodeMask(kMaskCollision);
+    m_collision->setStateSet(m_store->look.collision);
     m_root->addChild(m_robots);
     m_root->addChild(m_statics);
+    m_root->addChild(m_collision);
     addRobots(experiment);
     addStatics(experiment);
+    if (ghosts) addGhosts(*ghosts);
     addSurroundings(experiment);
 }
 
 void Scene::addRobots(const ExperimentSpec& experiment) {
     // Robots of one config share all geometry: only where they stand is their own.
-    std::map<const RobotConfigSpec*, std::vector<osg::ref_ptr<osg::Group>>> known;
+    std::unordered_map<const RobotConfigSpec*, std::vector<osg::ref_ptr<osg::Group>>> known;
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
         auto [entry, isNew] = known.try_emplace(robot.config.get());
         if (isNew) {
-            for (const BodySpec& body : robot.config->bodies) {
-                entry->second.push_back(makeGeomNode(body.geoms, experiment.materials, m_look));
-                ++m_sharedNodes;
-            }
+            for (const BodySpec& body : robot.config->bodies)
+                entry->second.push_back(m_store->nodeOf(body.geoms, experiment.materials));
         }
         osg::ref_ptr<osg::Group> node = new osg::Group;
         node->setName(robot.name);
@@ -58,50 +60,72 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
             if (entry->second[i]->getNumChildren() > 0) body->addChild(entry->second[i]);
             node->addChild(body);
             m_bodies.push_back(body);
+            m_objects.try_emplace(robot.name + "/" + body->getName(), Object{body, entry->second[i]});
         }
         m_robots->addChild(node);
+        m_objects.try_emplace(robot.name, Object{node, nullptr});
     }
     setPoses(startPoses(experiment));
 }
 
 void Scene::addStatics(const ExperimentSpec& experiment) {
-    std::map<const std::vector<GeomSpec>*, osg::ref_ptr<osg::Group>> known;
+    std::unordered_map<const std::vector<GeomSpec>*, osg::ref_ptr<osg::Group>> known;
     for (const StaticSpec& fixed : experiment.statics) {
         if (!fixed.geoms || !isSane(fixed.pose)) continue;
         auto [entry, isNew] = known.try_emplace(fixed.geoms.get());
-        if (isNew) {
-            entry->second = makeGeomNode(*fixed.geoms, experiment.materials, m_look);
-            ++m_sharedNodes;
-        }
+        if (isNew) entry->second = m_store->nodeOf(*fixed.geoms, experiment.materials);
         osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(toOsg(fixed.pose));
         node->setName(fixed.name);
         node->addChild(entry->second);
         m_statics->addChild(node);
+        m_objects.try_emplace(fixed.name, Object{node, entry->second});
     }
+}
+
+void Scene::addGhosts(const ExperimentSpec& ghosts) {
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->setNodeMask(kMaskGhosts);
+    group->setStateSet(m_store->look.ghosts);
+    const auto add = [&](const Pose& pose, std::span<const GeomSpec> geoms) {
+        if (!isSane(pose)) return;
+        osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(toOsg(pose));
+        node->addChild(m_store->nodeOf(geoms, ghosts.materials));
+        group->addChild(node);
+    };
+    for (const RobotSpec& robot : ghosts.robots) {
+        if (!robot.config) continue;
+        for (const BodySpec& body : robot.config->bodies) add(robot.pose * body.pose, body.geoms);
+    }
+    for (const StaticSpec& fixed : ghosts.statics)
+        if (fixed.geoms) add(fixed.pose, *fixed.geoms);
+    m_root->addChild(group);
 }
 
 void Scene::addSurroundings(const ExperimentSpec& experiment) {
     const std::vector<FloorPlane> floors = floorPlanes(experiment);
     const Bounds about = bounds();
     const double reach = std::max(kFloorReach, kFloorReachInRadii * about.radius());
-    m_look.haze->set(static_cast<float>(reach / 5));
+    m_uniforms.haze->set(static_cast<float>(reach / 5));
     if (const auto level = levelFloor(floors)) {
         m_floorHeight = floors[*level].pose.position.z();
-        m_look.ground->set(static_cast<float>(*m_floorHeight));
+        m_uniforms.ground->set(static_cast<float>(*m_floorHeight));
     }
 
+    const Look& look = m_store->look;
     osg::ref_ptr<osg::Group> floorGroup = new osg::Group, sharp = new osg::Group, soft = new osg::Group;
     osg::ref_ptr<osg::Group> casters = new osg::Group;
     casters->addChild(m_robots);
     casters->addChild(m_statics);
     const osg::Vec3 sun = sunDirection();
     for (unsigned i = 0; i < floors.size(); ++i) {
-        floorGroup->addChild(makeFloorNode(floors[i], i, about, reach, m_look));
+        const osg::ref_ptr<osg::Node> floor = makeFloorNode(floors[i], i, about, reach, look);
+        floorGroup->addChild(floor);
+        m_objects.try_emplace(floors[i].path, Object{floor->asGroup(), nullptr});
         if (i >= kShadowedFloors || floors[i].normal().dot(Vec3(sun.x(), sun.y(), sun.z())) < 0.2) continue;
-        sharp->addChild(makeSharpShadow(floors[i], i, *casters, m_look));
-        soft->addChild(makeSoftShadow(floors[i], i, *casters, m_look));
+        sharp->addChild(makeSharpShadow(floors[i], i, *casters, look));
+        soft->addChild(makeSoftShadow(floors[i], i, *casters, look));
     }
-    osg::ref_ptr<osg::Node> sky = makeSkyNode(m_look);
+    osg::ref_ptr<osg::Node> sky = makeSkyNode(look);
     floorGroup->setNodeMask(kMaskFloor);
     sharp->setNodeMask(kMaskShadows);
     soft->setNodeMask(kMaskSoftShadows);
@@ -111,9 +135,31 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
         m_root->addChild(node);
 }
 
+void Scene::makeCollision(const ExperimentSpec& experiment) {
+    if (m_collision->getNumChildren() > 0) return;
+    const auto add = [&](const std::string& path, std::span<const GeomSpec> geoms) {
+        const Object* object = find(path);
+        auto* leader = object ? dynamic_cast<osg::MatrixTransform*>(object->node.get()) : nullptr;
+        if (!leader) return;
+        osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(leader->getMatrix());
+        node->addChild(m_store->collisionNodeOf(geoms));
+        m_collision->addChild(node);
+        m_collisionFollowers.push_back({node, leader});
+    };
+    for (const RobotSpec& robot : experiment.robots) {
+        if (!robot.config) continue;
+        for (const BodySpec& body : robot.config->bodies) add(robot.name + "/" + body.name, body.geoms);
+    }
+    for (const StaticSpec& fixed : experiment.statics)
+        if (fixed.geoms) add(fixed.name, *fixed.geoms);
+}
+
 void Scene::setPoses(const BodyPoses& poses) {
     if (poses.size() != m_bodies.size()) return;
-    for (std::size_t i = 0; i < poses.size(); ++i) if (isSane(poses[i])) m_bodies[i]->setMatrix(toOsg(poses[i]));
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        if (isSane(poses[i])) m_bodies[i]->setMatrix(toOsg(poses[i]));
+    for (const auto* followers : {&m_markFollowers, &m_collisionFollowers})
+        for (const Follower& follower : *followers) follower.node->setMatrix(follower.leader->getMatrix());
 }
 
 Bounds Scene::bounds() const {

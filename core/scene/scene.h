@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <osg/Group>
@@ -14,6 +15,8 @@
 #include "scene/look.h"
 #include "scene/masks.h"
 #include "scene/poses.h"
+#include "scene/scene_marks.h"
+#include "scene/shape_store.h"
 #include "scene/view.h"
 
 namespace trundle {
@@ -27,31 +30,61 @@ struct SceneHit {
 class Scene {
 public:
     /// Everything at its start pose. Geoms that cannot be drawn (sizes or places beyond all reason) are left out; a missing
-    /// mesh or height map is a bright marker.
-    explicit Scene(const ExperimentSpec& experiment);
+    /// mesh or height map is a bright marker. `ghosts` are drawn at their start poses, under kMaskGhosts, and not picked.
+    explicit Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store = nullptr,
+                   const ExperimentSpec* ghosts = nullptr);
 
     [[nodiscard]] osg::Group& root() { return *m_root; }
     /// As many as the experiment has robot bodies, else nothing happens; poses that are not finite change nothing.
     void setPoses(const BodyPoses& poses);
+    /// Leaves objects out of all pictures. Paths that name nothing are passed over, here and in setMarks.
+    void setHidden(const std::vector<std::string>& paths);
+    /// What marks() shows: selected objects in pure red, hovered ones in pure green.
+    void setMarks(const SceneMarks& marks);
+    [[nodiscard]] osg::Group& marks() { return *m_marks; }
+    void setWireframe(bool on);
+    /// Makes what kMaskCollision shows, once. The experiment is the one that the scene was made from.
+    void makeCollision(const ExperimentSpec& experiment);
+
     /// What is worth framing: robots where they are now and statics, without floors.
     [[nodiscard]] Bounds bounds() const;
     /// The nearest thing that a ray from a view meets. `mask` of robots, statics, floor.
     [[nodiscard]] std::optional<SceneHit> pick(const ViewRay& ray, std::uint32_t mask = kMaskRobots | kMaskStatics) const;
+    /// Everything along the ray, nearest first, each geom once.
+    [[nodiscard]] std::vector<SceneHit> pickAll(const ViewRay& ray, std::uint32_t mask = kMaskRobots | kMaskStatics) const;
     /// Height of the level floor, where there is one.
     [[nodiscard]] std::optional<double> floorHeight() const { return m_floorHeight; }
-    /// Distinct sets of geoms that were turned into triangles, however many robots share them.
-    [[nodiscard]] std::size_t sharedNodes() const { return m_sharedNodes; }
+    [[nodiscard]] const ShapeStore& store() const { return *m_store; }
 
 private:
+    struct Object {
+        osg::ref_ptr<osg::Group> node;
+        osg::ref_ptr<osg::Group> shapes; ///< its geoms; null for a robot, whose bodies have them, and for a floor
+    };
+    /// A node that stands where a body stands.
+    struct Follower {
+        osg::ref_ptr<osg::MatrixTransform> node, leader;
+    };
     void addRobots(const ExperimentSpec& experiment);
     void addStatics(const ExperimentSpec& experiment);
+    void addGhosts(const ExperimentSpec& ghosts);
     void addSurroundings(const ExperimentSpec& experiment);
+    void mark(osg::Group& group, const std::string& path);
+    [[nodiscard]] const Object* find(const std::string& path) const;
+    /// The object that a geom's path begins with, and the geom's number in it.
+    [[nodiscard]] std::pair<const Object*, std::uint32_t> findGeom(const std::string& path) const;
 
-    Look m_look;
-    osg::ref_ptr<osg::Group> m_root = new osg::Group, m_robots = new osg::Group, m_statics = new osg::Group;
+    std::shared_ptr<ShapeStore> m_store;
+    SceneUniforms m_uniforms;
+    osg::ref_ptr<osg::Group> m_root = new osg::Group, m_robots = new osg::Group, m_statics = new osg::Group,
+                             m_collision = new osg::Group, m_marks = new osg::Group;
     std::vector<osg::ref_ptr<osg::MatrixTransform>> m_bodies; // in the order of BodyPoses
+    std::unordered_map<std::string, Object> m_objects;        // by path
+    std::vector<Follower> m_markFollowers, m_collisionFollowers;
+    SceneMarks m_marked;
+    std::vector<std::string> m_hidden;
+    bool m_wireframe = false;
     std::optional<double> m_floorHeight;
-    std::size_t m_sharedNodes = 0;
 };
 
 } // namespace trundle

@@ -56,6 +56,32 @@ void main() {
 }
 )";
 
+/// The last whole drawing of what the text no longer says: grey, its rim clearer than its middle.
+inline constexpr const char* kGhostFragment = R"(
+uniform float groundHeight;
+in vec3 normalW, positionW, eyeW;
+in vec4 colour, glow;
+out vec4 fragment;
+void main() {
+    vec3 n = normalize(gl_FrontFacing ? normalW : -normalW);
+    float rim = 1.0 - abs(dot(n, normalize(eyeW - positionW)));
+    fragment = vec4(vec3(0.46 + 0.24 * n.z), 0.30 + 0.45 * rim * rim);
+}
+)";
+
+/// One colour; a little nearer than it is, so that it is seen over the surface it lies in.
+inline constexpr const char* kFlatVertex = R"(
+void main() {
+    gl_Position = gl_ProjectionMatrix * (gl_ModelViewMatrix * gl_Vertex);
+    gl_Position.z -= 4.0e-6 * gl_Position.w;
+}
+)";
+inline constexpr const char* kFlatFragment = R"(
+uniform vec4 flatColour;
+out vec4 fragment;
+void main() { fragment = flatColour; }
+)";
+
 inline constexpr const char* kFloorVertex = R"(
 uniform mat4 osg_ViewMatrixInverse;
 out vec2 onFloor;

@@ -3,9 +3,9 @@
 // layer, flattened onto the floor along a ray of light. The node's matrix flattens for culling; the program then puts the
 // vertices exactly onto the plane. The stencil keeps a layer from darkening one pixel twice, and from leaving its floor.
 
+#include <numbers>
 #include <osg/BlendFunc>
 #include <osg/Depth>
-#include <numbers>
 
 #include <osg/MatrixTransform>
 #include <osg/PolygonOffset>
@@ -21,7 +21,7 @@ constexpr double kHeightScale = 0.001; // what is left of a height, so that the 
 constexpr double kSunRadius = 0.034;   // rad; larger than the real one: robots are small
 constexpr float kContactDepth = 0.35f; // darkness right below things, where the sky is hidden
 constexpr float kNoTop = 1e9f;
-constexpr float kContactTop = 0.05f;   // m; what is higher hides little of it
+constexpr float kContactTop = 0.05f; // m; what is higher hides little of it
 
 /// Flattens the world onto the plane along `light`: p - (1 - k) h light / (n . light).
 osg::Matrixd flattening(const Vec3& normal, const Vec3& point, const Vec3& light) {
@@ -30,7 +30,8 @@ osg::Matrixd flattening(const Vec3& normal, const Vec3& point, const Vec3& light
     osg::Matrixd m;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
-            m(column, row) = (row == column ? 1.0 : 0.0) - slide[row] * normal[column] + kHeightScale * normal[row] * normal[column];
+            m(column, row) =
+                (row == column ? 1.0 : 0.0) - slide[row] * normal[column] + kHeightScale * normal[row] * normal[column];
         }
         m(3, row) = offset * (slide[row] - kHeightScale * normal[row]);
     }

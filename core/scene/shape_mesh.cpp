@@ -7,10 +7,10 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kMostBevel = 0.004f;       // m
-constexpr float kBevelShare = 0.06f;       // of the shortest edge
-constexpr float kLargest = 1e5f;           // m, beyond it nothing sensible can be drawn
-constexpr float kPlaceholderSize = 0.1f;   // m
+constexpr float kMostBevel = 0.004f;     // m
+constexpr float kBevelShare = 0.06f;     // of the shortest edge
+constexpr float kLargest = 1e5f;         // m, beyond it nothing sensible can be drawn
+constexpr float kPlaceholderSize = 0.1f; // m
 constexpr double kTurn = 2 * std::numbers::pi;
 
 std::uint32_t addPoint(ShapeMesh& mesh, const Vector3f& point, const Vector3f& normal) {
@@ -32,7 +32,9 @@ void addQuad(ShapeMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c,
 }
 
 /// A surface of revolution: rings of (radius, z) with the slope of the normal, joined in order.
-struct Ring { double radius, z, normalOut, normalUp; };
+struct Ring {
+    double radius, z, normalOut, normalUp;
+};
 
 void addRings(ShapeMesh& mesh, const std::vector<Ring>& rings, int segments) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
@@ -94,7 +96,8 @@ ShapeMesh boxMesh(const Vector3f& size, bool bevel) {
         for (const int side : {0, u, v, u | v})
             addQuad(mesh, corner[faceU][side], corner[faceU][side | w], corner[faceV][side | w], corner[faceV][side]);
     }
-    if (cut > 0) for (int i = 0; i < 8; ++i) addTriangle(mesh, corner[0][i], corner[1][i], corner[2][i]);
+    if (cut > 0)
+        for (int i = 0; i < 8; ++i) addTriangle(mesh, corner[0][i], corner[1][i], corner[2][i]);
     return mesh;
 }
 
@@ -152,7 +155,8 @@ ShapeMesh shapeOf(const GeomSpec& geom, Fineness fineness) {
     switch (geom.shape) {
     case GeomShape::Box: return drawableSize ? boxMesh(size, fineness.bevel) : ShapeMesh{};
     case GeomShape::Sphere: return drawable(radius) ? sphereMesh(radius, fineness.segments) : ShapeMesh{};
-    case GeomShape::Cylinder: return drawable(radius) && drawable(length) ? cylinderMesh(radius, length, fineness.segments) : ShapeMesh{};
+    case GeomShape::Cylinder:
+        return drawable(radius) && drawable(length) ? cylinderMesh(radius, length, fineness.segments) : ShapeMesh{};
     case GeomShape::Capsule:
         return drawable(radius) && length >= 0 && length < kLargest ? capsuleMesh(radius, length, fineness.segments)
                                                                     : ShapeMesh{};

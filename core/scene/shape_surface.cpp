@@ -60,7 +60,8 @@ std::vector<std::uint32_t> weld(const TriangleMesh& mesh, std::vector<Vector3f>&
     return welded;
 }
 
-std::vector<Face> facesOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& welded, const std::vector<Vector3f>& points) {
+std::vector<Face> facesOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& welded,
+                          const std::vector<Vector3f>& points) {
     std::vector<Face> faces;
     for (const auto& t : mesh.triangles) {
         if (t[0] >= welded.size() || t[1] >= welded.size() || t[2] >= welded.size()) continue;
@@ -86,10 +87,12 @@ ShapeMesh smoothedMesh(const TriangleMesh& mesh) {
 
     // The faces about each point, as one flat list.
     std::vector<std::uint32_t> start(points.size() + 1, 0), around(faces.size() * 3);
-    for (const Face& face : faces) for (const std::uint32_t c : face.corners) ++start[c + 1];
+    for (const Face& face : faces)
+        for (const std::uint32_t c : face.corners) ++start[c + 1];
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-    for (std::uint32_t f = 0; f < faces.size(); ++f) for (const std::uint32_t c : faces[f].corners) around[fill[c]++] = f;
+    for (std::uint32_t f = 0; f < faces.size(); ++f)
+        for (const std::uint32_t c : faces[f].corners) around[fill[c]++] = f;
 
     ShapeMesh result;
     result.points.reserve(faces.size() * 3);
@@ -115,7 +118,9 @@ ShapeMesh heightfieldMesh(const HeightMap& map, const Vector3f& size) {
     ShapeMesh mesh;
     if (map.columns < 2 || map.rows < 2 || map.heights.size() < std::size_t(map.columns) * map.rows) return mesh;
     const std::uint32_t columns = std::min(map.columns, kMostSamples), rows = std::min(map.rows, kMostSamples);
-    const auto sampleColumn = [&](std::uint32_t i) { return std::uint32_t(std::uint64_t(i) * (map.columns - 1) / (columns - 1)); };
+    const auto sampleColumn = [&](std::uint32_t i) {
+        return std::uint32_t(std::uint64_t(i) * (map.columns - 1) / (columns - 1));
+    };
     const auto sampleRow = [&](std::uint32_t j) { return std::uint32_t(std::uint64_t(j) * (map.rows - 1) / (rows - 1)); };
     mesh.points.reserve(std::size_t(columns) * rows);
     for (std::uint32_t j = 0; j < rows; ++j) {
@@ -127,7 +132,9 @@ ShapeMesh heightfieldMesh(const HeightMap& map, const Vector3f& size) {
                                      std::isfinite(height) ? height * size.z() : 0.f);
         }
     }
-    const auto at = [&](std::uint32_t i, std::uint32_t j) -> const Vector3f& { return mesh.points[std::size_t(j) * columns + i]; };
+    const auto at = [&](std::uint32_t i, std::uint32_t j) -> const Vector3f& {
+        return mesh.points[std::size_t(j) * columns + i];
+    };
     for (std::uint32_t j = 0; j < rows; ++j) {
         for (std::uint32_t i = 0; i < columns; ++i) {
             const Vector3f along = at(std::min(i + 1, columns - 1), j) - at(i ? i - 1 : 0, j);

@@ -30,7 +30,9 @@ struct FloorPlane {
                                                     const Look& look);
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSkyNode(const Look& look);
 /// `casters` flattened onto the floor: one sharp shadow, and one of several layers that is soft. Drawn only on that floor.
-[[nodiscard]] osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look);
-[[nodiscard]] osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look);
+[[nodiscard]] osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters,
+                                                      const Look& look);
+[[nodiscard]] osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters,
+                                                     const Look& look);
 
 } // namespace trundle

@@ -12,11 +12,11 @@ double focalLength(const CameraView& view, double width) { return 0.5 * width / 
 } // namespace
 
 bool isUsable(const CameraView& view) {
-    return view.eye.allFinite() && view.target.allFinite() && view.up.allFinite() && (view.eye - view.target).norm() > 1e-9
-        && view.eye.norm() < 1e7 && view.target.norm() < 1e7 && view.fieldOfView > 1e-3 && view.fieldOfView < std::numbers::pi - 1e-3
-        && std::isfinite(view.orthographicWidth) && std::isfinite(view.nearPlane) && std::isfinite(view.farPlane)
-        && view.orthographicWidth >= 0 && view.nearPlane >= 0 && view.farPlane >= 0
-        && (view.nearPlane == 0 || view.farPlane == 0 || view.nearPlane < view.farPlane);
+    return view.eye.allFinite() && view.target.allFinite() && view.up.allFinite() && (view.eye - view.target).norm() > 1e-9 &&
+           view.eye.norm() < 1e7 && view.target.norm() < 1e7 && view.fieldOfView > 1e-3 &&
+           view.fieldOfView < std::numbers::pi - 1e-3 && std::isfinite(view.orthographicWidth) && std::isfinite(view.nearPlane) &&
+           std::isfinite(view.farPlane) && view.orthographicWidth >= 0 && view.nearPlane >= 0 && view.farPlane >= 0 &&
+           (view.nearPlane == 0 || view.farPlane == 0 || view.nearPlane < view.farPlane);
 }
 
 Mat3 cameraAxes(const CameraView& view) {

@@ -51,8 +51,13 @@ Property propertyFrom(const FieldInfo& field) {
     p.live = field.flags & TRUNDLE_LIVE;
     p.minCount = field.minCount;
     p.maxCount = field.maxCount;
-    if (!p.required && !(field.flags & TRUNDLE_OPTIONAL)) p.defaultValue = PropertyValue{p.type, field.defaultNumbers, field.defaultTexts};
+    if (!p.required && !(field.flags & TRUNDLE_OPTIONAL))
+        p.defaultValue = PropertyValue{p.type, field.defaultNumbers, field.defaultTexts};
     return p;
+}
+
+Alternatives alternativesFrom(const AlternativesInfo& alternatives) {
+    return {splitChoices(alternatives.names), alternatives.likely};
 }
 
 SignalDescription signalFrom(const SignalInfo& signal) {

@@ -37,6 +37,12 @@ struct SignalDescription {
     std::uint32_t type = TRUNDLE_REAL_SIGNAL, count = 1, direction = TRUNDLE_OUTPUT;
 };
 
+/// Properties of which exactly one is given.
+struct Alternatives {
+    std::vector<std::string> names;
+    std::string likely; ///< property whose value the last of them most likely has; empty: nobody knows
+};
+
 enum class Role { Settings, Material, Surface, Config, Instance, Layout, Body, Geom, Joint, Device, Controller, Log };
 
 struct Kind {
@@ -46,20 +52,23 @@ struct Kind {
     bool nameOptional = false;        ///< geoms, logs: `box`, `box2` ... in order
     std::vector<Property> properties;
     std::vector<SignalDescription> signals;
-    std::string module;               ///< the library that brings it; empty: built in
+    std::string module; ///< the library that brings it; empty: built in
+    std::vector<Alternatives> alternatives;
 
     [[nodiscard]] const Property* find(std::string_view property) const;
 };
 
 [[nodiscard]] Property propertyFrom(const FieldInfo& field);
 [[nodiscard]] SignalDescription signalFrom(const SignalInfo& signal);
+[[nodiscard]] Alternatives alternativesFrom(const AlternativesInfo& alternatives);
 
 /// The Kind of a class with a static describe().
 template <class T> Kind kindOf(std::string name, Role role, std::vector<std::string> parents, bool nameOptional = false) {
     const Describe<T>& d = descriptionOf<T>();
-    Kind kind{std::move(name), d.helpText(), role, std::move(parents), nameOptional, {}, {}, {}};
+    Kind kind{std::move(name), d.helpText(), role, std::move(parents), nameOptional, {}, {}, {}, {}};
     for (const FieldInfo& f : d.fields()) kind.properties.push_back(propertyFrom(f));
     for (const SignalInfo& s : d.signals()) kind.signals.push_back(signalFrom(s));
+    for (const AlternativesInfo& a : d.alternatives()) kind.alternatives.push_back(alternativesFrom(a));
     return kind;
 }
 

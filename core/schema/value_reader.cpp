@@ -51,8 +51,8 @@ private:
         if (count >= m_property.minCount && count <= m_property.maxCount) return true;
         if (count == 0) return false; // the parser has said that a value is missing
         Diagnostic& d = m_diagnostics.error(Code::WrongCount, m_given.range,
-                                            m_property.name + " has " + std::to_string(count) + (count == 1 ? " element" : " elements") +
-                                                ", it takes " + countText(m_property));
+                                            m_property.name + " has " + std::to_string(count) +
+                                                (count == 1 ? " element" : " elements") + ", it takes " + countText(m_property));
         suggestPoint(d);
         return false;
     }
@@ -64,13 +64,15 @@ private:
         const GivenElement& part = m_given.elements[1];
         const auto isDigits = [](const GivenElement& e) {
             const double most = std::pow(10.0, std::min(e.range.range.size(), 15u));
-            return e.kind == ElementKind::Number && e.literal && e.number == std::floor(e.number) && std::abs(e.number) < most && !std::signbit(e.number);
+            return e.kind == ElementKind::Number && e.literal && e.number == std::floor(e.number) && std::abs(e.number) < most &&
+                   !std::signbit(e.number);
         };
         const bool oneComma = part.range.range.begin == whole.range.range.end + 1;
         if (!oneComma || !isDigits(whole) || !isDigits(part) || !whole.unit.empty() || !part.unit.empty()) return;
         const std::string digits = numberText(part.number);
         if (digits.size() > part.range.range.size()) return;
-        const std::string number = numberText(whole.number) + "." + std::string(part.range.range.size() - digits.size(), '0') + digits;
+        const std::string number =
+            numberText(whole.number) + "." + std::string(part.range.range.size() - digits.size(), '0') + digits;
         d.fixes.push_back({number, {{{whole.range.file, {whole.range.range.end, part.range.range.begin}}, "."}}});
     }
 
@@ -88,8 +90,9 @@ private:
     }
 
     Diagnostic& typeFault(const GivenElement& element, const std::string& needed) {
-        const std::string is = element.kind == ElementKind::Boolean ? elementText(element)
-                                                             : std::string(kindWord(element.kind)) + " (" + elementText(element) + ")";
+        const std::string is = element.kind == ElementKind::Boolean
+                                   ? elementText(element)
+                                   : std::string(kindWord(element.kind)) + " (" + elementText(element) + ")";
         Diagnostic& d = m_diagnostics.error(Code::WrongType, m_given.range, subject() + " is " + is + ", it must be " + needed);
         noteSource(d, element);
         return d;
@@ -111,10 +114,12 @@ private:
     }
 
     bool readNumber(const GivenElement& element, PropertyValue& value) {
-        if (element.kind != ElementKind::Number) return wrongType(element, m_property.type == PropertyType::Integer ? "a whole number" : "a number");
+        if (element.kind != ElementKind::Number)
+            return wrongType(element, m_property.type == PropertyType::Integer ? "a whole number" : "a number");
         const std::optional<double> number = inPropertyUnit(element);
         if (!number) return false;
-        if (m_property.type == PropertyType::Integer && *number != std::floor(*number)) return wrongType(element, "a whole number");
+        if (m_property.type == PropertyType::Integer && *number != std::floor(*number))
+            return wrongType(element, "a whole number");
         if (!inRange(*number)) return outOfRange(element, *number);
         value.numbers.push_back(*number * m_property.scale);
         return true;
@@ -148,7 +153,8 @@ private:
     bool outOfRange(const GivenElement& element, double value) {
         std::string limit = brokenLimitText(limits(), value);
         if (limit.empty()) limit = "smaller";
-        Diagnostic& d = m_diagnostics.error(Code::OutOfRange, m_given.range, subject() + " is " + elementText(element) + ", it must be " + limit);
+        Diagnostic& d = m_diagnostics.error(Code::OutOfRange, m_given.range,
+                                            subject() + " is " + elementText(element) + ", it must be " + limit);
         noteSource(d, element);
         if (!element.literal || element.number >= 0) return false;
         GivenElement positive = element;
@@ -180,13 +186,15 @@ private:
         }
         if (m_property.unit.empty()) {
             if (element.unit == "%") return element.number * unit->factor;
-            Diagnostic& d = m_diagnostics.error(Code::WrongDimension, place, m_property.name + " has no unit, it cannot be in " + element.unit);
+            Diagnostic& d = m_diagnostics.error(Code::WrongDimension, place,
+                                                m_property.name + " has no unit, it cannot be in " + element.unit);
             dropUnit(d, element);
             return std::nullopt;
         }
         if (const std::optional<double> converted = convertUnit(element.number, element.unit, m_property.unit)) return converted;
         const std::string own = dimensionWord(m_property.unit);
-        std::string message = m_property.name + " is " + (own.empty() ? "in " + m_property.unit : withArticle(own) + " (" + m_property.unit + ")");
+        std::string message =
+            m_property.name + " is " + (own.empty() ? "in " + m_property.unit : withArticle(own) + " (" + m_property.unit + ")");
         message += ", " + element.unit + " is " + withArticle(unit->dimension);
         Diagnostic& d = m_diagnostics.error(Code::WrongDimension, place, message);
         if (element.literal) d.suggestions = fittingUnits();
@@ -224,13 +232,15 @@ private:
     }
 
     bool readChoice(const GivenElement& element, PropertyValue& value) {
-        if (element.kind != ElementKind::Word && element.kind != ElementKind::String) return wrongType(element, "one of " + listText(m_property.choices));
+        if (element.kind != ElementKind::Word && element.kind != ElementKind::String)
+            return wrongType(element, "one of " + listText(m_property.choices));
         if (std::count(m_property.choices.begin(), m_property.choices.end(), element.text)) {
             value.texts.push_back(element.text);
             return true;
         }
-        Diagnostic& d = m_diagnostics.error(Code::UnknownChoice, m_given.range,
-                                            subject() + " is " + elementText(element) + ", it must be " + listText(m_property.choices));
+        Diagnostic& d =
+            m_diagnostics.error(Code::UnknownChoice, m_given.range,
+                                subject() + " is " + elementText(element) + ", it must be " + listText(m_property.choices));
         noteSource(d, element);
         suggest(d, element.text, m_property.choices, element.literal ? element.range : SourceRange{});
         return false;
@@ -239,7 +249,9 @@ private:
     bool readText(const GivenElement& element, PropertyValue& value) {
         const bool text = element.kind == ElementKind::Word || element.kind == ElementKind::String;
         if (!text) {
-            const char* needed = m_property.type == PropertyType::Text ? "a text" : m_property.type == PropertyType::File ? "a file name" : "a name";
+            const char* needed = m_property.type == PropertyType::Text   ? "a text"
+                                 : m_property.type == PropertyType::File ? "a file name"
+                                                                         : "a name";
             return wrongType(element, needed);
         }
         value.texts.push_back(element.text);

@@ -16,8 +16,8 @@ struct GivenElement {
     Kind kind = Kind::Word;
     double number = 0;
     bool boolean = false;
-    std::string text; ///< the word or the unescaped string
-    std::string unit; ///< empty: none
+    std::string text;      ///< the word or the unescaped string
+    std::string unit;      ///< empty: none
     SourceRange range;     ///< where it stands in the text (`$name` for a Param)
     SourceRange unitRange; ///< empty where the unit does not stand there
     SourceRange source;    ///< where the value itself stands when a Param brought it

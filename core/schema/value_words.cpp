@@ -47,9 +47,7 @@ std::string elementText(const GivenElement& element) {
 }
 
 std::string limitText(const Property& p) {
-    const auto amount = [&](double limit) {
-        return numberText(limit) + (limit == 0 || p.unit.empty() ? "" : " " + p.unit);
-    };
+    const auto amount = [&](double limit) { return numberText(limit) + (limit == 0 || p.unit.empty() ? "" : " " + p.unit); };
     const bool low = std::isfinite(p.minimum), high = std::isfinite(p.maximum);
     if (low && high && !p.minExclusive && !p.maxExclusive) {
         return "from " + numberText(p.minimum) + " to " + amount(p.maximum);
@@ -89,7 +87,8 @@ std::string countText(const Property& p) {
 }
 
 std::string withArticle(std::string_view word) {
-    const bool vowel = !word.empty() && std::string_view("aeiouAEIOU").find(word[0]) != std::string_view::npos;
+    const bool spokenYou = word.starts_with("Uni") || word.starts_with("uni"); // a Universal
+    const bool vowel = !spokenYou && !word.empty() && std::string_view("aeiouAEIOU").find(word[0]) != std::string_view::npos;
     return (vowel ? "an " : "a ") + std::string(word);
 }
 

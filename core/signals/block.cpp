@@ -10,10 +10,11 @@ namespace trundle {
 static_assert(std::is_trivially_copyable_v<BlockHeader> && sizeof(BlockHeader) % sizeof(double) == 0,
               "the slots follow the header directly, aligned as doubles");
 
-std::size_t SignalBlock::bytesNeeded(const SignalLayout& layout) { return sizeof(BlockHeader) + layout.slotCount() * sizeof(double); }
+std::size_t SignalBlock::bytesNeeded(const SignalLayout& layout) {
+    return sizeof(BlockHeader) + layout.slotCount() * sizeof(double);
+}
 
-SignalBlock::SignalBlock(const SignalLayout& layout)
-    : SignalBlock(layout, nullptr) {}
+SignalBlock::SignalBlock(const SignalLayout& layout) : SignalBlock(layout, nullptr) {}
 
 SignalBlock::SignalBlock(const SignalLayout& layout, void* memory) {
     if (!memory) {

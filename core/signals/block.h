@@ -14,9 +14,9 @@ struct BlockHeader {
     std::uint32_t magic = 0x4b4c4254; ///< "TBLK"
     std::uint32_t version = 1;
     std::uint64_t layoutHash = 0;
-    std::uint64_t tick = 0;      ///< completed ticks
-    std::uint64_t sequence = 0;  ///< odd while it is being written
-    double time = 0;             ///< s
+    std::uint64_t tick = 0;     ///< completed ticks
+    std::uint64_t sequence = 0; ///< odd while it is being written
+    double time = 0;            ///< s
     std::uint64_t slotCount = 0;
 };
 

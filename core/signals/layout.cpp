@@ -22,7 +22,8 @@ std::uint64_t hashText(std::string_view text, std::uint64_t start) { return fnv1
 
 void SignalLayout::beginRobot(std::string name) { m_images.push_back({std::move(name), m_slots, 0}); }
 
-std::uint32_t SignalLayout::add(std::string path, std::string unit, SignalType type, SignalDirection direction, std::uint32_t count) {
+std::uint32_t SignalLayout::add(std::string path, std::string unit, SignalType type, SignalDirection direction,
+                                std::uint32_t count) {
     const std::uint32_t offset = m_slots;
     m_byPath.emplace(path, static_cast<std::uint32_t>(m_entries.size())); // of two equal paths the first is found
     m_entries.push_back({std::move(path), std::move(unit), type, direction, offset, count});

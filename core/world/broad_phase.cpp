@@ -7,14 +7,15 @@ namespace trundle {
 
 namespace {
 
-constexpr int kMostCells = 256;     // per side of the static grid
-constexpr int kLargeCovers = 64;    // cells; what covers more is tested always
+constexpr int kMostCells = 256;  // per side of the static grid
+constexpr int kLargeCovers = 64; // cells; what covers more is tested always
 constexpr double kSmallestCell = 1e-3;
 
 double widest(const Box3& b) { return std::max(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]); }
 
 std::size_t hashCell(std::int64_t x, std::int64_t y) {
-    return static_cast<std::size_t>(static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^ static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4full);
+    return static_cast<std::size_t>(static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^
+                                    static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4full);
 }
 
 } // namespace

@@ -14,7 +14,8 @@ struct Box3 {
     double hi[3] = {0, 0, 0};
 
     [[nodiscard]] bool touches(const Box3& o) const {
-        return lo[0] <= o.hi[0] && o.lo[0] <= hi[0] && lo[1] <= o.hi[1] && o.lo[1] <= hi[1] && lo[2] <= o.hi[2] && o.lo[2] <= hi[2];
+        return lo[0] <= o.hi[0] && o.lo[0] <= hi[0] && lo[1] <= o.hi[1] && o.lo[1] <= hi[1] && lo[2] <= o.hi[2] &&
+               o.lo[2] <= hi[2];
     }
     void cover(const Box3& o) {
         for (int k = 0; k < 3; ++k) {

@@ -32,7 +32,9 @@ struct Device {
     Device() = default;
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
-    ~Device() { if (instance && kind && kind->destroy) kind->destroy(instance); }
+    ~Device() {
+        if (instance && kind && kind->destroy) kind->destroy(instance);
+    }
     void note(const std::string& why);
 };
 
@@ -83,12 +85,16 @@ public:
     [[nodiscard]] const Fault* fault() const override { return m_fault ? &*m_fault : nullptr; }
     [[nodiscard]] std::uint64_t ticks() const override { return m_ticks; }
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_engine->quickTicks(); }
+    [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_engine->rescuedTicks(); }
+    [[nodiscard]] std::size_t largestExactCluster() const override { return m_engine->largestExactCluster(); }
     [[nodiscard]] std::uint64_t stateHash() const override;
     [[nodiscard]] Pose robotPose(std::size_t robot) const override;
     [[nodiscard]] RobotEnergy robotEnergy(std::size_t robot) const override;
     [[nodiscard]] const std::vector<WorldContact>& contacts() const override;
     [[nodiscard]] Status push(const std::string& body, const Vec3& force, const Vec3& point) override;
     [[nodiscard]] Status place(const std::string& robot, const Pose& pose) override;
+    [[nodiscard]] Status setSurface(const SurfaceSpec& surface) override;
+    [[nodiscard]] Status setProperty(const std::string& device, const std::string& property, const PropertyValue& value) override;
     void setDeviceText(DeviceText text) override;
 
 private:
@@ -133,10 +139,10 @@ private:
     std::vector<std::string> m_geomPaths;           ///< by engine geom
     std::vector<std::string> m_bodyPaths;           ///< by engine body
     std::vector<SourceRange> m_bodyRanges;
-    std::vector<std::uint32_t> m_hashOrder;         ///< engine bodies, paths ascending
+    std::vector<std::uint32_t> m_hashOrder;                                     ///< engine bodies, paths ascending
     std::unordered_map<std::string, std::uint32_t> m_bodyByPath, m_robotByName; // looked up, never walked
-    std::vector<std::uint8_t> m_jointTurns;         ///< by engine joint: has a position
-    std::vector<JointPlace> m_jointPlaces;          ///< by engine joint
+    std::vector<std::uint8_t> m_jointTurns;                                     ///< by engine joint: has a position
+    std::vector<JointPlace> m_jointPlaces;                                      ///< by engine joint
 
     TrundleServices m_services{};
     Device* m_current = nullptr; ///< whose act or sense is running
@@ -156,7 +162,6 @@ private:
 void fillServices(TrundleServices& services, BuiltWorld& world, double tick);
 void fillMount(Device& device, double tick);
 
-[[nodiscard]] constexpr bool hasPosition(JointType type) { return type != JointType::Ball && type != JointType::Fixed; }
 /// "leftAxle, rightAxle" of anything with a name.
 template <class List> std::string namesOf(const List& list) {
     std::string out;

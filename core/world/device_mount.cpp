@@ -6,6 +6,7 @@
 #include "base/spelling.h"
 #include "world/built_world.h"
 #include "world/device_order.h"
+#include "world/signal_plan.h"
 
 namespace trundle {
 
@@ -97,7 +98,8 @@ struct MountCalls {
         Device& d = device(context);
         const std::string_view whole = text(path);
         const std::size_t dot = whole.find('.');
-        const std::string_view bodyName = whole.substr(0, dot), geomName = dot == std::string_view::npos ? "" : whole.substr(dot + 1);
+        const std::string_view bodyName = whole.substr(0, dot),
+                               geomName = dot == std::string_view::npos ? "" : whole.substr(dot + 1);
         const int b = indexOf(config(d).bodies, bodyName);
         if (b < 0) {
             d.note(unknownName("body", bodyName, config(d).bodies));
@@ -109,7 +111,7 @@ struct MountCalls {
             d.note(unknownName("geom in " + std::string(bodyName), geomName, geoms));
             return -1;
         }
-        const GeomId id = robot(d).handles.geoms[static_cast<std::size_t>(b)][static_cast<std::size_t>(g)];
+        const GeomHandle id = robot(d).handles.geoms[static_cast<std::size_t>(b)][static_cast<std::size_t>(g)];
         if (!id.valid()) {
             d.note("the geom " + std::string(whole) + " does not collide (Collide=false)");
             return -1;
@@ -134,10 +136,12 @@ struct MountCalls {
         }
         const int i = signalIndex(*other->kind, text(signalName));
         if (i < 0) {
-            d.note(std::string(text(name)) + " has no signal " + std::string(text(signalName)) + " (there are: " + signalNames(*other->kind) + ")");
+            d.note(std::string(text(name)) + " has no signal " + std::string(text(signalName)) +
+                   " (there are: " + signalNames(*other->kind) + ")");
             return nullptr;
         }
-        if (other != &d && std::find(d.peers.begin(), d.peers.end(), other->index) == d.peers.end()) d.peers.push_back(other->index);
+        if (other != &d && std::find(d.peers.begin(), d.peers.end(), other->index) == d.peers.end())
+            d.peers.push_back(other->index);
         return d.world->m_block->slots().data() + other->slots[static_cast<std::size_t>(i)];
     }
 
@@ -170,13 +174,27 @@ struct MountCalls {
         if (words) d.world->print(d, severity, words);
     }
 
-    static void fail(void* context, const char* why) { device(context).note(text(why).empty() ? "it gave no reason" : std::string(text(why))); }
+    static void fail(void* context, const char* why) {
+        device(context).note(text(why).empty() ? "it gave no reason" : std::string(text(why)));
+    }
 };
 
 void fillMount(Device& device, double tick) {
-    device.mount = {sizeof(TrundleMount), 0, &device, device.path.c_str(), tick, MountCalls::signal, MountCalls::joint, MountCalls::body,
-                    MountCalls::geom, MountCalls::peerSignal, MountCalls::peerNumber, MountCalls::peerText, MountCalls::fail,
-                    MountCalls::addAxialInertia, MountCalls::print};
+    device.mount = {sizeof(TrundleMount),
+                    0,
+                    &device,
+                    device.path.c_str(),
+                    tick,
+                    MountCalls::signal,
+                    MountCalls::joint,
+                    MountCalls::body,
+                    MountCalls::geom,
+                    MountCalls::peerSignal,
+                    MountCalls::peerNumber,
+                    MountCalls::peerText,
+                    MountCalls::fail,
+                    MountCalls::addAxialInertia,
+                    MountCalls::print};
 }
 
 void Device::note(const std::string& why) {
@@ -216,7 +234,8 @@ void BuiltWorld::createDevices(const DeviceCode& code, Diagnostics& diagnostics)
             device->pathHash = fnv1a64(device->path);
             device->kind = code ? code(spec.kind) : nullptr;
             if (!device->kind || device->kind->role != TRUNDLE_DEVICE || !device->kind->create) {
-                diagnostics.error(Code::KindNotLoaded, spec.range, "no code is loaded for the kind " + spec.kind + " of " + device->path);
+                diagnostics.error(Code::KindNotLoaded, spec.nameRange,
+                                  "no code is loaded for the kind " + spec.kind + " of " + device->path);
                 continue;
             }
             device->instance = device->kind->create();
@@ -257,7 +276,8 @@ void BuiltWorld::setupDevices(Diagnostics& diagnostics) {
         if (!device->kind->setupDevice) continue;
         const std::int32_t answer = device->kind->setupDevice(device->instance, &device->mount);
         if (answer != 0 && device->failure.empty()) device->note(errorOf(*device->kind, device->instance));
-        if (!device->failure.empty()) diagnostics.error(Code::DeviceSetup, device->spec->nameRange, device->path + ": " + device->failure);
+        if (!device->failure.empty())
+            diagnostics.error(Code::DeviceSetup, device->spec->nameRange, device->path + ": " + device->failure);
     }
 }
 

@@ -16,13 +16,16 @@ struct ServiceCalls {
         else if (!finite) w.m_current->note(std::string(what) + " was asked for a value that is not finite");
         return known && finite;
     }
-    static bool isJoint(const BuiltWorld& w, std::uint32_t joint) { return joint < w.m_jointTurns.size() && w.m_jointTurns[joint]; }
+    static bool isJoint(const BuiltWorld& w, std::uint32_t joint) {
+        return joint < w.m_jointTurns.size() && w.m_jointTurns[joint];
+    }
     static bool isBody(const BuiltWorld& w, std::uint32_t body) { return body < w.m_bodyPaths.size(); }
     static bool isGeom(const BuiltWorld& w, std::uint32_t geom) { return geom < w.m_geomPaths.size(); }
 
     static void motorRow(void* context, std::uint32_t joint, double rate, double softness, double limit) {
         BuiltWorld& w = world(context);
-        const bool finite = std::isfinite(rate) && softness >= 0 && std::isfinite(softness) && limit >= 0; // an infinite limit is fair
+        const bool finite =
+            std::isfinite(rate) && softness >= 0 && std::isfinite(softness) && limit >= 0; // an infinite limit is fair
         if (mayActOn(w, isJoint(w, joint), finite, "motorRow")) w.m_engine->setMotor({joint, 0}, {rate, softness, limit});
     }
     static void jointTorque(void* context, std::uint32_t joint, double torque) {
@@ -103,9 +106,10 @@ struct ServiceCalls {
         return static_cast<std::uint32_t>(list.size());
     }
 
-    static std::int32_t ray(void* context, const double origin[3], const double direction[3], double range, std::int32_t own, TrundleHit* hit) {
+    static std::int32_t ray(void* context, const double origin[3], const double direction[3], double range, std::int32_t own,
+                            TrundleHit* hit) {
         const BuiltWorld& w = world(context);
-        ActorId without;
+        ActorHandle without;
         if (!own && w.m_current) without = w.m_robots[w.m_current->robot].handles.actor;
         const auto found = w.m_engine->ray(Vec3(origin), Vec3(direction), range, without);
         if (!found) return 0;
@@ -125,10 +129,24 @@ struct ServiceCalls {
 };
 
 void fillServices(TrundleServices& services, BuiltWorld& world, double tick) {
-    services = {sizeof(TrundleServices), 0, &world, tick, 0, ServiceCalls::motorRow, ServiceCalls::jointTorque, ServiceCalls::bodyForce,
-                ServiceCalls::surfaceVelocity, ServiceCalls::jointPosition, ServiceCalls::jointRate, ServiceCalls::jointMotorEffort,
-                ServiceCalls::bodyState, ServiceCalls::contacts, ServiceCalls::ray, ServiceCalls::random,
-                ServiceCalls::jointAnchor, ServiceCalls::print};
+    services = {sizeof(TrundleServices),
+                0,
+                &world,
+                tick,
+                0,
+                ServiceCalls::motorRow,
+                ServiceCalls::jointTorque,
+                ServiceCalls::bodyForce,
+                ServiceCalls::surfaceVelocity,
+                ServiceCalls::jointPosition,
+                ServiceCalls::jointRate,
+                ServiceCalls::jointMotorEffort,
+                ServiceCalls::bodyState,
+                ServiceCalls::contacts,
+                ServiceCalls::ray,
+                ServiceCalls::random,
+                ServiceCalls::jointAnchor,
+                ServiceCalls::print};
 }
 
 } // namespace trundle

@@ -29,19 +29,15 @@ template <class Tag> struct Handle {
     [[nodiscard]] bool valid() const { return index != 0xffffffffu; }
     bool operator==(const Handle&) const = default;
 };
-using ActorId = Handle<struct ActorTag>;
-using BodyId = Handle<struct BodyTag>;
-using JointId = Handle<struct JointTag>;
-using GeomId = Handle<struct GeomTag>;
+using ActorHandle = Handle<struct ActorTag>;
+using BodyHandle = Handle<struct BodyTag>;
+using JointHandle = Handle<struct JointTag>;
+using GeomHandle = Handle<struct GeomTag>;
 
 inline constexpr std::uint32_t kNoActor = 0xffffffffu; ///< the partner of a contact with something static
 
-/// `threads` and `tiles` never change results. `exactClusterMax` does: contacts in one cluster beyond which Solver = auto goes quick.
-struct EngineOptions {
-    int threads = 1;
-    int tiles = 1;
-    int exactClusterMax = 60;
-};
+/// Contacts in one cluster beyond which Solver = auto goes quick, and beyond which the exact solver's time runs away.
+inline constexpr std::size_t kExactClusterMax = 60;
 
 struct EngineSettings {
     Vec3 gravity{0, 0, -9.81};
@@ -66,10 +62,10 @@ struct ActorDef {
 };
 
 struct ActorHandles {
-    ActorId actor;
-    std::vector<BodyId> bodies;
-    std::vector<JointId> joints;
-    std::vector<std::vector<GeomId>> geoms; ///< per body, as in the spec; invalid where a geom does not collide
+    ActorHandle actor;
+    std::vector<BodyHandle> bodies;
+    std::vector<JointHandle> joints;
+    std::vector<std::vector<GeomHandle>> geoms; ///< per body, as in the spec; invalid where a geom does not collide
 };
 
 /// State of a body's frame (not of its centre of mass): m, m/s of the origin, rad/s, world.
@@ -101,12 +97,12 @@ struct EngineContact {
 struct RayHit {
     double distance = 0;
     Vec3 normal = Vec3::UnitZ();
-    GeomId geom;
+    GeomHandle geom;
 };
 
 /// Why a step could not be finished. The engine is then dead.
 struct EngineFault {
-    BodyId body; ///< invalid where it is the whole world
+    BodyHandle body; ///< invalid where it is the whole world
     std::string reason;
 };
 
@@ -117,40 +113,48 @@ public:
     /// Everything of one actor, or nothing.
     [[nodiscard]] virtual Result<ActorHandles> addActor(const ActorDef& actor) = 0;
     /// A geom fixed to the world at `pose` (the spec's own pose is not looked at).
-    [[nodiscard]] virtual Result<GeomId> addStatic(const GeomSpec& geom, const Pose& pose) = 0;
+    [[nodiscard]] virtual Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) = 0;
 
     // Writes, applied in order at the start of the next step. A motor row stays until it is replaced, forces last one step.
-    virtual void setMotor(JointId joint, const MotorRow& row) = 0;
-    virtual void addJointTorque(JointId joint, double torque) = 0;
-    virtual void addForce(BodyId body, const Vec3& force, const Vec3& point) = 0;
-    virtual void setSurfaceVelocity(GeomId geom, const Vec3& velocity) = 0; ///< in the geom's frame, until replaced
+    virtual void setMotor(JointHandle joint, const MotorRow& row) = 0;
+    virtual void addJointTorque(JointHandle joint, double torque) = 0;
+    virtual void addForce(BodyHandle body, const Vec3& force, const Vec3& point) = 0;
+    virtual void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) = 0; ///< in the geom's frame, until replaced
+    virtual void setSurface(std::size_t surface, const SurfaceSpec& values) = 0; ///< by its index in the settings
     /// Moves a whole actor rigidly and stops it; joint positions stay.
-    virtual void moveActor(ActorId actor, const Pose& motion) = 0;
+    virtual void moveActor(ActorHandle actor, const Pose& motion) = 0;
 
     /// Adds kg m^2 about a joint's axis to its child, before the first step: a geared rotor that turns with it. Not for sliders.
-    [[nodiscard]] virtual Status addAxialInertia(JointId joint, double inertia) = 0;
+    [[nodiscard]] virtual Status addAxialInertia(JointHandle joint, double inertia) = 0;
 
     /// The whole tick: writes, pairs, contacts, dynamics, publication.
     [[nodiscard]] virtual std::optional<EngineFault> step(double h) = 0;
 
     // Reads, of the last step.
-    [[nodiscard]] virtual const BodyState& state(BodyId body) const = 0;
-    [[nodiscard]] virtual double jointPosition(JointId joint) const = 0; ///< unwrapped
-    [[nodiscard]] virtual double jointRate(JointId joint) const = 0;
-    [[nodiscard]] virtual double jointMotorEffort(JointId joint) const = 0;
+    [[nodiscard]] virtual const BodyState& state(BodyHandle body) const = 0;
+    [[nodiscard]] virtual double jointPosition(JointHandle joint) const = 0; ///< unwrapped
+    [[nodiscard]] virtual double jointRate(JointHandle joint) const = 0;
+    [[nodiscard]] virtual double jointMotorEffort(JointHandle joint) const = 0;
     [[nodiscard]] virtual std::size_t contactCount() const = 0;
     [[nodiscard]] virtual EngineContact contact(std::size_t index) const = 0;
     /// Indices of the contacts of one geom, ascending. Good until the next step.
-    [[nodiscard]] virtual std::span<const std::uint32_t> contactsOf(GeomId geom) const = 0;
+    [[nodiscard]] virtual std::span<const std::uint32_t> contactsOf(GeomHandle geom) const = 0;
     /// Nearest hit along a unit direction; geoms of `without` are left out.
-    [[nodiscard]] virtual std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range, ActorId without) const = 0;
+    [[nodiscard]] virtual std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
+                                                    ActorHandle without) const = 0;
 
+    /// Steps that the quick solver took unasked.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
+    /// Steps that the exact solver could not take at the first attempt, however they ended.
+    [[nodiscard]] virtual std::uint64_t rescuedTicks() const = 0;
+    /// Contacts in the largest cluster that the exact solver took on so far because Solver = exact says so; counted only above
+    /// kExactClusterMax.
+    [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
     /// Complaints of the solver about singular systems: a health counter, 0 in a sound world.
     [[nodiscard]] virtual std::uint64_t complaints() const = 0;
 };
 
 /// The rigid-body engine (ODE).
-[[nodiscard]] Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings, const EngineOptions& options);
+[[nodiscard]] Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings);
 
 } // namespace trundle

@@ -9,8 +9,8 @@ namespace trundle {
 
 namespace {
 
-constexpr double kFarthest = 1e5;   // m
-constexpr double kSmallest = 1e-6;  // m
+constexpr double kFarthest = 1e5;                   // m
+constexpr double kSmallest = 1e-6;                  // m
 constexpr double kLightest = 1e-9, kHeaviest = 1e9; // kg
 
 bool isIn(double value, double low, double high) { return value >= low && value <= high; } // false for NaN
@@ -49,108 +49,144 @@ private:
     void settings() {
         const SettingsSpec& s = m_experiment.settings;
         need(isIn(s.tick, 1e-6, 1), Code::OutOfRange, {}, "Tick must be from 0.000001 to 1 s");
-        need(s.gravity.allFinite() && s.gravity.norm() <= 1e4, Code::OutOfRange, {}, "Gravity must be finite and at most 10000 m/s^2");
+        need(s.gravity.allFinite() && s.gravity.norm() <= 1e4, Code::OutOfRange, {},
+             "Gravity must be finite and at most 10000 m/s^2");
         need(s.iterations >= 1 && s.iterations <= 100000, Code::OutOfRange, {}, "Iterations must be from 1 to 100000");
         need(!m_experiment.surfaces.empty(), Code::Internal, {}, "there is no default surface");
     }
 
     void surfaces() {
         for (const SurfaceSpec& s : m_experiment.surfaces) {
-            need(isIn(s.friction, 0, 1e6), Code::OutOfRange, s.range, "Friction of " + s.name + " must be 0 or more");
-            need(isIn(s.restitution, 0, 1), Code::OutOfRange, s.range, "Restitution of " + s.name + " must be from 0 to 1");
-            need(isIn(s.rollingFriction, 0, 1e3), Code::OutOfRange, s.range, "RollingFriction of " + s.name + " must be 0 or more");
-            need(isIn(s.softness, 0, 1e3), Code::OutOfRange, s.range, "Softness of " + s.name + " must be 0 or more");
+            need(isIn(s.friction, 0, 1e6), Code::OutOfRange, s.nameRange, "Friction of " + s.name + " must be 0 or more");
+            need(isIn(s.restitution, 0, 1), Code::OutOfRange, s.nameRange, "Restitution of " + s.name + " must be from 0 to 1");
+            need(isIn(s.rollingFriction, 0, 1e3), Code::OutOfRange, s.nameRange,
+                 "RollingFriction of " + s.name + " must be 0 or more");
+            need(isIn(s.softness, 0, 1e3), Code::OutOfRange, s.nameRange, "Softness of " + s.name + " must be 0 or more");
         }
     }
 
     void scenery(const StaticSpec& s) {
-        need(isPlace(s.pose), Code::OutOfRange, s.range, s.name + " stands nowhere: its place must be finite and within 100 km");
+        need(isPlace(s.pose), Code::OutOfRange, s.nameRange,
+             s.name + " stands nowhere: its place must be finite and within 100 km");
         if (!s.geoms) return;
         for (const GeomSpec& g : *s.geoms) geom(g, false, s.name);
     }
 
     void robot(const RobotSpec& r) {
-        need(isPlace(r.pose), Code::OutOfRange, r.range, r.name + " stands nowhere: its place must be finite and within 100 km");
-        if (!need(r.config && !r.config->bodies.empty(), Code::BadGeometry, r.range, r.name + " has no body")) return;
+        need(isPlace(r.pose), Code::OutOfRange, r.nameRange,
+             r.name + " stands nowhere: its place must be finite and within 100 km");
+        if (!need(r.config && !r.config->bodies.empty(), Code::BadGeometry, r.nameRange, r.name + " has no body")) return;
         if (!m_seen.insert(r.config.get()).second) return; // shared by many: looked at once
         for (const BodySpec& b : r.config->bodies) body(b);
         for (const JointSpec& j : r.config->joints) joint(j, *r.config);
     }
 
     void body(const BodySpec& b) {
-        need(isPlace(b.pose), Code::OutOfRange, b.range, b.name + " stands nowhere: its place must be finite and within 100 km");
+        need(isPlace(b.pose), Code::OutOfRange, b.nameRange,
+             b.name + " stands nowhere: its place must be finite and within 100 km");
         const MassProperties& m = b.mass;
-        if (!need(isIn(m.mass, kLightest, kHeaviest), Code::BadMass, b.range, "the mass of " + b.name + " must be from 1e-9 to 1e9 kg")) return;
-        need(m.centre.allFinite() && m.centre.norm() <= kFarthest, Code::BadMass, b.range, "the centre of mass of " + b.name + " is not a place");
+        if (!need(isIn(m.mass, kLightest, kHeaviest), Code::BadMass, b.nameRange,
+                  "the mass of " + b.name + " must be from 1e-9 to 1e9 kg"))
+            return;
+        need(m.centre.allFinite() && m.centre.norm() <= kFarthest, Code::BadMass, b.nameRange,
+             "the centre of mass of " + b.name + " is not a place");
         inertia(b);
         for (const GeomSpec& g : b.geoms) geom(g, true, b.name);
     }
 
     void inertia(const BodySpec& b) {
         const Mat3& i = b.mass.inertia;
-        if (!need(i.allFinite() && i.isApprox(i.transpose(), 1e-9), Code::BadMass, b.range, "the inertia of " + b.name + " is not symmetric")) return;
+        if (!need(i.allFinite() && i.isApprox(i.transpose(), 1e-9), Code::BadMass, b.nameRange,
+                  "the inertia of " + b.name + " is not symmetric"))
+            return;
         const Vec3 e = Eigen::SelfAdjointEigenSolver<Mat3>(i, Eigen::EigenvaluesOnly).eigenvalues();
-        if (!need(e[0] > 0 && e[0] > 1e-10 * e[2], Code::BadMass, b.range, "the inertia of " + b.name + " must be positive about every axis")) return;
-        need(e[0] + e[1] >= e[2] * (1 - 1e-6), Code::BadMass, b.range,
+        if (!need(e[0] > 0 && e[0] > 1e-10 * e[2], Code::BadMass, b.nameRange,
+                  "the inertia of " + b.name + " must be positive about every axis"))
+            return;
+        need(e[0] + e[1] >= e[2] * (1 - 1e-6), Code::BadMass, b.nameRange,
              "no body has the inertia of " + b.name + ": about one axis it is more than about the other two together");
     }
 
     void geom(const GeomSpec& g, bool onBody, const std::string& where) {
         const std::string name = where + "." + g.name;
-        need(isPlace(g.pose), Code::OutOfRange, g.range, name + " stands nowhere: its place must be finite and within 100 km");
-        need(g.surface < m_experiment.surfaces.size(), Code::Internal, g.range, name + " has no surface");
+        need(isPlace(g.pose), Code::OutOfRange, g.nameRange,
+             name + " stands nowhere: its place must be finite and within 100 km");
+        need(g.surface < m_experiment.surfaces.size(), Code::Internal, g.nameRange, name + " has no surface");
         const auto length = [&](double value, const char* what) {
-            need(isIn(value, kSmallest, kFarthest), Code::BadGeometry, g.range, std::string(what) + " of " + name + " must be from 1e-6 to 100000 m");
+            need(isIn(value, kSmallest, kFarthest), Code::BadGeometry, g.nameRange,
+                 std::string(what) + " of " + name + " must be from 1e-6 to 100000 m");
         };
         switch (g.shape) {
-        case GeomShape::Box: for (int k = 0; k < 3; ++k) length(g.size[k], "Size"); break;
+        case GeomShape::Box:
+            for (int k = 0; k < 3; ++k) length(g.size[k], "Size");
+            break;
         case GeomShape::Sphere: length(g.radius, "Radius"); break;
-        case GeomShape::Cylinder: length(g.radius, "Radius"); length(g.length, "Length"); break;
-        case GeomShape::Capsule: length(g.radius, "Radius"); length(g.length, "Length"); break;
-        case GeomShape::Plane: need(!onBody, Code::WrongPlace, g.range, name + ": a Plane stands in a StaticConfig only"); break;
+        case GeomShape::Cylinder:
+            length(g.radius, "Radius");
+            length(g.length, "Length");
+            break;
+        case GeomShape::Capsule:
+            length(g.radius, "Radius");
+            length(g.length, "Length");
+            break;
+        case GeomShape::Plane:
+            need(!onBody, Code::WrongPlace, g.nameRange, name + ": a Plane stands in a StaticConfig only");
+            break;
         case GeomShape::Heightfield:
-            need(!onBody, Code::WrongPlace, g.range, name + ": a Heightfield stands in a StaticConfig only");
+            need(!onBody, Code::WrongPlace, g.nameRange, name + ": a Heightfield stands in a StaticConfig only");
             for (int k = 0; k < 3; ++k) length(g.size[k], "Size");
             if (g.heightMap) heights(g, name);
             break;
         case GeomShape::Convex:
-        case GeomShape::Mesh: if (g.mesh) mesh(g, name); break;
+        case GeomShape::Mesh:
+            if (g.mesh) mesh(g, name);
+            break;
         }
     }
 
     void heights(const GeomSpec& g, const std::string& name) {
         for (const float h : g.heightMap->heights)
-            if (!isIn(static_cast<double>(h), 0, 1)) return bad(Code::BadGeometry, g.range, "the heights of " + name + " must be from 0 to 1");
+            if (!isIn(static_cast<double>(h), 0, 1))
+                return bad(Code::BadGeometry, g.nameRange, "the heights of " + name + " must be from 0 to 1");
     }
 
     void mesh(const GeomSpec& g, const std::string& name) {
         for (const auto& p : g.mesh->points)
             for (const double x : p)
-                if (!(std::abs(x) <= kFarthest)) return bad(Code::BadGeometry, g.range, name + " has a point that is not within 100 km");
+                if (!(std::abs(x) <= kFarthest))
+                    return bad(Code::BadGeometry, g.nameRange, name + " has a point that is not within 100 km");
         for (const auto& t : g.mesh->triangles)
             for (const std::uint32_t i : t)
-                if (i >= g.mesh->points.size()) return bad(Code::BadGeometry, g.range, name + " has a triangle with a point it does not have");
+                if (i >= g.mesh->points.size())
+                    return bad(Code::BadGeometry, g.nameRange, name + " has a triangle with a point it does not have");
     }
 
     void joint(const JointSpec& j, const RobotConfigSpec& config) {
         const int bodies = static_cast<int>(config.bodies.size());
         const bool known = j.child >= 0 && j.child < bodies && j.parent >= kWorldBody && j.parent < bodies;
-        if (!need(known, Code::BadJoint, j.range, j.name + " joins a body that is not there")) return;
-        need(j.child != j.parent, Code::BadJoint, j.range, j.name + " joins " + config.bodies[static_cast<std::size_t>(j.child)].name + " to itself");
-        need(j.anchor.allFinite() && j.anchor.norm() <= kFarthest, Code::BadJoint, j.range, "Anchor of " + j.name + " is not a place");
-        need(isUnit(j.axis), Code::BadJoint, j.range, "Axis of " + j.name + " must have a direction");
+        if (!need(known, Code::BadJoint, j.nameRange, j.name + " joins a body that is not there")) return;
+        need(j.child != j.parent, Code::BadJoint, j.nameRange,
+             j.name + " joins " + config.bodies[static_cast<std::size_t>(j.child)].name + " to itself");
+        need(j.anchor.allFinite() && j.anchor.norm() <= kFarthest, Code::BadJoint, j.nameRange,
+             "Anchor of " + j.name + " is not a place");
+        need(isUnit(j.axis), Code::BadJoint, j.nameRange, "Axis of " + j.name + " must have a direction");
         const bool two = j.type == JointType::Universal || j.type == JointType::Suspension;
-        if (two && need(isUnit(j.axis2), Code::BadJoint, j.range, "Axis2 of " + j.name + " must have a direction")) {
+        if (two && need(isUnit(j.axis2), Code::BadJoint, j.nameRange, "Axis2 of " + j.name + " must have a direction")) {
             const double along = std::abs(j.axis.dot(j.axis2));
-            if (j.type == JointType::Universal) need(along < 1e-6, Code::BadJoint, j.range, "Axis and Axis2 of " + j.name + " must be at right angles");
-            else need(along < 0.99, Code::BadJoint, j.range, "Axis and Axis2 of " + j.name + " must not be parallel");
+            if (j.type == JointType::Universal)
+                need(along < 1e-6, Code::BadJoint, j.nameRange, "Axis and Axis2 of " + j.name + " must be at right angles");
+            else need(along < 0.99, Code::BadJoint, j.nameRange, "Axis and Axis2 of " + j.name + " must not be parallel");
         }
-        if (j.type == JointType::Suspension) need(j.parent != kWorldBody, Code::BadJoint, j.range, j.name + ": a Suspension needs a body as its Parent");
+        if (j.type == JointType::Suspension)
+            need(j.parent != kWorldBody, Code::BadJoint, j.nameRange, j.name + ": a Suspension needs a body as its Parent");
         const double low = j.lowStop.value_or(-1), high = j.highStop.value_or(1);
-        need(isIn(low, -1e6, 1e6) && isIn(high, -1e6, 1e6), Code::BadJoint, j.range, "the stops of " + j.name + " must be finite");
-        if (j.lowStop && j.highStop) need(low <= high, Code::BadJoint, j.range, "LowStop of " + j.name + " is above its HighStop");
-        for (const auto& [value, what] : {std::pair{j.damping, "Damping"}, {j.friction, "Friction"}, {j.stiffness, "Stiffness"}, {j.travel, "Travel"}})
-            need(isIn(value, 0, 1e12), Code::BadJoint, j.range, std::string(what) + " of " + j.name + " must be 0 or more");
+        need(isIn(low, -1e6, 1e6) && isIn(high, -1e6, 1e6), Code::BadJoint, j.nameRange,
+             "the stops of " + j.name + " must be finite");
+        if (j.lowStop && j.highStop)
+            need(low <= high, Code::BadJoint, j.nameRange, "LowStop of " + j.name + " is above its HighStop");
+        for (const auto& [value, what] :
+             {std::pair{j.damping, "Damping"}, {j.friction, "Friction"}, {j.stiffness, "Stiffness"}, {j.travel, "Travel"}})
+            need(isIn(value, 0, 1e12), Code::BadJoint, j.nameRange, std::string(what) + " of " + j.name + " must be 0 or more");
     }
 };
 
@@ -158,6 +194,10 @@ private:
 
 bool isPlace(const Pose& pose) {
     return pose.position.allFinite() && pose.position.norm() <= kFarthest && std::abs(pose.rotation.norm() - 1) < 1e-6;
+}
+
+bool isSurface(const SurfaceSpec& s) {
+    return isIn(s.friction, 0, 1e6) && isIn(s.restitution, 0, 1) && isIn(s.rollingFriction, 0, 1e3) && isIn(s.softness, 0, 1e3);
 }
 
 bool isBuildable(const ExperimentSpec& experiment, Diagnostics& diagnostics) { return Check(experiment, diagnostics).all(); }

@@ -8,6 +8,9 @@ namespace trundle {
 /// resolver refuses most of it with better words; this is the door that also holds for experiments that came another way.
 [[nodiscard]] bool isBuildable(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 
+/// Values that contacts can be computed with.
+[[nodiscard]] bool isSurface(const SurfaceSpec& surface);
+
 /// Finite, near enough to the origin, unit rotation.
 [[nodiscard]] bool isPlace(const Pose& pose);
 

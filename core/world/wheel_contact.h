@@ -11,13 +11,13 @@ namespace trundle {
 /// A wheel as it stands in the world.
 struct WheelPose {
     Vec3 centre;
-    Vec3 axle;     ///< unit
+    Vec3 axle; ///< unit
     double radius = 0;
 };
 
 struct GroundContact {
     Vec3 position;
-    Vec3 normal;  ///< out of the ground
+    Vec3 normal;      ///< out of the ground
     double depth = 0; ///< >= 0
 };
 
@@ -27,6 +27,7 @@ enum class WheelAnswer { Contact, NoContact, Unknown };
 [[nodiscard]] WheelAnswer wheelOnPlane(const WheelPose& wheel, const Vec3& normal, double distance, GroundContact& out);
 
 /// Against a box. Unknown near its edges and from inside it.
-[[nodiscard]] WheelAnswer wheelOnBox(const WheelPose& wheel, const Vec3& boxCentre, const Mat3& boxAxes, const Vec3& half, GroundContact& out);
+[[nodiscard]] WheelAnswer wheelOnBox(const WheelPose& wheel, const Vec3& boxCentre, const Mat3& boxAxes, const Vec3& half,
+                                     GroundContact& out);
 
 } // namespace trundle

@@ -27,20 +27,22 @@ using DeviceText = std::function<void(const std::string&, int, const std::string
 struct WorldContact {
     std::string_view first, second; ///< geom paths "robot0/chassis/bumper", "arena/north"
     Vec3 position = Vec3::Zero();
-    Vec3 normal = Vec3::UnitZ();    ///< towards `first`
-    double depth = 0;               ///< m
-    double force = 0;               ///< N along the normal
+    Vec3 normal = Vec3::UnitZ(); ///< towards `first`
+    double depth = 0;            ///< m
+    double force = 0;            ///< N along the normal
 };
 
 /// Kinetic and potential energy of one robot, J.
-struct RobotEnergy { double kinetic = 0, potential = 0; };
+struct RobotEnergy {
+    double kinetic = 0, potential = 0;
+};
 
 /// Why and where a world stopped for good.
 struct Fault {
     std::string body; ///< path, empty where it is the whole world
     double time = 0;
     std::string reason;
-    SourceRange range; ///< the body's block
+    SourceRange range; ///< the name of the body (of the device) in the text
 };
 
 class World {
@@ -64,6 +66,10 @@ public:
     [[nodiscard]] double time() const { return static_cast<double>(ticks()) * experiment().settings.tick; }
     /// Ticks the quick solver took unasked: large clusters under Solver = auto, and what the exact one could not solve at all.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
+    /// Ticks that the exact solver could not take at the first attempt: taken again with more give, at last by the quick one.
+    [[nodiscard]] virtual std::uint64_t rescuedTicks() const = 0;
+    /// Contacts in the largest cluster that Solver = exact had to take on, where that was more than is sane; else 0.
+    [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
 
     /// FNV-1a 64 over position, quaternion (w x y z), linear and angular velocity as little-endian doubles, bodies in path order.
     [[nodiscard]] virtual std::uint64_t stateHash() const = 0;
@@ -77,6 +83,11 @@ public:
     [[nodiscard]] virtual Status push(const std::string& body, const Vec3& force, const Vec3& point) = 0;
     /// Puts a robot at a pose, at rest.
     [[nodiscard]] virtual Status place(const std::string& robot, const Pose& pose) = 0;
+    /// Gives the surface of that name other values.
+    [[nodiscard]] virtual Status setSurface(const SurfaceSpec& surface) = 0;
+    /// Sets a field of a device "robot0/leftMotor" that its kind describes as live, SI units.
+    [[nodiscard]] virtual Status setProperty(const std::string& device, const std::string& property,
+                                             const PropertyValue& value) = 0;
 
     /// What devices said while the world was built is given at once.
     virtual void setDeviceText(DeviceText text) = 0;

@@ -3,6 +3,7 @@
 
 #include "base/rng.h"
 #include "world/built_world.h"
+#include "world/signal_plan.h"
 #include "world/validate.h"
 
 namespace trundle {
@@ -18,14 +19,14 @@ template <class List> std::vector<std::size_t> byName(const List& list) {
 
 } // namespace
 
-std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices, Diagnostics& diagnostics) {
+std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
+                                    Diagnostics& diagnostics) {
     auto world = std::make_unique<BuiltWorld>(std::move(experiment));
     if (!world->build(devices, diagnostics)) return nullptr;
     return world;
 }
 
-BuiltWorld::BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment)
-    : m_experiment(std::move(experiment)) {}
+BuiltWorld::BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment) : m_experiment(std::move(experiment)) {}
 
 BuiltWorld::~BuiltWorld() = default;
 
@@ -34,7 +35,7 @@ bool BuiltWorld::build(const DeviceCode& devices, Diagnostics& diagnostics) {
     const auto failed = [&] { return diagnostics.errorCount() > before; };
     if (!isBuildable(*m_experiment, diagnostics)) return false;
     const SettingsSpec& s = m_experiment->settings;
-    auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, m_experiment->surfaces}, {});
+    auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, m_experiment->surfaces});
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return false;
@@ -69,7 +70,7 @@ void BuiltWorld::buildScenery(Diagnostics& diagnostics) {
             if (!g.collide) continue;
             const auto id = m_engine->addStatic(g, s.pose * g.pose);
             if (!id) {
-                diagnostics.error(id.error().code, g.range, s.name + "/" + id.error().message);
+                diagnostics.error(id.error().code, g.nameRange, s.name + "/" + id.error().message);
                 continue;
             }
             m_geomPaths.resize(std::max<std::size_t>(m_geomPaths.size(), id.value().index + 1));
@@ -88,7 +89,7 @@ void BuiltWorld::buildRobots(Diagnostics& diagnostics) {
         for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});
         auto made = m_engine->addActor(def);
         if (!made) {
-            diagnostics.error(made.error().code, spec.range, spec.name + "/" + made.error().message);
+            diagnostics.error(made.error().code, spec.nameRange, spec.name + "/" + made.error().message);
             continue;
         }
         robot.handles = std::move(made).value();
@@ -108,10 +109,10 @@ void BuiltWorld::nameBodies() {
             m_bodyPaths.resize(std::max<std::size_t>(m_bodyPaths.size(), id + 1));
             m_bodyRanges.resize(m_bodyPaths.size());
             m_bodyPaths[id] = robot.spec->name + "/" + bodies[b].name;
-            m_bodyRanges[id] = bodies[b].range;
+            m_bodyRanges[id] = bodies[b].nameRange;
             m_bodyByPath.emplace(m_bodyPaths[id], id);
             for (std::size_t g = 0; g < bodies[b].geoms.size(); ++g) {
-                const GeomId geom = robot.handles.geoms[b][g];
+                const GeomHandle geom = robot.handles.geoms[b][g];
                 if (!geom.valid()) continue;
                 m_geomPaths.resize(std::max<std::size_t>(m_geomPaths.size(), geom.index + 1));
                 m_geomPaths[geom.index] = m_bodyPaths[id] + "/" + bodies[b].geoms[g].name;
@@ -128,7 +129,8 @@ void BuiltWorld::nameBodies() {
     }
     m_hashOrder.resize(m_bodyPaths.size());
     std::iota(m_hashOrder.begin(), m_hashOrder.end(), 0u);
-    std::stable_sort(m_hashOrder.begin(), m_hashOrder.end(), [&](std::uint32_t a, std::uint32_t b) { return m_bodyPaths[a] < m_bodyPaths[b]; });
+    std::stable_sort(m_hashOrder.begin(), m_hashOrder.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return m_bodyPaths[a] < m_bodyPaths[b]; });
 }
 
 JointPlace BuiltWorld::placeOf(const JointSpec& joint, const BuiltRobot& robot) {
@@ -139,25 +141,10 @@ JointPlace BuiltWorld::placeOf(const JointSpec& joint, const BuiltRobot& robot) 
     return {robot.handles.bodies[parent].index, true, inParent * joint.anchor, inParent.rotation * axis};
 }
 
-/// Truth first, in one run that publishRobot() walks: pose, velocity, bodies, joints; then the devices' signals.
+/// Truth first, in one run that publishRobot() walks; then the devices' signals.
 void BuiltWorld::layOutSignals() {
-    constexpr auto kReal = SignalType::Real;
-    constexpr auto kTruth = SignalDirection::Truth;
     for (BuiltRobot& robot : m_robots) {
-        const std::string& name = robot.spec->name;
-        m_layout.beginRobot(name);
-        robot.image = m_layout.add(name + "/pose", "m", kReal, kTruth, 7);
-        m_layout.add(name + "/velocity", "m/s", kReal, kTruth, 6);
-        for (const BodySpec& body : robot.spec->config->bodies) {
-            m_layout.add(name + "/" + body.name + "/pose", "m", kReal, kTruth, 7);
-            m_layout.add(name + "/" + body.name + "/velocity", "m/s", kReal, kTruth, 6);
-        }
-        for (const JointSpec& joint : robot.spec->config->joints) {
-            if (!hasPosition(joint.type)) continue;
-            const bool linear = joint.type == JointType::Slider;
-            m_layout.add(name + "/" + joint.name + "/position", linear ? "m" : "rad", kReal, kTruth);
-            m_layout.add(name + "/" + joint.name + "/rate", linear ? "m/s" : "rad/s", kReal, kTruth);
-        }
+        robot.image = planRobot(m_layout, *robot.spec);
         for (std::uint32_t d = 0; d < robot.deviceCount; ++d) layOutDevice(*m_devices[robot.firstDevice + d]);
     }
 }

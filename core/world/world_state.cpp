@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/rng.h"
+#include "schema/live_value.h"
 #include "world/built_world.h"
 #include "world/validate.h"
 
@@ -45,9 +46,7 @@ std::uint64_t BuiltWorld::stateHash() const {
     return hash.value();
 }
 
-Pose BuiltWorld::robotPose(std::size_t robot) const {
-    return robot < m_robots.size() ? framePose(m_robots[robot]) : Pose{};
-}
+Pose BuiltWorld::robotPose(std::size_t robot) const { return robot < m_robots.size() ? framePose(m_robots[robot]) : Pose{}; }
 
 RobotEnergy BuiltWorld::robotEnergy(std::size_t index) const {
     RobotEnergy energy;
@@ -77,7 +76,8 @@ const std::vector<WorldContact>& BuiltWorld::contacts() const {
 Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& point) {
     const auto it = m_bodyByPath.find(body);
     if (it == m_bodyByPath.end()) return Error{Code::UnknownReference, "there is no body " + body};
-    if (!force.allFinite() || !point.allFinite() || force.norm() > 1e9) return Error{Code::OutOfRange, "a push needs a finite force of at most 1e9 N"};
+    if (!force.allFinite() || !point.allFinite() || force.norm() > 1e9)
+        return Error{Code::OutOfRange, "a push needs a finite force of at most 1e9 N"};
     m_engine->addForce({it->second, 0}, force, point);
     return {};
 }
@@ -89,6 +89,23 @@ Status BuiltWorld::place(const std::string& name, const Pose& pose) {
     const BuiltRobot& robot = m_robots[it->second];
     m_engine->moveActor(robot.handles.actor, pose * framePose(robot).inverse());
     return {};
+}
+
+Status BuiltWorld::setSurface(const SurfaceSpec& surface) {
+    if (!isSurface(surface)) return Error{Code::OutOfRange, "the surface " + surface.name + " cannot have these values"};
+    const std::vector<SurfaceSpec>& surfaces = m_experiment->surfaces;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (surfaces[i].name != surface.name) continue;
+        m_engine->setSurface(i, surface);
+        return {};
+    }
+    return Error{Code::UnknownReference, "there is no surface " + surface.name};
+}
+
+Status BuiltWorld::setProperty(const std::string& path, const std::string& property, const PropertyValue& value) {
+    for (const auto& device : m_devices)
+        if (device->path == path) return setLive(*device->kind, device->instance, path, property, value);
+    return Error{Code::UnknownReference, "there is no device " + path};
 }
 
 } // namespace trundle

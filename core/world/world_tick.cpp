@@ -33,8 +33,9 @@ Status BuiltWorld::tick() {
         if (const auto fault = m_engine->step(m_experiment->settings.tick)) {
             const double time = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
             const bool known = fault->body.valid() && fault->body.index < m_bodyPaths.size();
-            return stop(known ? Code::BlowUp : Code::EngineFault, {known ? m_bodyPaths[fault->body.index] : "", time, fault->reason,
-                                                                    known ? m_bodyRanges[fault->body.index] : SourceRange{}});
+            return stop(known ? Code::BlowUp : Code::EngineFault,
+                        {known ? m_bodyPaths[fault->body.index] : "", time, fault->reason,
+                         known ? m_bodyRanges[fault->body.index] : SourceRange{}});
         }
         ++m_ticks;
         publish(); // before sense, so that devices may read what is true as signals too
@@ -81,13 +82,13 @@ void BuiltWorld::publishRobot(const BuiltRobot& robot, double* to) const {
     to = put(to, frame.position, frame.rotation);
     to = put(to, first.linear + first.angular.cross(frame.position - first.position));
     to = put(to, first.angular);
-    for (const BodyId body : robot.handles.bodies) {
+    for (const BodyHandle body : robot.handles.bodies) {
         const BodyState& s = m_engine->state(body);
         to = put(to, s.position, s.rotation);
         to = put(to, s.linear);
         to = put(to, s.angular);
     }
-    for (const JointId joint : robot.handles.joints) {
+    for (const JointHandle joint : robot.handles.joints) {
         if (!m_jointTurns[joint.index]) continue;
         *to++ = m_engine->jointPosition(joint);
         *to++ = m_engine->jointRate(joint);

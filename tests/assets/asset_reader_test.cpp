@@ -16,7 +16,8 @@ using Point = std::array<double, 3>;
 
 bool holds(const TriangleMesh& mesh, const Point& wanted) {
     return std::any_of(mesh.points.begin(), mesh.points.end(), [&](const Point& point) {
-        return std::fabs(point[0] - wanted[0]) < 1e-6 && std::fabs(point[1] - wanted[1]) < 1e-6 && std::fabs(point[2] - wanted[2]) < 1e-6;
+        return std::fabs(point[0] - wanted[0]) < 1e-6 && std::fabs(point[1] - wanted[1]) < 1e-6 &&
+               std::fabs(point[2] - wanted[2]) < 1e-6;
     });
 }
 
@@ -24,7 +25,7 @@ bool holds(const TriangleMesh& mesh, const Point& wanted) {
 
 class AssetReaderTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_reader = std::make_unique<AssetReader>(TRUNDLE_MESHREADER);
@@ -53,14 +54,15 @@ private slots:
     }
 
     void aTextStlIsReadToo() {
-        const auto mesh = m_reader->mesh(sample("text.stl",
-            "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 4 0\nendloop\nendfacet\nendsolid s\n"));
+        const auto mesh = m_reader->mesh(sample("text.stl", "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 "
+                                                            "0\nvertex 0 4 0\nendloop\nendfacet\nendsolid s\n"));
         QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
         QVERIFY(holds(*mesh.value(), {0, 4, 0}));
     }
 
     void trianglesWithoutAreaAreDropped() {
-        const auto mesh = m_reader->mesh(sample("thin.stl", binaryStl(2, {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 5, 0, 0, 0, 1, 0})));
+        const auto mesh =
+            m_reader->mesh(sample("thin.stl", binaryStl(2, {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 5, 0, 0, 0, 1, 0})));
         QVERIFY(mesh.ok());
         QCOMPARE(mesh.value()->triangles.size(), std::size_t(1));
     }
@@ -97,7 +99,8 @@ private slots:
         const auto mesh = m_reader->mesh(sample("a.gltf", gltf("triangle.bin")));
         QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
         QVERIFY(holds(*mesh.value(), {0, 0, 7})); // y up in the file: (0,2,0) moved by (0,5,0)
-        const auto same = m_reader->mesh(sample("b.gltf", gltf("data:application/octet-stream;base64," + gltfBuffer().toBase64())));
+        const auto same =
+            m_reader->mesh(sample("b.gltf", gltf("data:application/octet-stream;base64," + gltfBuffer().toBase64())));
         QVERIFY2(same.ok(), same.ok() ? "" : same.error().message.c_str());
         QVERIFY(same.value()->points == mesh.value()->points);
     }

@@ -36,7 +36,8 @@ QByteArray pngChunk(const QByteArray& kind, const QByteArray& content) {
 
 QByteArray png(std::uint32_t columns, std::uint32_t rows) {
     const QByteArray header = bigEndian(columns) + bigEndian(rows) + QByteArray("\x08\x00\x00\x00\x00", 5);
-    return QByteArray("\x89PNG\r\n\x1a\n", 8) + pngChunk("IHDR", header) + pngChunk("IDAT", qCompress(QByteArray(100, '\0')).mid(4)) + pngChunk("IEND", {});
+    return QByteArray("\x89PNG\r\n\x1a\n", 8) + pngChunk("IHDR", header) +
+           pngChunk("IDAT", qCompress(QByteArray(100, '\0')).mid(4)) + pngChunk("IEND", {});
 }
 
 QByteArray doublingNodes(int levels) {
@@ -52,7 +53,7 @@ QByteArray doublingNodes(int levels) {
 
 class HostileFilesTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void initTestCase() { m_reader = std::make_unique<AssetReader>(TRUNDLE_MESHREADER); }
 
     void aHostileMeshIsAnError_data() {
@@ -66,30 +67,46 @@ private slots:
         QTest::newRow("text that is no OBJ") << "a.obj" << QByteArray("hello, I am a text of some length\n") << "";
         QTest::newRow("text that is no glTF") << "a.gltf" << QByteArray("hello, I am a text of some length\n") << "format";
         QTest::newRow("zeros") << "a.glb" << QByteArray(1000, '\0') << "";
-        QTest::newRow("an STL that lies about its count") << "a.stl" << binaryStl(4000000000u, {0, 0, 0, 1, 0, 0, 0, 1, 0}) << "count";
+        QTest::newRow("an STL that lies about its count")
+            << "a.stl" << binaryStl(4000000000u, {0, 0, 0, 1, 0, 0, 0, 1, 0}) << "count";
         QTest::newRow("a truncated STL") << "a.stl" << binaryStl(2, {0, 0, 0, 1, 0, 0, 0, 1, 0}) << "count";
         QTest::newRow("a NaN in an STL") << "a.stl" << binaryStl(1, {0, 0, 0, nan, 0, 0, 0, 1, 0}) << "not a number";
         QTest::newRow("a NaN in an OBJ") << "a.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n") << "not a number";
         QTest::newRow("a number too large") << "a.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1e99 0\nf 1 2 3\n") << "not a number";
         QTest::newRow("a point out of this world") << "a.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1e30 0\nf 1 2 3\n") << "away";
-        QTest::newRow("an index too large") << "a.obj" << points + "f 1 2 4\n" << "out of range";
-        QTest::newRow("an index far too large") << "a.obj" << points + "f 1 2 99999999999999999999\n" << "";
-        QTest::newRow("an index zero") << "a.obj" << points + "f 0 1 2\n" << "index";
-        QTest::newRow("an index too negative") << "a.obj" << points + "f 1 2 -9\n" << "out of range";
+        QTest::newRow("an index too large") << "a.obj" << points + "f 1 2 4\n"
+                                            << "out of range";
+        QTest::newRow("an index far too large") << "a.obj" << points + "f 1 2 99999999999999999999\n"
+                                                << "";
+        QTest::newRow("an index zero") << "a.obj" << points + "f 0 1 2\n"
+                                       << "index";
+        QTest::newRow("an index too negative") << "a.obj" << points + "f 1 2 -9\n"
+                                               << "out of range";
         QTest::newRow("points without faces") << "a.obj" << points << "no triangle";
-        QTest::newRow("triangles without area") << "a.obj" << points + "f 1 1 1\n" << "no triangle";
-        QTest::newRow("a COLLADA node that holds itself") << "a.dae" << collada("<node id=\"a\"><instance_node url=\"#a\"/></node>") << "damaged";
+        QTest::newRow("triangles without area") << "a.obj" << points + "f 1 1 1\n"
+                                                << "no triangle";
+        QTest::newRow("a COLLADA node that holds itself")
+            << "a.dae" << collada("<node id=\"a\"><instance_node url=\"#a\"/></node>") << "damaged";
         QTest::newRow("two COLLADA nodes that hold each other")
-            << "a.dae" << collada("<node><instance_node url=\"#a\"/></node>",
-                                  "<node id=\"a\"><instance_node url=\"#b\"/></node><node id=\"b\"><instance_node url=\"#a\"/></node>") << "damaged";
-        QTest::newRow("a hundred thousand nodes deep") << "a.dae" << collada(QByteArray("<node>").repeated(100000) + QByteArray("</node>").repeated(100000)) << "";
+            << "a.dae"
+            << collada("<node><instance_node url=\"#a\"/></node>",
+                       "<node id=\"a\"><instance_node url=\"#b\"/></node><node id=\"b\"><instance_node url=\"#a\"/></node>")
+            << "damaged";
+        QTest::newRow("a hundred thousand nodes deep")
+            << "a.dae" << collada(QByteArray("<node>").repeated(100000) + QByteArray("</node>").repeated(100000)) << "";
         QTest::newRow("XML cut off") << "a.dae" << collada("<node/>").left(300) << "";
         QTest::newRow("a glTF node that holds itself")
-            << "a.gltf" << QByteArray("{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[0]}]}") << "recursive";
-        QTest::newRow("a glTF that counts more than it has") << "a.gltf" << gltf("data:application/octet-stream;base64," + gltfBuffer().toBase64(), "1000000000") << "range";
-        QTest::newRow("a glTF that reads outside its folder") << "a.gltf" << gltf("../../../../etc/passwd") << "outside its folder";
+            << "a.gltf"
+            << QByteArray(
+                   "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[0]}]}")
+            << "recursive";
+        QTest::newRow("a glTF that counts more than it has")
+            << "a.gltf" << gltf("data:application/octet-stream;base64," + gltfBuffer().toBase64(), "1000000000") << "range";
+        QTest::newRow("a glTF that reads outside its folder")
+            << "a.gltf" << gltf("../../../../etc/passwd") << "outside its folder";
         QTest::newRow("a glTF through a link to outside") << "a.gltf" << gltf("link.bin") << "outside its folder";
-        QTest::newRow("another format in disguise") << "a.obj" << QByteArray("ply\nformat ascii 1.0\nelement vertex 0\nend_header\n") << "";
+        QTest::newRow("another format in disguise")
+            << "a.obj" << QByteArray("ply\nformat ascii 1.0\nelement vertex 0\nend_header\n") << "";
         QTest::newRow("a name of no mesh") << "a.exe" << QByteArray("MZ") << "OBJ, STL";
     }
     void aHostileMeshIsAnError() {
@@ -105,7 +122,8 @@ private slots:
     void aBombIsDefused() {
         if (memoryLimitsAreOff()) return; // a sanitizer allows no limit of memory
         const QTemporaryDir folder;
-        const std::string path = writeSample(folder.path(), "bomb.dae", collada("<node><instance_node url=\"#n0\"/></node>", doublingNodes(40)));
+        const std::string path =
+            writeSample(folder.path(), "bomb.dae", collada("<node><instance_node url=\"#n0\"/></node>", doublingNodes(40)));
         expectError(m_reader->mesh(path), folder.filePath("bomb.dae"), "memory");
     }
 
@@ -119,7 +137,8 @@ private slots:
 
     void aReaderThatTalksNonsenseIsNotBelieved() {
         const QTemporaryDir folder;
-        const std::string stub = writeSample(folder.path(), "reader", "#!/bin/sh\nprintf 'TRMESH01\\377\\377\\377\\377\\377\\377\\377\\377'\n");
+        const std::string stub =
+            writeSample(folder.path(), "reader", "#!/bin/sh\nprintf 'TRMESH01\\377\\377\\377\\377\\377\\377\\377\\377'\n");
         QCOMPARE(::chmod(stub.c_str(), 0700), 0);
         AssetReader gullible(stub);
         expectError(gullible.mesh(writeSample(folder.path(), "a.obj", "v")), folder.filePath("a.obj"), "too many");
@@ -136,7 +155,8 @@ private slots:
         QTest::newRow("text") << "a.png" << QByteArray("no picture at all") << "not a picture";
         QTest::newRow("cut off") << "a.png" << png(64, 64).left(40) << "";
         QTest::newRow("a wrong sum") << "a.png" << png(64, 64).replace("IDAT", "IDAX") << "";
-        QTest::newRow("a drawing in XML") << "a.png" << QByteArray("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>") << "";
+        QTest::newRow("a drawing in XML") << "a.png"
+                                          << QByteArray("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>") << "";
         QTest::newRow("empty") << "a.png" << QByteArray() << "empty";
         QTest::newRow("a name of no picture") << "a.obj" << png(2, 2) << "PNG, JPEG";
     }
@@ -181,8 +201,7 @@ private slots:
     }
 
 private:
-    template <class Asset>
-    void expectError(const Result<Asset>& result, const QString& path, const QString& word) {
+    template <class Asset> void expectError(const Result<Asset>& result, const QString& path, const QString& word) {
         QVERIFY(!result.ok());
         const QString message = QString::fromStdString(result.error().message);
         QVERIFY2(message.contains(path), qPrintable(message));

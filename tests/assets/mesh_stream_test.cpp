@@ -19,7 +19,7 @@ void put(std::string& bytes, std::size_t at, auto value) { std::memcpy(bytes.dat
 
 class MeshStreamTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void whatIsEncodedIsDecoded() {
         const auto mesh = decodeMesh(encodeMesh(tetrahedron()));
         QVERIFY(mesh.ok());

@@ -7,9 +7,8 @@ using namespace trundle;
 
 class CodesTest : public QObject {
     Q_OBJECT
-private slots:
-    void everyCodeHasOneRowInOrder()
-    {
+private Q_SLOTS:
+    void everyCodeHasOneRowInOrder() {
         int last = 0;
         std::set<std::string_view> titles;
         for (const CodeEntry& entry : allCodes()) {
@@ -29,8 +28,7 @@ private slots:
         QCOMPARE(allCodes().back().code, Code::Internal);
     }
 
-    void diagnosticsAreCounted()
-    {
+    void diagnosticsAreCounted() {
         Diagnostics all;
         QVERIFY(!all.hasErrors());
         all.warning(Code::DefaultUsed, {}, "a warning");

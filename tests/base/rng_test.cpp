@@ -8,9 +8,8 @@ using namespace trundle;
 
 class RngTest : public QObject {
     Q_OBJECT
-private slots:
-    void knownHashes()
-    {
+private Q_SLOTS:
+    void knownHashes() {
         // Published vectors of FNV-1a 64.
         QCOMPARE(fnv1a64(""), 0xcbf29ce484222325ull);
         QCOMPARE(fnv1a64("a"), 0xaf63dc4c8601ec8cull);
@@ -18,8 +17,7 @@ private slots:
         QCOMPARE(fnv1a64("bar", fnv1a64("foo")), fnv1a64("foobar"));
     }
 
-    void aFunctionOfAllFour()
-    {
+    void aFunctionOfAllFour() {
         std::set<std::uint64_t> seen;
         for (std::uint64_t seed = 0; seed < 8; ++seed)
             for (std::uint64_t path = 0; path < 8; ++path)
@@ -29,8 +27,7 @@ private slots:
         QCOMPARE(randomBits(1, 2, 3, 4), randomBits(1, 2, 3, 4));
     }
 
-    void unitIsUniform()
-    {
+    void unitIsUniform() {
         double sum = 0, squares = 0;
         constexpr int kCount = 100000;
         for (int i = 0; i < kCount; ++i) {
@@ -45,8 +42,7 @@ private slots:
         QCOMPARE(toUnit(0), 0.0);
     }
 
-    void normalIsNormal()
-    {
+    void normalIsNormal() {
         double sum = 0, squares = 0, fourths = 0;
         constexpr std::uint64_t kCount = 100000;
         for (std::uint64_t i = 0; i < kCount; ++i) {

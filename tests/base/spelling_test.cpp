@@ -10,18 +10,116 @@ using namespace trundle;
 namespace {
 
 // Keys and kinds of the language, as they stand together in a registry.
-const std::vector<std::string> kWords{
-    "Tick", "Duration", "Seed", "Gravity", "Solver", "Iterations", "Isolation", "Title", "Description", "Material", "ColorRGB", "Texture", "TextureScale", "TextureMap", "Shininess",
-    "Opacity", "Emission", "Surface", "Friction", "Restitution", "RollingFriction", "Softness", "RobotConfig", "StaticConfig", "SelfCollision", "Static", "Robot", "Config", "Pos", "HPR",
-    "Grid", "Scatter", "Count", "Spacing", "Area", "MinDistance", "Heading", "PoseLog", "SignalLog", "ContactLog", "EnergyLog", "Signals", "Interval", "File", "Body", "Mass",
-    "CenterOfMass", "Inertia", "Box", "Sphere", "Cylinder", "Capsule", "Convex", "Mesh", "Plane", "Heightfield", "Size", "Radius", "Length", "Scale", "Density", "Collide", "Visible",
-    "Shape", "Hinge", "Slider", "Ball", "Universal", "Fixed", "Suspension", "Parent", "Child", "Anchor", "Axis", "Axis2", "LowStop", "HighStop", "Damping", "Stiffness", "Travel",
-    "RotaryMotor", "Joint", "TorqueConstant", "SpeedConstant", "BackEmfConstant", "Resistance", "GearRatio", "MaxVoltage", "Inductance", "Efficiency", "RotorInertia",
-    "DifferentialDrive", "LeftMotor", "RightMotor", "WheelRadius", "WheelSeparation", "Control", "MaxAcceleration", "MaxAngularAcceleration", "Encoder", "CountsPerRevolution",
-    "Quadrature", "Index", "TouchSensor", "Geom", "MinForce", "UpdatePeriod", "Budget"};
+const std::vector<std::string> kWords{"Tick",
+                                      "Duration",
+                                      "Seed",
+                                      "Gravity",
+                                      "Solver",
+                                      "Iterations",
+                                      "Isolation",
+                                      "Title",
+                                      "Description",
+                                      "Material",
+                                      "ColorRGB",
+                                      "Texture",
+                                      "TextureScale",
+                                      "TextureMap",
+                                      "Shininess",
+                                      "Opacity",
+                                      "Emission",
+                                      "Surface",
+                                      "Friction",
+                                      "Restitution",
+                                      "RollingFriction",
+                                      "Softness",
+                                      "RobotConfig",
+                                      "StaticConfig",
+                                      "SelfCollision",
+                                      "Static",
+                                      "Robot",
+                                      "Config",
+                                      "Pos",
+                                      "HPR",
+                                      "Grid",
+                                      "Scatter",
+                                      "Count",
+                                      "Spacing",
+                                      "Area",
+                                      "MinDistance",
+                                      "Heading",
+                                      "PoseLog",
+                                      "SignalLog",
+                                      "ContactLog",
+                                      "EnergyLog",
+                                      "Signals",
+                                      "Interval",
+                                      "File",
+                                      "Body",
+                                      "Mass",
+                                      "CenterOfMass",
+                                      "Inertia",
+                                      "Box",
+                                      "Sphere",
+                                      "Cylinder",
+                                      "Capsule",
+                                      "Convex",
+                                      "Mesh",
+                                      "Plane",
+                                      "Heightfield",
+                                      "Size",
+                                      "Radius",
+                                      "Length",
+                                      "Scale",
+                                      "Density",
+                                      "Collide",
+                                      "Visible",
+                                      "Shape",
+                                      "Hinge",
+                                      "Slider",
+                                      "Ball",
+                                      "Universal",
+                                      "Fixed",
+                                      "Suspension",
+                                      "Parent",
+                                      "Child",
+                                      "Anchor",
+                                      "Axis",
+                                      "Axis2",
+                                      "LowStop",
+                                      "HighStop",
+                                      "Damping",
+                                      "Stiffness",
+                                      "Travel",
+                                      "RotaryMotor",
+                                      "Joint",
+                                      "TorqueConstant",
+                                      "SpeedConstant",
+                                      "BackEmfConstant",
+                                      "Resistance",
+                                      "GearRatio",
+                                      "MaxVoltage",
+                                      "Inductance",
+                                      "Efficiency",
+                                      "RotorInertia",
+                                      "DifferentialDrive",
+                                      "LeftMotor",
+                                      "RightMotor",
+                                      "WheelRadius",
+                                      "WheelSeparation",
+                                      "Control",
+                                      "MaxAcceleration",
+                                      "MaxAngularAcceleration",
+                                      "Encoder",
+                                      "CountsPerRevolution",
+                                      "Quadrature",
+                                      "Index",
+                                      "TouchSensor",
+                                      "Geom",
+                                      "MinForce",
+                                      "UpdatePeriod",
+                                      "Budget"};
 
-std::set<std::string> typosOf(const std::string& word)
-{
+std::set<std::string> typosOf(const std::string& word) {
     std::set<std::string> typos;
     for (std::size_t i = 0; i <= word.size(); ++i) {
         for (const char c : std::string_view("aeilnqrstx")) {
@@ -31,7 +129,10 @@ std::set<std::string> typosOf(const std::string& word)
         if (i < word.size()) typos.insert(word.substr(0, i) + word.substr(i + 1));
         if (i + 1 < word.size()) typos.insert(word.substr(0, i) + word[i + 1] + word[i] + word.substr(i + 2));
         std::string other = word;
-        if (i < word.size()) other[i] = static_cast<char>(std::islower(static_cast<unsigned char>(other[i])) ? std::toupper(static_cast<unsigned char>(other[i])) : std::tolower(static_cast<unsigned char>(other[i])));
+        if (i < word.size())
+            other[i] = static_cast<char>(std::islower(static_cast<unsigned char>(other[i]))
+                                             ? std::toupper(static_cast<unsigned char>(other[i]))
+                                             : std::tolower(static_cast<unsigned char>(other[i])));
         typos.insert(other);
     }
     return typos;
@@ -41,9 +142,8 @@ std::set<std::string> typosOf(const std::string& word)
 
 class SpellingTest : public QObject {
     Q_OBJECT
-private slots:
-    void theRightWordComesFirst()
-    {
+private Q_SLOTS:
+    void theRightWordComesFirst() {
         int right = 0, all = 0;
         std::string missed;
         for (const std::string& word : kWords) {
@@ -55,11 +155,11 @@ private slots:
                 else if (missed.size() < 600) missed += typo + "->" + (near.empty() ? "nothing" : near[0]) + " ";
             }
         }
-        QVERIFY2(right >= 0.97 * all, qPrintable(QString("%1 of %2; missed %3").arg(right).arg(all).arg(QString::fromStdString(missed))));
+        QVERIFY2(right >= 0.97 * all,
+                 qPrintable(QString("%1 of %2; missed %3").arg(right).arg(all).arg(QString::fromStdString(missed))));
     }
 
-    void caseCostsLessThanALetter()
-    {
+    void caseCostsLessThanALetter() {
         QVERIFY(spellingDistance("mass", "Mass") < spellingDistance("Mess", "Mass"));
         QCOMPARE(spellingDistance("Mass", "Mass"), 0.0);
         QCOMPARE(spellingDistance("Pso", "Pos"), 1.0);
@@ -69,15 +169,13 @@ private slots:
         QCOMPARE(nearestWords("wheelradius", kWords).at(0), std::string("WheelRadius"));
     }
 
-    void partsOfAWord()
-    {
+    void partsOfAWord() {
         QCOMPARE(nearestWords("Color", kWords).at(0), std::string("ColorRGB"));
         QCOMPARE(nearestWords("Rad", kWords).at(0), std::string("Radius"));
         QCOMPARE(nearestWords("CountsPerRev", kWords).at(0), std::string("CountsPerRevolution"));
     }
 
-    void nothingWhereNothingIsNear()
-    {
+    void nothingWhereNothingIsNear() {
         QVERIFY(nearestWords("Xylophone", kWords).empty());
         QVERIFY(nearestWords("q", kWords).empty());
         QVERIFY(nearestWords("", kWords).empty());
@@ -85,8 +183,7 @@ private slots:
         QVERIFY(nearestWords("Mass", {}).empty());
     }
 
-    void tiesKeepTheOrderAndNothingComesTwice()
-    {
+    void tiesKeepTheOrderAndNothingComesTwice() {
         const std::vector<std::string> words{"bat", "cat", "bat", "hat", "rat"};
         QCOMPARE(nearestWords("xat", words), (std::vector<std::string>{"bat", "cat", "hat"}));
         QCOMPARE(nearestWords("xat", words, 1).size(), std::size_t(1));

@@ -7,14 +7,15 @@ using namespace trundle;
 
 class UnitsTest : public QObject {
     Q_OBJECT
-private slots:
-    void conversions_data()
-    {
+private Q_SLOTS:
+    void conversions_data() {
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("from");
         QTest::addColumn<QString>("to");
         QTest::addColumn<double>("result");
-        const auto row = [](double value, const char* from, const char* to, double result) { QTest::addRow("%g %s in %s", value, from, to) << value << QString(from) << QString(to) << result; };
+        const auto row = [](double value, const char* from, const char* to, double result) {
+            QTest::addRow("%g %s in %s", value, from, to) << value << QString(from) << QString(to) << result;
+        };
         row(3, "cm", "m", 0.03);
         row(5, "mm", "m", 0.005);
         row(0.25, "m", "cm", 25);
@@ -34,8 +35,7 @@ private slots:
         row(7, "dBm", "dBm", 7);
         row(7, "", "", 7);
     }
-    void conversions()
-    {
+    void conversions() {
         QFETCH(double, value);
         QFETCH(QString, from);
         QFETCH(QString, to);
@@ -46,8 +46,7 @@ private slots:
     }
 
     /// 3 cm is the number that 0.03 is, not its neighbour: a text in cm and one in m give the same run.
-    void roundNumbersStayRound()
-    {
+    void roundNumbersStayRound() {
         for (int i = 1; i < 1000; ++i) {
             QCOMPARE(*convertUnit(i, "cm", "m"), i / 100.0);
             QCOMPARE(*convertUnit(i, "mm", "m"), i / 1000.0);
@@ -56,8 +55,7 @@ private slots:
         }
     }
 
-    void whatCannotBe()
-    {
+    void whatCannotBe() {
         QVERIFY(!convertUnit(1, "cm", "kg"));
         QVERIFY(!convertUnit(1, "dB", "dBm"));
         QVERIFY(!convertUnit(1, "dBi", "dB"));
@@ -68,8 +66,7 @@ private slots:
         QVERIFY(!findUnit(""));
     }
 
-    void thereAndBack()
-    {
+    void thereAndBack() {
         const std::vector<std::string> names = allUnitNames();
         QVERIFY(names.size() > 40);
         for (const std::string& a : names) {

@@ -15,7 +15,7 @@ using namespace trundle;
 
 class FilesTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         QVERIFY(m_folder->isValid());
@@ -91,13 +91,20 @@ private slots:
     void whatIsNoFileIsRefusedAtOnce_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("word");
-        QTest::newRow("missing") << "missing" << "No such file";
-        QTest::newRow("folder") << "." << "folder";
-        QTest::newRow("pipe without a writer") << "pipe" << "pipe";
-        QTest::newRow("socket") << "socket" << "socket";
-        QTest::newRow("endless device") << "zero" << "device";
-        QTest::newRow("circle") << "circle" << "symbolic links";
-        QTest::newRow("below a file") << "file/x" << "Not a directory";
+        QTest::newRow("missing") << "missing"
+                                 << "No such file";
+        QTest::newRow("folder") << "."
+                                << "folder";
+        QTest::newRow("pipe without a writer") << "pipe"
+                                               << "pipe";
+        QTest::newRow("socket") << "socket"
+                                << "socket";
+        QTest::newRow("endless device") << "zero"
+                                        << "device";
+        QTest::newRow("circle") << "circle"
+                                << "symbolic links";
+        QTest::newRow("below a file") << "file/x"
+                                      << "Not a directory";
     }
     void whatIsNoFileIsRefusedAtOnce() {
         QFETCH(QString, name);
@@ -142,7 +149,9 @@ private slots:
 
 private:
     std::string at(const std::string& name) const { return (m_folder->path() + "/").toStdString() + name; }
-    QStringList names() const { return QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot); }
+    QStringList names() const {
+        return QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
+    }
 
     // Bound with a short relative name: a socket's path has room for 107 bytes only.
     int makeSocket(const char* name) const {

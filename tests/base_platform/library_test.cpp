@@ -11,7 +11,7 @@ const std::string kFolder = std::string(TRUNDLE_BINARY_DIR) + "/tests/";
 
 class LibraryTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void aFunctionOfAnOpenedLibraryCanBeCalled() {
         const auto library = DynamicLibrary::open(kFolder + "platform_sample.so");
         QVERIFY2(library.ok(), library.ok() ? "" : library.error().message.c_str());
@@ -48,11 +48,13 @@ private slots:
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("word");
         QTest::newRow("missing file") << "/nowhere/x.so" << int(Code::ModuleUnreadable) << "No such file";
-        QTest::newRow("missing symbol") << QString::fromStdString(kFolder + "platform_broken.so") << int(Code::ModuleMissingSymbol)
-                                        << "nobodyDefinesThis";
-        QTest::newRow("a text") << QString(TRUNDLE_SOURCE_DIR "/CMakeLists.txt") << int(Code::ModuleUnreadable) << "CMakeLists.txt";
+        QTest::newRow("missing symbol") << QString::fromStdString(kFolder + "platform_broken.so")
+                                        << int(Code::ModuleMissingSymbol) << "nobodyDefinesThis";
+        QTest::newRow("a text") << QString(TRUNDLE_SOURCE_DIR "/CMakeLists.txt") << int(Code::ModuleUnreadable)
+                                << "CMakeLists.txt";
         QTest::newRow("a folder") << QString(TRUNDLE_SOURCE_DIR) << int(Code::ModuleUnreadable) << "";
-        QTest::newRow("no slash: the system's libraries are not searched") << "libc.so.6" << int(Code::ModuleUnreadable) << "slash";
+        QTest::newRow("no slash: the system's libraries are not searched")
+            << "libc.so.6" << int(Code::ModuleUnreadable) << "slash";
     }
     void whatCannotBeOpenedSaysWhy() {
         QFETCH(QString, path);

@@ -24,7 +24,7 @@ ProcessRequest shell(const std::string& script) {
 
 class ProcessTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void outputErrorsAndCodeComeBack() {
         const auto result = runProcess(shell("echo out; echo err >&2; exit 3"));
         QVERIFY(result.ok());
@@ -93,7 +93,8 @@ private slots:
     }
 
     void errorsBeyondTheirLimitAreDropped() {
-        ProcessRequest request = shell("i=0; while [ $i -lt 5000 ]; do echo yyyyyyyyyyyyyyyyyyyyyyyy >&2; i=$((i+1)); done; echo fine");
+        ProcessRequest request =
+            shell("i=0; while [ $i -lt 5000 ]; do echo yyyyyyyyyyyyyyyyyyyyyyyy >&2; i=$((i+1)); done; echo fine");
         request.errorBytes = 1000;
         const auto result = runProcess(request);
         QVERIFY(result.ok());
@@ -146,9 +147,12 @@ private slots:
     void whatCannotRunIsAnError_data() {
         QTest::addColumn<QString>("program");
         QTest::addColumn<QString>("word");
-        QTest::newRow("missing") << "/nowhere/program" << "No such file";
-        QTest::newRow("a folder") << "/usr" << "Permission denied";
-        QTest::newRow("not executable") << "/etc/passwd" << "Permission denied";
+        QTest::newRow("missing") << "/nowhere/program"
+                                 << "No such file";
+        QTest::newRow("a folder") << "/usr"
+                                  << "Permission denied";
+        QTest::newRow("not executable") << "/etc/passwd"
+                                        << "Permission denied";
     }
     void whatCannotRunIsAnError() {
         QFETCH(QString, program);

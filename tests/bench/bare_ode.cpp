@@ -197,7 +197,8 @@ private:
     }
 
     [[nodiscard]] double draw(const Robot& robot, std::uint64_t index, double low, double high) const {
-        return low + (high - low) * trundle::toUnit(trundle::randomBits(kSeed, robot.pathHash, static_cast<std::uint64_t>(m_ticks), index));
+        return low + (high - low) *
+                         trundle::toUnit(trundle::randomBits(kSeed, robot.pathHash, static_cast<std::uint64_t>(m_ticks), index));
     }
 
     // Speed and turn rate arrive together.
@@ -210,7 +211,8 @@ private:
     }
 
     // The first friction axis lies along `slide`; without one, along the slip.
-    void addContact(dBodyID a, dBodyID b, const dReal* position, const dReal* normal, double depth, double friction, const dReal* slide) {
+    void addContact(dBodyID a, dBodyID b, const dReal* position, const dReal* normal, double depth, double friction,
+                    const dReal* slide) {
         dContact contact;
         std::memset(&contact, 0, sizeof contact);
         const double give = m_options.tick * kStiffness + kDamping;
@@ -262,7 +264,8 @@ private:
             addContact(wheel, nullptr, at, kUp, -at[2], kTyreFriction, slide);
         }
         dVector3 slider;
-        dBodyGetRelPointPos(robot.chassis, kSliderAt[0] - m_centre[0], kSliderAt[1] - m_centre[1], kSliderAt[2] - m_centre[2], slider);
+        dBodyGetRelPointPos(robot.chassis, kSliderAt[0] - m_centre[0], kSliderAt[1] - m_centre[1], kSliderAt[2] - m_centre[2],
+                            slider);
         const dReal at[3] = {slider[0], slider[1], slider[2] - kSliderRadius};
         if (at[2] <= 0) addContact(robot.chassis, nullptr, at, kUp, -at[2], 0, nullptr);
     }
@@ -276,7 +279,8 @@ private:
         dContactGeom found[8];
         const int count = dCollide(a, b, 8, found, sizeof(dContactGeom));
         for (int i = 0; i < std::min(count, most); ++i)
-            addContact(dGeomGetBody(a), dGeomGetBody(b), found[i].pos, found[i].normal, found[i].depth, kPlasticFriction, nullptr);
+            addContact(dGeomGetBody(a), dGeomGetBody(b), found[i].pos, found[i].normal, found[i].depth, kPlasticFriction,
+                       nullptr);
     }
 
     [[nodiscard]] std::size_t cellOf(const dReal* p) const {
@@ -375,9 +379,10 @@ int main(int argc, char** argv) {
         for (long i = 0; i < ticks; ++i) world.tick();
         const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         outside = world.robotsOutside();
-        std::printf("rtf=%.4f us_per_robot_tick=%.4f contacts_per_robot=%.3f outside=%d x=%.9f y=%.9f kb=%ld\n", options.seconds / wall,
-                    wall * 1e6 / static_cast<double>(ticks) / options.count, static_cast<double>(world.contactCount()) / static_cast<double>(ticks) / options.count,
-                    outside, world.firstRobot()[0], world.firstRobot()[1], peakKb());
+        std::printf("rtf=%.4f us_per_robot_tick=%.4f contacts_per_robot=%.3f outside=%d x=%.9f y=%.9f kb=%ld\n",
+                    options.seconds / wall, wall * 1e6 / static_cast<double>(ticks) / options.count,
+                    static_cast<double>(world.contactCount()) / static_cast<double>(ticks) / options.count, outside,
+                    world.firstRobot()[0], world.firstRobot()[1], peakKb());
     }
     dCloseODE();
     return outside == 0 ? 0 : 1;

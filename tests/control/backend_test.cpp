@@ -1,4 +1,3 @@
-#undef slots // a word of ours: SignalBlock::slots()
 #include "control/in_process_backend.h"
 
 #include <QtTest>
@@ -17,7 +16,8 @@ ResolvedValue text(const std::string& value) { return {{PropertyType::Text, {}, 
 struct Stage {
     Stage(const std::string& kind, std::map<std::string, ResolvedValue, std::less<>> values, const std::string& name = "robot0") {
         auto config = std::make_shared<RobotConfigSpec>();
-        for (const auto& [device, deviceKind] : {std::pair{"base", "DifferentialDrive"}, {"frontTouch", "TouchSensor"}, {"leftEncoder", "Encoder"}})
+        for (const auto& [device, deviceKind] :
+             {std::pair{"base", "DifferentialDrive"}, {"frontTouch", "TouchSensor"}, {"leftEncoder", "Encoder"}})
             config->devices.push_back({deviceKind, device, {}, {}, {}});
         robot.name = name;
         robot.config = config;
@@ -33,8 +33,8 @@ struct Stage {
         add("base/pose", SignalDirection::Truth, 3);
         add("base/odometry", SignalDirection::Output, 3);
         add("base/finished", SignalDirection::Output);
-        for (const char* s : {"frontTouch/pressed", "frontTouch/force", "frontTouch/count", "leftEncoder/count", "leftEncoder/angle", "leftEncoder/rate",
-                              "leftEncoder/index"})
+        for (const char* s : {"frontTouch/pressed", "frontTouch/force", "frontTouch/count", "leftEncoder/count",
+                              "leftEncoder/angle", "leftEncoder/rate", "leftEncoder/index"})
             add(s, SignalDirection::Output);
         block = std::make_unique<SignalBlock>(layout);
     }
@@ -44,12 +44,19 @@ struct Stage {
         if (!made) return made.error();
         backend = std::move(made).value();
         ControllerOutlet outlet;
-        outlet.print = [this](int severity, const std::string& line) { console.push_back((severity == TRUNDLE_WARNING ? "warning: " : "") + line); };
-        outlet.openLog = [this](const std::string& file) { logs.push_back(file + ":"); return static_cast<int>(logs.size()) - 1; };
+        outlet.print = [this](int severity, const std::string& line) {
+            console.push_back((severity == TRUNDLE_WARNING ? "warning: " : "") + line);
+        };
+        outlet.openLog = [this](const std::string& file) {
+            logs.push_back(file + ":");
+            return static_cast<int>(logs.size()) - 1;
+        };
         outlet.writeLog = [this](int log, std::string_view bytes) { logs[static_cast<std::size_t>(log)] += bytes; };
         return backend->start(layout, *block, outlet);
     }
-    double& at(const std::string& path, std::uint32_t i = 0) { return valuesOf(*block)[layout.find(robot.name + "/" + path)->offset + i]; }
+    double& at(const std::string& path, std::uint32_t i = 0) {
+        return valuesOf(*block)[layout.find(robot.name + "/" + path)->offset + i];
+    }
 
     ModuleStore store; // outlives the backend
     RobotSpec robot;
@@ -109,9 +116,11 @@ private Q_SLOTS:
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("words");
         QTest::newRow("setup") << 410 << "the controller Failing of robot0 failed in setup: no battery";
-        QTest::newRow("device") << 411 << "robot0 has no DifferentialDrive port 'bas'; did you mean 'base'? (its DifferentialDrive ports: base)";
+        QTest::newRow("device")
+            << 411 << "robot0 has no DifferentialDrive port 'bas'; did you mean 'base'? (its DifferentialDrive ports: base)";
         QTest::newRow("kind") << 411 << "robot0 has no DifferentialDrive port 'frontTouch': that is of kind TouchSensor";
-        QTest::newRow("signal") << 411 << "robot0 has no signal 'base/speed'; the signals of base: linearVelocity, angularVelocity";
+        QTest::newRow("signal") << 411
+                                << "robot0 has no signal 'base/speed'; the signals of base: linearVelocity, angularVelocity";
         QTest::newRow("truth") << 411 << "robot0 gives 'base/pose' through the port groundTruth alone";
         QTest::newRow("groundTruth") << 411 << "robot0 has no ground truth 'base/pos'; there is: pose, velocity, base/pose";
         QTest::newRow("update") << 410 << "the controller Failing of robot0 failed: an exception that is no std::exception";

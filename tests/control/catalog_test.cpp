@@ -14,7 +14,7 @@ const std::string kGood = std::string(TRUNDLE_BINARY_DIR) + "/tests/modules/cont
 
 class CatalogTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
     void fileNamesInTheOrderTheyAreTried_data() {
@@ -86,16 +86,18 @@ private slots:
     }
 
     void namesAllThatWasTried() {
-        const auto missing = DirectoryCatalog({{path("mine")}, path("program"), {}, false}).find("controllers/gone", path("experiments"));
+        const auto missing =
+            DirectoryCatalog({{path("mine")}, path("program"), {}, false}).find("controllers/gone", path("experiments"));
         QCOMPARE(missing.error().code, Code::ModuleNotFound);
-        for (const char* tried : {"experiments/controllers/libgone.so", "mine/controllers/gone.so", "program/libgone.so", "program/gone.so"})
+        for (const char* tried :
+             {"experiments/controllers/libgone.so", "mine/controllers/gone.so", "program/libgone.so", "program/gone.so"})
             QVERIFY2(missing.error().message.find(path(tried)) != std::string::npos, tried);
     }
 
     void suggestsTheModuleThatWasMeant_data() {
         QTest::addColumn<QString>("meant");
         QTest::newRow("controllers/goood") << "controllers/good";
-        QTest::newRow("good") << "controllers/good";           // its folder forgotten
+        QTest::newRow("good") << "controllers/good";                  // its folder forgotten
         QTest::newRow("Controllers\\good.dll") << "controllers/good"; // the thesis's spelling of the folder
         QTest::newRow("mine") << "";
     }
@@ -103,7 +105,8 @@ private slots:
         QFETCH(QString, meant);
         put("program/controllers/libgood.so", true);
         QVERIFY(QFile::link("libmine.so", m_folder->filePath("program/libmine.so"))); // leads nowhere but to itself
-        const auto missing = DirectoryCatalog({{path("nowhere")}, path("program"), {}, false}).find(QTest::currentDataTag(), path("experiments"));
+        const auto missing =
+            DirectoryCatalog({{path("nowhere")}, path("program"), {}, false}).find(QTest::currentDataTag(), path("experiments"));
         QCOMPARE(missing.error().code, Code::ModuleNotFound);
         const QString message = QString::fromStdString(missing.error().message);
         QCOMPARE(message.contains(" (did you mean " + meant + "?); tried "), !meant.isEmpty());
@@ -124,12 +127,14 @@ private slots:
         QFile file(m_folder->filePath("program/libtext.so"));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("not a library") > 0);
         file.close();
-        QCOMPARE(DirectoryCatalog({{}, path("program"), {}, false}).find("text", path("x")).error().code, Code::ModuleWrongFormat);
+        QCOMPARE(DirectoryCatalog({{}, path("program"), {}, false}).find("text", path("x")).error().code,
+                 Code::ModuleWrongFormat);
     }
 
     void strangeNamesAreNoCrash() {
         DirectoryCatalog catalog({{}, path("program"), {}, true});
-        for (const std::string& written : {std::string(), std::string("/"), std::string(".."), std::string(5000, 'x'), std::string("a\0b", 3), std::string(".so")})
+        for (const std::string& written : {std::string(), std::string("/"), std::string(".."), std::string(5000, 'x'),
+                                           std::string("a\0b", 3), std::string(".so")})
             QVERIFY(!catalog.find(written, path("experiments")).ok());
     }
 

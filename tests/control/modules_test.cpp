@@ -21,7 +21,7 @@ std::string bytesOf(const std::string& path) { return readRegularFile(path).valu
 
 class ModulesTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void badLibrariesAreToldApart_data() {
         QTest::addColumn<QString>("library");
         QTest::addColumn<int>("code");
@@ -32,13 +32,15 @@ private slots:
         row("missing", kModules + "libnone.so", Code::ModuleUnreadable, "libnone.so");
         row("no entry", kModules + "libno_entry.so", Code::ModuleNoEntry, "exports no trundle_module");
         row("wrong magic", kModules + "libwrong_magic.so", Code::ModuleWrongFormat, "no Trundle module");
-        row("newer interface", kModules + "libnewer_abi.so", Code::ModuleVersion, "interface 2.3; this program has 1.0");
-        row("missing symbol", kModules + "libmissing_symbol.so", Code::ModuleMissingSymbol, "symbol trundle_test_symbol_that_nobody_has,");
+        row("newer interface", kModules + "libnewer_abi.so", Code::ModuleVersion, "interface 2.3; this program has 1.");
+        row("missing symbol", kModules + "libmissing_symbol.so", Code::ModuleMissingSymbol,
+            "symbol trundle_test_symbol_that_nobody_has,");
         row("broken kinds", kModules + "libbroken_kinds.so", Code::ModuleWrongFormat, "kind 'Hollow' lacks one of its functions");
         row("throws in describe", kModules + "libthrows_in_describe.so", Code::ModuleNoEntry, "describing its kinds failed");
         row("truncated", made("cut.so", bytesOf(kGood).substr(0, 5000)), Code::ModuleUnreadable, "is cut off: it has 5000 bytes");
         row("truncated in its header", made("cut2.so", bytesOf(kGood).substr(0, 40)), Code::ModuleUnreadable, "is cut off");
-        row("truncated at its end", made("cut3.so", bytesOf(kGood).substr(0, bytesOf(kGood).size() - 1)), Code::ModuleUnreadable, "is cut off");
+        row("truncated at its end", made("cut3.so", bytesOf(kGood).substr(0, bytesOf(kGood).size() - 1)), Code::ModuleUnreadable,
+            "is cut off");
         std::string narrow = bytesOf(kGood), foreign = narrow, program = narrow, big = narrow;
         narrow[4] = 1;
         foreign[18] = static_cast<char>(243);
@@ -86,7 +88,8 @@ private slots:
         QCOMPARE(driver.name, std::string("Driver"));
         QCOMPARE(driver.module, kGood);
         const Property* speed = driver.find("Speed");
-        QVERIFY(speed && speed->unit == "m/s" && speed->minimum == 0 && speed->maximum == 2 && speed->defaultValue->numbers == std::vector{0.2});
+        QVERIFY(speed && speed->unit == "m/s" && speed->minimum == 0 && speed->maximum == 2 &&
+                speed->defaultValue->numbers == std::vector{0.2});
         QVERIFY(!driver.find("Angle")->defaultValue && driver.find("Angle")->minExclusive);
         QVERIFY(store.find("Driver", TRUNDLE_CONTROLLER) && !store.find("Driver", TRUNDLE_DEVICE));
         QVERIFY(store.find("Thermometer", TRUNDLE_DEVICE) && store.find("Thermometer", TRUNDLE_DEVICE)->act == nullptr);
@@ -99,7 +102,8 @@ private slots:
         const auto twin = store.load(kModules + "libtwin.so");
         QVERIFY(!twin.ok());
         QCOMPARE(twin.error().code, Code::ModuleDuplicateKind);
-        QVERIFY(twin.error().message.find("libgood.so") != std::string::npos && twin.error().message.find("libtwin.so") != std::string::npos);
+        QVERIFY(twin.error().message.find("libgood.so") != std::string::npos &&
+                twin.error().message.find("libtwin.so") != std::string::npos);
         ModuleStore other;
         QVERIFY(other.load(kModules + "libtwin.so").ok());
     }
@@ -116,8 +120,13 @@ private slots:
         for (std::size_t i = 0; i < kinds.size(); ++i)
             for (std::size_t p = 0; p < kinds[i].properties.size(); ++p) {
                 const Property &a = kinds[i].properties[p], &b = read.value()[i].properties[p];
-                QVERIFY(a.minimum == b.minimum && a.maximum == b.maximum && a.scale == b.scale && a.type == b.type && a.defaultValue == b.defaultValue);
+                QVERIFY(a.minimum == b.minimum && a.maximum == b.maximum && a.scale == b.scale && a.type == b.type &&
+                        a.defaultValue == b.defaultValue);
             }
+        const auto device = std::ranges::find(read.value(), std::string("Thermometer"), &Kind::name);
+        QVERIFY(device != read.value().end() && device->alternatives.size() == 1);
+        QCOMPARE(device->alternatives[0].names, (std::vector<std::string>{"PerDegree", "DegreesPer"}));
+        QCOMPARE(device->alternatives[0].likely, std::string("Offset"));
     }
 
     void brokenDescriptionsAreRefused_data() {
@@ -131,6 +140,15 @@ private slots:
         QTest::newRow("strange role") << QString(good).replace("controller", "king");
         QTest::newRow("cut") << good.left(good.size() / 2);
         QTest::newRow("field without anything") << QString(good).replace("\"fields\": []", "\"fields\": [{}]");
+        Kind choosing{"A", "", Role::Device, {}, false, {Property{"B"}, Property{"C"}}, {}, {}, {{{"B", "C"}, ""}}};
+        const auto choice = QString::fromStdString(kindsToJson({choosing}));
+        QTest::newRow("a choice of one") << QString(choice).replace(QRegularExpression("\"B\",\\s*\"C\"\\s*\\]"), "\"B\"]");
+        QTest::newRow("a choice of nothing it has") << QString(choice).replace(QRegularExpression("\"C\"\\s*\\]"), "\"D\"]");
+        choosing.properties[1].required = true;
+        QTest::newRow("a choice of what must be") << QString::fromStdString(kindsToJson({choosing}));
+        choosing.properties[1].required = false;
+        choosing.alternatives[0].likely = "D";
+        QTest::newRow("like nothing it has") << QString::fromStdString(kindsToJson({choosing}));
         QTest::newRow("deep") << QString(100000, '[');
     }
     void brokenDescriptionsAreRefused() {

@@ -104,7 +104,9 @@ private:
         mount.body = [](void*, const char*, std::uint32_t*) -> std::int32_t { return 1; };
         mount.geom = [](void* c, const char* path, std::uint32_t* id) -> std::int32_t {
             if (!self(c).contacts.contains(path)) return 1;
-            return find(self(c).m_geomNames, path, id) == 0 ? 0 : (self(c).m_geomNames.push_back(path), *id = self(c).m_geomNames.size() - 1, 0);
+            return find(self(c).m_geomNames, path, id) == 0
+                       ? 0
+                       : (self(c).m_geomNames.push_back(path), *id = self(c).m_geomNames.size() - 1, 0);
         };
         mount.peerSignal = [](void* c, const char* kind, const char* device, const char* signal) -> double* {
             const BenchDevice* peer = self(c).peer(device);
@@ -145,7 +147,8 @@ private:
     void step() {
         for (BenchJoint& j : m_joints) {
             double torque = 0;
-            if (j.driven) torque = std::clamp((j.rowRate - j.rate) / (j.rowSoftness + m_tick / j.inertia), -j.rowLimit, j.rowLimit);
+            if (j.driven)
+                torque = std::clamp((j.rowRate - j.rate) / (j.rowSoftness + m_tick / j.inertia), -j.rowLimit, j.rowLimit);
             j.effort = torque;
             j.rate += torque * m_tick / j.inertia;
             j.position += j.rate * m_tick;
@@ -204,7 +207,8 @@ inline BenchDevice& addMotor(BenchRobot& robot, const std::string& name, const s
     robot.joint(joint);
     BenchDevice& motor = robot.device("RotaryMotor", name);
     motor.texts = {{"Joint", {joint}}};
-    motor.numbers = {{"TorqueConstant", {0.03}}, {"BackEmfConstant", {0.03}}, {"Resistance", {2}}, {"GearRatio", {30}}, {"MaxVoltage", {12}}};
+    motor.numbers = {
+        {"TorqueConstant", {0.03}}, {"BackEmfConstant", {0.03}}, {"Resistance", {2}}, {"GearRatio", {30}}, {"MaxVoltage", {12}}};
     return motor;
 }
 

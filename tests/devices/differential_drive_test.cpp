@@ -30,7 +30,7 @@ struct Base {
 
 class DifferentialDriveTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void drivesAnAmount_data() {
         QTest::addColumn<QString>("control");
         QTest::addColumn<double>("tick");
@@ -155,7 +155,8 @@ private slots:
     void takesNoNumberForZero() {
         Base base("servo");
         QCOMPARE(base.robot.setup(), std::string());
-        for (const char* slot : {"linearVelocity", "angularVelocity", "linearAmount", "angularAmount", "sequence"}) base.at(slot) = std::nan("");
+        for (const char* slot : {"linearVelocity", "angularVelocity", "linearAmount", "angularAmount", "sequence"})
+            base.at(slot) = std::nan("");
         base.robot.run(.1);
         QCOMPARE(base.at("odometry", 0), 0.);
         QCOMPARE(base.robot.warnings.size(), std::size_t(5));

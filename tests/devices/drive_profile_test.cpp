@@ -8,7 +8,11 @@ namespace {
 constexpr DriveLimits kLimits{1, 4};
 
 /// Drives the amount under way to its end; what was covered and how many ticks it took (-1: it did not end).
-struct Driven { ChassisMotion travel; int ticks = 0; double fastest = 0, hardest = 0; };
+struct Driven {
+    ChassisMotion travel;
+    int ticks = 0;
+    double fastest = 0, hardest = 0;
+};
 Driven driveOut(DriveProfile& profile, double h, double lastSpeed = 0) {
     Driven d;
     while (profile.busy() && d.ticks < 1000000) {
@@ -27,7 +31,7 @@ Driven driveOut(DriveProfile& profile, double h, double lastSpeed = 0) {
 
 class DriveProfileTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void amountsEndExactly_data() {
         QTest::addColumn<double>("v");
         QTest::addColumn<double>("w");

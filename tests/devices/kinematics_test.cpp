@@ -6,7 +6,7 @@ using namespace trundle;
 
 class KinematicsTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void wheelSpeeds_data() {
         QTest::addColumn<double>("v");
         QTest::addColumn<double>("w");

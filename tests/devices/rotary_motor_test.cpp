@@ -12,7 +12,7 @@ constexpr MotorConstants kM0{.03, 1 / .03, 2, 30, 12, 0, 1};
 
 class RotaryMotorTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     /// Thesis eq. 3.1 at 12 V: the row gives T = (rate - w) / softness.
     void torqueFallsWithTheRate_data() {
         QTest::addColumn<double>("rate");
@@ -76,7 +76,7 @@ private slots:
 
     void inductanceDelaysTheCurrent() {
         BenchRobot robot(1e-5);
-        robot.joint("axle").inertia = 1e9; // held
+        robot.joint("axle").inertia = 1e9;                              // held
         addMotor(robot, "motor", "axle").numbers["Inductance"] = {.02}; // L / R = 10 ms
         QCOMPARE(robot.setup(), std::string());
         robot.signal("motor/voltage")[0] = 10;

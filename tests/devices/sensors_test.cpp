@@ -26,7 +26,7 @@ TrundleContact contactOf(double force) {
 
 class SensorsTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void encoderCountsFullSteps_data() {
         QTest::addColumn<double>("angle");
         QTest::addColumn<double>("count");

@@ -28,7 +28,9 @@ inline Outcome callProgram(const QString& program, const QStringList& arguments,
     return outcome;
 }
 
-inline Outcome cli(const QStringList& arguments, const QString& folder = {}) { return callProgram(programPath(), arguments, folder); }
+inline Outcome cli(const QStringList& arguments, const QString& folder = {}) {
+    return callProgram(programPath(), arguments, folder);
+}
 
 inline QByteArray contentOf(const QString& path) {
     QFile file(path);

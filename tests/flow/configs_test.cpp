@@ -5,7 +5,8 @@ class ConfigsTest : public QObject {
 
     static void rows() {
         QTest::addColumn<QString>("path");
-        for (const QString& path : allConfigs()) QTest::newRow(qPrintable(QDir(TRUNDLE_SOURCE_DIR "/configs").relativeFilePath(path))) << path;
+        for (const QString& path : allConfigs())
+            QTest::newRow(qPrintable(QDir(TRUNDLE_SOURCE_DIR "/configs").relativeFilePath(path))) << path;
     }
 
 private Q_SLOTS:
@@ -51,7 +52,8 @@ private Q_SLOTS:
         const QJsonObject entry = QJsonDocument::fromJson(check.out).array().first().toObject();
         QStringList keys = entry.keys();
         keys.sort();
-        QCOMPARE(keys, (QStringList{"code", "column", "end_column", "end_line", "file", "fixes", "line", "message", "severity", "suggestions"}));
+        QCOMPARE(keys, (QStringList{"code", "column", "end_column", "end_line", "file", "fixes", "line", "message", "severity",
+                                    "suggestions"}));
         QCOMPARE(entry["line"].toInt(), 1);
         QCOMPARE(entry["column"].toInt(), 18);
         QCOMPARE(entry["end_line"].toInt(), 1);

@@ -7,8 +7,12 @@ class ExitCodesTest : public QObject {
 
     QString experiment(const char* name, const QByteArray& robot, const QByteArray& settings = "Duration = 0.1") {
         const QString path = m_folder.filePath(name);
-        if (!writeFile(path, settings + "\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
-                                        "Static floor { Config=OpenFloor }\nRobot robot0 { Config=SimpleRobot " + robot + " }\n"))
+        if (!writeFile(
+                path,
+                settings +
+                    "\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
+                    "Static floor { Config=OpenFloor }\nRobot robot0 { Config=SimpleRobot " +
+                    robot + " }\n"))
             return {};
         return path;
     }
@@ -51,23 +55,36 @@ void ExitCodesTest::everyEndHasItsCode_data() {
     QTest::newRow("duration is nan") << QStringList{"run", good, "--duration", "nan"} << 2 << QByteArray("duration");
     QTest::newRow("seed is no number") << QStringList{"run", good, "--seed", "x"} << 2 << QByteArray("seed");
     QTest::newRow("duration is empty") << QStringList{"run", good, "--duration", ""} << 2 << QByteArray("duration");
-    QTest::newRow("duration has a unit") << QStringList{"run", good, "--duration", "5s"} << 2 << QByteArray("a number of seconds");
-    QTest::newRow("duration is beyond the setting's range") << QStringList{"run", good, "--duration", "1e18"} << 2 << QByteArray("from 0 to 1e9");
-    QTest::newRow("seed is negative") << QStringList{"run", good, "--seed", "-1"} << 2 << QByteArray("from 0 to 9007199254740992");
+    QTest::newRow("duration has a unit") << QStringList{"run", good, "--duration", "5s"} << 2
+                                         << QByteArray("a number of seconds");
+    QTest::newRow("duration is beyond the setting's range")
+        << QStringList{"run", good, "--duration", "1e18"} << 2 << QByteArray("from 0 to 1e9");
+    QTest::newRow("seed is negative") << QStringList{"run", good, "--seed", "-1"} << 2
+                                      << QByteArray("from 0 to 9007199254740992");
     QTest::newRow("seed is empty") << QStringList{"run", good, "--seed", ""} << 2 << QByteArray("seed");
-    QTest::newRow("seed is too large to be exact") << QStringList{"run", good, "--seed", "9007199254740993"} << 2 << QByteArray("seed");
-    QTest::newRow("seed is far too large") << QStringList{"run", good, "--seed", "99999999999999999999"} << 2 << QByteArray("seed");
-    QTest::newRow("no such module folder") << QStringList{"run", good, "--modules", m_folder.filePath("none")} << 2 << QByteArray("none");
+    QTest::newRow("seed is too large to be exact")
+        << QStringList{"run", good, "--seed", "9007199254740993"} << 2 << QByteArray("seed");
+    QTest::newRow("seed is far too large") << QStringList{"run", good, "--seed", "99999999999999999999"} << 2
+                                           << QByteArray("seed");
+    QTest::newRow("no such module folder") << QStringList{"run", good, "--modules", m_folder.filePath("none")} << 2
+                                           << QByteArray("none");
     QTest::newRow("a module folder that is a file") << QStringList{"describe", "--modules", good} << 2 << QByteArray("good.sim");
-    QTest::newRow("no such import folder") << QStringList{"check", good, "-I", m_folder.filePath("none")} << 2 << QByteArray("none");
-    QTest::newRow("no Duration anywhere") << QStringList{"run", experiment("endless.sim", "", "")} << 2 << QByteArray("give --duration S");
+    QTest::newRow("no such import folder") << QStringList{"check", good, "-I", m_folder.filePath("none")} << 2
+                                           << QByteArray("none");
+    QTest::newRow("no Duration anywhere") << QStringList{"run", experiment("endless.sim", "", "")} << 2
+                                          << QByteArray("give --duration S");
     QTest::newRow("errors in the text") << QStringList{"run", wrong} << 1 << QByteArray("E201");
-    QTest::newRow("a --set without a value") << QStringList{"run", good, "--set", "Duration"} << 2 << QByteArray("give PATH=VALUE");
+    QTest::newRow("a --set without a value")
+        << QStringList{"run", good, "--set", "Duration"} << 2 << QByteArray("give PATH=VALUE");
     QVERIFY(QFile::link("loop.sim", m_folder.filePath("loop.sim")));
-    QTest::newRow("a link to itself") << QStringList{"check", m_folder.filePath("loop.sim")} << 2 << QByteArray("leads back to itself");
-    QTest::newRow("errors in a --set") << QStringList{"run", good, "--set", "robot0.leftMotor.Resistance=-3"} << 1 << QByteArray("--set#1");
-    QTest::newRow("controller cannot start") << QStringList{"run", experiment("port.sim", "LinearMotion brain { Drive=legs }")} << 4 << QByteArray("legs");
-    QTest::newRow("blown up") << QStringList{"run", experiment("up.sim", "", "Duration = 5\nGravity = 0,0,1000")} << 3 << QByteArray("E501");
+    QTest::newRow("a link to itself") << QStringList{"check", m_folder.filePath("loop.sim")} << 2
+                                      << QByteArray("leads back to itself");
+    QTest::newRow("errors in a --set") << QStringList{"run", good, "--set", "robot0.leftMotor.Resistance=-3"} << 1
+                                       << QByteArray("--set#1");
+    QTest::newRow("controller cannot start")
+        << QStringList{"run", experiment("port.sim", "LinearMotion brain { Drive=legs }")} << 4 << QByteArray("legs");
+    QTest::newRow("blown up") << QStringList{"run", experiment("up.sim", "", "Duration = 5\nGravity = 0,0,1000")} << 3
+                              << QByteArray("E501");
     QTest::newRow("check: fine") << QStringList{"check", good} << 0 << QByteArray("");
     QTest::newRow("check: errors") << QStringList{"check", good, wrong} << 1 << QByteArray("Possition");
     QTest::newRow("check: no such file") << QStringList{"check", m_folder.filePath("none.sim")} << 2 << QByteArray("none.sim");
@@ -92,7 +109,8 @@ void ExitCodesTest::everyEndHasItsCode() {
 void ExitCodesTest::helpStandsEverywhereWithExamples_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::newRow("program") << QStringList{"--help"};
-    for (const char* command : {"run", "check", "print", "format", "edit", "describe"}) QTest::newRow(command) << QStringList{command, "--help"};
+    for (const char* command : {"run", "check", "print", "format", "edit", "describe"})
+        QTest::newRow(command) << QStringList{command, "--help"};
 }
 
 void ExitCodesTest::helpStandsEverywhereWithExamples() {
@@ -113,21 +131,25 @@ void ExitCodesTest::withoutTheModuleFolderTheDiagnosticSaysWhereItLooked() {
     QVERIFY(QDir(m_folder.path()).mkpath("elsewhere/bin"));
     const QString program = m_folder.filePath("elsewhere/bin/trundle-cli");
     QVERIFY(QFile::copy(programPath(), program));
-    const Outcome run = callProgram(program, {"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs")});
+    const Outcome run =
+        callProgram(program, {"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs")});
     QVERIFY2(run.code == 1, shown(run));
     QVERIFY2(run.err.contains("E401"), shown(run));
     QVERIFY2(run.err.contains("liblinear_motion.so"), shown(run));
     QVERIFY2(run.err.contains("linear_motion.sim:5:"), shown(run)); // the #loadModule line
-    const Outcome found = callProgram(program, {"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs"), "--modules",
-                                                QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle")});
+    const Outcome found =
+        callProgram(program, {"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs"),
+                              "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle")});
     QVERIFY2(found.code == 0, shown(found));
 }
 
 void ExitCodesTest::aModuleThatIsNotTrustedDoesNotRun() {
     const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle/controllers/liblinear_motion.so");
-    for (const char* ending : {"", ".kinds.json"}) QVERIFY(QFile::copy(library + ending, m_folder.filePath("libmine.so") + ending));
-    QVERIFY(writeFile(m_folder.filePath("mine.sim"), "Duration = 0.1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule mine\n"
-                                                     "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot LinearMotion brain { } }\n"));
+    for (const char* ending : {"", ".kinds.json"})
+        QVERIFY(QFile::copy(library + ending, m_folder.filePath("libmine.so") + ending));
+    QVERIFY(writeFile(m_folder.filePath("mine.sim"),
+                      "Duration = 0.1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule mine\n"
+                      "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot LinearMotion brain { } }\n"));
     const Outcome refused = cli({"run", m_folder.filePath("mine.sim")});
     QVERIFY2(refused.code == 1, shown(refused));
     QVERIFY2(refused.err.contains("--trust"), shown(refused));
@@ -168,7 +190,8 @@ void ExitCodesTest::jsonNamesTheFileThatCannotBeRead() {
 
 void ExitCodesTest::aCrashInAModuleIsSaid() {
     const QString path = m_folder.filePath("crash.sim");
-    QVERIFY(writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot Exits brain { Recurse=true } }\n"));
+    QVERIFY(writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot "
+                            "Exits brain { Recurse=true } }\n"));
     const Outcome run = cli({"run", path, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules")});
     const bool sanitizer = run.err.contains("Sanitizer"); // it answers the signal in our place, with an exit code of its own
     QVERIFY2(sanitizer || run.err.contains("crashed in the middle of the run"), shown(run));
@@ -184,7 +207,10 @@ void ExitCodesTest::anExitInAModuleIsNoSuccess_data() {
 void ExitCodesTest::anExitInAModuleIsNoSuccess() {
     QFETCH(QByteArray, early);
     const QString path = m_folder.filePath("exits.sim");
-    QVERIFY(writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot Exits brain { Early=" + early + " } }\n"));
+    QVERIFY(writeFile(
+        path,
+        "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot Exits brain { Early=" +
+            early + " } }\n"));
     const Outcome run = cli({"run", path, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules")});
     QVERIFY2(run.code == 4, shown(run));
     QVERIFY2(run.err.contains("ended the program"), shown(run));
@@ -193,7 +219,8 @@ void ExitCodesTest::anExitInAModuleIsNoSuccess() {
 void ExitCodesTest::aFullStandardOutputIsSaid_data() {
     QTest::addColumn<QString>("command");
     const QString good = experiment("full.sim", "");
-    for (const char* command : {"run '%1'", "run '%1' --json", "check '%1' --json", "print '%1'", "format '%1'", "describe", "describe Box --json"})
+    for (const char* command :
+         {"run '%1'", "run '%1' --json", "check '%1' --json", "print '%1'", "format '%1'", "describe", "describe Box --json"})
         QTest::newRow(command) << QString(command).replace("%1", good);
 }
 

@@ -6,8 +6,12 @@ class LogsFlowTest : public QObject {
     QTemporaryDir m_folder;
     QString experiment(const QByteArray& logs) {
         const QString path = m_folder.filePath("x.sim");
-        return writeFile(path, "Tick = 0.01  Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nStatic floor { Config=OpenFloor }\n"
-                               "Robot robot0 { Config=SimpleRobot Pos=0,0,0.1 }\nRobot robot1 { Config=SimpleRobot Pos=2,0,0 HPR=90,0,0 }\n" + logs)
+        return writeFile(
+                   path,
+                   "Tick = 0.01  Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nStatic floor { "
+                   "Config=OpenFloor }\n"
+                   "Robot robot0 { Config=SimpleRobot Pos=0,0,0.1 }\nRobot robot1 { Config=SimpleRobot Pos=2,0,0 HPR=90,0,0 }\n" +
+                       logs)
                    ? path
                    : QString();
     }
@@ -51,12 +55,15 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("logs");
         QTest::addColumn<QByteArray>("said");
         QTest::newRow("unknown robot") << QByteArray("PoseLog p { Robot=robbot0 }\n") << QByteArray("robot0");
-        QTest::newRow("unknown signal") << QByteArray("SignalLog s { Signals=robot0/leftEncoder/cuont }\n") << QByteArray("robot0/leftEncoder/count");
-        QTest::newRow("a Grid's name") << QByteArray("Grid g { Config=SimpleRobot Pos=9,9,0 Count=2 Spacing=1 }   SignalLog s { Signals=\"g/leftEncoder/count\" }\n")
+        QTest::newRow("unknown signal") << QByteArray("SignalLog s { Signals=robot0/leftEncoder/cuont }\n")
+                                        << QByteArray("robot0/leftEncoder/count");
+        QTest::newRow("a Grid's name") << QByteArray("Grid g { Config=SimpleRobot Pos=9,9,0 Count=2 Spacing=1 }   SignalLog s { "
+                                                     "Signals=\"g/leftEncoder/count\" }\n")
                                        << QByteArray("g_*/leftEncoder/count");
         QTest::newRow("leaves the folder") << QByteArray("PoseLog p { File=\"../p.csv\" }\n") << QByteArray("E503");
         QTest::newRow("absolute") << QByteArray("PoseLog p { File=\"/tmp/p.csv\" }\n") << QByteArray("E503");
-        QTest::newRow("two of one name") << QByteArray("PoseLog p { File=a.csv }\nEnergyLog e { File=a.csv }\n") << QByteArray("a.csv");
+        QTest::newRow("two of one name") << QByteArray("PoseLog p { File=a.csv }\nEnergyLog e { File=a.csv }\n")
+                                         << QByteArray("a.csv");
         QTest::newRow("no signals") << QByteArray("SignalLog s { }\n") << QByteArray("Signals");
     }
     void mistakesInLogsAreToldBeforeTheRun() {
@@ -67,6 +74,8 @@ private Q_SLOTS:
         QVERIFY2(done.err.contains("x.sim:7:"), shown(done));
         QVERIFY2(done.err.contains(said), shown(done));
         QVERIFY(!QFileInfo::exists(m_folder.filePath("p.csv")));
+        const Outcome checked = cli({"check", m_folder.filePath("x.sim")}); // and knows it without a world
+        QVERIFY2(checked.code == 1 && checked.err == done.err.left(checked.err.size()), shown(checked) + shown(done));
     }
 };
 

@@ -6,7 +6,9 @@ namespace {
 
 /// Width and height of a PNG, from its header.
 QPair<int, int> pngSize(const QByteArray& png) {
-    const auto number = [&](int at) { return (quint8(png[at]) << 24) | (quint8(png[at + 1]) << 16) | (quint8(png[at + 2]) << 8) | quint8(png[at + 3]); };
+    const auto number = [&](int at) {
+        return (quint8(png[at]) << 24) | (quint8(png[at + 1]) << 16) | (quint8(png[at + 2]) << 8) | quint8(png[at + 3]);
+    };
     return png.size() > 24 && png.startsWith("\x89PNG") ? QPair<int, int>(number(16), number(20)) : QPair<int, int>();
 }
 

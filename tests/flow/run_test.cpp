@@ -8,7 +8,8 @@ class RunFlowTest : public QObject {
     QTemporaryDir m_folder;
 
     Outcome runLinear(QStringList more = {}) {
-        return cli(QStringList{"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs")} + more);
+        return cli(QStringList{"run", configPath("experiments/linear_motion.sim"), "--log-dir", m_folder.filePath("logs")} +
+                   more);
     }
     static QByteArray hashLine(const Outcome& outcome) { return outcome.out.split('\n').value(outcome.out.count('\n') - 1); }
 
@@ -21,7 +22,9 @@ private Q_SLOTS:
     void manyRobotsAreSummedUp();
     void aQuietRunSaysNothing();
     void seedAndSetReachTheExperiment();
+    void whatTheExactSolverCannotTakeIsTakenByTheQuickOne();
     void theThesisExperimentRuns();
+    void aWalkTouchesEveryWallAndNeverStays_data();
     void aWalkTouchesEveryWallAndNeverStays();
 };
 
@@ -49,7 +52,8 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     QCOMPARE(error.error, QJsonParseError::NoError);
     QStringList keys = json.keys();
     keys.sort();
-    QStringList expected{"ticks", "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash", "quick_ticks", "interrupted", "robots", "diagnostics"};
+    QStringList expected{"ticks",       "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash",
+                         "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks"};
     expected.sort();
     QCOMPARE(keys, expected);
     QCOMPARE(json["ticks"].toInt(), 1200);
@@ -84,7 +88,8 @@ void RunFlowTest::logsChangeNothing() {
     const qsizetype log = text.indexOf("PoseLog");
     QVERIFY(log > 0);
     QVERIFY(writeFile(m_folder.filePath("without.sim"), text.left(log)));
-    QVERIFY(writeFile(m_folder.filePath("with.sim"), text + "\nContactLog c { }\nEnergyLog e { }\nSignalLog s { Signals=\"*\" }\n"));
+    QVERIFY(
+        writeFile(m_folder.filePath("with.sim"), text + "\nContactLog c { }\nEnergyLog e { }\nSignalLog s { Signals=\"*\" }\n"));
     const Outcome without = cli({"run", m_folder.filePath("without.sim"), "--hash"});
     const Outcome with = cli({"run", m_folder.filePath("with.sim"), "--hash"});
     QVERIFY2(without.code == 0 && with.code == 0, shown(without) + shown(with));
@@ -95,7 +100,8 @@ void RunFlowTest::logsChangeNothing() {
 
 void RunFlowTest::ctrlCEndsWithEverythingComplete() {
     QProcess process;
-    process.start(programPath(), {"run", configPath("experiments/linear_motion.sim"), "--duration", "1e7", "--json", "--log-dir", m_folder.filePath("ctrlc")});
+    process.start(programPath(), {"run", configPath("experiments/linear_motion.sim"), "--duration", "1e7", "--json", "--log-dir",
+                                  m_folder.filePath("ctrlc")});
     QVERIFY(process.waitForStarted());
     process.setReadChannel(QProcess::StandardError); // what waitForReadyRead waits for
     QByteArray err;
@@ -118,12 +124,18 @@ void RunFlowTest::ctrlCEndsWithEverythingComplete() {
 
 void RunFlowTest::manyRobotsAreSummedUp() {
     const QString path = m_folder.filePath("many.sim");
-    QVERIFY(writeFile(path, "Duration = 4\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
-                            "Static floor { Config=OpenFloor }\n"
-                            "Grid g { Config=SimpleRobot Count=3,3 Spacing=1 LinearMotion brain { Distance=0.2 } }\n"));
+    QVERIFY(writeFile(
+        path,
+        "Duration = 4\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
+        "Static floor { Config=OpenFloor }\n"
+        "Grid g { Config=SimpleRobot Count=3,3 Spacing=1 LinearMotion brain { Distance=0.2 } }\n"));
     const Outcome run = cli({"run", path});
     QVERIFY2(run.code == 0, shown(run));
-    QVERIFY2(QRegularExpression("9 drives with commanded amounts: at most 0\\.[0-9]+ mm off \\(g_[0-8]\\), [0-9.]+ deg off \\(g_[0-8]\\)").match(run.out).hasMatch(), shown(run));
+    QVERIFY2(QRegularExpression(
+                 "9 drives with commanded amounts: at most 0\\.[0-9]+ mm off \\(g_[0-8]\\), [0-9.]+ deg off \\(g_[0-8]\\)")
+                 .match(run.out)
+                 .hasMatch(),
+             shown(run));
 }
 
 void RunFlowTest::aQuietRunSaysNothing() {
@@ -135,7 +147,9 @@ void RunFlowTest::aQuietRunSaysNothing() {
 
 void RunFlowTest::seedAndSetReachTheExperiment() {
     const auto walk = [&](const QStringList& more) {
-        return cli(QStringList{"run", configPath("experiments/obstacle_detection.sim"), "--duration", "20", "--quiet", "--hash", "--log-dir", m_folder.filePath("w")} + more);
+        return cli(QStringList{"run", configPath("experiments/obstacle_detection.sim"), "--duration", "20", "--quiet", "--hash",
+                               "--log-dir", m_folder.filePath("w")} +
+                   more);
     };
     const Outcome first = walk({"--seed", "1"});
     QVERIFY2(first.code == 0, shown(first));
@@ -147,17 +161,36 @@ void RunFlowTest::seedAndSetReachTheExperiment() {
     QVERIFY2(wrong.err.contains("--set#1:1:") && wrong.err.contains("Speed"), shown(wrong));
 }
 
+void RunFlowTest::whatTheExactSolverCannotTakeIsTakenByTheQuickOne() {
+    const QString clash = QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/data/clash.sim");
+    const Outcome run = cli({"run", clash, "--duration", "0.1", "--json"});
+    QVERIFY2(run.code == 0, shown(run));
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+    QVERIFY2(json["rescued_ticks"].toInt() >= 1 && json["quick_ticks"].toInt() >= 1, shown(run));
+    QCOMPARE(json["ticks"].toInt(), 10);
+    const Outcome told = cli({"run", clash, "--duration", "0.1"});
+    QVERIFY2(told.out.contains("taken by the quick solver") && told.out.contains("taken again with more give"), shown(told));
+}
+
 void RunFlowTest::theThesisExperimentRuns() {
-    const Outcome run = cli({"run", configPath("experiments/thesis_figure_3_4.txt"), "--duration", "9", "--json", "--log-dir", m_folder.filePath("t")});
+    const Outcome run = cli({"run", configPath("experiments/thesis_figure_3_4.txt"), "--duration", "9", "--json", "--log-dir",
+                             m_folder.filePath("t")});
     QVERIFY2(run.code == 0, shown(run));
     const QJsonObject robot = QJsonDocument::fromJson(run.out).object()["robots"].toObject()["robot0"].toObject();
     QVERIFY2(qAbs(robot["pos"].toArray()[2].toDouble()) < 0.002, shown(run)); // landed on its wheels
     QVERIFY2(robot["pos"].toArray()[0].toDouble() > 0.5, shown(run));         // and drove off
 }
 
+void RunFlowTest::aWalkTouchesEveryWallAndNeverStays_data() {
+    QTest::addColumn<QString>("seed");
+    for (int seed = 1; seed <= 10; ++seed) QTest::addRow("seed %d", seed) << QString::number(seed);
+}
+
 void RunFlowTest::aWalkTouchesEveryWallAndNeverStays() {
+    QFETCH(QString, seed);
     const QString logs = m_folder.filePath("walk");
-    const Outcome run = cli({"run", configPath("experiments/obstacle_detection.sim"), "--quiet", "--log-dir", logs, "--seed", "3"});
+    const Outcome run =
+        cli({"run", configPath("experiments/obstacle_detection.sim"), "--quiet", "--log-dir", logs, "--seed", seed});
     QVERIFY2(run.code == 0, shown(run));
     double low[2] = {9, 9}, high[2] = {-9, -9};
     for (const QByteArray& line : contentOf(logs + "/obstacle_detection.csv").split('\n').mid(1)) {

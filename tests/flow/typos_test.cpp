@@ -48,7 +48,8 @@ std::vector<std::string> typosOf(const std::string& word) {
     }
     all.erase(word);
     std::vector<std::string> words;
-    for (const std::string& w : all) if (!w.empty() && !std::isdigit(static_cast<unsigned char>(w[0]))) words.push_back(w);
+    for (const std::string& w : all)
+        if (!w.empty() && !std::isdigit(static_cast<unsigned char>(w[0]))) words.push_back(w);
     return words;
 }
 
@@ -85,10 +86,14 @@ private Q_SLOTS:
                     const LineColumn place = tree->source().position(word.range.begin);
                     for (const QJsonValue& value : QJsonDocument::fromJson(check.out).array()) {
                         const QJsonObject d = value.toObject();
-                        if (d["line"].toInt() != int(place.line) || d["column"].toInt() != int(place.column) || d["severity"].toString() != "error") continue;
+                        if (d["line"].toInt() != int(place.line) || d["column"].toInt() != int(place.column) ||
+                            d["severity"].toString() != "error")
+                            continue;
                         ++asked;
                         if (d["suggestions"].toArray().first().toString().toStdString() == word.text) ++right;
-                        else wrong += QByteArray::fromStdString("\n" + typo + " for " + word.text + " in " + inside + ": ") + QJsonDocument(d).toJson(QJsonDocument::Compact);
+                        else
+                            wrong += QByteArray::fromStdString("\n" + typo + " for " + word.text + " in " + inside + ": ") +
+                                     QJsonDocument(d).toJson(QJsonDocument::Compact);
                         break;
                     }
                 }

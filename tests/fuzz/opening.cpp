@@ -14,23 +14,33 @@ namespace {
 
 class NoModules final : public ModuleCatalog {
 public:
-    Result<ModuleListing> find(const std::string& written, const std::string&) override { return Error{Code::ModuleNotFound, "there is no module " + written}; }
+    Result<ModuleListing> find(const std::string& written, const std::string&) override {
+        return Error{Code::ModuleNotFound, "there is no module " + written};
+    }
 };
 
 class NoMeshes final : public MeshSource {
 public:
-    Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) override { return Error{Code::MeshUnreadable, "no meshes here: " + path}; }
-    Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) override { return Error{Code::MeshUnreadable, "no pictures here: " + path}; }
+    Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) override {
+        return Error{Code::MeshUnreadable, "no meshes here: " + path};
+    }
+    Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) override {
+        return Error{Code::MeshUnreadable, "no pictures here: " + path};
+    }
 };
 
 /// A folder of this process, in memory where the machine has such a place.
 const std::filesystem::path& scratch() {
     static const std::filesystem::path folder = [] {
         const char* const memory = "/dev/shm";
-        const std::filesystem::path base = std::filesystem::is_directory(memory) ? std::filesystem::path(memory) : std::filesystem::temp_directory_path();
+        const std::filesystem::path base =
+            std::filesystem::is_directory(memory) ? std::filesystem::path(memory) : std::filesystem::temp_directory_path();
         const std::filesystem::path own = base / ("trundle-fuzz-" + std::to_string(::getpid()));
         std::filesystem::create_directories(own);
-        std::atexit([] { std::error_code none; std::filesystem::remove_all(scratch(), none); });
+        std::atexit([] {
+            std::error_code none;
+            std::filesystem::remove_all(scratch(), none);
+        });
         return own;
     }();
     return folder;
@@ -55,7 +65,8 @@ std::shared_ptr<const Registry> builtInKinds() {
 
 std::shared_ptr<const Loaded> open(std::span<const std::uint8_t> bytes) {
     const std::filesystem::path file = scratch() / "fuzz.sim";
-    std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(file, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     NoModules modules;
     NoMeshes meshes;
     Project project(builtInKinds(), modules, meshes, {});

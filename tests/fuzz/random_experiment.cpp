@@ -32,7 +32,8 @@ double numberFor(Choices& c, const Property& p) {
     const double low = std::isfinite(p.minimum) ? p.minimum : -1e9;
     const double high = std::isfinite(p.maximum) ? p.maximum : 1e9;
     static const double common[] = {0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1, 1.5, 2, 3, 5, 10, 45, 90, -0.1, -0.5, -1, -90, 1e-3};
-    static const double wild[] = {1e-12, 1e-9, 1e-6, 1e-4, 100, 1e3, 1e4, 1e6, 1e9, -1e-9, -1e3, -1e6, 1e-300, 1e300, -1e300, 1e18};
+    static const double wild[] = {1e-12, 1e-9,  1e-6, 1e-4, 100,    1e3,   1e4,    1e6,
+                                  1e9,   -1e-9, -1e3, -1e6, 1e-300, 1e300, -1e300, 1e18};
     double value = c.chance(15) ? common[c.pick(std::size(common))] : wild[c.pick(std::size(wild))];
     if (c.pick(64) == 1) value = low;
     if (c.pick(64) == 1) value = high;
@@ -47,8 +48,11 @@ std::string referenceFor(Choices& c, const Property& p, const Names& names) {
     for (const std::string& wanted : p.choices) {
         if (wanted == "Body") fitting.insert(fitting.end(), names.bodies.begin(), names.bodies.end());
         else if (wanted == "Geom") fitting.insert(fitting.end(), names.geoms.begin(), names.geoms.end());
-        else if (wanted == "Hinge" || wanted == "Joint" || wanted == "Suspension") fitting.insert(fitting.end(), names.joints.begin(), names.joints.end());
-        else for (const auto& [kind, name] : names.devices) if (kind == wanted) fitting.push_back(name);
+        else if (wanted == "Hinge" || wanted == "Joint" || wanted == "Suspension")
+            fitting.insert(fitting.end(), names.joints.begin(), names.joints.end());
+        else
+            for (const auto& [kind, name] : names.devices)
+                if (kind == wanted) fitting.push_back(name);
     }
     return fitting.empty() ? std::string() : fitting[c.pick(static_cast<std::uint32_t>(fitting.size()))];
 }
@@ -63,7 +67,9 @@ std::string valueFor(Choices& c, const Property& p, const Names& names) {
         case PropertyType::Number:
         case PropertyType::Integer: text += show(numberFor(c, p)); break;
         case PropertyType::Boolean: text += c.pick(2) ? "true" : "false"; break;
-        case PropertyType::Choice: text += p.choices.empty() ? "none" : p.choices[c.pick(static_cast<std::uint32_t>(p.choices.size()))]; break;
+        case PropertyType::Choice:
+            text += p.choices.empty() ? "none" : p.choices[c.pick(static_cast<std::uint32_t>(p.choices.size()))];
+            break;
         case PropertyType::Reference: {
             const std::string name = referenceFor(c, p, names);
             if (name.empty()) return {};
@@ -77,10 +83,13 @@ std::string valueFor(Choices& c, const Property& p, const Names& names) {
     return text;
 }
 
-bool given(const std::vector<std::string>& keys, const std::string& key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); }
+bool given(const std::vector<std::string>& keys, const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
 
 /// Keys and values of a kind, leaving out `without`; required ones always, others now and then.
-std::string properties(Choices& c, const Kind& kind, const Names& names, const std::vector<std::string>& without, std::uint32_t inSixteen) {
+std::string properties(Choices& c, const Kind& kind, const Names& names, const std::vector<std::string>& without,
+                       std::uint32_t inSixteen) {
     std::string text;
     for (const Property& p : kind.properties) {
         if (given(without, p.name) || !(p.required || c.chance(inSixteen))) continue;
@@ -93,7 +102,8 @@ std::string properties(Choices& c, const Kind& kind, const Names& names, const s
 std::string pose(Choices& c, double spread) {
     const auto coordinate = [&] { return show((static_cast<double>(c.pick(256)) - 128) / 128 * spread); };
     std::string text = " Pos=" + coordinate() + "," + coordinate() + "," + coordinate();
-    if (c.chance(6)) text += " HPR=" + std::to_string(c.pick(360)) + "," + std::to_string(c.pick(180)) + "," + std::to_string(c.pick(360));
+    if (c.chance(6))
+        text += " HPR=" + std::to_string(c.pick(360)) + "," + std::to_string(c.pick(180)) + "," + std::to_string(c.pick(360));
     return text;
 }
 
@@ -107,12 +117,15 @@ std::string geom(Choices& c, const Registry& registry, const std::string& name, 
     if (!kind) return {};
     std::vector<std::string> without = kPoseKeys;
     without.insert(without.end(), {"Material", "Surface", "Mass", "Density", "Size", "Radius", "Length"});
-    const auto length = [&] { return show(c.chance(15) ? 0.02 + 0.01 * c.pick(50) : numberFor(c, *kind->find(kindName == "Box" ? "Size" : "Radius"))); };
+    const auto length = [&] {
+        return show(c.chance(15) ? 0.02 + 0.01 * c.pick(50) : numberFor(c, *kind->find(kindName == "Box" ? "Size" : "Radius")));
+    };
     std::string text = "    " + kindName + " " + name + " {" + pose(c, 0.2);
     if (kindName == "Box") text += " Size=" + length() + "," + length() + "," + length();
     else if (kindName != "Plane") text += " Radius=" + length();
     if (kindName == "Cylinder" || kindName == "Capsule") text += " Length=" + length();
-    if (!onStatic) text += c.chance(14) ? " Mass=" + show(0.05 * (1 + c.pick(100))) : " Density=" + show(100.0 * (1 + c.pick(200)));
+    if (!onStatic)
+        text += c.chance(14) ? " Mass=" + show(0.05 * (1 + c.pick(100))) : " Density=" + show(100.0 * (1 + c.pick(200)));
     text += " Surface=s" + std::to_string(c.pick(3)) + properties(c, *kind, {}, without, 1);
     return text + " }\n";
 }
@@ -130,7 +143,8 @@ std::string joint(Choices& c, const Registry& registry, const Names& names, cons
 std::string devices(Choices& c, const Registry& registry, Names& names) {
     std::string text;
     std::vector<const Kind*> kinds;
-    for (const Kind* kind : registry.all()) if (kind->role == Role::Device) kinds.push_back(kind);
+    for (const Kind* kind : registry.all())
+        if (kind->role == Role::Device) kinds.push_back(kind);
     if (kinds.empty()) return text;
     const std::uint32_t count = c.pick(6);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -140,7 +154,8 @@ std::string devices(Choices& c, const Registry& registry, Names& names) {
         if (kind.name == "RotaryMotor") without = {c.pick(2) ? "SpeedConstant" : "BackEmfConstant"};
         std::string body = properties(c, kind, names, without, kind.name == "RotaryMotor" ? 16 : 3);
         bool complete = true;
-        for (const Property& p : kind.properties) complete = complete && (!p.required || body.find(" " + p.name + "=") != std::string::npos);
+        for (const Property& p : kind.properties)
+            complete = complete && (!p.required || body.find(" " + p.name + "=") != std::string::npos);
         if (!complete) continue;
         text += "  " + kind.name + " " + name + " {" + body + " }\n";
         names.devices.emplace_back(kind.name, name);
@@ -194,7 +209,9 @@ std::string randomExperiment(Choices& c, const Registry& registry) {
     text += "}\nStatic ground { Config=Ground }\n";
     for (std::uint32_t i = 0; i < robots; ++i)
         text += "Robot r" + std::to_string(i) + " { Config=C" + std::to_string(c.pick(configs)) + pose(c, 1.5) + " }\n";
-    if (robots > 2 && c.chance(4)) text += "Grid swarm { Config=C0 Count=" + std::to_string(1 + c.pick(4)) + " Spacing=" + show(0.1 + 0.1 * c.pick(10)) + pose(c, 2) + " }\n";
+    if (robots > 2 && c.chance(4))
+        text += "Grid swarm { Config=C0 Count=" + std::to_string(1 + c.pick(4)) + " Spacing=" + show(0.1 + 0.1 * c.pick(10)) +
+                pose(c, 2) + " }\n";
     return text;
 }
 

@@ -38,10 +38,10 @@ private Q_SLOTS:
     void textsThatWereFound() { replay("fuzz_text", fuzz::tryText); }
     void worldsThatWereFound() { replay("fuzz_world", fuzz::tryWorld); }
     void randomWorlds() {
-        for (std::uint64_t seed = 0; seed < count(150, 4000); ++seed) fuzz::tryWorld(randomBytes(seed, 300 + seed % 900));
+        for (std::uint64_t seed = 0; seed < count(150, 20000); ++seed) fuzz::tryWorld(randomBytes(seed, 300 + seed % 900));
     }
     void randomTexts() {
-        for (std::uint64_t seed = 0; seed < count(150, 5000); ++seed) fuzz::tryText(randomBytes(~seed, 1 + seed % 400));
+        for (std::uint64_t seed = 0; seed < count(150, 20000); ++seed) fuzz::tryText(randomBytes(~seed, 1 + seed % 400));
     }
 };
 

@@ -10,25 +10,24 @@
 namespace trundle::fuzz {
 namespace {
 
-std::shared_ptr<const Tree> parsed(std::string text) { return parse(std::make_shared<const SourceText>("fuzz.sim", std::move(text)), 0); }
+std::shared_ptr<const Tree> parsed(std::string text) {
+    return parse(std::make_shared<const SourceText>("fuzz.sim", std::move(text)), 0);
+}
 
-void collect(const std::vector<Item>& items, std::vector<const Item*>& all)
-{
+void collect(const std::vector<Item>& items, std::vector<const Item*>& all) {
     for (const Item& item : items) {
         all.push_back(&item);
         if (const auto* block = item.as<BlockItem>()) collect(block->items, all);
     }
 }
 
-bool hasErrors(const Tree& tree)
-{
+bool hasErrors(const Tree& tree) {
     for (const Diagnostic& d : tree.diagnostics())
         if (d.severity == Severity::Error) return true;
     return false;
 }
 
-void checkTokens(const Tree& tree, const std::string& text)
-{
+void checkTokens(const Tree& tree, const std::string& text) {
     require(print(tree) == text);
     std::uint32_t end = 0;
     for (const Token& token : tree.tokens()) {
@@ -38,8 +37,7 @@ void checkTokens(const Tree& tree, const std::string& text)
     require(end == text.size());
 }
 
-void checkDiagnostics(const Tree& tree)
-{
+void checkDiagnostics(const Tree& tree) {
     SourceTable table;
     table.add(tree.sharedSource());
     for (const Diagnostic& d : tree.diagnostics()) {
@@ -49,8 +47,7 @@ void checkDiagnostics(const Tree& tree)
     }
 }
 
-void checkFormat(const Tree& tree)
-{
+void checkFormat(const Tree& tree) {
     const std::string once = format(tree);
     const auto again = parsed(once);
     require(format(*again) == once);
@@ -58,8 +55,7 @@ void checkFormat(const Tree& tree)
 }
 
 /// A few edits chosen by the bytes themselves. On a sound text each leaves a sound text.
-void checkEdits(std::shared_ptr<const Tree> tree, std::uint64_t seed)
-{
+void checkEdits(std::shared_ptr<const Tree> tree, std::uint64_t seed) {
     for (std::uint64_t step = 0; step < 6; ++step) {
         std::vector<const Item*> items;
         collect(tree->items(), items);
@@ -88,8 +84,7 @@ void checkEdits(std::shared_ptr<const Tree> tree, std::uint64_t seed)
 
 } // namespace
 
-void tryText(std::span<const std::uint8_t> bytes)
-{
+void tryText(std::span<const std::uint8_t> bytes) {
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const auto tree = parsed(text);
     checkTokens(*tree, text);

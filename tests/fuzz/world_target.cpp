@@ -36,7 +36,8 @@ void checkSignals(const World& world) {
 
 void shove(World& world, Choices& choices) {
     if (!choices.chance(1) || world.experiment().robots.empty()) return;
-    const RobotSpec& robot = world.experiment().robots[choices.pick(static_cast<std::uint32_t>(world.experiment().robots.size()))];
+    const RobotSpec& robot =
+        world.experiment().robots[choices.pick(static_cast<std::uint32_t>(world.experiment().robots.size()))];
     if (robot.config->bodies.empty()) return;
     const Vec3 force(wildCommand(choices), wildCommand(choices), wildCommand(choices));
     static_cast<void>(world.push(robot.name + "/" + robot.config->bodies.front().name, force, Vec3::Zero()).ok());
@@ -51,7 +52,8 @@ void tryWorld(std::span<const std::uint8_t> bytes) {
     for (const Diagnostic& d : loaded->diagnostics.all()) require(!render(d, loaded->sources).empty());
     if (loaded->diagnostics.hasErrors()) return;
     Diagnostics problems;
-    const auto world = World::build(loaded->experiment, [](const std::string& kind) { return findBuiltInDevice(kind); }, problems);
+    const auto world = World::build(
+        loaded->experiment, [](const std::string& kind) { return findBuiltInDevice(kind); }, problems);
     require(world != nullptr || problems.hasErrors());
     for (const Diagnostic& d : problems.all()) require(!render(d, loaded->sources).empty());
     if (!world) return;

@@ -18,7 +18,8 @@ QString coreFolder(const QString& path) { return path.startsWith("core/") ? path
 
 IncludeRules IncludeRules::fromMarkdown(const QString& text) {
     IncludeRules rules;
-    static const QRegularExpression row("^\\|\\s*((?:core|app)/[\\w/]+|plugins)\\s*\\|([^|]*)\\|([^|]*)\\|\\s*$", QRegularExpression::MultilineOption);
+    static const QRegularExpression row("^\\|\\s*((?:core|app|editor)/[\\w/]+|plugins)\\s*\\|([^|]*)\\|([^|]*)\\|\\s*$",
+                                        QRegularExpression::MultilineOption);
     for (auto match = row.globalMatch(text); match.hasNext();) {
         const auto cells = match.next();
         const QStringList foreign = words(cells.captured(3));
@@ -45,10 +46,12 @@ QString IncludeRules::complaint(const QString& file, const QString& included, bo
     }
     // An include without a folder is a neighbour in the same folder.
     if (!inAngles && !included.contains('/')) return {};
-    const QString target = inAngles ? "sdk" : included.section('/', 0, 0);
-    const QString own = file.startsWith("core/") ? coreFolder(file) : file.section('/', 1, 1);
+    const bool ofEditor = included.startsWith("editor/");
+    const QString target = inAngles ? "sdk" : included.section('/', 0, ofEditor ? 1 : 0);
+    const QString own = file.startsWith("core/") ? coreFolder(file) : file.section('/', ofEditor ? 0 : 1, 1);
     if (target == own) return {};
     if (rule.mayInclude.contains(target) || rule.mayInclude.contains(included)) return {};
+    if (rule.mayInclude.contains("core") && m_rules.contains("core/" + target)) return {};
     return folder + " must not use " + (inAngles ? "sdk" : included);
 }
 
@@ -64,7 +67,9 @@ QString IncludeRules::linkComplaint(const QString& folder, const QString& librar
 
 QString libraryOf(const QString& header) {
     static const QRegularExpression qt("^Q[A-Z]\\w*|^Qt\\w+(/.*)?$");
-    static const QRegularExpression cHeader("^(sys/.+|linux/.+|netinet/.+|arpa/.+|unistd\\.h|fcntl\\.h|dlfcn\\.h|poll\\.h|signal\\.h|pthread\\.h|spawn\\.h|elf\\.h|link\\.h|termios\\.h|dirent\\.h)$");
+    static const QRegularExpression cHeader(
+        "^(sys/.+|linux/.+|netinet/.+|arpa/"
+        ".+|unistd\\.h|fcntl\\.h|dlfcn\\.h|poll\\.h|signal\\.h|pthread\\.h|spawn\\.h|elf\\.h|link\\.h|termios\\.h|dirent\\.h)$");
     if (header.startsWith("trundle/")) return "sdk";
     if (header.startsWith("Eigen/")) return "eigen";
     if (header.startsWith("ode/")) return "ode";
@@ -72,6 +77,7 @@ QString libraryOf(const QString& header) {
     if (header.startsWith("nlohmann/")) return "json";
     if (header.startsWith("CLI/")) return "cli11";
     if (header.startsWith("osg")) return "osg";
+    if (header.startsWith("Qsci/")) return "qscintilla";
     if (header == "png.h" || header == "turbojpeg.h") return "pictures";
     if (header.startsWith("EGL/") || header.startsWith("GL/")) return "gl";
     if (qt.match(header).hasMatch()) return "qt";
@@ -81,12 +87,14 @@ QString libraryOf(const QString& header) {
 }
 
 QList<IncludeLine> includesOf(const QString& text) {
-    static const QRegularExpression include("^[ \\t]*#[ \\t]*include[ \\t]*(?:<([^>\\n]+)>|\"([^\"\\n]+)\")", QRegularExpression::MultilineOption);
+    static const QRegularExpression include("^[ \\t]*#[ \\t]*include[ \\t]*(?:<([^>\\n]+)>|\"([^\"\\n]+)\")",
+                                            QRegularExpression::MultilineOption);
     QList<IncludeLine> found;
     for (auto match = include.globalMatch(text); match.hasNext();) {
         const auto hit = match.next();
         const bool inAngles = hit.hasCaptured(1);
-        found.append({int(text.left(hit.capturedStart()).count('\n')) + 1, inAngles ? hit.captured(1) : hit.captured(2), inAngles});
+        found.append(
+            {int(text.left(hit.capturedStart()).count('\n')) + 1, inAngles ? hit.captured(1) : hit.captured(2), inAngles});
     }
     return found;
 }

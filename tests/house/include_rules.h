@@ -34,7 +34,11 @@ private:
 /// "std", "posix", "qt" ... for an #include of something that is not ours; "sdk" for <trundle/...>; empty where it is unknown.
 [[nodiscard]] QString libraryOf(const QString& header);
 
-struct IncludeLine { int line = 0; QString header; bool inAngles = false; };
+struct IncludeLine {
+    int line = 0;
+    QString header;
+    bool inAngles = false;
+};
 [[nodiscard]] QList<IncludeLine> includesOf(const QString& text);
 
 } // namespace trundle

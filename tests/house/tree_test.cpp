@@ -28,14 +28,15 @@ QStringList enumerators(const QString& header) {
 
 class TreeTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void everyCodeHasItsRowInOrder() {
         const QStringList names = enumerators(sourceFiles({"core/base/codes.h"}, {}).first().text);
         QVERIFY(names.size() > 60);
         const auto rows = allCodes();
         QCOMPARE(rows.size(), std::size_t(names.size()));
         const QString table = sourceFiles({"core/base/codes.cpp"}, {}).first().text;
-        for (const QString& name : names) QVERIFY2(table.contains("Code::" + name + ","), qPrintable("codes.cpp has no row for " + name));
+        for (const QString& name : names)
+            QVERIFY2(table.contains("Code::" + name + ","), qPrintable("codes.cpp has no row for " + name));
         for (std::size_t i = 0; i < rows.size(); ++i) {
             QVERIFY2(!rows[i].title.empty(), codeName(rows[i].code).c_str());
             if (i > 0) QVERIFY2(rows[i - 1].code < rows[i].code, codeName(rows[i].code).c_str());
@@ -55,7 +56,8 @@ private slots:
             const QString name = QString::fromStdString(codeName(entry.code));
             const qsizetype row = table.indexOf(QString::fromUtf8(entry.title.data(), entry.title.size()));
             const QString enumerator = table.left(row).section("Code::", -1).section(',', 0, 0);
-            if (static_cast<int>(entry.code) < 400 && !all.contains(name) && !all.contains("Code::" + enumerator)) missing << name + " (" + QString::fromUtf8(entry.title.data(), entry.title.size()) + ")";
+            if (static_cast<int>(entry.code) < 400 && !all.contains(name) && !all.contains("Code::" + enumerator))
+                missing << name + " (" + QString::fromUtf8(entry.title.data(), entry.title.size()) + ")";
         }
         QVERIFY2(missing.isEmpty(), qPrintable("neither tests/data/broken nor a test shows " + missing.join(", ")));
     }
@@ -63,29 +65,32 @@ private slots:
     void sourcesAreListedByName() {
         static const QRegularExpression gathering("GLOB|aux_source_directory", QRegularExpression::CaseInsensitiveOption);
         QString lists;
-        for (const SourceFile& file : sourceFiles({"CMakeLists.txt", "core", "app", "plugins", "tests"}, {"CMakeLists.txt", ".cmake"})) {
+        for (const SourceFile& file :
+             sourceFiles({"CMakeLists.txt", "core", "editor", "app", "plugins", "tests"}, {"CMakeLists.txt", ".cmake"})) {
             QVERIFY2(!file.text.contains(gathering), qPrintable(file.path + " gathers files; list them"));
             lists += file.text;
         }
         QStringList forgotten;
-        for (const SourceFile& file : sourceFiles({"core", "app", "plugins", "tests"}, {".cpp"})) {
+        for (const SourceFile& file : sourceFiles({"core", "editor", "app", "plugins", "tests"}, {".cpp"})) {
             if (file.path.startsWith("tests/data/")) continue;
             // Named with its ending, or without where a foreach adds that.
             QString stem = file.path.section('/', -1).chopped(4);
             if (stem.endsWith("_test")) stem.chop(5);
             const QString name = QRegularExpression::escape(stem);
-            if (!lists.contains(QRegularExpression("(^|[\\s/(\"])" + name + "(_test)?(\\.cpp)?($|[\\s)\"])"))) forgotten << file.path;
+            if (!lists.contains(QRegularExpression("(^|[\\s/(\"])" + name + "(_test)?(\\.cpp)?($|[\\s)\"])")))
+                forgotten << file.path;
         }
         QVERIFY2(forgotten.isEmpty(), qPrintable("no CMakeLists.txt names " + forgotten.join(", ")));
     }
 
     void filesStaySmall() {
         QStringList large;
-        for (const SourceFile& file : sourceFiles({"core", "app", "plugins", "tests"}, kCode)) {
+        for (const SourceFile& file : sourceFiles({"core", "editor", "app", "plugins", "tests"}, kCode)) {
             // Fixtures of tests are sources that happen to end in .h.
             const bool header = (file.path.endsWith(".h") || file.path.endsWith(".hpp")) && !file.path.startsWith("tests/");
             const qsizetype lines = file.text.count('\n'), most = header ? kMostHeaderLines : kMostSourceLines;
-            if (lines > most && !kTolerated.contains(file.path)) large << QString("%1 has %2 lines, at most %3").arg(file.path).arg(lines).arg(most);
+            if (lines > most && !kTolerated.contains(file.path))
+                large << QString("%1 has %2 lines, at most %3").arg(file.path).arg(lines).arg(most);
         }
         QVERIFY2(large.isEmpty(), qPrintable("\n" + large.join('\n')));
     }
@@ -93,26 +98,35 @@ private slots:
     // Paths of one machine, and leftovers. Put together from parts, so that this file may name them.
     void nothingInTheTreeBelongsToOneMachine() {
         const QList<QRegularExpression> foreign = {
-            QRegularExpression(QString("/ho") + "me/\\w"), QRegularExpression(QString("/Us") + "ers/\\w"), QRegularExpression(QString("/wo") + "rk/"),
-            QRegularExpression(QString("\\.\\./sha") + "red"), QRegularExpression(QString("^<<<") + "<<<< ", QRegularExpression::MultilineOption),
+            QRegularExpression(QString("/ho") + "me/\\w"),
+            QRegularExpression(QString("/Us") + "ers/\\w"),
+            QRegularExpression(QString("/wo") + "rk/"),
+            QRegularExpression(QString("\\.\\./sha") + "red"),
+            QRegularExpression(QString("^<<<") + "<<<< ", QRegularExpression::MultilineOption),
             QRegularExpression(QString("^>>>") + ">>>> ", QRegularExpression::MultilineOption)};
         QStringList found;
-        const QStringList everything = {"core", "app", "plugins", "configs", "resources", "tests", "dev", "CMakeLists.txt", "CMakePresets.json",
-                                        "README.md", ".ci/run", ".gitignore", ".clang-format", ".clang-tidy"};
+        const QStringList everything = {"core",      "editor",  "app",        "plugins",        "configs",
+                                        "resources", "tests",   "dev",        "CMakeLists.txt", "CMakePresets.json",
+                                        "README.md", ".ci/run", ".gitignore", ".clang-format",  ".clang-tidy"};
         for (const SourceFile& file : sourceFiles(everything, {})) {
             for (const QRegularExpression& word : foreign) {
                 const auto hit = word.match(file.text);
-                if (hit.hasMatch()) found << QString("%1:%2: %3").arg(file.path).arg(file.text.left(hit.capturedStart()).count('\n') + 1).arg(hit.captured().trimmed());
+                if (hit.hasMatch())
+                    found << QString("%1:%2: %3")
+                                 .arg(file.path)
+                                 .arg(file.text.left(hit.capturedStart()).count('\n') + 1)
+                                 .arg(hit.captured().trimmed());
             }
         }
         QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
     }
 
     void headersAreGuardedAndLiveInTheNamespace() {
-        for (const SourceFile& file : sourceFiles({"core", "app"}, {".h"})) {
+        for (const SourceFile& file : sourceFiles({"core", "editor", "app"}, {".h"})) {
             if (file.path.endsWith("/abi.h")) continue; // read by C too
             QVERIFY2(file.text.contains("#pragma once"), qPrintable(file.path));
-            QVERIFY2(!file.text.contains(QRegularExpression("^using namespace ", QRegularExpression::MultilineOption)), qPrintable(file.path));
+            QVERIFY2(!file.text.contains(QRegularExpression("^using namespace ", QRegularExpression::MultilineOption)),
+                     qPrintable(file.path));
         }
     }
 };

@@ -13,8 +13,7 @@ namespace {
 std::string formatted(const std::string& text) { return format(*parsed(text)); }
 
 /// All tokens but blanks and line ends.
-std::string substance(const std::string& text)
-{
+std::string substance(const std::string& text) {
     const auto tree = parsed(text);
     std::string out;
     for (const Token& token : tree->tokens()) {
@@ -31,21 +30,26 @@ std::string substance(const std::string& text)
 
 class FormatterTest : public QObject {
     Q_OBJECT
-private slots:
-    void cases_data()
-    {
+private Q_SLOTS:
+    void cases_data() {
         QTest::addColumn<QByteArray>("before");
         QTest::addColumn<QByteArray>("after");
-        const auto row = [](const char* name, std::string_view before, std::string_view after) { QTest::newRow(name) << q(before) << q(after); };
+        const auto row = [](const char* name, std::string_view before, std::string_view after) {
+            QTest::newRow(name) << q(before) << q(after);
+        };
         row("indent", "Robot r {\nBody b {\n      Mass=1\n }\n}", "Robot r {\n  Body b {\n    Mass=1\n  }\n}\n");
         row("one line stays", "Box b { A=1   B=2 }", "Box b { A=1   B=2 }\n");
-        row("braces that end a line", "Body w { A=1\nBox t { B=2\nC=3 } }\nX=1", "Body w { A=1\n  Box t { B=2\n    C=3 } }\nX=1\n");
+        row("braces that end a line", "Body w { A=1\nBox t { B=2\nC=3 } }\nX=1",
+            "Body w { A=1\n  Box t { B=2\n    C=3 } }\nX=1\n");
         row("trailing blanks", "A=1  \t\nB=2 // c  \n   \nC=3\n\n\n", "A=1\nB=2 // c\n\nC=3\n");
         row("CR LF", "A {\r\nB=1\r\n}", "A {\r\n  B=1\r\n}\r\n");
         row("lone CR", "A {\rB=1\r}\r\r", "A {\r  B=1\r}\r");
-        row("BOM", "\xEF\xBB\xBF  A=1", "\xEF\xBB\xBF" "A=1\n");
+        row("BOM", "\xEF\xBB\xBF  A=1",
+            "\xEF\xBB\xBF"
+            "A=1\n");
         row("comments", "A {\n// c\n/* d\n      e */ B=1\n}", "A {\n  // c\n  /* d\n      e */ B=1\n}\n");
-        row("a value that goes on", "A {\nPos = 1,\n      2,\n      3\nB=1\n}", "A {\n  Pos = 1,\n        2,\n        3\n  B=1\n}\n");
+        row("a value that goes on", "A {\nPos = 1,\n      2,\n      3\nB=1\n}",
+            "A {\n  Pos = 1,\n        2,\n        3\n  B=1\n}\n");
         row("tabs", "A {\n\tB=1\n\tC {\n\t\tD=1\n\t}\n}\n", "A {\n  B=1\n  C {\n    D=1\n  }\n}\n");
         row("directives", "  #import a.sim  // why\nA=1", "#import a.sim  // why\nA=1\n");
         row("values untouched", "A = 1.50,2 ,$( a+1 ) , \"x  y\"\n", "A = 1.50,2 ,$( a+1 ) , \"x  y\"\n");
@@ -54,22 +58,21 @@ private slots:
         row("blank", " \n \n", "");
         row("an error", "A = \n  B {", "A = \n  B {");
     }
-    void cases()
-    {
+    void cases() {
         QFETCH(QByteArray, before);
         QTEST(q(formatted(before.toStdString())), "after");
         QFETCH(QByteArray, after);
         QCOMPARE(q(formatted(after.toStdString())), after);
     }
 
-    void soundTextsKeepTheirSubstance()
-    {
+    void soundTextsKeepTheirSubstance() {
         Dice dice(4);
         const int count = longRun() ? 50000 : 3000;
         int sound = 0;
         const std::vector<std::string> start = examples();
         for (int i = 0; i < count; ++i) {
-            const std::string text = i % 3 == 0 ? randomSoup(dice, 8) : mutated(dice, start[static_cast<std::size_t>(i) % start.size()]);
+            const std::string text =
+                i % 3 == 0 ? randomSoup(dice, 8) : mutated(dice, start[static_cast<std::size_t>(i) % start.size()]);
             const std::string once = formatted(text);
             const QByteArray story = q(text) + "\n---- becomes ----\n" + q(once);
             QVERIFY2(formatted(once) == once, (story + "\n---- and then ----\n" + q(formatted(once))).constData());

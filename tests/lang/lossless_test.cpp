@@ -10,8 +10,7 @@ using namespace texts;
 namespace {
 
 /// Empty when all is well, else what is wrong.
-QByteArray faultOf(const std::string& text)
-{
+QByteArray faultOf(const std::string& text) {
     const auto tree = parsed(text);
     if (print(*tree) != text) return "printed text differs";
     std::uint32_t end = 0;
@@ -26,7 +25,8 @@ QByteArray faultOf(const std::string& text)
         if (d.range.range.end < d.range.range.begin || d.range.range.end > text.size()) return "a message outside the text";
         for (const Fix& fix : d.fixes)
             for (const TextEdit& edit : fix.edits)
-                if (edit.range.range.end < edit.range.range.begin || edit.range.range.end > text.size()) return "a fix outside the text";
+                if (edit.range.range.end < edit.range.range.begin || edit.range.range.end > text.size())
+                    return "a fix outside the text";
     }
     if (tree->diagnostics().size() > 101) return "too many messages";
     messages(*tree);
@@ -37,9 +37,8 @@ QByteArray faultOf(const std::string& text)
 
 class LosslessTest : public QObject {
     Q_OBJECT
-private slots:
-    void nasty_data()
-    {
+private Q_SLOTS:
+    void nasty_data() {
         QTest::addColumn<QByteArray>("text");
         const auto row = [](const char* name, std::string_view text) { QTest::newRow(name) << q(text); };
         row("nothing", "");
@@ -56,7 +55,8 @@ private slots:
         row("LF CR", "x = 1\n\ry = 2");
         row("no final newline", "x = 1");
         row("tabs", "\tx\t=\t1\t");
-        row("minus of the thesis", "x = \xE2\x88\x92" "3");
+        row("minus of the thesis", "x = \xE2\x88\x92"
+                                   "3");
         row("open string", "x = \"abc");
         row("escape at the end", "x = \"abc\\");
         row("escaped quote at the end", "x = \"abc\\\"");
@@ -71,20 +71,17 @@ private slots:
         row("UTF-16", std::string_view("\xFF\xFEx\0 \0=\0", 8));
         row("vertical tab and form feed", "x\v=\f1");
     }
-    void nasty()
-    {
+    void nasty() {
         QFETCH(QByteArray, text);
         QCOMPARE(faultOf(text.toStdString()), QByteArray());
     }
 
-    void everyBeginningOfTheExamples()
-    {
+    void everyBeginningOfTheExamples() {
         for (const std::string& text : examples())
             for (std::size_t end = 0; end <= text.size(); ++end) QCOMPARE(faultOf(text.substr(0, end)), QByteArray());
     }
 
-    void mutationsOfTheExamples()
-    {
+    void mutationsOfTheExamples() {
         Dice dice(1);
         const int count = longRun() ? 20000 : 1000;
         const std::vector<std::string> start = examples();
@@ -95,8 +92,7 @@ private slots:
         }
     }
 
-    void randomBytesAndSoup()
-    {
+    void randomBytesAndSoup() {
         Dice dice(2);
         const int count = longRun() ? 20000 : 2000;
         for (int i = 0; i < count; ++i) {
@@ -107,15 +103,54 @@ private slots:
     }
 
     /// Shapes that cost a careless parser the square of their size, or its stack.
-    void longShapes_data()
-    {
+    void longShapes_data() {
         QTest::addColumn<QByteArray>("piece");
-        for (const char* piece : {"{", "}", "a {\n", "a b {\n x=1\n", "(", "X=$(", "X=$((((", "-", "+1", "a.", "a . ", "1 a ", "X = a ", "X = 1 ", "min(", "\"", "x=\"", "#import \"", "'",
-                                  "\xE2\x80\x9C", "/*", "/**/a ", "//", "\\", "@", "\r", "x=1*", "[", "x=[", "a:", "x=1,\n", ",", "$", "${", "\xFF", "\xFF" "a", "#", "#a\n", "a b\n", "1.", "e", "x=- "})
+        for (const char* piece : {"{",
+                                  "}",
+                                  "a {\n",
+                                  "a b {\n x=1\n",
+                                  "(",
+                                  "X=$(",
+                                  "X=$((((",
+                                  "-",
+                                  "+1",
+                                  "a.",
+                                  "a . ",
+                                  "1 a ",
+                                  "X = a ",
+                                  "X = 1 ",
+                                  "min(",
+                                  "\"",
+                                  "x=\"",
+                                  "#import \"",
+                                  "'",
+                                  "\xE2\x80\x9C",
+                                  "/*",
+                                  "/**/a ",
+                                  "//",
+                                  "\\",
+                                  "@",
+                                  "\r",
+                                  "x=1*",
+                                  "[",
+                                  "x=[",
+                                  "a:",
+                                  "x=1,\n",
+                                  ",",
+                                  "$",
+                                  "${",
+                                  "\xFF",
+                                  "\xFF"
+                                  "a",
+                                  "#",
+                                  "#a\n",
+                                  "a b\n",
+                                  "1.",
+                                  "e",
+                                  "x=- "})
             QTest::newRow(piece) << QByteArray(piece);
     }
-    void longShapes()
-    {
+    void longShapes() {
         QFETCH(QByteArray, piece);
         const int count = longRun() ? 1000000 : 100000;
         const std::string text = ("X = $(1" + piece.repeated(count)).toStdString();

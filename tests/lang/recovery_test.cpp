@@ -15,9 +15,8 @@ using namespace texts;
 
 class RecoveryTest : public QObject {
     Q_OBJECT
-private slots:
-    void cases_data()
-    {
+private Q_SLOTS:
+    void cases_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("messages");
         QFile file(QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/lang/recovery_cases.txt"));
@@ -36,8 +35,7 @@ private slots:
         }
         QVERIFY(count > 50);
     }
-    void cases()
-    {
+    void cases() {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, messages);
         const auto tree = parsed(text.toStdString());
@@ -49,15 +47,18 @@ private slots:
         for (const Diagnostic& d : tree->diagnostics()) {
             if (d.fixes.empty()) continue;
             const auto mended = applied(*tree, d.fixes[0]);
-            QVERIFY2(mended->diagnostics().size() < tree->diagnostics().size(), (q(d.message) + "\n" + q(mended->source().bytes()) + "\n" + q(texts::messages(*mended))).constData());
+            QVERIFY2(mended->diagnostics().size() < tree->diagnostics().size(),
+                     (q(d.message) + "\n" + q(mended->source().bytes()) + "\n" + q(texts::messages(*mended))).constData());
         }
     }
 
     /// A mistake costs its own line at most: what stands after it is read.
-    void whatFollowsIsRead()
-    {
-        for (const char* broken : {"Pos = 1,2,", "x", "x y z", "= 3", "Pos =", "Pos = 0 0 0", "x == 3", "x: 3", "@@ !!", "#frob", "#import", "x = $(1 +", "x = \"abc", "x = 'abc", "1 2 3", "x = 1..2",
-                                   "x = [1,2", "Robot r { Pos = }", "Param x", "a.b", "a.", ";", ")", "x = 5 }", "x = -", "{ x=1 }", "x = { y=1 }", "x = $", "x = 1 + "}) {
+    void whatFollowsIsRead() {
+        for (const char* broken : {"Pos = 1,2,", "x",        "x y z",       "= 3",      "Pos =",    "Pos = 0 0 0",
+                                   "x == 3",     "x: 3",     "@@ !!",       "#frob",    "#import",  "x = $(1 +",
+                                   "x = \"abc",  "x = 'abc", "1 2 3",       "x = 1..2", "x = [1,2", "Robot r { Pos = }",
+                                   "Param x",    "a.b",      "a.",          ";",        ")",        "x = 5 }",
+                                   "x = -",      "{ x=1 }",  "x = { y=1 }", "x = $",    "x = 1 + "}) {
             const auto tree = parsed(std::string("First = 1\n") + broken + "\nLast = 3\nRobot last { Mass = 1 }\n");
             const std::string story = std::string(broken) + "\n" + texts::messages(*tree);
             QVERIFY2(tree->diagnostics().size() >= 1 && tree->diagnostics().size() <= 3, story.c_str());
@@ -69,8 +70,7 @@ private slots:
         }
     }
 
-    void aFloodOfMistakesEnds()
-    {
+    void aFloodOfMistakesEnds() {
         const auto tree = parsed(QByteArray("x = ;\n").repeated(5000).toStdString());
         QCOMPARE(tree->diagnostics().size(), std::size_t(101));
         QVERIFY(tree->diagnostics().back().message.find("too many mistakes") != std::string::npos);

@@ -7,14 +7,15 @@ using namespace texts;
 
 class SourceTextTest : public QObject {
     Q_OBJECT
-private slots:
-    void positions_data()
-    {
+private Q_SLOTS:
+    void positions_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<int>("offset");
         QTest::addColumn<int>("line");
         QTest::addColumn<int>("column");
-        const auto row = [](const char* name, std::string_view text, int offset, int line, int column) { QTest::newRow(name) << q(text) << offset << line << column; };
+        const auto row = [](const char* name, std::string_view text, int offset, int line, int column) {
+            QTest::newRow(name) << q(text) << offset << line << column;
+        };
         row("start", "abc", 0, 1, 1);
         row("end of file", "abc", 3, 1, 4);
         row("beyond the end", "abc", 99, 1, 4);
@@ -24,15 +25,29 @@ private slots:
         row("lone CR", "a\rb", 2, 2, 1);
         row("LF CR is two ends", "a\n\rb", 3, 3, 1);
         row("a tab is one column", "\t\tb", 2, 1, 3);
-        row("a BOM is none", "\xEF\xBB\xBF" "ab", 4, 1, 2);
-        row("two bytes, one column", "\xC3\xA4" "b", 2, 1, 2);
-        row("four bytes, one column", "\xF0\x9F\x98\x80" "b", 4, 1, 2);
-        row("inside a code point", "\xC3\xA4" "b", 1, 1, 1);
-        row("a broken byte is one column", "\xFF\xFF" "b", 2, 1, 3);
+        row("a BOM is none",
+            "\xEF\xBB\xBF"
+            "ab",
+            4, 1, 2);
+        row("two bytes, one column",
+            "\xC3\xA4"
+            "b",
+            2, 1, 2);
+        row("four bytes, one column",
+            "\xF0\x9F\x98\x80"
+            "b",
+            4, 1, 2);
+        row("inside a code point",
+            "\xC3\xA4"
+            "b",
+            1, 1, 1);
+        row("a broken byte is one column",
+            "\xFF\xFF"
+            "b",
+            2, 1, 3);
         row("after the last line end", "a\n", 2, 2, 1);
     }
-    void positions()
-    {
+    void positions() {
         QFETCH(QByteArray, text);
         QFETCH(int, offset);
         const LineColumn at = SourceText("t", text.toStdString()).position(static_cast<std::uint32_t>(offset));
@@ -40,8 +55,7 @@ private slots:
         QTEST(static_cast<int>(at.column), "column");
     }
 
-    void linesHaveNoLineEnds()
-    {
+    void linesHaveNoLineEnds() {
         const SourceText text("t", "one\r\ntwo\rthree\n");
         QCOMPARE(text.lineCount(), 4u);
         QCOMPARE(q(text.line(1)), QByteArray("one"));
@@ -52,8 +66,7 @@ private slots:
         QCOMPARE(q(text.line(0)), QByteArray(""));
     }
 
-    void slicesStayInside()
-    {
+    void slicesStayInside() {
         const SourceText text("t", "abc");
         QCOMPARE(q(text.slice({1, 3})), QByteArray("bc"));
         QCOMPARE(q(text.slice({1, 99})), QByteArray("bc"));

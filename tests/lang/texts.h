@@ -16,14 +16,12 @@ namespace texts {
 
 inline QByteArray q(std::string_view text) { return {text.data(), static_cast<qsizetype>(text.size())}; }
 
-inline std::shared_ptr<const trundle::Tree> parsed(std::string text)
-{
+inline std::shared_ptr<const trundle::Tree> parsed(std::string text) {
     return trundle::parse(std::make_shared<const trundle::SourceText>("t.sim", std::move(text)), 0);
 }
 
 /// All messages of a tree as a person reads them.
-inline std::string messages(const trundle::Tree& tree)
-{
+inline std::string messages(const trundle::Tree& tree) {
     trundle::SourceTable table;
     table.add(tree.sharedSource());
     std::string all;
@@ -37,42 +35,126 @@ inline bool longRun() { return qEnvironmentVariableIntValue("TRUNDLE_LONG") != 0
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : m_seed(seed) {}
-    std::size_t below(std::size_t bound) { return static_cast<std::size_t>(trundle::randomBits(m_seed, 0, 0, m_index++) % bound); }
+    std::size_t below(std::size_t bound) {
+        return static_cast<std::size_t>(trundle::randomBits(m_seed, 0, 0, m_index++) % bound);
+    }
     bool chance(std::size_t one, std::size_t in) { return below(in) < one; }
 
 private:
     std::uint64_t m_seed, m_index = 0;
 };
 
-inline std::string randomBytes(Dice& dice, std::size_t most)
-{
+inline std::string randomBytes(Dice& dice, std::size_t most) {
     std::string text;
     for (std::size_t n = dice.below(most); n > 0; --n) text += static_cast<char>(dice.below(256));
     return text;
 }
 
 /// Tokens of the language and of its neighbours in any order.
-inline std::string randomSoup(Dice& dice, std::size_t most)
-{
-    static const std::vector<std::string_view> kPieces{
-        "{", "}", "=", ",", ".", "$", "$(", "(", ")", "+", "-", "*", "/", "^", "\"", "\"text\"", "\\", "//", "// c\n", "/*", "*/", "/* c */", "#", "#import", "#import a.sim\n",
-        "\n#loadModule b.dll", "Param", "Param x = 1", "true", "false", "world", "Box", "Robot r {", "Pos = 1,2,3", "Mass=2", "Key", "a.b.c = 3", "x", "1", "-2.5", "3cm", "4 m/s",
-        "1e9", "1e999", ".5", "0x1F", "1.2.3", " ", " ", "  ", "\t", "\n", "\n", "\r\n", "\r", "\xE2\x88\x92", "\xE2\x88\x92" "3", "\xEF\xBB\xBF", "\xC2\xA0", "\xFF", std::string_view("\0", 1),
-        "'a'", "\xE2\x80\x9C" "a\xE2\x80\x9D", ";", ":", "==", "[", "]", "%", "\xC2\xB0", "$name", "$(a+1)", "$(min(a,2)^-b)", "file.csv", "..", "c-d", "&", "!", "~", "@", "`", "|", "<", ">"};
+inline std::string randomSoup(Dice& dice, std::size_t most) {
+    static const std::vector<std::string_view> kPieces{"{",
+                                                       "}",
+                                                       "=",
+                                                       ",",
+                                                       ".",
+                                                       "$",
+                                                       "$(",
+                                                       "(",
+                                                       ")",
+                                                       "+",
+                                                       "-",
+                                                       "*",
+                                                       "/",
+                                                       "^",
+                                                       "\"",
+                                                       "\"text\"",
+                                                       "\\",
+                                                       "//",
+                                                       "// c\n",
+                                                       "/*",
+                                                       "*/",
+                                                       "/* c */",
+                                                       "#",
+                                                       "#import",
+                                                       "#import a.sim\n",
+                                                       "\n#loadModule b.dll",
+                                                       "Param",
+                                                       "Param x = 1",
+                                                       "true",
+                                                       "false",
+                                                       "world",
+                                                       "Box",
+                                                       "Robot r {",
+                                                       "Pos = 1,2,3",
+                                                       "Mass=2",
+                                                       "Key",
+                                                       "a.b.c = 3",
+                                                       "x",
+                                                       "1",
+                                                       "-2.5",
+                                                       "3cm",
+                                                       "4 m/s",
+                                                       "1e9",
+                                                       "1e999",
+                                                       ".5",
+                                                       "0x1F",
+                                                       "1.2.3",
+                                                       " ",
+                                                       " ",
+                                                       "  ",
+                                                       "\t",
+                                                       "\n",
+                                                       "\n",
+                                                       "\r\n",
+                                                       "\r",
+                                                       "\xE2\x88\x92",
+                                                       "\xE2\x88\x92"
+                                                       "3",
+                                                       "\xEF\xBB\xBF",
+                                                       "\xC2\xA0",
+                                                       "\xFF",
+                                                       std::string_view("\0", 1),
+                                                       "'a'",
+                                                       "\xE2\x80\x9C"
+                                                       "a\xE2\x80\x9D",
+                                                       ";",
+                                                       ":",
+                                                       "==",
+                                                       "[",
+                                                       "]",
+                                                       "%",
+                                                       "\xC2\xB0",
+                                                       "$name",
+                                                       "$(a+1)",
+                                                       "$(min(a,2)^-b)",
+                                                       "file.csv",
+                                                       "..",
+                                                       "c-d",
+                                                       "&",
+                                                       "!",
+                                                       "~",
+                                                       "@",
+                                                       "`",
+                                                       "|",
+                                                       "<",
+                                                       ">"};
     std::string text;
     for (std::size_t n = dice.below(most); n > 0; --n) text += kPieces[dice.below(kPieces.size())];
     return text;
 }
 
 /// One to five small changes of bytes.
-inline std::string mutated(Dice& dice, std::string text)
-{
+inline std::string mutated(Dice& dice, std::string text) {
     for (std::size_t n = 1 + dice.below(5); n > 0; --n) {
         const std::size_t at = dice.below(text.size() + 1);
         switch (dice.below(4)) {
         case 0: text.insert(at, 1, static_cast<char>(dice.below(256))); break;
-        case 1: if (at < text.size()) text.erase(at, 1 + dice.below(4)); break;
-        case 2: if (at < text.size()) text[at] = static_cast<char>("{}=,.\"/* \n#$()"[dice.below(14)]); break;
+        case 1:
+            if (at < text.size()) text.erase(at, 1 + dice.below(4));
+            break;
+        case 2:
+            if (at < text.size()) text[at] = static_cast<char>("{}=,.\"/* \n#$()"[dice.below(14)]);
+            break;
         default: text.insert(at, text.substr(dice.below(text.size() + 1), dice.below(30))); break;
         }
     }
@@ -115,15 +197,13 @@ Robot robot0 {
 PoseLog path { Robot=robot0 Interval=0.1 File=linear_motion.csv }
 )";
 
-inline std::string withCrLf(std::string_view text)
-{
+inline std::string withCrLf(std::string_view text) {
     std::string out;
     for (const char c : text) out += c == '\n' ? std::string("\r\n") : std::string(1, c);
     return out;
 }
 
-inline std::string withTabs(std::string_view text)
-{
+inline std::string withTabs(std::string_view text) {
     std::string out;
     for (std::size_t i = 0; i < text.size();) {
         const bool lineBegin = i == 0 || text[i - 1] == '\n' || text[i - 1] == '\t' || (out.size() && out.back() == '\t');
@@ -133,11 +213,26 @@ inline std::string withTabs(std::string_view text)
     return out;
 }
 
-inline std::vector<std::string> examples()
-{
+inline std::vector<std::string> examples() {
     const std::string robot(kRobot), experiment(kExperiment);
-    return {robot, experiment, withCrLf(robot), withTabs(robot), "\xEF\xBB\xBF" + experiment, robot.substr(0, robot.size() - 1), withTabs(withCrLf(experiment)),
-            "Box b {}", "Box b { }", "Box b {\n}", "Box b { // c\n}", "Box b { Mass=1 // c\n}", "A { B { C { x=1 } } }\n", "x = 1", "x = 1 // c", "// only a comment", "", "\n\n"};
+    return {robot,
+            experiment,
+            withCrLf(robot),
+            withTabs(robot),
+            "\xEF\xBB\xBF" + experiment,
+            robot.substr(0, robot.size() - 1),
+            withTabs(withCrLf(experiment)),
+            "Box b {}",
+            "Box b { }",
+            "Box b {\n}",
+            "Box b { // c\n}",
+            "Box b { Mass=1 // c\n}",
+            "A { B { C { x=1 } } }\n",
+            "x = 1",
+            "x = 1 // c",
+            "// only a comment",
+            "",
+            "\n\n"};
 }
 
 } // namespace texts

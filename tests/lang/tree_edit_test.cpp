@@ -11,8 +11,7 @@ using namespace texts;
 
 namespace {
 
-const BlockItem* findBlock(const std::vector<Item>& items, std::string_view name)
-{
+const BlockItem* findBlock(const std::vector<Item>& items, std::string_view name) {
     for (const Item& item : items) {
         const auto* block = item.as<BlockItem>();
         if (!block) continue;
@@ -22,8 +21,7 @@ const BlockItem* findBlock(const std::vector<Item>& items, std::string_view name
     return nullptr;
 }
 
-const Item* findItem(const std::vector<Item>& items, std::string_view name)
-{
+const Item* findItem(const std::vector<Item>& items, std::string_view name) {
     for (const Item& item : items) {
         if (const auto* a = item.as<AssignmentItem>(); a && a->path.back().text == name) return &item;
         const auto* block = item.as<BlockItem>();
@@ -34,23 +32,22 @@ const Item* findItem(const std::vector<Item>& items, std::string_view name)
     return nullptr;
 }
 
-std::string applied(const Tree& tree, const TextEdit& edit)
-{
+std::string applied(const Tree& tree, const TextEdit& edit) {
     auto result = applyEdits(tree.source().bytes(), std::span(&edit, 1));
     return result ? result.value() : "edit refused: " + result.error().message;
 }
 
-std::size_t errors(const Tree& tree)
-{
-    return static_cast<std::size_t>(std::count_if(tree.diagnostics().begin(), tree.diagnostics().end(), [](const Diagnostic& d) { return d.severity == Severity::Error; }));
+std::size_t errors(const Tree& tree) {
+    return static_cast<std::size_t>(std::count_if(tree.diagnostics().begin(), tree.diagnostics().end(),
+                                                  [](const Diagnostic& d) { return d.severity == Severity::Error; }));
 }
 
 /// What a tree says, without places and comments.
-std::string meaning(const std::vector<Item>& items, const Item* without = nullptr)
-{
+std::string meaning(const std::vector<Item>& items, const Item* without = nullptr) {
     std::string out;
     const auto valueOf = [&](const Value& v) {
-        for (const Element& e : v.elements) out += std::to_string(static_cast<int>(e.kind)) + ":" + std::to_string(e.number) + e.text + e.unit + ",";
+        for (const Element& e : v.elements)
+            out += std::to_string(static_cast<int>(e.kind)) + ":" + std::to_string(e.number) + e.text + e.unit + ",";
         out += ";";
     };
     for (const Item& item : items) {
@@ -63,60 +60,66 @@ std::string meaning(const std::vector<Item>& items, const Item* without = nullpt
             out += "=";
             valueOf(a->value);
         }
-        if (const auto* b = item.as<BlockItem>()) out += b->type.text + " " + (b->name ? b->name->text : "") + "{" + meaning(b->items, without) + "}";
+        if (const auto* b = item.as<BlockItem>())
+            out += b->type.text + " " + (b->name ? b->name->text : "") + "{" + meaning(b->items, without) + "}";
     }
     return out;
 }
 
-struct Place { const std::vector<Item>* siblings; const Item* item; const BlockItem* parent; };
+struct Place {
+    const std::vector<Item>* siblings;
+    const Item* item;
+    const BlockItem* parent;
+};
 
-void collect(const std::vector<Item>& items, const BlockItem* parent, std::vector<Place>& places)
-{
+void collect(const std::vector<Item>& items, const BlockItem* parent, std::vector<Place>& places) {
     for (const Item& item : items) {
         places.push_back({&items, &item, parent});
         if (const auto* block = item.as<BlockItem>()) collect(block->items, block, places);
     }
 }
 
-std::size_t lineComments(const Tree& tree)
-{
-    return static_cast<std::size_t>(std::count_if(tree.tokens().begin(), tree.tokens().end(), [](const Token& t) { return t.kind == TokenKind::LineComment; }));
+std::size_t lineComments(const Tree& tree) {
+    return static_cast<std::size_t>(std::count_if(tree.tokens().begin(), tree.tokens().end(),
+                                                  [](const Token& t) { return t.kind == TokenKind::LineComment; }));
 }
 
 } // namespace
 
 class TreeEditTest : public QObject {
     Q_OBJECT
-private slots:
-    void settingAValueChangesItsCharactersOnly()
-    {
+private Q_SLOTS:
+    void settingAValueChangesItsCharactersOnly() {
         const auto tree = parsed("Robot r { Mass = 1.50 /* kg */ Pos=0, 0,\t0 } // end");
         const auto& robot = *findBlock(tree->items(), "r");
         const auto& mass = robot.items[0].as<AssignmentItem>()->value;
         const auto& pos = robot.items[1].as<AssignmentItem>()->value;
-        QCOMPARE(q(applied(*tree, editSetValue(*tree, mass, "2"))), QByteArray("Robot r { Mass = 2 /* kg */ Pos=0, 0,\t0 } // end"));
-        QCOMPARE(q(applied(*tree, editSetValue(*tree, pos, "1,2,3"))), QByteArray("Robot r { Mass = 1.50 /* kg */ Pos=1,2,3 } // end"));
+        QCOMPARE(q(applied(*tree, editSetValue(*tree, mass, "2"))),
+                 QByteArray("Robot r { Mass = 2 /* kg */ Pos=0, 0,\t0 } // end"));
+        QCOMPARE(q(applied(*tree, editSetValue(*tree, pos, "1,2,3"))),
+                 QByteArray("Robot r { Mass = 1.50 /* kg */ Pos=1,2,3 } // end"));
     }
 
-    void settingAMissingValue()
-    {
+    void settingAMissingValue() {
         const auto tree = parsed("A =\nB=\nC = 1\n");
-        QCOMPARE(q(applied(*tree, editSetValue(*tree, tree->items()[0].as<AssignmentItem>()->value, "7"))), QByteArray("A = 7\nB=\nC = 1\n"));
+        QCOMPARE(q(applied(*tree, editSetValue(*tree, tree->items()[0].as<AssignmentItem>()->value, "7"))),
+                 QByteArray("A = 7\nB=\nC = 1\n"));
     }
 
-    void renaming()
-    {
+    void renaming() {
         const auto tree = parsed("Robot robot0 { leftMotor.Resistance=3 }");
         const auto& robot = *findBlock(tree->items(), "robot0");
-        QCOMPARE(q(applied(*tree, editReplace(*tree, robot.name->range, "mouse"))), QByteArray("Robot mouse { leftMotor.Resistance=3 }"));
+        QCOMPARE(q(applied(*tree, editReplace(*tree, robot.name->range, "mouse"))),
+                 QByteArray("Robot mouse { leftMotor.Resistance=3 }"));
     }
 
-    void adding_data()
-    {
+    void adding_data() {
         QTest::addColumn<QByteArray>("before");
         QTest::addColumn<QByteArray>("block");
         QTest::addColumn<QByteArray>("after");
-        const auto row = [](const char* name, std::string_view before, const char* block, std::string_view after) { QTest::newRow(name) << q(before) << QByteArray(block) << q(after); };
+        const auto row = [](const char* name, std::string_view before, const char* block, std::string_view after) {
+            QTest::newRow(name) << q(before) << QByteArray(block) << q(after);
+        };
         row("one line", "Box b { Size=1 }", "b", "Box b { Size=1 K=9 }");
         row("one line, spaced", "Box b { Size = 1 }", "b", "Box b { Size = 1 K = 9 }");
         row("one line, tight", "Box b {Size=1}", "b", "Box b {Size=1 K=9 }");
@@ -132,7 +135,8 @@ private slots:
         row("comment before the brace", "Box b { A=1 // why\n}", "b", "Box b { A=1 // why\n  K=9\n}");
         row("brace behind the last item", "Box b { A=1\n  B=2 }", "b", "Box b { A=1\n  B=2\n  K=9\n}");
         row("nested on one line", "Body c {\n  Box b { A=1 }\n}\n", "b", "Body c {\n  Box b { A=1 K=9 }\n}\n");
-        row("beside its like", "Body c {\n  Mass=1 // kg\n  Box b { A=1 }\n}\n", "c", "Body c {\n  Mass=1 // kg\n  K=9\n  Box b { A=1 }\n}\n");
+        row("beside its like", "Body c {\n  Mass=1 // kg\n  Box b { A=1 }\n}\n", "c",
+            "Body c {\n  Mass=1 // kg\n  K=9\n  Box b { A=1 }\n}\n");
         row("in front of nothing but blocks", "Body c {\n  Box b { A=1 }\n}\n", "c", "Body c {\n  Box b { A=1 }\n  K=9\n}\n");
         row("the file", "A = 1\n", "", "A = 1\nK = 9\n");
         row("the file, tight", "A=1\n", "", "A=1\nK=9\n");
@@ -144,8 +148,7 @@ private slots:
         row("settings above blocks", "Tick = 1\n\nRobot r {\n}\n", "", "Tick = 1\nK = 9\n\nRobot r {\n}\n");
         row("shared line", "Tick = 1   Duration = 2\n#import a.sim\n", "", "Tick = 1   Duration = 2\nK = 9\n#import a.sim\n");
     }
-    void adding()
-    {
+    void adding() {
         QFETCH(QByteArray, before);
         QFETCH(QByteArray, block);
         const auto tree = parsed(before.toStdString());
@@ -153,8 +156,7 @@ private slots:
         QTEST(q(applied(*tree, editAddAssignment(*tree, to, "K", "9"))), "after");
     }
 
-    void addingItems_data()
-    {
+    void addingItems_data() {
         QTest::addColumn<QByteArray>("before");
         QTest::addColumn<QByteArray>("block");
         QTest::addColumn<QByteArray>("item");
@@ -164,14 +166,15 @@ private slots:
         };
         row("short into one line", "Body c { A=1 }", "c", "Box b { }", "Body c { A=1 Box b { } }");
         row("lines into one line", "Body c { A=1 }\n", "c", "Box b {\n  X=1\n}", "Body c { A=1\n  Box b {\n    X=1\n  }\n}\n");
-        row("lines into lines", "Body c {\r\n\tA=1\r\n}\r\n", "c", "Box b {\n\tX=1\n}\n", "Body c {\r\n\tA=1\r\n\tBox b {\r\n\t\tX=1\r\n\t}\r\n}\r\n");
-        row("indented text", "Body c {\n    A=1\n}\n", "c", "    Box b {\n      X=1\n    }", "Body c {\n    A=1\n    Box b {\n      X=1\n    }\n}\n");
+        row("lines into lines", "Body c {\r\n\tA=1\r\n}\r\n", "c", "Box b {\n\tX=1\n}\n",
+            "Body c {\r\n\tA=1\r\n\tBox b {\r\n\t\tX=1\r\n\t}\r\n}\r\n");
+        row("indented text", "Body c {\n    A=1\n}\n", "c", "    Box b {\n      X=1\n    }",
+            "Body c {\n    A=1\n    Box b {\n      X=1\n    }\n}\n");
         row("a directive into one line", "Static s { A=1 }\n", "s", "#import a.sim", "Static s { A=1\n  #import a.sim\n}\n");
         row("into the file", "A = 1 // c", "", "Box b { }", "A = 1 // c\nBox b { }\n");
         row("behind a comment", "Body c { // c\n}", "c", "Box b { }", "Body c { // c\n  Box b { }\n}");
     }
-    void addingItems()
-    {
+    void addingItems() {
         QFETCH(QByteArray, before);
         QFETCH(QByteArray, block);
         QFETCH(QByteArray, item);
@@ -180,12 +183,13 @@ private slots:
         QTEST(q(applied(*tree, editAddItem(*tree, to, item.toStdString()))), "after");
     }
 
-    void removing_data()
-    {
+    void removing_data() {
         QTest::addColumn<QByteArray>("before");
         QTest::addColumn<QByteArray>("item");
         QTest::addColumn<QByteArray>("after");
-        const auto row = [](const char* name, const char* before, const char* item, const char* after) { QTest::newRow(name) << QByteArray(before) << QByteArray(item) << QByteArray(after); };
+        const auto row = [](const char* name, const char* before, const char* item, const char* after) {
+            QTest::newRow(name) << QByteArray(before) << QByteArray(item) << QByteArray(after);
+        };
         row("its line", "A=1\n  B=2\nC=3\n", "B", "A=1\nC=3\n");
         row("its lines", "A=1\nBox b {\n  X=1\n}\nC=3\n", "b", "A=1\nC=3\n");
         row("the first of a line", "A=1 B=2 // both\n", "A", "B=2 // both\n");
@@ -199,16 +203,14 @@ private slots:
         row("the last, no final newline", "A=1\r\nB=2", "B", "A=1");
         row("all there is", "A=1", "A", "");
     }
-    void removing()
-    {
+    void removing() {
         QFETCH(QByteArray, before);
         QFETCH(QByteArray, item);
         const auto tree = parsed(before.toStdString());
         QTEST(q(applied(*tree, editRemoveItem(*tree, *findItem(tree->items(), item.toStdString())))), "after");
     }
 
-    void editsAreChecked()
-    {
+    void editsAreChecked() {
         const std::string text = "0123456789";
         const auto apply = [&](std::vector<TextEdit> edits) { return applyEdits(text, edits); };
         QCOMPARE(q(apply({{{0, {4, 6}}, "b"}, {{0, {0, 1}}, "a"}}).value()), QByteArray("a123b6789"));
@@ -227,8 +229,7 @@ private slots:
     }
 
     /// Each step does what it says and nothing else; all of them undone give the first bytes.
-    void randomWalks()
-    {
+    void randomWalks() {
         Dice dice(3);
         const int walks = longRun() ? 10000 : 300;
         const std::vector<std::string> start = examples();
@@ -266,14 +267,16 @@ private slots:
                 const std::string before(tree->source().bytes());
                 const auto next = applyEdits(*tree, std::span(&edit, 1));
                 QVERIFY(next.ok());
-                const QByteArray story = q(before) + "\n---- step " + QByteArray::number(static_cast<int>(kindOfStep)) + " ----\n" + q(next.value()->source().bytes());
+                const QByteArray story = q(before) + "\n---- step " + QByteArray::number(static_cast<int>(kindOfStep)) +
+                                         " ----\n" + q(next.value()->source().bytes());
                 QVERIFY2(errors(*next.value()) == 0, (story + q(messages(*next.value()))).constData());
                 const std::string after = meaning(next.value()->items());
                 if (!expected.empty()) QVERIFY2(after == expected, story.constData());
                 if (kindOfStep == 3 || kindOfStep == 4) QVERIFY2(after.size() > now.size(), story.constData());
                 QVERIFY2(lineComments(*next.value()) >= comments, story.constData());
                 const TextRange r = edit.range.range;
-                undo.push_back({{0, {r.begin, r.begin + static_cast<std::uint32_t>(edit.text.size())}}, before.substr(r.begin, r.size())});
+                undo.push_back(
+                    {{0, {r.begin, r.begin + static_cast<std::uint32_t>(edit.text.size())}}, before.substr(r.begin, r.size())});
                 tree = next.value();
             }
             for (auto back = undo.rbegin(); back != undo.rend(); ++back) tree = applyEdits(*tree, std::span(&*back, 1)).value();

@@ -17,7 +17,8 @@ using Points = std::vector<std::array<double, 3>>;
 
 double volume(const TriangleMesh& hull) {
     double six = 0;
-    for (const auto& t : hull.triangles) six += Vec3(hull.points[t[0]].data()).cross(Vec3(hull.points[t[1]].data())).dot(Vec3(hull.points[t[2]].data()));
+    for (const auto& t : hull.triangles)
+        six += Vec3(hull.points[t[0]].data()).cross(Vec3(hull.points[t[1]].data())).dot(Vec3(hull.points[t[2]].data()));
     return six / 6;
 }
 

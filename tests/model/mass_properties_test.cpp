@@ -16,7 +16,8 @@ TriangleMesh boxMesh(const Vec3& size, const Vec3& centre) {
         const Vec3 p = centre + 0.5 * size.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
         m.points.push_back({p.x(), p.y(), p.z()});
     }
-    m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                   {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     return m;
 }
 
@@ -26,7 +27,7 @@ double random01(std::uint64_t i) { return toUnit(randomBits(5, 0, 0, i)); }
 
 class MassPropertiesTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void aBoxAsMeshIsABox() {
         GeomSpec box;
         box.size = {1, 2, 3};
@@ -83,12 +84,15 @@ private slots:
         GeomSpec half, whole;
         half.size = {1, 1, 1};
         whole.size = {2, 1, 1};
-        const MassProperties s = sum({placed(solidOf(half).value(), {Vec3(-0.5, 0, 0), Quat::Identity()}), placed(solidOf(half).value(), {Vec3(0.5, 0, 0), Quat::Identity()})});
+        const MassProperties s = sum({placed(solidOf(half).value(), {Vec3(-0.5, 0, 0), Quat::Identity()}),
+                                      placed(solidOf(half).value(), {Vec3(0.5, 0, 0), Quat::Identity()})});
         QVERIFY((s.inertia - solidOf(whole).value().inertia).norm() < 1e-12);
     }
 
     void whatNoBodyCanHave() {
-        const auto of = [](double x, double y, double z) { return checkMass({1, Vec3::Zero(), Vec3(x, y, z).asDiagonal().toDenseMatrix()}).ok(); };
+        const auto of = [](double x, double y, double z) {
+            return checkMass({1, Vec3::Zero(), Vec3(x, y, z).asDiagonal().toDenseMatrix()}).ok();
+        };
         QVERIFY(of(1, 1, 1));
         QVERIFY(of(1, 1, 2)); // a flat disc
         QVERIFY(!of(1, 1, 2.1));

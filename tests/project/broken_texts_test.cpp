@@ -30,7 +30,7 @@ std::vector<std::string> brokenFiles() {
 
 class BrokenTextsTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void initTestCase() { std::filesystem::current_path(TRUNDLE_SOURCE_DIR "/tests/data/broken"); }
 
     void eachIsExplained_data() {
@@ -54,7 +54,7 @@ private slots:
 
     /// Codes that no text of the language can cause, or that stand in tests of their own.
     void everyCodeHasAFile() {
-        const std::set<Code> elsewhere{Code::TooLarge, Code::ImportDepth, Code::TooManyFiles, Code::FileUnreadable,
+        const std::set<Code> elsewhere{Code::TooLarge,      Code::ImportDepth,    Code::TooManyFiles, Code::FileUnreadable,
                                        Code::ImportOutside, Code::ThesisSpelling, Code::TurnRate};
         std::set<Code> seen;
         for (const std::string& name : brokenFiles()) {
@@ -82,7 +82,8 @@ private slots:
                 bool here = true;
                 for (const TextEdit& e : edits) here = here && e.range.file == 0;
                 if (!here) continue;
-                std::sort(edits.begin(), edits.end(), [](const TextEdit& a, const TextEdit& b) { return a.range.range.begin > b.range.range.begin; });
+                std::sort(edits.begin(), edits.end(),
+                          [](const TextEdit& a, const TextEdit& b) { return a.range.range.begin > b.range.range.begin; });
                 for (const TextEdit& e : edits) text.replace(e.range.range.begin, e.range.range.size(), e.text);
                 const std::string mended = "mended_" + name + ".txt";
                 std::ofstream(mended, std::ios::binary) << text;
@@ -105,7 +106,8 @@ private:
         for (std::size_t at; line.starts_with("//") && (at = line.find("--set ")) != std::string::npos;) {
             line.erase(0, at + 6);
             line.insert(0, "//");
-            sets.push_back(line.substr(2, line.find(" --set ") == std::string::npos ? std::string::npos : line.find(" --set ") - 2));
+            sets.push_back(
+                line.substr(2, line.find(" --set ") == std::string::npos ? std::string::npos : line.find(" --set ") - 2));
         }
         return sets;
     }

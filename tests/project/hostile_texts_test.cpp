@@ -36,9 +36,45 @@ private:
 
 /// Words, numbers and marks are cut out, doubled, exchanged and replaced by other legal ones.
 std::string mutated(std::string text, Dice& dice) {
-    static const char* const pieces[] = {"{", "}", "=", ",", "$", "$(", ")", "0", "-1", "1e308", "1e-308", "1e9", "nan", "true", "world", "\"", "//", "/*", "\n",
-                                         "Body x {", "Box", "Param", "#import main.sim\n", "#loadModule mystery\n", "swarm_0", "robot0.", "Config=Rover", "Count=400,500",
-                                         "Mass=1", "Inertia=1,1,1", "Scatter", "Grid", "gap", "$gap", "cm", "kg", ".", "\xff", "\xe2\x88\x92"};
+    static const char* const pieces[] = {"{",
+                                         "}",
+                                         "=",
+                                         ",",
+                                         "$",
+                                         "$(",
+                                         ")",
+                                         "0",
+                                         "-1",
+                                         "1e308",
+                                         "1e-308",
+                                         "1e9",
+                                         "nan",
+                                         "true",
+                                         "world",
+                                         "\"",
+                                         "//",
+                                         "/*",
+                                         "\n",
+                                         "Body x {",
+                                         "Box",
+                                         "Param",
+                                         "#import main.sim\n",
+                                         "#loadModule mystery\n",
+                                         "swarm_0",
+                                         "robot0.",
+                                         "Config=Rover",
+                                         "Count=400,500",
+                                         "Mass=1",
+                                         "Inertia=1,1,1",
+                                         "Scatter",
+                                         "Grid",
+                                         "gap",
+                                         "$gap",
+                                         "cm",
+                                         "kg",
+                                         ".",
+                                         "\xff",
+                                         "\xe2\x88\x92"};
     for (std::size_t n = 1 + dice.below(4); n-- > 0;) {
         const std::size_t at = dice.below(text.size() + 1), length = std::min(dice.below(30), text.size() - at);
         switch (dice.below(5)) {
@@ -59,10 +95,12 @@ void checkSound(const ExperimentSpec& e) {
         const int bodies = static_cast<int>(robot.config->bodies.size());
         for (const BodySpec& body : robot.config->bodies) {
             QVERIFY(body.mass.mass > 0 && body.mass.inertia.allFinite() && body.mass.inertia.diagonal().minCoeff() > 0);
-            for (const GeomSpec& geom : body.geoms) QVERIFY(geom.material < e.materials.size() && geom.surface < e.surfaces.size());
+            for (const GeomSpec& geom : body.geoms)
+                QVERIFY(geom.material < e.materials.size() && geom.surface < e.surfaces.size());
         }
         for (const JointSpec& joint : robot.config->joints) {
-            QVERIFY(joint.child >= 0 && joint.child < bodies && joint.parent >= kWorldBody && joint.parent < bodies && joint.parent != joint.child);
+            QVERIFY(joint.child >= 0 && joint.child < bodies && joint.parent >= kWorldBody && joint.parent < bodies &&
+                    joint.parent != joint.child);
             QVERIFY(std::abs(joint.axis.norm() - 1) < 1e-9);
         }
     }
@@ -72,7 +110,7 @@ void checkSound(const ExperimentSpec& e) {
 
 class HostileTextsTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void theSceneItselfIsRight() {
         Desk desk;
         QCOMPARE(sample::rendered(*desk.open(scene())), "");
@@ -97,7 +135,8 @@ private slots:
         Desk desk;
         for (int i = 0; i < 200; ++i) {
             Dice dice(static_cast<std::uint64_t>(1000 + i));
-            desk.options.sets = {mutated("robot0.leftMotor.Resistance=3", dice), mutated("RobotConfig.Rover.chassis.hull.Mass=2 kg", dice), mutated("swarm_1.Pos=1,2,3", dice)};
+            desk.options.sets = {mutated("robot0.leftMotor.Resistance=3", dice),
+                                 mutated("RobotConfig.Rover.chassis.hull.Mass=2 kg", dice), mutated("swarm_1.Pos=1,2,3", dice)};
             checkSound(*desk.open(scene())->experiment);
         }
     }
@@ -105,7 +144,9 @@ private slots:
     void manyFaultsStayQuick() {
         Desk desk;
         std::string text = "RobotConfig Big {\n";
-        for (int i = 0; i < 20000; ++i) text += "Boddy b" + std::to_string(i) + " { }\nHinge h" + std::to_string(i) + " { Parent=x Child=y" + std::to_string(i) + " }\n";
+        for (int i = 0; i < 20000; ++i)
+            text += "Boddy b" + std::to_string(i) + " { }\nHinge h" + std::to_string(i) + " { Parent=x Child=y" +
+                    std::to_string(i) + " }\n";
         const auto loaded = desk.open(text + "}\n");
         QVERIFY(loaded->diagnostics.errorCount() > 20000);
     }
@@ -114,7 +155,8 @@ private slots:
         Desk desk;
         std::string text = "Param p0 = 1\n", lists = "Param q0 = 1,1\n";
         for (int i = 1; i < 3000; ++i) text += "Param p" + std::to_string(i) + " = $(p" + std::to_string(i - 1) + "+1)\n";
-        for (int i = 1; i < 60; ++i) lists += "Param q" + std::to_string(i) + " = $q" + std::to_string(i - 1) + ", $q" + std::to_string(i - 1) + "\n";
+        for (int i = 1; i < 60; ++i)
+            lists += "Param q" + std::to_string(i) + " = $q" + std::to_string(i - 1) + ", $q" + std::to_string(i - 1) + "\n";
         (void)desk.open("Tick = $p2999\n" + text);
         (void)desk.open("Gravity = $q59\n" + lists);
     }
@@ -122,8 +164,10 @@ private slots:
     void hugeNumbers() {
         Desk desk;
         for (const char* n : {"1e308", "-1e308", "1e-308", "4e18", "99999999999999999999"}) {
-            const auto loaded = desk.open(scene() + "Robot x { Config=Rover Pos=" + n + "," + n + "," + n + " HPR=" + n + ",0,0 wheelRadius=" + n + " leftMotor.GearRatio=" + n +
-                                          " }\nGrid g { Config=Rover Count=" + n + " Spacing=" + n + " }\nSeed=" + n + "\nIterations=" + n + "\n");
+            const auto loaded =
+                desk.open(scene() + "Robot x { Config=Rover Pos=" + n + "," + n + "," + n + " HPR=" + n +
+                          ",0,0 wheelRadius=" + n + " leftMotor.GearRatio=" + n + " }\nGrid g { Config=Rover Count=" + n +
+                          " Spacing=" + n + " }\nSeed=" + n + "\nIterations=" + n + "\n");
             checkSound(*loaded->experiment);
         }
     }

@@ -19,10 +19,11 @@ std::string scene(const std::string& more) { return std::string(sample::kGoodRob
 
 class ProjectTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void aWholeRobot() {
         Desk desk;
-        const auto loaded = desk.open(scene("Tick = 5 ms  Seed = 7\nRobot robot0 { Config=Rover Pos=1,2,0 HPR=90,0,0 Walker brain { Speed=20cm/s } }\n#loadModule walker\n"));
+        const auto loaded = desk.open(scene("Tick = 5 ms  Seed = 7\nRobot robot0 { Config=Rover Pos=1,2,0 HPR=90,0,0 Walker "
+                                            "brain { Speed=20cm/s } }\n#loadModule walker\n"));
         SAYS(loaded, "");
         const ExperimentSpec& e = *loaded->experiment;
         QCOMPARE(e.settings.tick, 0.005);
@@ -92,14 +93,16 @@ Robot plain2 { Config=Rover }
         QFETCH(QString, text);
         QFETCH(double, value);
         Desk desk;
-        const auto loaded = desk.open(scene("Param half = 50%\nParam w = 5 cm\nRobot robot0 { Config=Rover Pos=" + text.toStdString() + ",0,0 }\n"));
+        const auto loaded = desk.open(
+            scene("Param half = 50%\nParam w = 5 cm\nRobot robot0 { Config=Rover Pos=" + text.toStdString() + ",0,0 }\n"));
         SAYS(loaded, "");
         QVERIFY(std::abs(loaded->experiment->robots[0].pose.position.x() - value) < 1e-9);
     }
 
     void aGridInOrder() {
         Desk desk;
-        const auto loaded = desk.open(scene("Grid swarm { Config=Rover Count=3,2 Spacing=2,1 Pos=10,0,0 HPR=90,0,0 }\nPoseLog all { Robot=swarm }\nPoseLog one { Robot=swarm_4 }\n"));
+        const auto loaded = desk.open(scene("Grid swarm { Config=Rover Count=3,2 Spacing=2,1 Pos=10,0,0 HPR=90,0,0 }\nPoseLog "
+                                            "all { Robot=swarm }\nPoseLog one { Robot=swarm_4 }\n"));
         SAYS(loaded, "");
         const auto& robots = loaded->experiment->robots;
         QCOMPARE(robots.size(), 6u);
@@ -153,8 +156,11 @@ Static arena { Config=Arena }
     void importsInsideABlock() {
         Desk desk;
         desk.write("common/looks.sim", "Material grey { ColorRGB=0.5,0.5,0.5 }\nSurface rubber { Friction=1 }\n");
-        desk.write("parts/wheel.sim", "#import ../common/looks.sim\nBody wheel { Sphere tyre { Radius=0.1 Mass=1 Material=grey Surface=rubber } }\n");
-        const auto loaded = desk.open("RobotConfig Rover {\n  #import parts/wheel.sim\n  #import parts\\wheel.sim\n}\nRobot robot0 { Config=Rover }\n");
+        desk.write(
+            "parts/wheel.sim",
+            "#import ../common/looks.sim\nBody wheel { Sphere tyre { Radius=0.1 Mass=1 Material=grey Surface=rubber } }\n");
+        const auto loaded = desk.open(
+            "RobotConfig Rover {\n  #import parts/wheel.sim\n  #import parts\\wheel.sim\n}\nRobot robot0 { Config=Rover }\n");
         QVERIFY(loaded);
         // `../common` from parts/ is outside parts/ but inside the project folder
         SAYS(loaded, "");
@@ -191,7 +197,8 @@ Static arena { Config=Arena }
 
     void importsTooDeep() {
         Desk desk;
-        for (int i = 1; i <= 40; ++i) desk.write("f" + std::to_string(i) + ".sim", "#import f" + std::to_string(i + 1) + ".sim\n");
+        for (int i = 1; i <= 40; ++i)
+            desk.write("f" + std::to_string(i) + ".sim", "#import f" + std::to_string(i + 1) + ".sim\n");
         const auto loaded = desk.open("#import f1.sim\n");
         SAYS(loaded, "E310 imports are nested more than 32 deep\n");
         QCOMPARE(loaded->trees.size(), 33u);
@@ -213,7 +220,8 @@ Static arena { Config=Arena }
         desk.write("folder/inner.sim", "");
         desk.write("huge.sim", "");
         std::filesystem::resize_file(desk.folder() + "/huge.sim", std::uintmax_t{200} << 20);
-        const std::string said = sample::messages(*desk.open("#import pipe.sim\n#import folder\n#import huge.sim\n#import \"\"\n"));
+        const std::string said =
+            sample::messages(*desk.open("#import pipe.sim\n#import folder\n#import huge.sim\n#import \"\"\n"));
         QVERIFY2(said.find("E322 pipe.sim is not a plain file\nE322 folder is not a plain file\nE115 ") == 0, said.c_str());
         QVERIFY(!desk.tryOpen(desk.folder()).ok());
         QVERIFY(!desk.tryOpen(desk.folder() + "/pipe.sim").ok());
@@ -226,7 +234,8 @@ Static arena { Config=Arena }
         Desk desk, elsewhere;
         elsewhere.write("secret.sim", "Tick = 0.02\n");
         std::filesystem::create_symlink(elsewhere.folder() + "/secret.sim", desk.folder() + "/link.sim");
-        const std::string said = sample::messages(*desk.open("#import link.sim\n#import " + elsewhere.folder() + "/secret.sim\n#import ../../../../etc/passwd\n"));
+        const std::string said = sample::messages(
+            *desk.open("#import link.sim\n#import " + elsewhere.folder() + "/secret.sim\n#import ../../../../etc/passwd\n"));
         QCOMPARE(QString::fromStdString(said).count("E311 "), 3);
         desk.options.includeFolders = {elsewhere.folder()};
         const auto loaded = desk.open("#import secret.sim\n");
@@ -255,7 +264,8 @@ Static arena { Config=Arena }
 
     void theThesisModuleName() {
         Desk desk;
-        const auto loaded = desk.open(scene("#loadModule Controllers/walker.dll\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"));
+        const auto loaded =
+            desk.open(scene("#loadModule Controllers/walker.dll\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"));
         SAYS(loaded, "");
     }
 
@@ -313,7 +323,9 @@ Static arena { Config=Arena }
     void whereValuesComeFrom() {
         Desk desk;
         desk.options.sets = {"robot0.rightMotor.Resistance=4"};
-        const auto loaded = desk.open(scene("#loadModule walker\nRobot robot0 { Config=Rover leftMotor.Resistance=3 Walker brain { Speed=1 } }\nGrid swarm { Config=Rover Count=2 Spacing=3 Pos=0,9,0 }\nTick=0.02\n"));
+        const auto loaded =
+            desk.open(scene("#loadModule walker\nRobot robot0 { Config=Rover leftMotor.Resistance=3 Walker brain { Speed=1 } "
+                            "}\nGrid swarm { Config=Rover Count=2 Spacing=3 Pos=0,9,0 }\nTick=0.02\n"));
         SAYS(loaded, "");
         const auto text = [&](const char* path, Origin origin) {
             const auto p = provenanceOf(*loaded->outline, path);
@@ -339,7 +351,8 @@ Static arena { Config=Arena }
         Desk desk;
         std::string text = scene("#loadModule walker\n");
         for (int i = 0; i < 1000; ++i) {
-            text += "Robot r" + std::to_string(i) + " { Config=Rover Pos=" + std::to_string(i) + ",0,0 Walker brain { Speed=0.3 } }\n";
+            text += "Robot r" + std::to_string(i) + " { Config=Rover Pos=" + std::to_string(i) +
+                    ",0,0 Walker brain { Speed=0.3 } }\n";
         }
         const auto loaded = desk.open(text);
         SAYS(loaded, "");

@@ -17,12 +17,14 @@ using namespace trundle;
 struct Motor {
     std::string joint;
     double torqueConstant = 0, resistance = 1, gearRatio = 1;
-    std::optional<double> speedConstant;
+    std::optional<double> speedConstant, backEmfConstant;
     static void describe(Describe<Motor>& d) {
         d.help("A motor.");
         d.field("Joint", &Motor::joint, reference("Hinge|Slider").required(), "Joint it turns.");
         d.field("TorqueConstant", &Motor::torqueConstant, unitOf("Nm/A").above(0).required(), "Torque per current.");
         d.field("SpeedConstant", &Motor::speedConstant, unitOf("rad/s/V").above(0), "Rate per voltage.");
+        d.field("BackEmfConstant", &Motor::backEmfConstant, unitOf("V s/rad").above(0), "Voltage per rate.");
+        d.exactlyOneOf("SpeedConstant|BackEmfConstant", "TorqueConstant");
         d.field("Resistance", &Motor::resistance, ohms().above(0).required(), "Of the winding.");
         d.field("GearRatio", &Motor::gearRatio, number().above(0), "Motor turns per joint turn.");
         d.command("voltage", "V", "Voltage.");
@@ -102,7 +104,8 @@ public:
 private:
     static ModuleListing listing(std::string library, const std::vector<std::string>& names) {
         ModuleListing l{std::move(library), true, {}};
-        for (const std::string& name : names) l.kinds.push_back(kindOf<Walker>(name, Role::Controller, {"Robot", "Grid", "Scatter"}));
+        for (const std::string& name : names)
+            l.kinds.push_back(kindOf<Walker>(name, Role::Controller, {"Robot", "Grid", "Scatter"}));
         return l;
     }
 };
@@ -113,11 +116,13 @@ public:
     Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) override {
         auto cube = std::make_shared<TriangleMesh>();
         for (int i = 0; i < 8; ++i) cube->points.push_back({i & 1 ? 1.0 : 0.0, i & 2 ? 1.0 : 0.0, i & 4 ? 1.0 : 0.0});
-        cube->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+        cube->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                           {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
         const std::string name = std::filesystem::path(path).filename().string();
         if (name == "bad.obj") return Error{Code::MeshUnreadable, "bad.obj cannot be read: it holds no mesh"};
         if (name == "open.obj") cube->triangles.pop_back();
-        if (name == "flat.obj") for (auto& p : cube->points) p[2] = 0;
+        if (name == "flat.obj")
+            for (auto& p : cube->points) p[2] = 0;
         if (name == "far.obj") cube->points[7][0] = 1e9;
         return std::shared_ptr<const TriangleMesh>(cube);
     }

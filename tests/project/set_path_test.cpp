@@ -25,12 +25,19 @@ std::string edited(const Loaded& loaded, FileId file = 0) {
 
 class SetPathTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void valuesFromTheCommandLine() {
         Desk desk;
-        desk.options.sets = {"Tick=0.02", "robot0.leftMotor.Resistance=3", "Surface.rubber.Friction=0.7", "RobotConfig.Rover.chassis.hull.Mass=5 kg",
-                             "robot0.brain.Speed=1", "robot0.Pos=0,0,1", "RobotConfig.Rover.wheelRadius=0.06", "Material.grey.Shininess=1"};
-        const auto loaded = desk.open(scene("#loadModule walker\nRobot robot0 { Config=Rover Walker brain { Speed=0.2 } }\nRobot robot1 { Config=Rover }\n"));
+        desk.options.sets = {"Tick=0.02",
+                             "robot0.leftMotor.Resistance=3",
+                             "Surface.rubber.Friction=0.7",
+                             "RobotConfig.Rover.chassis.hull.Mass=5 kg",
+                             "robot0.brain.Speed=1",
+                             "robot0.Pos=0,0,1",
+                             "RobotConfig.Rover.wheelRadius=0.06",
+                             "Material.grey.Shininess=1"};
+        const auto loaded = desk.open(scene(
+            "#loadModule walker\nRobot robot0 { Config=Rover Walker brain { Speed=0.2 } }\nRobot robot1 { Config=Rover }\n"));
         QCOMPARE(sample::rendered(*loaded), "");
         const ExperimentSpec& e = *loaded->experiment;
         QCOMPARE(e.settings.tick, 0.02);
@@ -92,24 +99,34 @@ private slots:
     void faultsPointIntoTheCommandLine_data() {
         QTest::addColumn<QString>("set");
         QTest::addColumn<QString>("said");
-        QTest::newRow("range") << "robot0.leftMotor.Resistance=-3" << "--set#1:1:29: error E203: Resistance is -3, it must be above 0\n";
-        QTest::newRow("key") << "Tik=0.02" << "--set#1:1:1: error E201: there is no setting Tik\n";
+        QTest::newRow("range") << "robot0.leftMotor.Resistance=-3"
+                               << "--set#1:1:29: error E203: Resistance is -3, it must be above 0\n";
+        QTest::newRow("key") << "Tik=0.02"
+                             << "--set#1:1:1: error E201: there is no setting Tik\n";
         QTest::newRow("part") << "robot0.leftMoter.Resistance=3"
-                              << "--set#1:1:8: error E314: RobotConfig Rover has no leftMoter; it has chassis, leftWheel, rightWheel, leftAxle, rightAxle, leftMotor, "
+                              << "--set#1:1:8: error E314: RobotConfig Rover has no leftMoter; it has chassis, leftWheel, "
+                                 "rightWheel, leftAxle, rightAxle, leftMotor, "
                                  "rightMotor, base and touch\n";
-        QTest::newRow("robot") << "robot9.leftMotor.Resistance=3" << "--set#1:1:1: error E314: nothing in the world is named robot9; there are robot0 and swarm\n";
-        QTest::newRow("surface") << "Surface.ruber.Friction=3" << "--set#1:1:9: error E314: there is no Surface ruber; there is rubber\n";
-        QTest::newRow("member") << "swarm_1.leftMotor.Resistance=3" << "--set#1:1:1: error E323: swarm_1 is a member of Grid swarm and has no text of its own\n";
-        QTest::newRow("no value") << "Tick" << "";
-        QTest::newRow("nothing") << "" << "--set#1:1:1: error E101: --set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3\n";
-        QTest::newRow("two") << "Tick=1\nDuration=2" << "--set#1:1:1: error E101: --set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3\n";
+        QTest::newRow("robot") << "robot9.leftMotor.Resistance=3"
+                               << "--set#1:1:1: error E314: nothing in the world is named robot9; there are robot0 and swarm\n";
+        QTest::newRow("surface") << "Surface.ruber.Friction=3"
+                                 << "--set#1:1:9: error E314: there is no Surface ruber; there is rubber\n";
+        QTest::newRow("member") << "swarm_1.leftMotor.Resistance=3"
+                                << "--set#1:1:1: error E323: swarm_1 is a member of Grid swarm and has no text of its own\n";
+        QTest::newRow("no value") << "Tick"
+                                  << "";
+        QTest::newRow("nothing") << ""
+                                 << "--set#1:1:1: error E101: --set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3\n";
+        QTest::newRow("two") << "Tick=1\nDuration=2"
+                             << "--set#1:1:1: error E101: --set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3\n";
     }
     void faultsPointIntoTheCommandLine() {
         QFETCH(QString, set);
         QFETCH(QString, said);
         Desk desk;
         desk.options.sets = {set.toStdString()};
-        const auto loaded = desk.open(scene("Robot robot0 { Config=Rover }\nGrid swarm { Config=Rover Count=2 Spacing=2 Pos=0,0,1 }\n"));
+        const auto loaded =
+            desk.open(scene("Robot robot0 { Config=Rover }\nGrid swarm { Config=Rover Count=2 Spacing=2 Pos=0,0,1 }\n"));
         QVERIFY(setsFailed(*loaded));
         const std::string all = sample::rendered(*loaded);
         QVERIFY2(all.starts_with(said.toStdString()), all.c_str());
@@ -120,7 +137,8 @@ private slots:
     void aGridBecomesSingles() {
         Desk desk;
         desk.options.sets = {"swarm_1.leftMotor.Resistance=3"};
-        const std::string text = scene("#loadModule walker\nGrid swarm { Config=Rover Count=3,2 Spacing=2 Pos=1,0,1 HPR=30,0,0 wheelRadius=0.06 Walker brain { Speed=1 } }\n");
+        const std::string text = scene("#loadModule walker\nGrid swarm { Config=Rover Count=3,2 Spacing=2 Pos=1,0,1 HPR=30,0,0 "
+                                       "wheelRadius=0.06 Walker brain { Speed=1 } }\n");
         const auto loaded = desk.open(text);
         QCOMPARE(loaded->diagnostics.all().size(), 1u);
         const auto result = applyEdits(text, loaded->diagnostics.all()[0].fixes.at(0).edits);

@@ -9,10 +9,14 @@ namespace {
 
 /// Knows no module: their blocks stay text.
 struct NoModules final : ModuleCatalog {
-    Result<ModuleListing> find(const std::string&, const std::string&) override { return Error{Code::ModuleNotFound, "no modules here"}; }
+    Result<ModuleListing> find(const std::string&, const std::string&) override {
+        return Error{Code::ModuleNotFound, "no modules here"};
+    }
 };
 struct NoMeshes final : MeshSource {
-    Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string&) override { return Error{Code::MeshUnreadable, "no meshes here"}; }
+    Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string&) override {
+        return Error{Code::MeshUnreadable, "no meshes here"};
+    }
     Result<std::shared_ptr<const HeightMap>> heightMap(const std::string&) override {
         return Error{Code::MeshUnreadable, "no pictures here"};
     }

@@ -1,6 +1,5 @@
 // Every shipped experiment gives a picture in which its robots are to be seen.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <QDir>
 

@@ -1,6 +1,5 @@
 // The render library as a program opens it: by name, at run time.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <dlfcn.h>
 
@@ -48,7 +47,8 @@ private Q_SLOTS:
             layout.add(std::string("robot0/") + body + "/pose", "m", SignalType::Real, SignalDirection::Truth, 7);
         SignalBlock block(layout);
         const auto put = [&](double x) {
-            for (const SignalEntry& entry : layout.entries()) block.slots()[entry.offset] = x, block.slots()[entry.offset + 3] = 1;
+            for (const SignalEntry& entry : layout.entries())
+                block.slots()[entry.offset] = x, block.slots()[entry.offset + 3] = 1;
         };
         RenderJob job;
         job.layout = &layout;

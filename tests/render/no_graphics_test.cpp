@@ -1,5 +1,4 @@
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <cstdlib>
 

@@ -1,5 +1,4 @@
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <numbers>
 #include <random>
@@ -13,7 +12,10 @@ using namespace trundle;
 
 namespace {
 
-struct Spot { double x = 0, y = 0; int pixels = 0; };
+struct Spot {
+    double x = 0, y = 0;
+    int pixels = 0;
+};
 
 /// Middle of all pixels that are pure red.
 Spot redSpot(const Image& image) {
@@ -168,7 +170,8 @@ private Q_SLOTS:
             for (std::uint32_t x = 0; x < 640; ++x) {
                 if (std::equal(before.at(x, y), before.at(x, y) + 3, after.at(x, y))) continue;
                 ++changed;
-                QVERIFY2(x + 1 >= left && x <= right && y + 1 >= top && y <= bottom, qPrintable(QString("%1 %2 changed").arg(x).arg(y)));
+                QVERIFY2(x + 1 >= left && x <= right && y + 1 >= top && y <= bottom,
+                         qPrintable(QString("%1 %2 changed").arg(x).arg(y)));
             }
         }
         QVERIFY(changed > 1000);
@@ -275,7 +278,8 @@ private Q_SLOTS:
     void manySizesAndScenesComeAndGo() {
         for (int i = 0; i < 30; ++i) {
             const SceneId scene = m_service->addScene(sampleExperiment({1 + i % 3}));
-            QVERIFY(m_service->draw(requestFor(scene, lookingAt({1, -1.5, 1}, Vec3::Zero()), 40 + std::uint32_t(i), 30)).get().ok());
+            QVERIFY(
+                m_service->draw(requestFor(scene, lookingAt({1, -1.5, 1}, Vec3::Zero()), 40 + std::uint32_t(i), 30)).get().ok());
             m_service->removeScene(scene);
         }
     }
@@ -312,7 +316,8 @@ private Q_SLOTS:
         auto service = std::move(started).value();
         const SceneId scene = service->addScene(sampleExperiment({30}));
         std::vector<std::future<Result<Image>>> pictures;
-        for (int i = 0; i < 10; ++i) pictures.push_back(service->draw(requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 800, 600)));
+        for (int i = 0; i < 10; ++i)
+            pictures.push_back(service->draw(requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 800, 600)));
         service.reset();
         for (auto& picture : pictures) (void)picture.get(); // a picture or an error, but never a wait without end
     }

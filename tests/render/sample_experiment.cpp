@@ -19,7 +19,8 @@ GeomSpec box(std::string name, Vec3 size, std::uint32_t material, Vec3 at, Vec3 
     g.size = size;
     return g;
 }
-GeomSpec round(std::string name, GeomShape shape, double radius, double length, std::uint32_t material, Vec3 at, Vec3 hpr = Vec3::Zero()) {
+GeomSpec round(std::string name, GeomShape shape, double radius, double length, std::uint32_t material, Vec3 at,
+               Vec3 hpr = Vec3::Zero()) {
     GeomSpec g = geom(std::move(name), shape, material, at, hpr);
     g.radius = radius;
     g.length = length;
@@ -28,7 +29,9 @@ GeomSpec round(std::string name, GeomShape shape, double radius, double length, 
 
 std::vector<MaterialSpec> materials() {
     std::vector<MaterialSpec> all(11);
-    const auto set = [&](std::size_t i, const char* name, std::array<double, 3> colour) { all[i].name = name, all[i].colour = colour; };
+    const auto set = [&](std::size_t i, const char* name, std::array<double, 3> colour) {
+        all[i].name = name, all[i].colour = colour;
+    };
     set(0, "default", {0.8, 0.8, 0.8});
     set(1, "lightgrey", {0.75, 0.75, 0.75});
     set(2, "darkgrey", {0.25, 0.25, 0.25});
@@ -50,7 +53,8 @@ std::shared_ptr<const RobotConfigSpec> simpleRobot() {
     config->name = "SimpleRobot";
     BodySpec chassis, left, right;
     chassis.name = "chassis";
-    chassis.geoms = {box("hull", {0.30, 0.20, 0.10}, 1, {0, 0, 0.09}), round("slider", GeomShape::Sphere, 0.02, 0, 2, {-0.12, 0, 0.02}),
+    chassis.geoms = {box("hull", {0.30, 0.20, 0.10}, 1, {0, 0, 0.09}),
+                     round("slider", GeomShape::Sphere, 0.02, 0, 2, {-0.12, 0, 0.02}),
                      box("bumper", {0.02, 0.30, 0.04}, 3, {0.16, 0, 0.07})};
     const Vec3 onSide{0, 0, std::numbers::pi / 2};
     left.name = "leftWheel";
@@ -127,11 +131,12 @@ std::shared_ptr<ExperimentSpec> shapesExperiment() {
     field.heightMap = hill;
     field.size = {1.6, 1.6, 0.4};
     GeomSpec missing = geom("missing", GeomShape::Mesh, 0, {0, 1.8, 0.05});
-    experiment->statics.push_back(fixed("things", {mesh, field, missing, round("pill", GeomShape::Capsule, 0.12, 0.4, 9, {0.9, -1.2, 0.32}),
-                                                   round("ball", GeomShape::Sphere, 0.25, 0, 3, {0, 0.6, 0.25}),
-                                                   round("column", GeomShape::Cylinder, 0.15, 0.8, 10, {-1.8, -1.2, 0.4}),
-                                                   box("glass", {0.5, 0.5, 0.5}, 8, {1.8, -0.4, 0.25}, {0.5, 0, 0}),
-                                                   box("crate", {0.4, 0.4, 0.4}, 5, {-1.2, -0.4, 0.2}, {0.3, 0, 0})}));
+    experiment->statics.push_back(
+        fixed("things", {mesh, field, missing, round("pill", GeomShape::Capsule, 0.12, 0.4, 9, {0.9, -1.2, 0.32}),
+                         round("ball", GeomShape::Sphere, 0.25, 0, 3, {0, 0.6, 0.25}),
+                         round("column", GeomShape::Cylinder, 0.15, 0.8, 10, {-1.8, -1.2, 0.4}),
+                         box("glass", {0.5, 0.5, 0.5}, 8, {1.8, -0.4, 0.25}, {0.5, 0, 0}),
+                         box("crate", {0.4, 0.4, 0.4}, 5, {-1.2, -0.4, 0.2}, {0.3, 0, 0})}));
     return experiment;
 }
 

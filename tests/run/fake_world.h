@@ -28,17 +28,24 @@ public:
     const Fault* fault() const override { return m_fault ? &*m_fault : nullptr; }
     std::uint64_t ticks() const override { return m_ticks; }
     std::uint64_t quickTicks() const override { return 0; }
+    std::uint64_t rescuedTicks() const override { return 0; }
+    std::size_t largestExactCluster() const override { return cluster; }
     std::uint64_t stateHash() const override { return m_ticks; }
     Pose robotPose(std::size_t robot) const override { return {{time(), static_cast<double>(robot), 0}, Quat::Identity()}; }
     RobotEnergy robotEnergy(std::size_t) const override { return {0.5, 2}; }
     const std::vector<WorldContact>& contacts() const override { return touching; }
     Status push(const std::string& body, const Vec3&, const Vec3&) override { return take("push " + body); }
     Status place(const std::string& robot, const Pose&) override { return take("place " + robot); }
+    Status setSurface(const SurfaceSpec& surface) override { return take("surface " + surface.name); }
+    Status setProperty(const std::string& device, const std::string& property, const PropertyValue&) override {
+        return take("set " + device + "." + property);
+    }
     void setDeviceText(DeviceText text) override { say = std::move(text); }
 
     std::uint64_t faultAt = ~0ull;
     std::string story; ///< what happened, in order
     std::vector<WorldContact> touching;
+    std::size_t cluster = 0;
     DeviceText say;
 
 private:
@@ -79,7 +86,9 @@ inline std::shared_ptr<ExperimentSpec> experimentOf(const std::vector<std::strin
 }
 
 inline ResolvedValue numberValue(double number) { return {{PropertyType::Number, {number}, {}}, {}, Origin::Instance}; }
-inline ResolvedValue textValue(std::vector<std::string> texts) { return {{PropertyType::Text, {}, std::move(texts)}, {}, Origin::Instance}; }
+inline ResolvedValue textValue(std::vector<std::string> texts) {
+    return {{PropertyType::Text, {}, std::move(texts)}, {}, Origin::Instance};
+}
 
 inline ComponentSpec logSpec(std::string kind, std::string name, std::map<std::string, ResolvedValue, std::less<>> values) {
     return {std::move(kind), std::move(name), std::move(values), {}, {}};

@@ -35,7 +35,8 @@ private Q_SLOTS:
 
 void LogFolderTest::namesThatLeaveTheFolderAreRefused_data() {
     QTest::addColumn<QByteArray>("name");
-    for (const char* name : {"", "/etc/passwd", "..", "../x.csv", "a/../../x.csv", "a\\..\\x.csv", "\\x.csv", "C:x.csv", "a/", "a/.", ".", "tab\tname.csv"})
+    for (const char* name : {"", "/etc/passwd", "..", "../x.csv", "a/../../x.csv", "a\\..\\x.csv", "\\x.csv", "C:x.csv", "a/",
+                             "a/.", ".", "tab\tname.csv"})
         QTest::newRow(*name ? name : "(empty)") << QByteArray(name);
     QTest::newRow("nul inside") << QByteArray("a\0b", 3);
     QTest::newRow("too long") << QByteArray(300, 'a');
@@ -170,7 +171,8 @@ void LogFolderTest::aHostileListRemovesNothingElse() {
     QVERIFY(QFile::link(m_outer.filePath("target"), m_outer.filePath("logs/way")));
     QVERIFY(write("logs/old.csv", "old"));
     QVERIFY(write("logs/.trundle-logs", "logs of the last run, removed by the next\n../x\n" + m_outer.filePath("x").toUtf8() +
-                                            "\nsub/x\nsub\nway\n.\n..\n\n./old.csv\nold.csv\n" + QByteArray("a\0b", 3) + "\nno end"));
+                                            "\nsub/x\nsub\nway\n.\n..\n\n./old.csv\nold.csv\n" + QByteArray("a\0b", 3) +
+                                            "\nno end"));
     LogFolder(folder()).settle();
     for (const char* name : {"x", "target", "logs/sub/x"}) QCOMPARE(contentOf(m_outer.filePath(name)), QByteArray("precious"));
     QVERIFY(QFileInfo(m_outer.filePath("logs/way")).isSymLink());

@@ -18,13 +18,16 @@ class LogsTest : public QObject {
         log->rows(world, 0.5, csv);
         return csv;
     }
-    static ComponentSpec contactLog(std::vector<std::string> robots) { return logSpec("ContactLog", "c", {{"Robot", textValue(std::move(robots))}}); }
+    static ComponentSpec contactLog(std::vector<std::string> robots) {
+        return logSpec("ContactLog", "c", {{"Robot", textValue(std::move(robots))}});
+    }
 
 private Q_SLOTS:
     void aPoseLogOfAllRobots() {
         FakeWorld world(experimentOf({"robot0", "robot1"}));
         QCOMPARE(csvOf(world, logSpec("PoseLog", "path", {})),
-                 std::string("time [s],robot,x [m],y [m],z [m],heading [deg],pitch [deg],roll [deg]\n0.5,robot0,0,0,0,0,0,0\n0.5,robot1,0,1,0,0,0,0\n"));
+                 std::string("time [s],robot,x [m],y [m],z [m],heading [deg],pitch [deg],roll "
+                             "[deg]\n0.5,robot0,0,0,0,0,0,0\n0.5,robot1,0,1,0,0,0,0\n"));
     }
     void aPoseLogOfAGridByItsName() {
         FakeWorld world(experimentOf({"swarm_0", "swarm_1", "swarm_x", "other"}));
@@ -43,11 +46,13 @@ private Q_SLOTS:
     }
     void anEnergyLog() {
         FakeWorld world(experimentOf({"robot0"}));
-        QCOMPARE(csvOf(world, logSpec("EnergyLog", "e", {})), std::string("time [s],robot,kinetic [J],potential [J],total [J]\n0.5,robot0,0.5,2,2.5\n"));
+        QCOMPARE(csvOf(world, logSpec("EnergyLog", "e", {})),
+                 std::string("time [s],robot,kinetic [J],potential [J],total [J]\n0.5,robot0,0.5,2,2.5\n"));
     }
     void aContactLogOfOneRobot() {
         FakeWorld world(experimentOf({"robot0", "robot1"}));
-        world.touching = {{"robot0/chassis/bumper", "arena/north", {1, 2, 3}, {0, -1, 0}, 0.001, 5}, {"robot1/wheel/tyre", "arena/floor", {}, {}, 0, 0}};
+        world.touching = {{"robot0/chassis/bumper", "arena/north", {1, 2, 3}, {0, -1, 0}, 0.001, 5},
+                          {"robot1/wheel/tyre", "arena/floor", Vec3::Zero(), Vec3::UnitZ(), 0, 0}};
         QCOMPARE(csvOf(world, contactLog({"robot0"})),
                  std::string("time [s],first,second,x [m],y [m],z [m],normal x,normal y,normal z,depth [m],force [N]\n"
                              "0.5,robot0/chassis/bumper,arena/north,1,2,3,0,-1,0,0.001,5\n"));
@@ -59,8 +64,10 @@ private Q_SLOTS:
         const auto pose = world.block().slots().subspan(world.layout().find("robot0/pose")->offset, 7);
         pose[0] = 4;
         pose[3] = 1; // w
-        QCOMPARE(csvOf(world, logSpec("SignalLog", "s", {{"Signals", textValue({"robot0/arm/*", "robot0/pose", "robot0/arm/position"})}})),
-                 std::string("time [s],robot0/arm/position [deg],robot0/pose/x [m],robot0/pose/y [m],robot0/pose/z [m],robot0/pose/heading [deg],"
+        QCOMPARE(csvOf(world, logSpec("SignalLog", "s",
+                                      {{"Signals", textValue({"robot0/arm/*", "robot0/pose", "robot0/arm/position"})}})),
+                 std::string("time [s],robot0/arm/position [deg],robot0/pose/x [m],robot0/pose/y [m],robot0/pose/z "
+                             "[m],robot0/pose/heading [deg],"
                              "robot0/pose/pitch [deg],robot0/pose/roll [deg]\n0.5,90,4,0,0,0,0,0\n"));
     }
     void anUnknownSignalListsThoseOfItsRobot() {
@@ -68,21 +75,30 @@ private Q_SLOTS:
         const std::string message = csvOf(world, logSpec("SignalLog", "s", {{"Signals", textValue({"robot1/tuch/pressed"})}}));
         QVERIFY2(message.find("robot1/touch/pressed") != std::string::npos, message.c_str());
         QVERIFY2(message.find("robot0/") == std::string::npos, message.c_str());
-        QVERIFY(csvOf(world, logSpec("SignalLog", "s", {{"Signals", textValue({"nothing*"})}})).starts_with("no signal is called 'nothing*'"));
+        QVERIFY(csvOf(world, logSpec("SignalLog", "s", {{"Signals", textValue({"nothing*"})}}))
+                    .starts_with("no signal is called 'nothing*'"));
     }
     void wildcards_data() {
         QTest::addColumn<QString>("pattern");
         QTest::addColumn<QString>("text");
         QTest::addColumn<bool>("matches");
-        QTest::newRow("all") << "*" << "a/b" << true;
-        QTest::newRow("prefix") << "robot0/*" << "robot0/a/b" << true;
-        QTest::newRow("other prefix") << "robot0/*" << "robot1/a" << false;
-        QTest::newRow("middle") << "*/touch/*" << "robot0/touch/pressed" << true;
-        QTest::newRow("one") << "robot?" << "robot1" << true;
-        QTest::newRow("one is not two") << "robot?" << "robot12" << false;
-        QTest::newRow("backtracks") << "*ab*ab" << "aabxabab" << true;
+        QTest::newRow("all") << "*"
+                             << "a/b" << true;
+        QTest::newRow("prefix") << "robot0/*"
+                                << "robot0/a/b" << true;
+        QTest::newRow("other prefix") << "robot0/*"
+                                      << "robot1/a" << false;
+        QTest::newRow("middle") << "*/touch/*"
+                                << "robot0/touch/pressed" << true;
+        QTest::newRow("one") << "robot?"
+                             << "robot1" << true;
+        QTest::newRow("one is not two") << "robot?"
+                                        << "robot12" << false;
+        QTest::newRow("backtracks") << "*ab*ab"
+                                    << "aabxabab" << true;
         QTest::newRow("many stars") << "*a*a*a*a*a*a*a*a*b" << QString(200, 'a') << false;
-        QTest::newRow("empty") << "" << "" << true;
+        QTest::newRow("empty") << ""
+                               << "" << true;
     }
     void wildcards() {
         QFETCH(QString, pattern);

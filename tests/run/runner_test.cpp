@@ -28,6 +28,10 @@ public:
         outlet.print(TRUNDLE_INFO, "t=" + std::to_string(time));
         return {};
     }
+    Status set(const std::string& property, const PropertyValue&) override {
+        *story += "set " + property + " ";
+        return {};
+    }
     void stop() override { *story += "stop "; }
     std::string describe() const override { return "scripted"; }
 };
@@ -69,7 +73,8 @@ class RunnerTest : public QObject {
         if (!m_diagnostics.hasErrors()) m_runner->openLogs(m_diagnostics);
     }
     void giveController(double updatePeriod = 0) {
-        m_experiment->robots[0].controller = ComponentSpec{"Scripted", "brain", {{"UpdatePeriod", numberValue(updatePeriod)}}, {}, {}};
+        m_experiment->robots[0].controller =
+            ComponentSpec{"Scripted", "brain", {{"UpdatePeriod", numberValue(updatePeriod)}}, {}, {}};
     }
     QByteArray log(const char* name) const {
         QFile file(m_folder.filePath(QString("logs/") + name));
@@ -95,6 +100,8 @@ private Q_SLOTS:
     void aFailedControllerEndsTheRun();
     void aFailedStartIsADiagnostic();
     void aBlownUpWorldEndsTheRunAndKeepsTheLogs();
+    void aClusterTooBigForTheExactSolverIsToldOnce();
+    void aFolderThatCannotBeWrittenIsSaidOnce();
     void logsHaveTheInitialStateAndEveryInterval();
     void noLogFolderMeansNoLogs();
     void aControllersLogStandsInTheLogFolder();
@@ -190,8 +197,42 @@ void RunnerTest::aBlownUpWorldEndsTheRunAndKeepsTheLogs() {
     QCOMPARE(log("path.csv").count('\n'), 3);
 }
 
+void RunnerTest::aClusterTooBigForTheExactSolverIsToldOnce() {
+    m_experiment->settings.solver = SolverChoice::Exact;
+    m_experiment->settings.solverRange = {0, {7, 12}};
+    build();
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(m_runner->warnings().empty());
+    m_world->cluster = 143;
+    for (int i = 0; i < 3; ++i) QVERIFY(m_runner->tick().ok());
+    QCOMPARE(m_runner->warnings().size(), std::size_t(1));
+    const Diagnostic& said = m_runner->warnings()[0];
+    QCOMPARE(said.code, Code::BigCluster);
+    QCOMPARE(said.severity, Severity::Warning);
+    QCOMPARE(QString::fromStdString(said.message),
+             QString("at t = 0.02 s 143 contacts hang together; Solver = exact gets very slow with so many, auto takes the quick "
+                     "solver then"));
+    QCOMPARE(said.range, m_experiment->settings.solverRange);
+    QCOMPARE(QString::fromStdString(said.fixes.at(0).title), QString("auto"));
+}
+
+void RunnerTest::aFolderThatCannotBeWrittenIsSaidOnce() {
+    m_experiment->logs = {logSpec("PoseLog", "a", {}), logSpec("EnergyLog", "b", {}), logSpec("ContactLog", "c", {})};
+    QFile file(m_folder.filePath("taken"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    RunOptions options;
+    options.logFolder = m_folder.filePath("taken/logs").toStdString();
+    ExperimentRunner runner(std::make_unique<FakeWorld>(m_experiment), options);
+    Diagnostics diagnostics;
+    runner.openLogs(diagnostics);
+    QCOMPARE(diagnostics.all().size(), std::size_t(1));
+    QCOMPARE(diagnostics.all()[0].code, Code::LogUnwritable);
+}
+
 void RunnerTest::logsHaveTheInitialStateAndEveryInterval() {
-    m_experiment->logs = {logSpec("PoseLog", "path", {{"Robot", textValue({"robot1"})}, {"Interval", numberValue(0.03)}, {"File", textValue({"sub/p.csv"})}})};
+    m_experiment->logs = {
+        logSpec("PoseLog", "path",
+                {{"Robot", textValue({"robot1"})}, {"Interval", numberValue(0.03)}, {"File", textValue({"sub/p.csv"})}})};
     build();
     for (int i = 0; i < 7; ++i) QVERIFY(m_runner->tick().ok());
     QVERIFY(m_runner->finish().ok());

@@ -67,7 +67,7 @@ void ScheduleTest::aPeriodBelowTheTickIsEveryTick() {
 void ScheduleTest::leftOutTicksAreNotMadeUpFor() {
     Schedule schedule(0.1, 0.01);
     QVERIFY(schedule.due(0));
-    QVERIFY(schedule.due(35));  // late for 10, 20 and 30: once
+    QVERIFY(schedule.due(35)); // late for 10, 20 and 30: once
     QVERIFY(!schedule.due(36));
     QVERIFY(schedule.due(40));
 }

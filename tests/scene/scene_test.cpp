@@ -1,5 +1,4 @@
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <set>
 
@@ -20,8 +19,14 @@ struct Count : osg::NodeVisitor {
     std::set<osg::Node*> nodes;
     std::size_t drawings = 0;
     Count() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) { setTraversalMask(kMaskRobots | kMaskStatics); }
-    void apply(osg::Node& node) override { nodes.insert(&node); traverse(node); }
-    void apply(osg::Geometry& geometry) override { geometries.insert(&geometry); ++drawings; }
+    void apply(osg::Node& node) override {
+        nodes.insert(&node);
+        traverse(node);
+    }
+    void apply(osg::Geometry& geometry) override {
+        geometries.insert(&geometry);
+        ++drawings;
+    }
 };
 
 Count countOf(Scene& scene) {
@@ -41,24 +46,55 @@ private Q_SLOTS:
         Scene one(*sampleExperiment({1})), many(*sampleExperiment({1000}));
         const Count few = countOf(one), lots = countOf(many);
         QCOMPARE(lots.geometries.size(), few.geometries.size());
-        QCOMPARE(many.sharedNodes(), one.sharedNodes());
-        QCOMPARE(one.sharedNodes(), std::size_t(4)); // chassis, two wheels, arena
+        QCOMPARE(many.store().made(), one.store().made());
+        QCOMPARE(one.store().made(), std::size_t(3)); // chassis, wheel, arena
         // Each further robot adds its own node and one for each body.
         QCOMPARE(lots.nodes.size() - few.nodes.size(), std::size_t(999 * 4));
         QVERIFY(lots.drawings > 999 * 3);
     }
 
-    void robotsOfAnotherConfigHaveTheirOwnGeometry() {
+    void onlyWhatIsDrawnOtherwiseIsMadeAnew() {
         auto experiment = sampleExperiment({2});
         auto other = std::make_shared<RobotConfigSpec>(*experiment->robots[1].config);
         experiment->robots[1].config = other;
-        QCOMPARE(Scene(*experiment).sharedNodes(), std::size_t(7));
+        QCOMPARE(Scene(*experiment).store().made(), std::size_t(3));
+        other->bodies[1].geoms[0].radius *= 2;
+        QCOMPARE(Scene(*experiment).store().made(), std::size_t(4));
+    }
+
+    void aSceneAfterAnEditIsMadeOfWhatIsThere() {
+        auto store = std::make_shared<ShapeStore>();
+        Scene before(*sampleExperiment({300}), store);
+        const std::size_t made = store->made();
+        auto edited = sampleExperiment({300});
+        edited->robots[7].pose.position.x() += 1;
+        edited->robots[9].name = "renamed";
+        Scene after(*edited, store);
+        QCOMPARE(store->made(), made);
+        edited->materials[3].colour = {0, 1, 0};
+        Scene recoloured(*edited, store);
+        QCOMPARE(store->made(), made + 1); // the body with the red bumper
+    }
+
+    void whatNoSceneShowsIsForgotten() {
+        auto store = std::make_shared<ShapeStore>();
+        auto scene = std::make_unique<Scene>(*sampleExperiment({2}), store);
+        store->forgetUnused();
+        (void)Scene(*sampleExperiment({2}), store);
+        QCOMPARE(store->made(), std::size_t(3));
+        scene.reset();
+        store->forgetUnused();
+        (void)Scene(*sampleExperiment({2}), store);
+        QCOMPARE(store->made(), std::size_t(6));
     }
 
     void aPickNamesRobotBodyAndGeom() {
         const auto experiment = sampleExperiment({1});
         Scene scene(*experiment);
-        const auto hit = [&](double x, double y) { const auto h = scene.pick(downAt(x, y)); return h ? h->path : std::string("nothing"); };
+        const auto hit = [&](double x, double y) {
+            const auto h = scene.pick(downAt(x, y));
+            return h ? h->path : std::string("nothing");
+        };
         QCOMPARE(hit(0, 0), std::string("robot0/chassis/hull"));
         QCOMPARE(hit(0.16, 0.14), std::string("robot0/chassis/bumper"));
         QCOMPARE(hit(0.06, 0.13), std::string("robot0/leftWheel/tyre"));

@@ -58,7 +58,7 @@ GeomSpec geomOf(GeomShape shape) {
 
 class ShapesTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void shapesAreClosedAndHaveTheirVolume_data() {
         QTest::addColumn<int>("shape");
         QTest::addColumn<double>("volume");
@@ -91,7 +91,8 @@ private slots:
 
     void whatCannotBeDrawnIsNothing_data() {
         QTest::addColumn<double>("value");
-        for (const double v : {0.0, -1.0, double(NAN), double(INFINITY), 1e30}) QTest::newRow(qPrintable(QString::number(v))) << v;
+        for (const double v : {0.0, -1.0, double(NAN), double(INFINITY), 1e30})
+            QTest::newRow(qPrintable(QString::number(v))) << v;
     }
     void whatCannotBeDrawnIsNothing() {
         QFETCH(double, value);
@@ -150,7 +151,8 @@ private slots:
         QVERIFY((mesh.points[5] - Vector3f(2, -1, 0)).norm() < 1e-6f);
         for (const Vector3f& n : mesh.normals) QVERIFY(n.z() > 0);
         for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
-            const Vector3f a = mesh.points[mesh.indices[t]], b = mesh.points[mesh.indices[t + 1]], c = mesh.points[mesh.indices[t + 2]];
+            const Vector3f a = mesh.points[mesh.indices[t]], b = mesh.points[mesh.indices[t + 1]],
+                           c = mesh.points[mesh.indices[t + 2]];
             QVERIFY((b - a).cross(c - a).z() > 0);
         }
     }

@@ -15,7 +15,8 @@ Vec3 anyPoint(double reach) { return {anyNumber(-reach, reach), anyNumber(-reach
 CameraView anyView() {
     CameraView view;
     view.eye = anyPoint(10);
-    do view.target = anyPoint(10); while ((view.target - view.eye).norm() < 0.5);
+    do view.target = anyPoint(10);
+    while ((view.target - view.eye).norm() < 0.5);
     view.up = anyPoint(1);
     view.fieldOfView = anyNumber(0.2, 2.6);
     return view;
@@ -25,7 +26,7 @@ CameraView anyView() {
 
 class ViewTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void whatIsLookedAtIsInTheMiddle() {
         for (int i = 0; i < 100; ++i) {
             const CameraView view = anyView();
@@ -77,13 +78,20 @@ private slots:
 
     void viewsThatCannotBeAreToldApart() {
         QVERIFY(isUsable(CameraView{}));
-        const auto broken = [](auto change) { CameraView v; change(v); return !isUsable(v); };
+        const auto broken = [](auto change) {
+            CameraView v;
+            change(v);
+            return !isUsable(v);
+        };
         QVERIFY(broken([](CameraView& v) { v.target = v.eye; }));
         QVERIFY(broken([](CameraView& v) { v.eye.x() = std::nan(""); }));
         QVERIFY(broken([](CameraView& v) { v.up.z() = INFINITY; }));
         QVERIFY(broken([](CameraView& v) { v.fieldOfView = 0; }));
         QVERIFY(broken([](CameraView& v) { v.fieldOfView = 3.2; }));
-        QVERIFY(broken([](CameraView& v) { v.nearPlane = 2; v.farPlane = 1; }));
+        QVERIFY(broken([](CameraView& v) {
+            v.nearPlane = 2;
+            v.farPlane = 1;
+        }));
         QVERIFY(broken([](CameraView& v) { v.nearPlane = -1; }));
     }
 

@@ -46,7 +46,7 @@ GivenElement word(std::string text) {
 
 class ValueReaderTest : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void aKindFromItsClass() {
         const Kind kind = kindOf<Thing>("Thing", Role::Device, {"RobotConfig"});
         QCOMPARE(kind.help, "A thing.");
@@ -66,7 +66,8 @@ private slots:
         QVERIFY(registry.add(a).ok());
         const Status status = registry.add(b);
         QVERIFY(!status.ok());
-        QVERIFY(status.error().message.find("one.so") != std::string::npos && status.error().message.find("two.so") != std::string::npos);
+        QVERIFY(status.error().message.find("one.so") != std::string::npos &&
+                status.error().message.find("two.so") != std::string::npos);
         QCOMPARE(registry.inside("RobotConfig").size(), 1u);
         QVERIFY(registry.inside("").empty());
     }
@@ -76,22 +77,32 @@ private slots:
         QTest::addColumn<int>("which");
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("said");
-        const char* names[] = {"cm", "unit", "angle", "percent", "above", "most", "whole", "number", "dimension", "nounit", "unknown", "nan"};
+        const char* names[] = {"cm",    "unit",   "angle",     "percent", "above",   "most",
+                               "whole", "number", "dimension", "nounit",  "unknown", "nan"};
         const std::tuple<const char*, double, const char*> rows[] = {
-            {"Length", 0.03, ""}, {"Length", 3, ""}, {"Angle", std::numbers::pi / 2, ""}, {"Ratio", 0.5, ""},
-            {"Length", 0, "Length is 0, it must be above 0"}, {"Length", 0, "Length is 2000 cm, it must be at most 10 m"},
-            {"Count", 0, "Count is a number (2.5), it must be a whole number"}, {"Length", 0, "Length is a word (long), it must be a number"},
-            {"Length", 0, "Length is a length (m), kg is a mass"}, {"Ratio", 0, "Ratio has no unit, it cannot be in m"},
-            {"Length", 0, "there is no unit mmm"}, {"Angle", 0, "Angle is 200, it must be from -180 to 180 deg"}};
-        for (int i = 0; i < 12; ++i) QTest::newRow(names[i]) << std::get<0>(rows[i]) << i << std::get<1>(rows[i]) << std::get<2>(rows[i]);
+            {"Length", 0.03, ""},
+            {"Length", 3, ""},
+            {"Angle", std::numbers::pi / 2, ""},
+            {"Ratio", 0.5, ""},
+            {"Length", 0, "Length is 0, it must be above 0"},
+            {"Length", 0, "Length is 2000 cm, it must be at most 10 m"},
+            {"Count", 0, "Count is a number (2.5), it must be a whole number"},
+            {"Length", 0, "Length is a word (long), it must be a number"},
+            {"Length", 0, "Length is a length (m), kg is a mass"},
+            {"Ratio", 0, "Ratio has no unit, it cannot be in m"},
+            {"Length", 0, "there is no unit mmm"},
+            {"Angle", 0, "Angle is 200, it must be from -180 to 180 deg"}};
+        for (int i = 0; i < 12; ++i)
+            QTest::newRow(names[i]) << std::get<0>(rows[i]) << i << std::get<1>(rows[i]) << std::get<2>(rows[i]);
     }
     void values() {
         QFETCH(QString, property);
         QFETCH(int, which);
         QFETCH(double, value);
         QFETCH(QString, said);
-        const GivenElement given[] = {number(3, "cm"), number(3), number(90), number(50, "%"), number(0), number(2000, "cm"), number(2.5), word("long"),
-                                      number(3, "kg"), number(1, "m"), number(3, "mmm"), number(200)};
+        const GivenElement given[] = {number(3, "cm"), number(3),          number(90),       number(50, "%"),
+                                      number(0),       number(2000, "cm"), number(2.5),      word("long"),
+                                      number(3, "kg"), number(1, "m"),     number(3, "mmm"), number(200)};
         const Kind kind = kindOf<Thing>("Thing", Role::Device, {});
         Diagnostics diagnostics;
         GivenValue g;

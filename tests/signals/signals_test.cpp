@@ -1,6 +1,5 @@
 // The flat block: what stands where, and that two blocks of one shape know each other.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <cstring>
 #include <vector>

@@ -1,6 +1,5 @@
 // Same input, same bits: twice in one process, in piles that switch the solver, with strangers far away.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <set>
 
@@ -18,16 +17,21 @@ Scene crowd(int robots, int boxes, SolverChoice solver = SolverChoice::Auto) {
     scene.spec->settings.solver = solver;
     scene.scenery({plane("floor", {}, 1), box("north", {4, 0.1, 1}, at(0, 1, 0.5)), box("south", {4, 0.1, 1}, at(0, -1, 0.5)),
                    box("east", {0.1, 4, 1}, at(1, 0, 0.5)), box("west", {0.1, 4, 1}, at(-1, 0, 0.5))});
-    for (int i = 0; i < robots; ++i) scene.robot("robot" + std::to_string(i), at(-0.6 + 0.45 * (i % 4), -0.6 + 0.4 * (i / 4), 0, degrees(40.0 * i, 0, 0)), r0());
+    for (int i = 0; i < robots; ++i)
+        scene.robot("robot" + std::to_string(i), at(-0.6 + 0.45 * (i % 4), -0.6 + 0.4 * (i / 4), 0, degrees(40.0 * i, 0, 0)),
+                    r0());
     if (boxes >= kPile) // a pit, so that they lie on each other
-        scene.scenery({box("n", {1, 0.1, 2}, at(0, 0.25, 1)), box("s", {1, 0.1, 2}, at(0, -0.25, 1)), box("e", {0.1, 1, 2}, at(0.25, 0, 1)),
-                       box("w", {0.1, 1, 2}, at(-0.25, 0, 1))}, at(0.5, 0.5, 0), "pit");
+        scene.scenery({box("n", {1, 0.1, 2}, at(0, 0.25, 1)), box("s", {1, 0.1, 2}, at(0, -0.25, 1)),
+                       box("e", {0.1, 1, 2}, at(0.25, 0, 1)), box("w", {0.1, 1, 2}, at(-0.25, 0, 1))},
+                      at(0.5, 0.5, 0), "pit");
     for (int i = 0; i < boxes; ++i) {
         const Vec3 size(0.1, 0.12, 0.08);
         const Pose pit = boxes >= kPile ? at(0.5, 0.5, 0) : at(0, 0, 0.2);
-        const Pose place = pit * at(0.13 * (i % 3) - 0.13, 0.13 * (i / 3 % 3) - 0.13, 0.1 + 0.14 * (i / 9), degrees(10.0 * i, 5.0 * i, 3.0 * i));
+        const Pose place =
+            pit * at(0.13 * (i % 3) - 0.13, 0.13 * (i / 3 % 3) - 0.13, 0.1 + 0.14 * (i / 9), degrees(10.0 * i, 5.0 * i, 3.0 * i));
         if (i % 3 == 0) scene.ball("ball" + std::to_string(i), place.position, 0.3, 0.05);
-        else if (i % 3 == 1) scene.loose("can" + std::to_string(i), place, massOfCylinder(0.3, 0.05, 0.1), {cylinder("c", 0.05, 0.1)});
+        else if (i % 3 == 1)
+            scene.loose("can" + std::to_string(i), place, massOfCylinder(0.3, 0.05, 0.1), {cylinder("c", 0.05, 0.1)});
         else scene.loose("crate" + std::to_string(i), place, massOfBox(0.5, size), {box("b", size)});
     }
     return scene;
@@ -42,7 +46,10 @@ void steer(World& world, int robots) {
     }
 }
 
-struct Run { std::uint64_t hash = 0, quick = 0; bool sound = true; };
+struct Run {
+    std::uint64_t hash = 0, quick = 0;
+    bool sound = true;
+};
 
 Run runOf(Scene scene, int robots, int ticks) {
     auto world = scene.build();

@@ -1,6 +1,5 @@
 // What a device is promised: mounting with words for what is wrong, services, the order of act and sense.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <functional>
 
@@ -26,19 +25,40 @@ struct ProbeDevice {
     std::string error;
 };
 
-const TrundleSignal kProbeSignals[] = {{"in", "", "", TRUNDLE_REAL_SIGNAL, 1, TRUNDLE_COMMAND, 0}, {"out", "", "", TRUNDLE_REAL_SIGNAL, 1, TRUNDLE_OUTPUT, 0}};
+const TrundleSignal kProbeSignals[] = {{"in", "", "", TRUNDLE_REAL_SIGNAL, 1, TRUNDLE_COMMAND, 0},
+                                       {"out", "", "", TRUNDLE_REAL_SIGNAL, 1, TRUNDLE_OUTPUT, 0}};
 const TrundleField kProbeFields[] = {{"Probe", "", "", "", 1, 0, 0, TRUNDLE_TEXT, 1, 1, TRUNDLE_REQUIRED, {nullptr, nullptr, 0}}};
 
 const TrundleKind* probeKind() {
-    static const TrundleKind k{sizeof(TrundleKind), TRUNDLE_DEVICE, "Probe", "", kProbeFields, kProbeSignals, 1, 2,
-        [] { return static_cast<void*>(new ProbeDevice); },
-        [](void* i) { delete static_cast<ProbeDevice*>(i); },
-        [](void* i, std::uint32_t, const TrundleValue* v) { static_cast<ProbeDevice*>(i)->name = v->texts[0]; return std::int32_t{0}; },
-        [](void*) { return "the probe says no"; },
-        nullptr, nullptr,
-        [](void* i, const TrundleMount* m) { auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].setup; return f ? f(*m) : 0; },
-        [](void* i, const TrundleServices* s) { auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].act; return f ? f(*s) : 0; },
-        [](void* i, const TrundleServices* s) { auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].sense; return f ? f(*s) : 0; }};
+    static const TrundleKind k{sizeof(TrundleKind),
+                               TRUNDLE_DEVICE,
+                               "Probe",
+                               "",
+                               kProbeFields,
+                               kProbeSignals,
+                               1,
+                               2,
+                               [] { return static_cast<void*>(new ProbeDevice); },
+                               [](void* i) { delete static_cast<ProbeDevice*>(i); },
+                               [](void* i, std::uint32_t, const TrundleValue* v) {
+                                   static_cast<ProbeDevice*>(i)->name = v->texts[0];
+                                   return std::int32_t{0};
+                               },
+                               [](void*) { return "the probe says no"; },
+                               nullptr,
+                               nullptr,
+                               [](void* i, const TrundleMount* m) {
+                                   auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].setup;
+                                   return f ? f(*m) : 0;
+                               },
+                               [](void* i, const TrundleServices* s) {
+                                   auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].act;
+                                   return f ? f(*s) : 0;
+                               },
+                               [](void* i, const TrundleServices* s) {
+                                   auto& f = bench->probes[static_cast<ProbeDevice*>(i)->name].sense;
+                                   return f ? f(*s) : 0;
+                               }};
     return &k;
 }
 
@@ -98,7 +118,10 @@ private Q_SLOTS:
         QVERIFY(t.contains("is a Row"));
         t = text([&](const TrundleMount& m) { return m.peerSignal(m.context, "Row", "leftMotor", "comand") ? 0 : -1; });
         QVERIFY(t.contains("command, position, effort"));
-        t = text([&](const TrundleMount& m) { m.fail(m.context, "I do not like it here"); return 0; });
+        t = text([&](const TrundleMount& m) {
+            m.fail(m.context, "I do not like it here");
+            return 0;
+        });
         QVERIFY(t.contains("I do not like it here"));
         t = text([&](const TrundleMount&) { return 7; });
         QVERIFY(t.contains("the probe says no"));
@@ -149,8 +172,14 @@ private Q_SLOTS:
     void actAndSenseFollowTheBinding() {
         std::string order;
         for (const char* name : {"a", "b", "c"}) {
-            m_bench.probes[name].act = [&order, name](const TrundleServices&) { order += name; return 0; };
-            m_bench.probes[name].sense = [&order, name](const TrundleServices&) { order += char(name[0] - 'a' + 'A'); return 0; };
+            m_bench.probes[name].act = [&order, name](const TrundleServices&) {
+                order += name;
+                return 0;
+            };
+            m_bench.probes[name].sense = [&order, name](const TrundleServices&) {
+                order += char(name[0] - 'a' + 'A');
+                return 0;
+            };
         }
         m_bench.probes["b"].setup = [](const TrundleMount& m) { return m.peerSignal(m.context, "", "a", "in") ? 0 : -1; };
         auto world = withProbes({"a", "b", "c"}).build(code);
@@ -162,7 +191,9 @@ private Q_SLOTS:
 
     void circlesAreRefused() {
         for (const auto& [self, other] : {std::pair{"a", "b"}, {"b", "a"}})
-            m_bench.probes[self].setup = [other = other](const TrundleMount& m) { return m.peerSignal(m.context, "", other, "in") ? 0 : -1; };
+            m_bench.probes[self].setup = [other = other](const TrundleMount& m) {
+                return m.peerSignal(m.context, "", other, "in") ? 0 : -1;
+            };
         Diagnostics diagnostics;
         Scene scene = withProbes({"a", "b"});
         QVERIFY(!scene.build(code, diagnostics));
@@ -208,7 +239,10 @@ private Q_SLOTS:
         std::uint32_t geom = 0, count = 0;
         TrundleContact contacts[4];
         m_bench.probes["p"].setup = [&](const TrundleMount& m) { return m.geom(m.context, "leftWheel.tyre", &geom); };
-        m_bench.probes["p"].sense = [&](const TrundleServices& s) { count = s.contacts(s.context, geom, contacts, 4); return 0; };
+        m_bench.probes["p"].sense = [&](const TrundleServices& s) {
+            count = s.contacts(s.context, geom, contacts, 4);
+            return 0;
+        };
         auto world = withProbes({"p"}).build(code);
         QVERIFY(run(*world, 1));
         QCOMPARE(count, 1u);
@@ -249,7 +283,10 @@ private Q_SLOTS:
     void jointTorqueTurnsTheChild() {
         std::uint32_t id = 0;
         m_bench.probes["p"].setup = [&](const TrundleMount& m) { return m.joint(m.context, "leftAxle", &id); };
-        m_bench.probes["p"].act = [&](const TrundleServices& s) { s.jointTorque(s.context, id, 0.1); return 0; };
+        m_bench.probes["p"].act = [&](const TrundleServices& s) {
+            s.jointTorque(s.context, id, 0.1);
+            return 0;
+        };
         Scene scene = withProbes({"p"}, at(0, 0, 5));
         scene.spec->settings.gravity = Vec3::Zero();
         auto world = scene.build(code);
@@ -283,7 +320,8 @@ private Q_SLOTS:
 
     void signalsAreWhereTheyShouldBe() {
         auto world = withProbes({"p"}).build(code);
-        for (const char* path : {"r/pose", "r/velocity", "r/chassis/pose", "r/leftWheel/velocity", "r/leftAxle/position", "r/leftAxle/rate", "r/p/in", "r/p/out"})
+        for (const char* path : {"r/pose", "r/velocity", "r/chassis/pose", "r/leftWheel/velocity", "r/leftAxle/position",
+                                 "r/leftAxle/rate", "r/p/in", "r/p/out"})
             QVERIFY2(world->layout().find(path), path);
         QCOMPARE(world->layout().find("r/pose")->direction, SignalDirection::Truth);
         QCOMPARE(world->layout().find("r/p/in")->direction, SignalDirection::Command);

@@ -1,6 +1,5 @@
 // How well R0 drives when each wheel is a rate servo: the figures of the physics notes, measured at the middle of the axle.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include "world/fixtures.h"
 
@@ -8,7 +7,7 @@ using namespace fixture;
 
 namespace {
 
-constexpr double kStall = 5.4; // N m, motor M0
+constexpr double kStall = 5.4;                                                       // N m, motor M0
 constexpr double kNoLoad = 12 / (0.03 * 30), kDamping = 30.0 * 30 * 0.03 * 0.03 / 2; // rad/s, N m s/rad
 
 /// Trapezoid from 0 to `length` at cruising speed `speed` with ramps of `ramp` seconds.
@@ -25,7 +24,9 @@ struct Trapezoid {
     }
 };
 
-struct PoseError { double along, across, heading; };
+struct PoseError {
+    double along, across, heading;
+};
 
 /// Drives the amounts on R0 and gives the error against the integrated ideal motion, in the ideal end's frame.
 PoseError drive(Scene& scene, double x, double theta, double seconds, double ramp) {
@@ -75,7 +76,8 @@ private Q_SLOTS:
         QTest::newRow("arc 360 deg, 10 ms") << "plane" << false << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
         QTest::newRow("arc 360 deg, 30 ms") << "plane" << false << 0.03 << circle << 360.0 << 2 * kPi + 0.5 << 0.54 << 0.1;
         QTest::newRow("ten turns, 10 ms") << "plane" << false << 0.01 << 10 * circle << 3600.0 << 20 * kPi + 0.5 << 0.62 << 0.12;
-        QTest::newRow("spin W=4, 5 turns, 10 ms") << "plane" << false << 0.01 << 0.0 << 1800.0 << 10 * kPi / 4 + 0.5 << 0.05 << 0.92;
+        QTest::newRow("spin W=4, 5 turns, 10 ms")
+            << "plane" << false << 0.01 << 0.0 << 1800.0 << 10 * kPi / 4 + 0.5 << 0.05 << 0.92;
         QTest::newRow("straight on a box") << "box" << false << 0.01 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;
         QTest::newRow("arc on a box") << "box" << false << 0.01 << circle << 360.0 << 2 * kPi + 0.5 << 0.1 << 0.02;
         QTest::newRow("straight, round wheels") << "plane" << true << 0.01 << 5.0 << 0.0 << 10.5 << 0.05 << 0.001;

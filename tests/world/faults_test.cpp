@@ -1,6 +1,5 @@
 // What goes wrong is said, never died of: explosions named with body and time, nasty specs refused or survived.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <functional>
 #include <limits>
@@ -22,7 +21,8 @@ struct Nasty {
     bool refused; ///< else: it builds and must live or fault, but not die
 };
 
-std::shared_ptr<TriangleMesh> meshOf(std::vector<std::array<double, 3>> points, std::vector<std::array<std::uint32_t, 3>> triangles) {
+std::shared_ptr<TriangleMesh> meshOf(std::vector<std::array<double, 3>> points,
+                                     std::vector<std::array<std::uint32_t, 3>> triangles) {
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->points = std::move(points);
     mesh->triangles = std::move(triangles);
@@ -69,17 +69,39 @@ const std::vector<Nasty>& nasties() {
         {"robot at NaN", [](auto& e, auto&, auto&) { e.robots[0].pose.position.x() = kNan; }, true},
         {"robot far out", [](auto& e, auto&, auto&) { e.robots[0].pose.position.x() = 1e12; }, true},
         {"rotation of zeros", [](auto& e, auto&, auto&) { e.robots[0].pose.rotation = Quat(0, 0, 0, 0); }, true},
-        {"no bodies", [](auto&, auto& c, auto&) { c.bodies.clear(); c.joints.clear(); c.devices.clear(); }, true},
+        {"no bodies",
+         [](auto&, auto& c, auto&) {
+             c.bodies.clear();
+             c.joints.clear();
+             c.devices.clear();
+         },
+         true},
         {"no config", [](auto& e, auto&, auto&) { e.robots[0].config.reset(); }, true},
         {"zero axis", [](auto&, auto& c, auto&) { c.joints[0].axis.setZero(); }, true},
         {"NaN axis", [](auto&, auto& c, auto&) { c.joints[0].axis.x() = kNan; }, true},
         {"joint to itself", [](auto&, auto& c, auto&) { c.joints[0].parent = c.joints[0].child; }, true},
         {"joint to nobody", [](auto&, auto& c, auto&) { c.joints[0].child = 17; }, true},
-        {"stops crossed", [](auto&, auto& c, auto&) { c.joints[0].lowStop = 1; c.joints[0].highStop = -1; }, true},
+        {"stops crossed",
+         [](auto&, auto& c, auto&) {
+             c.joints[0].lowStop = 1;
+             c.joints[0].highStop = -1;
+         },
+         true},
         {"NaN stop", [](auto&, auto& c, auto&) { c.joints[0].lowStop = kNan; }, true},
         {"negative damping", [](auto&, auto& c, auto&) { c.joints[0].damping = -1; }, true},
-        {"universal with parallel axes", [](auto&, auto& c, auto&) { c.joints[0].type = JointType::Universal; c.joints[0].axis2 = c.joints[0].axis; c.devices.clear(); }, true},
-        {"suspension of the world", [](auto&, auto& c, auto&) { c.joints[0].type = JointType::Suspension; c.joints[0].parent = kWorldBody; }, true},
+        {"universal with parallel axes",
+         [](auto&, auto& c, auto&) {
+             c.joints[0].type = JointType::Universal;
+             c.joints[0].axis2 = c.joints[0].axis;
+             c.devices.clear();
+         },
+         true},
+        {"suspension of the world",
+         [](auto&, auto& c, auto&) {
+             c.joints[0].type = JointType::Suspension;
+             c.joints[0].parent = kWorldBody;
+         },
+         true},
         {"zero tick", [](auto& e, auto&, auto&) { e.settings.tick = 0; }, true},
         {"NaN tick", [](auto& e, auto&, auto&) { e.settings.tick = kNan; }, true},
         {"NaN gravity", [](auto& e, auto&, auto&) { e.settings.gravity.z() = kNan; }, true},
@@ -88,34 +110,100 @@ const std::vector<Nasty>& nasties() {
         {"restitution 2", [](auto& e, auto&, auto&) { e.surfaces[1].restitution = 2; }, true},
         {"no surface 99", [](auto&, auto& c, auto&) { c.bodies[0].geoms[0].surface = 99; }, true},
         {"mesh without triangles", [](auto&, auto&, auto& s) { s.push_back(meshGeom(meshOf({}, {}), false)); }, true},
-        {"mesh of needles", [](auto&, auto&, auto& s) { s.push_back(meshGeom(meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}), false)); }, true},
-        {"mesh with a wrong index", [](auto&, auto&, auto& s) { s.push_back(meshGeom(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 9}}), false)); }, true},
-        {"mesh with NaN", [](auto&, auto&, auto& s) { s.push_back(meshGeom(meshOf({{0, 0, kNan}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}), false)); }, true},
+        {"mesh of needles",
+         [](auto&, auto&, auto& s) {
+             s.push_back(meshGeom(meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}), false));
+         },
+         true},
+        {"mesh with a wrong index",
+         [](auto&, auto&, auto& s) {
+             s.push_back(meshGeom(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 9}}), false));
+         },
+         true},
+        {"mesh with NaN",
+         [](auto&, auto&, auto& s) {
+             s.push_back(meshGeom(meshOf({{0, 0, kNan}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}), false));
+         },
+         true},
         {"mesh that is not there", [](auto&, auto&, auto& s) { s.push_back(meshGeom(nullptr, false)); }, true},
-        {"flat hull", [](auto&, auto& c, auto&) { c.bodies[0].geoms[0] = meshGeom(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {}), true); }, true},
+        {"flat hull",
+         [](auto&, auto& c, auto&) {
+             c.bodies[0].geoms[0] = meshGeom(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {}), true);
+         },
+         true},
         {"heightfield of one column", [](auto&, auto&, auto& s) { s.push_back(heights(1, 5, 5, 0)); }, true},
         {"heightfield with too few samples", [](auto&, auto&, auto& s) { s.push_back(heights(5, 5, 5, 0)); }, true},
-        {"heightfield with NaN", [](auto&, auto&, auto& s) { s.push_back(heights(3, 3, 9, std::numeric_limits<float>::quiet_NaN())); }, true},
+        {"heightfield with NaN",
+         [](auto&, auto&, auto& s) { s.push_back(heights(3, 3, 9, std::numeric_limits<float>::quiet_NaN())); }, true},
         {"joint to a kind of joint that has no motor", [](auto&, auto& c, auto&) { c.joints[0].type = JointType::Ball; }, true},
 
-        {"robots in one place", [](auto& e, auto&, auto&) { for (int i = 0; i < 5; ++i) { e.robots.push_back(e.robots[0]); e.robots.back().name += char('a' + i); } }, false},
+        {"robots in one place",
+         [](auto& e, auto&, auto&) {
+             for (int i = 0; i < 5; ++i) {
+                 e.robots.push_back(e.robots[0]);
+                 e.robots.back().name += char('a' + i);
+             }
+         },
+         false},
         {"deep under the floor", [](auto& e, auto&, auto&) { e.robots[0].pose.position.z() = -3; }, false},
         {"microscopic wheels", [](auto&, auto& c, auto&) { c.bodies[1].geoms[0].radius = 1e-6; }, false},
         {"feather wheels", [](auto&, auto& c, auto&) { c.bodies[1].mass = massOfSphere(1e-8, 0.05); }, false},
-        {"a mountain on wheels", [](auto&, auto& c, auto&) { c.bodies[0].mass = massOfBox(1e8, {0.3, 0.2, 0.1}); }, false},
-        {"two joints for one wheel", [](auto&, auto& c, auto&) { c.joints.push_back(c.joints[0]); c.joints.back().name = "again"; }, false},
-        {"everything fixed twice", [](auto&, auto& c, auto&) { for (int i = 0; i < 4; ++i) c.joints.push_back(joint("f" + std::to_string(i), JointType::Fixed, i % 2, 2, {0, 0, 0}, Vec3::UnitZ())); }, false},
-        {"anchor far from its bodies", [](auto&, auto& c, auto&) { c.joints[0].anchor = {900, 0, 0}; }, false},
+        {"a mountain on wheels",
+         [](auto&, auto& c, auto&) {
+             c.bodies[0].mass = massOfBox(1e8, {0.3, 0.2, 0.1});
+         },
+         false},
+        {"two joints for one wheel",
+         [](auto&, auto& c, auto&) {
+             c.joints.push_back(c.joints[0]);
+             c.joints.back().name = "again";
+         },
+         false},
+        {"everything fixed twice",
+         [](auto&, auto& c, auto&) {
+             for (int i = 0; i < 4; ++i)
+                 c.joints.push_back(joint("f" + std::to_string(i), JointType::Fixed, i % 2, 2, {0, 0, 0}, Vec3::UnitZ()));
+         },
+         false},
+        {"anchor far from its bodies",
+         [](auto&, auto& c, auto&) {
+             c.joints[0].anchor = {900, 0, 0};
+         },
+         false},
         {"stops on the spot", [](auto&, auto& c, auto&) { c.joints[0].lowStop = c.joints[0].highStop = 0; }, false},
-        {"start outside the stops", [](auto&, auto& c, auto&) { c.joints[0].lowStop = 1; c.joints[0].highStop = 2; }, false},
+        {"start outside the stops",
+         [](auto&, auto& c, auto&) {
+             c.joints[0].lowStop = 1;
+             c.joints[0].highStop = 2;
+         },
+         false},
         {"infinitely stiff hinge", [](auto&, auto& c, auto&) { c.joints[0].stiffness = 1e12; }, false},
-        {"friction of a million", [](auto& e, auto&, auto&) { for (auto& s : e.surfaces) s.friction = 1e6; }, false},
-        {"super balls", [](auto& e, auto&, auto&) { for (auto& s : e.surfaces) s.restitution = 1; e.robots[0].pose.position.z() = 2; }, false},
-        {"soft as a cloud", [](auto& e, auto&, auto&) { for (auto& s : e.surfaces) s.softness = 1e3; }, false},
+        {"friction of a million",
+         [](auto& e, auto&, auto&) {
+             for (auto& s : e.surfaces) s.friction = 1e6;
+         },
+         false},
+        {"super balls",
+         [](auto& e, auto&, auto&) {
+             for (auto& s : e.surfaces) s.restitution = 1;
+             e.robots[0].pose.position.z() = 2;
+         },
+         false},
+        {"soft as a cloud",
+         [](auto& e, auto&, auto&) {
+             for (auto& s : e.surfaces) s.softness = 1e3;
+         },
+         false},
         {"gravity of a star", [](auto& e, auto&, auto&) { e.settings.gravity.z() = -1e4; }, false},
         {"half a second a tick", [](auto& e, auto&, auto&) { e.settings.tick = 0.5; }, false},
         {"a floor that is tilted upside down", [](auto&, auto&, auto& s) { s[0].pose = at(0, 0, 5, degrees(0, 180, 0)); }, false},
-        {"self collision of everything", [](auto&, auto& c, auto&) { c.selfCollision = true; c.joints.clear(); c.devices.clear(); }, false},
+        {"self collision of everything",
+         [](auto&, auto& c, auto&) {
+             c.selfCollision = true;
+             c.joints.clear();
+             c.devices.clear();
+         },
+         false},
     };
     return all;
 }
@@ -176,6 +264,24 @@ private Q_SLOTS:
         const std::uint64_t ticks = world->ticks();
         QVERIFY(!world->tick().ok());
         QCOMPARE(world->ticks(), ticks);
+    }
+
+    /// What a message underlines is the name, not all of the block.
+    void messagesPointAtNames() {
+        const SourceRange block{0, {0, 100}}, name{0, {6, 11}};
+        Scene scene = r0Scene();
+        auto config = r0();
+        for (BodySpec& b : config->bodies) b.range = block, b.nameRange = name;
+        scene.scenery({plane("floor", {}, 1)}).robot("r", {}, config);
+        auto world = scene.build();
+        QVERIFY(world->push("r/chassis", {0, 0, 1e7}, {0, 0, 0.1}).ok());
+        QVERIFY(!world->tick().ok());
+        QCOMPARE(world->fault()->range, name);
+
+        config->bodies[1].mass.mass = -1;
+        Diagnostics diagnostics;
+        QVERIFY(!scene.build(rowOnly, diagnostics));
+        QCOMPARE(diagnostics.all().at(0).range, name);
     }
 
     void pushesAreChecked() {

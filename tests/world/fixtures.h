@@ -113,30 +113,41 @@ struct Row {
     };
     static Row& self(void* instance) { return *static_cast<Row*>(instance); }
     static const TrundleKind* kind() {
-        static const TrundleKind k{sizeof(TrundleKind), TRUNDLE_DEVICE, "Row", "", fields, signals, 1, 3,
-            [] { return static_cast<void*>(new Row); },
-            [](void* i) { delete &self(i); },
-            [](void* i, std::uint32_t, const TrundleValue* v) { self(i).jointName = v->texts[0]; return std::int32_t{0}; },
-            [](void*) { return "row"; },
-            nullptr, nullptr,
-            [](void* i, const TrundleMount* m) {
-                Row& r = self(i);
-                r.command = m->signal(m->context, "command");
-                r.position = m->signal(m->context, "position");
-                r.effort = m->signal(m->context, "effort");
-                return m->joint(m->context, r.jointName.c_str(), &r.joint);
-            },
-            [](void* i, const TrundleServices* s) {
-                const Row& r = self(i);
-                s->motorRow(s->context, r.joint, r.command[0], r.command[1], r.command[2]);
-                return std::int32_t{0};
-            },
-            [](void* i, const TrundleServices* s) {
-                Row& r = self(i);
-                *r.position = s->jointPosition(s->context, r.joint);
-                *r.effort = s->jointMotorEffort(s->context, r.joint);
-                return std::int32_t{0};
-            }};
+        static const TrundleKind k{sizeof(TrundleKind),
+                                   TRUNDLE_DEVICE,
+                                   "Row",
+                                   "",
+                                   fields,
+                                   signals,
+                                   1,
+                                   3,
+                                   [] { return static_cast<void*>(new Row); },
+                                   [](void* i) { delete &self(i); },
+                                   [](void* i, std::uint32_t, const TrundleValue* v) {
+                                       self(i).jointName = v->texts[0];
+                                       return std::int32_t{0};
+                                   },
+                                   [](void*) { return "row"; },
+                                   nullptr,
+                                   nullptr,
+                                   [](void* i, const TrundleMount* m) {
+                                       Row& r = self(i);
+                                       r.command = m->signal(m->context, "command");
+                                       r.position = m->signal(m->context, "position");
+                                       r.effort = m->signal(m->context, "effort");
+                                       return m->joint(m->context, r.jointName.c_str(), &r.joint);
+                                   },
+                                   [](void* i, const TrundleServices* s) {
+                                       const Row& r = self(i);
+                                       s->motorRow(s->context, r.joint, r.command[0], r.command[1], r.command[2]);
+                                       return std::int32_t{0};
+                                   },
+                                   [](void* i, const TrundleServices* s) {
+                                       Row& r = self(i);
+                                       *r.position = s->jointPosition(s->context, r.joint);
+                                       *r.effort = s->jointMotorEffort(s->context, r.joint);
+                                       return std::int32_t{0};
+                                   }};
         return &k;
     }
 };
@@ -179,19 +190,22 @@ struct Scene {
         return robot(std::move(name), pose, config);
     }
     Scene& ball(std::string name, const Vec3& centre, double mass, double radius, std::uint32_t surfaceIndex = 0) {
-        return loose(std::move(name), {centre, Quat::Identity()}, massOfSphere(mass, radius), {sphere("ball", radius, {}, surfaceIndex)});
+        return loose(std::move(name), {centre, Quat::Identity()}, massOfSphere(mass, radius),
+                     {sphere("ball", radius, {}, surfaceIndex)});
     }
     std::unique_ptr<World> build(const DeviceCode& code = rowOnly) {
         Diagnostics diagnostics;
         return build(code, diagnostics);
     }
-    std::unique_ptr<World> build(const DeviceCode& code, Diagnostics& diagnostics) { return World::build(spec, code, diagnostics); }
+    std::unique_ptr<World> build(const DeviceCode& code, Diagnostics& diagnostics) {
+        return World::build(spec, code, diagnostics);
+    }
 };
 
 struct R0Options {
     double wheelFriction = 1;
     bool wheels = true;
-    bool roundWheels = false; ///< spheres for tyres
+    bool roundWheels = false;                    ///< spheres for tyres
     std::uint32_t tyre = 1, slick = 2, hull = 3; ///< surfaces
 };
 
@@ -202,8 +216,9 @@ inline std::shared_ptr<RobotConfigSpec> r0(const R0Options& o = {}) {
     auto config = std::make_shared<RobotConfigSpec>();
     config->name = "R0";
     const Vec3 hull(0.30, 0.20, 0.10), centre(-0.03, 0, 0.09);
-    config->bodies.push_back(body("chassis", {}, massOfBox(4, hull, centre),
-                                  {box("hull", hull, {centre, Quat::Identity()}, o.hull), sphere("slider", 0.015, at(-0.13, 0, 0.015), o.slick)}));
+    config->bodies.push_back(
+        body("chassis", {}, massOfBox(4, hull, centre),
+             {box("hull", hull, {centre, Quat::Identity()}, o.hull), sphere("slider", 0.015, at(-0.13, 0, 0.015), o.slick)}));
     if (!o.wheels) return config;
     const Quat sideways = rotationFromHpr(degrees(0, 0, 90));
     for (const int side : {1, -1}) {
@@ -211,7 +226,8 @@ inline std::shared_ptr<RobotConfigSpec> r0(const R0Options& o = {}) {
         const Vec3 hub(0, side * kR0Track / 2, kR0Radius);
         GeomSpec tyre = cylinder("tyre", kR0Radius, 0.02, {Vec3::Zero(), sideways}, o.tyre);
         if (o.roundWheels) tyre = sphere("tyre", kR0Radius, {}, o.tyre);
-        config->bodies.push_back(body(name + "Wheel", {hub, Quat::Identity()}, massOfCylinder(0.2, kR0Radius, 0.02, sideways), {tyre}));
+        config->bodies.push_back(
+            body(name + "Wheel", {hub, Quat::Identity()}, massOfCylinder(0.2, kR0Radius, 0.02, sideways), {tyre}));
         config->joints.push_back(joint(name + "Axle", JointType::Hinge, 0, side > 0 ? 1 : 2, hub, Vec3::UnitY()));
         config->devices.push_back(row(name + "Motor", name + "Axle"));
     }

@@ -1,6 +1,5 @@
 // Each kind of joint moves as its name says; positive is the child turning right-handed about the axis as seen from the parent.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include "world/fixtures.h"
 

@@ -1,6 +1,5 @@
 // The shipped motor on a flywheel: how long it takes to spin up, with its rotor behind the gear.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include "devices/builtin.h"
 #include "world/fixtures.h"
@@ -61,7 +60,8 @@ private Q_SLOTS:
         QFETCH(double, gearRatio);
         QFETCH(double, rotorInertia);
         QFETCH(double, lean);
-        auto world = flywheel(tick, JointType::Hinge, Vec3(std::sin(lean), 0, std::cos(lean)), motor(gearRatio, rotorInertia)).build(findBuiltInDevice);
+        auto world = flywheel(tick, JointType::Hinge, Vec3(std::sin(lean), 0, std::cos(lean)), motor(gearRatio, rotorInertia))
+                         .build(findBuiltInDevice);
         QVERIFY(world);
         *slot(*world, "r/motor/voltage") = 6;
         const double gear2 = gearRatio * gearRatio, b = kTorqueConstant * gear2 / (kResistance * kSpeedConstant);
@@ -69,7 +69,8 @@ private Q_SLOTS:
         const auto ticks = static_cast<int>(std::llround(tau / tick));
         QVERIFY(run(*world, ticks * tick));
         const double rate = value(*world, "r/axle/rate"), expected = last * (1 - std::pow(1 + tick / tau, -ticks));
-        qInfo("tau %.4f s: %.6f rad/s, expected %.6f, in the limit of small ticks %.6f", tau, rate, expected, last * (1 - std::exp(-ticks * tick / tau)));
+        qInfo("tau %.4f s: %.6f rad/s, expected %.6f, in the limit of small ticks %.6f", tau, rate, expected,
+              last * (1 - std::exp(-ticks * tick / tau)));
         QVERIFY(std::abs(rate / expected - 1) < 1e-5);
     }
 

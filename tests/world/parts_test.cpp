@@ -1,6 +1,5 @@
 // The parts that know no engine: grids against brute force, wheel contacts, the order of devices.
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include <random>
 
@@ -73,7 +72,8 @@ private Q_SLOTS:
         const Vec3 half(1, 1, 0.1);
         QCOMPARE(wheelOnBox({{0, 0, 0.149}, Vec3::UnitY(), 0.05}, Vec3::Zero(), Mat3::Identity(), half, c), WheelAnswer::Contact);
         QVERIFY(std::abs(c.depth - 0.001) < 1e-12);
-        QCOMPARE(wheelOnBox({{0.98, 0, 0.149}, Vec3::UnitY(), 0.05}, Vec3::Zero(), Mat3::Identity(), half, c), WheelAnswer::Unknown);
+        QCOMPARE(wheelOnBox({{0.98, 0, 0.149}, Vec3::UnitY(), 0.05}, Vec3::Zero(), Mat3::Identity(), half, c),
+                 WheelAnswer::Unknown);
     }
 
     void devicesActBeforeTheirPeers() {

@@ -1,7 +1,6 @@
 // Textbook cases against the engine's settings. Limits are twice the error measured for these settings; what is exact there
 // is held to 1e-6 (momentum to 1e-9).
 #include <QtTest>
-#undef slots // a word of ours: SignalBlock::slots()
 
 #include "world/fixtures.h"
 
@@ -60,7 +59,8 @@ private Q_SLOTS:
         scene.scenery({plane("slope", incline, s)});
         const Quat turned = incline.rotation * rotationFromHpr(degrees(heading, 0, 0));
         const Vec3 size(0.4, 0.4, 0.1), down = incline.rotation * Vec3::UnitX();
-        scene.loose("crate", {incline.rotation * Vec3(0, 0, 0.05 - 2e-5), turned}, massOfBox(1, size), {box("crate", size, {}, s)});
+        scene.loose("crate", {incline.rotation * Vec3(0, 0, 0.05 - 2e-5), turned}, massOfBox(1, size),
+                    {box("crate", size, {}, s)});
         auto world = scene.build();
         QVERIFY(world && run(*world, 0.6));
         const double v0 = velocity(*world, "crate/body").dot(down), t0 = world->time();
@@ -79,11 +79,12 @@ private Q_SLOTS:
         const Pose incline = slope(30, 0);
         scene.scenery({plane("slope", incline, s)});
         const Vec3 size(0.4, 0.4, 0.1), down = incline.rotation * Vec3::UnitX();
-        scene.loose("crate", {incline.rotation * Vec3(0, 0, 0.05 - 1e-5), incline.rotation * rotationFromHpr(degrees(45, 0, 0))}, massOfBox(1, size),
-                    {box("crate", size, {}, s)});
+        scene.loose("crate", {incline.rotation * Vec3(0, 0, 0.05 - 1e-5), incline.rotation * rotationFromHpr(degrees(45, 0, 0))},
+                    massOfBox(1, size), {box("crate", size, {}, s)});
         auto world = scene.build();
         QVERIFY(world && run(*world, 1.2));
-        const double a = velocity(*world, "crate/body").dot(down) / world->time(), expected = g * (std::sin(kPi / 6) - 0.3 * std::cos(kPi / 6));
+        const double a = velocity(*world, "crate/body").dot(down) / world->time(),
+                     expected = g * (std::sin(kPi / 6) - 0.3 * std::cos(kPi / 6));
         qInfo("relative error %.2g", a / expected - 1);
         QVERIFY(std::abs(a / expected - 1) < 0.014);
     }
@@ -97,7 +98,8 @@ private Q_SLOTS:
         const Pose incline = slope(15);
         scene.scenery({plane("slope", incline, s)});
         const Vec3 size(0.4, 0.4, 0.1), down = incline.rotation * Vec3::UnitX();
-        scene.loose("crate", {incline.rotation * Vec3(0, 0, 0.05), incline.rotation}, massOfBox(1, size), {box("crate", size, {}, s)});
+        scene.loose("crate", {incline.rotation * Vec3(0, 0, 0.05), incline.rotation}, massOfBox(1, size),
+                    {box("crate", size, {}, s)});
         auto world = scene.build();
         QVERIFY(world && run(*world, 0.6));
         const double x0 = along(*world, "crate/body", down);
@@ -210,7 +212,8 @@ private Q_SLOTS:
         const double inertia = 1 + 0.4 * r * r, mean = a0 * (1 + amplitude / a0) / 2;
         const double expected = 2 * kPi * std::sqrt(inertia / g) * (1 + mean * mean / 16);
         const double measured = (latest - first) / (crossings - 1);
-        qInfo("period %+.5f %%, amplitude kept %.4f, length off by %.3f mm", 100 * (measured / expected - 1), amplitude / a0, 1e3 * longest);
+        qInfo("period %+.5f %%, amplitude kept %.4f, length off by %.3f mm", 100 * (measured / expected - 1), amplitude / a0,
+              1e3 * longest);
         QVERIFY(std::abs(measured / expected - 1) < period);
         QVERIFY(amplitude / a0 > kept);
         QVERIFY(1e3 * longest < lengthMm);
@@ -241,7 +244,8 @@ private Q_SLOTS:
         const double r = 0.1, mass = 1, sagged = mass * g * std::cos(kPi / 9) / 2e5;
         const Quat lying = rotationFromHpr(degrees(0, 0, 90));
         if (shape == "cylinder")
-            scene.loose("roller", {incline.rotation * Vec3(0, 0, r - sagged / 2), incline.rotation}, massOfCylinder(mass, r, 0.2, lying), {cylinder("c", r, 0.2, {Vec3::Zero(), lying}, s)});
+            scene.loose("roller", {incline.rotation * Vec3(0, 0, r - sagged / 2), incline.rotation},
+                        massOfCylinder(mass, r, 0.2, lying), {cylinder("c", r, 0.2, {Vec3::Zero(), lying}, s)});
         else scene.ball("roller", incline.rotation * Vec3(0, 0, r - sagged), mass, r, s);
         auto world = scene.build();
         QVERIFY(world && run(*world, 0.3));

@@ -101,7 +101,8 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
         if (::fchown(temporary.file, old.st_uid, old.st_gid) != 0) errno = 0;
         if (::fchmod(temporary.file, old.st_mode & 07777) != 0) return failure(path, std::strerror(errno));
     }
-    if (!temporary.writeAll(bytes) || ::fsync(temporary.file) != 0 || !temporary.closeFile()) return failure(path, std::strerror(errno));
+    if (!temporary.writeAll(bytes) || ::fsync(temporary.file) != 0 || !temporary.closeFile())
+        return failure(path, std::strerror(errno));
     if (::rename(temporary.path.c_str(), target->c_str()) != 0) return failure(path, std::strerror(errno));
     temporary.path.clear();
     syncFolder(folder);

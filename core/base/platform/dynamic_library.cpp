@@ -34,9 +34,7 @@ DynamicLibrary& DynamicLibrary::operator=(DynamicLibrary&& other) noexcept {
     return *this;
 }
 
-void* DynamicLibrary::symbol(const char* name) const {
-    return m_handle != nullptr ? ::dlsym(m_handle, name) : nullptr;
-}
+void* DynamicLibrary::symbol(const char* name) const { return m_handle != nullptr ? ::dlsym(m_handle, name) : nullptr; }
 
 void DynamicLibrary::close() {
     void* handle = std::exchange(m_handle, nullptr);

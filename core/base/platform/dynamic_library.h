@@ -21,8 +21,9 @@ public:
     [[nodiscard]] const std::string& path() const { return m_path; }
     /// nullptr where the library has no such symbol.
     [[nodiscard]] void* symbol(const char* name) const;
-    template <class Function>
-    [[nodiscard]] Function* function(const char* name) const { return reinterpret_cast<Function*>(symbol(name)); }
+    template <class Function> [[nodiscard]] Function* function(const char* name) const {
+        return reinterpret_cast<Function*>(symbol(name));
+    }
 
     /// From now on neither close() nor the destructor unloads it: its code may still be on some stack or in some table.
     void keepLoaded() { m_keep = true; }

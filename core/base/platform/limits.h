@@ -5,9 +5,9 @@ namespace trundle {
 
 /// What a process may use at most; 0 leaves a limit as it is.
 struct ResourceLimits {
-    std::uint64_t memoryBytes = 0;  ///< address space. Not set in builds with a sanitizer, whose shadow needs terabytes
-    std::uint64_t cpuSeconds = 0;   ///< then SIGXCPU
-    std::uint64_t fileBytes = 0;    ///< largest file it may write, then SIGXFSZ
+    std::uint64_t memoryBytes = 0; ///< address space. Not set in builds with a sanitizer, whose shadow needs terabytes
+    std::uint64_t cpuSeconds = 0;  ///< then SIGXCPU
+    std::uint64_t fileBytes = 0;   ///< largest file it may write, then SIGXFSZ
     bool coreDumps = true;
 };
 

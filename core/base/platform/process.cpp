@@ -29,16 +29,23 @@ public:
     Descriptor() = default;
     explicit Descriptor(int file) : m_file(file) {}
     Descriptor(Descriptor&& other) noexcept : m_file(std::exchange(other.m_file, -1)) {}
-    Descriptor& operator=(Descriptor&& other) noexcept { std::swap(m_file, other.m_file); return *this; }
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(m_file, other.m_file);
+        return *this;
+    }
     ~Descriptor() { close(); }
-    void close() { if (m_file >= 0) ::close(std::exchange(m_file, -1)); }
+    void close() {
+        if (m_file >= 0) ::close(std::exchange(m_file, -1));
+    }
     [[nodiscard]] int file() const { return m_file; }
 
 private:
     int m_file = -1;
 };
 
-struct Channel { Descriptor ours, childs; };
+struct Channel {
+    Descriptor ours, childs;
+};
 
 bool openPipe(Channel& channel) {
     int ends[2];
@@ -87,8 +94,8 @@ struct ChildPlan {
     sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
     ::signal(SIGPIPE, SIG_DFL);
-    const bool ready = ::dup2(plan.input, 0) >= 0 && ::dup2(plan.output, 1) >= 0 && ::dup2(plan.errors, 2) >= 0
-                       && (plan.folder == nullptr || ::chdir(plan.folder) == 0) && applyLimits(plan.limits);
+    const bool ready = ::dup2(plan.input, 0) >= 0 && ::dup2(plan.output, 1) >= 0 && ::dup2(plan.errors, 2) >= 0 &&
+                       (plan.folder == nullptr || ::chdir(plan.folder) == 0) && applyLimits(plan.limits);
     if (ready) ::execv(plan.program, plan.arguments);
     fault = errno;
     (void)!::write(plan.report, &fault, sizeof fault);
@@ -127,17 +134,24 @@ int millisecondsUntil(Clock::time_point deadline) {
 }
 
 /// Moves bytes until the child closed both outputs or a limit is passed.
-void converse(const ProcessRequest& request, Channel& in, Channel& out, Channel& err, Clock::time_point deadline, ProcessResult& result) {
+void converse(const ProcessRequest& request, Channel& in, Channel& out, Channel& err, Clock::time_point deadline,
+              ProcessResult& result) {
     std::string_view rest = request.input;
     bool ignored = false, tooMuch = false;
     while (out.ours.file() >= 0 || err.ours.file() >= 0) {
         pollfd waits[3] = {{in.ours.file(), POLLOUT, 0}, {out.ours.file(), POLLIN, 0}, {err.ours.file(), POLLIN, 0}};
         const int wait = millisecondsUntil(deadline);
-        if (wait == 0) { result.end = ProcessEnd::TimedOut; return; }
+        if (wait == 0) {
+            result.end = ProcessEnd::TimedOut;
+            return;
+        }
         if (::poll(waits, 3, wait) < 0 && errno != EINTR) return;
         if (waits[0].revents != 0 && !feed(in.ours, rest)) in.ours.close();
         if (waits[1].revents != 0 && !drain(out.ours, result.output, request.outputBytes, tooMuch)) out.ours.close();
-        if (tooMuch) { result.end = ProcessEnd::TooMuchOutput; return; }
+        if (tooMuch) {
+            result.end = ProcessEnd::TooMuchOutput;
+            return;
+        }
         if (waits[2].revents != 0 && !drain(err.ours, result.errors, request.errorBytes, ignored)) err.ours.close();
     }
 }
@@ -204,8 +218,9 @@ Result<ProcessResult> runProcess(const ProcessRequest& request) {
     std::vector<char*> arguments{const_cast<char*>(request.program.c_str())};
     for (const std::string& argument : request.arguments) arguments.push_back(const_cast<char*>(argument.c_str()));
     arguments.push_back(nullptr);
-    const ChildPlan plan{request.program.c_str(), arguments.data(), request.folder.empty() ? nullptr : request.folder.c_str(), request.limits,
-                         ::getpid(), in.childs.file(), out.childs.file(), err.childs.file(), report.childs.file()};
+    const ChildPlan plan{request.program.c_str(), arguments.data(),  request.folder.empty() ? nullptr : request.folder.c_str(),
+                         request.limits,          ::getpid(),        in.childs.file(),
+                         out.childs.file(),       err.childs.file(), report.childs.file()};
 
     const pid_t child = ::fork();
     if (child < 0) return notStarted(request, errno);
@@ -227,7 +242,8 @@ Result<ProcessResult> runProcess(const ProcessRequest& request) {
 std::string describeEnd(const ProcessRequest& request, const ProcessResult& result) {
     switch (result.end) {
     case ProcessEnd::Exited: return "exited with code " + std::to_string(result.exitCode);
-    case ProcessEnd::Signalled: return "killed by signal " + std::to_string(result.signal) + " (" + ::strsignal(result.signal) + ")";
+    case ProcessEnd::Signalled:
+        return "killed by signal " + std::to_string(result.signal) + " (" + ::strsignal(result.signal) + ")";
     case ProcessEnd::TooMuchOutput: return "wrote more than " + std::to_string(request.outputBytes >> 20) + " MiB";
     case ProcessEnd::TimedOut: break;
     }

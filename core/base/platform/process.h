@@ -10,11 +10,11 @@ namespace trundle {
 
 /// A child program to run to its end.
 struct ProcessRequest {
-    std::string program;                ///< path with a slash; no search
-    std::vector<std::string> arguments; ///< without the program's own name
-    std::string input;                  ///< its standard input; empty: /dev/null
-    std::string folder;                 ///< its working folder; empty: ours
-    double seconds = 10;                ///< wall clock, then it is killed
+    std::string program;                   ///< path with a slash; no search
+    std::vector<std::string> arguments;    ///< without the program's own name
+    std::string input;                     ///< its standard input; empty: /dev/null
+    std::string folder;                    ///< its working folder; empty: ours
+    double seconds = 10;                   ///< wall clock, then it is killed
     std::uint64_t outputBytes = 64u << 20; ///< more on standard output: it is killed
     std::uint64_t errorBytes = 64u << 10;  ///< more on standard error is dropped
     ResourceLimits limits{.coreDumps = false};

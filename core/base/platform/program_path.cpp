@@ -9,8 +9,6 @@ std::string programPath() {
     return std::filesystem::read_symlink("/proc/self/exe", none).string();
 }
 
-std::string programFolder() {
-    return std::filesystem::path(programPath()).parent_path().string();
-}
+std::string programFolder() { return std::filesystem::path(programPath()).parent_path().string(); }
 
 } // namespace trundle

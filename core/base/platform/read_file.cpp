@@ -25,11 +25,14 @@ const char* kindRefused(mode_t mode) {
 
 struct Descriptor {
     int file;
-    ~Descriptor() { if (file >= 0) ::close(file); }
+    ~Descriptor() {
+        if (file >= 0) ::close(file);
+    }
 };
 
 FileStamp stampOf(const struct stat& state) {
-    return {static_cast<std::uint64_t>(state.st_dev), static_cast<std::uint64_t>(state.st_ino), static_cast<std::uint64_t>(state.st_size),
+    return {static_cast<std::uint64_t>(state.st_dev), static_cast<std::uint64_t>(state.st_ino),
+            static_cast<std::uint64_t>(state.st_size),
             static_cast<std::int64_t>(state.st_mtim.tv_sec) * 1'000'000'000 + state.st_mtim.tv_nsec};
 }
 

@@ -3,7 +3,9 @@ set(BASE_PLATFORM_SOURCES
   platform/atomic_file.cpp
   platform/dynamic_library.cpp
   platform/limits.cpp
+  platform/locked_file.cpp
   platform/memory.cpp
   platform/process.cpp
+  platform/process_identity.cpp
   platform/program_path.cpp
   platform/read_file.cpp)

@@ -46,20 +46,41 @@ std::string glText(GLenum name) {
     return text ? text : "";
 }
 
-struct Opened { EGLDisplay display = EGL_NO_DISPLAY; EGLContext context = EGL_NO_CONTEXT; EGLSurface surface = EGL_NO_SURFACE; };
+struct Opened {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+    EGLSurface surface = EGL_NO_SURFACE;
+};
 
 /// The reason, or empty when `opened` is current.
 std::string open(EGLDisplay display, Opened& opened) {
     EGLint major = 0, minor = 0;
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return eglWords();
     if (!eglBindAPI(EGL_OPENGL_API)) return "no OpenGL";
-    constexpr std::array<EGLint, 13> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE, 8,
-                                            EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 24, EGL_NONE};
+    constexpr std::array<EGLint, 13> wanted{EGL_SURFACE_TYPE,
+                                            EGL_PBUFFER_BIT,
+                                            EGL_RENDERABLE_TYPE,
+                                            EGL_OPENGL_BIT,
+                                            EGL_RED_SIZE,
+                                            8,
+                                            EGL_GREEN_SIZE,
+                                            8,
+                                            EGL_BLUE_SIZE,
+                                            8,
+                                            EGL_DEPTH_SIZE,
+                                            24,
+                                            EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1) return "no configuration with 8 bits for each colour";
-    constexpr std::array<EGLint, 7> asked{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                          EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT, EGL_NONE};
+    if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1)
+        return "no configuration with 8 bits for each colour";
+    constexpr std::array<EGLint, 7> asked{EGL_CONTEXT_MAJOR_VERSION,
+                                          3,
+                                          EGL_CONTEXT_MINOR_VERSION,
+                                          3,
+                                          EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                          EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                                          EGL_NONE};
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, asked.data());
     if (context == EGL_NO_CONTEXT) return eglWords();
     EGLSurface surface = EGL_NO_SURFACE;
@@ -87,7 +108,10 @@ std::string open(EGLDisplay display, Opened& opened) {
 } // namespace
 
 Result<std::unique_ptr<EglContext>> EglContext::create() {
-    struct Way { const char* name; EGLDisplay (*display)(); };
+    struct Way {
+        const char* name;
+        EGLDisplay (*display)();
+    };
     constexpr std::array<Way, 3> ways{
         {{"surfaceless", surfacelessDisplay}, {"device", deviceDisplay}, {"default display", defaultDisplay}}};
     std::string tried;
@@ -117,7 +141,8 @@ EglContext::~EglContext() {
 }
 
 bool EglContext::isSoftware() const {
-    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"}) if (m_renderer.find(name) != std::string::npos) return true;
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"})
+        if (m_renderer.find(name) != std::string::npos) return true;
     return false;
 }
 

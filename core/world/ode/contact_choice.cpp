@@ -47,7 +47,8 @@ int spread(const dContactGeom* found, PointGroup& group, int count, int most) {
             if (chosen > 0) {
                 value = dInfinity;
                 for (int k = 0; k < chosen; ++k)
-                    value = std::min(value, distance2(found[group[static_cast<std::size_t>(i)]], found[group[static_cast<std::size_t>(k)]]));
+                    value = std::min(
+                        value, distance2(found[group[static_cast<std::size_t>(i)]], found[group[static_cast<std::size_t>(k)]]));
             }
             if (value > bestValue) {
                 bestValue = value;
@@ -63,7 +64,8 @@ int spread(const dContactGeom* found, PointGroup& group, int count, int most) {
 int takeGround(const dContactGeom* found, int count, UsedPoints& used, Vec3& normal) {
     int deepest = -1;
     for (int i = 0; i < count; ++i)
-        if (!used[static_cast<std::size_t>(i)] && isSound(found[i]) && (deepest < 0 || found[i].depth > found[deepest].depth)) deepest = i;
+        if (!used[static_cast<std::size_t>(i)] && isSound(found[i]) && (deepest < 0 || found[i].depth > found[deepest].depth))
+            deepest = i;
     if (deepest < 0) return -1;
     const dContactGeom& top = found[deepest];
     normal.setZero();

@@ -3,14 +3,17 @@
 #include "world/ode/hull_contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace trundle {
 
 namespace {
 
-constexpr double kPreferSecond = 1e-6;   // m: of two faces as good the second body's is taken, so that it does not change every tick
-constexpr double kAsOpposed = 0.02;      // cosine: triangles this much less opposed to the reference still touch it
+constexpr double kPreferSecond =
+    1e-6;                           // m: of two faces as good the second body's is taken, so that it does not change every tick
+constexpr double kAsOpposed = 0.02; // cosine: triangles this much less opposed to the reference still touch it
 
 struct Reference {
     std::size_t face = 0;
@@ -30,18 +33,6 @@ Reference bestFace(const FlatBody& body, const FlatBody& other) {
     return best;
 }
 
-/// Keeps what lies below the plane (Sutherland-Hodgman).
-void clip(std::vector<Vec3>& polygon, const Vec3& normal, double offset, std::vector<Vec3>& scratch) {
-    scratch.clear();
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double da = normal.dot(a) - offset, db = normal.dot(b) - offset;
-        if (da <= 0) scratch.push_back(a);
-        if ((da < 0 && db > 0) || (da > 0 && db < 0)) scratch.push_back(a + da / (da - db) * (b - a));
-    }
-    polygon.swap(scratch);
-}
-
 void clipFaces(const FlatBody& body, std::size_t reference, const FlatBody& other, std::vector<FlatContact>& contacts) {
     const Vec3& normal = body.normals[reference];
     double opposed = 1;
@@ -51,7 +42,8 @@ void clipFaces(const FlatBody& body, std::size_t reference, const FlatBody& othe
         if (other.normals[t].dot(normal) > opposed + kAsOpposed) continue;
         polygon.clear();
         for (const std::uint32_t corner : other.triangles[t]) polygon.push_back(other.points[corner]);
-        for (std::size_t f = 0; f < body.normals.size() && !polygon.empty(); ++f) clip(polygon, body.normals[f], body.offsets[f], scratch);
+        for (std::size_t f = 0; f < body.normals.size() && !polygon.empty(); ++f)
+            clipPolygon(polygon, body.normals[f], body.offsets[f], scratch);
         for (const Vec3& p : polygon) contacts.push_back({p, body.offsets[reference] - normal.dot(p)});
     }
 }
@@ -78,6 +70,38 @@ FlatBody flatBox(const Vec3& centre, const Mat3& axes, const Vec3& half) {
             body.addTriangle(at, at | u | v, at | d, normal);
         }
     return body;
+}
+
+FlatBody flatCylinder(const Vec3& centre, const Mat3& axes, double radius, double halfLength) {
+    constexpr std::uint32_t kSides = 32;
+    constexpr double kStep = 2 * std::numbers::pi / kSides;
+    const double corner = radius / std::cos(kStep / 2);
+    FlatBody body;
+    for (std::uint32_t i = 0; i < kSides; ++i) // even: below, odd: above
+        for (const double z : {-halfLength, halfLength})
+            body.points.push_back(centre + axes * Vec3(corner * std::cos(i * kStep), corner * std::sin(i * kStep), z));
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % kSides);
+        const Vec3 out = axes * Vec3(std::cos((i + 0.5) * kStep), std::sin((i + 0.5) * kStep), 0);
+        body.addTriangle(a, b, b + 1, out);
+        body.addTriangle(a, b + 1, a + 1, out);
+        if (i == 0 || i + 1 == kSides) continue;
+        body.addTriangle(1, a + 1, b + 1, axes.col(2));
+        body.addTriangle(0, b, a, -axes.col(2));
+    }
+    return body;
+}
+
+/// Sutherland-Hodgman.
+void clipPolygon(std::vector<Vec3>& polygon, const Vec3& normal, double offset, std::vector<Vec3>& scratch) {
+    scratch.clear();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double da = normal.dot(a) - offset, db = normal.dot(b) - offset;
+        if (da <= 0) scratch.push_back(a);
+        if ((da < 0 && db > 0) || (da > 0 && db < 0)) scratch.push_back(a + da / (da - db) * (b - a));
+    }
+    polygon.swap(scratch);
 }
 
 FlatTouch flatContacts(const FlatBody& first, const FlatBody& second) {

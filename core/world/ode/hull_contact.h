@@ -23,6 +23,13 @@ struct FlatBody {
 /// The box with these half sides.
 [[nodiscard]] FlatBody flatBox(const Vec3& centre, const Mat3& axes, const Vec3& half);
 
+/// A cylinder about its z with flat sides, which lie outside its round ones by less than a half per cent of the radius: good for what
+/// touches its ends.
+[[nodiscard]] FlatBody flatCylinder(const Vec3& centre, const Mat3& axes, double radius, double halfLength);
+
+/// Keeps what lies below the plane normal . x = offset.
+void clipPolygon(std::vector<Vec3>& polygon, const Vec3& normal, double offset, std::vector<Vec3>& scratch);
+
 struct FlatContact {
     Vec3 position;
     double depth = 0;

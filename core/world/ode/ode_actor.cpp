@@ -22,9 +22,7 @@ Result<ActorHandles> OdeEngine::addActor(const ActorDef& def) {
     try {
         prepareThread();
         buildActor(def, handles, failure);
-    } catch (const OdeFault& fault) {
-        failure = "the engine refused it: " + fault.text;
-    }
+    } catch (const OdeFault& fault) { failure = "the engine refused it: " + fault.text; }
     if (!failure.empty()) return Error{Code::BadGeometry, failure};
     return handles;
 }
@@ -88,7 +86,7 @@ void OdeEngine::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& h
     auto& geoms = handles.geoms.emplace_back();
     for (const GeomSpec& geom : spec.geoms) {
         const bool made = geom.collide && addGeom(geom, index, failure);
-        geoms.push_back(made ? GeomId{static_cast<std::uint32_t>(m_geoms.size() - 1), 0} : GeomId{});
+        geoms.push_back(made ? GeomHandle{static_cast<std::uint32_t>(m_geoms.size() - 1), 0} : GeomHandle{});
     }
     m_bodies[index].geoms.end = static_cast<std::uint32_t>(m_geoms.size());
 }
@@ -125,7 +123,7 @@ bool OdeEngine::addGeom(const GeomSpec& spec, std::uint32_t body, std::string& f
     return true;
 }
 
-Result<GeomId> OdeEngine::addStatic(const GeomSpec& spec, const Pose& at) {
+Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& spec, const Pose& at) {
     try {
         prepareThread();
         Geom geom;
@@ -159,10 +157,8 @@ Result<GeomId> OdeEngine::addStatic(const GeomSpec& spec, const Pose& at) {
         m_centres.push_back(pose.position);
         m_boxes.push_back({{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}});
         m_staticsDone = false;
-        return GeomId{index, 0};
-    } catch (const OdeFault& fault) {
-        return Error{Code::BadGeometry, spec.name + ": the engine refused it: " + fault.text};
-    }
+        return GeomHandle{index, 0};
+    } catch (const OdeFault& fault) { return Error{Code::BadGeometry, spec.name + ": the engine refused it: " + fault.text}; }
 }
 
 void OdeEngine::finishStatics() {
@@ -179,7 +175,8 @@ void OdeEngine::findSelfPairs(Actor& actor) {
             const std::uint32_t x = m_geoms[a].body, y = m_geoms[b].body;
             bool joined = x == y;
             for (std::uint32_t j = actor.joints.begin; j < actor.joints.end && !joined; ++j)
-                joined = (m_joints[j].child == x && m_joints[j].parent == y) || (m_joints[j].child == y && m_joints[j].parent == x);
+                joined =
+                    (m_joints[j].child == x && m_joints[j].parent == y) || (m_joints[j].child == y && m_joints[j].parent == x);
             if (!joined) actor.selfPairs.emplace_back(a, b);
         }
 }

@@ -3,8 +3,8 @@
 // boxes; the rest is dCollide, always (lower, higher), reduced to few well-spread points.
 #include "world/ode/ode_engine.h"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "world/ode/contact_choice.h"
@@ -13,8 +13,8 @@ namespace trundle {
 
 namespace {
 
-constexpr int kMostKept = 4;      // per pair and direction
-constexpr int kMostOfRobots = 2;  // per pair of jointed actors
+constexpr int kMostKept = 4;     // per pair and direction
+constexpr int kMostOfRobots = 2; // per pair of jointed actors
 constexpr int kMostDirections = 3;
 constexpr double kSurelyClear = 1e-6; // m
 
@@ -49,7 +49,8 @@ void OdeEngine::updateBoxes() {
                 Vec3 half = Vec3::Constant(g.bound);
                 if (!g.wheel && g.shape != GeomShape::Sphere) half = half.cwiseMin(axesOf(g).cwiseAbs() * g.half);
                 m_centres[i] = c;
-                m_boxes[i] = {{c.x() - half.x(), c.y() - half.y(), c.z() - half.z()}, {c.x() + half.x(), c.y() + half.y(), c.z() + half.z()}};
+                m_boxes[i] = {{c.x() - half.x(), c.y() - half.y(), c.z() - half.z()},
+                              {c.x() + half.x(), c.y() + half.y(), c.z() + half.z()}};
                 all.cover(m_boxes[i]);
             }
         }
@@ -98,7 +99,8 @@ void OdeEngine::collideWithGround(std::uint32_t a) {
             if (m_boxes[i].touches(m_boxes[m_statics[found]])) collideGeoms(i, m_statics[found]);
 }
 
-OdeEngine::Contact& OdeEngine::addContact(std::uint32_t first, std::uint32_t second, const double* position, const double* normal, double depth) {
+OdeEngine::Contact& OdeEngine::addContact(std::uint32_t first, std::uint32_t second, const double* position, const double* normal,
+                                          double depth) {
     Contact& c = m_contacts.emplace_back();
     c.first = first;
     c.second = second;
@@ -201,12 +203,13 @@ void OdeEngine::wheelAgainst(std::uint32_t index, std::uint32_t other, bool whee
 }
 
 int OdeEngine::mostContacts(std::uint32_t first, std::uint32_t second) const {
-    const bool robots = m_geoms[second].actor != kNoActor && m_actors[m_geoms[first].actor].jointed && m_actors[m_geoms[second].actor].jointed;
+    const bool robots =
+        m_geoms[second].actor != kNoActor && m_actors[m_geoms[first].actor].jointed && m_actors[m_geoms[second].actor].jointed;
     return robots ? kMostOfRobots : kMostKept;
 }
 
 void OdeEngine::genericContacts(std::uint32_t first, std::uint32_t second) {
-    if (hullContacts(first, second)) return;
+    if (hullContacts(first, second) || hullOnMesh(first, second)) return;
     dContactGeom found[kMostFound];
     const int count = dCollide(m_geoms[first].id, m_geoms[second].id, kMostFound, found, sizeof(dContactGeom));
     if (count == 0) return;
@@ -221,46 +224,6 @@ void OdeEngine::genericContacts(std::uint32_t first, std::uint32_t second) {
             addContact(first, second, c.pos, c.normal, c.depth);
         }
     }
-}
-
-FlatBody OdeEngine::flatBody(std::uint32_t index) const {
-    const Geom& g = m_geoms[index];
-    const Mat3 axes = axesOf(g);
-    if (g.shape == GeomShape::Box) return flatBox(m_centres[index], axes, g.half);
-    FlatBody body;
-    for (std::size_t i = 0; i + 2 < g.data->points.size(); i += 3) body.points.push_back(m_centres[index] + axes * Vec3(&g.data->points[i]));
-    for (std::size_t f = 0; 4 * f < g.data->polygons.size(); ++f) { // 3, a, b, c
-        const unsigned* polygon = &g.data->polygons[4 * f];
-        body.addTriangle(polygon[1], polygon[2], polygon[3], axes * Vec3(&g.data->planes[4 * f]));
-    }
-    return body;
-}
-
-/// False where these two are no hull with a hull or a box, or where only edges cross: then ODE's one point has to do.
-bool OdeEngine::hullContacts(std::uint32_t first, std::uint32_t second) {
-    const GeomShape a = m_geoms[first].shape, b = m_geoms[second].shape;
-    if (a != GeomShape::Convex && b != GeomShape::Convex) return false;
-    if ((a != GeomShape::Convex && a != GeomShape::Box) || (b != GeomShape::Convex && b != GeomShape::Box)) return false;
-    const FlatTouch touch = flatContacts(flatBody(first), flatBody(second));
-    if (touch.apart) return true;
-    if (touch.contacts.empty()) return false;
-    // More than fit: those kept are spread anyway, and the deepest comes first.
-    std::vector<FlatContact> contacts = touch.contacts;
-    std::stable_sort(contacts.begin(), contacts.end(), [](const FlatContact& x, const FlatContact& y) { return x.depth > y.depth; });
-    contacts.resize(std::min<std::size_t>(contacts.size(), kMostFound));
-    dContactGeom found[kMostFound];
-    PointGroup group{};
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        for (int k = 0; k < 3; ++k) found[i].pos[k] = contacts[i].position[k];
-        found[i].depth = contacts[i].depth;
-        group[i] = static_cast<int>(i);
-    }
-    const int kept = spread(found, group, static_cast<int>(contacts.size()), mostContacts(first, second));
-    for (int i = 0; i < kept; ++i) {
-        const dContactGeom& c = found[group[static_cast<std::size_t>(i)]];
-        addContact(first, second, c.pos, touch.normal.data(), std::max(c.depth, 0.0));
-    }
-    return true;
 }
 
 } // namespace trundle

@@ -9,7 +9,7 @@ namespace trundle {
 
 namespace {
 
-constexpr double kSlipSpeed = 1e-7;  // m/s: below it friction's axes are ODE's own choice
+constexpr double kSlipSpeed = 1e-7; // m/s: below it friction's axes are ODE's own choice
 constexpr double kBounceErp = 0.2;
 
 } // namespace
@@ -105,7 +105,8 @@ void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
     if (length > kSlipSpeed) {
         slide /= length;
     } else {
-        slide = std::abs(normal.x()) < 0.7 ? Vec3(Vec3::UnitX() - normal.x() * normal) : Vec3(Vec3::UnitY() - normal.y() * normal);
+        slide =
+            std::abs(normal.x()) < 0.7 ? Vec3(Vec3::UnitX() - normal.x() * normal) : Vec3(Vec3::UnitY() - normal.y() * normal);
         slide.normalize();
     }
     s.mode |= dContactFDir1;

@@ -1,26 +1,25 @@
 #include "world/ode/ode_engine.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/rng.h"
 
 namespace trundle {
 
-Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings, const EngineOptions& options) {
+Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings) {
     try {
         startOde();
         prepareThread();
-        return std::unique_ptr<Engine>(std::make_unique<OdeEngine>(settings, options));
-    } catch (const OdeFault& fault) {
-        return Error{Code::EngineFault, fault.text};
-    }
+        return std::unique_ptr<Engine>(std::make_unique<OdeEngine>(settings));
+    } catch (const OdeFault& fault) { return Error{Code::EngineFault, fault.text}; }
 }
 
-OdeEngine::OdeEngine(const EngineSettings& settings, const EngineOptions& options)
-    : m_settings(settings), m_options(options) {
+OdeEngine::OdeEngine(const EngineSettings& settings) : m_settings(settings) {
     m_world = dWorldCreate();
     m_threading = dThreadingAllocateSelfThreadedImplementation();
-    if (m_threading) dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
+    if (m_threading)
+        dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
     m_contactGroup = dJointGroupCreate(0);
     dWorldSetGravity(m_world, settings.gravity.x(), settings.gravity.y(), settings.gravity.z());
     dWorldSetCFM(m_world, kWorldCfm); // before any joint: joints copy these at birth
@@ -50,7 +49,7 @@ OdeEngine::~OdeEngine() {
     }
 }
 
-void OdeEngine::setMotor(JointId joint, const MotorRow& row) {
+void OdeEngine::setMotor(JointHandle joint, const MotorRow& row) {
     Joint& j = m_joints[joint.index];
     if (j.driven && j.motor.rate == row.rate && j.motor.softness == row.softness && j.motor.limit == row.limit) return;
     j.motor = row;
@@ -59,11 +58,18 @@ void OdeEngine::setMotor(JointId joint, const MotorRow& row) {
     m_motorWrites.push_back(joint.index);
 }
 
-void OdeEngine::addJointTorque(JointId joint, double torque) { m_torques.push_back({joint.index, torque}); }
-void OdeEngine::addForce(BodyId body, const Vec3& force, const Vec3& point) { m_forces.push_back({body.index, force, point}); }
-void OdeEngine::moveActor(ActorId actor, const Pose& motion) { m_motions.push_back({actor.index, motion}); }
+void OdeEngine::addJointTorque(JointHandle joint, double torque) { m_torques.push_back({joint.index, torque}); }
+void OdeEngine::addForce(BodyHandle body, const Vec3& force, const Vec3& point) {
+    m_forces.push_back({body.index, force, point});
+}
+void OdeEngine::moveActor(ActorHandle actor, const Pose& motion) { m_motions.push_back({actor.index, motion}); }
 
-void OdeEngine::setSurfaceVelocity(GeomId geom, const Vec3& velocity) {
+/// Nothing between two steps reads them, so they need not wait.
+void OdeEngine::setSurface(std::size_t surface, const SurfaceSpec& values) {
+    if (surface < m_settings.surfaces.size()) m_settings.surfaces[surface] = values;
+}
+
+void OdeEngine::setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) {
     Geom& g = m_geoms[geom.index];
     g.surfaceVelocity = velocity;
     g.moves = velocity.squaredNorm() > 0;
@@ -131,7 +137,7 @@ void OdeEngine::applyMotion(const Motion& write) {
 /// from the same state with a little more give in every row. False where no give helped: the state is as before the tick.
 bool OdeEngine::stepExactly(double h) {
     saveState();
-    bool solved = false;
+    bool solved = false, rescued = false;
     for (const double give : {kWorldCfm, 1e2 * kWorldCfm, 1e4 * kWorldCfm}) {
         const std::uint64_t before = odeMessages();
         dWorldSetCFM(m_world, give);
@@ -139,21 +145,27 @@ bool OdeEngine::stepExactly(double h) {
         solved = odeMessages() == before;
         if (solved) break;
         restoreState();
+        rescued = true;
     }
+    m_rescuedTicks += rescued;
     dWorldSetCFM(m_world, kWorldCfm);
     return solved;
 }
 
 void OdeEngine::stepQuickly(double h) {
     if (m_settings.solver != SolverChoice::Quick) ++m_quickTicks;
-    dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) & 0xffffffffu)); // ODE's stream belongs to the process
+    dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) &
+                                            0xffffffffu)); // ODE's stream belongs to the process
     dWorldQuickStep(m_world, h);
 }
 
 void OdeEngine::solve(double h) {
     m_quick = m_settings.solver == SolverChoice::Quick;
-    if (m_settings.solver == SolverChoice::Auto && m_contacts.size() > static_cast<std::size_t>(m_options.exactClusterMax))
-        m_quick = largestCluster() > static_cast<std::size_t>(m_options.exactClusterMax);
+    if (!m_quick && m_contacts.size() > kExactClusterMax) {
+        const std::size_t largest = largestCluster();
+        if (m_settings.solver == SolverChoice::Auto) m_quick = largest > kExactClusterMax;
+        else if (largest > kExactClusterMax) m_largestExactCluster = std::max(m_largestExactCluster, largest);
+    }
     makeContactJoints(h);
     if (!m_quick && !stepExactly(h)) m_quick = true;
     if (m_quick) stepQuickly(h);

@@ -9,7 +9,7 @@
 
 #include "world/broad_phase.h"
 #include "world/engine.h"
-#include "world/ode/hull_contact.h"
+#include "world/ode/hull_on_mesh.h"
 #include "world/ode/ode_fault.h"
 #include "world/ode/ode_math.h"
 #include "world/ode/ode_records.h"
@@ -19,27 +19,31 @@ namespace trundle {
 
 class OdeEngine final : public Engine {
 public:
-    OdeEngine(const EngineSettings& settings, const EngineOptions& options);
+    explicit OdeEngine(const EngineSettings& settings);
     ~OdeEngine() override;
 
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
-    [[nodiscard]] Result<GeomId> addStatic(const GeomSpec& geom, const Pose& pose) override;
-    void setMotor(JointId joint, const MotorRow& row) override;
-    void addJointTorque(JointId joint, double torque) override;
-    void addForce(BodyId body, const Vec3& force, const Vec3& point) override;
-    void setSurfaceVelocity(GeomId geom, const Vec3& velocity) override;
-    void moveActor(ActorId actor, const Pose& motion) override;
-    [[nodiscard]] Status addAxialInertia(JointId joint, double inertia) override;
+    [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) override;
+    void setMotor(JointHandle joint, const MotorRow& row) override;
+    void addJointTorque(JointHandle joint, double torque) override;
+    void addForce(BodyHandle body, const Vec3& force, const Vec3& point) override;
+    void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) override;
+    void setSurface(std::size_t surface, const SurfaceSpec& values) override;
+    void moveActor(ActorHandle actor, const Pose& motion) override;
+    [[nodiscard]] Status addAxialInertia(JointHandle joint, double inertia) override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
-    [[nodiscard]] const BodyState& state(BodyId body) const override { return m_states[body.index]; }
-    [[nodiscard]] double jointPosition(JointId joint) const override { return m_joints[joint.index].position; }
-    [[nodiscard]] double jointRate(JointId joint) const override { return m_joints[joint.index].rate; }
-    [[nodiscard]] double jointMotorEffort(JointId joint) const override { return m_joints[joint.index].effort; }
+    [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_states[body.index]; }
+    [[nodiscard]] double jointPosition(JointHandle joint) const override { return m_joints[joint.index].position; }
+    [[nodiscard]] double jointRate(JointHandle joint) const override { return m_joints[joint.index].rate; }
+    [[nodiscard]] double jointMotorEffort(JointHandle joint) const override { return m_joints[joint.index].effort; }
     [[nodiscard]] std::size_t contactCount() const override { return m_contacts.size(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const override;
-    [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomId geom) const override;
-    [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range, ActorId without) const override;
+    [[nodiscard]] std::span<const std::uint32_t> contactsOf(GeomHandle geom) const override;
+    [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
+                                            ActorHandle without) const override;
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_quickTicks; }
+    [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_rescuedTicks; }
+    [[nodiscard]] std::size_t largestExactCluster() const override { return m_largestExactCluster; }
     [[nodiscard]] std::uint64_t complaints() const override { return m_complaints; }
 
 private:
@@ -48,10 +52,21 @@ private:
     using Actor = OdeActor;
     using Joint = OdeJoint;
     using Contact = OdeContact;
-    struct JointFrame { Vec3 anchor, axis, axis2; }; ///< world, at the start
-    struct JointTorque { std::uint32_t joint; double torque; };
-    struct BodyForce { std::uint32_t body; Vec3 force, point; };
-    struct Motion { std::uint32_t actor; Pose motion; };
+    struct JointFrame {
+        Vec3 anchor, axis, axis2;
+    }; ///< world, at the start
+    struct JointTorque {
+        std::uint32_t joint;
+        double torque;
+    };
+    struct BodyForce {
+        std::uint32_t body;
+        Vec3 force, point;
+    };
+    struct Motion {
+        std::uint32_t actor;
+        Pose motion;
+    };
 
     // building (ode_actor.cpp, ode_joint.cpp)
     void buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure);
@@ -102,6 +117,9 @@ private:
     void boxOnPlane(std::uint32_t geom, const GroundPlane& plane);
     void genericContacts(std::uint32_t first, std::uint32_t second);
     [[nodiscard]] bool hullContacts(std::uint32_t first, std::uint32_t second);
+    void addSpread(std::uint32_t first, std::uint32_t second, std::vector<SurfaceContact>& contacts);
+    [[nodiscard]] bool hullOnMesh(std::uint32_t first, std::uint32_t second);
+    [[nodiscard]] std::vector<Triangle> trianglesNear(std::uint32_t mesh, std::uint32_t hull);
     [[nodiscard]] FlatBody flatBody(std::uint32_t geom) const;
     [[nodiscard]] int mostContacts(std::uint32_t first, std::uint32_t second) const;
     Contact& addContact(std::uint32_t first, std::uint32_t second, const double* position, const double* normal, double depth);
@@ -122,10 +140,10 @@ private:
     [[nodiscard]] EngineFault faultFrom(const OdeFault& fault) const;
 
     // rays (ode_ray.cpp)
-    [[nodiscard]] std::optional<RayHit> rayOnGeom(std::uint32_t geom, const Vec3& origin, const Vec3& direction, double range) const;
+    [[nodiscard]] std::optional<RayHit> rayOnGeom(std::uint32_t geom, const Vec3& origin, const Vec3& direction,
+                                                  double range) const;
 
     EngineSettings m_settings;
-    EngineOptions m_options;
     dWorldID m_world = nullptr;
     dJointGroupID m_contactGroup = nullptr;
     dGeomID m_ray = nullptr;
@@ -136,8 +154,8 @@ private:
     std::vector<BodyState> m_states;
     std::vector<RawState> m_saved; ///< before the step, should it have to be taken again
     std::vector<Geom> m_geoms;
-    std::vector<Vec3> m_centres;   ///< of geoms, world
-    std::vector<Box3> m_boxes;     ///< of geoms
+    std::vector<Vec3> m_centres; ///< of geoms, world
+    std::vector<Box3> m_boxes;   ///< of geoms
     std::vector<Box3> m_actorBoxes;
     std::vector<Joint> m_joints;
     std::vector<std::uint32_t> m_tended;
@@ -153,7 +171,7 @@ private:
 
     StaticGrid m_grid;
     PairGrid m_pairGrid;
-    std::vector<std::uint32_t> m_found;
+    std::vector<std::uint32_t> m_found, m_near;
     std::vector<IndexPair> m_pairs;
     std::vector<Contact> m_contacts;
     std::vector<dJointFeedback> m_contactFeedbacks; ///< by contact
@@ -161,7 +179,8 @@ private:
     mutable std::vector<std::uint32_t> m_geomContactBegin, m_geomContacts;
     mutable bool m_geomContactsReady = false;
 
-    std::uint64_t m_tick = 0, m_quickTicks = 0, m_complaints = 0;
+    std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0, m_complaints = 0;
+    std::size_t m_largestExactCluster = 0;
     bool m_quick = false;
     bool m_interrupted = false; ///< a fault was thrown out of the middle of ODE
     std::optional<EngineFault> m_fault;

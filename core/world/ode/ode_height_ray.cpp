@@ -28,7 +28,8 @@ std::optional<HeightHit> rayOnHeights(const HeightRay& ray, const HeightMap& map
     const double dx = width / columns, dz = depth / rows;
     // The part of the ray over the map.
     double from = 0, to = ray.range;
-    const double start[2] = {ray.origin.x(), ray.origin.z()}, along[2] = {ray.direction.x(), ray.direction.z()}, half[2] = {width / 2, depth / 2};
+    const double start[2] = {ray.origin.x(), ray.origin.z()}, along[2] = {ray.direction.x(), ray.direction.z()},
+                 half[2] = {width / 2, depth / 2};
     for (int k = 0; k < 2; ++k) {
         if (std::abs(along[k]) < 1e-12) {
             if (std::abs(start[k]) > half[k]) return {};
@@ -40,7 +41,10 @@ std::optional<HeightHit> rayOnHeights(const HeightRay& ray, const HeightMap& map
     }
     if (from > to) return {};
     const auto point = [&](int i, int k) {
-        return Vec3(i * dx - half[0], height * static_cast<double>(map.heights[static_cast<std::size_t>(k) * map.columns + static_cast<std::size_t>(i)]), k * dz - half[1]);
+        return Vec3(i * dx - half[0],
+                    height *
+                        static_cast<double>(map.heights[static_cast<std::size_t>(k) * map.columns + static_cast<std::size_t>(i)]),
+                    k * dz - half[1]);
     };
     int i = std::clamp(static_cast<int>((start[0] + from * along[0] + half[0]) / dx), 0, columns - 1);
     int k = std::clamp(static_cast<int>((start[1] + from * along[1] + half[1]) / dz), 0, rows - 1);

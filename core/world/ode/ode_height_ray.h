@@ -20,6 +20,7 @@ struct HeightHit {
 };
 
 /// The map spans `width` by `depth` about the origin; white is `height` up.
-[[nodiscard]] std::optional<HeightHit> rayOnHeights(const HeightRay& ray, const HeightMap& map, double width, double depth, double height);
+[[nodiscard]] std::optional<HeightHit> rayOnHeights(const HeightRay& ray, const HeightMap& map, double width, double depth,
+                                                    double height);
 
 } // namespace trundle

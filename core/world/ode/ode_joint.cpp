@@ -11,10 +11,10 @@ namespace trundle {
 namespace {
 
 constexpr double kLeastGapLimit = 0.005; // m
-constexpr int kParamStep = dParamVel2 - dParamVel; // from one axis of a motor to its next
 
 /// The axle of a wheel runs through the middle of a ball or along the middle of a cylinder.
-bool isCoaxial(GeomShape shape, const Vec3& centre, const Vec3& cylinderAxis, double radius, const Vec3& anchor, const Vec3& axle) {
+bool isCoaxial(GeomShape shape, const Vec3& centre, const Vec3& cylinderAxis, double radius, const Vec3& anchor,
+               const Vec3& axle) {
     const Vec3 off = centre - anchor;
     if ((off - off.dot(axle) * axle).norm() > 1e-4 * radius) return false;
     return shape == GeomShape::Sphere || (shape == GeomShape::Cylinder && cylinderAxis.cross(axle).norm() < 1e-4);
@@ -86,19 +86,19 @@ dJointID OdeEngine::attached(dJointID id, const Joint& joint) const {
 
 /// I + J a a^T about the child's centre of mass, with the joint's axis a in the child's axes: seen about the axis the rotor adds its
 /// whole inertia, across it none.
-Status OdeEngine::addAxialInertia(JointId id, double inertia) {
+Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
     const Joint& joint = m_joints[id.index];
-    if (joint.type == JointType::Slider || !(inertia >= 0) || !std::isfinite(inertia)) return Error{Code::BadJoint, "takes no axial inertia"};
+    if (joint.type == JointType::Slider || !(inertia >= 0) || !std::isfinite(inertia))
+        return Error{Code::BadJoint, "takes no axial inertia"};
     try {
         prepareThread();
         dMass mass;
         dBodyGetMass(m_bodies[joint.child].id, &mass);
         for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 3; ++column) mass.I[4 * row + column] += inertia * joint.childAxis[row] * joint.childAxis[column];
+            for (int column = 0; column < 3; ++column)
+                mass.I[4 * row + column] += inertia * joint.childAxis[row] * joint.childAxis[column];
         dBodySetMass(m_bodies[joint.child].id, &mass);
-    } catch (const OdeFault& fault) {
-        return Error{Code::BadJoint, "the engine refused the axial inertia: " + fault.text};
-    }
+    } catch (const OdeFault& fault) { return Error{Code::BadJoint, "the engine refused the axial inertia: " + fault.text}; }
     return {};
 }
 
@@ -194,7 +194,9 @@ void OdeEngine::findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle) {
     for (std::uint32_t i = body.geoms.begin; i < body.geoms.end; ++i) {
         Geom& g = m_geoms[i];
         const Vec3 centre = vec(body.p) + turn(body.r, g.offset), along = turn(body.r, g.axes.col(2));
-        if ((g.shape != GeomShape::Sphere && g.shape != GeomShape::Cylinder) || !isCoaxial(g.shape, centre, along, g.radius, anchor, axle)) continue;
+        if ((g.shape != GeomShape::Sphere && g.shape != GeomShape::Cylinder) ||
+            !isCoaxial(g.shape, centre, along, g.radius, anchor, axle))
+            continue;
         g.wheel = any = true;
         g.axle = turnBack(body.r, axle);
         joint.gapLimit = g.radius / 10;

@@ -8,7 +8,6 @@ namespace trundle {
 
 namespace {
 
-constexpr int kParamStep = dParamVel2 - dParamVel;
 constexpr double kSoftEnough = 1e-6; // rad/s per N m: from here on the motor's law gives its torque to many digits
 
 /// The multiple of a turn that brings `angle` nearest to where the rate says it is.
@@ -46,7 +45,8 @@ void OdeEngine::tendSpring(Joint& joint, double h) {
     double away[3] = {joint.position, 0, 0};
     int axes = 1;
     if (joint.type == JointType::Ball || joint.type == JointType::Universal) {
-        const Quat child = quat(m_bodies[joint.child].q), parent = joint.parent == kNone ? Quat(1, 0, 0, 0) : quat(m_bodies[joint.parent].q);
+        const Quat child = quat(m_bodies[joint.child].q),
+                   parent = joint.parent == kNone ? Quat(1, 0, 0, 0) : quat(m_bodies[joint.parent].q);
         const Vec3 turned = rotationVector(parent.conjugate() * child * joint.start.conjugate());
         if (joint.type == JointType::Ball) {
             const Vec3 inWorld = parent * turned;
@@ -129,7 +129,8 @@ void OdeEngine::measureJoint(Joint& joint, double h) {
         joint.position = axis.dot(anchorGap(joint));
         joint.rate = axis.dot(speed);
     } else {
-        const Quat relative = p ? Quat(quat(p->q).conjugate() * quat(c.q)) : quat(c.q), turned = relative * joint.start.conjugate();
+        const Quat relative = p ? Quat(quat(p->q).conjugate() * quat(c.q)) : quat(c.q),
+                   turned = relative * joint.start.conjugate();
         joint.rate = axis.dot(p ? Vec3(vec(c.w) - vec(p->w)) : vec(c.w));
         const double angle = 2 * std::atan2(turned.vec().dot(joint.parentAxis), turned.w());
         joint.position = unwrap(angle, joint.position + joint.rate * h);

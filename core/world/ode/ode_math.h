@@ -10,10 +10,12 @@ namespace trundle {
 inline Vec3 vec(const dReal* v) { return {v[0], v[1], v[2]}; }
 /// R v and R^T v with ODE's 3x4 row-major rotation.
 inline Vec3 turn(const dReal* r, const Vec3& v) {
-    return {r[0] * v.x() + r[1] * v.y() + r[2] * v.z(), r[4] * v.x() + r[5] * v.y() + r[6] * v.z(), r[8] * v.x() + r[9] * v.y() + r[10] * v.z()};
+    return {r[0] * v.x() + r[1] * v.y() + r[2] * v.z(), r[4] * v.x() + r[5] * v.y() + r[6] * v.z(),
+            r[8] * v.x() + r[9] * v.y() + r[10] * v.z()};
 }
 inline Vec3 turnBack(const dReal* r, const Vec3& v) {
-    return {r[0] * v.x() + r[4] * v.y() + r[8] * v.z(), r[1] * v.x() + r[5] * v.y() + r[9] * v.z(), r[2] * v.x() + r[6] * v.y() + r[10] * v.z()};
+    return {r[0] * v.x() + r[4] * v.y() + r[8] * v.z(), r[1] * v.x() + r[5] * v.y() + r[9] * v.z(),
+            r[2] * v.x() + r[6] * v.y() + r[10] * v.z()};
 }
 inline Mat3 matrix(const dReal* r) {
     Mat3 m;

@@ -14,7 +14,8 @@ constexpr double kFastest = 200;     // m/s
 constexpr double kFastestTurn = 1e4; // rad/s
 
 bool within(const dReal* v, double most) { // false for NaN
-    return std::abs(v[0]) <= most && std::abs(v[1]) <= most && std::abs(v[2]) <= most && v[0] * v[0] + v[1] * v[1] + v[2] * v[2] <= most * most;
+    return std::abs(v[0]) <= most && std::abs(v[1]) <= most && std::abs(v[2]) <= most &&
+           v[0] * v[0] + v[1] * v[1] + v[2] * v[2] <= most * most;
 }
 
 bool isFinite(const dReal* v, int count) {
@@ -81,10 +82,13 @@ std::optional<EngineFault> OdeEngine::findFault() const {
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
         const Body& b = m_bodies[i];
         if (within(b.p, kFarthest) && within(b.v, kFastest) && within(b.w, kFastestTurn) && isFinite(b.q, 4)) continue;
-        const BodyId id{i, 0};
-        if (!isFinite(b.p, 3) || !isFinite(b.q, 4) || !isFinite(b.v, 3) || !isFinite(b.w, 3)) return EngineFault{id, "its state is no longer a number"};
-        if (!within(b.v, kFastest)) return EngineFault{id, text("it moves at %.3g m/s", vec(b.v).norm()) + text(", more than %g m/s", kFastest)};
-        if (!within(b.w, kFastestTurn)) return EngineFault{id, text("it turns at %.3g rad/s", vec(b.w).norm()) + text(", more than %g rad/s", kFastestTurn)};
+        const BodyHandle id{i, 0};
+        if (!isFinite(b.p, 3) || !isFinite(b.q, 4) || !isFinite(b.v, 3) || !isFinite(b.w, 3))
+            return EngineFault{id, "its state is no longer a number"};
+        if (!within(b.v, kFastest))
+            return EngineFault{id, text("it moves at %.3g m/s", vec(b.v).norm()) + text(", more than %g m/s", kFastest)};
+        if (!within(b.w, kFastestTurn))
+            return EngineFault{id, text("it turns at %.3g rad/s", vec(b.w).norm()) + text(", more than %g rad/s", kFastestTurn)};
         return EngineFault{id, text("it is farther than %g m from the origin", kFarthest)};
     }
     const double slack = m_quick ? 5 : 1; // the quick solver pulls joints together over several steps
@@ -96,7 +100,8 @@ std::optional<EngineFault> OdeEngine::findFault() const {
             gap -= gap.dot(axis) * axis;
         }
         const double open = gap.norm();
-        if (open > slack * joint.gapLimit) return EngineFault{{joint.child, 0}, text("its joint is torn open by %.3g mm", 1e3 * open)};
+        if (open > slack * joint.gapLimit)
+            return EngineFault{{joint.child, 0}, text("its joint is torn open by %.3g mm", 1e3 * open)};
     }
     return {};
 }
@@ -104,7 +109,8 @@ std::optional<EngineFault> OdeEngine::findFault() const {
 EngineFault OdeEngine::faultFrom(const OdeFault& fault) const {
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
         const Body& b = m_bodies[i];
-        if (!isFinite(b.p, 3) || !isFinite(b.q, 4) || !isFinite(b.v, 3) || !isFinite(b.w, 3)) return {{i, 0}, "its state is no longer a number"};
+        if (!isFinite(b.p, 3) || !isFinite(b.q, 4) || !isFinite(b.v, 3) || !isFinite(b.w, 3))
+            return {{i, 0}, "its state is no longer a number"};
     }
     return {{}, "the engine gave up: " + fault.text};
 }
@@ -116,7 +122,7 @@ EngineContact OdeEngine::contact(std::size_t index) const {
     return out;
 }
 
-std::span<const std::uint32_t> OdeEngine::contactsOf(GeomId geom) const {
+std::span<const std::uint32_t> OdeEngine::contactsOf(GeomHandle geom) const {
     if (!m_geomContactsReady) { // made when first asked for: most worlds never do
         m_geomContactBegin.assign(m_geoms.size() + 1, 0);
         for (const Contact& c : m_contacts) {

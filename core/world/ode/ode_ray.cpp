@@ -45,7 +45,7 @@ std::optional<RayHit> OdeEngine::rayOnGeom(std::uint32_t index, const Vec3& orig
     return RayHit{found.depth, normal, {index, 0}};
 }
 
-std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, double range, ActorId without) const {
+std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, double range, ActorHandle without) const {
     if (m_fault || !origin.allFinite() || !direction.allFinite() || !(range > 0) || !std::isfinite(range)) return {};
     const double length = direction.norm();
     if (!(length > 1e-12)) return {};
@@ -66,9 +66,7 @@ std::optional<RayHit> OdeEngine::ray(const Vec3& origin, const Vec3& direction, 
             for (std::uint32_t i = m_actors[a].geoms.begin; i < m_actors[a].geoms.end; ++i)
                 if (meets(m_boxes[i], origin, along, far())) look(i);
         }
-    } catch (const OdeFault&) {
-        return {};
-    }
+    } catch (const OdeFault&) { return {}; }
     return best;
 }
 

@@ -18,11 +18,12 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 // Settings measured in detail; see the physics pages of the manual for what each buys.
 inline constexpr double kWorldCfm = 1e-9;
 inline constexpr double kWorldErp = 0.8;
-inline constexpr double kContactStiffness = 2e5;   ///< N/m
-inline constexpr double kContactDamping = 1100;    ///< N s/m
-inline constexpr double kMostSag = 1e-4;           ///< m, under an actor's own weight
-inline constexpr double kCorrectingSpeed = 0.1;    ///< m/s
-inline constexpr double kBounceSpeed = 0.05;       ///< m/s: slower impacts do not bounce
+inline constexpr double kContactStiffness = 2e5;          ///< N/m
+inline constexpr double kContactDamping = 1100;           ///< N s/m
+inline constexpr double kMostSag = 1e-4;                  ///< m, under an actor's own weight
+inline constexpr double kCorrectingSpeed = 0.1;           ///< m/s
+inline constexpr int kParamStep = dParamVel2 - dParamVel; ///< from one axis of a motor to its next
+inline constexpr double kBounceSpeed = 0.05;              ///< m/s: slower impacts do not bounce
 
 /// A run of indices in an array of something.
 struct Run {
@@ -33,7 +34,7 @@ struct Run {
 struct OdeBody {
     dBodyID id = nullptr;
     const dReal *p = nullptr, *r = nullptr, *q = nullptr, *v = nullptr, *w = nullptr; ///< ODE's own memory, fixed for its life
-    Vec3 centre = Vec3::Zero(); ///< of mass, in the body's frame
+    Vec3 centre = Vec3::Zero();                                                       ///< of mass, in the body's frame
     std::uint32_t actor = 0;
     Run geoms;
     SourceRange range;
@@ -79,11 +80,11 @@ struct OdeActor {
 struct OdeJoint {
     JointType type = JointType::Hinge;
     bool motorChanged = false, driven = false, tended = false; ///< tended: its rows need a look each tick
-    std::uint32_t child = 0, parent = kNone; ///< bodies; kNone: the world
+    std::uint32_t child = 0, parent = kNone;                   ///< bodies; kNone: the world
     std::uint32_t feedback = kNone;
     Vec3 childAnchor = Vec3::Zero(), parentAnchor = Vec3::Zero(); ///< in the axes of each, from its centre of mass
     Vec3 childAxis = Vec3::UnitZ(), parentAxis = Vec3::UnitZ();   ///< the axis that `position` is about or along
-    Quat start = Quat::Identity();  ///< child in parent at position 0
+    Quat start = Quat::Identity();                                ///< child in parent at position 0
     double gapLimit = 0;
     double position = 0, rate = 0, effort = 0;
     MotorRow motor;

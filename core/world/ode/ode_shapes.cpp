@@ -26,7 +26,7 @@ template <class Points> Bounds boundsOf(const Points& points) {
     return b;
 }
 
-constexpr double kNeedle = 1e-6; // height of a triangle by the size of its hull
+constexpr double kNeedle = 1e-6;            // height of a triangle by the size of its hull
 constexpr std::size_t kMostHullPoints = 96; // ODE looks at all of them for every pair
 
 OdeShape simple(dGeomID id, const Vec3& half, double bound) { return {id, {}, half, bound, nullptr}; }
@@ -67,6 +67,20 @@ Result<OdeShape> hullShape(const GeomSpec& spec) {
     return shape;
 }
 
+std::vector<Box3> boxesOf(const ShapeData& mesh) {
+    std::vector<Box3> boxes;
+    for (std::size_t t = 0; t + 2 < mesh.triangles.size(); t += 3) {
+        const auto corner = [&](std::size_t i) {
+            const double* p = &mesh.points[3 * mesh.triangles[t + i]];
+            return Box3{{p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
+        };
+        boxes.push_back(corner(0));
+        boxes.back().cover(corner(1));
+        boxes.back().cover(corner(2));
+    }
+    return boxes;
+}
+
 Result<OdeShape> meshShape(const GeomSpec& spec) {
     if (!spec.mesh || spec.mesh->points.empty()) return bad(spec, "has no triangles");
     const TriangleMesh& mesh = *spec.mesh;
@@ -86,9 +100,11 @@ Result<OdeShape> meshShape(const GeomSpec& spec) {
         shape.data->triangles.insert(shape.data->triangles.end(), t.begin(), t.end());
     }
     if (shape.data->triangles.empty()) return bad(spec, "has no triangle with an area");
+    shape.data->triangleGrid.build(boxesOf(*shape.data));
     shape.data->mesh = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildDouble(shape.data->mesh, shape.data->points.data(), 3 * sizeof(double), static_cast<int>(mesh.points.size()),
-                                shape.data->triangles.data(), static_cast<int>(shape.data->triangles.size()), 3 * sizeof(dTriIndex));
+    dGeomTriMeshDataBuildDouble(shape.data->mesh, shape.data->points.data(), 3 * sizeof(double),
+                                static_cast<int>(mesh.points.size()), shape.data->triangles.data(),
+                                static_cast<int>(shape.data->triangles.size()), 3 * sizeof(dTriIndex));
     dGeomTriMeshDataPreprocess2(shape.data->mesh, 1u << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES, nullptr);
     shape.id = dCreateTriMesh(nullptr, shape.data->mesh, nullptr, nullptr, nullptr);
     return shape;
@@ -96,8 +112,8 @@ Result<OdeShape> meshShape(const GeomSpec& spec) {
 
 /// ODE's height fields rise along y; the first row lies at -z, which a quarter turn about x brings to +y.
 Result<OdeShape> heightShape(const GeomSpec& spec) {
-    if (!spec.heightMap || spec.heightMap->columns < 2 || spec.heightMap->rows < 2
-        || spec.heightMap->heights.size() < static_cast<std::size_t>(spec.heightMap->columns) * spec.heightMap->rows)
+    if (!spec.heightMap || spec.heightMap->columns < 2 || spec.heightMap->rows < 2 ||
+        spec.heightMap->heights.size() < static_cast<std::size_t>(spec.heightMap->columns) * spec.heightMap->rows)
         return bad(spec, "needs a picture of at least 2 x 2 pixels");
     const HeightMap& map = *spec.heightMap;
     OdeShape shape;
@@ -105,8 +121,8 @@ Result<OdeShape> heightShape(const GeomSpec& spec) {
     shape.data->heightMap = spec.heightMap;
     shape.data->heights = dGeomHeightfieldDataCreate();
     const double skirt = std::max(spec.size.z(), 1.0); // ground goes on below black
-    dGeomHeightfieldDataBuildSingle(shape.data->heights, map.heights.data(), 0, spec.size.x(), spec.size.y(), static_cast<int>(map.columns),
-                                    static_cast<int>(map.rows), spec.size.z(), 0, skirt, 0);
+    dGeomHeightfieldDataBuildSingle(shape.data->heights, map.heights.data(), 0, spec.size.x(), spec.size.y(),
+                                    static_cast<int>(map.columns), static_cast<int>(map.rows), spec.size.z(), 0, skirt, 0);
     dGeomHeightfieldDataSetBounds(shape.data->heights, 0, spec.size.z());
     shape.id = dCreateHeightfield(nullptr, shape.data->heights, 1);
     shape.centre.rotation = rotationFromHpr({0, 0, std::numbers::pi / 2});
@@ -125,7 +141,8 @@ ShapeData::~ShapeData() {
 Result<OdeShape> makeShape(const GeomSpec& spec) {
     const double r = spec.radius, half = spec.length / 2;
     switch (spec.shape) {
-    case GeomShape::Box: return simple(dCreateBox(nullptr, spec.size.x(), spec.size.y(), spec.size.z()), spec.size / 2, spec.size.norm() / 2);
+    case GeomShape::Box:
+        return simple(dCreateBox(nullptr, spec.size.x(), spec.size.y(), spec.size.z()), spec.size / 2, spec.size.norm() / 2);
     case GeomShape::Sphere: return simple(dCreateSphere(nullptr, r), {r, r, r}, r);
     case GeomShape::Cylinder: return simple(dCreateCylinder(nullptr, r, spec.length), {r, r, half}, std::hypot(r, half));
     case GeomShape::Capsule: return simple(dCreateCapsule(nullptr, r, spec.length), {r, r, half + r}, half + r);

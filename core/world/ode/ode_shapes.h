@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "model/body_spec.h"
+#include "world/broad_phase.h"
 
 namespace trundle {
 
@@ -17,6 +18,7 @@ struct ShapeData {
     std::vector<unsigned> polygons;
     std::vector<dTriIndex> triangles;
     std::shared_ptr<const HeightMap> heightMap;
+    StaticGrid triangleGrid; ///< of a mesh, in its own axes
     dTriMeshDataID mesh = nullptr;
     dHeightfieldDataID heights = nullptr;
 
@@ -28,9 +30,9 @@ struct ShapeData {
 
 struct OdeShape {
     dGeomID id = nullptr;
-    Pose centre;             ///< of the shape in the geom's frame
-    Vec3 half = Vec3::Zero();///< of a box around it, in the shape's axes
-    double bound = 0;        ///< radius of a sphere around it
+    Pose centre;              ///< of the shape in the geom's frame
+    Vec3 half = Vec3::Zero(); ///< of a box around it, in the shape's axes
+    double bound = 0;         ///< radius of a sphere around it
     std::shared_ptr<ShapeData> data;
 };
 

@@ -14,10 +14,12 @@ struct BumpAndTurn : trundle::Controller {
 
     static void describe(trundle::Describe<BumpAndTurn>& d) {
         d.help("Drives straight on; where it is touched it backs off and turns by a random angle to a random side.");
-        d.field("Speed", &BumpAndTurn::speed, trundle::metresPerSecond().above(0).atMost(10), "Forwards and backing off.");
-        d.field("BackOff", &BumpAndTurn::backOff, trundle::metres().above(0).atMost(100), "How far it backs off.");
-        d.field("TurnRate", &BumpAndTurn::turnRate, trundle::radiansPerSecond().above(0).atMost(100), "How fast it turns.");
-        d.field("TurnAngle", &BumpAndTurn::turnAngle, trundle::degrees().within(1, 360), "Least and largest angle of a turn.");
+        d.field("Speed", &BumpAndTurn::speed, trundle::metresPerSecond().above(0).atMost(10).live(), "Forwards and backing off.");
+        d.field("BackOff", &BumpAndTurn::backOff, trundle::metres().above(0).atMost(100).live(), "How far it backs off.");
+        d.field("TurnRate", &BumpAndTurn::turnRate, trundle::radiansPerSecond().above(0).atMost(100).live(),
+                "How fast it turns.");
+        d.field("TurnAngle", &BumpAndTurn::turnAngle, trundle::degrees().within(1, 360).live(),
+                "Least and largest angle of a turn.");
         d.field("Touch", &BumpAndTurn::touchName, trundle::text(), "The robot's TouchSensor in front.");
         d.field("Drive", &BumpAndTurn::driveName, trundle::text(), "The robot's DifferentialDrive.");
     }

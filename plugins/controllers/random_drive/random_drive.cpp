@@ -11,8 +11,10 @@ struct RandomDrive : trundle::Controller {
 
     static void describe(trundle::Describe<RandomDrive>& d) {
         d.help("Drives with a new random speed and turn rate every Period.");
-        d.field("Speed", &RandomDrive::speed, trundle::metresPerSecond().within(0, 10), "Largest speed; a quarter of it backwards.");
-        d.field("TurnRate", &RandomDrive::turnRate, trundle::radiansPerSecond().within(0, 100), "Largest turn rate, to either side.");
+        d.field("Speed", &RandomDrive::speed, trundle::metresPerSecond().within(0, 10).live(),
+                "Largest speed; a quarter of it backwards.");
+        d.field("TurnRate", &RandomDrive::turnRate, trundle::radiansPerSecond().within(0, 100).live(),
+                "Largest turn rate, to either side.");
         d.field("Period", &RandomDrive::period, trundle::seconds().above(0).atMost(1e6), "Time between changes.");
         d.field("Drive", &RandomDrive::driveName, trundle::text(), "The robot's DifferentialDrive.");
     }

@@ -9,6 +9,7 @@ extern "C" TRUNDLE_EXPORT const TrundleModule* trundle_module(void) {
         return k;
     }();
     static const TrundleKind* const kinds[] = {&kind};
-    static const TrundleModule module{TRUNDLE_MAGIC, sizeof(TrundleModule), TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR, "1.0.0", kinds, 1, 0};
+    static const TrundleModule module{
+        TRUNDLE_MAGIC, sizeof(TrundleModule), TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR, "1.0.0", kinds, 1, 0};
     return &module;
 }

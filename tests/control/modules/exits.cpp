@@ -17,8 +17,13 @@ struct Exits : trundle::Controller {
         room[n % 4096] = 1;
         return n > 0 ? deeper(n + 1) + room[n % 4096] : 0; // the call stands before the sum: no loop can be made of it
     }
-    void setup(trundle::RobotPorts&) override { if (early) std::exit(0); }
-    void update(trundle::Seconds) override { if (recurse) turns = deeper(1); else if (++turns == 3) std::exit(0); }
+    void setup(trundle::RobotPorts&) override {
+        if (early) std::exit(0);
+    }
+    void update(trundle::Seconds) override {
+        if (recurse) turns = deeper(1);
+        else if (++turns == 3) std::exit(0);
+    }
 };
 
 } // namespace

@@ -35,7 +35,8 @@ struct Driver : trundle::Controller {
         odometry.set(0, 99); // an output: not written
         odometry.set(7, 99); // beyond its end
         if (loud) {
-            print(text, " t=", time().value, " dt=", sinceLast.value, " n=", encoder.count(), " rear=", hasRear, " pair=", pair[0] + pair[1]);
+            print(text, " t=", time().value, " dt=", sinceLast.value, " n=", encoder.count(), " rear=", hasRear,
+                  " pair=", pair[0] + pair[1]);
             warn("random ", randomBits(), " ", randomBits());
             auto log = openLog("own.txt");
             log.write("line\n");
@@ -85,8 +86,12 @@ struct Cheating : trundle::Controller {
 /// A device beside controllers.
 struct Thermometer : trundle::Device {
     double offset = 0;
+    std::optional<double> perDegree, degreesPer;
     static void describe(trundle::Describe<Thermometer>& d) {
         d.field("Offset", &Thermometer::offset, trundle::number(), "Degrees.");
+        d.field("PerDegree", &Thermometer::perDegree, trundle::number(), "Volts per degree.");
+        d.field("DegreesPer", &Thermometer::degreesPer, trundle::number(), "Degrees per volt.");
+        d.exactlyOneOf("PerDegree|DegreesPer", "Offset");
         d.output("temperature", "", "Degrees.");
     }
     void setup(trundle::Mount& mount) override { out = mount.signal("temperature"); }

@@ -1,5 +1,6 @@
 #include <trundle/module.h>
 extern "C" TRUNDLE_EXPORT const TrundleModule* trundle_module(void) {
-    static const TrundleModule module{0x12345678, sizeof(TrundleModule), TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR, "1.0.0", nullptr, 0, 0};
+    static const TrundleModule module{
+        0x12345678, sizeof(TrundleModule), TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR, "1.0.0", nullptr, 0, 0};
     return &module;
 }

@@ -9,14 +9,14 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 0u
-#define TRUNDLE_SDK_VERSION "1.0.0"
+#define TRUNDLE_ABI_MINOR 1u
+#define TRUNDLE_SDK_VERSION "1.1.0"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* What a field holds. NUMBER, INTEGER and BOOLEAN use `numbers`, the others `texts`. */
+/* clang-format off */ /* What a field holds. NUMBER, INTEGER and BOOLEAN use `numbers`, the others `texts`. */
 enum {
     TRUNDLE_NUMBER = 1, TRUNDLE_INTEGER = 2, TRUNDLE_BOOLEAN = 3,
     TRUNDLE_CHOICE = 4,    /* one of `choices` */
@@ -68,8 +68,7 @@ enum { TRUNDLE_INFO = 1, TRUNDLE_WARNING = 2, TRUNDLE_ERROR = 3 };
 
 /* What a controller asks of its robot. Pointers stay good until the controller is destroyed. */
 typedef struct TrundleRobot {
-    uint32_t size;
-    uint32_t reserved;
+    uint32_t size, reserved;
     void* context;
     const char* name; /* the robot's name */
     double tick;      /* s */
@@ -88,8 +87,7 @@ typedef struct TrundleRobot {
 /* ---- devices ---- */
 
 typedef struct TrundleMount {
-    uint32_t size;
-    uint32_t reserved;
+    uint32_t size, reserved;
     void* context;
     const char* path; /* "robot0/leftMotor" */
     double tick;      /* s */
@@ -113,15 +111,14 @@ typedef struct TrundleContact {
     double normal[3];   /* world, towards the geom that asked */
     double depth;       /* m */
     double force;       /* N along the normal, of the last step */
-    uint32_t other;     /* geom; 0xffffffff where unknown */
+    uint32_t other; /* geom; 0xffffffff where unknown */
     uint32_t reserved;
 } TrundleContact;
 
 typedef struct TrundleHit {
     double distance; /* m */
     double normal[3];
-    uint32_t geom;
-    uint32_t reserved;
+    uint32_t geom, reserved;
 } TrundleHit;
 
 typedef struct TrundleBodyState {
@@ -133,8 +130,7 @@ typedef struct TrundleBodyState {
 
 /* What a device may do to and ask of the world, in act and in sense. Actuation is ignored outside act. */
 typedef struct TrundleServices {
-    uint32_t size;
-    uint32_t reserved;
+    uint32_t size, reserved;
     void* context;
     double tick; /* s */
     double time; /* s, of the last completed tick in act, of the one just stepped in sense */
@@ -160,12 +156,16 @@ typedef struct TrundleServices {
 
 enum { TRUNDLE_CONTROLLER = 1, TRUNDLE_DEVICE = 2 };
 
+/* Fields of which exactly one stands in the text; each is TRUNDLE_OPTIONAL. */
+typedef struct TrundleAlternatives {
+    const char* names;  /* "SpeedConstant|BackEmfConstant" */
+    const char* likely; /* where all are missing, the last of them most likely has the value of this field; "" : nobody knows */
+} TrundleAlternatives;
+
 /* Every function returns 0 on success; after another value the caller asks lastError. */
 typedef struct TrundleKind {
-    uint32_t size;
-    uint32_t role;
-    const char* name;
-    const char* help;
+    uint32_t size, role;
+    const char *name, *help;
     const TrundleField* fields;
     const TrundleSignal* signals; /* devices */
     uint32_t fieldCount, signalCount;
@@ -180,20 +180,20 @@ typedef struct TrundleKind {
     int32_t (*setupDevice)(void* instance, const TrundleMount* mount);
     int32_t (*act)(void* instance, const TrundleServices* services);
     int32_t (*sense)(void* instance, const TrundleServices* services);
+    const TrundleAlternatives* alternatives; /* since 1.1 */
+    uint32_t alternativesCount, reserved;
 } TrundleKind;
 
 typedef struct TrundleModule {
     uint32_t magic, size, abiMajor, abiMinor;
     const char* sdkVersion;
     const TrundleKind* const* kinds;
-    uint32_t kindCount;
-    uint32_t reserved;
+    uint32_t kindCount, reserved;
 } TrundleModule;
 
 /* The one exported symbol: `const TrundleModule* trundle_module(void)`. */
 typedef const TrundleModule* (*TrundleModuleEntry)(void);
 #define TRUNDLE_ENTRY_SYMBOL "trundle_module"
-
 #ifdef __cplusplus
 }
 #endif

@@ -19,7 +19,9 @@ class Log {
 public:
     Log() = default;
     [[nodiscard]] bool open() const { return m_number >= 0; }
-    void write(std::string_view bytes) { if (open()) m_robot->writeLog(m_robot->context, m_number, bytes.data(), bytes.size()); }
+    void write(std::string_view bytes) {
+        if (open()) m_robot->writeLog(m_robot->context, m_number, bytes.data(), bytes.size());
+    }
 
 private:
     friend class Controller;
@@ -50,7 +52,9 @@ protected:
     template <class... Parts> void warn(const Parts&... parts) const { say(TRUNDLE_WARNING, parts...); }
 
     /// The controller cannot go on: the run ends with this text after this turn.
-    void fail(const std::string& text) const { if (m_robot) m_robot->fail(m_robot->context, text.c_str()); }
+    void fail(const std::string& text) const {
+        if (m_robot) m_robot->fail(m_robot->context, text.c_str());
+    }
 
     /// Numbers that depend on the experiment's seed, the robot and the tick alone: the same in every run.
     [[nodiscard]] std::uint64_t randomBits() const { return m_robot ? m_robot->random(m_robot->context) : 0; }

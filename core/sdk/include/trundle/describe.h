@@ -31,6 +31,12 @@ struct SignalInfo {
     std::uint32_t type = TRUNDLE_REAL_SIGNAL, count = 1, direction = TRUNDLE_OUTPUT;
 };
 
+/// Fields of which exactly one stands in the text. Where all are missing, the last most likely has the value of the field `likely`.
+struct AlternativesInfo {
+    std::string names; ///< separated by '|'
+    std::string likely;
+};
+
 namespace detail {
 
 inline constexpr std::uint32_t kManyElements = 100000;
@@ -43,7 +49,8 @@ template <> struct Member<double> {
     static void get(const double& m, FieldInfo& f) { f.defaultNumbers = {m}; }
     static void set(double& m, const TrundleValue& v) { m = v.numbers[0]; }
 };
-template <class I> requires(std::is_integral_v<I> && !std::is_same_v<I, bool>) struct Member<I> {
+template <class I>
+requires(std::is_integral_v<I> && !std::is_same_v<I, bool>) struct Member<I> {
     static constexpr std::uint32_t type = TRUNDLE_INTEGER, low = 1, high = 1;
     static void get(const I& m, FieldInfo& f) { f.defaultNumbers = {static_cast<double>(m)}; }
     static void set(I& m, const TrundleValue& v) { m = static_cast<I>(v.numbers[0]); }
@@ -61,7 +68,9 @@ template <> struct Member<std::string> {
 template <std::size_t N> struct Member<std::array<double, N>> {
     static constexpr std::uint32_t type = TRUNDLE_NUMBER, low = N, high = N;
     static void get(const std::array<double, N>& m, FieldInfo& f) { f.defaultNumbers.assign(m.begin(), m.end()); }
-    static void set(std::array<double, N>& m, const TrundleValue& v) { for (std::size_t i = 0; i < N; ++i) m[i] = v.numbers[i]; }
+    static void set(std::array<double, N>& m, const TrundleValue& v) {
+        for (std::size_t i = 0; i < N; ++i) m[i] = v.numbers[i];
+    }
 };
 template <> struct Member<std::vector<double>> {
     static constexpr std::uint32_t type = TRUNDLE_NUMBER, low = 0, high = kManyElements;
@@ -76,8 +85,15 @@ template <> struct Member<std::vector<std::string>> {
 /// Absent in the text: stays empty.
 template <class M> struct Member<std::optional<M>> {
     static constexpr std::uint32_t type = Member<M>::type, low = Member<M>::low, high = Member<M>::high;
-    static void get(const std::optional<M>& m, FieldInfo& f) { if (m) Member<M>::get(*m, f); else f.flags |= TRUNDLE_OPTIONAL; }
-    static void set(std::optional<M>& m, const TrundleValue& v) { M value{}; Member<M>::set(value, v); m = std::move(value); }
+    static void get(const std::optional<M>& m, FieldInfo& f) {
+        if (m) Member<M>::get(*m, f);
+        else f.flags |= TRUNDLE_OPTIONAL;
+    }
+    static void set(std::optional<M>& m, const TrundleValue& v) {
+        M value{};
+        Member<M>::set(value, v);
+        m = std::move(value);
+    }
 };
 
 } // namespace detail
@@ -86,11 +102,14 @@ template <class M> struct Member<std::optional<M>> {
 template <class T> class Describe {
 public:
     /// One line that says what the kind is.
-    Describe& help(std::string text) { m_help = std::move(text); return *this; }
+    Describe& help(std::string text) {
+        m_help = std::move(text);
+        return *this;
+    }
 
     template <class Owner, class M>
-        requires std::is_base_of_v<Owner, T>
-    Describe& field(std::string name, M Owner::*member, const Quantity& q, std::string help) {
+    requires std::is_base_of_v<Owner, T> Describe& field(std::string name, M Owner::*member, const Quantity& q,
+                                                         std::string help) {
         using Access = detail::Member<M>;
         FieldInfo f;
         f.name = std::move(name);
@@ -110,8 +129,15 @@ public:
         return *this;
     }
 
+    /// Exactly one of these fields ("A|B", all std::optional) stands in the text.
+    Describe& exactlyOneOf(std::string names, std::string likely = {}) {
+        m_alternatives.push_back({std::move(names), std::move(likely)});
+        return *this;
+    }
+
     /// A value the device publishes each tick.
-    Describe& output(std::string name, std::string unit, std::string help, std::uint32_t count = 1, std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
+    Describe& output(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
+                     std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
         m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_OUTPUT});
         return *this;
     }
@@ -121,7 +147,8 @@ public:
         return *this;
     }
     /// A value controllers and other devices write.
-    Describe& command(std::string name, std::string unit, std::string help, std::uint32_t count = 1, std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
+    Describe& command(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
+                      std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
         m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_COMMAND});
         return *this;
     }
@@ -129,17 +156,23 @@ public:
     [[nodiscard]] const std::string& helpText() const { return m_help; }
     [[nodiscard]] const std::vector<FieldInfo>& fields() const { return m_fields; }
     [[nodiscard]] const std::vector<SignalInfo>& signals() const { return m_signals; }
+    [[nodiscard]] const std::vector<AlternativesInfo>& alternatives() const { return m_alternatives; }
 
 private:
     T m_default{};
     std::string m_help;
     std::vector<FieldInfo> m_fields;
     std::vector<SignalInfo> m_signals;
+    std::vector<AlternativesInfo> m_alternatives;
 };
 
 /// The description of T, made once.
 template <class T> const Describe<T>& descriptionOf() {
-    static const Describe<T> description = [] { Describe<T> d; T::describe(d); return d; }();
+    static const Describe<T> description = [] {
+        Describe<T> d;
+        T::describe(d);
+        return d;
+    }();
     return description;
 }
 

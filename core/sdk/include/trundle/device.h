@@ -35,7 +35,9 @@ public:
     [[nodiscard]] Seconds tick() const { return {m_mount.tick}; }
 
     /// A signal of its own, as described.
-    [[nodiscard]] Slot signal(const char* name, std::uint32_t count = 1) { return Slot(m_mount.signal(m_mount.context, name), count); }
+    [[nodiscard]] Slot signal(const char* name, std::uint32_t count = 1) {
+        return Slot(m_mount.signal(m_mount.context, name), count);
+    }
     [[nodiscard]] JointId joint(const std::string& name) { return find<JointId>(m_mount.joint, "joint", name); }
     [[nodiscard]] BodyId body(const std::string& name) { return find<BodyId>(m_mount.body, "body", name); }
     [[nodiscard]] GeomId geom(const std::string& path) { return find<GeomId>(m_mount.geom, "geom", path); } ///< "body.geom"
@@ -60,7 +62,9 @@ public:
         const bool done = m_mount.addAxialInertia && m_mount.addAxialInertia(m_mount.context, joint.index, inertia) == 0;
         if (!done) fail("this joint can take no additional inertia");
     }
-    void warn(const std::string& text) const { if (m_mount.print) m_mount.print(m_mount.context, TRUNDLE_WARNING, text.c_str()); }
+    void warn(const std::string& text) const {
+        if (m_mount.print) m_mount.print(m_mount.context, TRUNDLE_WARNING, text.c_str());
+    }
     /// The device cannot be set up, and why.
     void fail(const std::string& text) {
         note(text);
@@ -69,7 +73,9 @@ public:
     [[nodiscard]] const std::string& failure() const { return m_failure; } ///< the first one; empty: none
 
 private:
-    void note(std::string text) { if (m_failure.empty()) m_failure = std::move(text); }
+    void note(std::string text) {
+        if (m_failure.empty()) m_failure = std::move(text);
+    }
     template <class Id, class Find> Id find(Find* find, const char* what, const std::string& name) {
         Id id;
         if (find(m_mount.context, name.c_str(), &id.index) != 0) {
@@ -94,7 +100,9 @@ public:
     [[nodiscard]] double jointPosition(JointId joint) const { return m_services.jointPosition(m_services.context, joint.index); }
     [[nodiscard]] double jointRate(JointId joint) const { return m_services.jointRate(m_services.context, joint.index); }
     /// What the motor row gave in the last step, N m or N.
-    [[nodiscard]] double jointMotorEffort(JointId joint) const { return m_services.jointMotorEffort(m_services.context, joint.index); }
+    [[nodiscard]] double jointMotorEffort(JointId joint) const {
+        return m_services.jointMotorEffort(m_services.context, joint.index);
+    }
     /// The joint's anchor and axis in the world, as its parent carries them. False where the world cannot tell.
     bool jointAnchor(JointId joint, Vec3& anchor, Vec3& axis) const {
         if (!m_services.jointAnchor) return false;
@@ -114,15 +122,21 @@ public:
     }
     /// A function of (seed, device, tick, index): the same in every run.
     [[nodiscard]] std::uint64_t randomBits(std::uint64_t index) const { return m_services.random(m_services.context, index); }
-    [[nodiscard]] double random(std::uint64_t index) const { return static_cast<double>(randomBits(index) >> 11) * 0x1p-53; } ///< [0, 1)
-    void warn(const std::string& text) const { if (m_services.print) m_services.print(m_services.context, TRUNDLE_WARNING, text.c_str()); }
+    [[nodiscard]] double random(std::uint64_t index) const {
+        return static_cast<double>(randomBits(index) >> 11) * 0x1p-53;
+    } ///< [0, 1)
+    void warn(const std::string& text) const {
+        if (m_services.print) m_services.print(m_services.context, TRUNDLE_WARNING, text.c_str());
+    }
 
 protected:
     const TrundleServices& m_services;
 };
 
 /// sense: after the step.
-class Sensing : public Services { using Services::Services; };
+class Sensing : public Services {
+    using Services::Services;
+};
 
 /// act: before it.
 class Actuation : public Services {
@@ -138,7 +152,9 @@ public:
         m_services.bodyForce(m_services.context, body.index, force.data(), point.data());
     }
     /// m/s in the geom's frame: its surface moves as a conveyor belt does.
-    void surfaceVelocity(GeomId geom, const Vec3& velocity) { m_services.surfaceVelocity(m_services.context, geom.index, velocity.data()); }
+    void surfaceVelocity(GeomId geom, const Vec3& velocity) {
+        m_services.surfaceVelocity(m_services.context, geom.index, velocity.data());
+    }
 };
 
 /// A sensor or an actuator. Override act or sense or both; a phase that is not overridden costs nothing.

@@ -17,8 +17,13 @@ struct Pose {
     Quat rotation = Quat::Identity();
 
     [[nodiscard]] Vec3 operator*(const Vec3& point) const { return position + rotation * point; }
-    [[nodiscard]] Pose operator*(const Pose& inner) const { return {position + rotation * inner.position, (rotation * inner.rotation).normalized()}; }
-    [[nodiscard]] Pose inverse() const { const Quat r = rotation.conjugate(); return {-(r * position), r}; }
+    [[nodiscard]] Pose operator*(const Pose& inner) const {
+        return {position + rotation * inner.position, (rotation * inner.rotation).normalized()};
+    }
+    [[nodiscard]] Pose inverse() const {
+        const Quat r = rotation.conjugate();
+        return {-(r * position), r};
+    }
 };
 
 /// R = Rz(heading) Ry(pitch) Rx(roll), radians. Multiples of a quarter turn are exact.

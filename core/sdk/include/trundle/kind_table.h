@@ -27,6 +27,7 @@ struct KindTable {
     std::string name;
     std::vector<TrundleField> fields;
     std::vector<TrundleSignal> signals;
+    std::vector<TrundleAlternatives> alternatives;
     std::vector<std::vector<const char*>> defaultTexts;
 };
 
@@ -50,9 +51,13 @@ template <class Call> std::int32_t guarded(std::string& error, Call&& call) {
         call();
         return 0;
     } catch (const std::exception& e) {
-        try { error = e.what(); } catch (...) {}
+        try {
+            error = e.what();
+        } catch (...) {}
     } catch (...) {
-        try { error = "an exception that is no std::exception"; } catch (...) {}
+        try {
+            error = "an exception that is no std::exception";
+        } catch (...) {}
     }
     return 1;
 }
@@ -82,8 +87,8 @@ template <class T> std::int32_t set(void* handle, std::uint32_t field, const Tru
 template <class T> const char* lastError(void* handle) { return handle ? at<T>(handle).error.c_str() : creationError(); }
 
 inline TrundleField fieldTable(const FieldInfo& f, const std::vector<const char*>& texts) {
-    TrundleField t{f.name.c_str(), f.unit.c_str(), f.help.c_str(), f.choices.c_str(), f.scale, f.minimum, f.maximum,
-                   f.type, f.minCount, f.maxCount, f.flags, {nullptr, nullptr, 0}};
+    TrundleField t{f.name.c_str(), f.unit.c_str(), f.help.c_str(), f.choices.c_str(), f.scale, f.minimum,
+                   f.maximum,      f.type,         f.minCount,     f.maxCount,        f.flags, {nullptr, nullptr, 0}};
     t.defaultValue = {f.defaultNumbers.data(), texts.data(), static_cast<std::uint32_t>(f.defaultNumbers.size() + texts.size())};
     return t;
 }
@@ -101,6 +106,7 @@ template <class T> std::unique_ptr<KindTable> commonTable(const char* name, std:
     }
     for (const SignalInfo& s : d.signals())
         table->signals.push_back({s.name.c_str(), s.unit.c_str(), s.help.c_str(), s.type, s.count, s.direction, 0});
+    for (const AlternativesInfo& a : d.alternatives()) table->alternatives.push_back({a.names.c_str(), a.likely.c_str()});
     TrundleKind& k = table->kind;
     k.size = sizeof(TrundleKind);
     k.role = role;
@@ -110,6 +116,8 @@ template <class T> std::unique_ptr<KindTable> commonTable(const char* name, std:
     k.signals = table->signals.data();
     k.fieldCount = static_cast<std::uint32_t>(table->fields.size());
     k.signalCount = static_cast<std::uint32_t>(table->signals.size());
+    k.alternatives = table->alternatives.data();
+    k.alternativesCount = static_cast<std::uint32_t>(table->alternatives.size());
     k.create = &create<T>;
     k.destroy = &destroy<T>;
     k.set = &set<T>;
@@ -144,11 +152,17 @@ template <class T, class OnRobot> std::int32_t setupDevice(void* handle, const T
 }
 template <class T, class Acting> std::int32_t actDevice(void* handle, const TrundleServices* services) {
     auto& instance = at<T>(handle);
-    return guarded(instance.error, [&] { Acting world(*services); instance.object.act(world); });
+    return guarded(instance.error, [&] {
+        Acting world(*services);
+        instance.object.act(world);
+    });
 }
 template <class T, class Asking> std::int32_t senseDevice(void* handle, const TrundleServices* services) {
     auto& instance = at<T>(handle);
-    return guarded(instance.error, [&] { Asking world(*services); instance.object.sense(world); });
+    return guarded(instance.error, [&] {
+        Asking world(*services);
+        instance.object.sense(world);
+    });
 }
 
 } // namespace border
@@ -171,7 +185,8 @@ std::unique_ptr<KindTable> deviceTable(const char* name) {
     auto table = border::commonTable<T>(name, TRUNDLE_DEVICE);
     table->kind.setupDevice = &border::setupDevice<T, OnRobot>;
     if constexpr (!std::is_same_v<decltype(&T::act), void (Base::*)(Acting&)>) table->kind.act = &border::actDevice<T, Acting>;
-    if constexpr (!std::is_same_v<decltype(&T::sense), void (Base::*)(Asking&)>) table->kind.sense = &border::senseDevice<T, Asking>;
+    if constexpr (!std::is_same_v<decltype(&T::sense), void (Base::*)(Asking&)>)
+        table->kind.sense = &border::senseDevice<T, Asking>;
     return table;
 }
 

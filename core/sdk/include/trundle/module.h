@@ -27,8 +27,14 @@ public:
     [[nodiscard]] const TrundleModule* module() {
         m_kinds.clear();
         for (const auto& table : m_tables) m_kinds.push_back(&table->kind);
-        m_module = {TRUNDLE_MAGIC, sizeof(TrundleModule), TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR, TRUNDLE_SDK_VERSION,
-                    m_kinds.data(), static_cast<std::uint32_t>(m_kinds.size()), 0};
+        m_module = {TRUNDLE_MAGIC,
+                    sizeof(TrundleModule),
+                    TRUNDLE_ABI_MAJOR,
+                    TRUNDLE_ABI_MINOR,
+                    TRUNDLE_SDK_VERSION,
+                    m_kinds.data(),
+                    static_cast<std::uint32_t>(m_kinds.size()),
+                    0};
         return &m_module;
     }
     [[nodiscard]] const std::vector<std::unique_ptr<KindTable>>& tables() const { return m_tables; }
@@ -44,9 +50,7 @@ inline const TrundleModule* makeModule(ModuleRegistry& registry, void (*fill)(Mo
     try {
         fill(registry);
         return registry.module();
-    } catch (...) {
-        return nullptr;
-    }
+    } catch (...) { return nullptr; }
 }
 
 } // namespace sdk1
@@ -58,11 +62,11 @@ inline const TrundleModule* makeModule(ModuleRegistry& registry, void (*fill)(Mo
 #define TRUNDLE_EXPORT __attribute__((visibility("default")))
 #endif
 
-#define TRUNDLE_MODULE(registry)                                                                    \
-    static void trundleFillModule(::trundle::ModuleRegistry& registry);                             \
-    extern "C" TRUNDLE_EXPORT const TrundleModule* trundle_module(void) {                           \
-        static ::trundle::ModuleRegistry kinds;                                                     \
-        static const TrundleModule* const module = ::trundle::makeModule(kinds, &trundleFillModule); \
-        return module;                                                                              \
-    }                                                                                               \
+#define TRUNDLE_MODULE(registry)                                                                                                 \
+    static void trundleFillModule(::trundle::ModuleRegistry& registry);                                                          \
+    extern "C" TRUNDLE_EXPORT const TrundleModule* trundle_module(void) {                                                        \
+        static ::trundle::ModuleRegistry kinds;                                                                                  \
+        static const TrundleModule* const module = ::trundle::makeModule(kinds, &trundleFillModule);                             \
+        return module;                                                                                                           \
+    }                                                                                                                            \
     static void trundleFillModule(::trundle::ModuleRegistry& registry)

@@ -53,7 +53,10 @@ private:
 
 class MotorPort {
 public:
-    void setVoltage(double volts) { m_servo.set(0); m_voltage.set(volts); }
+    void setVoltage(double volts) {
+        m_servo.set(0);
+        m_voltage.set(volts);
+    }
     [[nodiscard]] double current() const { return m_current.get(); } ///< A
     [[nodiscard]] double torque() const { return m_torque.get(); }   ///< N m at the joint
     [[nodiscard]] double rate() const { return m_rate.get(); }       ///< rad/s of the joint
@@ -107,7 +110,9 @@ public:
     [[nodiscard]] std::uint32_t count() const { return m_slot.count(); }
     [[nodiscard]] double get(std::uint32_t element = 0) const { return m_slot.get(element); }
     void set(double value) { set(0, value); }
-    void set(std::uint32_t element, double value) { if (m_writable) m_slot.set(element, value); }
+    void set(std::uint32_t element, double value) {
+        if (m_writable) m_slot.set(element, value);
+    }
 
 private:
     friend class RobotPorts;
@@ -136,7 +141,9 @@ public:
     [[nodiscard]] SignalPort groundTruth(const char* path);
 
     // For std::string names, as fields hold them.
-    template <class Name> [[nodiscard]] DifferentialDrivePort differentialDrive(const Name& n) { return differentialDrive(n.c_str()); }
+    template <class Name> [[nodiscard]] DifferentialDrivePort differentialDrive(const Name& n) {
+        return differentialDrive(n.c_str());
+    }
     template <class Name> [[nodiscard]] MotorPort motor(const Name& n) { return motor(n.c_str()); }
     template <class Name> [[nodiscard]] EncoderPort encoder(const Name& n) { return encoder(n.c_str()); }
     template <class Name> [[nodiscard]] TouchPort touch(const Name& n) { return touch(n.c_str()); }

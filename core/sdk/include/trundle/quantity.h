@@ -17,21 +17,60 @@ struct Quantity {
     double maximum = std::numeric_limits<double>::infinity();
     unsigned flags = 0;
     const char* choices = "";
-    unsigned type = 0; ///< 0: from the member's C++ type
+    unsigned type = 0;                   ///< 0: from the member's C++ type
     unsigned minCount = 0, maxCount = 0; ///< 0: from the member's C++ type
 
-    [[nodiscard]] constexpr Quantity within(double low, double high) const { Quantity q = *this; q.minimum = low; q.maximum = high; return q; }
-    [[nodiscard]] constexpr Quantity atLeast(double low) const { Quantity q = *this; q.minimum = low; return q; }
-    [[nodiscard]] constexpr Quantity above(double low) const { Quantity q = atLeast(low); q.flags |= TRUNDLE_MIN_EXCLUSIVE; return q; }
-    [[nodiscard]] constexpr Quantity atMost(double high) const { Quantity q = *this; q.maximum = high; return q; }
-    [[nodiscard]] constexpr Quantity below(double high) const { Quantity q = atMost(high); q.flags |= TRUNDLE_MAX_EXCLUSIVE; return q; }
-    [[nodiscard]] constexpr Quantity required() const { Quantity q = *this; q.flags |= TRUNDLE_REQUIRED; return q; }
+    [[nodiscard]] constexpr Quantity within(double low, double high) const {
+        Quantity q = *this;
+        q.minimum = low;
+        q.maximum = high;
+        return q;
+    }
+    [[nodiscard]] constexpr Quantity atLeast(double low) const {
+        Quantity q = *this;
+        q.minimum = low;
+        return q;
+    }
+    [[nodiscard]] constexpr Quantity above(double low) const {
+        Quantity q = atLeast(low);
+        q.flags |= TRUNDLE_MIN_EXCLUSIVE;
+        return q;
+    }
+    [[nodiscard]] constexpr Quantity atMost(double high) const {
+        Quantity q = *this;
+        q.maximum = high;
+        return q;
+    }
+    [[nodiscard]] constexpr Quantity below(double high) const {
+        Quantity q = atMost(high);
+        q.flags |= TRUNDLE_MAX_EXCLUSIVE;
+        return q;
+    }
+    [[nodiscard]] constexpr Quantity required() const {
+        Quantity q = *this;
+        q.flags |= TRUNDLE_REQUIRED;
+        return q;
+    }
     /// May change during a run, at once.
-    [[nodiscard]] constexpr Quantity live() const { Quantity q = *this; q.flags |= TRUNDLE_LIVE; return q; }
-    [[nodiscard]] constexpr Quantity counted(unsigned low, unsigned high) const { Quantity q = *this; q.minCount = low; q.maxCount = high; return q; }
+    [[nodiscard]] constexpr Quantity live() const {
+        Quantity q = *this;
+        q.flags |= TRUNDLE_LIVE;
+        return q;
+    }
+    [[nodiscard]] constexpr Quantity counted(unsigned low, unsigned high) const {
+        Quantity q = *this;
+        q.minCount = low;
+        q.maxCount = high;
+        return q;
+    }
 };
 
-constexpr Quantity unitOf(const char* unit, double scale = 1) { Quantity q; q.unit = unit; q.scale = scale; return q; }
+constexpr Quantity unitOf(const char* unit, double scale = 1) {
+    Quantity q;
+    q.unit = unit;
+    q.scale = scale;
+    return q;
+}
 
 constexpr Quantity number() { return {}; }
 constexpr Quantity metres() { return unitOf("m"); }
@@ -55,10 +94,25 @@ constexpr Quantity decibelMilliwatts() { return unitOf("dBm"); }
 constexpr Quantity flag() { return {}; }
 constexpr Quantity text() { return {}; }
 /// One word of "servo|pi|voltage".
-constexpr Quantity oneOf(const char* choices) { Quantity q; q.choices = choices; q.type = TRUNDLE_CHOICE; return q; }
+constexpr Quantity oneOf(const char* choices) {
+    Quantity q;
+    q.choices = choices;
+    q.type = TRUNDLE_CHOICE;
+    return q;
+}
 /// A file with one of the endings "png|jpg".
-constexpr Quantity file(const char* endings) { Quantity q; q.choices = endings; q.type = TRUNDLE_FILE; return q; }
+constexpr Quantity file(const char* endings) {
+    Quantity q;
+    q.choices = endings;
+    q.type = TRUNDLE_FILE;
+    return q;
+}
 /// The name of something of the kinds or roles "Hinge|Slider".
-constexpr Quantity reference(const char* kinds) { Quantity q; q.choices = kinds; q.type = TRUNDLE_REFERENCE; return q; }
+constexpr Quantity reference(const char* kinds) {
+    Quantity q;
+    q.choices = kinds;
+    q.type = TRUNDLE_REFERENCE;
+    return q;
+}
 
 } // namespace trundle

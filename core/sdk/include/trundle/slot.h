@@ -24,9 +24,14 @@ public:
     [[nodiscard]] std::uint32_t count() const { return m_count; }
     [[nodiscard]] double get(std::uint32_t element = 0) const { return element < m_count ? m_first[element] : 0.0; }
     void set(double value) { set(0, value); }
-    void set(std::uint32_t element, double value) { if (element < m_count) m_first[element] = value; }
+    void set(std::uint32_t element, double value) {
+        if (element < m_count) m_first[element] = value;
+    }
     /// For commands: what a controller wrote, or 0 where that is infinite or no number at all.
-    [[nodiscard]] double finite() const { const double v = get(); return std::isfinite(v) ? v : 0.0; }
+    [[nodiscard]] double finite() const {
+        const double v = get();
+        return std::isfinite(v) ? v : 0.0;
+    }
 
 private:
     double* m_first = nullptr;

@@ -1,0 +1,34 @@
+// The window: builds the parts, joins them, goes.
+
+#include <QApplication>
+#include <QSettings>
+
+#include "editor/shell/main_window.h"
+#include "editor/widgets/theme.h"
+#include "parts/parts.h"
+#include "render/service.h"
+#include "trundle/options.h"
+#include "trundle/picture_taker.h"
+
+int main(int argc, char** argv) {
+    using namespace trundle;
+    QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("Trundle"));
+    QApplication::setOrganizationName(QStringLiteral("Trundle"));
+    QApplication::setApplicationVersion(QStringLiteral(TRUNDLE_VERSION));
+
+    const WindowOptions options = readOptions(application);
+    const bool dark =
+        options.theme.value_or(QSettings().value(QStringLiteral("darkTheme")).toBool() ? ThemeKind::Dark : ThemeKind::Light) ==
+        ThemeKind::Dark;
+    applyTheme(application, dark ? ThemeKind::Dark : ThemeKind::Light);
+
+    const std::unique_ptr<Parts> parts = makeParts();
+    const std::unique_ptr<RenderService> render = RenderService::startInBackground();
+    MainWindow window(*parts, render.get(), findLocations());
+    if (options.size.isValid()) window.resize(options.size);
+    window.show();
+    PictureTaker taker(window, options); // does what the options ask for, once the window stands
+    return QApplication::exec();
+}

@@ -1,0 +1,82 @@
+#include "trundle/options.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <QCommandLineParser>
+
+namespace trundle {
+namespace {
+
+[[noreturn]] void refuse(const QString& message) {
+    std::fprintf(stderr, "trundle: %s\n", qPrintable(message));
+    std::exit(2);
+}
+
+QSize sizeFrom(const QString& text) {
+    const QStringList sides = text.split(QLatin1Char('x'));
+    const QSize size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
+    if (size.width() < 320 || size.height() < 240 || size.width() > 8192 || size.height() > 8192)
+        refuse(QStringLiteral("--size takes WIDTHxHEIGHT from 320x240 to 8192x8192, not %1").arg(text));
+    return size;
+}
+
+/// The value of an option that must be one of a few words.
+QString oneOf(const QCommandLineParser& parser, const QString& option, const QStringList& words) {
+    const QString value = parser.value(option).toLower();
+    if (!value.isEmpty() && !words.contains(value))
+        refuse(QStringLiteral("--%1 is one of %2, not %3").arg(option, words.join(QStringLiteral(", ")), value));
+    return value;
+}
+
+} // namespace
+
+WindowOptions readOptions(const QCoreApplication& application) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Trundle: build robots and arenas, run them in 3D, watch and measure."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("An experiment, robot or arena to open."),
+                                 QStringLiteral("[FILE]"));
+    parser.addOptions(
+        {{QStringLiteral("open"), QStringLiteral("Open FILE."), QStringLiteral("FILE")},
+         {QStringLiteral("run-for"), QStringLiteral("Run for S simulated seconds, then hold."), QStringLiteral("S")},
+         {QStringLiteral("view"), QStringLiteral("perspective, top, front, side, follow, chase or text."),
+          QStringLiteral("NAME")},
+         {QStringLiteral("select"), QStringLiteral("Select an object, as robot0 or robot0.chassis (may be repeated)."),
+          QStringLiteral("PATH")},
+         {QStringLiteral("layout"), QStringLiteral("Docks for edit or run."), QStringLiteral("NAME")},
+         {QStringLiteral("theme"), QStringLiteral("light or dark."), QStringLiteral("NAME")},
+         {QStringLiteral("size"), QStringLiteral("Size of the window in logical pixels."), QStringLiteral("WxH")},
+         {QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window to OUT.png once all is drawn."),
+          QStringLiteral("OUT")},
+         {QStringLiteral("quit"), QStringLiteral("Then leave.")}});
+    parser.process(application);
+
+    WindowOptions options;
+    options.open = parser.value(QStringLiteral("open"));
+    if (parser.positionalArguments().size() > 1) refuse(QStringLiteral("one FILE at a time"));
+    if (options.open.isEmpty() && !parser.positionalArguments().isEmpty()) options.open = parser.positionalArguments().front();
+    if (parser.isSet(QStringLiteral("run-for"))) {
+        bool number = false;
+        options.runFor = parser.value(QStringLiteral("run-for")).toDouble(&number);
+        if (!number || !(*options.runFor >= 0) || *options.runFor > 1e9)
+            refuse(QStringLiteral("--run-for takes seconds from 0 to 1e9"));
+    }
+    options.view = oneOf(parser, QStringLiteral("view"),
+                         {QStringLiteral("perspective"), QStringLiteral("top"), QStringLiteral("front"), QStringLiteral("side"),
+                          QStringLiteral("follow"), QStringLiteral("chase"), QStringLiteral("text")});
+    options.select = parser.values(QStringLiteral("select"));
+    if (const QString layout = oneOf(parser, QStringLiteral("layout"), {QStringLiteral("edit"), QStringLiteral("run")});
+        !layout.isEmpty())
+        options.layout = layout == QStringLiteral("run") ? Layout::Run : Layout::Edit;
+    if (const QString theme = oneOf(parser, QStringLiteral("theme"), {QStringLiteral("light"), QStringLiteral("dark")});
+        !theme.isEmpty())
+        options.theme = theme == QStringLiteral("dark") ? ThemeKind::Dark : ThemeKind::Light;
+    if (parser.isSet(QStringLiteral("size"))) options.size = sizeFrom(parser.value(QStringLiteral("size")));
+    options.screenshot = parser.value(QStringLiteral("screenshot"));
+    options.quit = parser.isSet(QStringLiteral("quit"));
+    return options;
+}
+
+} // namespace trundle

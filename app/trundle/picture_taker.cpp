@@ -1,0 +1,71 @@
+#include "trundle/picture_taker.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <QApplication>
+#include <QFileInfo>
+
+namespace trundle {
+
+PictureTaker::PictureTaker(MainWindow& window, const WindowOptions& options) : m_window(window), m_options(options) {
+    m_look.setInterval(10);
+    if (m_options.quit) // nobody is there to read a message in the window
+        connect(&m_window.document(), &Document::openFailed, this, [](const QString& path, const QString& reason) {
+            std::fprintf(stderr, "trundle: %s: %s\n", qPrintable(path), qPrintable(reason));
+            std::exit(2);
+        });
+    connect(&m_look, &QTimer::timeout, this, &PictureTaker::next);
+    m_look.start();
+}
+
+void PictureTaker::next() {
+    switch (m_stage) {
+    case Stage::Open:
+        if (m_options.layout) m_window.setLayout(*m_options.layout);
+        if (!m_options.open.isEmpty()) m_window.open(QFileInfo(m_options.open).absoluteFilePath());
+        m_stage = Stage::Opening;
+        break;
+    case Stage::Opening: {
+        if (m_window.document().isOpening()) return;
+        std::vector<std::string> paths;
+        for (const QString& path : m_options.select) paths.push_back(path.toStdString());
+        if (!paths.empty()) m_window.selection().set(paths);
+        m_window.useView(m_options.view);
+        m_stage = m_options.runFor && m_window.document().isOpen() ? Stage::Run : Stage::Draw;
+        break;
+    }
+    case Stage::Run:
+        m_window.session().runFor(*m_options.runFor);
+        m_stage = Stage::Running;
+        break;
+    case Stage::Running:
+        if (runDone()) m_stage = Stage::Draw;
+        break;
+    case Stage::Draw:
+        if (!m_window.isSettled()) return;
+        take();
+        m_stage = Stage::Done;
+        break;
+    case Stage::Done:
+        m_look.stop();
+        if (m_options.quit) QApplication::exit(0);
+        break;
+    }
+}
+
+bool PictureTaker::runDone() const {
+    const RunSession& session = m_window.session();
+    const bool over = session.state() == RunState::Ended || session.state() == RunState::Start; // Start: it was refused
+    return over || (session.state() == RunState::Paused && session.time() > *m_options.runFor - 1e-9);
+}
+
+void PictureTaker::take() {
+    if (m_options.screenshot.isEmpty()) return;
+    if (!m_window.grab().save(m_options.screenshot)) {
+        std::fprintf(stderr, "trundle: %s could not be written\n", qPrintable(m_options.screenshot));
+        QApplication::exit(2);
+    }
+}
+
+} // namespace trundle

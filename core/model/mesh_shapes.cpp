@@ -1,0 +1,54 @@
+#include "model/mesh_shapes.h"
+
+#include "model/convex_hull.h"
+#include "model/mass_properties.h"
+
+namespace trundle {
+
+namespace {
+constexpr std::size_t kMostForgotten = 64; ///< meshes known before those that are gone are looked for
+}
+
+MeshShapes::Known& MeshShapes::known(const Mesh& mesh) {
+    if (m_known.size() >= kMostForgotten) std::erase_if(m_known, [](const auto& entry) { return entry.second.mesh.expired(); });
+    Known& known = m_known[mesh.get()];
+    if (known.mesh.lock() == mesh) return known;
+    known = {}; // another mesh had the address before
+    known.mesh = mesh;
+    return known;
+}
+
+MeshShapes::Mesh MeshShapes::scaled(const Mesh& mesh, const std::array<double, 3>& scale) {
+    if (scale == std::array<double, 3>{1, 1, 1}) return mesh;
+    const std::lock_guard lock(m_mutex);
+    auto& all = known(mesh).scaled;
+    if (Mesh kept = all[scale].lock()) return kept;
+    std::erase_if(all, [](const auto& entry) { return entry.second.expired(); });
+    auto made = std::make_shared<TriangleMesh>(*mesh);
+    for (auto& p : made->points)
+        for (std::size_t i = 0; i < 3; ++i) p[i] *= scale[i];
+    all[scale] = made;
+    return made;
+}
+
+MeshShapes::Mesh MeshShapes::hull(const Mesh& mesh) {
+    const std::lock_guard lock(m_mutex);
+    Known& shapes = known(mesh);
+    if (shapes.flat) return nullptr;
+    if (Mesh kept = shapes.hull.lock()) return kept;
+    std::optional<TriangleMesh> hull = convexHull(mesh->points);
+    shapes.flat = !hull;
+    if (!hull) return nullptr;
+    auto made = std::make_shared<const TriangleMesh>(std::move(*hull));
+    shapes.hull = made;
+    return made;
+}
+
+Result<MassProperties> MeshShapes::solid(const Mesh& mesh) {
+    const std::lock_guard lock(m_mutex);
+    Known& shapes = known(mesh);
+    if (!shapes.solid) shapes.solid = solidOf(*mesh);
+    return *shapes.solid;
+}
+
+} // namespace trundle

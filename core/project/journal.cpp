@@ -1,0 +1,127 @@
+#include "project/journal.h"
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+
+#include "base/platform/process_identity.h"
+#include "project/journal_record.h"
+#include "project/state_folder.h"
+#include "project/text_splice.h"
+
+namespace trundle {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t kSmallJournal = 1u << 20; ///< bytes below which nothing is worth writing anew
+
+std::string now() {
+    const auto since = std::chrono::system_clock::now().time_since_epoch();
+    return std::to_string(std::chrono::duration_cast<std::chrono::seconds>(since).count());
+}
+
+std::string headBytes(const JournalHead& head) {
+    const ProcessIdentity self = thisProcess();
+    return std::string(kJournalMark) +
+           journalBytes(
+               {JournalRecord::Head, {head.opened, head.name, std::to_string(self.pid), std::to_string(self.start), self.host}});
+}
+
+} // namespace
+
+Journal::Journal(std::string projectFolder, JournalHead head)
+    : m_projectFolder(std::move(projectFolder)), m_head(std::move(head)) {}
+
+Journal::~Journal() = default;
+
+Status Journal::makeFile() {
+    static std::atomic<unsigned> counter{0};
+    const std::string work = makeWorkFolder(m_projectFolder);
+    if (work.empty()) return Error{Code::FileUnwritable, "there is no folder that a journal can be written in"};
+    std::error_code failed;
+    fs::create_directories(work + "/journal", failed);
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        const ProcessIdentity self = thisProcess();
+        const std::string path = work + "/journal/" + std::to_string(self.pid) + "-" + std::to_string(self.start) + "-" +
+                                 std::to_string(counter++) + ".journal";
+        Result<LockedFile> made = LockedFile::make(path);
+        if (!made && fs::exists(path, failed)) continue;
+        if (!made) return made.error();
+        m_file = std::make_shared<LockedFile>(std::move(made).value());
+        m_bytes = 0;
+        return append(headBytes(m_head));
+    }
+    return Error{Code::FileUnwritable, "a journal cannot be made in " + work};
+}
+
+Status Journal::append(const std::string& record) {
+    if (Status written = m_file->append(record); !written) return written;
+    m_bytes += record.size();
+    return {};
+}
+
+Status Journal::note(const std::string& file, const std::string& base, const std::string& text) {
+    if (!m_file) {
+        if (Status made = makeFile(); !made) return made;
+    }
+    const auto known = m_noted.find(file);
+    const bool begins = known == m_noted.end() || known->second.base != base;
+    const std::string& before = begins ? base : known->second.text;
+    const TextSplice splice = spliceBetween(before, text);
+    if (!begins && splice.empty()) return {};
+    std::string record;
+    if (begins) record = journalBytes({JournalRecord::Begin, {file, base, now()}});
+    record += journalBytes({JournalRecord::Change,
+                            {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
+    if (Status written = append(record); !written) return written;
+    m_noted.insert_or_assign(file, Noted{base, text});
+    return compact();
+}
+
+Status Journal::forget(const std::string& file) {
+    if (m_noted.erase(file) == 0) return {};
+    if (m_noted.empty()) {
+        discard();
+        return {};
+    }
+    return append(journalBytes({JournalRecord::Forget, {file}}));
+}
+
+// A long day of typing must not fill the disk: what leads to the same texts in fewer bytes takes the file's place.
+Status Journal::compact() {
+    std::uint64_t needed = kSmallJournal;
+    for (const auto& [file, noted] : m_noted) needed += 2 * (noted.base.size() + noted.text.size());
+    if (m_bytes <= 2 * needed) return {};
+    const std::string path = m_file->path();
+    Result<LockedFile> fresh = LockedFile::make(path + ".new");
+    if (!fresh) return {}; // the long one is as good
+    std::string bytes = headBytes(m_head);
+    for (const auto& [file, noted] : m_noted) {
+        const TextSplice splice = spliceBetween(noted.base, noted.text);
+        bytes += journalBytes({JournalRecord::Begin, {file, noted.base, now()}});
+        bytes += journalBytes({JournalRecord::Change,
+                               {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
+    }
+    LockedFile& file = fresh.value();
+    if (!file.append(bytes) || !file.sync() || !file.renameTo(path)) {
+        file.remove();
+        return {};
+    }
+    m_file = std::make_shared<LockedFile>(std::move(file));
+    m_bytes = bytes.size();
+    return {};
+}
+
+void Journal::discard() {
+    m_noted.clear();
+    if (!m_file) return;
+    const fs::path folder = fs::path(m_file->path()).parent_path();
+    m_file->unlink(); // a thread may still wait for it
+    m_file.reset();
+    std::error_code notEmpty;
+    if (fs::remove(folder, notEmpty)) tidyWorkFolder(folder.parent_path().string());
+}
+
+} // namespace trundle

@@ -1,0 +1,39 @@
+#pragma once
+// Items of a block with its imports in their places, and which Params can be seen there. Private to core/project.
+
+#include <functional>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "model/outline.h"
+
+namespace trundle {
+
+/// Every directive, assignment, Param and block of `items`; files that they import come in the place of the directive, each once.
+void eachItem(const TextSet& texts, const std::vector<Item>& items, FileId file,
+              const std::function<void(const Item& item, FileId file)>& take);
+
+/// The Params declared in one block, and outward.
+class NameScope {
+public:
+    NameScope() = default;
+    NameScope(const TextSet& texts, const std::vector<Item>& items, FileId file, const NameScope* outer,
+              const Part* config = nullptr);
+
+    struct Declaration {
+        const ParamItem* item = nullptr;
+        FileId file = kNoFile;
+        const NameScope* scope = nullptr;
+    };
+    [[nodiscard]] Declaration find(std::string_view name) const;
+    /// The config whose Params these are, which instances may set.
+    [[nodiscard]] const Part* config() const { return m_config; }
+
+private:
+    const NameScope* m_outer = nullptr;
+    const Part* m_config = nullptr;
+    std::map<std::string_view, Declaration> m_own;
+};
+
+} // namespace trundle

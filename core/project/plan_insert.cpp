@@ -1,0 +1,191 @@
+// Needs: blocks as text and where somebody wants them. Gives: each in a place where it may stand, under a free name, with the
+// imports that it needs.
+
+#include <set>
+
+#include "project/edit_sheet.h"
+#include "project/import_lines.h"
+#include "project/object_names.h"
+#include "project/pasted_blocks.h"
+#include "project/plan_targets.h"
+
+namespace trundle {
+
+namespace {
+
+/// A block that something may be put into, under the path it was come by.
+struct Target {
+    const Part* part = nullptr; ///< nullptr: the top level
+    std::string path;
+};
+
+/// The place itself, what is round it, and the config or the instance it is reached through.
+std::vector<Target> nearTo(const Loaded& loaded, const ObjectPlace& place, std::string path) {
+    std::vector<Target> all{{place.part, path}};
+    for (auto it = place.above.rbegin(); it != place.above.rend(); ++it) {
+        path = path.substr(0, path.rfind('.'));
+        all.push_back({*it, path});
+    }
+    if (!place.instance) return all;
+    if (all.back().part != place.instance) all.push_back({place.instance, path}); // its config stands for it
+    else if (const Part* config = configOf(loaded, *place.instance)) all.push_back({config, path});
+    return all;
+}
+
+bool holdsControllers(const Part& part) { return isPlaced(part) && part.block->type.text != "Static"; }
+
+class Insertion {
+public:
+    Insertion(const Loaded& loaded, PastedBlocks blocks) : m_loaded(loaded), m_blocks(std::move(blocks)), m_sheet(loaded) {}
+
+    Result<EditPlan> into(const std::string& parent, const std::vector<std::string>& imports) {
+        const std::optional<ObjectPlace> place = placeOf(m_loaded, parent);
+        if (!place) return Error{Code::NoSuchPath, "there is no " + parent};
+        if (place->part) m_near = nearTo(m_loaded, *place, parent);
+        m_member = place->member;
+        for (PastedBlocks::Entry& entry : m_blocks.entries) {
+            if (Status status = settle(entry); !status.ok()) return status.error();
+        }
+        std::vector<std::string> selects;
+        for (std::size_t i = 0; i < m_blocks.entries.size(); ++i) {
+            const PastedBlocks::Entry& entry = m_blocks.entries[i];
+            const FileId file = entry.target ? entry.target->file : FileId{0};
+            m_sheet.addItem(file, entry.target ? entry.target->block : nullptr, m_blocks.textOf(m_loaded, entry));
+            selects.push_back(pathFor(entry, m_paths[i]));
+        }
+        if (Status status = import(imports); !status.ok()) return status.error();
+        if (!m_imports)
+            if (Status status = nothingMissing(); !status.ok()) return status.error();
+        return m_sheet.plan(std::move(selects));
+    }
+
+private:
+    Status settle(PastedBlocks::Entry& entry) {
+        Result<Target> target = targetFor(entry);
+        if (!target.ok()) return target.error();
+        entry.target = target.value().part;
+        m_paths.push_back(target.value().path);
+        if (entry.kind && entry.kind->role == Role::Controller && entry.target)
+            if (Status status = oneController(*entry.target); !status.ok()) return status;
+        const bool optional = !entry.kind || entry.kind->nameOptional;
+        TakenNames& names = namesIn(entry);
+        if (entry.block->name) entry.name = names.take(entry.block->name->text);
+        else if (!optional) entry.name = names.take(lowerFirst(entry.block->type.text));
+        return {};
+    }
+
+    Result<Target> targetFor(const PastedBlocks::Entry& entry) const {
+        if (!entry.kind) return unknown();
+        if (mayStand(*entry.kind, nullptr)) return Target{};
+        if (entry.kind->role == Role::Controller && m_member)
+            return Error{Code::ReplaceBySingles, "a member of a Grid or Scatter has no text of its own; replace that by single "
+                                                 "robots first"};
+        for (const Target& target : m_near)
+            if (target.part->usable && mayStand(*entry.kind, target.part)) return target;
+        return Error{Code::WrongPlace, standsIn(*entry.kind) + ", not " +
+                                           (m_near.empty() ? "at the top level" : "in " + m_near.front().part->title())};
+    }
+
+    /// A kind of a module that is not loaded yet: a controller of a robot or a device of a config, as far as one can tell.
+    Result<Target> unknown() const {
+        for (const Target& target : m_near)
+            if (holdsControllers(*target.part) || target.part->is(Role::Config)) return target;
+        return Target{};
+    }
+
+    Status oneController(const Part& robot) const {
+        for (const Part& part : robot.parts)
+            if (part.is(Role::Controller))
+                return Error{Code::MultipleControllers, robot.title() + " has a controller already: " + part.title()};
+        const auto here = std::count_if(m_blocks.entries.begin(), m_blocks.entries.end(), [&](const PastedBlocks::Entry& e) {
+            return e.target == &robot && e.kind && e.kind->role == Role::Controller;
+        });
+        if (here > 1) return Error{Code::MultipleControllers, robot.title() + " can have one controller"};
+        return {};
+    }
+
+    TakenNames& namesIn(const PastedBlocks::Entry& entry) {
+        const NameSpace* space = !entry.target && entry.kind ? m_loaded.outline->spaceOf(*entry.kind) : nullptr;
+        return m_names.try_emplace({entry.target, space}, m_loaded, entry.target, entry.kind).first->second;
+    }
+
+    std::string pathFor(const PastedBlocks::Entry& entry, const std::string& parent) {
+        std::string name = entry.name;
+        if (name.empty()) name = automatic(entry);
+        if (entry.target) return parent + "." + name;
+        const NameSpace* space = entry.kind ? m_loaded.outline->spaceOf(*entry.kind) : nullptr;
+        return space == &m_loaded.outline->world || !entry.kind ? name : entry.kind->name + "." + name;
+    }
+
+    /// The name that an unnamed block will be given: the next one of its kind.
+    std::string automatic(const PastedBlocks::Entry& entry) {
+        const std::string& type = entry.block->type.text;
+        const auto unnamed = [&](const Part& p) { return !p.block->name && p.block->type.text == type; };
+        int& count = m_unnamed.try_emplace({entry.target, type}, 0).first->second;
+        if (count == 0) {
+            if (entry.target)
+                count = static_cast<int>(std::count_if(entry.target->parts.begin(), entry.target->parts.end(), unnamed));
+            else
+                for (const auto& part : m_loaded.outline->parts) count += unnamed(*part);
+        }
+        TakenNames& names = namesIn(entry);
+        const std::string base = lowerFirst(type);
+        for (;;) {
+            ++count;
+            std::string name = count == 1 ? base : base + std::to_string(count);
+            if (names.holder(name).empty()) return names.take(name);
+        }
+    }
+
+    /// Into each file that gets something, what it has not got.
+    Status import(std::vector<std::string> imports) {
+        imports.insert(imports.end(), m_blocks.directives.begin(), m_blocks.directives.end());
+        std::set<FileId> files;
+        for (const PastedBlocks::Entry& entry : m_blocks.entries) files.insert(entry.target ? entry.target->file : FileId{0});
+        if (files.empty()) files.insert(0);
+        for (const FileId file : files) {
+            Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, file, imports);
+            if (!edits.ok()) return edits.error();
+            m_imports = m_imports || !edits.value().empty();
+            for (TextEdit& edit : edits.value()) m_sheet.addFirst(std::move(edit));
+        }
+        return {};
+    }
+
+    /// Without new imports it is known what there is.
+    Status nothingMissing() const {
+        for (const PastedBlocks::Entry& entry : m_blocks.entries) {
+            std::vector<const Part*> round;
+            for (const Target& target : m_near) // the innermost comes first in it
+                if (entry.target &&
+                    (target.part == entry.target || (!round.empty() && isWithin(entry.target->range, target.part->range))))
+                    round.insert(round.begin(), target.part);
+            const std::string what = m_blocks.missing(m_loaded, entry, round);
+            if (!what.empty())
+                return Error{Code::UnknownReference,
+                             entry.block->type.text + " " + entry.name + (entry.name.empty() ? "uses " : " uses ") + what +
+                                 ", which there is not " + (entry.target ? "in " + entry.target->title() : "here")};
+        }
+        return {};
+    }
+
+    const Loaded& m_loaded;
+    PastedBlocks m_blocks;
+    EditSheet m_sheet;
+    std::vector<Target> m_near;
+    bool m_member = false, m_imports = false;
+    std::vector<std::string> m_paths; ///< of the targets
+    std::map<std::pair<const Part*, const NameSpace*>, TakenNames> m_names;
+    std::map<std::pair<const Part*, std::string>, int> m_unnamed;
+};
+
+} // namespace
+
+Result<EditPlan> planInsert(const Loaded& loaded, const std::string& parent, const std::string& text,
+                            const std::vector<std::string>& imports) {
+    Result<PastedBlocks> blocks = PastedBlocks::read(*loaded.registry, text);
+    if (!blocks.ok()) return blocks.error();
+    return Insertion(loaded, std::move(blocks).value()).into(parent, imports);
+}
+
+} // namespace trundle

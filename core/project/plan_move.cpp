@@ -1,0 +1,292 @@
+// Needs: blocks and the place they are to have. Gives: their text there, with what names them and where they stand put right.
+
+#include "lang/characters.h"
+#include "lang/edit_style.h"
+#include "lang/tree_edit.h"
+#include "project/edit_sheet.h"
+#include "project/name_scope.h"
+#include "project/object_names.h"
+#include "project/part_values.h"
+#include "project/placed_text.h"
+#include "project/plan_targets.h"
+
+namespace trundle {
+
+namespace {
+
+/// A block on its way.
+struct Moved {
+    const Chosen* chosen = nullptr;
+    const Part* part = nullptr;
+    const Part* from = nullptr; ///< nullptr: the top level
+    const Part* to = nullptr;
+    std::string path; ///< of what it goes into
+    std::string name;
+};
+
+const Part* holderOf(const ObjectPlace& place) { return place.above.empty() ? nullptr : place.above.back(); }
+
+/// The config or instance at the top of what holds a block.
+const Part* topOf(const Part* holder, const ObjectPlace& place) { return place.above.empty() ? holder : place.above.front(); }
+
+ObjectPlace outer(ObjectPlace place) {
+    place.part = holderOf(place);
+    if (!place.above.empty()) place.above.pop_back();
+    place.within = place.within.substr(0, place.within.find('.') == std::string::npos ? 0 : place.within.rfind('.'));
+    return place;
+}
+
+class Move {
+public:
+    Move(const Loaded& loaded, const std::vector<Chosen>& all)
+        : m_loaded(loaded), m_texts(loaded.outline->texts()), m_mentions(mentionsIn(loaded)), m_sheet(loaded) {
+        for (const Chosen& c : all) m_moved.push_back({&c, c.place.part, holderOf(c.place), nullptr, {}, c.place.part->name});
+    }
+
+    Result<EditPlan> run(const std::string& parent, const std::string& before) {
+        const std::optional<ObjectPlace> into = placeOf(m_loaded, parent);
+        if (!into) return Error{Code::NoSuchPath, "there is no " + parent};
+        m_into = *into;
+        for (Moved& m : m_moved)
+            if (Status status = settle(m, parent); !status.ok()) return status.error();
+        if (!before.empty())
+            if (Status status = findBefore(before); !status.ok()) return status.error();
+        if (nothingChanges()) {
+            EditPlan same;
+            for (const Moved& m : m_moved) same.selects.push_back(m.chosen->path);
+            return same;
+        }
+        std::vector<std::string> selects;
+        for (Moved& m : m_moved) {
+            if (m.from != m.to)
+                if (Status status = changePlace(m); !status.ok()) return status.error();
+        }
+        for (const Moved& m : m_moved) {
+            put(m);
+            const bool kindFirst = !m.to && m_loaded.outline->spaceOf(*m.part->kind) != &m_loaded.outline->world;
+            selects.push_back((m.to ? m.path + "." : kindFirst ? m.part->kind->name + "." : "") + m.name);
+        }
+        return m_sheet.plan(std::move(selects));
+    }
+
+private:
+    Status settle(Moved& m, const std::string& parent) {
+        const Part& part = *m.part;
+        if (!part.kind) return Error{Code::UnknownKind, part.title() + " is of a kind that is not loaded"};
+        const Part* config = m_into.part && m_into.part == m_into.instance ? configOf(m_loaded, *m_into.part) : nullptr;
+        m.path = parent;
+        if (mayStand(*part.kind, m_into.part)) m.to = m_into.part;
+        else if (config && mayStand(*part.kind, config)) m.to = config;
+        else
+            return Error{Code::WrongPlace,
+                         standsIn(*part.kind) + ", not " + (m_into.part ? "in " + m_into.part->title() : "at the top level")};
+        if (m.to && isWithin(m.to->range, part.range)) return Error{Code::WrongPlace, part.title() + " cannot stand in itself"};
+        if (m_loaded.outline->texts().commandLine(part.file)) return Error{Code::Internal, "a --set text cannot be changed"};
+        std::size_t places = 0;
+        const auto count = [&](const auto& self, const std::vector<Part>& parts) -> void {
+            for (const Part& p : parts) {
+                places += p.block == part.block;
+                self(self, p.parts);
+            }
+        };
+        for (const auto& top : m_loaded.outline->parts) count(count, top->parts);
+        if (places > 1) return Error{Code::WrongPlace, part.title() + " stands in a file that several blocks import"};
+        if (m.from == m.to) return {};
+        if (part.is(Role::Controller))
+            for (const Part& other : m.to->parts)
+                if (other.is(Role::Controller))
+                    return Error{Code::MultipleControllers, m.to->title() + " has a controller already: " + other.title()};
+        const NameSpace* space = m.to ? nullptr : m_loaded.outline->spaceOf(*part.kind);
+        m.name = m_names.try_emplace({m.to, space}, m_loaded, m.to, part.kind).first->second.take(part.name);
+        return {};
+    }
+
+    bool isMoved(const BlockItem* block) const {
+        return std::any_of(m_moved.begin(), m_moved.end(), [&](const Moved& m) { return m.part->block == block; });
+    }
+
+    std::vector<const Part*> siblings() const {
+        std::vector<const Part*> all;
+        const Part* to = m_moved.front().to;
+        if (to)
+            for (const Part& p : to->parts) all.push_back(&p);
+        else
+            for (const auto& p : m_loaded.outline->parts) all.push_back(p.get());
+        return all;
+    }
+
+    Status findBefore(const std::string& path) {
+        const std::optional<ObjectPlace> place = placeOf(m_loaded, path);
+        const auto all = siblings();
+        const auto it = place ? std::find(all.begin(), all.end(), place->part) : all.end();
+        if (it == all.end()) return Error{Code::NoSuchPath, path + " does not stand in the same block"};
+        for (auto next = it; next != all.end(); ++next) { // the first behind it that stays
+            if (isMoved((*next)->block) || ((*next)->file != (*it)->file)) continue;
+            m_before = *next;
+            return {};
+        }
+        return {};
+    }
+
+    bool nothingChanges() const {
+        if (std::any_of(m_moved.begin(), m_moved.end(), [](const Moved& m) { return m.from != m.to; })) return false;
+        const auto all = siblings();
+        std::vector<const Part*> after;
+        const auto insert = [&] {
+            for (const Moved& m : m_moved) after.push_back(m.part);
+        };
+        for (const Part* p : all) {
+            if (p == m_before) insert();
+            if (!isMoved(p->block)) after.push_back(p);
+        }
+        if (!m_before) insert();
+        return after == all;
+    }
+
+    /// The block gets another parent: who names it, and what does it name?
+    Status changePlace(Moved& m) {
+        const bool sameConfig = m.part->is(Role::Geom) && m.from && m.to && topOf(m.from, m.chosen->place) == topOf(m.to, m_into);
+        const Part* top = sameConfig ? nullptr : m.to;
+        std::vector<const Mention*> users, wants;
+        for (const Mention& mention : m_mentions) {
+            const bool byMoved = mention.user && movedAlong(*mention.user);
+            if (mention.target && stands(mention.target, *m.part) && mention.name.known()) {
+                if (mention.target == m.part->block && (sameConfig || byMoved || m.from == nullptr)) {
+                    if (mention.before.known()) change({mention.before, m.to->name});
+                    change({mention.name, m.name});
+                } else if (!sameConfig && !byMoved && !mention.pattern && m.from) users.push_back(&mention);
+            }
+            if (!byMoved || !isWithin(mention.user->range, m.part->range)) continue;
+            if (top && mention.target && !isTop(mention.target) && !movedTarget(mention.target) &&
+                !top->find(m_texts.slice(mention.before.known() ? mention.before : mention.name)))
+                wants.push_back(&mention);
+            if (mention.param && !seenAt(m, m_texts.slice(mention.name)) && !inMoved(mention)) wants.push_back(&mention);
+        }
+        if (!users.empty()) return Error{Code::UnknownReference, m.part->title() + " is still used by " + usersText(users)};
+        if (!wants.empty())
+            return Error{Code::UnknownReference, m.part->title() + " uses " + std::string(m_texts.slice(wants[0]->name)) +
+                                                     ", which there is not in " + (m.to ? m.to->title() : "the experiment")};
+        return {};
+    }
+
+    /// Whether a block is one of these, or stands in one.
+    bool movedAlong(const Part& user) const {
+        return std::any_of(m_moved.begin(), m_moved.end(), [&](const Moved& m) { return isWithin(user.range, m.part->range); });
+    }
+    static bool stands(const BlockItem* block, const Part& part) {
+        return part.block == block ||
+               std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& p) { return stands(block, p); });
+    }
+    bool movedTarget(const BlockItem* block) const {
+        return std::any_of(m_moved.begin(), m_moved.end(), [&](const Moved& m) { return stands(block, *m.part); });
+    }
+    bool isTop(const BlockItem* block) const {
+        return std::any_of(m_loaded.outline->parts.begin(), m_loaded.outline->parts.end(),
+                           [&](const auto& p) { return p->block == block; });
+    }
+    bool inMoved(const Mention& mention) const { // its Param comes along
+        const auto declares = [&](const auto& self, const std::vector<Item>& items) -> bool {
+            return std::any_of(items.begin(), items.end(), [&](const Item& item) {
+                const auto* block = item.as<BlockItem>();
+                return item.as<ParamItem>() == mention.param || (block && self(self, block->items));
+            });
+        };
+        return std::any_of(m_moved.begin(), m_moved.end(),
+                           [&](const Moved& m) { return declares(declares, m.part->block->items); });
+    }
+    bool seenAt(const Moved& m, std::string_view name) const {
+        const auto has = [&](const std::vector<PlacedParam>& params) {
+            return std::any_of(params.begin(), params.end(), [&](const PlacedParam& p) { return p.name->text == name; });
+        };
+        if (has(m_loaded.outline->params) || (m.to && has(m.to->params))) return true;
+        return m.to == m_into.part &&
+               std::any_of(m_into.above.begin(), m_into.above.end(), [&](const Part* p) { return has(p->params); });
+    }
+
+    /// Into the moved text where it stands in one, else into the sheet.
+    void change(TextEdit edit) {
+        for (const Moved& m : m_moved) {
+            if (!isWithin(edit.range, m.part->range)) continue;
+            std::vector<TextEdit>& edits = m_inside[m.part];
+            const bool known = std::any_of(edits.begin(), edits.end(), [&](const TextEdit& e) { return e.range == edit.range; });
+            edit.range.range.begin -= m.part->range.range.begin;
+            edit.range.range.end -= m.part->range.range.begin;
+            if (!known) edits.push_back(std::move(edit));
+            return;
+        }
+        m_sheet.add(std::move(edit));
+    }
+
+    /// Where the block stands in what will hold it, when it stays where it is in the world.
+    void keepPose(const Moved& m, PlacedText& text) const {
+        if (!m.part->is(Role::Geom) && !m.part->is(Role::Body)) return;
+        const ObjectPlace& old = m.chosen->place;
+        ObjectPlace into = m_into;
+        const bool ofConfig = into.part != m.to; // "robot0" for its config
+        if (ofConfig) into.part = m.to;
+        const auto frame = [&](const ObjectPlace& holder) {
+            return holder.part && holder.part->is(Role::Body) ? poseAt(m_loaded, holder) : Pose{};
+        };
+        Pose from = frame(outer(old)), to = ofConfig ? Pose{} : frame(into);
+        if (old.instance && into.instance && old.instance != into.instance && !old.member && !into.member) {
+            const auto world = [&](const Part* instance) {
+                ObjectPlace place;
+                place.part = place.instance = instance;
+                return poseAt(m_loaded, place);
+            };
+            from = world(old.instance) * from;
+            to = world(into.instance) * to;
+        }
+        const Pose before = poseAt(m_loaded, old), after = to.inverse() * (from * before);
+        if ((after.position - before.position).norm() > 1e-12) text.set("Pos", positionText(after.position));
+        if (after.rotation.angularDistance(before.rotation) > 1e-9) text.set("HPR", headingText(after.rotation));
+    }
+
+    void put(const Moved& m) {
+        const Part& part = *m.part;
+        Result<std::string> written = applyEdits(m_texts.slice(part.range), m_inside[&part]);
+        const std::size_t indent = indentOfLine(m_loaded.trees[part.file]->source().bytes(), part.range.range.begin).size();
+        PlacedText text(dedented(written.ok() ? std::string_view(written.value()) : m_texts.slice(part.range), indent));
+        if (m.name != part.name || !part.block->name) text.rename(m.name);
+        if (m.from != m.to) keepPose(m, text);
+        m_sheet.removeItem(part.range);
+        std::vector<const Part*> all;
+        for (const Moved& other : m_moved) all.push_back(other.part);
+        if (!part.block->name && m.from) keepNames(m.from->parts, part.block->type.text, m_mentions, all, m_sheet);
+        if (!m_before) return m_sheet.addItem(m.to ? m.to->file : FileId{0}, m.to ? m.to->block : nullptr, text.text());
+        const Tree& tree = *m_loaded.trees[m_before->file];
+        const std::string_view bytes = tree.source().bytes();
+        const std::uint32_t at = m_before->range.range.begin;
+        std::uint32_t start = at;
+        while (start > 0 && isBlank(bytes[start - 1])) --start;
+        const bool first = start == 0 || bytes[start - 1] == '\n' || bytes[start - 1] == '\r';
+        const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(bytes, at);
+        const bool lines = text.text().find('\n') != std::string::npos || text.text().find("//") != std::string::npos;
+        std::string out;
+        for (const char c : text.text()) out += c == '\n' ? lineEnd : std::string(1, c);
+        if (first) out += lineEnd;
+        else out = lines ? lineEnd + out + lineEnd : out + " ";
+        m_sheet.add({{m_before->file, {at, at}}, out});
+    }
+
+    const Loaded& m_loaded;
+    const TextSet& m_texts;
+    const std::vector<Mention> m_mentions;
+    EditSheet m_sheet;
+    std::vector<Moved> m_moved;
+    ObjectPlace m_into;
+    const Part* m_before = nullptr;
+    std::map<std::pair<const Part*, const NameSpace*>, TakenNames> m_names;
+    std::map<const Part*, std::vector<TextEdit>> m_inside; ///< edits of the moved texts, from their beginnings
+};
+
+} // namespace
+
+Result<EditPlan> planMove(const Loaded& loaded, const std::vector<std::string>& paths, const std::string& parent,
+                          const std::string& before) {
+    const Result<std::vector<Chosen>> all = chosen(loaded, paths);
+    if (!all.ok()) return all.error();
+    return Move(loaded, all.value()).run(parent, before);
+}
+
+} // namespace trundle

@@ -1,0 +1,82 @@
+#include "project/project_lock.h"
+
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <sstream>
+
+#include "base/platform/read_file.h"
+#include "project/state_folder.h"
+
+namespace trundle {
+
+namespace {
+
+std::string written(const LockHolder& holder) {
+    std::ostringstream out;
+    out << holder.process.pid << '\n'
+        << holder.process.start << '\n'
+        << holder.process.host << '\n'
+        << holder.since << '\n'
+        << holder.opened << '\n';
+    return out.str();
+}
+
+LockHolder read(const std::string& path) {
+    LockHolder holder;
+    const Result<std::string> text = readRegularFile(path, 1u << 16);
+    if (!text) return holder;
+    std::istringstream in(text.value());
+    in >> holder.process.pid >> holder.process.start;
+    in.ignore(1);
+    std::getline(in, holder.process.host);
+    in >> holder.since;
+    in.ignore(1);
+    std::getline(in, holder.opened);
+    return holder;
+}
+
+/// Held by a process that is still there, as far as can be told from what the file says: for file systems without locks.
+bool heldByWords(const LockHolder& holder) {
+    const ProcessIdentity self = thisProcess();
+    return holder.process.pid > 0 && holder.process.host == self.host && holder.process.pid != self.pid &&
+           mayBeAlive(holder.process);
+}
+
+} // namespace
+
+std::string LockHolder::said() const {
+    if (process.pid <= 0) return "another window";
+    const std::time_t when = since;
+    std::tm local{};
+    char clock[32] = "";
+    if (since > 0 && ::localtime_r(&when, &local)) std::strftime(clock, sizeof clock, ", since %H:%M", &local);
+    return "another window (process " + std::to_string(process.pid) + " on " + process.host + clock + ")";
+}
+
+ProjectLock::ProjectLock(const std::string& projectFolder, const std::string& opened) {
+    const std::string folder = makeWorkFolder(projectFolder);
+    if (folder.empty()) return;
+    const std::string path = folder + "/lock";
+    const LockHolder before = read(path);
+    Result<std::optional<LockedFile>> file = LockedFile::take(path);
+    if (!file) return;
+    m_taken = file.value().has_value() && !heldByWords(before);
+    if (!m_taken) {
+        m_holder = before;
+        return;
+    }
+    m_file = std::move(file).value();
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    m_holder = {thisProcess(), opened, std::chrono::duration_cast<std::chrono::seconds>(now).count()};
+    (void)m_file->rewrite(written(m_holder)); // only words for others
+}
+
+ProjectLock::~ProjectLock() {
+    if (!m_file) return;
+    const std::string folder = std::filesystem::path(m_file->path()).parent_path().string();
+    m_file->remove();
+    tidyWorkFolder(folder);
+}
+
+} // namespace trundle

@@ -1,0 +1,179 @@
+#include "run/live_run.h"
+
+#include <cmath>
+#include <system_error>
+
+#include "run/live_run_shared.h"
+#include "run/live_thread.h"
+
+namespace trundle {
+
+LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared<Shared>()) {
+    m_shared->running = options.startsRunning;
+    m_shared->steps = options.startsRunning ? 0 : options.steps;
+    m_shared->contacts = options.contacts;
+    m_shared->changed = std::move(options.changed);
+    m_shared->busySince = LiveClock::now();
+    setSpeed(options.speed);
+    try {
+        m_shared->thread =
+            std::thread([shared = m_shared, maker = std::move(maker), folder = std::move(options.logFolder),
+                         after = options.after ? options.after->m_shared : nullptr, patience = options.patience]() mutable {
+                LiveThread(std::move(shared), std::move(folder)).after(std::move(after), patience).go(std::move(maker));
+            });
+    } catch (const std::system_error&) {
+        LiveEnd end;
+        end.failure = Diagnostic{Severity::Error, Code::Internal, "the system has no thread left for the run", {}, {}, {}, {}};
+        m_shared->end = std::move(end);
+        m_shared->phase = LivePhase::Ended;
+        m_shared->gone = true;
+    }
+}
+
+LiveRun::~LiveRun() {
+    stop();
+    if (!m_shared->thread.joinable()) return;
+    // One that is through is joined at once, so that nothing of it is left; any other finds its own end.
+    if (gone()) m_shared->thread.join();
+    else m_shared->thread.detach();
+}
+
+void LiveRun::run() {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->running = true;
+    m_shared->steps = 0;
+    m_shared->wishes.notify_all();
+}
+
+void LiveRun::pause() {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->running = false;
+    m_shared->steps = 0;
+    m_shared->wishes.notify_all();
+}
+
+void LiveRun::step(std::uint64_t ticks) {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->running = false;
+    m_shared->steps += ticks;
+    m_shared->wishes.notify_all();
+}
+
+void LiveRun::stop() {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->stop = true;
+    m_shared->wishes.notify_all();
+}
+
+void LiveRun::setSpeed(double factor) {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->speed = std::isfinite(factor) && factor > 0 ? std::max(factor, 1e-3) : 0;
+    m_shared->wishes.notify_all();
+}
+
+void LiveRun::wantContacts(bool wanted) {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->showAgain = m_shared->showAgain || (wanted && !m_shared->contacts);
+    m_shared->contacts = wanted;
+    m_shared->wishes.notify_all();
+}
+
+namespace {
+
+/// Whether the later of two commands before one tick makes the earlier one idle.
+bool replaces(const decltype(Command::what)& later, const decltype(Command::what)& earlier) {
+    if (later.index() != earlier.index()) return false;
+    if (const auto* push = std::get_if<PushCommand>(&later)) return push->body == std::get<PushCommand>(earlier).body;
+    if (const auto* place = std::get_if<PlaceCommand>(&later)) return place->robot == std::get<PlaceCommand>(earlier).robot;
+    if (const auto* signal = std::get_if<SignalCommand>(&later)) return signal->path == std::get<SignalCommand>(earlier).path;
+    return false;
+}
+
+} // namespace
+
+void LiveRun::command(decltype(Command::what) what) {
+    const std::scoped_lock guard(m_shared->lock);
+    if (m_shared->phase == LivePhase::Ended) return;
+    for (auto& earlier : m_shared->commands)
+        if (replaces(what, earlier)) {
+            earlier = std::move(what);
+            return;
+        }
+    m_shared->commands.push_back(std::move(what));
+}
+
+void LiveRun::keepPushing(std::optional<PushCommand> push) {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->push = std::move(push);
+}
+
+LiveView LiveRun::view() const {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->fetched = true;
+    return {m_shared->phase, m_shared->layout, m_shared->snapshot};
+}
+
+LivePhase LiveRun::phase() const {
+    const std::scoped_lock guard(m_shared->lock);
+    return m_shared->phase;
+}
+
+bool LiveRun::gone() const {
+    const std::scoped_lock guard(m_shared->lock);
+    return m_shared->gone;
+}
+
+bool LiveRun::waitUntilGone(std::chrono::milliseconds atMost) {
+    std::unique_lock guard(m_shared->lock);
+    return m_shared->ends.wait_for(guard, atMost, [&] { return m_shared->gone; });
+}
+
+double LiveRun::speed() const {
+    const std::scoped_lock guard(m_shared->lock);
+    return m_shared->speed;
+}
+
+std::shared_ptr<const SignalLayout> LiveRun::layout() const {
+    const std::scoped_lock guard(m_shared->lock);
+    return m_shared->layout;
+}
+
+std::shared_ptr<const LiveSnapshot> LiveRun::snapshot() const {
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->fetched = true;
+    return m_shared->snapshot;
+}
+
+LiveLines LiveRun::takeLines() {
+    std::deque<LiveLine> lines;
+    LiveLines taken;
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        lines.swap(m_shared->lines);
+        taken.dropped = std::exchange(m_shared->dropped, 0);
+    }
+    taken.lines.assign(std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end()));
+    return taken;
+}
+
+std::vector<Diagnostic> LiveRun::takeWarnings() {
+    const std::scoped_lock guard(m_shared->lock);
+    return std::exchange(m_shared->warnings, {});
+}
+
+std::optional<LiveEnd> LiveRun::end() const {
+    const std::scoped_lock guard(m_shared->lock);
+    return m_shared->end;
+}
+
+std::vector<Command> LiveRun::commands() const {
+    const std::scoped_lock guard(m_shared->lock);
+    return m_shared->stamped;
+}
+
+double LiveRun::busyS() const {
+    const std::scoped_lock guard(m_shared->lock);
+    return m_shared->busySince ? std::chrono::duration<double>(LiveClock::now() - *m_shared->busySince).count() : 0;
+}
+
+} // namespace trundle

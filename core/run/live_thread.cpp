@@ -1,0 +1,277 @@
+#include "run/live_thread.h"
+
+#include <exception>
+
+#include <trundle/abi.h>
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMostLines = 10'000; // that nobody fetched yet
+
+std::shared_ptr<const std::vector<LiveContact>> copied(const std::vector<WorldContact>& contacts) {
+    auto list = std::make_shared<std::vector<LiveContact>>();
+    list->reserve(contacts.size());
+    for (const WorldContact& c : contacts)
+        list->push_back({std::string(c.first), std::string(c.second), c.position, c.normal, c.depth, c.force});
+    return list;
+}
+
+} // namespace
+
+void LiveThread::go(RunnerMaker maker) {
+    try {
+        waitForFormer();
+        build(maker);
+        if (m_runner) loop();
+        end();
+    } catch (const std::exception& e) { fail(e.what()); } catch (...) {
+        fail("something was thrown that is no std::exception");
+    }
+    m_runner.reset();
+    maker = nullptr; // with all that it held on to
+    std::function<void()> changed;
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        m_shared->busySince.reset();
+        m_shared->gone = true;
+        changed = m_shared->changed;
+        m_shared->ends.notify_all();
+    }
+    if (changed) changed();
+}
+
+/// Two runs must not write the same logs at once.
+void LiveThread::waitForFormer() {
+    if (!m_after) return;
+    {
+        std::unique_lock guard(m_after->lock);
+        if (m_after->ends.wait_for(guard, m_patience, [&] { return m_after->gone; })) return m_after.reset();
+    }
+    m_after.reset();
+    m_logFolder.clear();
+    say({0, "", TRUNDLE_WARNING,
+         "the run before has not ended: code of one of its controllers does not come back. This run writes no logs"});
+}
+
+void LiveThread::say(LiveLine line) {
+    const std::scoped_lock guard(m_shared->lock);
+    if (m_shared->lines.size() >= kMostLines) {
+        m_shared->lines.pop_front();
+        ++m_shared->dropped;
+    }
+    m_shared->lines.push_back(std::move(line));
+}
+
+void LiveThread::build(const RunnerMaker& maker) {
+    RunOptions options;
+    options.logFolder = m_logFolder;
+    // The runner outlives neither this object nor its thread.
+    options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
+        say({time, who, severity, text});
+    };
+    Diagnostics problems;
+    m_runner = maker(std::move(options), problems);
+    if (!m_runner) {
+        LiveEnd end;
+        end.problems = problems.all();
+        for (const Diagnostic& problem : end.problems)
+            if (problem.severity == Severity::Error && !end.failure) end.failure = problem;
+        if (!end.failure) end.failure = Diagnostic{Severity::Error, Code::Internal, "nothing could be built", {}, {}, {}, {}};
+        const std::scoped_lock guard(m_shared->lock);
+        m_shared->end = std::move(end);
+        return;
+    }
+    const World& world = m_runner->world();
+    const SettingsSpec& settings = world.experiment().settings;
+    m_ticks = settings.duration > 0 ? ticksFor(settings.duration, settings.tick) : 0;
+    m_pace.restart(LiveClock::now());
+    m_meter.restart(LiveClock::now(), 0);
+    auto layout = std::make_shared<const SignalLayout>(world.layout());
+    auto first = look(true, true);
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        m_shared->layout = std::move(layout);
+        m_shared->snapshot = std::move(first);
+        m_shared->warnings = problems.all();
+        m_shared->phase = m_shared->running || m_shared->steps > 0 ? LivePhase::Running : LivePhase::Paused;
+        m_shared->busySince.reset();
+    }
+    passWarnings();
+    tellChanged();
+}
+
+void LiveThread::loop() {
+    while (!atEnd()) {
+        switch (awaitNext()) {
+        case Next::Stop: return;
+        case Next::Show: publish(true); break;
+        case Next::Tick:
+            if (!tick()) return;
+            break;
+        }
+    }
+}
+
+/// Sleeps until there is something to do. Leaves the coming tick's commands in m_commands.
+LiveThread::Next LiveThread::awaitNext() {
+    const double tickS = m_runner->world().experiment().settings.tick;
+    std::unique_lock guard(m_shared->lock);
+    for (;;) {
+        if (m_shared->stop) return Next::Stop;
+        const bool runs = m_shared->running;
+        if (!runs) m_flows = false;
+        if (!runs && m_shared->steps == 0) {
+            const bool stops = m_shared->phase == LivePhase::Running; // publish() says so, together with the tick it stands at
+            if (std::exchange(m_shared->showAgain, false) || stops) return Next::Show;
+            m_shared->wishes.wait(guard);
+            continue;
+        }
+        const LiveClock::time_point now = LiveClock::now();
+        if (runs && !m_flows) {
+            m_flows = true;
+            m_pace.restart(now);
+            m_meter.restart(now, m_runner->world().time());
+        }
+        if (std::exchange(m_shared->phase, LivePhase::Running) != LivePhase::Running &&
+            runs) { // a single tick is told when it is done
+            guard.unlock();
+            tellChanged();
+            guard.lock();
+            continue;
+        }
+        if (runs) {
+            const LiveClock::time_point due = m_pace.due(now, tickS, m_shared->speed);
+            if (due > now) {
+                m_shared->wishes.wait_until(guard, due);
+                continue;
+            }
+        }
+        m_commands = std::exchange(m_shared->commands, {});
+        if (m_shared->push) m_commands.emplace_back(*m_shared->push);
+        m_shared->busySince = now;
+        return Next::Tick;
+    }
+}
+
+/// False where the run is at its end.
+bool LiveThread::tick() {
+    for (auto& what : std::exchange(m_commands, {})) m_runner->command(std::move(what));
+    const LiveClock::time_point before = LiveClock::now();
+    const bool good = m_runner->tick().ok();
+    const LiveClock::time_point after = LiveClock::now();
+    m_meter.ticked(after - before);
+    m_pace.ticked();
+    passWarnings();
+    bool shows = false, stepped = false;
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        m_shared->busySince.reset();
+        if (m_shared->steps > 0 && !m_shared->running) {
+            --m_shared->steps;
+            stepped = m_shared->steps == 0;
+        }
+        const std::vector<Command>& all = m_runner->commands();
+        m_shared->stamped.insert(m_shared->stamped.end(), all.begin() + static_cast<std::ptrdiff_t>(m_stampedPassed), all.end());
+        m_stampedPassed = all.size();
+        shows = m_shared->fetched;
+    }
+    if (!good) return false;
+    if (atEnd()) return true;
+    if (stepped) publish(true);
+    else if (shows) publish(false);
+    return true;
+}
+
+void LiveThread::passWarnings() {
+    const std::vector<Diagnostic>& all = m_runner->warnings();
+    if (m_warningsPassed == all.size()) return;
+    const std::scoped_lock guard(m_shared->lock);
+    m_shared->warnings.insert(m_shared->warnings.end(), all.begin() + static_cast<std::ptrdiff_t>(m_warningsPassed), all.end());
+    m_warningsPassed = all.size();
+}
+
+std::shared_ptr<const LiveSnapshot> LiveThread::look(bool stands, bool contacts) {
+    const World& world = m_runner->world();
+    auto shot = std::make_shared<LiveSnapshot>();
+    auto block = std::make_shared<SignalBlock>(world.layout());
+    block->copyFrom(world.block());
+    shot->block = std::move(block);
+    shot->tick = world.ticks();
+    shot->time = world.time();
+    shot->quickTicks = world.quickTicks();
+    shot->realTimeFactor = m_meter.realTimeFactor(LiveClock::now(), shot->time);
+    if (stands) shot->realTimeFactor = 0;
+    shot->stepMs = m_meter.takeStepMs();
+    const std::vector<WorldContact>& touching = world.contacts();
+    shot->contactCount = touching.size();
+    if (contacts) shot->contacts = copied(touching);
+    if (stands) shot->hash = world.stateHash();
+    return shot;
+}
+
+void LiveThread::publish(bool stands) {
+    bool contacts = false;
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        contacts = m_shared->contacts;
+    }
+    auto shot = look(stands, contacts);
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        m_shared->snapshot = std::move(shot);
+        m_shared->fetched = false;
+        if (stands && !m_shared->running && m_shared->steps == 0) m_shared->phase = LivePhase::Paused;
+    }
+    if (stands) tellChanged();
+}
+
+/// Closes the logs, then says that it is over.
+void LiveThread::end() {
+    std::optional<LiveEnd> end;
+    std::shared_ptr<const LiveSnapshot> last;
+    if (m_runner) {
+        (void)m_runner->finish(); // what fails here stands in failure()
+        passWarnings();
+        end.emplace();
+        end->time = m_runner->world().time();
+        if (const Diagnostic* failure = m_runner->failure()) end->failure = *failure;
+        if (const Fault* fault = m_runner->world().fault()) {
+            end->body = fault->body;
+            end->time = fault->time;
+        }
+        end->logFiles = m_runner->logFiles();
+        last = look(true, true);
+    }
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        if (end) m_shared->end = std::move(end);
+        if (last) m_shared->snapshot = std::move(last);
+        m_shared->phase = LivePhase::Ended;
+    }
+    tellChanged();
+}
+
+void LiveThread::fail(const std::string& why) {
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        LiveEnd end;
+        end.failure =
+            Diagnostic{Severity::Error, Code::Internal, "the run was ended by a fault of the program: " + why, {}, {}, {}, {}};
+        if (m_shared->snapshot) end.time = m_shared->snapshot->time;
+        if (!m_shared->end) m_shared->end = std::move(end);
+        m_shared->phase = LivePhase::Ended;
+    }
+    tellChanged();
+}
+
+void LiveThread::tellChanged() {
+    std::function<void()> changed;
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        changed = m_shared->changed;
+    }
+    if (changed) changed();
+}
+
+} // namespace trundle

@@ -1,0 +1,29 @@
+#include "schema/live_value.h"
+
+#include <cmath>
+
+namespace trundle {
+
+Status setLive(const TrundleKind& kind, void* instance, const std::string& who, const std::string& property,
+               const PropertyValue& value) {
+    std::uint32_t index = 0;
+    while (index < kind.fieldCount && property != kind.fields[index].name) ++index;
+    if (index == kind.fieldCount || !kind.set || !instance) return Error{Code::UnknownKey, who + " has no property " + property};
+    const TrundleField& field = kind.fields[index];
+    if (!(field.flags & TRUNDLE_LIVE)) return Error{Code::WrongPlace, property + " of " + who + " does not change during a run"};
+
+    const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
+    std::vector<const char*> texts;
+    for (const std::string& text : value.texts) texts.push_back(text.c_str());
+    const std::size_t count = numeric ? value.numbers.size() : texts.size();
+    if (count < field.minCount || count > field.maxCount)
+        return Error{Code::WrongCount, property + " of " + who + " does not take that many values"};
+    for (const double number : value.numbers)
+        if (!std::isfinite(number)) return Error{Code::OutOfRange, property + " of " + who + " must be finite"};
+    const TrundleValue crossing{value.numbers.data(), texts.data(), static_cast<std::uint32_t>(count)};
+    if (kind.set(instance, index, &crossing) == 0) return {};
+    const char* why = kind.lastError ? kind.lastError(instance) : nullptr;
+    return Error{Code::OutOfRange, who + " refuses its " + property + (why && *why ? std::string(": ") + why : "")};
+}
+
+} // namespace trundle

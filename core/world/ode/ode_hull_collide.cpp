@@ -1,0 +1,139 @@
+// Convex hulls against what has flat faces: other hulls, boxes, the ends of cylinders, meshes.
+#include "world/ode/ode_engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "world/ode/contact_choice.h"
+#include "world/ode/hull_on_mesh.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kOnEnd = 0.999;      // cosine between a contact's normal and a cylinder's axis: it is on the end
+constexpr double kOneDirection = 0.9; // cosine: contacts that push the same way
+constexpr double kSameDepth = 5e-5; // m: what differs less is chosen by its number, so that the choice does not change every tick
+constexpr int kMostDirections = 3;
+
+double step(double depth) { return std::floor(depth / kSameDepth); }
+
+/// The deepest of them and others far apart: at most `most`. There may be more of them than fit into one choice.
+std::vector<SurfaceContact> wellSpread(const std::vector<SurfaceContact>& contacts, int most) {
+    dContactGeom found[kMostFound];
+    std::array<const SurfaceContact*, kMostFound> from{};
+    PointGroup group{};
+    int count = 0;
+    const auto choose = [&] {
+        for (int i = 0; i < count; ++i) group[static_cast<std::size_t>(i)] = i;
+        count = spread(found, group, count, most);
+        std::array<const SurfaceContact*, kMostFound> kept{};
+        for (int i = 0; i < count; ++i)
+            kept[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(group[static_cast<std::size_t>(i)])];
+        return kept;
+    };
+    const auto take = [&](const SurfaceContact* c) {
+        dContactGeom& g = found[count] = {};
+        for (int k = 0; k < 3; ++k) g.pos[k] = c->position[k];
+        g.depth = step(c->depth);
+        from[static_cast<std::size_t>(count++)] = c;
+    };
+    for (const SurfaceContact& c : contacts) {
+        if (count == kMostFound) {
+            const auto kept = choose();
+            const int few = std::exchange(count, 0);
+            for (int i = 0; i < few; ++i) take(kept[static_cast<std::size_t>(i)]);
+        }
+        take(&c);
+    }
+    const auto kept = choose();
+    std::vector<SurfaceContact> few;
+    for (int i = 0; i < count; ++i) few.push_back(*kept[static_cast<std::size_t>(i)]);
+    return few;
+}
+
+void sortByDepth(std::vector<SurfaceContact>& contacts) {
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const SurfaceContact& x, const SurfaceContact& y) { return step(x.depth) > step(y.depth); });
+}
+
+} // namespace
+
+FlatBody OdeEngine::flatBody(std::uint32_t index) const {
+    const Geom& g = m_geoms[index];
+    const Mat3 axes = axesOf(g);
+    if (g.shape == GeomShape::Box) return flatBox(m_centres[index], axes, g.half);
+    if (g.shape == GeomShape::Cylinder) return flatCylinder(m_centres[index], axes, g.radius, g.half.z());
+    FlatBody body;
+    for (std::size_t i = 0; i + 2 < g.data->points.size(); i += 3)
+        body.points.push_back(m_centres[index] + axes * Vec3(&g.data->points[i]));
+    for (std::size_t f = 0; 4 * f < g.data->polygons.size(); ++f) { // 3, a, b, c
+        const unsigned* polygon = &g.data->polygons[4 * f];
+        body.addTriangle(polygon[1], polygon[2], polygon[3], axes * Vec3(&g.data->planes[4 * f]));
+    }
+    return body;
+}
+
+/// False where these two are no hull with something that has flat faces, where only edges cross, or where a cylinder's round side
+/// touches: then ODE's one point has to do.
+bool OdeEngine::hullContacts(std::uint32_t first, std::uint32_t second) {
+    const GeomShape a = m_geoms[first].shape, b = m_geoms[second].shape;
+    const auto flat = [](GeomShape s) { return s == GeomShape::Convex || s == GeomShape::Box || s == GeomShape::Cylinder; };
+    if ((a != GeomShape::Convex && b != GeomShape::Convex) || !flat(a) || !flat(b)) return false;
+    const FlatTouch touch = flatContacts(flatBody(first), flatBody(second));
+    if (touch.apart) return true;
+    if (touch.contacts.empty()) return false;
+    for (const std::uint32_t g : {first, second})
+        if (m_geoms[g].shape == GeomShape::Cylinder && std::abs(touch.normal.dot(axesOf(m_geoms[g]).col(2))) < kOnEnd)
+            return false;
+    std::vector<SurfaceContact> contacts;
+    for (const FlatContact& c : touch.contacts) contacts.push_back({c.position, touch.normal, std::max(c.depth, 0.0)});
+    addSpread(first, second, contacts);
+    return true;
+}
+
+/// Contacts that all push the same way.
+void OdeEngine::addSpread(std::uint32_t first, std::uint32_t second, std::vector<SurfaceContact>& contacts) {
+    sortByDepth(contacts);
+    for (const SurfaceContact& c : wellSpread(contacts, mostContacts(first, second)))
+        addContact(first, second, c.position.data(), c.normal.data(), c.depth);
+}
+
+/// The triangles of a mesh that a box round the hull touches, in the world.
+std::vector<Triangle> OdeEngine::trianglesNear(std::uint32_t mesh, std::uint32_t hull) {
+    const Geom& m = m_geoms[mesh];
+    const Mat3 axes = axesOf(m), across = axes.transpose() * axesOf(m_geoms[hull]);
+    const Vec3 centre = axes.transpose() * (m_centres[hull] - m_centres[mesh]), reach = across.cwiseAbs() * m_geoms[hull].half;
+    const Vec3 lo = centre - reach, hi = centre + reach;
+    m.data->triangleGrid.query({{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}}, m_near);
+    std::vector<Triangle> triangles;
+    for (const std::uint32_t t : m_near) {
+        Triangle& triangle = triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+            triangle[k] = m_centres[mesh] + axes * Vec3(&m.data->points[3 * m.data->triangles[3 * t + k]]);
+    }
+    return triangles;
+}
+
+/// False where these two are no hull and no mesh, or only edges cross.
+bool OdeEngine::hullOnMesh(std::uint32_t first, std::uint32_t second) {
+    const bool hullFirst = m_geoms[first].shape == GeomShape::Convex;
+    const std::uint32_t hull = hullFirst ? first : second, mesh = hullFirst ? second : first;
+    if (m_geoms[hull].shape != GeomShape::Convex || m_geoms[mesh].shape != GeomShape::Mesh) return false;
+    const std::vector<Triangle> near = trianglesNear(mesh, hull);
+    std::vector<SurfaceContact> contacts = contactsOnSurface(flatBody(hull), near);
+    if (contacts.empty()) return near.empty();
+    sortByDepth(contacts);
+    for (int round = 0; round < kMostDirections && !contacts.empty(); ++round) {
+        const Vec3 way = contacts[0].normal;
+        std::vector<SurfaceContact> group, others;
+        for (const SurfaceContact& c : contacts) (c.normal.dot(way) < kOneDirection ? others : group).push_back(c);
+        if (!hullFirst)
+            for (SurfaceContact& c : group) c.normal = -c.normal;
+        addSpread(first, second, group);
+        contacts.swap(others);
+    }
+    return true;
+}
+
+} // namespace trundle

@@ -1,0 +1,47 @@
+#include "world/signal_plan.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+namespace {
+
+constexpr auto kReal = SignalType::Real;
+constexpr auto kTruth = SignalDirection::Truth;
+
+} // namespace
+
+std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
+    const std::string& name = robot.name;
+    layout.beginRobot(name);
+    const std::uint32_t first = layout.add(name + "/pose", "m", kReal, kTruth, 7);
+    layout.add(name + "/velocity", "m/s", kReal, kTruth, 6);
+    for (const BodySpec& body : robot.config->bodies) {
+        layout.add(name + "/" + body.name + "/pose", "m", kReal, kTruth, 7);
+        layout.add(name + "/" + body.name + "/velocity", "m/s", kReal, kTruth, 6);
+    }
+    for (const JointSpec& joint : robot.config->joints) {
+        if (!hasPosition(joint.type)) continue;
+        const bool linear = joint.type == JointType::Slider;
+        layout.add(name + "/" + joint.name + "/position", linear ? "m" : "rad", kReal, kTruth);
+        layout.add(name + "/" + joint.name + "/rate", linear ? "m/s" : "rad/s", kReal, kTruth);
+    }
+    return first;
+}
+
+SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry) {
+    SignalLayout layout;
+    for (const RobotSpec& robot : experiment.robots) {
+        planRobot(layout, robot);
+        for (const ComponentSpec& device : robot.config->devices) {
+            const Kind* kind = registry.find(device.kind);
+            if (!kind) continue;
+            for (const SignalDescription& s : kind->signals)
+                layout.add(robot.name + "/" + device.name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
+                           static_cast<SignalDirection>(s.direction), std::max(s.count, 1u));
+        }
+    }
+    return layout;
+}
+
+} // namespace trundle

@@ -1,0 +1,75 @@
+#include <filesystem>
+
+#include "base/platform/read_file.h"
+#include "editor/document/document.h"
+#include "editor/document/document_state.h"
+#include "project/line_merge.h"
+
+namespace trundle {
+
+void Document::lookAtDisk() {
+    if (!isOpen() || isOpening()) return;
+    std::vector<std::string> known;
+    for (const auto& [path, file] : m_state->files.all())
+        if (!isNew() || path != m_state->opened) known.push_back(path);
+    for (const std::string& path : known) {
+        OpenFile* file = m_state->files.find(path);
+        if (!file) return; // who heard of the last one has closed the project
+        std::error_code none;
+        if (!std::filesystem::exists(path, none)) {
+            if (!std::exchange(file->gone, true))
+                Q_EMIT notice(tr("%1 is gone from the disk; saving writes it again").arg(QString::fromStdString(shown(path))));
+        } else if (Result<std::string> bytes = readRegularFile(path); bytes) {
+            noteDisk(path, std::make_shared<const std::string>(std::move(bytes).value()));
+        }
+    }
+    sayModified();
+}
+
+void Document::noteDisk(const std::string& path, SharedText bytes) {
+    OpenFile& file = *m_state->files.find(path);
+    file.gone = false;
+    if (*bytes == *file.disk) {
+        file.theirs = nullptr;
+        return;
+    }
+    const SharedText base = file.disk, mine = file.text;
+    std::optional<std::string> merged = *mine == *base ? *bytes : *mine == *bytes ? *mine : mergedByLines(*base, *mine, *bytes);
+    if (!merged) {
+        if (file.theirs && *file.theirs == *bytes) return;
+        file.theirs = std::move(bytes);
+        Q_EMIT diskChanged(QString::fromStdString(path));
+        return;
+    }
+    file.theirs = nullptr;
+    file.disk = std::move(bytes);
+    m_history.endMerge();
+    (void)answer(enter(tr("Changed on disk"), {{path, std::make_shared<const std::string>(std::move(*merged))}}, {}));
+}
+
+FileTexts Document::diskChanges() const {
+    FileTexts changes;
+    for (const auto& [path, file] : m_state->files.all())
+        if (file.theirs) changes.emplace(path, file.theirs);
+    return changes;
+}
+
+Status Document::resolveDiskChange(const std::string& path, Keep keep) {
+    OpenFile* file = m_state->files.find(path);
+    if (!file || !file->theirs) return {};
+    const SharedText theirs = std::exchange(file->theirs, nullptr);
+    file->disk = theirs;
+    Status taken;
+    if (keep == Keep::Theirs) taken = enter(tr("Changed on disk"), {{path, theirs}}, {});
+    sayModified();
+    return answer(taken);
+}
+
+void Document::sayWatched() {
+    std::vector<std::string> files;
+    for (const auto& [path, file] : m_state->files.all())
+        if (!isNew() || path != m_state->opened) files.push_back(path);
+    m_state->watch.watch(files);
+}
+
+} // namespace trundle

@@ -1,0 +1,120 @@
+// One window for each project, and what a window that ended badly left.
+
+#include <filesystem>
+
+#include "base/platform/read_file.h"
+#include "editor/document/document.h"
+#include "editor/document/document_state.h"
+#include "project/line_merge.h"
+#include "project/search.h"
+#include "project/state_folder.h"
+
+namespace trundle {
+
+// Samples and new texts have their journals in the user's own folder, whatever program folder or working folder there is.
+std::string Document::workPlace() const {
+    if (!isOpen() || isNew()) return userStateFolder() + "/new";
+    return isSample(m_state->opened) ? userStateFolder() + "/samples" : m_loaded->projectFolder;
+}
+
+void Document::lock() {
+    m_state->lock.reset(); // before the new one is asked for: it may be the same project
+    QString holder;
+    if (isOpen() && !isNew() && !isSample(m_state->opened)) {
+        m_state->lock = std::make_unique<ProjectLock>(m_loaded->projectFolder, m_state->opened);
+        if (!m_state->lock->taken()) holder = QString::fromStdString(m_state->lock->holder().said());
+    }
+    const bool was = std::exchange(m_state->readOnly, !holder.isEmpty());
+    if (was || m_state->readOnly) Q_EMIT readOnlyChanged(holder);
+}
+
+bool Document::isReadOnly() const { return m_state->readOnly; }
+
+std::string Document::readOnlyReason() const {
+    return "the project is open in " + m_state->lock->holder().said() + "; this window only shows it";
+}
+
+void Document::editAnyway() {
+    if (!std::exchange(m_state->readOnly, false)) return;
+    Q_EMIT readOnlyChanged({});
+}
+
+std::vector<Recovery> Document::recoveries() const {
+    std::vector<Recovery> found = findRecoveries(workPlace());
+    std::erase_if(found, [](const Recovery& recovery) {
+        for (const auto& [path, kept] : recovery.files) {
+            const Result<std::string> disk = readRegularFile(path);
+            if (!disk || disk.value() != kept.text) return false;
+        }
+        discardRecovery(recovery); // all of it was saved
+        return true;
+    });
+    return found;
+}
+
+namespace {
+
+/// A text of a journal against what the disk holds now.
+struct Recovered {
+    SharedText text;
+    SharedText theirs; ///< set where the disk has changed in the same lines
+};
+
+Recovered recoveredOver(const RecoveredText& kept, const std::string& disk) {
+    const auto shared = [](std::string text) { return std::make_shared<const std::string>(std::move(text)); };
+    if (disk == kept.base || disk == kept.text) return {shared(kept.text), nullptr};
+    if (std::optional<std::string> merged = mergedByLines(kept.base, kept.text, disk))
+        return {shared(std::move(*merged)), nullptr};
+    return {shared(kept.text), shared(disk)};
+}
+
+} // namespace
+
+Status Document::openFor(const Recovery& recovery) {
+    if (!recovery.head.name.empty()) {
+        const auto text = recovery.files.find(recovery.head.opened);
+        return openNew(recovery.head.name, text == recovery.files.end() ? std::string() : text->second.base);
+    }
+    if (isOpen() && !isNew() && m_state->opened == recovery.head.opened) return {};
+    const auto text = recovery.files.find(recovery.head.opened);
+    std::error_code none;
+    if (std::filesystem::exists(recovery.head.opened, none) || text == recovery.files.end()) return open(recovery.head.opened);
+    OpenOptions options = m_options; // its file is gone, its text is not
+    options.shownFromProject = true;
+    options.texts.emplace(recovery.head.opened, std::make_shared<const std::string>(text->second.base));
+    Result<std::shared_ptr<const Loaded>> loaded = m_parts.open(recovery.head.opened, options);
+    if (!loaded) return loaded.error();
+    start(recovery.head.opened, {}, std::move(loaded).value());
+    m_state->files.find(recovery.head.opened)->gone = true;
+    return {};
+}
+
+Status Document::recover(const Recovery& recovery) {
+    if (Status opened = openFor(recovery); !opened) return answer(opened);
+    lookAtDisk();
+    FileTexts texts;
+    std::vector<std::string> both;
+    for (const auto& [path, kept] : recovery.files) {
+        if (!m_state->files.find(path)) { // a file that is imported only by what is recovered
+            const Result<std::string> disk = readRegularFile(path);
+            m_state->files.take(path, disk ? disk.value() : kept.base);
+            m_state->files.find(path)->gone = !disk;
+        }
+        OpenFile& file = *m_state->files.find(path);
+        Recovered text = recoveredOver(kept, *file.disk);
+        if (text.theirs) {
+            file.disk = std::make_shared<const std::string>(kept.base);
+            file.theirs = text.theirs;
+            both.push_back(path);
+        }
+        texts.emplace(path, std::move(text.text));
+    }
+    if (Status entered = enter(tr("Recovered"), std::move(texts), {}); !entered) return answer(entered);
+    m_state->journal.writeNow(); // before the old journal goes
+    discardRecovery(recovery);
+    sayModified();
+    for (const std::string& path : both) Q_EMIT diskChanged(QString::fromStdString(path));
+    return {};
+}
+
+} // namespace trundle

@@ -1,0 +1,78 @@
+#include "editor/document/history.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+bool History::joinsLast(const HistoryEntry& entry) const {
+    return m_mayMerge && m_position > 0 && !entry.mergeKey.empty() && m_entries[m_position - 1].mergeKey == entry.mergeKey;
+}
+
+void History::join(const HistoryEntry& entry) {
+    Step& last = m_entries[m_position - 1];
+    for (const auto& [file, after] : entry.after) {
+        const std::string& now = *entry.before.at(file);
+        const auto known = last.splices.find(file);
+        const std::string start = known == last.splices.end() ? now : unspliced(now, known->second);
+        TextSplice whole = spliceBetween(start, *after);
+        if (whole.empty()) last.splices.erase(file);
+        else last.splices.insert_or_assign(file, std::move(whole));
+    }
+    if (!last.splices.empty()) return;
+    m_entries.pop_back(); // back where it began: there is nothing to undo
+    --m_position;
+    m_mayMerge = false;
+}
+
+void History::push(HistoryEntry entry) {
+    const bool joins = joinsLast(entry);
+    m_entries.resize(m_position);
+    if (joins) {
+        join(entry);
+    } else {
+        Step step{std::move(entry.name), {}, std::move(entry.mergeKey)};
+        for (const auto& [file, after] : entry.after) step.splices.emplace(file, spliceBetween(*entry.before.at(file), *after));
+        m_entries.push_back(std::move(step));
+        ++m_position;
+        m_mayMerge = true;
+    }
+    for (const auto& [file, after] : entry.after) m_now.insert_or_assign(file, after);
+}
+
+void History::endMerge() { m_mayMerge = false; }
+
+void History::clear() { *this = {}; }
+
+void History::renameFile(const std::string& from, const std::string& to) {
+    if (from == to) return;
+    const auto rename = [&](auto& map) {
+        auto node = map.extract(from);
+        map.erase(to);
+        if (node.empty()) return;
+        node.key() = to;
+        map.insert(std::move(node));
+    };
+    rename(m_now);
+    for (Step& step : m_entries) rename(step.splices);
+}
+
+FileTexts History::moveTo(std::size_t position) {
+    position = std::min(position, m_entries.size());
+    m_mayMerge = false;
+    FileTexts changed;
+    const auto put = [&](const std::string& file, std::string text) {
+        m_now[file] = std::make_shared<const std::string>(std::move(text));
+        changed[file] = m_now[file];
+    };
+    while (m_position > position) {
+        --m_position;
+        for (const auto& [file, splice] : m_entries[m_position].splices) put(file, unspliced(*m_now.at(file), splice));
+    }
+    while (m_position < position) {
+        for (const auto& [file, splice] : m_entries[m_position].splices) put(file, spliced(*m_now.at(file), splice));
+        ++m_position;
+    }
+    return changed;
+}
+
+} // namespace trundle

@@ -1,0 +1,58 @@
+#include "editor/document/history_panel.h"
+
+#include <QEvent>
+#include <QListWidget>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "editor/document/document.h"
+
+namespace trundle {
+
+HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_list(new QListWidget(this)) {
+    setObjectName(u"historyPanel"_qs);
+    m_list->setObjectName(u"historyList"_qs);
+    m_list->setAccessibleName(tr("History of edits"));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setUniformItemSizes(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setTextElideMode(Qt::ElideRight);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_list);
+    connect(m_list, &QListWidget::currentRowChanged, this, &HistoryPanel::goTo);
+    connect(&m_document, &Document::historyChanged, this, &HistoryPanel::fillRows);
+    connect(&m_document, &Document::opened, this, &HistoryPanel::fillRows);
+    fillRows();
+}
+
+void HistoryPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) fillRows();
+}
+
+void HistoryPanel::fillRows() {
+    const QSignalBlocker quiet(m_list);
+    const auto& entries = m_document.history().entries();
+    const int rows = m_document.isOpen() ? static_cast<int>(entries.size()) + 1 : 0;
+    const int now = static_cast<int>(m_document.history().position());
+    while (m_list->count() > rows) delete m_list->takeItem(m_list->count() - 1);
+    for (int row = 0; row < rows; ++row) {
+        const QString name = row == 0 ? tr("Opened") : entries[static_cast<std::size_t>(row - 1)].name;
+        if (row == m_list->count()) m_list->addItem(name);
+        QListWidgetItem& item = *m_list->item(row);
+        if (item.text() != name) item.setText(name);
+        if (item.toolTip() != name) item.setToolTip(name);
+        const QColor ink = palette().color(row > now ? QPalette::Disabled : QPalette::Active, QPalette::Text);
+        if (item.foreground().color() != ink || item.foreground().style() == Qt::NoBrush) item.setForeground(ink);
+    }
+    m_list->setCurrentRow(rows == 0 ? -1 : now);
+}
+
+void HistoryPanel::goTo(int row) {
+    if (row >= 0) m_document.moveTo(static_cast<std::size_t>(row));
+    fillRows(); // also where the document did not go there
+}
+
+} // namespace trundle

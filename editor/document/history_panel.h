@@ -1,0 +1,28 @@
+#pragma once
+#include <QWidget>
+
+class QListWidget;
+
+namespace trundle {
+
+class Document;
+
+/// The edits by name, oldest first, below the state that was opened. The current row is the state the document is in; going to
+/// another row, by mouse or keys, takes the document there. Edits that are undone are grey.
+class HistoryPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit HistoryPanel(Document& document, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void fillRows();
+    void goTo(int row);
+
+    Document& m_document;
+    QListWidget* m_list;
+};
+
+} // namespace trundle

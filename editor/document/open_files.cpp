@@ -1,0 +1,45 @@
+#include "editor/document/open_files.h"
+
+namespace trundle {
+
+void OpenFiles::take(const std::string& path, std::string_view bytes) {
+    const auto [at, isNew] = m_files.try_emplace(path);
+    if (!isNew) return;
+    at->second.text = std::make_shared<const std::string>(bytes);
+    at->second.disk = at->second.text;
+}
+
+OpenFile* OpenFiles::find(const std::string& path) {
+    const auto at = m_files.find(path);
+    return at == m_files.end() ? nullptr : &at->second;
+}
+
+const OpenFile* OpenFiles::find(const std::string& path) const {
+    const auto at = m_files.find(path);
+    return at == m_files.end() ? nullptr : &at->second;
+}
+
+SharedText OpenFiles::text(const std::string& path) const {
+    const OpenFile* file = find(path);
+    return file ? file->text : nullptr;
+}
+
+void OpenFiles::setTexts(const TextOverlay& texts) {
+    for (const auto& [path, text] : texts)
+        if (OpenFile* file = find(path)) file->text = text;
+}
+
+TextOverlay OpenFiles::texts() const {
+    TextOverlay texts;
+    for (const auto& [path, file] : m_files) texts.emplace(path, file.text);
+    return texts;
+}
+
+std::vector<std::string> OpenFiles::modified() const {
+    std::vector<std::string> paths;
+    for (const auto& [path, file] : m_files)
+        if (file.modified()) paths.push_back(path);
+    return paths;
+}
+
+} // namespace trundle

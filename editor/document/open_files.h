@@ -1,0 +1,45 @@
+#pragma once
+// The files of a document: what they hold here and what the disk is known to hold.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "project/text_overlay.h"
+
+namespace trundle {
+
+using SharedText = std::shared_ptr<const std::string>;
+
+struct OpenFile {
+    SharedText text;   ///< here
+    SharedText disk;   ///< the last bytes of the disk that were seen; what a new text began with
+    bool gone = false; ///< no longer on the disk
+    SharedText theirs; ///< what another program wrote over edits made here, until someone decides; else null
+
+    [[nodiscard]] bool edited() const { return text != disk && *text != *disk; }
+    [[nodiscard]] bool modified() const { return gone || edited(); }
+};
+
+class OpenFiles {
+public:
+    void clear() { m_files.clear(); }
+    /// Takes a file in as the disk holds it. One that is known stays as it is.
+    void take(const std::string& path, std::string_view bytes);
+    void remove(const std::string& path) { m_files.erase(path); }
+
+    [[nodiscard]] OpenFile* find(const std::string& path);
+    [[nodiscard]] const OpenFile* find(const std::string& path) const;
+    [[nodiscard]] SharedText text(const std::string& path) const; ///< null where the file is not known
+    void setTexts(const TextOverlay& texts);                      ///< of files that are known
+    [[nodiscard]] TextOverlay texts() const;
+    [[nodiscard]] std::vector<std::string> modified() const;
+    [[nodiscard]] const std::map<std::string, OpenFile>& all() const { return m_files; }
+
+private:
+    std::map<std::string, OpenFile> m_files; // by absolute path
+};
+
+} // namespace trundle

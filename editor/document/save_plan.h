@@ -1,0 +1,23 @@
+#pragma once
+// What must be written so that a project's opened file means the same from another place. Private to editor/document.
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "base/result.h"
+#include "parts/parts.h"
+
+namespace trundle {
+
+struct SavePlan {
+    std::map<std::string, std::string> moves; ///< files by their path now, and where each is written; the opened one among them
+    TextOverlay texts;                        ///< by the new path, imports written anew where they had to be
+};
+
+/// `mustMove` are files that cannot be saved where they are. Nothing is written: the plan is tried on texts in memory. Fails where
+/// a file would take another's place.
+[[nodiscard]] Result<SavePlan> planSaveAs(Parts& parts, const Loaded& loaded, OpenOptions options, const std::string& target,
+                                          const std::set<std::string>& mustMove);
+
+} // namespace trundle

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+namespace trundle {
+
+/// What is selected, the same in tree, view, rows and text. Objects are named by their dotted paths (project/object_place.h):
+/// "robot0", "robot0.chassis.hull", "RobotConfig.SimpleRobot.leftAxle", "Material.red"; "" is the experiment itself.
+class Selection final : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    [[nodiscard]] const std::vector<std::string>& paths() const { return m_paths; }
+    [[nodiscard]] bool contains(const std::string& path) const;
+    /// The last one selected, on which single-object tools work; "" where nothing is.
+    [[nodiscard]] std::string current() const { return m_paths.empty() ? std::string() : m_paths.back(); }
+    [[nodiscard]] bool empty() const { return m_paths.empty(); }
+
+    void set(std::vector<std::string> paths);
+    void select(const std::string& path) { set({path}); }
+    void toggle(const std::string& path);
+    void clear() { set({}); }
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    std::vector<std::string> m_paths; // each once
+};
+
+} // namespace trundle

@@ -1,0 +1,46 @@
+#include "editor/outline/duplicate_offset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/footprint.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kStep = 0.1, kFarthest = 100; ///< m
+
+/// What objects cover along y.
+struct Span {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    void add(double from, double to) { low = std::min(low, from), high = std::max(high, to); }
+};
+
+Span spanOf(const Loaded& loaded, const std::vector<std::string>& paths) {
+    Span span;
+    const auto chosen = [&](const std::string& name) { return std::find(paths.begin(), paths.end(), name) != paths.end(); };
+    for (const RobotSpec& robot : loaded.experiment->robots) {
+        if (!chosen(robot.name) || !robot.config) continue;
+        const double y = robot.pose.position.y(), radius = discOf(*robot.config).radius;
+        span.add(y - radius, y + radius);
+    }
+    for (const StaticSpec& scenery : loaded.experiment->statics) {
+        if (!chosen(scenery.name) || !scenery.geoms) continue;
+        for (const GeomSpec& geom : *scenery.geoms)
+            for (const Footprint& foot : footprintsOf(geom, scenery.pose))
+                for (const auto& corner : foot.corners) span.add(corner.y() - foot.grown, corner.y() + foot.grown);
+    }
+    return span;
+}
+
+} // namespace
+
+Vec3 duplicateOffset(const Loaded& loaded, const std::vector<std::string>& paths) {
+    const Span span = spanOf(loaded, paths);
+    const double width = span.high > span.low ? span.high - span.low : 0;
+    if (!(width < kFarthest)) return {0, kStep, 0};
+    return {0, std::floor(width / kStep + 1) * kStep, 0};
+}
+
+} // namespace trundle

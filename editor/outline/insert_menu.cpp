@@ -1,0 +1,119 @@
+#include "editor/outline/insert_menu.h"
+
+#include <algorithm>
+#include <map>
+
+#include <QMenu>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/outline/kind_icons.h"
+#include "editor/outline/object_edits.h"
+#include "editor/outline/placing.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMostBeside = 3; ///< kinds of one role beside those of others; more get a menu of their own
+
+QString roleTitle(Role role) {
+    switch (role) {
+    case Role::Body: return InsertMenu::tr("Bodies");
+    case Role::Geom: return InsertMenu::tr("Shapes");
+    case Role::Joint: return InsertMenu::tr("Joints");
+    case Role::Device: return InsertMenu::tr("Sensors and Actuators");
+    case Role::Controller: return InsertMenu::tr("Controllers");
+    case Role::Log: return InsertMenu::tr("Logs");
+    case Role::Instance: return InsertMenu::tr("Robots and Scenery");
+    case Role::Layout: return InsertMenu::tr("Many Robots");
+    case Role::Config: return InsertMenu::tr("Configs");
+    case Role::Material: return InsertMenu::tr("Materials");
+    case Role::Surface: return InsertMenu::tr("Surfaces");
+    case Role::Settings: break;
+    }
+    return {};
+}
+
+/// In the order in which a person builds.
+constexpr Role kRoles[] = {Role::Body,   Role::Geom,   Role::Joint,    Role::Device,  Role::Controller, Role::Instance,
+                           Role::Layout, Role::Config, Role::Material, Role::Surface, Role::Log};
+
+} // namespace
+
+struct InsertMenu::Entries {
+    std::map<Role, std::vector<const Kind*>> byRole;
+};
+
+InsertMenu::InsertMenu(Document& document, Selection& selection, ObjectEdits& edits, QObject* parent)
+    : QObject(parent), m_document(document), m_selection(selection), m_edits(edits) {}
+
+void InsertMenu::attach(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    connect(&menu, &QMenu::aboutToShow, this, [this, &menu, kept = menu.actions()] {
+        for (QAction* action : menu.actions())
+            if (!kept.contains(action)) {
+                menu.removeAction(action);
+                action->deleteLater();
+            }
+        if (!kept.isEmpty()) menu.addSeparator();
+        fill(menu);
+    });
+    fill(menu);
+}
+
+void InsertMenu::fill(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    if (!m_document.isOpen()) {
+        menu.addAction(tr("Open or start an experiment first"))->setEnabled(false);
+        return;
+    }
+    const Loaded& loaded = *m_document.loaded();
+    std::map<std::string, Entries> places;
+    for (const Kind* kind : loaded.registry->all()) {
+        if (kind->role == Role::Settings) continue;
+        const Kind* one[] = {kind};
+        if (const auto place = placeFor(loaded, m_selection.current(), one)) places[*place].byRole[kind->role].push_back(kind);
+    }
+    for (const std::string& place : placesAround(loaded, m_selection.current()))
+        if (const auto entries = places.find(place); entries != places.end()) addPlace(menu, place, entries->second);
+}
+
+void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& entries) {
+    const std::string name = place.substr(place.rfind('.') + 1);
+    QAction* title = menu.addAction(place.empty() ? tr("In the experiment") : tr("In %1").arg(QString::fromStdString(name)));
+    title->setEnabled(false);
+    title->setObjectName(QStringLiteral("insertPlace.") + QString::fromStdString(place));
+    for (const Role role : kRoles) {
+        const auto kinds = entries.byRole.find(role);
+        if (kinds == entries.byRole.end()) continue;
+        QMenu* into = &menu;
+        if (entries.byRole.size() > 1 && kinds->second.size() > kMostBeside) {
+            into = menu.addMenu(themedIcon(roleIcon(role)), roleTitle(role));
+            into->setToolTipsVisible(true);
+            into->setObjectName(QStringLiteral("insertRole.") + QLatin1String(roleName(role)));
+        }
+        for (const Kind* kind : kinds->second) addKind(*into, *kind, place);
+    }
+    menu.addSeparator();
+}
+
+QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind, const std::string& place) {
+    QAction* action = menu.addAction(themedIcon(kindIcon(&kind)), QString::fromStdString(kind.name));
+    action->setObjectName(QStringLiteral("insert.") + QString::fromStdString(kind.name));
+    action->setToolTip(QString::fromStdString(kind.help));
+    action->setStatusTip(QString::fromStdString(kind.help));
+    const auto at = placeOf(*m_document.loaded(), place);
+    if (const Part* there = kind.role == Role::Controller && at && at->part ? controllerOf(*at->part) : nullptr) {
+        action->setEnabled(false);
+        action->setToolTip(
+            tr("%1 has a controller already: %2").arg(QString::fromStdString(place), QString::fromStdString(there->title())));
+    }
+    connect(action, &QAction::triggered, this, [this, name = kind.name] {
+        const Kind* kind = m_document.isOpen() ? m_document.loaded()->registry->find(name) : nullptr;
+        if (kind) (void)m_edits.insertKind(*kind, m_selection.current());
+    });
+    return action;
+}
+
+} // namespace trundle

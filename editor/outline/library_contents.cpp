@@ -1,0 +1,157 @@
+// What the Library holds: found in folders by a thread of its own, and known from the kinds and from what is open.
+
+#include <algorithm>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/outline/block_mime.h"
+#include "editor/outline/library_items.h"
+#include "editor/outline/library_model.h"
+#include "editor/outline/library_panel.h"
+#include "editor/outline/library_pictures.h"
+#include "editor/outline/object_edits.h"
+#include "editor/outline/placing.h"
+#include "project/search.h"
+
+namespace trundle {
+namespace {
+
+void append(std::vector<LibraryItem>& all, std::vector<LibraryItem> more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// The config that parts of robots would go into: the one round the selection, or the only one there is.
+const Part* robotConfigFor(const Loaded& loaded, const std::string& selected) {
+    for (const std::string& path : placesAround(loaded, selected))
+        if (const auto place = placeOf(loaded, path); place && place->part && place->part->is(Role::Config)) return place->part;
+    const Part* only = nullptr;
+    for (const Part* config : loaded.outline->configs.all())
+        if (config->kind->name == "RobotConfig") only = only ? nullptr : config;
+    return only;
+}
+
+} // namespace
+
+void LibraryPanel::readFolders() {
+    const bool open = m_document.isOpen();
+    const std::string project = open ? canonicalPath(m_document.loaded()->projectFolder) : std::string();
+    const std::string opened = open ? canonicalPath(m_document.loaded()->paths[0]) : std::string();
+    ++m_reading;
+    m_pool.start(
+        [this, reading = ++m_readings, project, opened, configs = m_configs, resources = m_resources, modules = m_modules] {
+            std::vector<LibraryItem> items;
+            for (const char* folder : {"robots", "arenas", "objects"})
+                append(items, configItems({configs + "/" + folder, std::string(folder) + "/"}, opened));
+            append(items, snippetItems(resources + "/library"));
+            if (!project.empty() && project != canonicalPath(configs)) {
+                append(items, configItems({project, ""}, opened));
+                append(items, snippetItems(project + "/library"));
+            }
+            std::vector<Kind> kinds = m_parts.moduleKinds({});
+            QMetaObject::invokeMethod(
+                this,
+                [this, reading, items = std::move(items), kinds = std::move(kinds)] {
+                    --m_reading;
+                    if (reading != m_readings) return;
+                    m_found = items;
+                    m_moduleKinds = kinds;
+                    m_registry = nullptr;
+                    showItems();
+                },
+                Qt::QueuedConnection);
+        });
+}
+
+/// Of the opened file: they need no import.
+std::vector<LibraryItem> LibraryPanel::ownConfigs() const {
+    std::vector<LibraryItem> items;
+    if (!m_document.isOpen()) return items;
+    for (const Part* config : m_document.loaded()->outline->configs.all()) {
+        if (config->file != 0) continue;
+        const bool robot = config->kind->name == "RobotConfig";
+        LibraryItem item;
+        item.section = robot ? LibrarySection::Robots : LibrarySection::Arenas;
+        item.title = QString::fromStdString(config->name);
+        item.help = tr("Described in this file");
+        item.icon = robot ? QStringLiteral("kind-robot") : QStringLiteral("kind-static");
+        item.kind = robot ? "Robot" : "Static";
+        item.text =
+            item.kind + " " + (robot ? "robot0" : nameFor(config->name)) + " { Config=" + config->name + " Pos=0,0,0 HPR=0,0,0 }";
+        items.push_back(std::move(item));
+    }
+    return items;
+}
+
+void LibraryPanel::showItems() {
+    std::vector<LibraryItem> all = ownConfigs();
+    std::vector<std::string> names;
+    for (const LibraryItem& item : all) names.push_back(item.text);
+    const std::shared_ptr<const Registry> registry = m_document.isOpen() ? m_document.loaded()->registry : m_parts.builtIn();
+    const auto kindNames = [](const Registry& r) {
+        std::vector<std::string> names;
+        for (const Kind* kind : r.all()) names.push_back(kind->name);
+        return names;
+    };
+    if (m_registry && names == m_ownNames && kindNames(*registry) == kindNames(*m_registry)) return;
+    m_ownNames = std::move(names);
+    m_registry = registry;
+    append(all, m_found);
+    append(all, kindItems(registry->all()));
+    std::vector<Kind> others = m_moduleKinds;
+    std::erase_if(others, [&](const Kind& kind) { return registry->find(kind.name) != nullptr; });
+    append(all, moduleItems(others, m_modules));
+    m_model->setItems(std::move(all));
+    for (const LibraryItem& item : m_model->items())
+        if (!item.picture.empty() && !m_model->hasPicture(item.picture)) {
+            m_model->setPicture(item.picture, {}); // wanted once
+            m_pictures->want(item.picture, item.folder.empty() ? m_configs : item.folder);
+        }
+    fitSections();
+}
+
+const Kind* LibraryPanel::kindOf(const std::string& name) const {
+    if (const Kind* kind = m_registry ? m_registry->find(name) : nullptr) return kind;
+    const auto it = std::find_if(m_moduleKinds.begin(), m_moduleKinds.end(), [&](const Kind& kind) { return kind.name == name; });
+    return it == m_moduleKinds.end() ? nullptr : &*it;
+}
+
+std::string LibraryPanel::textOf(const LibraryItem& item) const {
+    if (!m_document.isOpen()) return item.text;
+    if (!item.text.empty()) return item.section == LibrarySection::RobotParts ? fittedTo(item) : item.text;
+    const Kind* kind = kindOf(item.kind);
+    if (!kind) return {};
+    const Kind* one[] = {kind};
+    const std::optional<std::string> parent = placeFor(*m_document.loaded(), m_selection.current(), one);
+    return templateOf(*m_document.loaded(), *kind, parent.value_or(std::string()));
+}
+
+/// Parts hang on a body called chassis; where the robot has none of that name, on its first.
+std::string LibraryPanel::fittedTo(const LibraryItem& item) const {
+    static const std::string kParent = "Parent=chassis";
+    const Part* config = robotConfigFor(*m_document.loaded(), m_selection.current());
+    if (!config || config->find("chassis")) return item.text;
+    const auto body =
+        std::find_if(config->parts.begin(), config->parts.end(), [](const Part& p) { return p.is(Role::Body) && p.usable; });
+    if (body == config->parts.end()) return item.text;
+    std::string text = item.text;
+    for (std::size_t at = text.find(kParent); at != std::string::npos; at = text.find(kParent, at + 1))
+        text.replace(at, kParent.size(), "Parent=" + body->name);
+    return text;
+}
+
+void LibraryPanel::insert(const LibraryItem& item) {
+    if (!m_document.isOpen()) {
+        Q_EMIT m_document.refused(tr("open or start an experiment first"));
+        return;
+    }
+    Result<Blocks> blocks = blocksFrom(textOf(item));
+    if (!blocks) {
+        Q_EMIT m_document.refused(QString::fromStdString(blocks.error().message));
+        return;
+    }
+    Blocks wanted = std::move(blocks).value();
+    wanted.imports.insert(wanted.imports.end(), item.imports.begin(), item.imports.end());
+    (void)m_edits->insert(wanted, m_selection.current(), tr("Add %1").arg(item.title));
+}
+
+} // namespace trundle

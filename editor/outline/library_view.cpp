@@ -1,0 +1,159 @@
+#include "editor/outline/library_view.h"
+
+#include <QApplication>
+#include <QDrag>
+#include <QMimeData>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "editor/outline/library_model.h"
+#include "editor/outline/outline_delegate.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kCell = 90, kCellHeight = 84, kRow = 44, kPad = 4, kIconSize = 28;
+constexpr QSize kListPicture(54, 37);
+
+} // namespace
+
+void LibrarySectionFilter::setWords(const QStringList& words) {
+    m_words = words;
+    invalidateFilter();
+}
+
+bool LibrarySectionFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+    const QModelIndex index = sourceModel()->index(row, 0, parent);
+    if (index.data(LibraryModel::SectionRole).toInt() != int(m_section)) return false;
+    const QString text = index.data().toString() + QLatin1Char(' ') + index.data(LibraryModel::HelpRole).toString() +
+                         QLatin1Char(' ') + sectionTitle(m_section);
+    return std::all_of(m_words.begin(), m_words.end(),
+                       [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+void LibraryDelegate::paintPicture(QPainter& painter, const QStyleOptionViewItem& option, const QRect& where,
+                                   const QModelIndex& index) const {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    QPainterPath frame;
+    frame.addRoundedRect(QRectF(where).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    const QVariant picture = index.data(LibraryModel::PictureRole);
+    if (picture.isValid()) {
+        painter.setClipPath(frame);
+        const QPixmap pixmap = picture.value<QPixmap>();
+        const QSize fitted = pixmap.size().scaled(where.size(), Qt::KeepAspectRatioByExpanding);
+        painter.drawPixmap(QRect(where.center() - QPoint(fitted.width() / 2, fitted.height() / 2), fitted), pixmap);
+        painter.setClipping(false);
+    } else {
+        painter.fillPath(frame, option.palette.color(QPalette::AlternateBase));
+        const int size = std::min(kIconSize, where.height() - 10);
+        painter.drawPixmap(where.center() - QPoint(size / 2 - 1, size / 2 - 1),
+                           drawnIcon(index.data(LibraryModel::IconRole).toString(), size, painter.device()->devicePixelRatioF()));
+    }
+    painter.setPen(ink(Ink::Line));
+    painter.drawPath(frame);
+    painter.restore();
+}
+
+void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    QStyleOptionViewItem ground = option;
+    initStyleOption(&ground, index);
+    ground.text.clear();
+    ground.state &= ~QStyle::State_HasFocus;
+    const QStyle* style = ground.widget ? ground.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &ground, painter, ground.widget);
+    const bool selected = option.state & QStyle::State_Selected;
+    const QRect r = option.rect.adjusted(kPad, kPad, -kPad, -kPad);
+    const QFontMetrics metrics(option.font);
+    painter->save();
+    painter->setFont(option.font);
+    painter->setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+    const QString title = index.data().toString();
+    if (asList) {
+        paintPicture(*painter, option, QRect(QPoint(r.left(), r.center().y() - kListPicture.height() / 2), kListPicture), index);
+        const QRect text = r.adjusted(kListPicture.width() + 8, 0, 0, 0);
+        const QString help = index.data(LibraryModel::HelpRole).toString();
+        const QRect upper(text.left(), text.top(), text.width(), help.isEmpty() ? text.height() : text.height() / 2);
+        painter->drawText(upper, Qt::AlignVCenter | Qt::AlignLeft, metrics.elidedText(title, Qt::ElideRight, text.width()));
+        if (!selected) painter->setPen(ink(Ink::Faint));
+        painter->drawText(text.adjusted(0, text.height() / 2, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                          metrics.elidedText(help, Qt::ElideRight, text.width()));
+    } else {
+        const int line = metrics.height();
+        paintPicture(*painter, option, r.adjusted(0, 0, 0, -line - 3), index);
+        painter->drawText(QRect(r.left(), r.bottom() - line, r.width(), line + 1), Qt::AlignCenter,
+                          metrics.elidedText(title, Qt::ElideRight, r.width()));
+    }
+    painter->restore();
+}
+
+QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
+    return asList ? QSize(kCell, kRow) : QSize(kCell, kCellHeight);
+}
+
+LibraryList::LibraryList(QWidget* parent) : QListView(parent), m_delegate(new LibraryDelegate(this)) {
+    setItemDelegate(m_delegate);
+    setUniformItemSizes(true);
+    setResizeMode(Adjust);
+    setMovement(Static);
+    setDragEnabled(true);
+    setDragDropMode(DragOnly);
+    setSelectionMode(SingleSelection);
+    setMouseTracking(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFrameShape(NoFrame);
+    setAsList(false);
+}
+
+void LibraryList::setAsList(bool list) {
+    m_delegate->asList = list;
+    setViewMode(list ? ListMode : IconMode);
+    setMovement(Static);
+    setDragEnabled(true);
+    setWrapping(!list);
+    setFlow(list ? TopToBottom : LeftToRight);
+    fit();
+}
+
+void LibraryList::fit() {
+    const int count = model() ? model()->rowCount() : 0, room = std::max(viewport()->width(), kCell);
+    const int columns = m_delegate->asList ? 1 : std::max(1, room / kCell);
+    setGridSize(m_delegate->asList ? QSize(room, kRow) : QSize(room / columns, kCellHeight));
+    setFixedHeight((count + columns - 1) / columns * (m_delegate->asList ? kRow : kCellHeight) + 2);
+    doItemsLayout(); // at once: a later one would still have the width of before
+}
+
+void LibraryList::resizeEvent(QResizeEvent* event) {
+    QListView::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width()) fit();
+}
+
+void LibraryList::keyPressEvent(QKeyEvent* event) {
+    const QModelIndex before = currentIndex();
+    QListView::keyPressEvent(event);
+    if (currentIndex() != before) return;
+    if (event->key() == Qt::Key_Down) Q_EMIT leftBehind(1);
+    if (event->key() == Qt::Key_Up) Q_EMIT leftBehind(-1);
+}
+
+void LibraryList::startDrag(Qt::DropActions) {
+    const QModelIndex index = currentIndex();
+    QMimeData* mime = index.isValid() ? model()->mimeData({index}) : nullptr;
+    if (!mime) return;
+    auto* drag = new QDrag(this);
+    drag->setMimeData(mime);
+    const QVariant picture = index.data(LibraryModel::PictureRole);
+    const qreal ratio = devicePixelRatioF();
+    QPixmap shown = picture.isValid()
+                        ? picture.value<QPixmap>().scaled(QSize(96, 66) * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+                        : drawnIcon(index.data(LibraryModel::IconRole).toString(), 32, ratio);
+    shown.setDevicePixelRatio(ratio);
+    drag->setPixmap(shown);
+    drag->setHotSpot(QPoint(8, 8));
+    drag->exec(Qt::CopyAction);
+}
+
+} // namespace trundle

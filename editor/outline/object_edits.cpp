@@ -1,0 +1,170 @@
+#include "editor/outline/object_edits.h"
+
+#include <algorithm>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QMimeData>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/outline/block_mime.h"
+#include "editor/outline/duplicate_offset.h"
+#include "editor/outline/object_marks.h"
+#include "editor/outline/placing.h"
+
+namespace trundle {
+namespace {
+
+QString shown(const std::string& s) { return QString::fromStdString(s); }
+
+/// "hull" of "robot0.chassis.hull".
+std::string lastName(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+/// "robot0", "3 objects".
+QString named(const std::vector<std::string>& paths) {
+    return paths.size() == 1 ? shown(lastName(paths.front())) : ObjectEdits::tr("%1 objects").arg(paths.size());
+}
+
+/// "Box box", "3 objects": what blocks of a text are called in the history.
+QString named(const Blocks& blocks) {
+    if (blocks.kinds.size() != 1) return ObjectEdits::tr("%1 objects").arg(blocks.kinds.size());
+    return shown(blocks.names[0].empty() ? blocks.kinds[0] : blocks.kinds[0] + " " + blocks.names[0]);
+}
+
+/// The experiment itself is no block.
+std::vector<std::string> objectsOf(const std::vector<std::string>& paths) {
+    std::vector<std::string> objects = paths;
+    std::erase(objects, std::string());
+    return objects;
+}
+
+} // namespace
+
+ObjectEdits::ObjectEdits(Document& document, Selection& selection, const ObjectMarks& marks, QObject* parent)
+    : QObject(parent), m_document(document), m_selection(selection), m_marks(marks) {}
+
+Status ObjectEdits::refuse(const QString& reason) {
+    Q_EMIT m_document.refused(reason);
+    return Error{Code::Internal, reason.toStdString()};
+}
+
+Status ObjectEdits::mayChange(const std::vector<std::string>& paths, const QString& deed) {
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    if (paths.empty()) return refuse(tr("select an object to %1 first").arg(deed));
+    for (const std::string& path : paths)
+        if (m_marks.isLocked(path)) return refuse(tr("%1 is locked; unlock it to %2 it").arg(shown(path), deed));
+    return {};
+}
+
+bool ObjectEdits::canRename(const std::string& path) const {
+    if (!m_document.isOpen() || path.empty()) return false;
+    const auto place = placeOf(*m_document.loaded(), path);
+    return place && place->part && !(place->member && place->within.empty());
+}
+
+Status ObjectEdits::rename(const std::string& path, const std::string& name) {
+    if (Status may = mayChange({path}, tr("rename")); !may) return may;
+    return m_document.carryOut(tr("Rename %1 to %2").arg(shown(lastName(path)), shown(name)),
+                               planRename(*m_document.loaded(), path, name));
+}
+
+Status ObjectEdits::remove(const std::vector<std::string>& paths) {
+    const std::vector<std::string> objects = objectsOf(paths);
+    if (Status may = mayChange(objects, tr("delete")); !may) return may;
+    return m_document.carryOut(tr("Delete %1").arg(named(objects)), planRemove(*m_document.loaded(), objects));
+}
+
+Status ObjectEdits::duplicate(const std::vector<std::string>& paths) {
+    const std::vector<std::string> objects = objectsOf(paths);
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    if (objects.empty()) return refuse(tr("select an object to duplicate first"));
+    const Loaded& loaded = *m_document.loaded();
+    return m_document.carryOut(tr("Duplicate %1").arg(named(objects)),
+                               planDuplicate(loaded, objects, duplicateOffset(loaded, objects)));
+}
+
+Status ObjectEdits::copy(const std::vector<std::string>& paths) {
+    const std::vector<std::string> objects = objectsOf(paths);
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    if (objects.empty()) return refuse(tr("select an object to copy first"));
+    QGuiApplication::clipboard()->setMimeData(mimeOf(*m_document.loaded(), objects));
+    return {};
+}
+
+Status ObjectEdits::cut(const std::vector<std::string>& paths) {
+    const std::vector<std::string> objects = objectsOf(paths);
+    if (Status may = mayChange(objects, tr("cut")); !may) return may;
+    std::unique_ptr<QMimeData> mime(mimeOf(*m_document.loaded(), objects));
+    const Status removed = m_document.carryOut(tr("Cut %1").arg(named(objects)), planRemove(*m_document.loaded(), objects));
+    if (removed) QGuiApplication::clipboard()->setMimeData(mime.release());
+    return removed;
+}
+
+bool ObjectEdits::canPaste() const {
+    const QMimeData* mime = QGuiApplication::clipboard()->mimeData();
+    return m_document.isOpen() && mime && mime->hasText();
+}
+
+Status ObjectEdits::paste(const std::string& place) {
+    const QMimeData* mime = QGuiApplication::clipboard()->mimeData();
+    if (!mime) return refuse(tr("there is no text to insert"));
+    const Result<Blocks> blocks = blocksIn(*mime);
+    if (!blocks) return refuse(shown(blocks.error().message));
+    return insert(blocks.value(), place, tr("Paste %1").arg(named(blocks.value())));
+}
+
+Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const QString& name) {
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    return m_document.carryOut(name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name,
+                               planInsert(*m_document.loaded(), place, blocks.text, blocks.imports));
+}
+
+Status ObjectEdits::insertFrom(const QMimeData& mime, const std::string& place) {
+    const Result<Blocks> blocks = blocksIn(mime);
+    return blocks ? insert(blocks.value(), place) : refuse(shown(blocks.error().message));
+}
+
+Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    const Kind* one[] = {&kind};
+    const std::optional<std::string> parent = placeFor(*m_document.loaded(), place, one);
+    if (!parent) return refuse(tr("%1 stands in %2; select one first").arg(shown(kind.name), shown(placesOf(kind))));
+    const Loaded& loaded = *m_document.loaded();
+    const Result<Blocks> blocks = blocksFrom(templateOf(loaded, kind, *parent));
+    if (!blocks) return refuse(shown(blocks.error().message));
+    Result<EditPlan> plan = planInsert(loaded, place, blocks.value().text);
+    if (!plan) return m_document.carryOut({}, plan);
+    EditPlan todo = std::move(plan).value();
+    // A joint may bring a body to hang on: what was asked for is selected.
+    const std::vector<std::string>& kinds = blocks.value().kinds;
+    for (std::size_t i = todo.selects.size(); i-- > 0;)
+        if (i < kinds.size() && kinds[i] != kind.name) todo.selects.erase(todo.selects.begin() + std::ptrdiff_t(i));
+    return m_document.carryOut(tr("Add %1").arg(shown(kind.name)), todo);
+}
+
+Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before) {
+    const std::vector<std::string> objects = objectsOf(paths);
+    if (Status may = mayChange(objects, tr("move")); !may) return may;
+    const bool stays = std::all_of(objects.begin(), objects.end(),
+                                   [&](const std::string& path) { return parentOf(*m_document.loaded(), path) == parent; });
+    const QString where = parent.empty() ? tr("the top level") : shown(lastName(parent));
+    return m_document.carryOut(stays ? tr("Reorder %1").arg(named(objects)) : tr("Move %1 to %2").arg(named(objects), where),
+                               planMove(*m_document.loaded(), objects, parent, before));
+}
+
+Status ObjectEdits::replaceBySingles(const std::string& path) {
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    const auto place = placeOf(*m_document.loaded(), path);
+    const std::string layout = place && place->instance ? place->instance->name : path;
+    return m_document.carryOut(tr("Replace %1 by single robots").arg(shown(layout)),
+                               planReplaceBySingles(*m_document.loaded(), layout));
+}
+
+void ObjectEdits::removeSelected() { (void)remove(m_selection.paths()); }
+void ObjectEdits::duplicateSelected() { (void)duplicate(m_selection.paths()); }
+void ObjectEdits::copySelected() { (void)copy(m_selection.paths()); }
+void ObjectEdits::cutSelected() { (void)cut(m_selection.paths()); }
+void ObjectEdits::pasteAtSelected() { (void)paste(m_selection.current()); }
+
+} // namespace trundle

@@ -1,0 +1,72 @@
+// Drags out of the tree and drops into it.
+
+#include <algorithm>
+
+#include <QMimeData>
+
+#include "editor/outline/block_mime.h"
+#include "editor/outline/object_edits.h"
+#include "editor/outline/outline_model.h"
+#include "editor/outline/outline_node.h"
+#include "editor/outline/placing.h"
+
+namespace trundle {
+
+/// `parent`: path of the block that a drop goes into, `before`: the object in it that it goes in front of, "" the end.
+struct OutlineModel::DropPlace {
+    bool known = false;
+    std::string parent, before;
+};
+
+OutlineModel::DropPlace OutlineModel::dropPlace(int row, const QModelIndex& parent) const {
+    const Node& node = nodeOf(parent);
+    DropPlace place;
+    place.known = m_rows != nullptr && node.row.type != OutlineRow::Type::Module;
+    if (node.parent && node.row.type == OutlineRow::Type::Object) place.parent = node.row.path;
+    if (row >= 0 && static_cast<std::size_t>(row) < node.children.size()) {
+        const OutlineRow& next = node.children[std::size_t(row)]->row;
+        if (next.selectable && next.type == OutlineRow::Type::Object) place.before = next.path;
+    }
+    return place;
+}
+
+QStringList OutlineModel::mimeTypes() const {
+    return {QLatin1String(kObjectsMime), QLatin1String(kLibraryMime), QStringLiteral("text/plain")};
+}
+
+QMimeData* OutlineModel::mimeData(const QModelIndexList& indexes) const {
+    std::vector<std::string> paths;
+    for (const QModelIndex& index : indexes)
+        if (const OutlineRow* row = rowAt(index); row && index.column() == NameColumn && row->selectable)
+            paths.push_back(row->path);
+    if (paths.empty() || !m_rows) return nullptr;
+    QMimeData* mime = mimeOf(*m_rows->loaded(), paths);
+    QByteArray lines;
+    for (const std::string& path : paths) lines += QByteArray::fromStdString(path) + '\n';
+    mime->setData(QLatin1String(kObjectsMime), lines);
+    return mime;
+}
+
+bool OutlineModel::canDropMimeData(const QMimeData* mime, Qt::DropAction, int row, int, const QModelIndex& parent) const {
+    const DropPlace place = dropPlace(row, parent);
+    if (!place.known || !mime) return false;
+    const Loaded& loaded = *m_rows->loaded();
+    const std::vector<std::string> paths = pathsIn(*mime);
+    if (paths.empty()) return mime->hasFormat(QLatin1String(kLibraryMime)) || mime->hasText();
+    const Kind* into = kindAt(loaded, place.parent);
+    return std::all_of(paths.begin(), paths.end(), [&](const std::string& path) {
+        const Kind* kind = kindAt(loaded, path);
+        return kind && path != place.parent && mayStandIn(*kind, into ? std::string_view(into->name) : std::string_view());
+    });
+}
+
+bool OutlineModel::dropMimeData(const QMimeData* mime, Qt::DropAction action, int row, int column, const QModelIndex& parent) {
+    if (action == Qt::IgnoreAction) return true;
+    if (!mime || !canDropMimeData(mime, action, row, column, parent)) return false;
+    const DropPlace place = dropPlace(row, parent);
+    const std::vector<std::string> paths = pathsIn(*mime);
+    if (!paths.empty() && action == Qt::MoveAction) return m_edits.move(paths, place.parent, place.before).ok();
+    return m_edits.insertFrom(*mime, place.parent).ok();
+}
+
+} // namespace trundle

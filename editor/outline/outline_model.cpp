@@ -1,0 +1,183 @@
+#include "editor/outline/outline_model.h"
+
+#include <QColor>
+
+#include "editor/outline/kind_icons.h"
+#include "editor/outline/object_edits.h"
+#include "editor/outline/object_marks.h"
+#include "editor/outline/outline_node.h"
+#include "editor/outline/placing.h"
+#include "project/object_place.h"
+
+namespace trundle {
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QString iconOf(const OutlineRow& row) {
+    switch (row.type) {
+    case OutlineRow::Type::Experiment: return QStringLiteral("kind-settings");
+    case OutlineRow::Type::File: return QStringLiteral("kind-file");
+    case OutlineRow::Type::Module: return QStringLiteral("module");
+    case OutlineRow::Type::Object: return kindIcon(row.part->kind);
+    case OutlineRow::Type::Group: break;
+    }
+    switch (row.group) {
+    case OutlineGroup::Robots: return QStringLiteral("kind-robot");
+    case OutlineGroup::Scenery: return QStringLiteral("kind-static");
+    case OutlineGroup::Logs: return QStringLiteral("kind-poselog");
+    case OutlineGroup::Modules: return QStringLiteral("module");
+    case OutlineGroup::RobotConfigs: return QStringLiteral("kind-robotconfig");
+    case OutlineGroup::StaticConfigs: return QStringLiteral("kind-staticconfig");
+    case OutlineGroup::Materials: return QStringLiteral("kind-material");
+    case OutlineGroup::Surfaces: return QStringLiteral("kind-surface");
+    case OutlineGroup::Misplaced: break;
+    }
+    return QStringLiteral("kind-unknown");
+}
+
+QString tipOf(const OutlineRow& row) {
+    QString tip = text(row.tip);
+    const auto say = [&](int count, const QString& what) {
+        if (count > 0) tip += (tip.isEmpty() ? QString() : QStringLiteral("\n")) + QStringLiteral("%1 %2").arg(count).arg(what);
+    };
+    say(row.problems.errors, row.problems.errors == 1 ? OutlineModel::tr("error") : OutlineModel::tr("errors"));
+    say(row.problems.warnings, row.problems.warnings == 1 ? OutlineModel::tr("warning") : OutlineModel::tr("warnings"));
+    return tip;
+}
+
+} // namespace
+
+OutlineModel::OutlineModel(ObjectEdits& edits, ObjectMarks& marks, QObject* parent)
+    : QAbstractItemModel(parent), m_edits(edits), m_marks(marks), m_root(std::make_unique<Node>()) {
+    connect(&marks, &ObjectMarks::hiddenChanged, this, &OutlineModel::marksChanged);
+    connect(&marks, &ObjectMarks::lockedChanged, this, &OutlineModel::marksChanged);
+}
+
+OutlineModel::~OutlineModel() = default;
+
+OutlineModel::Node& OutlineModel::nodeOf(const QModelIndex& index) const {
+    return index.isValid() ? *static_cast<Node*>(index.internalPointer()) : *m_root;
+}
+
+QModelIndex OutlineModel::indexOf(const Node& node, int column) const {
+    return node.parent ? createIndex(node.place, column, &node) : QModelIndex();
+}
+
+const OutlineRow* OutlineModel::rowAt(const QModelIndex& index) const { return index.isValid() ? &nodeOf(index).row : nullptr; }
+
+std::string OutlineModel::keyOf(const QModelIndex& index) const {
+    std::string key;
+    for (const Node* node = &nodeOf(index); node->parent; node = node->parent) key = "/" + node->row.key + key;
+    return key;
+}
+
+QModelIndex OutlineModel::indexOf(const std::string& path) {
+    if (!m_rows) return {};
+    if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
+    if (!placeOf(*m_rows->loaded(), path)) return {};
+    const std::size_t dot = path.rfind('.');
+    if (dot != std::string::npos) {
+        const QModelIndex above = indexOf(path.substr(0, dot));
+        if (above.isValid() && canFetchMore(above)) fetchMore(above);
+        if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
+    }
+    const std::size_t word = path.find('.');
+    const Part* layout = layoutOfMember(*m_rows->loaded()->outline, path.substr(0, word));
+    if (layout && layout->name != path.substr(0, word))
+        return indexOf(layout->name + (word == std::string::npos ? std::string() : path.substr(word)));
+    // At the top level: in a group or a file that nobody has opened yet.
+    for (const auto& top : m_root->children) {
+        const QModelIndex group = indexOf(*top);
+        if (dot != std::string::npos && path.find('.', word + 1) != std::string::npos) break;
+        if (!canFetchMore(group)) continue;
+        fetchMore(group);
+        if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
+    }
+    const std::string block = definedAt(*m_rows->loaded(), path); // by file, what a robot is made of stands in its config alone
+    return block.empty() || block == path ? QModelIndex() : indexOf(block);
+}
+
+QModelIndex OutlineModel::index(int row, int column, const QModelIndex& parent) const {
+    const Node& node = nodeOf(parent);
+    if (row < 0 || column < 0 || column >= ColumnCount || static_cast<std::size_t>(row) >= node.children.size()) return {};
+    return createIndex(row, column, node.children[std::size_t(row)].get());
+}
+
+QModelIndex OutlineModel::parent(const QModelIndex& index) const {
+    const Node* parent = index.isValid() ? nodeOf(index).parent : nullptr;
+    return parent ? indexOf(*parent) : QModelIndex();
+}
+
+int OutlineModel::rowCount(const QModelIndex& parent) const {
+    return parent.column() > 0 ? 0 : static_cast<int>(nodeOf(parent).children.size());
+}
+
+bool OutlineModel::hasChildren(const QModelIndex& parent) const {
+    if (parent.column() > 0) return false;
+    const Node& node = nodeOf(parent);
+    return node.fetched || !node.parent ? !node.children.empty() : node.row.hasRows;
+}
+
+QVariant OutlineModel::markOf(const OutlineRow& row, bool hidden) const {
+    if (!row.markable) return NoMark;
+    const ObjectMarks::Paths& marks = hidden ? m_marks.hidden() : m_marks.locked();
+    if (marks.contains(row.path)) return Marked;
+    return (hidden ? m_marks.isHidden(row.path) : m_marks.isLocked(row.path)) ? MarkedAbove : Unmarked;
+}
+
+QVariant OutlineModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) return {};
+    const OutlineRow& row = nodeOf(index).row;
+    if (index.column() != NameColumn) {
+        const bool hidden = index.column() == VisibleColumn;
+        if (role == MarkRole) return markOf(row, hidden);
+        if (role != Qt::ToolTipRole || !row.markable) return {};
+        if (hidden) return m_marks.isHidden(row.path) ? tr("Hidden: click to show") : tr("Click to hide in the 3D views");
+        return m_marks.isLocked(row.path) ? tr("Locked: click to unlock") : tr("Click to lock against moving and deleting");
+    }
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole: return text(row.name);
+    case Qt::ToolTipRole: return tipOf(row);
+    case Qt::AccessibleTextRole: return text(row.name + " " + row.detail);
+    case DetailRole: return text(row.detail);
+    case IconRole: return iconOf(row);
+    case ErrorsRole: return row.problems.errors;
+    case WarningsRole: return row.problems.warnings;
+    case ColourRole:
+        return row.colour ? QVariant(QColor::fromRgbF(float((*row.colour)[0]), float((*row.colour)[1]), float((*row.colour)[2])))
+                          : QVariant();
+    case FaintRole: return (row.markable && m_marks.isHidden(row.path)) || (!m_filter.empty() && !row.matches);
+    default: return {};
+    }
+}
+
+bool OutlineModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    const OutlineRow* row = rowAt(index);
+    if (!row || role != Qt::EditRole || !row->selectable || index.column() != NameColumn) return false;
+    const std::string path = row->path, name = value.toString().trimmed().toStdString();
+    return name == row->name || m_edits.rename(path, name).ok(); // the row may be another one afterwards
+}
+
+Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const {
+    const OutlineRow* row = rowAt(index);
+    if (!row) return Qt::ItemIsDropEnabled;
+    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsDropEnabled;
+    if (!row->selectable) return flags;
+    flags |= Qt::ItemIsSelectable;
+    if (row->type != OutlineRow::Type::Object) return flags;
+    flags |= Qt::ItemIsDragEnabled;
+    return index.column() == NameColumn ? flags | Qt::ItemIsEditable : flags;
+}
+
+void OutlineModel::marksChanged() {
+    const auto say = [this](const auto& self, const Node& node) -> void {
+        if (node.children.empty()) return;
+        Q_EMIT dataChanged(index(0, 0, indexOf(node)), index(rowCount(indexOf(node)) - 1, ColumnCount - 1, indexOf(node)));
+        for (const auto& child : node.children) self(self, *child);
+    };
+    say(say, *m_root);
+}
+
+} // namespace trundle

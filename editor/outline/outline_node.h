@@ -1,0 +1,22 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "editor/outline/outline_model.h"
+
+namespace trundle {
+
+/// A row that a view has seen, with those below it once they have been asked for.
+struct OutlineModel::Node {
+    Node* parent = nullptr;
+    int place = 0; ///< among the parent's children
+    OutlineRow row;
+    std::vector<std::unique_ptr<Node>> children;
+    bool fetched = false;
+
+    void number(std::size_t from = 0) {
+        for (std::size_t i = from; i < children.size(); ++i) children[i]->place = static_cast<int>(i);
+    }
+};
+
+} // namespace trundle

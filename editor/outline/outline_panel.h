@@ -1,0 +1,72 @@
+#pragma once
+// The Scene dock: the tree of what is open, its filter, and what can be done to objects.
+
+#include <string>
+#include <vector>
+
+#include <QWidget>
+
+#include "base/source_range.h"
+
+class QLineEdit;
+class QMenu;
+class QToolButton;
+
+namespace trundle {
+
+class Document;
+class InsertMenu;
+class ObjectEdits;
+class OutlineModel;
+class OutlineView;
+class ObjectMarks;
+class Selection;
+
+class OutlinePanel final : public QWidget {
+    Q_OBJECT
+public:
+    /// All outlive this.
+    OutlinePanel(Document& document, Selection& selection, ObjectMarks& marks, ObjectEdits& edits, QWidget* parent = nullptr);
+    ~OutlinePanel() override;
+
+    void focusFilter();
+    /// Opens the line for a new name at the selected row.
+    void renameSelected();
+    [[nodiscard]] OutlineModel& model() { return *m_model; }
+    [[nodiscard]] OutlineView& tree() { return *m_tree; }
+    /// What a right click on the selection shows; for the caller to show and delete.
+    [[nodiscard]] QMenu* contextMenu();
+
+Q_SIGNALS:
+    /// To a place in a text: absolute path of the file.
+    void jumpTo(const std::string& file, const trundle::TextRange& range);
+
+private:
+    void build();
+    void connectAll();
+    void showDocument();
+    void showSelection();
+    void takeSelection();
+    void setFilter(const QString& text);
+    void setByFile(bool byFile);
+    void jumpFrom(const QModelIndex& index);
+    void toggleMark(const QModelIndex& index);
+    void editConfig(const std::string& path);
+    void say();
+    void addObjectActions(QMenu& menu, const std::string& path);
+    void addMarkActions(QMenu& menu);
+    [[nodiscard]] std::vector<std::string> markable() const; ///< of what is selected
+
+    Document& m_document;
+    Selection& m_selection;
+    ObjectMarks& m_marks;
+    ObjectEdits& m_edits;
+    InsertMenu* m_insert;
+    OutlineModel* m_model;
+    OutlineView* m_tree;
+    QLineEdit* m_filter = nullptr;
+    QToolButton *m_byOwner = nullptr, *m_byFile = nullptr, *m_add = nullptr;
+    bool m_showing = false; ///< the tree is being brought in line with document and selection: it says nothing itself
+};
+
+} // namespace trundle

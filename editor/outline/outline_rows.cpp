@@ -1,0 +1,293 @@
+#include "editor/outline/outline_rows.h"
+
+#include <algorithm>
+#include <cctype>
+#include <unordered_set>
+
+#include "project/object_place.h"
+
+namespace trundle {
+namespace {
+
+char small(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+bool contains(std::string_view text, std::string_view word) {
+    return std::search(text.begin(), text.end(), word.begin(), word.end(), [](char a, char b) { return small(a) == b; }) !=
+           text.end();
+}
+
+std::vector<std::string> wordsOf(const std::string& filter) {
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : filter + ' ') {
+        if (!std::isspace(static_cast<unsigned char>(c))) word += small(c);
+        else if (!word.empty()) words.push_back(std::move(word)), word.clear();
+    }
+    return words;
+}
+
+bool isInstance(const Part& part) { return part.is(Role::Instance) || part.is(Role::Layout); }
+
+OutlineGroup groupOf(const Part& part) {
+    if (!part.usable || !part.kind) return OutlineGroup::Misplaced;
+    switch (part.kind->role) {
+    case Role::Instance: return part.kind->name == "Static" ? OutlineGroup::Scenery : OutlineGroup::Robots;
+    case Role::Layout: return OutlineGroup::Robots;
+    case Role::Log: return OutlineGroup::Logs;
+    case Role::Config: return part.kind->name == "StaticConfig" ? OutlineGroup::StaticConfigs : OutlineGroup::RobotConfigs;
+    case Role::Material: return OutlineGroup::Materials;
+    case Role::Surface: return OutlineGroup::Surfaces;
+    default: return OutlineGroup::Misplaced;
+    }
+}
+
+constexpr std::array<const char*, kOutlineGroups> kGroupNames{
+    "Robots", "Scenery", "Logs", "Modules", "Robot configs", "Scenery configs", "Materials", "Surfaces", "Out of place"};
+
+/// "10×10" from `Count = 10, 10`.
+std::string countOf(const Loaded& loaded, const Part& layout) {
+    const PlacedAssignment* a = layout.assignments.find("Count");
+    if (!a) return {};
+    std::string text;
+    for (const char c : loaded.sources.slice(a->valueRange())) {
+        if (c == ',') text += "×";
+        else if (!std::isspace(static_cast<unsigned char>(c))) text += c;
+    }
+    return text.size() < 24 ? text + " " : std::string();
+}
+
+std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+} // namespace
+
+OutlineRows::OutlineRows(std::shared_ptr<const Loaded> loaded, OutlineMode mode, const std::string& filter)
+    : m_loaded(std::move(loaded)), m_mode(mode), m_words(wordsOf(filter)), m_problems(*m_loaded) {
+    for (const auto& part : m_loaded->outline->parts) {
+        m_groups[std::size_t(groupOf(*part))].push_back(part.get());
+        m_blocks[part->file].push_back(part.get());
+        gather(part->parts, part->file);
+    }
+    for (const MaterialSpec& material : m_loaded->experiment->materials) m_materials.emplace(material.name, &material);
+}
+
+void OutlineRows::gather(const std::vector<Part>& parts, FileId around) {
+    for (const Part& part : parts) {
+        if (part.file != around) m_blocks[part.file].push_back(&part);
+        gather(part.parts, part.file);
+    }
+}
+
+std::vector<OutlineRow> OutlineRows::top() const {
+    Rows rows;
+    const OutlineRow none;
+    if (m_mode == OutlineMode::ByFile) {
+        for (FileId file = 0; file < m_loaded->trees.size(); ++file)
+            if (!m_loaded->paths[file].empty()) keep(rows, fileRow(file), none);
+        return rows;
+    }
+    keep(rows, experimentRow(), none);
+    for (std::size_t group = 0; group < kOutlineGroups; ++group) {
+        const OutlineRow row = groupRow(static_cast<OutlineGroup>(group));
+        if (row.hasRows) keep(rows, row, none);
+    }
+    return rows;
+}
+
+std::vector<OutlineRow> OutlineRows::below(const OutlineRow& row) const {
+    Rows rows;
+    switch (row.type) {
+    case OutlineRow::Type::Experiment:
+    case OutlineRow::Type::Module: break;
+    case OutlineRow::Type::File: rows = fileBlocks(row); break;
+    case OutlineRow::Type::Group:
+        for (const Part* part : m_groups[std::size_t(row.group)]) keep(rows, partRow(*part, row), row);
+        if (row.group == OutlineGroup::Modules) addModules(rows, row);
+        break;
+    case OutlineRow::Type::Object: {
+        const Part* config = m_mode == OutlineMode::ByOwner && isInstance(*row.part) ? configOf(*m_loaded, *row.part) : nullptr;
+        if (config) addParts(rows, *config, row, true);
+        addParts(rows, *row.part, row, row.reached);
+    }
+    }
+    std::unordered_set<std::string> keys; // what stands twice in a broken text is still two rows
+    for (OutlineRow& r : rows)
+        for (int n = 2; !keys.insert(r.key).second; ++n) r.key += "#" + std::to_string(n);
+    return rows;
+}
+
+void OutlineRows::addParts(Rows& rows, const Part& part, const OutlineRow& above, bool reached) const {
+    for (const Part& inner : part.parts) {
+        OutlineRow row = partRow(inner, above);
+        row.reached = reached;
+        row.markable = above.markable && row.selectable && (inner.is(Role::Body) || inner.is(Role::Geom));
+        keep(rows, std::move(row), above);
+    }
+}
+
+OutlineRow OutlineRows::experimentRow() const {
+    OutlineRow row;
+    row.type = OutlineRow::Type::Experiment;
+    row.key = "experiment";
+    row.selectable = true;
+    const std::string& title = m_loaded->experiment->settings.title;
+    row.name = title.empty() ? fileName(m_loaded->sources[0].text->path()) : title;
+    row.detail = "settings";
+    row.range = {0, {0, 0}};
+    row.problems = m_problems.outside();
+    for (const ModuleSpec& module : m_loaded->experiment->modules) { // they have rows of their own
+        const ProblemCounts::Count there = m_problems.at(module.range);
+        row.problems.errors -= there.errors;
+        row.problems.warnings -= there.warnings;
+    }
+    row.tip = "Settings of the experiment: tick, duration, gravity ...";
+    return row;
+}
+
+OutlineRow OutlineRows::groupRow(OutlineGroup group) const {
+    OutlineRow row;
+    row.type = OutlineRow::Type::Group;
+    row.group = group;
+    row.key = row.name = kGroupNames[std::size_t(group)];
+    const bool modules = group == OutlineGroup::Modules;
+    const std::size_t count = modules ? m_loaded->experiment->modules.size() : m_groups[std::size_t(group)].size();
+    row.hasRows = count > 0;
+    row.detail = std::to_string(count);
+    for (const Part* part : m_groups[std::size_t(group)]) row.problems.add(m_problems.of(*part));
+    for (const ModuleSpec& module : m_loaded->experiment->modules)
+        if (modules) row.problems.add(m_problems.at(module.range));
+    return row;
+}
+
+OutlineRow OutlineRows::fileRow(FileId file) const {
+    OutlineRow row;
+    row.type = OutlineRow::Type::File;
+    row.file = file;
+    row.key = m_loaded->paths[file];
+    const std::string& shown = m_loaded->sources[file].text->path();
+    row.name = fileName(shown);
+    row.detail = shown.substr(0, shown.size() - row.name.size());
+    if (!row.detail.empty()) row.detail.pop_back();
+    row.range = {file, {0, 0}};
+    row.tip = row.key;
+    row.problems = m_problems.ofFile(file);
+    const auto blocks = m_blocks.find(file);
+    row.hasRows = blocks != m_blocks.end();
+    for (const ModuleSpec& module : m_loaded->experiment->modules) row.hasRows |= module.range.file == file;
+    return row;
+}
+
+std::vector<OutlineRow> OutlineRows::fileBlocks(const OutlineRow& above) const {
+    Rows rows;
+    addModules(rows, above);
+    if (const auto blocks = m_blocks.find(above.file); blocks != m_blocks.end())
+        for (const Part* part : blocks->second) keep(rows, partRow(*part, above), above);
+    return rows;
+}
+
+void OutlineRows::addModules(Rows& rows, const OutlineRow& above) const {
+    for (const ModuleSpec& module : m_loaded->experiment->modules) {
+        if (above.type == OutlineRow::Type::File && module.range.file != above.file) continue;
+        OutlineRow row;
+        row.type = OutlineRow::Type::Module;
+        row.key = module.written;
+        row.name = fileName(module.written);
+        row.detail = module.library.empty() ? "not loaded" : "";
+        row.range = module.range;
+        row.tip = module.library.empty() ? module.written : module.library;
+        row.problems = m_problems.at(module.range);
+        keep(rows, std::move(row), above);
+    }
+}
+
+OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const {
+    OutlineRow row;
+    row.part = &part;
+    row.range = part.range;
+    row.problems = m_problems.of(part);
+    name(row, part, above);
+    const bool instance = isInstance(part);
+    row.hasRows = !part.parts.empty();
+    row.markable = instance && part.usable;
+    if (!part.kind) return row;
+    row.tip = part.kind->name + ": " + part.kind->help;
+    if (instance) {
+        const Part* config = configOf(*m_loaded, part);
+        const PlacedAssignment* a = part.assignments.find("Config");
+        row.detail =
+            (part.is(Role::Layout) ? countOf(*m_loaded, part) : "") + (config ? config->name
+                                                                       : a ? std::string(m_loaded->sources.slice(a->valueRange()))
+                                                                           : part.kind->name);
+        row.hasRows |= m_mode == OutlineMode::ByOwner && config && !config->parts.empty();
+    }
+    if (part.is(Role::Material))
+        if (const auto it = m_materials.find(part.name); it != m_materials.end()) row.colour = it->second->colour;
+    return row;
+}
+
+void OutlineRows::name(OutlineRow& row, const Part& part, const OutlineRow& above) const {
+    const std::string& type = part.block->type.text;
+    row.name = part.name.empty() ? type : part.name;
+    row.detail = part.name.empty() ? "" : type;
+    row.key = row.name + (part.name.empty() ? "{}" : "");
+    if (part.name.empty() || !part.usable) return;
+    if (above.type == OutlineRow::Type::Object && above.selectable) {
+        row.path = above.path + "." + part.name;
+        row.selectable = true;
+    } else if (above.type != OutlineRow::Type::Object && part.kind && m_loaded->outline->spaceOf(*part.kind)) {
+        const bool world = part.is(Role::Instance) || part.is(Role::Layout) || part.is(Role::Log);
+        row.path = (world ? std::string() : part.kind->name + ".") + part.name;
+        row.key = row.path;
+        row.selectable = true;
+    }
+}
+
+void OutlineRows::keep(Rows& rows, OutlineRow row, const OutlineRow& above) const {
+    if (filtered()) {
+        const bool says = this->says(row.name, row.detail, row.part ? std::string_view(row.part->block->type.text) : "");
+        row.matches = above.matches || (says && row.type != OutlineRow::Type::Group);
+        row.leadsToMatch = leads(row);
+        if (!row.matches && !row.leadsToMatch) return;
+    }
+    rows.push_back(std::move(row));
+}
+
+bool OutlineRows::says(std::string_view name, std::string_view detail, std::string_view kind) const {
+    return std::all_of(m_words.begin(), m_words.end(), [&](const std::string& word) {
+        return contains(name, word) || contains(detail, word) || contains(kind, word);
+    });
+}
+
+bool OutlineRows::leads(const OutlineRow& row) const {
+    switch (row.type) {
+    case OutlineRow::Type::Object: {
+        if (leads(*row.part)) return true;
+        const Part* config = m_mode == OutlineMode::ByOwner && isInstance(*row.part) ? configOf(*m_loaded, *row.part) : nullptr;
+        return config && leads(*config);
+    }
+    case OutlineRow::Type::Group: {
+        const auto& parts = m_groups[std::size_t(row.group)];
+        if (std::any_of(parts.begin(), parts.end(), [&](const Part* part) {
+                const OutlineRow inner = partRow(*part, row);
+                return says(inner.name, inner.detail, part->block->type.text) || leads(inner);
+            }))
+            return true;
+        if (row.group != OutlineGroup::Modules) return false;
+        Rows rows;
+        addModules(rows, row);
+        return !rows.empty();
+    }
+    case OutlineRow::Type::File: return !fileBlocks(row).empty();
+    default: return false;
+    }
+}
+
+bool OutlineRows::leads(const Part& part) const {
+    const auto [it, fresh] = m_leads.try_emplace(&part, false);
+    if (!fresh) return it->second;
+    const bool any = std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& inner) {
+        return says(inner.name.empty() ? inner.block->type.text : inner.name, "", inner.block->type.text) || leads(inner);
+    });
+    return m_leads[&part] = any; // `it` may be gone: leads(inner) adds
+}
+
+} // namespace trundle

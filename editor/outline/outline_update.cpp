@@ -1,0 +1,183 @@
+// How a new load reaches rows that a view has seen already.
+//
+// needs: rows of a node as they are now, and as they shall be; keys that differ among siblings.
+// assumes: most edits change few rows; a name that goes and one that comes at the same place and of the same kind is a rename.
+// method: rename in place, remove what is gone in runs, then walk along the new rows: insert runs of new ones, move what stands
+//   elsewhere, and take over what a row shows, telling only of rows that differ. Then the same below each row that was looked at.
+// data: Node::row holds pointers into the load, so each row that has been made is taken over each time.
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "editor/outline/outline_model.h"
+#include "editor/outline/outline_node.h"
+
+namespace trundle {
+namespace {
+
+bool looksTheSame(const OutlineRow& a, const OutlineRow& b) {
+    return a.name == b.name && a.detail == b.detail && a.problems == b.problems && a.colour == b.colour &&
+           a.hasRows == b.hasRows && a.tip == b.tip && a.selectable == b.selectable && a.markable == b.markable &&
+           a.matches == b.matches && a.path == b.path;
+}
+
+std::string kindWord(const OutlineRow& row) { return row.part ? row.part->block->type.text : std::string(); }
+
+using Keys = std::unordered_set<std::string_view>;
+
+} // namespace
+
+std::vector<OutlineRow> OutlineModel::rowsBelow(const Node& node) const {
+    if (!m_rows) return {};
+    return node.parent ? m_rows->below(node.row) : m_rows->top();
+}
+
+void OutlineModel::reset() {
+    beginResetModel();
+    m_root = std::make_unique<Node>();
+    m_byPath.clear();
+    m_made = 0;
+    m_root->fetched = true;
+    std::vector<OutlineRow> rows = rowsBelow(*m_root);
+    for (OutlineRow& row : rows) {
+        m_root->children.push_back(std::make_unique<Node>(Node{m_root.get(), 0, std::move(row), {}, false}));
+        enlist(*m_root->children.back());
+    }
+    m_root->number();
+    endResetModel();
+}
+
+void OutlineModel::setLoaded(std::shared_ptr<const Loaded> loaded) {
+    const bool anew = !loaded || !m_rows;
+    const auto before = std::exchange(m_rows, nullptr); // rows point into it until each is taken over
+    if (loaded) m_rows = std::make_unique<OutlineRows>(std::move(loaded), m_mode, m_filter);
+    if (anew) reset();
+    else update(*m_root);
+}
+
+void OutlineModel::setMode(OutlineMode mode) {
+    if (mode == m_mode) return;
+    m_mode = mode;
+    if (m_rows) m_rows = std::make_unique<OutlineRows>(m_rows->loaded(), m_mode, m_filter);
+    reset();
+}
+
+void OutlineModel::setFilter(const std::string& filter) {
+    if (filter == m_filter) return;
+    m_filter = filter;
+    if (m_rows) m_rows = std::make_unique<OutlineRows>(m_rows->loaded(), m_mode, m_filter);
+    reset();
+}
+
+bool OutlineModel::canFetchMore(const QModelIndex& parent) const {
+    if (parent.column() > 0) return false;
+    const Node& node = nodeOf(parent);
+    return node.parent && !node.fetched && node.row.hasRows;
+}
+
+void OutlineModel::fetchMore(const QModelIndex& parent) {
+    if (!canFetchMore(parent)) return;
+    Node& node = nodeOf(parent);
+    node.fetched = true;
+    std::vector<OutlineRow> rows = rowsBelow(node);
+    if (!rows.empty()) addAt(node, rows, 0);
+}
+
+void OutlineModel::enlist(const Node& node) {
+    ++m_made;
+    if (node.row.selectable) m_byPath.try_emplace(node.row.path, &node);
+}
+
+void OutlineModel::strike(const Node& node) {
+    --m_made;
+    if (const auto it = m_byPath.find(node.row.path); it != m_byPath.end() && it->second == &node) m_byPath.erase(it);
+    for (const auto& child : node.children) strike(*child);
+}
+
+/// Inserts all rows, one behind the other, before the child at `at`.
+void OutlineModel::addAt(Node& node, std::vector<OutlineRow>& rows, std::size_t at) {
+    beginInsertRows(indexOf(node), static_cast<int>(at), static_cast<int>(at + rows.size()) - 1);
+    std::vector<std::unique_ptr<Node>> fresh;
+    for (OutlineRow& row : rows) {
+        fresh.push_back(std::make_unique<Node>(Node{&node, 0, std::move(row), {}, false}));
+        enlist(*fresh.back());
+    }
+    node.children.insert(node.children.begin() + std::ptrdiff_t(at), std::make_move_iterator(fresh.begin()),
+                         std::make_move_iterator(fresh.end()));
+    node.number(at);
+    endInsertRows();
+}
+
+void OutlineModel::take(Node& node, OutlineRow row) {
+    const bool same = looksTheSame(node.row, row);
+    const OutlineRow old = std::exchange(node.row, std::move(row));
+    if (old.path != node.row.path || old.selectable != node.row.selectable) {
+        if (const auto it = m_byPath.find(old.path); it != m_byPath.end() && it->second == &node) m_byPath.erase(it);
+        if (node.row.selectable) m_byPath.insert_or_assign(node.row.path, &node);
+    }
+    if (!same) Q_EMIT dataChanged(indexOf(node), indexOf(node, ColumnCount - 1));
+    if (!node.fetched && old.hasRows != node.row.hasRows) Q_EMIT arrowsChanged();
+}
+
+/// Removes children that are not among `rows`, save one that has got another name.
+void OutlineModel::dropGone(Node& node, const std::vector<OutlineRow>& rows) {
+    Keys now;
+    std::unordered_set<std::string> before; // copies: the rows change below
+    for (const OutlineRow& row : rows) now.insert(row.key);
+    for (const auto& child : node.children) before.insert(child->row.key);
+    for (std::size_t i = 0; i < node.children.size() && i < rows.size() && node.children.size() == rows.size(); ++i) {
+        Node& child = *node.children[i];
+        if (now.contains(child.row.key) || before.contains(rows[i].key) || kindWord(child.row) != kindWord(rows[i])) continue;
+        if (child.row.type != OutlineRow::Type::Object || rows[i].type != OutlineRow::Type::Object) continue;
+        const std::string fromKey = keyOf(indexOf(child)), fromPath = child.row.path;
+        take(child, rows[i]);
+        Q_EMIT renamed(fromPath, child.row.path, fromKey, keyOf(indexOf(child)));
+    }
+    for (std::size_t end = node.children.size(); end > 0;) {
+        std::size_t begin = end;
+        while (begin > 0 && !now.contains(node.children[begin - 1]->row.key)) --begin;
+        if (begin == end) {
+            --end;
+            continue;
+        }
+        beginRemoveRows(indexOf(node), static_cast<int>(begin), static_cast<int>(end) - 1);
+        const auto first = node.children.begin() + std::ptrdiff_t(begin), last = node.children.begin() + std::ptrdiff_t(end);
+        for (auto it = first; it != last; ++it) strike(**it);
+        node.children.erase(first, last);
+        node.number(begin);
+        endRemoveRows();
+        end = begin;
+    }
+}
+
+void OutlineModel::update(Node& node) {
+    if (node.parent && !node.fetched) return;
+    std::vector<OutlineRow> rows = rowsBelow(node);
+    dropGone(node, rows);
+    std::unordered_set<std::string> kept;
+    for (const auto& child : node.children) kept.insert(child->row.key);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!kept.contains(rows[i].key)) {
+            std::size_t end = i + 1;
+            while (end < rows.size() && !kept.contains(rows[end].key)) ++end;
+            std::vector<OutlineRow> fresh(rows.begin() + std::ptrdiff_t(i), rows.begin() + std::ptrdiff_t(end));
+            addAt(node, fresh, i);
+            i = end - 1;
+            continue;
+        }
+        std::size_t from = i;
+        while (node.children[from]->row.key != rows[i].key) ++from;
+        if (from != i) {
+            beginMoveRows(indexOf(node), static_cast<int>(from), static_cast<int>(from), indexOf(node), static_cast<int>(i));
+            std::rotate(node.children.begin() + std::ptrdiff_t(i), node.children.begin() + std::ptrdiff_t(from),
+                        node.children.begin() + std::ptrdiff_t(from) + 1);
+            node.number(i);
+            endMoveRows();
+        }
+        take(*node.children[i], std::move(rows[i]));
+    }
+    for (const auto& child : node.children) update(*child);
+    if (node.parent && node.children.empty()) node.fetched = false; // what comes later is fetched anew
+}
+
+} // namespace trundle

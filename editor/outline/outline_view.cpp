@@ -1,0 +1,140 @@
+#include "editor/outline/outline_view.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScopedValueRollback>
+
+#include "editor/outline/outline_delegate.h"
+#include "editor/outline/outline_model.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+
+static constexpr int kMostUnfolded = 300; ///< by a filter: nobody reads further, and a swarm has a thousand
+
+OutlineView::OutlineView(OutlineModel& model, QWidget* parent) : QTreeView(parent), m_model(model) {
+    setObjectName(QStringLiteral("outlineTree"));
+    setModel(&model);
+    setItemDelegate(new OutlineDelegate(this));
+    setHeaderHidden(true);
+    setUniformRowHeights(true);
+    setIndentation(14);
+    setSelectionMode(ExtendedSelection);
+    setSelectionBehavior(SelectRows);
+    setEditTriggers(EditKeyPressed);
+    setExpandsOnDoubleClick(false);
+    setDragEnabled(true);
+    setAcceptDrops(true);
+    setDropIndicatorShown(true);
+    setDefaultDropAction(Qt::MoveAction);
+    setDragDropMode(DragDrop);
+    setAutoScroll(true);
+    setMouseTracking(true);
+    setContextMenuPolicy(Qt::CustomContextMenu);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    header()->setStretchLastSection(false);
+    header()->setMinimumSectionSize(16);
+    header()->setSectionResizeMode(OutlineModel::NameColumn, QHeaderView::Stretch);
+    for (const int column : {OutlineModel::VisibleColumn, OutlineModel::LockedColumn}) {
+        header()->setSectionResizeMode(column, QHeaderView::Fixed);
+        header()->resizeSection(column, 20);
+    }
+    connect(this, &QTreeView::expanded, this, [this](const QModelIndex& index) {
+        remember(index, true);
+        m_model.fetchMore(index);
+    });
+    connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& index) { remember(index, false); });
+    connect(&model, &OutlineModel::arrowsChanged, this, [this] { scheduleDelayedItemsLayout(); });
+    connect(&model, &OutlineModel::renamed, this,
+            [this](const std::string&, const std::string&, const std::string& from, const std::string& to) { rekey(from, to); });
+    connect(&model, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& parent, int first, int last) {
+        if (m_unfolding) return;
+        for (int row = first; row <= last; ++row) {
+            const QModelIndex index = m_model.index(row, 0, parent);
+            if (m_open.contains(m_model.keyOf(index)) && m_model.filter().empty()) expand(index);
+        }
+    });
+    forgetFolds();
+}
+
+void OutlineView::forgetFolds() { m_open = {"/Robots", "/Scenery", "/Logs"}; }
+
+void OutlineView::remember(const QModelIndex& index, bool open) {
+    if (m_unfolding || !m_model.filter().empty()) return;
+    if (open) m_open.insert(m_model.keyOf(index));
+    else m_open.erase(m_model.keyOf(index));
+}
+
+void OutlineView::rekey(const std::string& from, const std::string& to) {
+    std::set<std::string> keys;
+    for (const std::string& key : m_open)
+        keys.insert(key == from || key.starts_with(from + "/") ? to + key.substr(from.size()) : key);
+    m_open = std::move(keys);
+}
+
+void OutlineView::unfold() {
+    const QScopedValueRollback guard(m_unfolding, true);
+    int budget = m_model.filter().empty() ? 1 << 20 : kMostUnfolded;
+    unfoldBelow({}, budget);
+}
+
+void OutlineView::unfoldBelow(const QModelIndex& parent, int& budget) {
+    for (int row = 0; row < m_model.rowCount(parent) && budget > 0; ++row) {
+        const QModelIndex index = m_model.index(row, 0, parent);
+        const bool open = m_model.filter().empty() ? m_open.contains(m_model.keyOf(index)) : m_model.rowAt(index)->leadsToMatch;
+        if (!open) continue;
+        --budget;
+        m_model.fetchMore(index);
+        expand(index);
+        unfoldBelow(index, budget);
+    }
+}
+
+void OutlineView::reveal(const QModelIndex& index) {
+    if (!index.isValid()) return;
+    for (QModelIndex above = index.parent(); above.isValid(); above = above.parent()) expand(above);
+    scrollTo(index);
+}
+
+void OutlineView::setEmptyText(const QString& text) {
+    m_emptyText = text;
+    viewport()->update();
+}
+
+bool OutlineView::onMark(QMouseEvent* event, QModelIndex& index) const {
+    index = indexAt(event->position().toPoint());
+    return event->button() == Qt::LeftButton && index.isValid() && index.column() != OutlineModel::NameColumn &&
+           index.data(OutlineModel::MarkRole).toInt() != OutlineModel::NoMark;
+}
+
+void OutlineView::mousePressEvent(QMouseEvent* event) {
+    QModelIndex index;
+    if (onMark(event, index)) Q_EMIT markClicked(index);
+    else QTreeView::mousePressEvent(event);
+}
+
+void OutlineView::mouseDoubleClickEvent(QMouseEvent* event) {
+    QModelIndex index;
+    if (onMark(event, index)) Q_EMIT markClicked(index); // the second of two quick clicks
+    else QTreeView::mouseDoubleClickEvent(event);
+}
+
+void OutlineView::keyPressEvent(QKeyEvent* event) {
+    const bool plain = state() != EditingState && event->modifiers() == Qt::NoModifier;
+    if (plain && event->key() == Qt::Key_Delete) Q_EMIT deleteWanted();
+    else if (plain && event->key() == Qt::Key_F2) Q_EMIT renameWanted();
+    else QTreeView::keyPressEvent(event);
+}
+
+void OutlineView::paintEvent(QPaintEvent* event) {
+    QTreeView::paintEvent(event);
+    if (m_emptyText.isEmpty() || m_model.rowCount() > 0) return;
+    QPainter painter(viewport());
+    painter.setPen(ink(Ink::Faint));
+    painter.drawText(viewport()->rect().adjusted(16, 24, -16, -16), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
+                     m_emptyText);
+}
+
+} // namespace trundle

@@ -1,0 +1,49 @@
+#pragma once
+#include <set>
+#include <string>
+
+#include <QTreeView>
+
+namespace trundle {
+
+class OutlineModel;
+
+/// The tree itself. Remembers by key what the user has unfolded, through edits, undo, filters and changes of mode.
+class OutlineView final : public QTreeView {
+    Q_OBJECT
+public:
+    explicit OutlineView(OutlineModel& model, QWidget* parent = nullptr);
+
+    /// Folded as another project is at first.
+    void forgetFolds();
+    /// Unfolds what was unfolded; while the model is filtered, what leads to matches instead.
+    void unfold();
+    /// Unfolds what is above a row and scrolls to it.
+    void reveal(const QModelIndex& index);
+    /// Words in the middle of a tree without rows.
+    void setEmptyText(const QString& text);
+
+Q_SIGNALS:
+    void markClicked(const QModelIndex& index); ///< eye or lock of a row
+    void deleteWanted();
+    void renameWanted();
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void unfoldBelow(const QModelIndex& parent, int& budget);
+    void remember(const QModelIndex& index, bool open);
+    void rekey(const std::string& from, const std::string& to);
+    [[nodiscard]] bool onMark(QMouseEvent* event, QModelIndex& index) const;
+
+    OutlineModel& m_model;
+    std::set<std::string> m_open; // keys, of both modes
+    QString m_emptyText;
+    bool m_unfolding = false;
+};
+
+} // namespace trundle

@@ -1,0 +1,13 @@
+#pragma once
+#include <QIcon>
+#include <QString>
+
+#include "base/diagnostic.h"
+
+namespace trundle {
+
+/// A cross, a triangle or a dot in the theme's colours of now.
+[[nodiscard]] QIcon severityIcon(Severity severity);
+[[nodiscard]] QString severityWord(Severity severity);
+
+} // namespace trundle

@@ -1,0 +1,223 @@
+// Rows are told apart by internalId: 0 for a diagnostic, its row + 1 for what stands below it. Children: notes, then fixes, then
+// the suggestions that have no fix.
+#include "editor/problems/problems_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDir>
+
+#include "editor/problems/problem_icons.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+/// Suggestions whose fix stands in the list already are not said again.
+std::vector<std::string> bareSuggestions(const Diagnostic& d) {
+    std::vector<std::string> bare;
+    for (const std::string& word : d.suggestions)
+        if (std::none_of(d.fixes.begin(), d.fixes.end(), [&](const Fix& fix) { return fix.title == word; })) bare.push_back(word);
+    return bare;
+}
+
+bool before(const SourceRange& a, const SourceRange& b) {
+    if (a.known() != b.known()) return b.known(); // those of no place first: they are about the whole
+    return a < b;
+}
+
+} // namespace
+
+QString problemPlace(const Loaded& loaded, const SourceRange& place) {
+    if (!place.known() || place.file >= loaded.sources.size()) return {};
+    const SourceText& source = *loaded.sources[place.file].text;
+    const bool file = place.file < loaded.paths.size() && !loaded.paths[place.file].empty();
+    QString name = text(file ? loaded.paths[place.file] : source.path());
+    const QString below = loaded.projectFolder.empty() ? name : QDir(text(loaded.projectFolder)).relativeFilePath(name);
+    if (file && !below.startsWith(QLatin1String("../"))) name = below;
+    const LineColumn at = source.position(place.range.begin);
+    return QStringLiteral("%1:%2:%3").arg(name).arg(at.line).arg(at.column);
+}
+
+void ProblemsModel::setLoaded(std::shared_ptr<const Loaded> loaded) {
+    // While somebody types, the list mostly stays as it is: it keeps its place then, and what is unfolded.
+    const std::shared_ptr<const Loaded> kept = std::exchange(m_loaded, std::move(loaded));
+    const std::vector<Entry> before = m_entries;
+    rebuild();
+    if (looksAs(before)) {
+        if (!m_entries.empty()) Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(m_entries.size()) - 1, ColumnCount - 1));
+    } else {
+        std::vector<Entry> now = std::exchange(m_entries, before);
+        beginResetModel();
+        m_entries = std::move(now);
+        endResetModel();
+    }
+    Q_EMIT countsChanged(m_errors, m_warnings);
+}
+
+bool ProblemsModel::looksAs(const std::vector<Entry>& before) const {
+    return std::equal(m_entries.begin(), m_entries.end(), before.begin(), before.end(), [&](const Entry& a, const Entry& b) {
+        const Diagnostic &x = *a.diagnostic, &y = *b.diagnostic;
+        return a.ofRun == b.ofRun && x.severity == y.severity && x.code == y.code && x.message == y.message &&
+               childCount(x) == childCount(y);
+    });
+}
+
+void ProblemsModel::setRun(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts) {
+    beginResetModel();
+    m_run = std::move(problems);
+    m_runTexts = std::move(texts);
+    rebuild();
+    endResetModel();
+    Q_EMIT countsChanged(m_errors, m_warnings);
+}
+
+void ProblemsModel::setFilter(bool errors, bool warnings, const QString& words) {
+    beginResetModel();
+    m_showErrors = errors;
+    m_showWarnings = warnings;
+    m_words = words.trimmed();
+    rebuild();
+    endResetModel();
+}
+
+void ProblemsModel::setOrder(ProblemOrder order) {
+    beginResetModel();
+    m_order = order;
+    rebuild();
+    endResetModel();
+}
+
+bool ProblemsModel::wanted(const Diagnostic& d) const {
+    if (d.severity == Severity::Error ? !m_showErrors : !m_showWarnings) return false;
+    return m_words.isEmpty() || text(d.message).contains(m_words, Qt::CaseInsensitive) ||
+           text(codeName(d.code)).contains(m_words, Qt::CaseInsensitive);
+}
+
+void ProblemsModel::rebuild() {
+    m_entries.clear();
+    m_errors = m_warnings = 0;
+    const auto take = [&](const Diagnostic& d, bool ofRun) {
+        if (d.severity == Severity::Error) ++m_errors;
+        else ++m_warnings;
+        if (wanted(d)) m_entries.push_back({&d, ofRun});
+    };
+    for (const Diagnostic& d : m_run) take(d, true);
+    const std::size_t ofRun = m_entries.size();
+    if (m_loaded)
+        for (const Diagnostic& d : m_loaded->diagnostics.all()) take(d, false);
+    std::stable_sort(m_entries.begin() + static_cast<std::ptrdiff_t>(ofRun), m_entries.end(),
+                     [](const Entry& a, const Entry& b) { return before(a.diagnostic->range, b.diagnostic->range); });
+    if (m_order == ProblemOrder::Severity)
+        std::stable_sort(m_entries.begin(), m_entries.end(),
+                         [](const Entry& a, const Entry& b) { return a.diagnostic->severity < b.diagnostic->severity; });
+}
+
+const ProblemsModel::Entry* ProblemsModel::entryAt(const QModelIndex& index) const {
+    if (!index.isValid()) return nullptr;
+    const auto row =
+        index.internalId() == 0 ? static_cast<std::size_t>(index.row()) : static_cast<std::size_t>(index.internalId() - 1);
+    return row < m_entries.size() ? &m_entries[row] : nullptr;
+}
+
+const Diagnostic* ProblemsModel::diagnosticAt(const QModelIndex& index) const {
+    const Entry* entry = entryAt(index);
+    return entry ? entry->diagnostic : nullptr;
+}
+
+std::shared_ptr<const Loaded> ProblemsModel::textsAt(const QModelIndex& index) const {
+    const Entry* entry = entryAt(index);
+    return !entry ? nullptr : entry->ofRun ? m_runTexts : m_loaded;
+}
+
+SourceRange ProblemsModel::placeAt(const QModelIndex& index) const {
+    const Diagnostic* d = diagnosticAt(index);
+    if (!d) return {};
+    const auto row = static_cast<std::size_t>(index.row());
+    return index.internalId() != 0 && row < d->notes.size() ? d->notes[row].second : d->range;
+}
+
+const Fix* ProblemsModel::fixAt(const QModelIndex& index) const {
+    const Entry* entry = entryAt(index);
+    if (!entry || (entry->ofRun && m_runTexts != m_loaded)) return nullptr;
+    const Diagnostic& d = *entry->diagnostic;
+    if (index.internalId() == 0) return d.fixes.empty() ? nullptr : &d.fixes.front();
+    const std::size_t row = static_cast<std::size_t>(index.row());
+    if (row < d.notes.size()) return nullptr;
+    return row - d.notes.size() < d.fixes.size() ? &d.fixes[row - d.notes.size()] : nullptr;
+}
+
+QModelIndex ProblemsModel::index(int row, int column, const QModelIndex& parent) const {
+    if (row < 0 || column < 0 || column >= ColumnCount || row >= rowCount(parent)) return {};
+    return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : quintptr{0});
+}
+
+QModelIndex ProblemsModel::parent(const QModelIndex& child) const {
+    if (!child.isValid() || child.internalId() == 0) return {};
+    return createIndex(static_cast<int>(child.internalId() - 1), 0, quintptr{0});
+}
+
+std::size_t ProblemsModel::childCount(const Diagnostic& d) const {
+    return d.notes.size() + d.fixes.size() + bareSuggestions(d).size();
+}
+
+int ProblemsModel::rowCount(const QModelIndex& parent) const {
+    if (!parent.isValid()) return static_cast<int>(m_entries.size());
+    if (parent.internalId() != 0 || parent.column() != 0) return 0;
+    const Diagnostic* d = diagnosticAt(parent);
+    return d ? static_cast<int>(childCount(*d)) : 0;
+}
+
+int ProblemsModel::columnCount(const QModelIndex&) const { return ColumnCount; }
+
+QString ProblemsModel::placeText(const SourceRange& place, const Entry& entry) const {
+    const auto& texts = entry.ofRun ? m_runTexts : m_loaded;
+    const QString where = texts ? problemPlace(*texts, place) : QString();
+    return where.isEmpty() && entry.ofRun ? tr("run") : where;
+}
+
+QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
+    const Entry* entry = entryAt(index);
+    if (!entry) return {};
+    const Diagnostic& d = *entry->diagnostic;
+    if (index.internalId() != 0) return childData(d, *entry, index.row(), index.column(), role);
+    if (role == Qt::DecorationRole && index.column() == Message) return severityIcon(d.severity);
+    if (role == Qt::ForegroundRole && index.column() != Message) return ink(Ink::Faint);
+    if (role == Qt::ToolTipRole) return QStringLiteral("%1  %2").arg(text(codeName(d.code)), text(d.message));
+    if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
+    if (role == Qt::AccessibleTextRole && index.column() == Message)
+        return severityWord(d.severity) + QStringLiteral(": ") + text(d.message);
+    switch (index.column()) {
+    case Message: return text(d.message);
+    case CodeColumn: return text(codeName(d.code));
+    default: return placeText(d.range, *entry);
+    }
+}
+
+QVariant ProblemsModel::childData(const Diagnostic& d, const Entry& entry, int row, int column, int role) const {
+    auto i = static_cast<std::size_t>(row);
+    if (i < d.notes.size()) {
+        if (role == Qt::DisplayRole && column == Message) return text(d.notes[i].first);
+        if (role == Qt::DisplayRole && column == Place) return placeText(d.notes[i].second, entry);
+        return role == Qt::ForegroundRole ? QVariant(ink(Ink::Faint)) : QVariant();
+    }
+    i -= d.notes.size();
+    if (i < d.fixes.size()) {
+        if (column == Message && role == Qt::DisplayRole) return tr("Fix: %1").arg(text(d.fixes[i].title));
+        if (column == Message && role == Qt::DecorationRole) return themedIcon(QStringLiteral("fix"));
+        return role == Qt::ForegroundRole ? QVariant(ink(Ink::Accent)) : QVariant();
+    }
+    i -= d.fixes.size();
+    const std::vector<std::string> bare = bareSuggestions(d);
+    if (i < bare.size() && column == Message && role == Qt::DisplayRole) return tr("Perhaps: %1").arg(text(bare[i]));
+    return role == Qt::ForegroundRole ? QVariant(ink(Ink::Faint)) : QVariant();
+}
+
+QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return section == Message ? tr("Problem") : section == CodeColumn ? tr("Code") : tr("Place");
+}
+
+} // namespace trundle

@@ -1,0 +1,75 @@
+#pragma once
+// The diagnostics of a document and of its run as a list of two levels: what is wrong, and below it the places and fixes that
+// belong to it.
+
+#include <memory>
+#include <vector>
+
+#include <QAbstractItemModel>
+
+#include "project/project.h"
+
+namespace trundle {
+
+enum class ProblemOrder { Place, Severity };
+
+class ProblemsModel final : public QAbstractItemModel {
+    Q_OBJECT
+public:
+    using QAbstractItemModel::QAbstractItemModel;
+    enum Column { Message, CodeColumn, Place, ColumnCount };
+
+    /// Of the texts as they are now. Null: none.
+    void setLoaded(std::shared_ptr<const Loaded> loaded);
+    /// Of a run, with the texts it was built from.
+    void setRun(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts);
+    void setFilter(bool errors, bool warnings, const QString& words);
+    void setOrder(ProblemOrder order);
+
+    [[nodiscard]] int errors() const { return m_errors; } ///< whatever the filter hides
+    [[nodiscard]] int warnings() const { return m_warnings; }
+
+    /// The diagnostic at a row or above it; null for none.
+    [[nodiscard]] const Diagnostic* diagnosticAt(const QModelIndex& index) const;
+    /// The place that a row shows, in textsAt().
+    [[nodiscard]] SourceRange placeAt(const QModelIndex& index) const;
+    [[nodiscard]] std::shared_ptr<const Loaded> textsAt(const QModelIndex& index) const;
+    /// The fix of a row below, or the first of a diagnostic; null where there is none, or where its texts are of the past.
+    [[nodiscard]] const Fix* fixAt(const QModelIndex& index) const;
+
+    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+Q_SIGNALS:
+    void countsChanged(int errors, int warnings);
+
+private:
+    struct Entry {
+        const Diagnostic* diagnostic = nullptr;
+        bool ofRun = false;
+    };
+    void rebuild();
+    [[nodiscard]] bool looksAs(const std::vector<Entry>& before) const;
+    [[nodiscard]] bool wanted(const Diagnostic& diagnostic) const;
+    [[nodiscard]] const Entry* entryAt(const QModelIndex& index) const;
+    [[nodiscard]] std::size_t childCount(const Diagnostic& d) const;
+    [[nodiscard]] QVariant childData(const Diagnostic& d, const Entry& entry, int row, int column, int role) const;
+    [[nodiscard]] QString placeText(const SourceRange& place, const Entry& entry) const;
+
+    std::shared_ptr<const Loaded> m_loaded, m_runTexts;
+    std::vector<Diagnostic> m_run;
+    std::vector<Entry> m_entries; ///< shown, in order
+    int m_errors = 0, m_warnings = 0;
+    bool m_showErrors = true, m_showWarnings = true;
+    QString m_words;
+    ProblemOrder m_order = ProblemOrder::Place;
+};
+
+/// "robots/simple_robot.sim:22:7", relative to the project; empty where the place is in no text.
+[[nodiscard]] QString problemPlace(const Loaded& loaded, const SourceRange& place);
+
+} // namespace trundle

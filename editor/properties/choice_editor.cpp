@@ -1,0 +1,101 @@
+#include "editor/properties/choice_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QSignalBlocker>
+
+#include "editor/properties/quiet_wheel.h"
+#include "editor/properties/value_text.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+/// A list whose arrow is drawn flat, as the rest of the window is.
+class ChoiceBox final : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void paintEvent(QPaintEvent* event) override {
+        QComboBox::paintEvent(event);
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(ink(Ink::Faint), 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        const QPointF c(width() - 11, height() / 2.0 + 1);
+        const QPointF corners[] = {c + QPointF(-3.5, -2), c + QPointF(0, 1.5), c + QPointF(3.5, -2)};
+        painter.drawPolyline(corners, 3);
+    }
+};
+
+} // namespace
+
+ChoiceEditor::ChoiceEditor(QWidget* parent) : RowEditor(parent), m_box(new ChoiceBox(this)) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_box);
+    m_box->setObjectName(QStringLiteral("field"));
+    m_box->setMinimumWidth(60);
+    setFocusProxy(m_box);
+    quietWheel(*m_box);
+    connect(m_box, &QComboBox::activated, this, [this](int index) {
+        const std::string word = m_box->itemText(index).toStdString();
+        commit([word](const FieldValue& v) {
+            const bool quoted = v.given() && v.text.starts_with('"');
+            return quoted ? wordOrQuoted(word, true) : word;
+        });
+    });
+}
+
+QWidget* ChoiceEditor::focusField() const { return m_box; }
+
+void ChoiceEditor::refresh() {
+    const QSignalBlocker quiet(m_box);
+    QStringList words;
+    for (const std::string& word : m_row.property()->choices) words << QString::fromStdString(word);
+    QStringList there;
+    for (int i = 0; i < m_box->count(); ++i) there << m_box->itemText(i);
+    if (there != words) {
+        m_box->clear();
+        m_box->addItems(words);
+    }
+    const QString word = QString::fromStdString(plainText(m_row.first().text));
+    m_box->setPlaceholderText(m_row.mixed() ? tr("mixed") : word.isEmpty() ? tr("not set") : word);
+    m_box->setCurrentIndex(m_row.mixed() ? -1 : m_box->findText(word));
+    const QString colour = ink(m_row.given() ? Ink::Text : Ink::Faint).name();
+    const QString sheet =
+        QStringLiteral("QComboBox { color: %1; } QComboBox::drop-down { border: none; width: 20px; }").arg(colour);
+    if (m_box->styleSheet() != sheet) m_box->setStyleSheet(sheet);
+}
+
+FlagEditor::FlagEditor(QWidget* parent) : RowEditor(parent), m_box(new QCheckBox(this)) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 2, 0, 2);
+    layout->addWidget(m_box);
+    layout->addStretch(1);
+    m_box->setObjectName(QStringLiteral("field"));
+    setFocusProxy(m_box);
+    connect(m_box, &QCheckBox::clicked, this, [this] {
+        const bool on = m_row.mixed() || m_row.first().text != "true";
+        const char* word = on ? "true" : "false";
+        commit([word](const FieldValue&) { return std::string(word); });
+    });
+}
+
+QWidget* FlagEditor::focusField() const { return m_box; }
+
+void FlagEditor::refresh() {
+    const bool open = m_row.mixed() || m_row.first().text.empty();
+    m_box->setTristate(open);
+    m_box->setCheckState(open ? Qt::PartiallyChecked : m_row.first().text == "true" ? Qt::Checked : Qt::Unchecked);
+    m_box->setText(m_row.mixed()                ? tr("mixed")
+                   : m_row.first().text.empty() ? tr("not set")
+                                                : QString::fromStdString(m_row.first().text));
+    QPalette p;
+    if (!m_row.given()) p.setColor(QPalette::WindowText, ink(Ink::Faint));
+    m_box->setPalette(p);
+}
+
+} // namespace trundle

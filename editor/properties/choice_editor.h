@@ -1,0 +1,37 @@
+#pragma once
+#include "editor/properties/row_editor.h"
+
+class QCheckBox;
+class QComboBox;
+
+namespace trundle {
+
+/// One of a few words.
+class ChoiceEditor final : public RowEditor {
+    Q_OBJECT
+public:
+    explicit ChoiceEditor(QWidget* parent);
+    [[nodiscard]] QWidget* focusField() const override;
+
+protected:
+    void refresh() override;
+
+private:
+    QComboBox* m_box;
+};
+
+/// True or false.
+class FlagEditor final : public RowEditor {
+    Q_OBJECT
+public:
+    explicit FlagEditor(QWidget* parent);
+    [[nodiscard]] QWidget* focusField() const override;
+
+protected:
+    void refresh() override;
+
+private:
+    QCheckBox* m_box;
+};
+
+} // namespace trundle

@@ -1,0 +1,56 @@
+#include "editor/properties/fitting_names.h"
+
+#include <algorithm>
+
+namespace trundle {
+namespace {
+
+bool fits(const Part& part, const std::vector<std::string>& choices) {
+    if (!part.kind || part.name.empty()) return false;
+    return choices.empty() || std::any_of(choices.begin(), choices.end(), [&](const std::string& c) {
+               return c == part.kind->name || c == roleName(part.kind->role);
+           });
+}
+
+bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices) {
+    return std::any_of(choices.begin(), choices.end(), [&](const std::string& c) {
+        const Kind* kind = registry.find(c);
+        return c == "Geom" || (kind && kind->role == Role::Geom);
+    });
+}
+
+void addInside(const Part& config, const std::vector<std::string>& choices, bool geoms, std::vector<std::string>& names) {
+    for (const Part& part : config.parts) {
+        if (fits(part, choices)) names.push_back(part.name);
+        if (!geoms || !part.is(Role::Body)) continue;
+        for (const Part& geom : part.parts)
+            if (fits(geom, choices)) names.push_back(part.name + "." + geom.name);
+    }
+}
+
+} // namespace
+
+std::vector<std::string> fittingNames(const Loaded& loaded, const Property& property, const Part* config) {
+    const std::vector<std::string>& choices = property.choices;
+    const auto names = [&](const char* word) { return std::count(choices.begin(), choices.end(), word) > 0; };
+    const Outline& outline = *loaded.outline;
+    std::vector<std::string> found;
+    if (!choices.empty())
+        for (const NameSpace* space : {&outline.materials, &outline.surfaces, &outline.configs, &outline.world})
+            for (const Part* part : space->all())
+                if (fits(*part, choices)) found.push_back(part->name);
+    if (config) addInside(*config, choices, wantsGeom(*loaded.registry, choices), found);
+    const bool looks = names("Material") || names("Surface");
+    if (looks && !std::count(found.begin(), found.end(), "default")) found.insert(found.begin(), "default");
+    if (names("world")) found.emplace_back("world");
+    return found;
+}
+
+std::vector<std::string> robotNames(const Loaded& loaded) {
+    std::vector<std::string> names;
+    for (const Part* part : loaded.outline->world.all())
+        if (part->is(Role::Layout) || (part->kind && part->kind->name == "Robot")) names.push_back(part->name);
+    return names;
+}
+
+} // namespace trundle

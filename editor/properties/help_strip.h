@@ -1,0 +1,28 @@
+#pragma once
+#include <QFrame>
+
+#include "base/source_range.h"
+
+class QLabel;
+
+namespace trundle {
+
+struct Row;
+
+/// What the focused row is about: unit and range, help, where its value comes from, and why one was refused.
+class HelpStrip final : public QFrame {
+    Q_OBJECT
+public:
+    explicit HelpStrip(QWidget* parent);
+    void display(const Row& row, const QString& refusal, bool running);
+    void displayText(const QString& text); ///< of the kind, while no row is focused
+
+Q_SIGNALS:
+    void jumpWanted(const trundle::SourceRange& place);
+
+private:
+    QLabel *m_title, *m_help, *m_origin;
+    SourceRange m_place;
+};
+
+} // namespace trundle

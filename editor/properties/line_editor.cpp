@@ -1,0 +1,99 @@
+#include "editor/properties/line_editor.h"
+
+#include <QHBoxLayout>
+
+#include "editor/properties/scrub.h"
+#include "editor/properties/value_field.h"
+#include "editor/properties/value_text.h"
+
+namespace trundle {
+namespace {
+
+bool isWords(const Property* p) {
+    return p && (p->type == PropertyType::Text || p->type == PropertyType::File || p->type == PropertyType::Reference);
+}
+
+bool isQuoted(const FieldValue& v) { return v.given() && v.text.starts_with('"'); }
+
+/// On one line, whatever line ends stand in it.
+QString flat(const std::string& text) { return QString::fromStdString(text).simplified(); }
+
+QString suffixOf(const Row& row) {
+    const FieldValue& v = row.first();
+    if (row.mixed()) return {};
+    const QString unit = row.property() ? QString::fromStdString(row.property()->unit) : QString();
+    if (v.formula && !v.shown.empty()) {
+        const QString shown = QStringLiteral("= ") + QString::fromStdString(v.shown);
+        return unit.isEmpty() ? shown : shown + QLatin1Char(' ') + unit;
+    }
+    return {};
+}
+
+} // namespace
+
+QString lineText(const Row& row) {
+    const FieldValue& v = row.first();
+    if (row.mixed()) return {};
+    if (!isWords(row.property()) || row.property()->maxCount > 1 || v.formula || v.elements.size() != 1) return flat(v.text);
+    const std::string plain = plainText(v.text);
+    return plain.find_first_of("\r\n\t") == std::string::npos ? QString::fromStdString(plain) : flat(v.text);
+}
+
+std::string typedText(const Row& row, const QString& typed) {
+    const std::string text = typed.toStdString();
+    if (!isWords(row.property())) return tidied(text);
+    if (row.property()->maxCount > 1) return listOfWords(tidied(text));
+    const bool quoted = isQuoted(row.first());
+    const bool asText = row.property()->type == PropertyType::Text;
+    return wordOrQuoted(asText ? text : tidied(text), quoted);
+}
+
+void showLine(ValueField& field, const Row& row) {
+    field.setMixed(row.mixed());
+    field.setFaint(!row.given());
+    field.setSuffix(suffixOf(row));
+    field.setValue(lineText(row));
+    if (!row.mixed() && row.first().text.empty()) field.setPlaceholderText(QObject::tr("not set"));
+}
+
+LineEditor::LineEditor(QWidget* parent) : RowEditor(parent), m_field(new ValueField(this)) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_field);
+    m_field->setObjectName(QStringLiteral("field"));
+    setFocusProxy(m_field);
+    connect(m_field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
+    connect(m_field, &ValueField::entered, this, [this](const QString& typed) {
+        const std::string text = typed.isEmpty() ? std::string() : typedText(m_row, typed);
+        commit(m_field, [text](const FieldValue&) { return text; });
+    });
+    connect(m_field, &ValueField::stepped, this, [this](int steps) {
+        if (!canScrub()) return;
+        scrub(steps);
+        m_start.clear();
+        Q_EMIT scrubEnded();
+    });
+    connect(this, &RowEditor::scrubEnded, this, [this] { m_start.clear(); });
+}
+
+QWidget* LineEditor::focusField() const { return m_field; }
+
+bool LineEditor::canScrub() const { return !m_row.values.empty() && !m_row.property() && Scrub::of(m_row.first().text, nullptr); }
+
+void LineEditor::scrub(double steps) {
+    if (m_start.empty())
+        for (const FieldValue& v : m_row.values) m_start[v.path] = v.text;
+    const auto start = m_start;
+    commit(
+        m_field,
+        [start, steps](const FieldValue& v) {
+            const auto it = start.find(v.path);
+            const auto scrub = it == start.end() ? std::nullopt : Scrub::of(it->second, nullptr);
+            return scrub ? scrub->after(steps) : v.text;
+        },
+        "scrub " + m_row.first().path);
+}
+
+void LineEditor::refresh() { showLine(*m_field, m_row); }
+
+} // namespace trundle

@@ -1,0 +1,164 @@
+#include "editor/properties/object_header.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "editor/properties/origin_words.h"
+#include "editor/properties/value_field.h"
+#include "editor/widgets/theme.h"
+#include "project/plans.h"
+
+namespace trundle {
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QString link(const QString& to, const QString& shown) {
+    return QStringLiteral("<a href='%1' style='color:%2; text-decoration:none'>%3</a>")
+        .arg(to.toHtmlEscaped(), ink(Ink::Accent).name(), shown.toHtmlEscaped());
+}
+
+QString faint(const QString& html) {
+    return QStringLiteral("<span style='color:%1'>%2</span>").arg(ink(Ink::Faint).name(), html);
+}
+
+/// How many of the path's first words name one object: "Material.red" is one, "robot0" is one.
+qsizetype firstStep(const ObjectValues& object, const QStringList& words) {
+    const bool byKind =
+        !object.instance() && words.size() > 1 && object.loaded().registry->find(words[0].toStdString()) != nullptr;
+    return byKind ? 2 : 1;
+}
+
+} // namespace
+
+ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_name(new ValueField(this)), m_kind(new QLabel(this)), m_path(new QLabel(this)),
+      m_config(new QLabel(this)), m_singles(new QPushButton(this)) {
+    setObjectName(QStringLiteral("objectHeader"));
+    m_name->setObjectName(QStringLiteral("objectName"));
+    m_name->setAccessibleName(tr("Name"));
+    QFont bold = font();
+    bold.setBold(true);
+    m_name->setFont(bold);
+    m_kind->setObjectName(QStringLiteral("objectKind"));
+    m_path->setObjectName(QStringLiteral("objectPath"));
+    m_config->setObjectName(QStringLiteral("objectConfig"));
+    m_singles->setObjectName(QStringLiteral("replaceBySingles"));
+    m_singles->setText(tr("Replace by single robots"));
+    m_singles->setToolTip(tr("Writes every member out as a robot of its own, at its place"));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(10, 8, 10, 6);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(3);
+    grid->addWidget(m_name, 0, 0);
+    grid->addWidget(m_kind, 0, 1, Qt::AlignRight);
+    grid->addWidget(m_path, 1, 0, 1, 2);
+    grid->addWidget(m_config, 2, 0, 1, 2);
+    grid->addWidget(m_singles, 3, 0, 1, 2, Qt::AlignLeft);
+    grid->setColumnStretch(0, 1);
+    for (QLabel* label : {m_kind, m_path, m_config}) {
+        label->setTextFormat(Qt::RichText);
+        label->setWordWrap(label != m_kind);
+        connect(label, &QLabel::linkActivated, this, &ObjectHeader::follow);
+    }
+    connect(m_name, &ValueField::entered, this, &ObjectHeader::rename);
+    connect(m_name, &ValueField::refusedChanged, m_name, &QWidget::setToolTip);
+    connect(m_singles, &QPushButton::clicked, this, [this] {
+        const std::string path = m_object;
+        const Status done = m_document.carryOut(tr("Replace %1 by single robots").arg(text(path)),
+                                                planReplaceBySingles(*m_document.loaded(), path));
+        if (!done) m_singles->setToolTip(text(done.error().message));
+    });
+}
+
+void ObjectHeader::rename(const QString& name) {
+    const std::string path = m_object;
+    const Result<EditPlan> plan = planRename(*m_document.loaded(), path, name.trimmed().toStdString());
+    const QPointer<ValueField> field(m_name);
+    Status done =
+        plan ? m_document.carryOut(tr("Rename %1 to %2").arg(m_name->value(), name.trimmed()), plan) : Status(plan.error());
+    if (!done && field) field->refuse(text(done.error().message));
+}
+
+void ObjectHeader::display(const Objects& objects) {
+    if (objects.size() == 1) showOne(*objects[0]);
+    else showSeveral(objects);
+}
+
+void ObjectHeader::showOne(const ObjectValues& object) {
+    if (m_object != object.path()) m_name->restore(); // a name typed for another object is not for this one
+    m_object = object.path();
+    const Kind* kind = object.kind();
+    const Part* part = object.part();
+    const bool experiment = !part;
+    m_help = kind ? text(kind->help) : tr("This kind is not known: the module that brings it could not be read.");
+    m_name->setReadOnly(experiment);
+    m_name->setFocusPolicy(experiment ? Qt::NoFocus : Qt::StrongFocus);
+    m_name->setFaint(part && !part->block->name);
+    m_name->setValue(experiment ? tr("Experiment") : text(part->name));
+    m_kind->setText(faint(experiment ? QString() : text(part->block->type.text)));
+    m_kind->setToolTip(m_help);
+    m_singles->setVisible(part && part->is(Role::Layout) && object.isInstance());
+    showPath(object);
+    showConfig(object);
+}
+
+void ObjectHeader::showSeveral(const Objects& objects) {
+    m_object.clear();
+    m_name->restore();
+    m_name->setReadOnly(true);
+    m_name->setFocusPolicy(Qt::NoFocus);
+    m_name->setFaint(false);
+    m_name->setValue(tr("%1 objects").arg(objects.size()));
+    QStringList kinds;
+    for (const auto& object : objects) {
+        const QString kind = object->part() ? text(object->part()->block->type.text) : QString();
+        if (!kinds.contains(kind)) kinds << kind;
+    }
+    m_help = tr("What all of them have. A change is made in all at once.");
+    const QString shown = kinds.size() > 3 ? tr("%1 kinds").arg(kinds.size()) : kinds.join(QStringLiteral(", "));
+    m_kind->setText(faint(shown.toHtmlEscaped()));
+    for (QWidget* w : std::initializer_list<QWidget*>{m_path, m_config, m_singles}) w->hide();
+}
+
+void ObjectHeader::showPath(const ObjectValues& object) {
+    const QStringList words = text(object.shownPath()).split(QLatin1Char('.'), Qt::SkipEmptyParts);
+    m_path->setVisible(!words.isEmpty());
+    if (words.isEmpty()) return;
+    QStringList steps{link(QStringLiteral("select:"), tr("experiment"))};
+    for (qsizetype used = firstStep(object, words); used <= words.size(); ++used) {
+        const QString name = words.mid(0, used).join(QLatin1Char('.'));
+        const QString shown = used == firstStep(object, words) ? name : words[used - 1];
+        steps << (used == words.size() ? faint(shown.toHtmlEscaped()) : link(QStringLiteral("select:") + name, shown));
+    }
+    m_path->setText(steps.join(faint(QStringLiteral(" › "))));
+}
+
+void ObjectHeader::showConfig(const ObjectValues& object) {
+    QString line;
+    const Part *config = object.config(), *part = object.part();
+    m_configPlace = {};
+    if (config && part && (object.isInstance() || object.inConfig())) {
+        m_configPlace = object.isInstance() ? config->nameRange() : part->nameRange();
+        const QString path = text((config->kind ? config->kind->name : std::string("RobotConfig")) + "." + config->name);
+        line = faint(tr("made from")) + QLatin1Char(' ') + link(QStringLiteral("select:") + path, text(config->name)) +
+               QLatin1Char(' ') + faint(tr("in")) + QLatin1Char(' ') +
+               link(QStringLiteral("jump"), placeWords(object.loaded(), m_configPlace));
+    } else if (part) {
+        m_configPlace = part->nameRange();
+        line = faint(tr("in")) + QLatin1Char(' ') + link(QStringLiteral("jump"), placeWords(object.loaded(), m_configPlace));
+    }
+    if (object.member())
+        line += QStringLiteral("<br>") +
+                faint(tr("One of %1: a change here is made in all of them.").arg(text(object.path())).toHtmlEscaped());
+    m_config->setText(line);
+    m_config->setVisible(!line.isEmpty());
+}
+
+void ObjectHeader::follow(const QString& link) {
+    if (link == QLatin1String("jump")) Q_EMIT jumpWanted(m_configPlace);
+    else if (link.startsWith(QLatin1String("select:"))) Q_EMIT selectWanted(link.mid(7).toStdString());
+}
+
+} // namespace trundle

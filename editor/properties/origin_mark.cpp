@@ -1,0 +1,59 @@
+#include "editor/properties/origin_mark.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+
+OriginMark::OriginMark(QWidget* parent) : QToolButton(parent) {
+    setFixedSize(sizeHint());
+    setFocusPolicy(Qt::NoFocus); // the menu key in the row's field opens the same menu
+}
+
+void OriginMark::display(Standing standing, bool formula) {
+    m_standing = standing;
+    m_formula = formula;
+    update();
+}
+
+void OriginMark::paintSign(QPainter& painter) const {
+    const QPointF c = QRectF(rect()).center();
+    const QColor colour = m_standing == Standing::Override ? ink(Ink::Accent) : ink(Ink::Faint);
+    painter.setPen(QPen(colour, 1.3));
+    if (m_formula) {
+        QFont font = this->font();
+        font.setItalic(true);
+        font.setBold(m_standing == Standing::Override);
+        painter.setFont(font);
+        return painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("ƒ"));
+    }
+    switch (m_standing) {
+    case Standing::Default: return painter.drawEllipse(c, 2.5, 2.5);
+    case Standing::Own: painter.setBrush(colour); return painter.drawEllipse(c, 2.5, 2.5);
+    case Standing::Override: {
+        painter.setBrush(colour);
+        const QPointF corners[] = {c + QPointF(0, -4.5), c + QPointF(4.5, 0), c + QPointF(0, 4.5), c + QPointF(-4.5, 0)};
+        return painter.drawPolygon(corners, 4);
+    }
+    case Standing::Config:
+        painter.drawLine(c + QPointF(-3.5, 3.5), c + QPointF(3.5, -3.5));
+        painter.drawLine(c + QPointF(-1, -3.5), c + QPointF(3.5, -3.5));
+        return painter.drawLine(c + QPointF(3.5, 1), c + QPointF(3.5, -3.5));
+    case Standing::CommandLine: return painter.drawText(rect(), Qt::AlignCenter, QStringLiteral(">"));
+    }
+}
+
+void OriginMark::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (underMouse() || isDown()) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ink(Ink::Line));
+        painter.drawRoundedRect(rect(), 4, 4);
+    }
+    paintSign(painter);
+}
+
+} // namespace trundle

@@ -1,0 +1,241 @@
+#include "editor/properties/properties_panel.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <QApplication>
+#include <QLabel>
+#include <QMenu>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/properties/help_strip.h"
+#include "editor/properties/object_header.h"
+#include "editor/properties/property_row.h"
+#include "editor/properties/row_editor.h"
+#include "editor/properties/row_menu.h"
+#include "editor/properties/rows.h"
+#include "editor/properties/section.h"
+#include "editor/running/session.h"
+
+namespace trundle {
+
+PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSession* session, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_session(session),
+      m_header(new ObjectHeader(document, this)), m_scroll(new QScrollArea(this)), m_strip(new HelpStrip(this)),
+      m_nothing(new QLabel(this)) {
+    setObjectName(QStringLiteral("propertiesPanel"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_header);
+    layout->addWidget(m_scroll, 1);
+    layout->addWidget(m_nothing, 1);
+    layout->addWidget(m_strip);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_nothing->setObjectName(QStringLiteral("nothing"));
+    m_nothing->setAlignment(Qt::AlignCenter);
+    m_nothing->setForegroundRole(QPalette::PlaceholderText);
+    m_nothing->setWordWrap(true);
+    m_nothing->setMargin(16);
+    connect(m_header, &ObjectHeader::selectWanted, this, [this](const std::string& path) {
+        if (path.empty()) m_selection.clear();
+        else m_selection.select(path);
+    });
+    connect(m_header, &ObjectHeader::jumpWanted, this, &PropertiesPanel::jump);
+    connect(m_strip, &HelpStrip::jumpWanted, this, &PropertiesPanel::jump);
+    connect(&document, &Document::changed, this, &PropertiesPanel::refresh);
+    connect(&selection, &Selection::changed, this, &PropertiesPanel::refresh);
+    if (session) {
+        connect(session, &RunSession::stateChanged, this, &PropertiesPanel::refresh);
+        connect(session, &RunSession::waitingChanged, this, &PropertiesPanel::refresh);
+        connect(session, &RunSession::advanced, this, [this] {
+            if (m_session->state() == RunState::Paused) refresh(); // a robot was put elsewhere, or one tick was run
+        });
+    }
+    showNothing(tr("Nothing is open"));
+}
+
+void PropertiesPanel::showNothing(const QString& why) {
+    m_current.clear();
+    dropRows();
+    m_header->hide();
+    m_scroll->hide();
+    m_strip->hide();
+    m_nothing->setText(why);
+    m_nothing->show();
+}
+
+void PropertiesPanel::dropRows() {
+    m_shapes.clear();
+    m_rows.clear();
+    QWidget* body = std::exchange(m_body, nullptr);
+    if (!body) return;
+    m_scroll->takeWidget(); // what was being typed is entered here: the document changes, and refresh() comes again
+    body->hide();
+    body->deleteLater(); // an editor in it may be at work
+}
+
+void PropertiesPanel::refresh() {
+    if (!isVisible()) {
+        m_stale = true;
+        return;
+    }
+    m_stale = false;
+    if (!m_document.isOpen()) return showNothing(tr("Nothing is open"));
+    if (m_selection.paths() != m_paths) {
+        m_paths = m_selection.paths();
+        m_asText.clear();
+        m_current.clear();
+        dropRows(); // what is typed for one object is not for another
+    }
+    const Objects objects = objectsAt(m_document.loaded(), m_paths);
+    if (objects.empty()) return showNothing(tr("%1 has no properties here").arg(QString::fromStdString(m_selection.current())));
+    const std::vector<Row> rows = rowsOf(objects, m_document, m_session);
+    std::vector<Shape> shapes;
+    for (const Row& row : rows) shapes.push_back({row.id, row.section, kindOf(row)});
+    m_nothing->hide();
+    m_header->display(objects);
+    if (shapes != m_shapes || !m_body) build(rows, shapes);
+    else {
+        std::map<std::string, PropertyRow*> places;
+        for (PropertyRow* row : m_rows) places[row->row().id] = row;
+        for (const Row& row : rows) places[row.id]->display(row);
+    }
+    for (QWidget* w : std::initializer_list<QWidget*>{m_header, m_scroll, m_strip}) w->show();
+    showHelp();
+}
+
+EditorKind PropertiesPanel::kindOf(const Row& row) const { return m_asText.count(row.id) ? EditorKind::Line : row.editor(); }
+
+PropertyRow* PropertiesPanel::rowOf(const std::string& id) const {
+    const auto it = std::find_if(m_rows.begin(), m_rows.end(), [&](const PropertyRow* row) { return row->row().id == id; });
+    return it == m_rows.end() ? nullptr : *it;
+}
+
+void PropertiesPanel::build(const std::vector<Row>& rows, const std::vector<Shape>& shapes) {
+    QWidget* focus = QApplication::focusWidget();
+    const bool mine = focus && m_body && m_body->isAncestorOf(focus);
+    const std::string focused = m_current;
+    const QString field = mine ? focus->objectName() : QString();
+    dropRows();
+    if (m_body) return; // made anew on the way
+    m_shapes = shapes;
+    m_body = new QWidget;
+    m_body->setObjectName(QStringLiteral("rows"));
+    auto* layout = new QVBoxLayout(m_body);
+    layout->setContentsMargins(0, 0, 0, 8);
+    layout->setSpacing(0);
+    std::map<QString, Section*> sections;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Section*& section = sections[rows[i].section];
+        if (!section) {
+            const QString title = rows[i].section;
+            section = new Section(title, !m_closed.count(title), m_body);
+            layout->addWidget(section);
+            connect(section, &Section::folded, this, [this, title](bool open) {
+                if (open) m_closed.erase(title);
+                else m_closed.insert(title);
+            });
+        }
+        addRow(rows[i], shapes[i].kind, *section);
+    }
+    if (rows.empty()) {
+        auto* none = new QLabel(tr("No properties"), m_body);
+        none->setAlignment(Qt::AlignCenter);
+        none->setForegroundRole(QPalette::PlaceholderText);
+        none->setContentsMargins(0, 24, 0, 0);
+        layout->addWidget(none);
+    }
+    layout->addStretch(1);
+    alignLabels();
+    m_scroll->setWidget(m_body);
+    if (mine) focusRow(focused, field);
+}
+
+void PropertiesPanel::addRow(const Row& row, EditorKind kind, Section& section) {
+    auto* widget = new PropertyRow(row, kind, &section);
+    section.add(widget);
+    m_rows.push_back(widget);
+    const std::string id = row.id;
+    connect(widget, &PropertyRow::entered, this, [this, id, widget] {
+        m_current = id;
+        showHelp();
+        m_scroll->ensureWidgetVisible(widget, 0, 4);
+    });
+    connect(widget, &PropertyRow::refusedChanged, this, [this, id] {
+        m_current = id;
+        showHelp();
+    });
+    connect(widget, &PropertyRow::scrubEnded, this, [this] { m_document.endMerge(); });
+    connect(widget, &PropertyRow::menuWanted, this,
+            [this, widget](const QPoint& place, QMenu* under) { openMenu(widget, place, under); });
+}
+
+void PropertiesPanel::alignLabels() {
+    int wide = 70;
+    for (const PropertyRow* row : m_rows) wide = std::max(wide, row->labelWidthWanted());
+    for (PropertyRow* row : m_rows) row->setLabelWidth(std::min(wide, 118));
+}
+
+void PropertiesPanel::focusRow(const std::string& id, const QString& field) {
+    PropertyRow* row = rowOf(id);
+    if (!row) return;
+    QWidget* same = row->editor().findChild<QWidget*>(field);
+    QWidget* target = same && same->focusPolicy() != Qt::NoFocus ? same : row->editor().focusField();
+    if (target) target->setFocus(Qt::OtherFocusReason);
+}
+
+void PropertiesPanel::showHelp() {
+    if (const PropertyRow* row = rowOf(m_current))
+        m_strip->display(row->row(), row->refusal(), m_session && m_session->isActive());
+    else m_strip->displayText(m_header->kindHelp());
+}
+
+void PropertiesPanel::openMenu(PropertyRow* row, const QPoint& place, QMenu* under) {
+    QMenu* menu = under ? under : new QMenu(this);
+    menu->setObjectName(QStringLiteral("rowMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (under) menu->addSeparator();
+    const std::string id = row->row().id;
+    RowDeeds deeds;
+    deeds.jump = [this](const SourceRange& range) { jump(range); };
+    deeds.editAsText = [this, id] { setAsText(id); };
+    deeds.failed = [this, id](const QString& reason) {
+        m_current = id;
+        if (const PropertyRow* shown = rowOf(id)) m_strip->display(shown->row(), reason, m_session && m_session->isActive());
+    };
+    deeds.asText = m_asText.count(id) > 0;
+    fillRowMenu(*menu, row->row(), m_document, deeds);
+    menu->popup(place);
+}
+
+void PropertiesPanel::setAsText(const std::string& id) {
+    if (!m_asText.erase(id)) m_asText.insert(id);
+    m_current = id;
+    refresh();
+    focusRow(id, QStringLiteral("field"));
+}
+
+void PropertiesPanel::jump(const SourceRange& place) {
+    const std::vector<std::string> files = m_document.files();
+    if (place.known() && place.file < files.size()) Q_EMIT jumpTo(files[place.file], place);
+}
+
+void PropertiesPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (m_stale) refresh();
+}
+
+void PropertiesPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && m_document.isOpen()) refresh();
+}
+
+} // namespace trundle

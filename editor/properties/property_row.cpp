@@ -1,0 +1,166 @@
+#include "editor/properties/property_row.h"
+
+#include <QContextMenuEvent>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QMenu>
+
+#include "editor/properties/origin_mark.h"
+#include "editor/properties/origin_words.h"
+#include "editor/properties/row_editor.h"
+#include "editor/properties/scrub_label.h"
+#include "editor/properties/value_field.h"
+#include "editor/properties/value_text.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+/// The label within so many pixels, its unit behind it where the row has several fields.
+QString labelHtml(const Row& row, const QFontMetrics& metrics, int room) {
+    const Property* p = row.property();
+    const bool unit = p && row.fieldCount() > 1 && !p->unit.empty();
+    if (!unit)
+        return (room > 0
+                    ? metrics.elidedText(row.label, row.label.contains(QLatin1Char('.')) ? Qt::ElideLeft : Qt::ElideRight, room)
+                    : row.label)
+            .toHtmlEscaped();
+    return QStringLiteral("%1 <span style='color:%2'>%3</span>")
+        .arg(row.label.toHtmlEscaped(), ink(Ink::Faint).name(), QString::fromStdString(p->unit).toHtmlEscaped());
+}
+
+} // namespace
+
+PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
+    : QWidget(parent), m_row(row), m_label(new ScrubLabel(this)), m_editor(makeEditor(kind, this)), m_mark(new OriginMark(this)),
+      m_note(new QLabel(this)) {
+    setObjectName(QStringLiteral("row.") + QString::fromStdString(row.id));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(10, 1, 2, 1);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(0);
+    grid->addWidget(m_label, 0, 0, Qt::AlignTop);
+    grid->addWidget(m_editor, 0, 1);
+    grid->addWidget(m_mark, 0, 2, Qt::AlignTop);
+    grid->addWidget(m_note, 1, 1, 1, 2);
+    grid->setColumnStretch(1, 1);
+    m_label->setObjectName(QStringLiteral("label"));
+    m_label->setTextFormat(Qt::RichText);
+    m_label->setContentsMargins(0, 5, 0, 0);
+    m_mark->setObjectName(QStringLiteral("mark"));
+    m_note->setObjectName(QStringLiteral("note"));
+    connect(m_label, &ScrubLabel::dragged, this, [this](double steps) { m_editor->scrub(steps); });
+    connect(m_label, &ScrubLabel::ended, m_editor, &RowEditor::scrubEnded);
+    connect(m_label, &ScrubLabel::abandoned, this, [this] {
+        m_editor->scrub(0);
+        Q_EMIT m_editor->scrubEnded();
+    });
+    connect(m_label, &ScrubLabel::clicked, this, [this] {
+        if (QWidget* field = m_editor->focusField()) field->setFocus(Qt::MouseFocusReason);
+    });
+    connect(m_editor, &RowEditor::scrubEnded, this, &PropertyRow::scrubEnded);
+    connect(m_editor, &RowEditor::refusedChanged, this, [this](const QString& reason) {
+        m_refusal = reason;
+        Q_EMIT refusedChanged();
+    });
+    connect(m_mark, &QToolButton::clicked, this, [this] {
+        Q_EMIT entered();
+        Q_EMIT menuWanted(m_mark->mapToGlobal(QPoint(0, m_mark->height())), nullptr);
+    });
+    display(row);
+    watch(m_editor);
+}
+
+void PropertyRow::watch(QWidget* widget) {
+    widget->installEventFilter(this);
+    for (QWidget* child : widget->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) watch(child);
+}
+
+void PropertyRow::display(const Row& row) {
+    m_row = row;
+    m_editor->display(row);
+    showLabel();
+    showNote();
+    const FieldValue& v = row.first();
+    Standing strongest = v.standing;
+    for (const FieldValue& other : row.values)
+        if (other.standing == Standing::Override) strongest = Standing::Override;
+    m_mark->display(strongest, v.formula && !row.mixed());
+    const QString place = v.given() ? placeWords(*row.loaded, v.place) : QString();
+    m_mark->setToolTip(originWords(v) + (place.isEmpty() ? QString() : QStringLiteral("\n") + place));
+    m_mark->setAccessibleName(tr("%1: %2").arg(row.label, originWords(v)));
+}
+
+void PropertyRow::showLabel() {
+    const FieldValue& v = m_row.first();
+    const bool override = std::any_of(m_row.values.begin(), m_row.values.end(),
+                                      [](const FieldValue& value) { return value.standing == Standing::Override; });
+    QFont font = this->font();
+    font.setBold(override);
+    const QString html = labelHtml(m_row, QFontMetrics(font), m_labelWidth);
+    m_label->setText(override ? QStringLiteral("<b>%1</b>").arg(html) : html);
+    const QString range = v.property ? QString::fromStdString(unitAndRange(*v.property)) : QString();
+    const QString help = v.property ? QString::fromStdString(v.property->help) : QString();
+    m_label->setToolTip(m_row.label + (range.isEmpty() ? QString() : QStringLiteral(" – ") + range) +
+                        (help.isEmpty() ? QString() : QStringLiteral("\n") + help));
+    m_label->setScrubbing(m_editor->canScrub());
+    if (QWidget* field = m_editor->focusField()) {
+        field->setAccessibleName(m_row.label);
+        field->setAccessibleDescription(help);
+    }
+}
+
+void PropertyRow::showNote() {
+    QStringList notes;
+    if (!m_row.now.isEmpty()) notes << m_row.now;
+    if (m_row.afterReset) notes << tr("after reset");
+    m_note->setText(notes.join(QStringLiteral("  ·  ")));
+    m_note->setVisible(!notes.isEmpty());
+    QPalette p;
+    p.setColor(QPalette::WindowText, ink(m_row.afterReset ? Ink::Warning : Ink::Faint));
+    m_note->setPalette(p);
+}
+
+int PropertyRow::labelWidthWanted() const {
+    QFont bold = font();
+    bold.setBold(true);
+    const Property* p = m_row.property();
+    const bool unit = p && m_row.fieldCount() > 1;
+    return QFontMetrics(bold).horizontalAdvance(m_row.label +
+                                                (unit ? QLatin1Char(' ') + QString::fromStdString(p->unit) : QString())) +
+           2;
+}
+
+void PropertyRow::setLabelWidth(int width) {
+    m_labelWidth = width;
+    m_label->setFixedWidth(width);
+    showLabel();
+}
+
+bool PropertyRow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn) Q_EMIT entered();
+    if (event->type() == QEvent::ContextMenu) {
+        const auto* menu = static_cast<QContextMenuEvent*>(event);
+        if (auto* field = qobject_cast<QLineEdit*>(watched)) {
+            fieldMenu(field, menu->globalPos());
+            return true;
+        }
+    }
+    if (event->type() == QEvent::ChildPolished) {
+        if (auto* child = qobject_cast<QWidget*>(static_cast<QChildEvent*>(event)->child())) child->installEventFilter(this);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void PropertyRow::fieldMenu(QLineEdit* field, const QPoint& place) {
+    QMenu* standard = field->createStandardContextMenu();
+    Q_EMIT menuWanted(place, standard);
+}
+
+void PropertyRow::contextMenuEvent(QContextMenuEvent* event) {
+    Q_EMIT entered();
+    Q_EMIT menuWanted(event->globalPos(), nullptr);
+    event->accept();
+}
+
+} // namespace trundle

@@ -1,0 +1,121 @@
+#include "editor/properties/reference_editor.h"
+
+#include <QCompleter>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QStringListModel>
+#include <QToolButton>
+
+#include "editor/properties/line_editor.h"
+#include "editor/properties/value_field.h"
+#include "editor/properties/value_text.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kMostListed = 200; ///< in the menu; more are found by typing
+
+/// The names that stand in a value, without quotes.
+QStringList standing(const FieldValue& v) {
+    QStringList names;
+    for (std::size_t i = 0; i < v.elements.size(); ++i) names << QString::fromStdString(plainText(v.element(i)));
+    return names;
+}
+
+} // namespace
+
+ReferenceEditor::ReferenceEditor(QWidget* parent)
+    : RowEditor(parent), m_field(new ValueField(this)), m_button(new QToolButton(this)), m_menu(new QMenu(this)),
+      m_names(new QStringListModel(this)) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_field, 1);
+    layout->addWidget(m_button);
+    m_field->setObjectName(QStringLiteral("field"));
+    m_button->setObjectName(QStringLiteral("pick"));
+    m_button->setArrowType(Qt::DownArrow);
+    m_button->setFixedWidth(22);
+    m_button->setToolTip(tr("Choose from what fits"));
+    m_button->setAccessibleName(m_button->toolTip());
+    m_button->setFocusPolicy(Qt::NoFocus); // Alt+Down in the field does the same
+    m_button->setMenu(m_menu);
+    m_button->setPopupMode(QToolButton::InstantPopup);
+    m_button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    m_button->setFixedHeight(m_field->sizeHint().height());
+    setFocusProxy(m_field);
+    auto* completer = new QCompleter(m_names, this);
+    completer->setFilterMode(Qt::MatchContains);
+    completer->setCaseSensitivity(Qt::CaseInsensitive);
+    m_field->setCompleter(completer);
+    m_field->installEventFilter(this);
+    connect(completer, qOverload<const QString&>(&QCompleter::activated), this, [this](const QString& name) {
+        if (m_row.property()->maxCount == 1) pick(name);
+    });
+    connect(m_menu, &QMenu::aboutToShow, this, &ReferenceEditor::fillMenu);
+    connect(m_field, &ValueField::refusedChanged, this, &RowEditor::refusedChanged);
+    connect(m_field, &ValueField::entered, this, [this](const QString& typed) {
+        const std::string text = typed.isEmpty() ? std::string() : typedText(m_row, typed);
+        commit(m_field, [text](const FieldValue&) { return text; });
+    });
+}
+
+QWidget* ReferenceEditor::focusField() const { return m_field; }
+
+QStringList ReferenceEditor::names() const {
+    QStringList names;
+    if (!m_row.candidates) return names;
+    for (const std::string& name : m_row.candidates()) names << QString::fromStdString(name);
+    return names;
+}
+
+void ReferenceEditor::refresh() {
+    showLine(*m_field, m_row);
+    if (m_field->hasFocus()) m_names->setStringList(names());
+}
+
+bool ReferenceEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_field && event->type() == QEvent::FocusIn) m_names->setStringList(names());
+    if (watched == m_field && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Down && key->modifiers() == Qt::AltModifier) {
+            m_button->showMenu();
+            return true;
+        }
+    }
+    return RowEditor::eventFilter(watched, event);
+}
+
+void ReferenceEditor::fillMenu() {
+    m_menu->clear();
+    const QStringList fitting = names(), here = m_row.mixed() ? QStringList() : standing(m_row.first());
+    for (const QString& name : fitting.mid(0, kMostListed)) {
+        QAction* action = m_menu->addAction(name);
+        action->setCheckable(true);
+        action->setChecked(here.contains(name));
+        connect(action, &QAction::triggered, this, [this, name] { pick(name); });
+    }
+    if (fitting.size() > kMostListed)
+        m_menu->addAction(tr("%1 more: type to find them").arg(fitting.size() - kMostListed))->setEnabled(false);
+    if (fitting.isEmpty()) m_menu->addAction(tr("Nothing here fits"))->setEnabled(false);
+}
+
+void ReferenceEditor::pick(const QString& name) {
+    const bool list = m_row.property()->maxCount > 1;
+    const std::string word = name.toStdString();
+    m_field->setModified(false);
+    commit(m_field, [list, word, name](const FieldValue& v) {
+        const std::string text = wordOrQuoted(word, v.given() && v.text.starts_with('"'));
+        if (!list || v.formula || v.text.empty()) return text;
+        const auto at = standing(v).indexOf(name);
+        if (at < 0) return v.with(v.elements.size(), text);
+        std::vector<std::string> rest;
+        for (std::size_t i = 0; i < v.elements.size(); ++i)
+            if (i != static_cast<std::size_t>(at)) rest.push_back(v.element(i));
+        return rest.empty() ? v.text : joined(rest, v.separator);
+    });
+}
+
+} // namespace trundle

@@ -1,0 +1,61 @@
+#include "editor/properties/row.h"
+
+#include <algorithm>
+
+#include "editor/properties/value_text.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::uint32_t kMostFields = 6;
+
+/// Its elements are what the property's numbers are, one by one.
+bool oneByOne(const FieldValue& v, const Property& p) {
+    if (v.broken || v.elements.size() > p.maxCount) return false;
+    if (v.formula && v.parts.size() != v.elements.size()) return false;
+    return v.elements.empty() || v.elements.size() >= p.minCount;
+}
+
+bool single(const Row& row) {
+    return row.property()->maxCount == 1 && std::none_of(row.values.begin(), row.values.end(), [](const FieldValue& v) {
+               return v.formula || v.broken || v.elements.size() > 1;
+           });
+}
+
+} // namespace
+
+bool Row::mixed() const {
+    return std::any_of(values.begin(), values.end(), [&](const FieldValue& v) { return v.text != first().text; });
+}
+
+bool Row::mixedElement(std::size_t i) const {
+    const std::string mine = first().element(i);
+    return std::any_of(values.begin(), values.end(), [&](const FieldValue& v) { return v.element(i) != mine; });
+}
+
+bool Row::given() const {
+    return std::any_of(values.begin(), values.end(), [](const FieldValue& v) { return v.given(); });
+}
+
+std::size_t Row::fieldCount() const { return property() ? property()->maxCount : 1; }
+
+EditorKind Row::editor() const {
+    const Property* p = property();
+    if (!p) return EditorKind::Line;
+    switch (p->type) {
+    case PropertyType::Number:
+    case PropertyType::Integer:
+        if (p->maxCount > kMostFields ||
+            !std::all_of(values.begin(), values.end(), [&](const FieldValue& v) { return oneByOne(v, *p); }))
+            return EditorKind::Line;
+        return isColour(*p) ? EditorKind::Colour : EditorKind::Numbers;
+    case PropertyType::Boolean: return single(*this) ? EditorKind::Flag : EditorKind::Line;
+    case PropertyType::Choice: return single(*this) ? EditorKind::Choice : EditorKind::Line;
+    case PropertyType::Reference: return EditorKind::Reference;
+    case PropertyType::File: return single(*this) ? EditorKind::File : EditorKind::Line;
+    case PropertyType::Text: return candidates ? EditorKind::Reference : EditorKind::Line;
+    }
+    return EditorKind::Line;
+}
+
+} // namespace trundle

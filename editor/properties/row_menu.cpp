@@ -1,0 +1,75 @@
+#include "editor/properties/row_menu.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QMenu>
+
+#include "editor/properties/origin_words.h"
+#include "editor/properties/rows.h"
+#include "editor/widgets/theme.h"
+#include "project/plans.h"
+
+namespace trundle {
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+std::vector<std::string> pathsOf(const Row& row, Standing standing) {
+    std::vector<std::string> paths;
+    for (const FieldValue& v : row.values)
+        if (v.standing == standing) paths.push_back(v.path);
+    return paths;
+}
+
+QAction* add(QMenu& menu, const char* name, const QString& title, const std::function<void()>& deed) {
+    QAction* action = menu.addAction(title);
+    action->setObjectName(QString::fromLatin1(name));
+    QObject::connect(action, &QAction::triggered, &menu, deed);
+    return action;
+}
+
+void tell(const RowDeeds& deeds, const Status& status) { deeds.failed(status ? QString() : text(status.error().message)); }
+
+void addValueDeeds(QMenu& menu, const Row& row, Document& document, const RowDeeds& deeds) {
+    const std::string path = row.first().path;
+    if (row.given()) {
+        QAction* reset = add(menu, "rowReset", QObject::tr("Reset"),
+                             [row, deeds] { tell(deeds, row.set([](const FieldValue&) { return std::string(); }, {})); });
+        const bool inConfigOnly = pathsOf(row, Standing::Own).empty() && pathsOf(row, Standing::Override).empty();
+        reset->setEnabled(!inConfigOnly);
+        reset->setIcon(themedIcon(QStringLiteral("reset")));
+    }
+    if (row.values.size() != 1) return;
+    if (row.first().standing == Standing::Override)
+        add(menu, "rowPush", QObject::tr("Push into the config"), [path, &document, deeds] {
+            const Result<EditPlan> plan = planPushOverride(*document.loaded(), path);
+            tell(deeds, plan ? document.edit(QObject::tr("Push %1 into the config").arg(shortName(path)), plan.value().edits)
+                             : Status(plan.error()));
+        });
+    if (row.first().standing == Standing::Config)
+        add(menu, "rowPull", QObject::tr("Override here"), [path, &document, deeds] {
+            const Result<EditPlan> plan = planPullOverride(*document.loaded(), path);
+            tell(deeds, plan ? document.edit(QObject::tr("Override %1").arg(shortName(path)), plan.value().edits)
+                             : Status(plan.error()));
+        });
+}
+
+} // namespace
+
+void fillRowMenu(QMenu& menu, const Row& row, Document& document, const RowDeeds& deeds) {
+    const FieldValue& v = row.first();
+    const QString place = placeWords(*row.loaded, v.place);
+    if (!place.isEmpty())
+        add(menu, "rowJump", v.given() ? QObject::tr("Go to %1").arg(place) : QObject::tr("Go to its block, %1").arg(place),
+            [deeds, range = v.place] { deeds.jump(range); });
+    addValueDeeds(menu, row, document, deeds);
+    menu.addSeparator();
+    QAction* asText = add(menu, "rowAsText", QObject::tr("Edit as text or formula"), deeds.editAsText);
+    asText->setCheckable(true);
+    asText->setChecked(deeds.asText);
+    add(menu, "rowCopyPath", QObject::tr("Copy path"), [v] { QGuiApplication::clipboard()->setText(text(v.path)); });
+    if (!v.text.empty())
+        add(menu, "rowCopyValue", QObject::tr("Copy value"), [v] { QGuiApplication::clipboard()->setText(text(v.text)); });
+}
+
+} // namespace trundle

@@ -1,0 +1,217 @@
+// Needs: the selected objects and the schema. Gives: rows. Method: each object lists its fields under ids that do not depend on
+// its name; a row is an id that all objects have with the same type.
+#include "editor/properties/rows.h"
+
+#include <algorithm>
+#include <numbers>
+#include <unordered_map>
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "editor/properties/fitting_names.h"
+#include "editor/properties/sections.h"
+#include "editor/properties/value_text.h"
+#include "editor/running/session.h"
+#include "project/mentions.h"
+#include "project/plans.h"
+
+namespace trundle {
+namespace {
+
+struct Listed {
+    std::string id;
+    QString label, section;
+    FieldValue value;
+    const Kind* kind = nullptr; ///< nullptr: a Param
+    const Part* config = nullptr;
+};
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+/// All fields of one object, in order.
+class Lister {
+public:
+    Lister(ObjectValues& object, std::shared_ptr<const Loaded> loaded) : m_object(object), m_loaded(std::move(loaded)) {}
+
+    std::vector<Listed> list() {
+        addProperties(m_object, {}, {});
+        const QString config = m_object.config() ? text(m_object.config()->name) : QString();
+        if (m_object.isInstance()) {
+            for (FieldValue& v : m_object.configProperties())
+                add("config." + v.property->name, config, std::move(v), m_object.config()->kind);
+            addParams(QObject::tr("Params of %1").arg(config));
+            addController();
+            addOverrides(QObject::tr("Overrides in %1").arg(config));
+        } else addParams(QObject::tr("Params"));
+        return std::move(m_listed);
+    }
+
+private:
+    void add(std::string id, const QString& section, FieldValue value, const Kind* kind) {
+        const std::string name = value.property ? value.property->name : value.path.substr(value.path.rfind('.') + 1);
+        m_listed.push_back({std::move(id), text(name), section, std::move(value), kind, m_object.config()});
+    }
+
+    void addProperties(ObjectValues& object, const std::string& prefix, const QString& section) {
+        for (FieldValue& v : object.properties()) {
+            const QString own = section.isEmpty() ? sectionOf(*object.kind(), *v.property) : section;
+            const std::string id = prefix + v.property->name;
+            add(id, own, std::move(v), object.kind());
+        }
+    }
+
+    void addParams(const QString& section) {
+        for (FieldValue& v : m_object.params()) {
+            const std::string id = "param." + v.path.substr(v.path.rfind('.') + 1);
+            add(id, section, std::move(v), nullptr);
+        }
+    }
+
+    void addController() {
+        for (const Part& part : m_object.part()->parts) {
+            if (!part.is(Role::Controller) || !part.usable) continue;
+            ObjectValues controller(m_loaded, m_object.path() + "." + part.name);
+            return addProperties(controller, "controller." + part.kind->name + ".",
+                                 QObject::tr("Controller %1").arg(text(part.title())));
+        }
+    }
+
+    void addOverrides(const QString& section) {
+        for (const std::string& key : m_object.overrides()) {
+            const std::size_t dot = key.rfind('.');
+            ObjectValues inner(m_loaded, m_object.path() + "." + key.substr(0, dot));
+            std::optional<FieldValue> value = inner.property(key.substr(dot + 1));
+            if (!value) continue; // a path that leads nowhere: the problems say so
+            add("override." + key, section, std::move(*value), inner.kind());
+            m_listed.back().label = text(key);
+        }
+    }
+
+    ObjectValues& m_object;
+    std::shared_ptr<const Loaded> m_loaded;
+    std::vector<Listed> m_listed;
+};
+
+bool alike(const Listed& a, const Listed& b) {
+    const Property *p = a.value.property, *q = b.value.property;
+    if (!p || !q) return p == q;
+    return p == q || (p->type == q->type && p->unit == q->unit && p->choices == q->choices && p->minCount == q->minCount &&
+                      p->maxCount == q->maxCount);
+}
+
+Status setAll(Document& document, const std::vector<FieldValue>& values, const Change& change, const std::string& mergeKey) {
+    std::vector<ValueEdit> edits;
+    std::vector<std::string> resets;
+    for (const FieldValue& v : values) {
+        std::string wanted = change(v);
+        if (wanted.empty()) {
+            if (v.given()) resets.push_back(v.path);
+            continue;
+        }
+        if (v.given() && wanted == v.text) continue;
+        if (const auto read = readElements(wanted); !read) return read.error();
+        edits.push_back({v.path, std::move(wanted)});
+    }
+    const QString what =
+        values.size() == 1
+            ? shortName(values[0].path)
+            : QObject::tr("%1 of %2 objects").arg(text(values[0].path.substr(values[0].path.rfind('.') + 1))).arg(values.size());
+    if (!resets.empty()) {
+        const Result<EditPlan> plan = planReset(*document.loaded(), resets);
+        if (!plan) return plan.error();
+        return document.edit(QObject::tr("Reset %1").arg(what), plan.value().edits, mergeKey);
+    }
+    return edits.empty() ? Status() : document.setValues(QObject::tr("Set %1").arg(what), edits, mergeKey);
+}
+
+QString nowText(const RunSession& session, const ObjectValues& object, const std::string& id) {
+    const bool paused = session.state() == RunState::Paused || session.state() == RunState::Ended;
+    if (!paused || !object.isInstance() || (id != "Pos" && id != "HPR")) return {};
+    const std::optional<Pose> pose = session.robotPose(object.shownPath());
+    if (!pose) return {};
+    const Vec3 v = id == "Pos" ? pose->position : Vec3(hprFromRotation(pose->rotation) * (180 / std::numbers::pi));
+    const int digits = id == "Pos" ? 3 : 1;
+    const auto number = [&](double x) {
+        const QString shown = QString::number(x, 'f', digits);
+        return shown.toDouble() == 0 ? QString::number(0.0, 'f', digits) : shown; // no -0.000
+    };
+    return QObject::tr("now %1, %2, %3").arg(number(v.x()), number(v.y()), number(v.z()));
+}
+
+std::string folderOf(const Loaded& loaded, const Listed& listed, const ObjectValues& object) {
+    FileId file = listed.value.place.file;
+    if (!listed.value.given() && object.instance()) file = object.instance()->file;
+    if (file >= loaded.paths.size()) file = 0;
+    return file < loaded.paths.size() ? QFileInfo(text(loaded.paths[file])).absolutePath().toStdString() : std::string();
+}
+
+void complete(Row& row, const Listed& listed, const ObjectValues& object, Document& document, const RunSession* session) {
+    const std::shared_ptr<const Loaded> loaded = row.loaded;
+    if (const Property* p = listed.value.property) {
+        const Part* config = listed.config;
+        if (p->type == PropertyType::Reference)
+            row.candidates = [loaded, p, config] { return fittingNames(*loaded, *p, config); };
+        else if (listed.kind && p->name == "Robot" && namesWorld(*listed.kind, *p))
+            row.candidates = [loaded] { return robotNames(*loaded); };
+        if (p->type == PropertyType::File) row.folder = folderOf(*loaded, listed, object);
+    }
+    if (session) {
+        row.afterReset = std::any_of(row.values.begin(), row.values.end(),
+                                     [&](const FieldValue& v) { return session->waitsForReset(v.path); });
+        if (row.values.size() == 1) row.now = nowText(*session, object, row.id);
+    }
+    row.set = [&document, values = row.values, loaded](const Change& change, const std::string& mergeKey) {
+        return setAll(document, values, change, mergeKey);
+    };
+}
+
+} // namespace
+
+QString shortName(const std::string& path) {
+    const std::size_t last = path.rfind('.');
+    const std::size_t before = last == std::string::npos || last == 0 ? std::string::npos : path.rfind('.', last - 1);
+    return text(before == std::string::npos ? path : path.substr(before + 1));
+}
+
+Objects objectsAt(const std::shared_ptr<const Loaded>& loaded, const std::vector<std::string>& paths) {
+    Objects objects;
+    for (const std::string& path : paths) {
+        auto object = std::make_unique<ObjectValues>(loaded, path);
+        if (object->exists()) objects.push_back(std::move(object));
+    }
+    if (paths.empty()) objects.push_back(std::make_unique<ObjectValues>(loaded, std::string()));
+    // members of one Grid are one object
+    std::vector<std::string> seen;
+    std::erase_if(objects, [&](const auto& object) {
+        if (std::find(seen.begin(), seen.end(), object->path()) != seen.end()) return true;
+        seen.push_back(object->path());
+        return false;
+    });
+    return objects;
+}
+
+std::vector<Row> rowsOf(const Objects& objects, Document& document, const RunSession* session) {
+    const std::shared_ptr<const Loaded>& loaded = objects[0]->sharedLoaded(); // the properties' pointers lead into it
+    std::vector<std::vector<Listed>> lists;
+    std::vector<std::unordered_map<std::string, std::size_t>> places(objects.size());
+    for (const auto& object : objects) {
+        lists.push_back(Lister(*object, loaded).list());
+        for (std::size_t i = 0; i < lists.back().size(); ++i) places[lists.size() - 1].emplace(lists.back()[i].id, i);
+    }
+    std::vector<Row> rows;
+    for (const Listed& first : lists[0]) {
+        Row row{first.id, first.label, first.section, {}, loaded, false, {}, {}, {}, {}};
+        for (std::size_t i = 0; i < lists.size(); ++i) {
+            const auto it = places[i].find(first.id);
+            if (it == places[i].end() || !alike(first, lists[i][it->second])) break;
+            row.values.push_back(lists[i][it->second].value);
+        }
+        if (row.values.size() != objects.size()) continue;
+        complete(row, first, *objects[0], document, session);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace trundle

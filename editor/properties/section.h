@@ -1,0 +1,26 @@
+#pragma once
+#include <QWidget>
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace trundle {
+
+/// A heading that folds the rows below it.
+class Section final : public QWidget {
+    Q_OBJECT
+public:
+    Section(const QString& title, bool open, QWidget* parent);
+    void add(QWidget* row);
+
+Q_SIGNALS:
+    void folded(bool open);
+
+private:
+    void fold(bool open);
+    QToolButton* m_heading;
+    QWidget* m_rows;
+    QVBoxLayout* m_layout;
+};
+
+} // namespace trundle

@@ -1,0 +1,135 @@
+#include "editor/running/controller_commands.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+#include "control/directory_catalog.h"
+#include "editor/running/trust.h"
+
+namespace trundle {
+namespace {
+
+const QString kRecent = QStringLiteral("recentModules");
+constexpr int kMostRecent = 10;
+
+void remember(const QString& library) {
+    QStringList list = QSettings().value(kRecent).toStringList();
+    list.removeAll(library);
+    list.prepend(library);
+    QSettings().setValue(kRecent, list.mid(0, kMostRecent));
+}
+
+} // namespace
+
+ControllerCommands::ControllerCommands(Document& document, RunSession& session, QObject* parent)
+    : QObject(parent), m_document(document), m_session(session), m_given(document.options().modules) {
+    applyTrust();
+}
+
+bool ControllerCommands::refuse(const QString& reason) {
+    Q_EMIT refused(reason);
+    return false;
+}
+
+/// A refused edit was said by the document.
+bool ControllerCommands::answer(const Status& status) { return status.ok(); }
+
+void ControllerCommands::applyTrust() {
+    OpenOptions options = m_document.options();
+    std::vector<std::string> folders = m_given;
+    for (const QString& folder : TrustedFolders::all()) folders.push_back(folder.toStdString());
+    if (folders == options.modules) return;
+    options.modules = std::move(folders);
+    m_document.setOptions(options);
+}
+
+std::vector<ModuleInfo> ControllerCommands::modules() const {
+    if (!m_document.loaded()) return {};
+    return modulesOf(*m_document.loaded(), m_document.options(), m_session.parts().locations());
+}
+
+std::vector<ControllerChoice> ControllerCommands::choices() const {
+    if (!m_document.loaded()) return {};
+    OpenOptions own; // of the program's modules alone: another folder may hold thousands of files
+    return controllerChoices(*m_document.loaded(), m_session.parts().moduleKinds(own), m_session.parts().locations());
+}
+
+QStringList ControllerCommands::recent() {
+    QStringList there;
+    for (const QString& library : QSettings().value(kRecent).toStringList())
+        if (QFileInfo(library).isFile()) there.append(library);
+    return there;
+}
+
+/// The program's own, a trusted folder's, or one that is trusted from now on.
+bool ControllerCommands::mayRun(const QString& library) {
+    const OpenOptions& options = m_document.options();
+    DirectoryCatalog catalog({options.modules, m_session.parts().locations().modules, {}, options.trust});
+    const QString folder = QFileInfo(library).absolutePath();
+    if (catalog.find(library.toStdString(), folder.toStdString())) return true;
+    if (!m_ask || !m_ask(library, folder)) return false;
+    TrustedFolders::add(folder);
+    applyTrust();
+    return true;
+}
+
+bool ControllerCommands::load(const QString& library) {
+    if (!m_document.isOpen()) return refuse(tr("Open an experiment first."));
+    const QFileInfo file(library);
+    DirectoryCatalog open({{}, {}, {}, true}); // looks at the file, runs nothing
+    const Result<ModuleListing> found = open.find(file.absoluteFilePath().toStdString(), file.absolutePath().toStdString());
+    if (!found) return refuse(QString::fromStdString(found.error().message));
+    const std::string& path = found.value().library;
+    if (!mayRun(QString::fromStdString(path))) return false;
+    const std::string written = writtenFor(path, *m_document.loaded(), m_session.parts().locations());
+    for (const ModuleInfo& module : modules())
+        if (module.library == path) return refuse(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
+    if (!answer(m_document.carryOut(tr("Load Module %1").arg(QString::fromStdString(written)),
+                                    planLoadModule(*m_document.loaded(), written))))
+        return false;
+    remember(QString::fromStdString(path));
+    return true;
+}
+
+bool ControllerCommands::trust(const ModuleInfo& module) {
+    if (module.library.empty()) return refuse(module.trouble);
+    return mayRun(QString::fromStdString(module.library));
+}
+
+bool ControllerCommands::unload(const ModuleInfo& module) {
+    if (!m_document.loaded()) return false;
+    return answer(m_document.carryOut(tr("Unload Module %1").arg(QString::fromStdString(module.written)),
+                                      planUnloadModule(*m_document.loaded(), module)));
+}
+
+void ControllerCommands::reload() {
+    m_session.reset();
+    if (m_document.isOpen()) m_document.readAgain();
+}
+
+bool ControllerCommands::assign(const std::vector<std::string>& robots, const ControllerChoice& choice) {
+    if (!m_document.loaded()) return false;
+    const QString name =
+        robots.size() == 1
+            ? tr("Assign %1 to %2").arg(QString::fromStdString(choice.kind.name), QString::fromStdString(robots[0]))
+            : tr("Assign %1").arg(QString::fromStdString(choice.kind.name));
+    const std::string key = "assign " + choice.kind.name;
+    m_document.endMerge();
+    if (!choice.module.empty()) {
+        const Status loaded = m_document.carryOut(name, planLoadModule(*m_document.loaded(), choice.module), key);
+        if (!answer(loaded)) return false;
+    }
+    const Kind* kind = m_document.loaded()->registry->find(choice.kind.name);
+    const bool done =
+        answer(m_document.carryOut(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key));
+    m_document.endMerge();
+    if (!done && !choice.module.empty()) m_document.undo(); // a module that nobody uses was not asked for
+    return done;
+}
+
+bool ControllerCommands::unassign(const std::vector<std::string>& robots) {
+    if (!m_document.loaded()) return false;
+    return answer(m_document.carryOut(tr("Remove Controller"), planUnassign(*m_document.loaded(), robots)));
+}
+
+} // namespace trundle

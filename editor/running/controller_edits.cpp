@@ -1,0 +1,181 @@
+#include "editor/running/controller_edits.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "lang/tree_edit.h"
+#include "model/outline.h"
+#include "project/import_lines.h"
+#include "schema/value_words.h"
+
+namespace trundle {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Part* instanceAt(const Loaded& loaded, std::string_view path) {
+    const Part* part = loaded.outline->world.find(std::string(path));
+    if (!part) part = layoutOfMember(*loaded.outline, path);
+    return part && (part->is(Role::Instance) || part->is(Role::Layout)) && part->kind->name != "Static" ? part : nullptr;
+}
+
+const Part* controllerOf(const Part& robot) {
+    const auto it = std::ranges::find_if(robot.parts, [](const Part& p) { return p.is(Role::Controller); });
+    return it == robot.parts.end() ? nullptr : &*it;
+}
+
+/// Whatever the old property may hold means the same in the new one.
+bool carriesOver(const Property* from, const Property* to) {
+    if (!from || !to || from->type != to->type || from->unit != to->unit || from->choices != to->choices) return false;
+    const bool low = to->minimum < from->minimum || (to->minimum == from->minimum && (from->minExclusive || !to->minExclusive));
+    const bool high = to->maximum > from->maximum || (to->maximum == from->maximum && (from->maxExclusive || !to->maxExclusive));
+    return low && high && to->minCount <= from->minCount && to->maxCount >= from->maxCount;
+}
+
+/// "Wander brain { Speed=0.4 }" from "RandomDrive brain { Speed=0.4 Period=1 }".
+std::string replacement(const Loaded& loaded, const Part& robot, const Part& old, const Kind& kind) {
+    std::string text = templateOf(loaded, kind, robot.name);
+    const std::size_t open = text.find('{'), close = text.rfind('}');
+    if (open == std::string::npos || close == std::string::npos) return text;
+    std::string inside;
+    const std::string required = text.substr(open + 1, close - open - 1);
+    for (const PlacedAssignment& a : old.assignments.all()) {
+        const bool kept = a.path.size() == 1 && old.kind && carriesOver(old.kind->find(a.key), kind.find(a.key));
+        const bool given = required.find(a.key + "=") != std::string::npos || required.find(a.key + " =") != std::string::npos;
+        if (kept && !given) inside += " " + a.key + "=" + std::string(loaded.outline->texts().slice(a.valueRange()));
+    }
+    std::string needed = required;
+    while (!needed.empty() && (needed.back() == ' ' || needed.back() == '\n')) needed.pop_back();
+    const std::string all = needed + inside;
+    return kind.name + " " + (old.block->name ? old.name : "brain") + (all.empty() ? " {}" : " {" + all + " }");
+}
+
+void join(EditPlan& plan, EditPlan more) {
+    for (auto& [file, edits] : more.edits) {
+        auto& list = plan.edits[file];
+        for (TextEdit& edit : edits) {
+            const bool known = std::ranges::any_of(list, [&](const TextEdit& e) {
+                return e.range == edit.range && e.text == edit.text && e.range.range.size() > 0;
+            });
+            if (!known) list.push_back(std::move(edit));
+        }
+    }
+    for (std::string& path : more.selects) plan.selects.push_back(std::move(path));
+}
+
+} // namespace
+
+std::vector<ControlledRobot> controlledRobots(const Loaded& loaded) {
+    std::vector<ControlledRobot> robots;
+    for (const Part* part : loaded.outline->world.all()) {
+        if (!instanceAt(loaded, part->name)) continue;
+        ControlledRobot robot{part->name, {}, {}, 1};
+        if (const Part* controller = controllerOf(*part)) {
+            robot.kind = controller->kind->name;
+            robot.controller = controller->name;
+        }
+        if (part->is(Role::Layout))
+            robot.members = static_cast<std::size_t>(std::ranges::count_if(loaded.experiment->robots, [&](const RobotSpec& r) {
+                return layoutOfMember(*loaded.outline, r.name) == part && !loaded.outline->world.find(r.name);
+            }));
+        robots.push_back(std::move(robot));
+    }
+    return robots;
+}
+
+std::vector<std::string> robotsAmong(const Loaded& loaded, const std::vector<std::string>& paths) {
+    std::vector<std::string> robots;
+    for (const std::string& path : paths) {
+        const Part* part = instanceAt(loaded, path.substr(0, path.find('.')));
+        if (part && std::ranges::find(robots, part->name) == robots.end()) robots.push_back(part->name);
+    }
+    return robots;
+}
+
+std::vector<ControllerChoice> controllerChoices(const Loaded& loaded, const std::vector<Kind>& moduleKinds,
+                                                const Locations& places) {
+    std::vector<ControllerChoice> choices;
+    std::set<std::string> known;
+    for (const Kind* kind : loaded.registry->all())
+        if (kind->role == Role::Controller && known.insert(kind->name).second) choices.push_back({*kind, {}});
+    for (const Kind& kind : moduleKinds)
+        if (kind.role == Role::Controller && known.insert(kind.name).second)
+            choices.push_back({kind, writtenFor(kind.module, loaded, places)});
+    std::ranges::stable_sort(choices, {}, [](const ControllerChoice& c) { return std::pair(!c.module.empty(), c.kind.name); });
+    return choices;
+}
+
+Result<EditPlan> planAssign(const Loaded& loaded, const std::vector<std::string>& robots, const Kind& controller) {
+    if (robots.empty()) return Error{Code::UnknownReference, "no robot is selected"};
+    EditPlan plan;
+    for (const std::string& name : robots) {
+        const Part* robot = instanceAt(loaded, name);
+        if (!robot) return Error{Code::UnknownReference, name + " is no robot"};
+        if (const Part* old = controllerOf(*robot)) {
+            if (old->kind->name == controller.name) continue;
+            plan.edits[old->file].push_back({old->range, replacement(loaded, *robot, *old, controller)});
+            plan.selects.push_back(robot->name + "." + (old->block->name ? old->name : "brain"));
+            continue;
+        }
+        std::string text = templateOf(loaded, controller, robot->name);
+        const std::size_t open = text.find('{');
+        if (open != std::string::npos) text = controller.name + " brain " + text.substr(open);
+        Result<EditPlan> one = planInsert(loaded, robot->name, text);
+        if (!one) return one.error();
+        join(plan, std::move(one).value());
+    }
+    if (plan.edits.empty())
+        return Error{Code::DuplicateName,
+                     robots.size() == 1 ? robots[0] + " has this controller already" : "they have this controller already"};
+    return plan;
+}
+
+Result<EditPlan> planUnassign(const Loaded& loaded, const std::vector<std::string>& robots) {
+    std::vector<std::string> paths;
+    for (const std::string& name : robots)
+        if (const Part* robot = instanceAt(loaded, name))
+            if (const Part* controller = controllerOf(*robot)) paths.push_back(robot->name + "." + controller->name);
+    if (paths.empty())
+        return Error{Code::UnknownReference, robots.empty() ? "no robot is selected" : "there is no controller to remove"};
+    return planRemove(loaded, paths);
+}
+
+Result<EditPlan> planLoadModule(const Loaded& loaded, const std::string& written) {
+    Result<std::vector<TextEdit>> edits = editsForImports(loaded, 0, {"#loadModule " + written});
+    if (!edits) return edits.error();
+    if (edits.value().empty()) return Error{Code::DuplicateName, "the module " + written + " is loaded already"};
+    EditPlan plan;
+    plan.edits[0] = std::move(edits).value();
+    return plan;
+}
+
+Result<EditPlan> planUnloadModule(const Loaded& loaded, const ModuleInfo& module) {
+    if (!module.usedBy.empty())
+        return Error{Code::UnknownReference, module.usedBy + " has a kind of " + module.written + "; take that out first"};
+    const FileId file = module.range.file;
+    if (file >= loaded.trees.size()) return Error{Code::NoSuchPath, "no text loads " + module.written};
+    const Tree& tree = *loaded.trees[file];
+    EditPlan plan;
+    for (const Item& item : tree.items())
+        if (const ModuleItem* directive = item.as<ModuleItem>(); directive && directive->path == module.written)
+            plan.edits[file].push_back(editRemoveItem(tree, item));
+    if (plan.edits.empty()) return Error{Code::NoSuchPath, "no text loads " + module.written};
+    return plan;
+}
+
+std::string writtenFor(const std::string& library, const Loaded& loaded, const Locations& places) {
+    const fs::path path = fs::path(library).lexically_normal();
+    std::string stem = path.stem().string();
+    if (stem.starts_with("lib") && stem.size() > 3) stem.erase(0, 3);
+    const fs::path plain = path.parent_path() / stem;
+    const std::string opened = loaded.paths.empty() ? std::string() : fs::path(loaded.paths[0]).parent_path().string();
+    for (const std::string& folder : {places.modules, opened}) {
+        if (folder.empty()) continue;
+        const fs::path below = plain.lexically_relative(fs::path(folder).lexically_normal());
+        if (!below.empty() && *below.begin() != "..") return below.generic_string();
+    }
+    return plain.generic_string();
+}
+
+} // namespace trundle

@@ -1,0 +1,69 @@
+#pragma once
+#include <vector>
+
+#include <QWidget>
+
+#include "editor/running/controller_edits.h"
+
+class QLabel;
+class QMenu;
+class QToolButton;
+class QTreeWidget;
+
+namespace trundle {
+
+class Actions;
+class ControllerCommands;
+class Document;
+class RunSession;
+class Selection;
+
+/// The modules of the experiment and the controller of each robot. Carries out controllers.load, assign, remove and reload.
+class ControllersPanel final : public QWidget {
+    Q_OBJECT
+public:
+    ControllersPanel(Document& document, Selection& selection, RunSession& session, Actions& actions, QWidget* parent = nullptr);
+
+    [[nodiscard]] ControllerCommands& commands() { return *m_commands; }
+    /// Asks which controller the robots shall have, then assigns it.
+    void assignTo(const std::vector<std::string>& robots);
+
+Q_SIGNALS:
+    void refused(const QString& reason);
+    void jumpTo(const std::string& file, const trundle::SourceRange& range); ///< a module's line in the text
+    void attentionWanted();                                                  ///< a module of what was just opened may not run yet
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* makeModules();
+    QWidget* makeRobots();
+    void connectActions();
+    void refresh();
+    void refreshModules();
+    void refreshRobots();
+    void showStates();
+    void showButtons();
+    void showRecent();
+    void loadByDialog();
+    [[nodiscard]] const ModuleInfo* currentModule() const;
+    [[nodiscard]] std::vector<std::string> chosenRobots() const;
+
+    Document& m_document;
+    Selection& m_selection;
+    RunSession& m_session;
+    Actions& m_actions;
+    ControllerCommands* m_commands;
+    std::vector<ModuleInfo> m_infos;
+    std::vector<ControlledRobot> m_listed;
+    QLabel* m_notice = nullptr;
+    QTreeWidget* m_modules = nullptr;
+    QTreeWidget* m_robots = nullptr;
+    QToolButton* m_unload = nullptr;
+    QToolButton* m_trust = nullptr;
+    QMenu* m_recent = nullptr;
+    bool m_choosing = false; // the selection comes from here
+};
+
+} // namespace trundle

@@ -1,0 +1,90 @@
+#include "editor/running/keyboard_drive.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QWidget>
+
+#include "editor/document/selection.h"
+#include "editor/running/session.h"
+#include "editor/widgets/actions.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kSpeed = 0.3, kTurnRate = 1.2; // m/s, rad/s
+
+bool isArrow(int key) { return key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Left || key == Qt::Key_Right; }
+
+/// Arrows move a cursor or change a value there.
+bool isTypedInto(const QWidget* widget) {
+    if (!widget) return false;
+    for (const char* kind : {"QLineEdit", "QAbstractSpinBox", "QTextEdit", "QPlainTextEdit", "QComboBox", "QAbstractSlider",
+                             "QMenu", "QsciScintillaBase"})
+        if (widget->inherits(kind)) return true;
+    return false;
+}
+
+} // namespace
+
+KeyboardDrive::KeyboardDrive(RunSession& session, Selection& selection, Actions& actions, QWidget& window)
+    : QObject(&window), m_session(session), m_selection(selection), m_window(window) {
+    QAction& action = actions.at("sim.drive");
+    connect(&action, &QAction::toggled, this, &KeyboardDrive::setOn);
+    connect(&session, &RunSession::stateChanged, this, [this] {
+        if (!m_session.isActive()) m_down.clear();
+    });
+    connect(&selection, &Selection::changed, this, &KeyboardDrive::letGo);
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        if (!now || isTypedInto(now)) letGo(); // releases are not seen any more
+    });
+    setOn(action.isChecked());
+}
+
+void KeyboardDrive::setOn(bool on) {
+    if (on == m_on) return;
+    m_on = on;
+    if (on) qApp->installEventFilter(this);
+    else qApp->removeEventFilter(this);
+    letGo();
+}
+
+void KeyboardDrive::letGo() {
+    m_down.clear();
+    m_session.stopDriving();
+}
+
+void KeyboardDrive::steer() {
+    if (m_down.isEmpty()) return m_session.stopDriving();
+    const auto along = [this](int forward, int back) { return int(m_down.contains(forward)) - int(m_down.contains(back)); };
+    const double scale = m_fast ? 2 : 1;
+    const std::string selected = m_selection.current();
+    const std::string robot = selected.substr(0, selected.find('.'));
+    if (!m_session.drive(robot, scale * kSpeed * along(Qt::Key_Up, Qt::Key_Down),
+                         scale * kTurnRate * along(Qt::Key_Left, Qt::Key_Right)))
+        m_down.clear();
+}
+
+bool KeyboardDrive::press(QKeyEvent& key, bool down) {
+    if (key.isAutoRepeat()) return true;
+    if (!down && !m_down.contains(key.key())) return false; // pressed somewhere else
+    if (down) m_down.insert(key.key());
+    else m_down.remove(key.key());
+    m_fast = key.modifiers().testFlag(Qt::ShiftModifier);
+    steer();
+    return true;
+}
+
+bool KeyboardDrive::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    if (type != QEvent::KeyPress && type != QEvent::KeyRelease && type != QEvent::ShortcutOverride) return false;
+    auto* widget = qobject_cast<QWidget*>(watched);
+    if (!widget || widget->window() != &m_window || isTypedInto(widget)) return false;
+    auto& key = *static_cast<QKeyEvent*>(event);
+    if (!isArrow(key.key()) || key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+    event->accept();
+    if (type == QEvent::ShortcutOverride) return true;
+    return press(key, type == QEvent::KeyPress);
+}
+
+} // namespace trundle

@@ -1,0 +1,39 @@
+#pragma once
+#include <QObject>
+#include <QSet>
+
+class QWidget;
+class QKeyEvent;
+
+namespace trundle {
+
+class Actions;
+class RunSession;
+class Selection;
+
+/// While sim.drive is checked the arrow keys steer the selected robot, whatever has the focus but a field that one types into. The
+/// robot's controller has no turn while a key is down. Shift: twice as fast.
+class KeyboardDrive final : public QObject {
+    Q_OBJECT
+public:
+    KeyboardDrive(RunSession& session, Selection& selection, Actions& actions, QWidget& window);
+
+    [[nodiscard]] bool isOn() const { return m_on; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void setOn(bool on);
+    void letGo();
+    void steer();
+    [[nodiscard]] bool press(QKeyEvent& key, bool down);
+
+    RunSession& m_session;
+    Selection& m_selection;
+    QWidget& m_window;
+    bool m_on = false, m_fast = false;
+    QSet<int> m_down;
+};
+
+} // namespace trundle

@@ -1,0 +1,207 @@
+#include "editor/running/live_edits.h"
+
+#include <map>
+#include <set>
+
+#include "model/outline.h"
+#include "model/provenance.h"
+
+namespace trundle {
+namespace {
+
+// ---- which properties differ: a comparison of texts ----
+
+using Texts = std::map<std::string, std::string>; // of values, by dotted path
+
+void noteValue(const Outline& outline, FileId file, const Value* value, const std::string& path, Texts& out) {
+    if (value) out.emplace(path, outline.texts().slice(file, value->range));
+}
+
+/// Everything the text says, each value by its path; an object itself stands there with its kind.
+void note(const Outline& outline, const Part& part, const std::string& path, Texts& out) {
+    out.emplace(path, part.block->type.text);
+    for (const PlacedAssignment& a : part.assignments.all()) noteValue(outline, a.file, a.value, path + "." + a.key, out);
+    for (const PlacedParam& p : part.params) noteValue(outline, p.valueFile, p.value, path + "." + p.name->text, out);
+    for (const Part& inner : part.parts) note(outline, inner, path + "." + inner.name, out);
+}
+
+bool isNamedByKind(const Part& part) { return part.is(Role::Material) || part.is(Role::Surface) || part.is(Role::Config); }
+
+Texts textsOf(const Outline& outline) {
+    Texts out;
+    for (const PlacedAssignment& a : outline.settings.all()) noteValue(outline, a.file, a.value, a.key, out);
+    for (const PlacedParam& p : outline.params) noteValue(outline, p.valueFile, p.value, p.name->text, out);
+    for (const auto& part : outline.parts)
+        note(outline, *part, isNamedByKind(*part) ? part->block->type.text + "." + part->name : part->name, out);
+    return out;
+}
+
+bool isLive(const Outline& outline, const std::string& path) {
+    if (path.starts_with("Material.") || path.starts_with("Surface.")) return path.find('.', path.find('.') + 1) != path.npos;
+    const auto from = provenanceOf(outline, path);
+    return from && from->property && from->property->live;
+}
+
+/// Of what stands below an object that is new or gone the object alone is named.
+bool isBelowLast(const std::vector<std::string>& paths, const std::string& path) {
+    return !paths.empty() && path.starts_with(paths.back() + ".");
+}
+
+std::vector<std::string> waitingPaths(const Loaded& built, const Loaded& now) {
+    const Texts before = textsOf(*built.outline), after = textsOf(*now.outline);
+    std::vector<std::string> paths;
+    const auto differ = [&](const std::string& path) {
+        if (!isBelowLast(paths, path) && !isLive(*now.outline, path) && !isLive(*built.outline, path)) paths.push_back(path);
+    };
+    auto a = before.begin(), b = after.begin();
+    while (a != before.end() || b != after.end()) {
+        if (b == after.end() || (a != before.end() && a->first < b->first)) differ((a++)->first);
+        else if (a == before.end() || b->first < a->first) differ((b++)->first);
+        else {
+            if (a->second != b->second) differ(a->first);
+            ++a;
+            ++b;
+        }
+    }
+    return paths;
+}
+
+// ---- what the running world is told ----
+
+/// The live properties of one component whose value is another one now.
+struct LiveValue {
+    std::string property;
+    ResolvedValue value;
+};
+
+class LiveComparison {
+public:
+    LiveComparison(const ExperimentSpec& running, const Loaded& now, LiveEdits& out)
+        : m_running(running), m_now(*now.experiment), m_registry(*now.registry), m_out(out) {}
+
+    void go() {
+        surfaces();
+        materials();
+        for (const RobotSpec& robot : m_now.robots) m_robots.emplace(robot.name, &robot);
+        for (std::size_t i = 0; i < m_running.robots.size(); ++i) robot(i);
+        if (m_changed) m_out.experiment = m_changed;
+    }
+
+private:
+    ExperimentSpec& changed() {
+        if (!m_changed) m_changed = std::make_shared<ExperimentSpec>(m_running);
+        return *m_changed;
+    }
+
+    void surfaces() {
+        for (std::size_t i = 0; i < m_running.surfaces.size(); ++i)
+            for (const SurfaceSpec& s : m_now.surfaces) {
+                const SurfaceSpec& r = m_running.surfaces[i];
+                if (s.name != r.name) continue;
+                const bool same = s.friction == r.friction && s.restitution == r.restitution &&
+                                  s.rollingFriction == r.rollingFriction && s.softness == r.softness;
+                if (same) break;
+                m_out.commands.emplace_back(SurfaceCommand{s});
+                changed().surfaces[i] = s;
+                break;
+            }
+    }
+
+    void materials() {
+        for (std::size_t i = 0; i < m_running.materials.size(); ++i)
+            for (const MaterialSpec& m : m_now.materials) {
+                const MaterialSpec& r = m_running.materials[i];
+                if (m.name != r.name) continue;
+                const bool same = m.colour == r.colour && m.texturePath == r.texturePath && m.textureMap == r.textureMap &&
+                                  m.textureScale == r.textureScale && m.shininess == r.shininess && m.opacity == r.opacity &&
+                                  m.emission == r.emission;
+                if (!same) changed().materials[i] = m;
+                break;
+            }
+    }
+
+    std::vector<LiveValue> differences(const ComponentSpec& running, const ComponentSpec& now) const {
+        std::vector<LiveValue> found;
+        const Kind* kind = running.kind == now.kind ? m_registry.find(now.kind) : nullptr;
+        if (!kind) return found;
+        for (const Property& property : kind->properties) {
+            if (!property.live) continue;
+            const ResolvedValue *was = running.find(property.name), *is = now.find(property.name);
+            if (is && (!was || was->value != is->value)) found.push_back({property.name, *is});
+        }
+        return found;
+    }
+
+    void tell(const std::string& object, ComponentSpec& spec, const std::vector<LiveValue>& values) {
+        for (const LiveValue& v : values) {
+            m_out.commands.emplace_back(PropertyCommand{object, v.property, v.value.value});
+            spec.values[v.property] = v.value;
+        }
+    }
+
+    void robot(std::size_t index) {
+        const RobotSpec& running = m_running.robots[index];
+        const auto found = m_robots.find(running.name);
+        if (found == m_robots.end()) return;
+        const RobotSpec& now = *found->second;
+        if (running.controller && now.controller && running.controller->name == now.controller->name)
+            if (const auto values = differences(*running.controller, *now.controller); !values.empty())
+                tell(running.name + "/" + running.controller->name, *changed().robots[index].controller, values);
+        if (running.config && now.config && running.config != now.config) devices(index, now);
+    }
+
+    void devices(std::size_t index, const RobotSpec& now) {
+        const RobotSpec& running = m_running.robots[index];
+        const auto key = std::pair{running.config.get(), now.config.get()};
+        const auto known = m_configs.find(key);
+        const bool isNew = known == m_configs.end();
+        ConfigChange& change = isNew ? m_configs[key] : known->second;
+        if (isNew) change = compared(*running.config, *now.config);
+        if (!change.config) return;
+        for (const auto& [device, value] : change.values)
+            m_out.commands.emplace_back(PropertyCommand{running.name + "/" + device, value.property, value.value.value});
+        changed().robots[index].config = change.config;
+    }
+
+    /// Robots that share a config go on sharing the changed one.
+    struct ConfigChange {
+        std::shared_ptr<const RobotConfigSpec> config; // null: no live change
+        std::vector<std::pair<std::string, LiveValue>> values;
+    };
+
+    ConfigChange compared(const RobotConfigSpec& running, const RobotConfigSpec& now) const {
+        ConfigChange change;
+        std::shared_ptr<RobotConfigSpec> config;
+        for (std::size_t d = 0; d < running.devices.size(); ++d)
+            for (const ComponentSpec& device : now.devices) {
+                if (device.name != running.devices[d].name) continue;
+                for (LiveValue& value : differences(running.devices[d], device)) {
+                    if (!config) config = std::make_shared<RobotConfigSpec>(running);
+                    config->devices[d].values[value.property] = value.value;
+                    change.values.emplace_back(device.name, std::move(value));
+                }
+                break;
+            }
+        change.config = config;
+        return change;
+    }
+
+    const ExperimentSpec& m_running;
+    const ExperimentSpec& m_now;
+    const Registry& m_registry;
+    LiveEdits& m_out;
+    std::shared_ptr<ExperimentSpec> m_changed;
+    std::map<std::string, const RobotSpec*> m_robots;
+    std::map<std::pair<const RobotConfigSpec*, const RobotConfigSpec*>, ConfigChange> m_configs;
+};
+
+} // namespace
+
+LiveEdits liveEdits(const Loaded& built, const ExperimentSpec& running, const Loaded& now) {
+    LiveEdits edits;
+    if (!now.diagnostics.hasErrors()) LiveComparison(running, now, edits).go(); // a text half typed tells the world nothing
+    edits.waiting = waitingPaths(built, now);
+    return edits;
+}
+
+} // namespace trundle

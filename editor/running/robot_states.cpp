@@ -1,0 +1,45 @@
+#include "editor/running/robot_states.h"
+
+#include <QCoreApplication>
+
+#include "editor/running/controller_edits.h"
+#include "editor/running/session.h"
+
+namespace trundle {
+namespace {
+
+QString trState(const char* text) { return QCoreApplication::translate("ControllersPanel", text); }
+
+bool isOf(const RunSession& session, const std::string& built, const ControlledRobot& robot) {
+    if (built == robot.path) return true;
+    const Part* layout = session.built() ? layoutOfMember(*session.built()->outline, built) : nullptr;
+    return layout && layout->name == robot.path;
+}
+
+} // namespace
+
+ControllerState controllerState(const RunSession& session, const ControlledRobot& robot) {
+    const auto experiment = session.experiment();
+    if (!experiment) return {robot.kind.empty() ? trState("no controller") : trState("waits for a run"), false, false};
+    const RobotSpec* built = nullptr;
+    for (const RobotSpec& spec : experiment->robots)
+        if (!built && isOf(session, spec.name, robot)) built = &spec;
+    if (!built) return {trState("not in this run"), false, false};
+    if (!built->controller) return {trState("no controller"), false, false};
+    const std::optional<LiveEnd>& end = session.end();
+    if (end && end->failure && end->failure->range.known() && end->failure->range == built->controller->nameRange)
+        return {QString::fromStdString(end->failure->message), false, true};
+    if (built->controller->kind != robot.kind)
+        return {trState("%1 until Reset").arg(QString::fromStdString(built->controller->kind)), true, false};
+    switch (session.state()) {
+    case RunState::Building: return {trState("is made"), true, false};
+    case RunState::Running:
+        return {isOf(session, session.driven(), robot) && !session.driven().empty() ? trState("held: driven from the keyboard")
+                                                                                    : trState("runs"),
+                true, false};
+    case RunState::Paused: return {trState("paused"), true, false};
+    default: return {trState("ended"), false, false};
+    }
+}
+
+} // namespace trundle

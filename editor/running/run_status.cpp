@@ -1,0 +1,49 @@
+#include "editor/running/run_status.h"
+
+#include <QStringList>
+
+#include "editor/running/session.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kRefreshMs = 250;
+
+QString counted(qulonglong count, const QString& one, const QString& many) { return count == 1 ? one : many.arg(count); }
+
+} // namespace
+
+RunStatus::RunStatus(RunSession& session, QObject* parent) : QObject(parent), m_session(session) {
+    m_timer.setInterval(kRefreshMs);
+    connect(&m_timer, &QTimer::timeout, this, &RunStatus::refresh);
+    connect(&session, &RunSession::stateChanged, this, [this] {
+        const RunState state = m_session.state();
+        if (state == RunState::Running || state == RunState::Building) m_timer.start();
+        else m_timer.stop();
+        refresh();
+    });
+    connect(&session, &RunSession::advanced, this, [this] {
+        if (!m_timer.isActive()) refresh();
+    });
+    connect(&session, &RunSession::waitingChanged, this, &RunStatus::refresh);
+}
+
+void RunStatus::refresh() {
+    QStringList parts;
+    const auto experiment = m_session.experiment();
+    if (experiment) parts << counted(experiment->robots.size(), tr("1 robot"), tr("%1 robots"));
+    if (const auto shot = m_session.snapshot()) {
+        parts << counted(shot->contactCount, tr("1 contact"), tr("%1 contacts"));
+        parts << tr("step %1 ms").arg(shot->stepMs, 0, 'f', shot->stepMs < 10 ? 2 : 0);
+    }
+    if (const double held = m_session.heldUpS(); held > 0)
+        parts << (m_session.state() == RunState::Building ? tr("building for %1 s") : tr("one tick takes %1 s so far"))
+                     .arg(held, 0, 'f', 0);
+    if (m_session.needsReset()) parts << tr("edits wait for Reset");
+    const QString text = parts.join(QStringLiteral("  •  "));
+    if (text == m_text) return;
+    m_text = text;
+    Q_EMIT changed(m_text);
+}
+
+} // namespace trundle

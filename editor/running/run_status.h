@@ -1,0 +1,27 @@
+#pragma once
+#include <QObject>
+#include <QTimer>
+
+namespace trundle {
+
+class RunSession;
+
+/// The run in one line for the status bar: "12 robots • 118 contacts • step 0.21 ms". Anew four times a second at most.
+class RunStatus final : public QObject {
+    Q_OBJECT
+public:
+    explicit RunStatus(RunSession& session, QObject* parent = nullptr);
+    [[nodiscard]] const QString& text() const { return m_text; } ///< empty at the start
+
+Q_SIGNALS:
+    void changed(const QString& text);
+
+private:
+    void refresh();
+
+    RunSession& m_session;
+    QTimer m_timer; // while it runs: also a tick that does not end is to be seen
+    QString m_text;
+};
+
+} // namespace trundle

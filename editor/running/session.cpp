@@ -1,0 +1,302 @@
+#include "editor/running/session.h"
+
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <trundle/abi.h>
+
+#include "editor/running/live_edits.h"
+#include "editor/running/pose_overlay.h"
+#include "run/runner.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kFrameMs = 16;
+constexpr double kRemarkablyLongS = 1;
+constexpr std::chrono::milliseconds kLastWait(2000);
+
+} // namespace
+
+/// What a run rings when something happened. It outlives both sides, and rings nowhere once the session is gone.
+struct RunSession::Doorbell {
+    std::mutex lock;
+    RunSession* session = nullptr;
+
+    void ring() {
+        const std::scoped_lock guard(lock);
+        if (session)
+            QMetaObject::invokeMethod(
+                session, [s = session] { s->look(); }, Qt::QueuedConnection);
+    }
+};
+
+RunSession::RunSession(Document& document, Parts& parts, QObject* parent)
+    : QObject(parent), m_document(document), m_parts(parts), m_doorbell(std::make_shared<Doorbell>()) {
+    m_doorbell->session = this;
+    m_frames.setInterval(kFrameMs);
+    m_frames.setTimerType(Qt::PreciseTimer);
+    connect(&m_frames, &QTimer::timeout, this, &RunSession::look);
+    connect(&document, &Document::opened, this, &RunSession::reset);
+    connect(&document, &Document::changed, this, &RunSession::followDocument);
+}
+
+RunSession::~RunSession() {
+    {
+        const std::scoped_lock guard(m_doorbell->lock);
+        m_doorbell->session = nullptr;
+    }
+    leave();
+    const auto deadline = std::chrono::steady_clock::now() + kLastWait;
+    for (const auto& run : m_leaving) {
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+        (void)run->waitUntilGone(std::max(left, std::chrono::milliseconds(0)));
+    }
+}
+
+double RunSession::time() const { return m_snapshot ? m_snapshot->time : 0; }
+
+double RunSession::realTimeFactor() const { return m_snapshot && m_state == RunState::Running ? m_snapshot->realTimeFactor : 0; }
+
+double RunSession::heldUpS() const {
+    const double busy = m_run ? m_run->busyS() : 0;
+    return busy >= kRemarkablyLongS ? busy : 0;
+}
+
+QString RunSession::refusal() const {
+    const std::shared_ptr<const Loaded>& loaded = m_document.loaded();
+    if (!loaded) return tr("Nothing is open.");
+    std::size_t errors = 0;
+    const Diagnostic* first = nullptr;
+    for (const Diagnostic& d : loaded->diagnostics.all()) {
+        // Looking at a text without a module's kinds is fair; running it without its controller is not.
+        const bool counts =
+            d.severity == Severity::Error || d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed;
+        if (!counts) continue;
+        ++errors;
+        if (!first) first = &d;
+    }
+    if (errors == 0) return {};
+    QString why = QString::fromStdString(first->message);
+    if (first->code == Code::ModuleNotTrusted) // what the command line would do is of no use here
+        return tr("%1 To run it, trust the folder in the Controllers panel.")
+            .arg(why.left(why.indexOf(QStringLiteral(", so its code"))) + u'.');
+    return errors == 1 ? tr("The text has an error: %1").arg(why)
+                       : tr("The text has %1 errors, the first: %2").arg(errors).arg(why);
+}
+
+// ---- start and end ----
+
+bool RunSession::refuse(const QString& reason) {
+    Q_EMIT refused(reason);
+    return false;
+}
+
+/// Logs go where the command line puts them; those of a sample that came with an installed program, and may not be written
+/// beside it, into the user's own folder.
+std::string RunSession::logFolder() const {
+    namespace fs = std::filesystem;
+    if (m_document.isNew()) return {};
+    const std::string stem = fs::path(m_document.path()).stem().string();
+    const std::string name = stem.empty() || stem == "." || stem == ".." ? "experiment" : stem;
+    const fs::path project = m_document.loaded()->projectFolder;
+    if (QFileInfo(QString::fromStdString(project.string())).isWritable()) return (project / "logs" / name).string();
+    const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return own.isEmpty() ? std::string() : (fs::path(own.toStdString()) / "logs" / name).string();
+}
+
+bool RunSession::begin(bool running, std::uint64_t steps) {
+    if (const QString why = refusal(); !why.isEmpty()) return refuse(why);
+    m_built = m_document.loaded();
+    m_experiment = m_built->experiment;
+    m_end.reset();
+    m_problems.clear();
+    LiveRun::Options options;
+    options.logFolder = logFolder();
+    options.speed = m_speed;
+    options.startsRunning = running;
+    options.steps = steps;
+    options.contacts = m_contacts;
+    options.changed = [bell = m_doorbell] { bell->ring(); };
+    options.after = m_leaving.empty() ? nullptr : m_leaving.back().get();
+    Parts* parts = &m_parts; // its makeRunner() uses nothing of it that a window's end could take away
+    if (options.logFolder.empty() && !m_experiment->logs.empty())
+        tell(TRUNDLE_WARNING, tr("no logs are written until the experiment is saved in a folder"));
+    m_run = std::make_unique<LiveRun>(
+        [parts, loaded = m_built](RunOptions runOptions, Diagnostics& problems) {
+            return parts->makeRunner(*loaded, std::move(runOptions), problems);
+        },
+        std::move(options));
+    setState(RunState::Building);
+    Q_EMIT experimentChanged();
+    Q_EMIT problemsChanged();
+    return true;
+}
+
+void RunSession::leave() {
+    m_frames.stop();
+    if (!m_run) return;
+    m_run->stop();
+    m_leaving.push_back(std::move(m_run));
+}
+
+void RunSession::run() {
+    if (m_state == RunState::Ended) reset();
+    if (m_state == RunState::Start) begin(true);
+    else if (m_run) m_run->run();
+}
+
+void RunSession::pause() {
+    if (m_run) m_run->pause();
+}
+
+void RunSession::step() {
+    if (m_state == RunState::Ended) return;
+    if (m_state == RunState::Start) begin(false, 1);
+    else m_run->step();
+}
+
+void RunSession::runFor(double seconds) {
+    if (m_state == RunState::Ended) return;
+    const auto experiment = m_experiment ? m_experiment : m_document.loaded() ? m_document.loaded()->experiment : nullptr;
+    const std::uint64_t ticks = experiment ? ticksFor(seconds, experiment->settings.tick) : 0;
+    if (m_state == RunState::Start) begin(false, ticks);
+    else if (ticks > 0) m_run->step(ticks);
+}
+
+void RunSession::reset() {
+    if (m_state == RunState::Start) return;
+    leave();
+    m_built.reset();
+    m_experiment.reset();
+    m_layout.reset();
+    m_reader.reset();
+    m_snapshot.reset();
+    m_poses.reset();
+    m_placed.clear();
+    m_end.reset();
+    m_driven.clear();
+    const bool waited = needsReset();
+    m_waiting.clear();
+    setState(RunState::Start);
+    Q_EMIT experimentChanged();
+    if (waited) Q_EMIT waitingChanged();
+    Q_EMIT advanced();
+}
+
+void RunSession::setSpeed(double factor) {
+    if (!(factor >= 0) || factor > 1e6 || factor == m_speed) return;
+    m_speed = factor;
+    if (m_run) m_run->setSpeed(factor);
+    Q_EMIT speedChanged();
+}
+
+void RunSession::wantContacts(bool wanted) {
+    m_contacts = wanted;
+    if (m_run) m_run->wantContacts(wanted);
+}
+
+void RunSession::setState(RunState state) {
+    if (state == RunState::Running) m_frames.start();
+    else m_frames.stop();
+    if (state == m_state) return;
+    m_state = state;
+    Q_EMIT stateChanged();
+}
+
+// ---- what the thread has to show ----
+
+void RunSession::look() {
+    std::erase_if(m_leaving, [](const std::unique_ptr<LiveRun>& run) { return run->gone(); });
+    if (!m_run) return;
+    const LiveRun* const run = m_run.get();
+    const LiveView view = m_run->view(); // before the rest: what comes with an end is there by then
+    takeReports();
+    if (m_run.get() != run) return; // somebody who heard of it went back to the start
+    if (!m_layout && (m_layout = view.layout)) m_reader = std::make_unique<PoseReader>(*m_experiment, *m_layout);
+    showSnapshot(view.snapshot);
+    if (m_run.get() != run) return;
+    switch (view.phase) {
+    case LivePhase::Building: return setState(RunState::Building);
+    case LivePhase::Running: return setState(RunState::Running);
+    case LivePhase::Paused: return setState(RunState::Paused);
+    case LivePhase::Ended: break;
+    }
+    if (m_state == RunState::Ended) return;
+    m_end = m_run->end();
+    if (m_end && m_end->failure) {
+        for (const Diagnostic& d : m_end->problems) m_problems.push_back(d);
+        if (m_end->problems.empty()) m_problems.push_back(*m_end->failure);
+        Q_EMIT problemsChanged();
+    }
+    m_driven.clear();
+    const std::optional<Diagnostic> failure = m_end ? m_end->failure : std::nullopt;
+    if (failure) tell(TRUNDLE_ERROR, QString::fromStdString(codeName(failure->code) + ": " + failure->message));
+    if (m_end && m_layout) tellLogs();
+    const bool neverBuilt = !m_layout;
+    setState(RunState::Ended);
+    if (failure) Q_EMIT ended(*failure);
+    if (neverBuilt && m_state == RunState::Ended) reset(); // there is no world to look at
+}
+
+void RunSession::takeReports() {
+    const LiveLines taken = m_run->takeLines();
+    std::vector<Diagnostic> warnings = m_run->takeWarnings();
+    if (!taken.lines.empty() || taken.dropped > 0) Q_EMIT consoleLines(taken.lines, taken.dropped);
+    if (warnings.empty()) return;
+    m_problems.insert(m_problems.end(), std::make_move_iterator(warnings.begin()), std::make_move_iterator(warnings.end()));
+    Q_EMIT problemsChanged();
+}
+
+void RunSession::showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot) {
+    if (!snapshot || !m_reader || snapshot == m_snapshot) return;
+    m_snapshot = std::move(snapshot);
+    if (m_snapshot->tick > m_placedTick) m_placed.clear();
+    auto poses = std::make_shared<BodyPoses>();
+    m_reader->read(*m_snapshot->block, *poses);
+    for (const PlaceCommand& place : m_placed)
+        if (const auto now = shownPose(*m_layout, *m_snapshot->block, place.robot))
+            moveRobot(*poses, *m_experiment, place.robot, place.pose * now->inverse());
+    m_poses = std::move(poses);
+    Q_EMIT advanced();
+}
+
+void RunSession::tellLogs() {
+    if (!m_end->failure) tell(TRUNDLE_INFO, tr("finished at t = %1 s").arg(m_end->time));
+    QStringList files;
+    for (const std::string& file : m_end->logFiles) files.append(QString::fromStdString(m_document.shown(file)));
+    if (!files.empty()) tell(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
+}
+
+void RunSession::tell(int severity, const QString& text) {
+    Q_EMIT consoleLines({{m_end ? m_end->time : time(), "", severity, text.toStdString()}}, 0);
+}
+
+// ---- the document beside it ----
+
+void RunSession::followDocument() {
+    Q_EMIT refusalChanged();
+    if (!m_built || !m_run || !m_document.loaded()) return;
+    const Loaded& now = *m_document.loaded();
+    LiveEdits edits = liveEdits(*m_built, *m_experiment, now);
+    for (auto& command : edits.commands) m_run->command(std::move(command));
+    if (edits.experiment) {
+        m_experiment = std::move(edits.experiment);
+        Q_EMIT experimentChanged();
+    }
+    if (edits.waiting == m_waiting) return;
+    m_waiting = std::move(edits.waiting);
+    Q_EMIT waitingChanged();
+}
+
+bool RunSession::waitsForReset(const std::string& path) const {
+    return std::ranges::any_of(m_waiting, [&](const std::string& waiting) {
+        return path == waiting || (path.size() > waiting.size() && path.starts_with(waiting) && path[waiting.size()] == '.');
+    });
+}
+
+} // namespace trundle

@@ -1,0 +1,178 @@
+#include "editor/running/transport_bar.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "editor/running/session.h"
+#include "editor/running/speeds.h"
+#include "editor/widgets/actions.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+struct StateLook {
+    QString text;
+    Ink ink;
+};
+
+StateLook lookOf(const RunSession& session, bool open) {
+    switch (session.state()) {
+    case RunState::Start:
+        if (open && !session.refusal().isEmpty()) return {TransportBar::tr("Cannot run"), Ink::Error};
+        return {TransportBar::tr("At start"), Ink::Faint};
+    case RunState::Building: return {TransportBar::tr("Building"), Ink::Accent};
+    case RunState::Running: return {TransportBar::tr("Running"), Ink::Good};
+    case RunState::Paused: return {TransportBar::tr("Paused"), Ink::Warning};
+    case RunState::Ended: break;
+    }
+    const bool failed = session.end() && session.end()->failure;
+    return failed ? StateLook{TransportBar::tr("Stopped"), Ink::Error} : StateLook{TransportBar::tr("Finished"), Ink::Accent};
+}
+
+/// As wide as the widest of the texts, so that nothing beside it moves.
+void fixWidth(QLabel* label, const QStringList& texts) {
+    int width = 0;
+    for (const QString& text : texts) width = std::max(width, label->fontMetrics().horizontalAdvance(text));
+    const QMargins margins = label->contentsMargins();
+    label->setMinimumWidth(width + margins.left() + margins.right() + 2);
+}
+
+QToolButton* button(QAction& action, const char* name, QWidget* parent) {
+    auto* made = new QToolButton(parent);
+    made->setObjectName(QLatin1String(name));
+    made->setDefaultAction(&action);
+    made->setAutoRaise(true);
+    made->setIconSize({20, 20});
+    made->setFocusPolicy(Qt::TabFocus);
+    return made;
+}
+
+} // namespace
+
+TransportBar::TransportBar(RunSession& session, Actions& actions, QWidget* parent)
+    : QWidget(parent), m_session(session), m_actions(actions) {
+    setObjectName(QStringLiteral("TransportBar"));
+    build();
+    connectActions();
+    connect(&session, &RunSession::stateChanged, this, &TransportBar::showState);
+    connect(&session, &RunSession::refusalChanged, this, &TransportBar::showState);
+    connect(&session, &RunSession::advanced, this, &TransportBar::showFigures);
+    connect(&session, &RunSession::speedChanged, this, &TransportBar::showSpeed);
+    showState();
+    showSpeed();
+}
+
+void TransportBar::build() {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    row->addWidget(m_reset = button(m_actions.at("sim.reset"), "transportReset", this));
+    row->addWidget(m_run = button(m_actions.at("sim.run"), "transportRun", this));
+    row->addWidget(m_step = button(m_actions.at("sim.step"), "transportStep", this));
+    row->addSpacing(6);
+
+    m_speed = new QComboBox(this);
+    m_speed->setObjectName(QStringLiteral("transportSpeed"));
+    m_speed->setToolTip(tr("Speed of the simulation against real time"));
+    m_speed->setAccessibleName(tr("Speed"));
+    for (const double speed : kSpeeds) m_speed->addItem(speedText(speed), speed);
+    connect(m_speed, &QComboBox::activated, this, [this](int index) { m_session.setSpeed(m_speed->itemData(index).toDouble()); });
+    row->addWidget(m_speed);
+    row->addSpacing(8);
+
+    m_state = new QLabel(this);
+    m_state->setObjectName(QStringLiteral("transportState"));
+    m_state->setAlignment(Qt::AlignCenter);
+    m_state->setContentsMargins(8, 0, 8, 0);
+    m_state->setFixedHeight(22);
+    row->addWidget(m_state, 0, Qt::AlignVCenter);
+    row->addSpacing(6);
+
+    m_time = new QLabel(this);
+    m_time->setObjectName(QStringLiteral("transportTime"));
+    m_time->setFont(monospaceFont());
+    m_time->setToolTip(tr("Simulated time"));
+    row->addWidget(m_time);
+    m_factor = new QLabel(this);
+    m_factor->setObjectName(QStringLiteral("transportFactor"));
+    m_factor->setFont(monospaceFont());
+    m_factor->setToolTip(tr("Real-time factor: simulated seconds per second"));
+    m_factor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addWidget(m_factor);
+}
+
+void TransportBar::connectActions() {
+    connect(&m_actions.at("sim.run"), &QAction::triggered, &m_session, &RunSession::run);
+    connect(&m_actions.at("sim.pause"), &QAction::triggered, &m_session, &RunSession::pause);
+    connect(&m_actions.at("sim.step"), &QAction::triggered, &m_session, &RunSession::step);
+    connect(&m_actions.at("sim.reset"), &QAction::triggered, &m_session, &RunSession::reset);
+    connect(&m_actions.at("sim.keepPoses"), &QAction::triggered, &m_session, &RunSession::keepPoses);
+    connect(&m_actions.at("sim.faster"), &QAction::triggered, this, [this] { changeSpeed(1); });
+    connect(&m_actions.at("sim.slower"), &QAction::triggered, this, [this] { changeSpeed(-1); });
+}
+
+void TransportBar::changeSpeed(int by) {
+    const int index = std::clamp(speedIndex(m_session.speed()) + by, 0, static_cast<int>(kSpeeds.size()) - 1);
+    m_session.setSpeed(kSpeeds[static_cast<std::size_t>(index)]);
+}
+
+void TransportBar::showSpeed() {
+    m_speed->setCurrentIndex(speedIndex(m_session.speed()));
+    m_actions.at("sim.slower").setEnabled(m_speed->currentIndex() > 0);
+    m_actions.at("sim.faster").setEnabled(m_speed->currentIndex() + 1 < m_speed->count());
+}
+
+void TransportBar::showState() {
+    const RunState state = m_session.state();
+    const bool open = m_session.isOpen(), goes = state == RunState::Running || state == RunState::Building;
+    QAction &run = m_actions.at("sim.run"), &pause = m_actions.at("sim.pause");
+    run.setEnabled(open && !goes);
+    pause.setEnabled(goes);
+    m_actions.at("sim.step").setEnabled(open && state != RunState::Ended && !goes);
+    m_actions.at("sim.reset").setEnabled(state != RunState::Start);
+    m_actions.at("sim.keepPoses").setEnabled(state == RunState::Paused || state == RunState::Ended);
+    QAction& shown = goes ? pause : run;
+    if (m_run->defaultAction() != &shown) {
+        m_run->removeAction(m_run->defaultAction());
+        m_run->setDefaultAction(&shown);
+    }
+    showRefusal();
+    showFigures();
+}
+
+void TransportBar::showRefusal() {
+    const bool open = m_session.isOpen();
+    const StateLook look = lookOf(m_session, open);
+    const QColor colour = ink(look.ink);
+    m_state->setText(look.text);
+    m_state->setStyleSheet(
+        QStringLiteral("QLabel { color: %1; border: 1px solid %1; border-radius: 8px; font-weight: 600; }").arg(colour.name()));
+    fixWidth(m_state,
+             {tr("At start"), tr("Building"), tr("Running"), tr("Paused"), tr("Finished"), tr("Stopped"), tr("Cannot run")});
+    QString why;
+    if (m_session.state() == RunState::Start && open) why = m_session.refusal();
+    else if (m_session.end() && m_session.end()->failure) why = QString::fromStdString(m_session.end()->failure->message);
+    m_state->setToolTip(why);
+    m_run->setToolTip(why.isEmpty() || m_session.isActive() ? m_run->defaultAction()->toolTip() : why);
+}
+
+void TransportBar::showFigures() {
+    m_time->setText(timeText(m_session.time()));
+    m_time->setEnabled(m_session.isActive());
+    const bool runs = m_session.state() == RunState::Running;
+    m_factor->setText(runs ? factorText(m_session.realTimeFactor()) : QString());
+    fixWidth(m_time, {timeText(0), timeText(8888.88), m_time->text()});
+    fixWidth(m_factor, {factorText(888), m_factor->text()});
+}
+
+void TransportBar::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    // A new theme: the state's colour is set by hand.
+    if (event->type() == QEvent::PaletteChange && m_state) showRefusal();
+}
+
+} // namespace trundle

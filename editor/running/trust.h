@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include <QStringList>
+
+namespace trundle {
+
+/// Folders whose modules may run inside the program, kept in QSettings under "trustedFolders". The program's own modules need no
+/// trust of their own.
+class TrustedFolders {
+public:
+    [[nodiscard]] static QStringList all();
+    /// Whether a folder is one of them or below one.
+    [[nodiscard]] static bool covers(const QString& folder);
+    static void add(const QString& folder);
+    static void remove(const QString& folder);
+};
+
+} // namespace trundle

@@ -1,0 +1,123 @@
+#include "editor/shell/command_palette.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+enum : int { kMenu = Qt::UserRole, kKeys, kIndex };
+
+/// Name on the left; menu and keys, faint, on the right.
+class CommandDelegate final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
+        return {100, option.fontMetrics.height() + 12};
+    }
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        const bool selected = option.state & QStyle::State_Selected, enabled = option.state & QStyle::State_Enabled;
+        if (selected) painter->fillRect(option.rect, option.palette.highlight());
+        const QRect line = option.rect.adjusted(34, 0, -12, 0);
+        const auto group = enabled ? QPalette::Active : QPalette::Disabled;
+        const QIcon icon = index.data(Qt::DecorationRole).value<QIcon>();
+        icon.paint(painter, QRect(option.rect.left() + 10, option.rect.center().y() - 7, 16, 16), Qt::AlignCenter,
+                   selected ? QIcon::Selected : QIcon::Normal);
+        painter->setPen(option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text));
+        painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter, index.data().toString());
+        if (!selected) painter->setPen(ink(Ink::Faint));
+        const QString keys = index.data(kKeys).toString(), menu = index.data(kMenu).toString();
+        painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, keys.isEmpty() ? menu : menu + QStringLiteral("   ") + keys);
+    }
+};
+
+} // namespace
+
+CommandPalette::CommandPalette(const Actions& actions, QList<QAction*> more, QWidget* parent) : QDialog(parent, Qt::Popup) {
+    setObjectName(QStringLiteral("commandPalette"));
+    for (const ActionRow& row : actions.table()) {
+        QAction& action = actions.at(row.id);
+        if (std::string_view(row.id) == "edit.palette") continue;
+        QString menu = QLatin1String(row.menu);
+        m_commands.push_back({action.text().remove(QLatin1Char('&')), menu.remove(QLatin1Char('|')), &action});
+    }
+    for (QAction* action : more)
+        m_commands.push_back({tr("Insert %1").arg(action->text().remove(QLatin1Char('&'))), tr("Insert"), action});
+
+    m_search->setObjectName(QStringLiteral("paletteSearch"));
+    m_search->setPlaceholderText(tr("Type a command"));
+    m_search->installEventFilter(this);
+    m_list->setObjectName(QStringLiteral("paletteList"));
+    m_list->setItemDelegate(new CommandDelegate(m_list));
+    m_list->setUniformItemSizes(true);
+    m_list->setFocusPolicy(Qt::NoFocus);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addWidget(m_search);
+    layout->addWidget(m_list);
+    resize(560, 380);
+    if (parent) move(parent->mapToGlobal(QPoint((parent->width() - width()) / 2, 70)));
+    connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::fill);
+    connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::trigger);
+    fill({});
+    m_search->setFocus();
+}
+
+int CommandPalette::match(const QString& name, const QString& letters) {
+    if (letters.isEmpty()) return 1;
+    int score = 1;
+    for (const QString& word : letters.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        const qsizetype at = name.indexOf(word, 0, Qt::CaseInsensitive);
+        if (at == 0) score += 8;
+        else if (at > 0) score += name[at - 1].isLetterOrNumber() ? 2 : 5;
+        else return 0;
+    }
+    return score;
+}
+
+void CommandPalette::fill(const QString& letters) {
+    m_list->clear();
+    std::vector<std::pair<int, std::size_t>> found;
+    for (std::size_t i = 0; i < m_commands.size(); ++i)
+        if (const int score = match(m_commands[i].name, letters)) found.emplace_back(-score, i);
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [score, i] : found) {
+        const Command& command = m_commands[i];
+        auto* item = new QListWidgetItem(command.action->icon(), command.name, m_list);
+        item->setData(kMenu, command.menu);
+        item->setData(kKeys, command.action->shortcut().toString(QKeySequence::NativeText));
+        item->setData(kIndex, qulonglong(i));
+        item->setToolTip(command.action->statusTip());
+        if (!command.action->isEnabled()) item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
+    }
+    if (m_list->count()) m_list->setCurrentRow(0);
+}
+
+void CommandPalette::trigger() {
+    QListWidgetItem* item = m_list->currentItem();
+    if (!item || !(item->flags() & Qt::ItemIsEnabled)) return;
+    QAction* action = m_commands[item->data(kIndex).toULongLong()].action;
+    close();
+    action->trigger();
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress) return QDialog::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        trigger();
+        return true;
+    }
+    if (key != Qt::Key_Down && key != Qt::Key_Up && key != Qt::Key_PageDown && key != Qt::Key_PageUp)
+        return QDialog::eventFilter(watched, event);
+    const int by = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : key == Qt::Key_PageDown ? 10 : -10;
+    m_list->setCurrentRow(std::clamp(m_list->currentRow() + by, 0, std::max(0, m_list->count() - 1)));
+    return true;
+}
+
+} // namespace trundle

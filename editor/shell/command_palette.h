@@ -1,0 +1,36 @@
+#pragma once
+#include <QDialog>
+#include <QLineEdit>
+#include <QListWidget>
+
+#include "editor/widgets/actions.h"
+
+namespace trundle {
+
+/// A list of every command, narrowed by a few letters. Enter does it.
+class CommandPalette final : public QDialog {
+    Q_OBJECT
+public:
+    /// `more`: commands that are not in the table, as those of the Insert menu.
+    CommandPalette(const Actions& actions, QList<QAction*> more, QWidget* parent);
+
+    /// How well `letters` fit a command's name: 0 not at all; words that begin with them count most.
+    [[nodiscard]] static int match(const QString& name, const QString& letters);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void fill(const QString& letters);
+    void trigger();
+
+    struct Command {
+        QString name, menu;
+        QAction* action;
+    };
+    std::vector<Command> m_commands;
+    QLineEdit* m_search = new QLineEdit(this);
+    QListWidget* m_list = new QListWidget(this);
+};
+
+} // namespace trundle

@@ -1,0 +1,113 @@
+#include "editor/shell/file_commands.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QStandardPaths>
+
+#include "editor/shell/recent_files.h"
+#include "editor/widgets/resources.h"
+
+namespace trundle {
+namespace {
+
+const char* const kFilter = QT_TRANSLATE_NOOP("trundle::FileCommands", "Trundle texts (*.sim *.txt);;All files (*)");
+
+} // namespace
+
+FileCommands::FileCommands(QWidget& window, Document& document, Actions& actions, QString configs)
+    : QObject(&window), m_window(window), m_document(document), m_configs(std::move(configs)) {
+    const auto on = [&](const char* id, auto what) { connect(&actions.at(id), &QAction::triggered, this, what); };
+    on("file.newExperiment", [this] { newFrom("experiment"); });
+    on("file.newRobot", [this] { newFrom("robot"); });
+    on("file.newArena", [this] { newFrom("arena"); });
+    on("file.open", [this] { choose(); });
+    on("file.openSample", [this] { Q_EMIT openSampleWanted(); });
+    on("file.save", [this] { save(); });
+    on("file.saveAs", [this] { saveAs(); });
+    on("file.close", [this] {
+        if (!mayLeave()) return;
+        m_document.close();
+        Q_EMIT closed();
+    });
+}
+
+bool FileCommands::open(const QString& path) {
+    if (!mayLeave()) return false;
+    m_document.openLater(path.toStdString());
+    return true;
+}
+
+void FileCommands::sayNotOpened(const QString& path, const QString& reason) {
+    tell(tr("%1 could not be opened").arg(QDir::toNativeSeparators(path)), Error{Code::FileUnreadable, reason.toStdString()});
+}
+
+void FileCommands::newFrom(const char* templateName) {
+    if (!mayLeave()) return;
+    QFile file(resourcePath(QStringLiteral("templates/%1.sim").arg(QLatin1String(templateName))));
+    if (!file.open(QIODevice::ReadOnly)) {
+        tell(tr("The template is missing"), Error{Code::FileUnreadable, file.errorString().toStdString()});
+        return;
+    }
+    const QString name = tr("untitled %1").arg(QLatin1String(templateName)).replace(QLatin1Char(' '), QLatin1Char('_'));
+    tell(tr("The template could not be opened"),
+         m_document.openNew((name + QStringLiteral(".sim")).toStdString(), file.readAll().toStdString()));
+}
+
+void FileCommands::choose() {
+    const QString start = m_document.isOpen() && !m_document.isNew() ? QFileInfo(QString::fromStdString(m_document.path())).path()
+                                                                     : m_configs + QStringLiteral("/experiments");
+    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open"), start, tr(kFilter));
+    if (!path.isEmpty()) open(path);
+}
+
+bool FileCommands::save() {
+    m_flush();
+    if (!m_document.isOpen()) return true;
+    if (m_document.isNew() || m_document.isSample(m_document.path())) return saveAs();
+    const Status status = m_document.save();
+    tell(tr("Not saved"), status);
+    return status.ok();
+}
+
+bool FileCommands::saveAs() {
+    m_flush();
+    if (!m_document.isOpen()) return true;
+    QString start = QString::fromStdString(m_document.path());
+    if (m_document.isNew() || m_document.isSample(m_document.path()))
+        start =
+            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QLatin1Char('/') + QFileInfo(start).fileName();
+    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save As"), start, tr(kFilter));
+    if (path.isEmpty()) return false;
+    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".sim");
+    const Status status = m_document.saveAs(path.toStdString());
+    tell(tr("Not saved"), status);
+    if (status.ok()) addRecentFile(path);
+    return status.ok();
+}
+
+bool FileCommands::mayLeave() {
+    m_flush();
+    if (!m_document.isOpen() || !m_document.isModified()) return true;
+    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                         tr("Save the changes in %1?").arg(QFileInfo(QString::fromStdString(m_document.path())).fileName()),
+                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    question.setInformativeText(tr("They are lost otherwise."));
+    question.setDefaultButton(QMessageBox::Save);
+    question.setObjectName(QStringLiteral("unsavedQuestion"));
+    switch (question.exec()) {
+    case QMessageBox::Save: return save();
+    case QMessageBox::Discard: return true;
+    default: return false;
+    }
+}
+
+void FileCommands::tell(const QString& title, const Status& status) {
+    if (status.ok()) return;
+    QMessageBox message(QMessageBox::Warning, title, QString::fromStdString(status.error().message), QMessageBox::Ok, &m_window);
+    message.setObjectName(QStringLiteral("fileMessage"));
+    message.exec();
+}
+
+} // namespace trundle

@@ -1,0 +1,17 @@
+#pragma once
+#include <QTextBrowser>
+
+namespace trundle {
+
+/// The user guide: the Markdown files of resources/guide.
+class HelpPanel final : public QTextBrowser {
+    Q_OBJECT
+public:
+    explicit HelpPanel(QWidget* parent = nullptr);
+
+protected:
+    QVariant loadResource(int type, const QUrl& name) override;
+    void changeEvent(QEvent* event) override;
+};
+
+} // namespace trundle

@@ -1,0 +1,119 @@
+#include "editor/shell/layouts.h"
+
+#include <QSettings>
+
+namespace trundle {
+namespace {
+
+constexpr int kVersion = 1; // raised when docks come or go, so that old settings are not applied to a new window
+
+QString settingOf(Layout layout) { return QStringLiteral("layouts/") + nameOf(layout); }
+
+} // namespace
+
+QString nameOf(Layout layout) { return layout == Layout::Edit ? QStringLiteral("Edit") : QStringLiteral("Run"); }
+
+Layouts::Layouts(QMainWindow& window) : QObject(&window), m_window(window) {
+    // Side docks stand beside the bottom ones only where the window is wide; the view should be as high as can be.
+    m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+}
+
+QDockWidget* Layouts::add(QWidget* panel, const QString& title) {
+    auto* dock = new QDockWidget(title, &m_window);
+    dock->setObjectName(QStringLiteral("dock.") + panel->objectName());
+    dock->setWidget(panel);
+    m_window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+    dock->hide(); // until setShown()
+    m_docks[panel->objectName()] = dock;
+    return dock;
+}
+
+void Layouts::use(Layout layout) {
+    save();
+    m_layout = layout;
+    if (m_shown) restore();
+}
+
+void Layouts::resetCurrent() {
+    QSettings().remove(settingOf(m_layout));
+    if (m_shown) arrange(m_layout);
+}
+
+void Layouts::save() const {
+    if (m_shown) QSettings().setValue(settingOf(m_layout), m_window.saveState(kVersion));
+}
+
+void Layouts::restore() {
+    const QByteArray kept = QSettings().value(settingOf(m_layout)).toByteArray();
+    if (kept.isEmpty() || !m_window.restoreState(kept, kVersion)) arrange(m_layout);
+}
+
+void Layouts::setShown(bool shown) {
+    if (shown == m_shown) return;
+    if (!shown) save();
+    m_shown = shown;
+    if (shown) restore();
+    else
+        for (QDockWidget* dock : m_docks) dock->hide();
+}
+
+void Layouts::raise(const QString& name) {
+    QDockWidget* dock = m_docks.value(name);
+    if (!dock || !m_shown) return;
+    dock->show();
+    dock->raise();
+}
+
+void Layouts::arrange(Layout layout) {
+    struct Place {
+        const char* name;
+        Qt::DockWidgetArea area;
+        const char* tabWith; // "" a place of its own
+        bool shown;
+    };
+    static const Place edit[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
+                                 {"library", Qt::LeftDockWidgetArea, "", true},
+                                 {"properties", Qt::RightDockWidgetArea, "", true},
+                                 {"history", Qt::RightDockWidgetArea, "properties", true},
+                                 {"guide", Qt::RightDockWidgetArea, "history", false},
+                                 {"problems", Qt::BottomDockWidgetArea, "", true},
+                                 {"console", Qt::BottomDockWidgetArea, "problems", true},
+                                 {"controllers", Qt::BottomDockWidgetArea, "console", true}};
+    static const Place run[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
+                                {"library", Qt::LeftDockWidgetArea, "scene", false},
+                                {"properties", Qt::RightDockWidgetArea, "", true},
+                                {"history", Qt::RightDockWidgetArea, "properties", false},
+                                {"guide", Qt::RightDockWidgetArea, "properties", false},
+                                {"console", Qt::BottomDockWidgetArea, "", true},
+                                {"problems", Qt::BottomDockWidgetArea, "console", true},
+                                {"controllers", Qt::BottomDockWidgetArea, "problems", true}};
+    for (QDockWidget* dock : m_docks) {
+        dock->setFloating(false);
+        m_window.removeDockWidget(dock);
+    }
+    for (const Place& place : layout == Layout::Edit ? edit : run) {
+        QDockWidget* dock = m_docks.value(QLatin1String(place.name));
+        if (!dock) continue;
+        m_window.addDockWidget(place.area, dock);
+        if (QDockWidget* other = m_docks.value(QLatin1String(place.tabWith))) m_window.tabifyDockWidget(other, dock);
+        dock->setVisible(place.shown);
+    }
+    for (const char* front : {"scene", "properties", layout == Layout::Edit ? "problems" : "console"})
+        if (QDockWidget* dock = m_docks.value(QLatin1String(front))) dock->raise();
+    sizeDocks();
+    // Again once the window is laid out: docks that were hidden until now do not take a size before that.
+    QMetaObject::invokeMethod(this, &Layouts::sizeDocks, Qt::QueuedConnection);
+}
+
+void Layouts::sizeDocks() {
+    const auto dock = [this](const char* name) { return m_docks.value(QLatin1String(name)); };
+    const bool edit = m_layout == Layout::Edit;
+    m_window.resizeDocks({dock("scene"), dock("properties")}, {280, 320}, Qt::Horizontal);
+    if (edit) m_window.resizeDocks({dock("scene"), dock("library")}, {430, 300}, Qt::Vertical);
+    m_window.resizeDocks({dock(edit ? "problems" : "console")}, {edit ? 130 : 180}, Qt::Vertical);
+}
+
+} // namespace trundle

@@ -1,0 +1,42 @@
+#pragma once
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMap>
+
+namespace trundle {
+
+/// What the window is used for: each has its own arrangement of docks, kept in the settings.
+enum class Layout { Edit, Run };
+
+[[nodiscard]] QString nameOf(Layout layout);
+
+/// The docks of a window and where they stand.
+class Layouts final : public QObject {
+    Q_OBJECT
+public:
+    explicit Layouts(QMainWindow& window);
+
+    /// Adds a dock, hidden until setShown(). Docks are known by the object names of their panels: "scene", "properties" ...
+    QDockWidget* add(QWidget* panel, const QString& title);
+    [[nodiscard]] QDockWidget* dock(const QString& name) const { return m_docks.value(name); }
+    void use(Layout layout);
+    void resetCurrent();
+    void save() const;
+    [[nodiscard]] Layout current() const { return m_layout; }
+    /// The docks as they were last, or all away, as at first and on the Welcome page.
+    void setShown(bool shown);
+    /// Brings a dock to the front, wherever it is.
+    void raise(const QString& name);
+
+private:
+    void arrange(Layout layout);
+    void sizeDocks();
+    void restore();
+
+    QMainWindow& m_window;
+    QMap<QString, QDockWidget*> m_docks;
+    Layout m_layout = Layout::Edit;
+    bool m_shown = false;
+};
+
+} // namespace trundle

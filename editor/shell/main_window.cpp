@@ -1,0 +1,235 @@
+#include "editor/shell/main_window.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include "editor/document/history_panel.h"
+#include "editor/outline/insert_menu.h"
+#include "editor/outline/library_panel.h"
+#include "editor/outline/object_edits.h"
+#include "editor/outline/object_marks.h"
+#include "editor/outline/outline_panel.h"
+#include "editor/problems/problems_panel.h"
+#include "editor/properties/properties_panel.h"
+#include "editor/running/console_panel.h"
+#include "editor/running/controller_commands.h"
+#include "editor/running/controllers_panel.h"
+#include "editor/running/keyboard_drive.h"
+#include "editor/running/run_status.h"
+#include "editor/running/transport_bar.h"
+#include "editor/shell/action_table.h"
+#include "editor/shell/command_palette.h"
+#include "editor/shell/file_commands.h"
+#include "editor/shell/help_panel.h"
+#include "editor/shell/menus.h"
+#include "editor/shell/preferences_dialog.h"
+#include "editor/shell/recent_files.h"
+#include "editor/shell/status_line.h"
+#include "editor/shell/welcome_page.h"
+#include "editor/text/text_panel.h"
+#include "editor/viewport/viewport_panel.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+
+MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& places)
+    : m_actions(std::make_unique<Actions>(actionTable())), m_document(new Document(parts, this)),
+      m_selection(new Selection(this)), m_session(new RunSession(*m_document, parts, this)), m_marks(new ObjectMarks(this)),
+      m_edits(new ObjectEdits(*m_document, *m_selection, *m_marks, this)) {
+    setObjectName(QStringLiteral("mainWindow"));
+    resize(1440, 900);
+    m_files = new FileCommands(*this, *m_document, *m_actions, QString::fromStdString(places.configs));
+    m_layouts = new Layouts(*this);
+    makePanels(parts, render, places);
+    makeDocks();
+    makeToolBars();
+    connectPanels();
+    connectActions();
+    showDocument();
+    QMetaObject::invokeMethod(this, &MainWindow::offerRecovery, Qt::QueuedConnection); // texts that no file holds
+}
+
+MainWindow::~MainWindow() {
+    m_layouts->save();
+    // Panels look at document, selection and run until they are gone.
+    qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
+    delete m_pages;
+}
+
+void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations& places) {
+    m_pages = new QStackedWidget;
+    m_welcome = new WelcomePage(*m_actions, QString::fromStdString(places.configs));
+    m_viewport = new ViewportPanel(*m_document, *m_selection, *m_session, render, *m_actions);
+    m_text = new TextPanel(*m_document, *m_selection, *m_actions);
+    m_text->setFolders({{places.configs}, {places.resources}, {places.modules}});
+    m_work = new QSplitter(Qt::Horizontal);
+    m_work->setObjectName(QStringLiteral("work"));
+    m_work->addWidget(m_viewport);
+    m_work->addWidget(m_text);
+    m_work->setChildrenCollapsible(false);
+    m_work->setSizes({620, 480});
+    m_pages->addWidget(m_welcome);
+    m_pages->addWidget(m_work);
+    setCentralWidget(m_pages);
+
+    m_outline = new OutlinePanel(*m_document, *m_selection, *m_marks, *m_edits);
+    m_library = new LibraryPanel(*m_document, *m_selection, parts, render, places);
+    m_properties = new PropertiesPanel(*m_document, *m_selection, m_session);
+    m_properties->setMinimumWidth(300); // narrower, a row would lose its right end
+    m_history = new HistoryPanel(*m_document);
+    m_problems = new ProblemsPanel(*m_document, *m_selection);
+    m_console = new ConsolePanel(*m_session);
+    m_controllers = new ControllersPanel(*m_document, *m_selection, *m_session, *m_actions);
+    m_help = new HelpPanel;
+}
+
+void MainWindow::makeDocks() {
+    const std::initializer_list<std::tuple<QWidget*, const char*, QString>> docks{
+        {m_outline, "scene", tr("Scene")},
+        {m_library, "library", tr("Library")},
+        {m_properties, "properties", tr("Properties")},
+        {m_history, "history", tr("History")},
+        {m_problems, "problems", tr("Problems")},
+        {m_console, "console", tr("Console")},
+        {m_controllers, "controllers", tr("Controllers")},
+        {m_help, "guide", tr("Guide")}};
+    for (const auto& [panel, name, title] : docks) {
+        panel->setObjectName(QLatin1String(name));
+        m_layouts->add(panel, title);
+    }
+}
+
+void MainWindow::makeToolBars() {
+    const auto bar = [this](const char* name, const QString& title) {
+        QToolBar* made = addToolBar(title);
+        made->setObjectName(QLatin1String(name));
+        made->setIconSize({18, 18});
+        made->setMovable(false);
+        return made;
+    };
+    QToolBar* file = bar("toolbar.file", tr("File"));
+    for (const char* id : {"file.open", "file.save"}) file->addAction(&m_actions->at(id));
+    file->addSeparator();
+    for (const char* id : {"edit.undo", "edit.redo"}) file->addAction(&m_actions->at(id));
+    m_transport = new TransportBar(*m_session, *m_actions);
+    bar("toolbar.run", tr("Simulation"))->addWidget(m_transport);
+    QToolBar* tools = bar("toolbar.tools", tr("Tools"));
+    for (const char* id : {"tool.select", "tool.move", "tool.rotate", "tool.scale", "tool.measure"})
+        tools->addAction(&m_actions->at(id));
+    tools->addSeparator();
+    for (const char* id : {"tool.snap", "tool.drop", "view.frame"}) tools->addAction(&m_actions->at(id));
+    tools->addSeparator();
+    tools->addAction(&m_actions->at("view.text"));
+    m_status = new StatusLine(*statusBar(), *m_document);
+    connect(new RunStatus(*m_session, this), &RunStatus::changed, m_status, &StatusLine::setRunText);
+}
+
+void MainWindow::connectPanels() {
+    connect(m_document, &Document::opened, this, &MainWindow::showDocument);
+    connect(m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
+    connect(m_document, &Document::refused, m_status, &StatusLine::refuse);
+    connect(m_document, &Document::selectionWanted, m_selection, [this](const auto& paths) { m_selection->set(paths); });
+    connect(m_document, &Document::notice, m_status, &StatusLine::refuse);
+    connect(m_document, &Document::diskChanged, this, &MainWindow::askAboutDisk);
+    connect(m_document, &Document::opened, this, &MainWindow::offerRecovery, Qt::QueuedConnection);
+    connect(m_document, &Document::openFailed, m_files, &FileCommands::sayNotOpened);
+    connect(m_document, &Document::readOnlyChanged, this, &MainWindow::showReadOnly);
+    connect(m_session, &RunSession::refused, m_status, &StatusLine::refuse);
+    connect(m_session, &RunSession::refused, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
+    connect(m_session, &RunSession::problemsChanged, this, [this] {
+        if (m_session->built()) m_problems->setRunProblems(m_session->problems(), m_session->built());
+        else m_problems->clearRunProblems();
+    });
+    connect(m_session, &RunSession::ended, this, [this] {
+        m_layouts->raise(QStringLiteral("problems"));
+        if (!m_session->end() || m_session->end()->body.empty()) return;
+        std::string body = m_session->end()->body;
+        std::ranges::replace(body, '/', '.');
+        m_selection->select(body);
+    });
+    connect(m_welcome, &WelcomePage::openWanted, m_files, &FileCommands::open);
+    connect(m_status, &StatusLine::problemsWanted, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
+    connect(m_outline, &OutlinePanel::jumpTo, this, &MainWindow::showPlace);
+    const auto go = [this](const std::string& file, const SourceRange& range) { showPlace(file, range.range); };
+    connect(m_properties, &PropertiesPanel::jumpTo, this, go);
+    connect(m_problems, &ProblemsPanel::jumpTo, this, go);
+    connect(m_controllers, &ControllersPanel::jumpTo, this, go);
+    connect(m_controllers, &ControllersPanel::refused, m_status, &StatusLine::refuse);
+    connect(m_controllers, &ControllersPanel::attentionWanted, this, [this] { m_layouts->raise(QStringLiteral("controllers")); });
+    connect(m_marks, &ObjectMarks::hiddenChanged, this, [this] {
+        m_viewport->setHidden({m_marks->hidden().begin(), m_marks->hidden().end()});
+    });
+    connect(m_marks, &ObjectMarks::lockedChanged, this, [this] {
+        m_viewport->setLocked({m_marks->locked().begin(), m_marks->locked().end()});
+    });
+    connect(m_text, &TextPanel::said, m_status, &StatusLine::refuse);
+    m_files->setFlush([this] { m_text->flush(); });
+}
+
+void MainWindow::connectActions() {
+    const auto on = [this](const char* id, auto what) { connect(&m_actions->at(id), &QAction::triggered, this, what); };
+    m_menus = buildMenus(*menuBar(), *m_actions);
+    (new InsertMenu(*m_document, *m_selection, *m_edits, this))->attach(*m_menus.at(QStringLiteral("Insert")));
+    on("file.quit", [this] { close(); });
+    on("edit.undo", [this] { m_text->flush(), m_document->undo(); });
+    on("edit.redo", [this] { m_text->flush(), m_document->redo(); });
+    on("edit.palette", [this] { openPalette(); });
+    on("edit.preferences", [this] {
+        PreferencesDialog(*m_actions, this).exec();
+        m_controllers->commands().applyTrust();
+    });
+    on("view.text", [this](bool shown) { showText(shown); });
+    on("view.theme", [this](bool dark) { setDarkTheme(dark); });
+    on("view.layoutEdit", [this] { m_layouts->use(Layout::Edit); });
+    on("view.layoutRun", [this] { m_layouts->use(Layout::Run); });
+    on("view.layoutReset", [this] { m_layouts->resetCurrent(); });
+    on("help.guide", [this] { m_layouts->raise(QStringLiteral("guide")); });
+    on("help.about", [this] { showAbout(); });
+    m_actions->at("view.theme").setChecked(currentTheme() == ThemeKind::Dark);
+    m_actions->at("view.text").setChecked(true);
+    on("view.viewport", [this](bool shown) { showViewport(shown); });
+    m_actions->at("view.viewport").setChecked(true);
+    for (const char* id :
+         {"edit.cut", "edit.copy", "edit.paste", "edit.delete", "edit.duplicate", "edit.rename", "edit.selectAll", "edit.find"})
+        on(id, [this, id] { doEdit(id); });
+    on("edit.filter", [this] {
+        m_layouts->raise(QStringLiteral("scene"));
+        m_outline->focusFilter();
+    });
+    on("problems.next", [this] { m_problems->goTo(1); });
+    on("problems.previous", [this] { m_problems->goTo(-1); });
+    on("problems.fix", [this] { m_problems->fixCurrent(); });
+    on("edit.replace", [this] { showText(true); });
+    new KeyboardDrive(*m_session, *m_selection, *m_actions, *this); // a child of the window
+    connect(m_document, &Document::historyChanged, this, &MainWindow::showUndo);
+    showUndo();
+}
+
+void MainWindow::showDocument() {
+    const bool open = m_document->isOpen();
+    m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_work) : m_welcome);
+    m_layouts->setShown(open);
+    for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->setVisible(open);
+    statusBar()->setVisible(open);
+    if (open && !m_document->isNew()) addRecentFile(QString::fromStdString(m_document->path()));
+    if (!open) m_welcome->refresh();
+    for (const char* id : {"file.save", "file.saveAs", "file.close"}) m_actions->at(id).setEnabled(open);
+    m_selection->clear();
+    showTitle();
+}
+
+void MainWindow::showTitle() {
+    if (!m_document->isOpen()) return setWindowTitle(tr("Trundle"));
+    setWindowTitle(QStringLiteral("%1[*] – Trundle").arg(QFileInfo(QString::fromStdString(m_document->path())).fileName()));
+    setWindowModified(m_document->isModified() || m_document->isNew());
+}
+
+} // namespace trundle

@@ -1,0 +1,113 @@
+#pragma once
+// The window: joins the panels, and is the only one who knows them all.
+
+#include <map>
+#include <memory>
+
+#include <QLabel>
+#include <QMainWindow>
+#include <QSplitter>
+#include <QStackedWidget>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/running/session.h"
+#include "editor/shell/layouts.h"
+#include "editor/widgets/actions.h"
+
+namespace trundle {
+
+class ConsolePanel;
+class ControllersPanel;
+class FileCommands;
+class HelpPanel;
+class HistoryPanel;
+class LibraryPanel;
+class ObjectEdits;
+class OutlinePanel;
+class ProblemsPanel;
+class PropertiesPanel;
+class RenderService;
+class ObjectMarks;
+class StatusLine;
+class TextPanel;
+class TransportBar;
+class ViewportPanel;
+class WelcomePage;
+
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+public:
+    /// `render` is null where no OpenGL is to be had; the views then say so. Both outlive the window.
+    MainWindow(Parts& parts, RenderService* render, const Locations& places);
+    ~MainWindow() override;
+
+    [[nodiscard]] Document& document() { return *m_document; }
+    [[nodiscard]] Selection& selection() { return *m_selection; }
+    [[nodiscard]] RunSession& session() { return *m_session; }
+    [[nodiscard]] Actions& actions() { return *m_actions; }
+    [[nodiscard]] ViewportPanel& viewport() { return *m_viewport; }
+    [[nodiscard]] TextPanel& text() { return *m_text; }
+
+    /// Asks about unsaved changes, then opens. False where it did not come to that.
+    bool open(const QString& path);
+    void setLayout(Layout layout) { m_layouts->use(layout); }
+    /// Shows the text beside the 3D view, or not.
+    void showText(bool shown);
+    /// "perspective", "top", "front", "side", "follow", "chase", or "text": the text alone. "" leaves it as it is.
+    void useView(const QString& name);
+    /// All that is shown is drawn as it is now.
+    [[nodiscard]] bool isSettled() const;
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void makePanels(Parts& parts, RenderService* render, const Locations& places);
+    void makeDocks();
+    void makeToolBars();
+    void connectPanels();
+    void connectActions();
+    void showDocument();
+    void showTitle();
+    void showPlace(const std::string& file, TextRange range);
+    void showViewport(bool shown);
+    void doEdit(const char* id);
+    [[nodiscard]] QList<QAction*> insertActions();
+    void showUndo();
+    void askAboutDisk(const QString& file);
+    void offerRecovery();
+    void showReadOnly(const QString& holder);
+    void setDarkTheme(bool dark);
+    void openPalette();
+    void showAbout();
+
+    std::unique_ptr<Actions> m_actions;
+    Document* m_document;
+    Selection* m_selection;
+    RunSession* m_session;
+    ObjectMarks* m_marks;
+    ObjectEdits* m_edits;
+    FileCommands* m_files = nullptr;
+    Layouts* m_layouts = nullptr;
+
+    QStackedWidget* m_pages = nullptr;
+    QSplitter* m_work = nullptr;
+    WelcomePage* m_welcome = nullptr;
+    ViewportPanel* m_viewport = nullptr;
+    TextPanel* m_text = nullptr;
+    OutlinePanel* m_outline = nullptr;
+    LibraryPanel* m_library = nullptr;
+    PropertiesPanel* m_properties = nullptr;
+    HistoryPanel* m_history = nullptr;
+    ProblemsPanel* m_problems = nullptr;
+    ConsolePanel* m_console = nullptr;
+    ControllersPanel* m_controllers = nullptr;
+    HelpPanel* m_help = nullptr;
+    TransportBar* m_transport = nullptr;
+    StatusLine* m_status = nullptr;
+    std::map<QString, QMenu*> m_menus;
+};
+
+} // namespace trundle

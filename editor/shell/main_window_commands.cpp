@@ -1,0 +1,178 @@
+// What the window's own commands do.
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QMessageBox>
+#include <QSettings>
+
+#include "editor/outline/library_panel.h"
+#include "editor/outline/object_edits.h"
+#include "editor/outline/outline_panel.h"
+#include "editor/shell/command_palette.h"
+#include "editor/shell/file_commands.h"
+#include "editor/shell/main_window.h"
+#include "editor/shell/recovery_dialog.h"
+#include "editor/text/text_panel.h"
+#include "editor/viewport/viewport_panel.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+
+bool MainWindow::open(const QString& path) { return m_files->open(path); }
+
+void MainWindow::showText(bool shown) {
+    // One of the two is always there.
+    if (!shown) m_viewport->show();
+    m_text->setVisible(shown);
+    m_actions->at("view.text").setChecked(shown);
+    m_actions->at("view.viewport").setChecked(m_viewport->isVisibleTo(m_work));
+}
+
+void MainWindow::showViewport(bool shown) {
+    if (!shown) m_text->show();
+    m_viewport->setVisible(shown);
+    m_actions->at("view.viewport").setChecked(shown);
+    m_actions->at("view.text").setChecked(m_text->isVisibleTo(m_work));
+}
+
+void MainWindow::useView(const QString& name) {
+    if (name.isEmpty()) return;
+    if (name == QStringLiteral("text")) return showViewport(false);
+    m_viewport->showView(name);
+}
+
+bool MainWindow::isSettled() const { return !m_document->isOpening() && m_viewport->isSettled() && m_library->isSettled(); }
+
+void MainWindow::showPlace(const std::string& file, TextRange range) {
+    showText(true);
+    m_text->reveal(file, range, true);
+}
+
+/// What the window's edit actions mean where the keyboard is: in the text a text, everywhere else the selected objects.
+void MainWindow::doEdit(const char* id) {
+    if (m_text->hasKeyboard() && m_text->carryOut(id)) return;
+    const std::string_view what = id;
+    if (what == "edit.cut") m_edits->cutSelected();
+    else if (what == "edit.copy") m_edits->copySelected();
+    else if (what == "edit.paste") m_edits->pasteAtSelected();
+    else if (what == "edit.delete") m_edits->removeSelected();
+    else if (what == "edit.duplicate") m_edits->duplicateSelected();
+    else if (what == "edit.rename") {
+        m_layouts->raise(QStringLiteral("scene"));
+        m_outline->renameSelected();
+    } else if (what == "edit.selectAll") {
+        std::vector<std::string> all;
+        for (const RobotSpec& robot : m_document->loaded()->experiment->robots) all.push_back(robot.name);
+        for (const StaticSpec& still : m_document->loaded()->experiment->statics) all.push_back(still.name);
+        m_selection->set(all);
+    } else if (what == "edit.find") {
+        showText(true);
+        m_text->carryOut(id);
+    }
+}
+
+QList<QAction*> MainWindow::insertActions() {
+    QList<QAction*> leaves;
+    QMenu* insert = m_menus.at(QStringLiteral("Insert"));
+    Q_EMIT insert->aboutToShow();
+    for (QAction* action : insert->findChildren<QAction*>())
+        if (!action->menu() && !action->isSeparator()) leaves.append(action);
+    for (QAction* action : insert->actions())
+        if (!action->menu() && !action->isSeparator() && !leaves.contains(action)) leaves.append(action);
+    return leaves;
+}
+
+void MainWindow::showUndo() {
+    const History& history = m_document->history();
+    QAction &undo = m_actions->at("edit.undo"), &redo = m_actions->at("edit.redo");
+    undo.setEnabled(history.canUndo());
+    redo.setEnabled(history.canRedo());
+    undo.setText(history.canUndo() ? tr("&Undo %1").arg(history.entries()[history.position() - 1].name) : tr("&Undo"));
+    redo.setText(history.canRedo() ? tr("&Redo %1").arg(history.entries()[history.position()].name) : tr("&Redo"));
+}
+
+void MainWindow::setDarkTheme(bool dark) {
+    QSettings().setValue(QStringLiteral("darkTheme"), dark);
+    applyTheme(*qApp, dark ? ThemeKind::Dark : ThemeKind::Light);
+    m_actions->drawIcons();
+}
+
+void MainWindow::offerRecovery() {
+    std::vector<Recovery> found = m_document->recoveries();
+    if (found.empty()) return;
+    auto* dialog = new RecoveryDialog(*m_document, std::move(found), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::showReadOnly(const QString& holder) {
+    if (holder.isEmpty()) return;
+    auto* question = new QMessageBox(QMessageBox::Information, tr("Open elsewhere"),
+                                     tr("This project is open in %1.").arg(holder), QMessageBox::NoButton, this);
+    question->setObjectName(QStringLiteral("lockQuestion"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(
+        tr("Here it can be looked at and run, not changed, so that the two do not get in each other's way."));
+    question->addButton(tr("Only Look"), QMessageBox::AcceptRole);
+    const auto* edit = question->addButton(tr("Edit Anyway"), QMessageBox::DestructiveRole);
+    connect(question, &QMessageBox::buttonClicked, this, [this, edit](QAbstractButton* button) {
+        if (button == edit) m_document->editAnyway();
+    });
+    question->open();
+}
+
+void MainWindow::askAboutDisk(const QString& file) {
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Changed on disk"),
+                                     tr("Another program wrote %1 while it had edits here, and both touch the same lines.")
+                                         .arg(QString::fromStdString(m_document->shown(file.toStdString()))),
+                                     QMessageBox::NoButton, this);
+    question->setObjectName(QStringLiteral("diskQuestion"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(tr("Taking theirs can be undone."));
+    const auto* mine = question->addButton(tr("Keep Mine"), QMessageBox::RejectRole);
+    question->addButton(tr("Take Theirs"), QMessageBox::AcceptRole);
+    connect(question, &QMessageBox::buttonClicked, this, [this, file, mine](QAbstractButton* button) {
+        (void)m_document->resolveDiskChange(file.toStdString(), button == mine ? Document::Keep::Mine : Document::Keep::Theirs);
+    });
+    question->open();
+}
+
+void MainWindow::openPalette() {
+    auto* palette = new CommandPalette(*m_actions, insertActions(), this);
+    palette->setAttribute(Qt::WA_DeleteOnClose);
+    palette->show();
+}
+
+void MainWindow::showAbout() {
+    QMessageBox about(this);
+    about.setObjectName(QStringLiteral("about"));
+    about.setWindowTitle(tr("About Trundle"));
+    about.setText(tr("<h3>Trundle %1</h3>").arg(QApplication::applicationVersion()));
+    about.setInformativeText(
+        tr("<p>Describe robots, run them in 3D, measure, repeat.</p>"
+           "<p>Free software under the GNU General Public License, version 3 or later. The headers for controllers "
+           "(<i>core/sdk</i>) are under the 2-clause BSD licence.</p>"
+           "<p>With Qt %1, QScintilla, the Open Dynamics Engine, OpenSceneGraph, assimp and Eigen. Fonts: Inter and JetBrains "
+           "Mono, SIL Open Font License.</p>"
+           "<p>Carries out and goes beyond the simulator of James Ashcraft’s thesis <i>Design and Development of an Expandable "
+           "Robot Simulation Framework</i> (2011).</p>")
+            .arg(QLatin1String(qVersion())));
+    about.exec();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    // Whoever comes back from another program may have written a file there.
+    if (event->type() == QEvent::ActivationChange && isActiveWindow()) m_document->lookAtDisk();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_files->mayLeave()) return event->ignore();
+    m_layouts->save();
+    QSettings().setValue(QStringLiteral("windowGeometry"), saveGeometry());
+    m_document->close();
+    event->accept();
+}
+
+} // namespace trundle

@@ -1,0 +1,143 @@
+#include "editor/shell/preferences_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace trundle {
+namespace {
+
+const QString kTrusted = QStringLiteral("trustedFolders");
+
+QString plain(const QAction& action) { return action.text().remove(QLatin1Char('&')).remove(QStringLiteral("…")); }
+
+} // namespace
+
+PreferencesDialog::PreferencesDialog(Actions& actions, QWidget* parent) : QDialog(parent), m_actions(actions) {
+    setObjectName(QStringLiteral("preferences"));
+    setWindowTitle(tr("Preferences"));
+    resize(620, 520);
+    auto* tabs = new QTabWidget;
+    tabs->addTab(makeShortcuts(), tr("Shortcuts"));
+    tabs->addTab(makeTrust(), tr("Trusted folders"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(tabs);
+    layout->addWidget(buttons);
+}
+
+QWidget* PreferencesDialog::makeShortcuts() {
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    auto* filter = new QLineEdit;
+    filter->setPlaceholderText(tr("Filter"));
+    filter->setClearButtonEnabled(true);
+    m_shortcuts->setObjectName(QStringLiteral("shortcuts"));
+    m_shortcuts->setHeaderLabels({tr("Command"), tr("Menu"), tr("Shortcut")});
+    m_shortcuts->setRootIsDecorated(false);
+    m_shortcuts->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    auto* keys = new QKeySequenceEdit;
+    keys->setObjectName(QStringLiteral("keys"));
+    keys->setMinimumHeight(26);
+    auto* set = new QPushButton(tr("Set"));
+    auto* reset = new QPushButton(tr("Default"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(new QLabel(tr("Keys of the chosen command:")));
+    row->addWidget(keys, 1);
+    row->addWidget(set);
+    row->addWidget(reset);
+    layout->addWidget(filter);
+    layout->addWidget(m_shortcuts, 1);
+    layout->addLayout(row);
+    fillShortcuts();
+    const auto chosen = [this]() -> const char* {
+        const QTreeWidgetItem* item = m_shortcuts->currentItem();
+        return item ? m_actions.table()[item->data(0, Qt::UserRole).toULongLong()].id : nullptr;
+    };
+    connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
+        for (int i = 0; i < m_shortcuts->topLevelItemCount(); ++i) {
+            QTreeWidgetItem* item = m_shortcuts->topLevelItem(i);
+            item->setHidden(!item->text(0).contains(text, Qt::CaseInsensitive) &&
+                            !item->text(1).contains(text, Qt::CaseInsensitive));
+        }
+    });
+    connect(m_shortcuts, &QTreeWidget::currentItemChanged, this, [this, keys, chosen] {
+        if (const char* id = chosen()) keys->setKeySequence(m_actions.at(id).shortcut());
+    });
+    connect(set, &QPushButton::clicked, this, [this, keys, chosen] {
+        if (const char* id = chosen()) setKeys(id, keys->keySequence());
+    });
+    connect(reset, &QPushButton::clicked, this, [this, chosen] {
+        if (const char* id = chosen()) {
+            m_actions.resetShortcut(id);
+            fillShortcuts();
+        }
+    });
+    return page;
+}
+
+QString PreferencesDialog::ownerOf(const Actions& actions, const QKeySequence& keys, const char* id) {
+    if (keys.isEmpty()) return {};
+    for (const ActionRow& row : actions.table())
+        if (std::string_view(row.id) != id && actions.at(row.id).shortcut() == keys) return QLatin1String(row.id);
+    return {};
+}
+
+void PreferencesDialog::setKeys(const char* id, const QKeySequence& keys) {
+    if (const QString owner = ownerOf(m_actions, keys, id); !owner.isEmpty()) {
+        const QByteArray other = owner.toLatin1();
+        const auto answer =
+            QMessageBox::question(this, tr("Keys in use"),
+                                  tr("%1 is the shortcut of “%2”. Take it from there?")
+                                      .arg(keys.toString(QKeySequence::NativeText), plain(m_actions.at(other.constData()))));
+        if (answer != QMessageBox::Yes) return;
+        m_actions.setShortcut(other.constData(), {});
+    }
+    m_actions.setShortcut(id, keys);
+    fillShortcuts();
+}
+
+void PreferencesDialog::fillShortcuts() {
+    const int current = m_shortcuts->indexOfTopLevelItem(m_shortcuts->currentItem());
+    m_shortcuts->clear();
+    for (std::size_t i = 0; i < m_actions.table().size(); ++i) {
+        const ActionRow& row = m_actions.table()[i];
+        QString menu = QLatin1String(row.menu);
+        auto* item = new QTreeWidgetItem(m_shortcuts, {plain(m_actions.at(row.id)), menu.remove(QLatin1Char('|')),
+                                                       m_actions.at(row.id).shortcut().toString(QKeySequence::NativeText)});
+        item->setData(0, Qt::UserRole, qulonglong(i));
+        item->setToolTip(0, tr(row.help));
+    }
+    m_shortcuts->setCurrentItem(m_shortcuts->topLevelItem(std::max(0, current)));
+}
+
+QWidget* PreferencesDialog::makeTrust() {
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    auto* why = new QLabel(
+        tr("Modules are programs. Those in these folders, and those that come with Trundle, are loaded without a question."));
+    why->setWordWrap(true);
+    m_folders->setObjectName(QStringLiteral("trustedFolders"));
+    m_folders->addItems(QSettings().value(kTrusted).toStringList());
+    auto* remove = new QPushButton(tr("Trust no longer"));
+    connect(remove, &QPushButton::clicked, this, [this] {
+        delete m_folders->currentItem();
+        QStringList left;
+        for (int i = 0; i < m_folders->count(); ++i) left << m_folders->item(i)->text();
+        QSettings().setValue(kTrusted, left);
+    });
+    layout->addWidget(why);
+    layout->addWidget(m_folders, 1);
+    layout->addWidget(remove, 0, Qt::AlignLeft);
+    return page;
+}
+
+} // namespace trundle

@@ -1,0 +1,45 @@
+#include "editor/shell/recent_files.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
+
+#include "editor/widgets/resources.h"
+
+namespace trundle {
+
+static constexpr int kMostRecent = 12;
+
+QStringList recentFiles() {
+    QStringList files = QSettings().value(QStringLiteral("recentFiles")).toStringList();
+    files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+    return files;
+}
+
+void addRecentFile(const QString& path) {
+    QStringList files = QSettings().value(QStringLiteral("recentFiles")).toStringList();
+    files.removeAll(path);
+    files.prepend(path);
+    QSettings().setValue(QStringLiteral("recentFiles"), files.mid(0, kMostRecent));
+}
+
+QList<Sample> sampleExperiments(const QString& configs) {
+    const std::initializer_list<std::array<const char*, 3>> samples{
+        {"linear_motion", "Linear motion", "One metre straight ahead, measured."},
+        {"arc_motion", "Arc motion", "A full circle at a commanded speed and turn rate."},
+        {"obstacle_detection", "Obstacle detection", "Bump, back off, turn, go on: a walled arena."},
+        {"swarm", "Swarm", "A hundred robots, each on a random walk of its own."},
+        {"thesis_figure_3_4", "Figure 3.4", "The text of the thesis that began it all, as it stands there."},
+    };
+    QList<Sample> found;
+    for (const auto& [name, title, description] : samples) {
+        QString path = configs + QStringLiteral("/experiments/") + QLatin1String(name) + QStringLiteral(".sim");
+        if (!QFileInfo::exists(path)) path.replace(QStringLiteral(".sim"), QStringLiteral(".txt"));
+        if (!QFileInfo::exists(path)) continue;
+        found.append({path, QLatin1String(title), QLatin1String(description),
+                      resourcePath(QStringLiteral("pictures/samples/%1.png").arg(QLatin1String(name)))});
+    }
+    return found;
+}
+
+} // namespace trundle

@@ -1,0 +1,98 @@
+#include "editor/shell/recovery_dialog.h"
+
+#include <QDateTime>
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "editor/shell/line_diff.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+QByteArray onDisk(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, QWidget* parent)
+    : QDialog(parent), m_document(document), m_found(std::move(found)) {
+    setObjectName(QStringLiteral("recovery"));
+    setWindowTitle(tr("Unsaved work was found"));
+    resize(760, 480);
+    auto* text =
+        new QLabel(tr("Trundle did not end well the last time. These edits were not saved; what they change is shown below."));
+    text->setWordWrap(true);
+    m_list->setObjectName(QStringLiteral("recoveries"));
+    m_list->setMaximumHeight(110);
+    m_preview->setObjectName(QStringLiteral("recoveryPreview"));
+    m_preview->setFont(monospaceFont());
+    m_preview->setFrameShape(QFrame::StyledPanel);
+    for (const Recovery& r : m_found) {
+        const QString name = r.head.name.empty() ? QFileInfo(QString::fromStdString(r.head.opened)).fileName()
+                                                 : QString::fromStdString(r.head.name);
+        const QString when = QLocale().toString(QDateTime::fromSecsSinceEpoch(r.time), QLocale::ShortFormat);
+        m_list->addItem(tr("%1, %2, %n file(s)", nullptr, int(r.files.size())).arg(name, when));
+    }
+    auto* back = new QPushButton(tr("Bring Back"));
+    auto* drop = new QPushButton(tr("Throw Away"));
+    auto* later = new QPushButton(tr("Later"));
+    back->setObjectName(QStringLiteral("bringBack"));
+    drop->setObjectName(QStringLiteral("throwAway"));
+    back->setDefault(true);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(drop);
+    buttons->addStretch(1);
+    buttons->addWidget(later);
+    buttons->addWidget(back);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(text);
+    layout->addWidget(m_list);
+    layout->addWidget(m_preview, 1);
+    layout->addLayout(buttons);
+    connect(m_list, &QListWidget::currentRowChanged, this, &RecoveryDialog::show);
+    connect(back, &QPushButton::clicked, this, &RecoveryDialog::bringBack);
+    connect(drop, &QPushButton::clicked, this, &RecoveryDialog::discard);
+    connect(later, &QPushButton::clicked, this, &QDialog::reject);
+    m_list->setCurrentRow(0);
+}
+
+void RecoveryDialog::show(int row) {
+    if (row < 0 || row >= int(m_found.size())) return m_preview->clear();
+    QString html;
+    for (const auto& [path, recovered] : m_found[std::size_t(row)].files) {
+        html += QStringLiteral("<p><b>%1</b></p>").arg(QString::fromStdString(path).toHtmlEscaped());
+        html += diffAsHtml(diffLines(onDisk(path).toStdString(), recovered.text));
+    }
+    m_preview->setHtml(html);
+}
+
+void RecoveryDialog::bringBack() {
+    const int row = m_list->currentRow();
+    if (row < 0) return;
+    if (const Status done = m_document.recover(m_found[std::size_t(row)]); !done) {
+        QMessageBox::warning(this, tr("Not brought back"), QString::fromStdString(done.error().message));
+        return;
+    }
+    accept();
+}
+
+void RecoveryDialog::discard() {
+    const int row = m_list->currentRow();
+    if (row < 0) return;
+    if (QMessageBox::question(this, tr("Throw away?"), tr("These edits cannot be had back then.")) != QMessageBox::Yes) return;
+    discardRecovery(m_found[std::size_t(row)]);
+    m_found.erase(m_found.begin() + row);
+    delete m_list->takeItem(row);
+    if (m_found.empty()) accept();
+    else show(m_list->currentRow());
+}
+
+} // namespace trundle

@@ -1,0 +1,28 @@
+#pragma once
+#include <QDialog>
+#include <QListWidget>
+#include <QTextBrowser>
+
+#include "editor/document/document.h"
+
+namespace trundle {
+
+/// Offers what a window that ended badly has left, with what differs from the disk. Nothing is thrown away unasked: closing the
+/// dialog keeps the journals, and the next start offers them again.
+class RecoveryDialog final : public QDialog {
+    Q_OBJECT
+public:
+    RecoveryDialog(Document& document, std::vector<Recovery> found, QWidget* parent);
+
+private:
+    void show(int row);
+    void bringBack();
+    void discard();
+
+    Document& m_document;
+    std::vector<Recovery> m_found;
+    QListWidget* m_list = new QListWidget;
+    QTextBrowser* m_preview = new QTextBrowser;
+};
+
+} // namespace trundle

@@ -1,0 +1,64 @@
+#include "editor/shell/status_line.h"
+
+#include <QEvent>
+
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kRefusalMs = 8000;
+
+QString painted(const QString& text, Ink which) {
+    return QStringLiteral("<span style=\"color:%1\">%2</span>").arg(ink(which).name(), text.toHtmlEscaped());
+}
+
+} // namespace
+
+StatusLine::StatusLine(QStatusBar& bar, Document& document)
+    : QObject(&bar), m_bar(bar), m_document(document), m_file(new QLabel), m_saved(new QLabel), m_problems(new QLabel),
+      m_run(new QLabel) {
+    m_bar.setSizeGripEnabled(false);
+    m_file->setObjectName(QStringLiteral("status.file"));
+    m_saved->setObjectName(QStringLiteral("status.saved"));
+    m_problems->setObjectName(QStringLiteral("status.problems"));
+    m_run->setObjectName(QStringLiteral("status.run"));
+    for (QLabel* label : {m_file, m_saved, m_problems}) {
+        label->setContentsMargins(8, 2, 8, 2);
+        m_bar.addWidget(label);
+    }
+    m_run->setContentsMargins(8, 2, 10, 2);
+    m_bar.addPermanentWidget(m_run);
+    m_problems->setCursor(Qt::PointingHandCursor);
+    m_problems->installEventFilter(this);
+    connect(&document, &Document::changed, this, &StatusLine::refresh);
+    connect(&document, &Document::modifiedChanged, this, &StatusLine::refresh);
+    refresh();
+}
+
+void StatusLine::refuse(const QString& reason) { m_bar.showMessage(reason, kRefusalMs); }
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_problems && event->type() == QEvent::MouseButtonRelease) Q_EMIT problemsWanted();
+    return QObject::eventFilter(watched, event);
+}
+
+void StatusLine::refresh() {
+    const bool open = m_document.isOpen();
+    for (QLabel* label : {m_file, m_saved, m_problems}) label->setVisible(open);
+    if (!open) return;
+    m_file->setText(QString::fromStdString(m_document.shown(m_document.path())));
+    m_file->setToolTip(QString::fromStdString(m_document.path()));
+    const bool modified = m_document.isModified();
+    m_saved->setText(m_document.isNew() ? painted(tr("not saved yet"), Ink::Warning)
+                     : modified         ? painted(tr("modified"), Ink::Warning)
+                                        : painted(tr("saved"), Ink::Faint));
+    std::size_t errors = 0, others = 0;
+    for (const Diagnostic& d : m_document.loaded()->diagnostics.all()) ++(d.severity == Severity::Error ? errors : others);
+    const int count = int(errors + others);
+    m_problems->setText(
+        count == 0 ? painted(tr("no problems"), Ink::Faint)
+                   : painted(count == 1 ? tr("1 problem") : tr("%1 problems").arg(count), errors ? Ink::Error : Ink::Warning));
+}
+
+} // namespace trundle

@@ -1,0 +1,32 @@
+#pragma once
+#include <QLabel>
+#include <QStatusBar>
+
+#include "editor/document/document.h"
+
+namespace trundle {
+
+/// file • saved • problems • what the run says. A hint or a refusal takes the place on the left for a while.
+class StatusLine final : public QObject {
+    Q_OBJECT
+public:
+    StatusLine(QStatusBar& bar, Document& document);
+
+    void setRunText(const QString& text) { m_run->setText(text); }
+    void refuse(const QString& reason);
+
+Q_SIGNALS:
+    void problemsWanted();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void refresh();
+
+    QStatusBar& m_bar;
+    Document& m_document;
+    QLabel *m_file, *m_saved, *m_problems, *m_run;
+};
+
+} // namespace trundle

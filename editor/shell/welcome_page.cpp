@@ -1,0 +1,200 @@
+#include "editor/shell/welcome_page.h"
+
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QScrollArea>
+
+#include "editor/shell/recent_files.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+/// A sample: its picture, its title and one sentence. A button, so that keys work too.
+class SampleCard final : public QAbstractButton {
+public:
+    SampleCard(const Sample& sample, QWidget* parent) : QAbstractButton(parent), m_sample(sample), m_picture(sample.picture) {
+        setText(sample.title);
+        setToolTip(sample.path);
+        setCursor(Qt::PointingHandCursor);
+        setFocusPolicy(Qt::StrongFocus);
+        setAttribute(Qt::WA_Hover);
+        setFixedSize(kWidth, kPicture + 78);
+        setObjectName(QStringLiteral("sample.") + QFileInfo(sample.path).completeBaseName());
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter p(this);
+        p.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+        const QRectF frame = QRectF(rect()).adjusted(0.75, 0.75, -0.75, -0.75);
+        QPainterPath card;
+        card.addRoundedRect(frame, 8, 8);
+        p.fillPath(card, palette().base());
+        p.save();
+        p.setClipPath(card);
+        if (!m_picture.isNull()) {
+            const QSizeF shown = QSizeF(m_picture.size()).scaled(frame.width(), kPicture, Qt::KeepAspectRatioByExpanding);
+            const QRectF place((frame.width() - shown.width()) / 2, (kPicture - shown.height()) / 2, shown.width(),
+                               shown.height());
+            p.setClipRect(QRectF(0, 0, width(), kPicture), Qt::IntersectClip);
+            p.drawImage(place, m_picture);
+        }
+        p.restore();
+        p.setPen(palette().color(QPalette::Text));
+        QFont bold = font();
+        bold.setWeight(QFont::DemiBold);
+        p.setFont(bold);
+        p.drawText(QRect(14, kPicture + 10, width() - 28, 20), Qt::AlignLeft | Qt::AlignVCenter, text());
+        p.setFont(font());
+        p.setPen(ink(Ink::Faint));
+        p.drawText(QRect(14, kPicture + 32, width() - 28, 36), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+                   m_sample.description);
+        const bool hot = underMouse() || hasFocus();
+        p.setPen(QPen(hot ? ink(Ink::Accent) : ink(Ink::Line), hot ? 2 : 1));
+        p.drawPath(card);
+    }
+    void keyPressEvent(QKeyEvent* event) override {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) click();
+        else QAbstractButton::keyPressEvent(event);
+    }
+
+private:
+    static constexpr int kWidth = 264, kPicture = 148;
+    Sample m_sample;
+    QImage m_picture;
+};
+
+QLabel* heading(const QString& text, int size) {
+    auto* label = new QLabel(text);
+    QFont font = label->font();
+    font.setPixelSize(size);
+    font.setWeight(QFont::DemiBold);
+    label->setFont(font);
+    return label;
+}
+
+/// Looks like a link, works like a button.
+QPushButton* linkButton(const QString& text, const QIcon& icon = {}) {
+    auto* button = new QPushButton(icon, text);
+    button->setFlat(true);
+    button->setCursor(Qt::PointingHandCursor);
+    button->setStyleSheet(
+        QStringLiteral("QPushButton { text-align: left; border: none; background: transparent; padding: 4px 2px; }"
+                       "QPushButton:hover, QPushButton:focus { color: %1; }")
+            .arg(ink(Ink::Accent).name()));
+    return button;
+}
+
+/// Cards in as many columns as fit.
+class CardFlow final : public QWidget {
+public:
+    using QWidget::QWidget;
+    void add(QWidget* card) { m_cards.append(card); }
+
+protected:
+    void resizeEvent(QResizeEvent*) override { place(); }
+    void showEvent(QShowEvent*) override { place(); }
+
+private:
+    void place() {
+        if (m_cards.isEmpty()) return;
+        const QSize card = m_cards.front()->size();
+        const int columns = std::max(1, (width() + kGap) / (card.width() + kGap));
+        for (int i = 0; i < m_cards.size(); ++i)
+            m_cards[i]->move((i % columns) * (card.width() + kGap), (i / columns) * (card.height() + kGap));
+        const int rows = (int(m_cards.size()) + columns - 1) / columns;
+        setMinimumHeight(rows * (card.height() + kGap));
+    }
+    static constexpr int kGap = 16;
+    QList<QWidget*> m_cards;
+};
+
+} // namespace
+
+WelcomePage::WelcomePage(const Actions& actions, const QString& configs, QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("welcome"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(48, 40, 48, 24);
+    layout->setSpacing(48);
+    layout->addWidget(makeStart(actions));
+    layout->addWidget(makeSamples(configs), 1);
+    refresh();
+}
+
+QWidget* WelcomePage::makeStart(const Actions& actions) {
+    auto* column = new QWidget;
+    column->setFixedWidth(260);
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(heading(tr("Trundle"), 30));
+    auto* line = new QLabel(tr("Describe robots, run them in 3D, measure, repeat."));
+    line->setWordWrap(true);
+    line->setForegroundRole(QPalette::PlaceholderText);
+    layout->addWidget(line);
+    layout->addSpacing(24);
+    layout->addWidget(heading(tr("Start"), 15));
+    for (const char* id : {"file.newExperiment", "file.newRobot", "file.newArena", "file.open", "help.guide"}) {
+        QAction& action = actions.at(id);
+        QString text = action.text().remove(QLatin1Char('&'));
+        if (std::string_view(id).starts_with("file.new")) text = tr("New %1").arg(text.toLower());
+        QPushButton* button = linkButton(text, themedIcon(std::string_view(id).starts_with("file.new") ? QStringLiteral("new")
+                                                          : std::string_view(id) == "file.open"        ? QStringLiteral("open")
+                                                                                                       : QStringLiteral("help")));
+        button->setObjectName(QStringLiteral("welcome.") + QLatin1String(id));
+        connect(button, &QPushButton::clicked, &action, &QAction::trigger);
+        layout->addWidget(button);
+    }
+    layout->addSpacing(24);
+    m_recent = new QVBoxLayout;
+    m_recent->setSpacing(0);
+    layout->addLayout(m_recent);
+    layout->addStretch(1);
+    return column;
+}
+
+QWidget* WelcomePage::makeSamples(const QString& configs) {
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 10, 0, 0);
+    layout->setSpacing(12);
+    layout->addWidget(heading(tr("Samples"), 15));
+    auto* flow = new CardFlow;
+    for (const Sample& sample : sampleExperiments(configs)) {
+        auto* card = new SampleCard(sample, flow);
+        connect(card, &QAbstractButton::clicked, this, [this, path = sample.path] { Q_EMIT openWanted(path); });
+        flow->add(card);
+    }
+    layout->addWidget(flow);
+    layout->addStretch(1);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->viewport()->setAutoFillBackground(false);
+    content->setAutoFillBackground(false);
+    return scroll;
+}
+
+void WelcomePage::refresh() {
+    while (QLayoutItem* item = m_recent->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    const QStringList files = recentFiles();
+    if (files.isEmpty()) return;
+    m_recent->addWidget(heading(tr("Recent"), 15));
+    for (const QString& file : files.mid(0, 8)) {
+        QPushButton* button = linkButton(QFileInfo(file).fileName());
+        button->setToolTip(file);
+        connect(button, &QPushButton::clicked, this, [this, file] { Q_EMIT openWanted(file); });
+        m_recent->addWidget(button);
+    }
+}
+
+} // namespace trundle

@@ -1,0 +1,141 @@
+#include "editor/text/file_page.h"
+
+#include <algorithm>
+
+#include <QScopedValueRollback>
+#include <QVBoxLayout>
+
+#include "editor/document/document.h"
+#include "editor/text/code_edit.h"
+#include "editor/text/splice.h"
+#include "lang/edit_style.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kWait = 40, kLongestWait = 400; ///< ms from the first key until the document hears of it
+
+} // namespace
+
+FilePage::FilePage(Document& document, std::string file, QWidget* parent)
+    : QWidget(parent), m_document(document), m_file(std::move(file)), m_edit(new CodeEdit(this)), m_typing(m_file) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_edit);
+    setFocusProxy(m_edit);
+    m_edit->setObjectName(QStringLiteral("textEdit"));
+    m_edit->setFrameStyle(QFrame::NoFrame);
+    m_edit->setAccessibleName(QString::fromStdString(m_document.shown(m_file)));
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, [this] { flush(); });
+    connect(m_edit, &CodeEdit::actionBegins, this, [this] { m_typing.beginAction(); });
+    connect(m_edit, &CodeEdit::edited, this, [this](std::size_t at, std::string_view removed, std::string_view inserted) {
+        if (m_typing.startsEntry(at, removed.size(), inserted)) {
+            std::string before = m_edit->bytes();
+            before.replace(at, inserted.size(), removed);
+            m_typing.close(std::move(before));
+        }
+        m_typing.changed(at, inserted);
+        // Not put off by the next key: a person who types on sees the rest of the window follow all the same. Where reading takes
+        // long, it waits long enough to leave most of the time to the keys.
+        if (!m_timer.isActive()) m_timer.start(std::clamp(m_cost * 2, kWait, kLongestWait));
+        Q_EMIT typed();
+    });
+    connect(m_edit, &CodeEdit::left, this, [this] { flush(); });
+    start();
+}
+
+FilePage::~FilePage() { m_edit->blockSignals(true); } // it loses the keyboard when it goes
+
+void FilePage::abandon() {
+    m_timer.stop();
+    m_typing.drop();
+    m_edit->blockSignals(true);
+}
+
+void FilePage::start() {
+    m_base = m_document.text(m_file);
+    m_edit->load(m_base ? *m_base : std::string());
+    readWays();
+    showProblems();
+}
+
+FileId FilePage::id() const {
+    if (!m_document.isOpen()) return kNoFile;
+    const std::vector<std::string>& paths = m_document.loaded()->paths;
+    const auto at = std::find(paths.begin(), paths.end(), m_file);
+    return at == paths.end() ? kNoFile : static_cast<FileId>(at - paths.begin());
+}
+
+void FilePage::setFile(const std::string& file) {
+    m_file = file;
+    m_typing = Typing(file);
+    m_base = m_document.text(file);
+}
+
+void FilePage::readWays() {
+    const FileId file = id();
+    if (file == kNoFile) return;
+    const EditStyle style = editStyle(*m_document.loaded()->trees[file]);
+    m_edit->setWays(style.lineEnd, style.step);
+}
+
+bool FilePage::flush() {
+    if (m_flushing || !m_typing.pending()) return true;
+    m_timer.stop();
+    if (m_document.isOpening() || m_edit->isComposing()) { // edits are refused until then, or the text is not what it will be
+        m_timer.start(kWait);
+        return false;
+    }
+    QElapsedTimer clock;
+    clock.start();
+    bool taken = true;
+    {
+        const QScopedValueRollback<bool> flushing(m_flushing, true);
+        for (Typing::Entry& entry : m_typing.take(m_edit->bytes()))
+            taken = taken && m_document.replaceText(entry.name, m_file, std::move(entry.bytes), entry.mergeKey).ok();
+    }
+    m_cost = static_cast<int>(clock.elapsed());
+    if (!taken) m_typing.drop();
+    follow();
+    showProblems();
+    Q_EMIT flushed();
+    return taken;
+}
+
+void FilePage::follow() {
+    if (m_flushing) return;
+    const std::shared_ptr<const std::string> now = m_document.text(m_file);
+    if (!now || now == m_base) return;
+    const std::string shown = m_edit->bytes();
+    if (m_typing.pending()) { // typed on while somebody else changed the text
+        m_typing.joinAll();
+        (void)m_edit->bring(merged(*m_base, shown, *now));
+        m_base = now;
+        return;
+    }
+    m_base = now;
+    if (shown == *now) return;
+    m_typing.endWord();
+    const std::uint32_t end = m_edit->bring(*now);
+    readWays();
+    Q_EMIT brought(end);
+}
+
+void FilePage::showProblems() {
+    const FileId file = id();
+    m_problems.clear();
+    if (file != kNoFile && !m_typing.pending()) {
+        for (const Diagnostic& d : m_document.loaded()->diagnostics.all())
+            if (d.range.file == file) m_problems.push_back(d);
+    } else if (m_typing.pending()) return; // their places are of the text before; they move with it until it is read
+    m_edit->showProblems(m_problems);
+}
+
+void FilePage::endWord(const QString& name) {
+    m_typing.endWord();
+    if (!name.isEmpty()) m_typing.nameNext(name);
+}
+
+} // namespace trundle

@@ -1,0 +1,173 @@
+#include "editor/text/finding.h"
+
+#include <algorithm>
+
+#include "editor/document/document.h"
+#include "editor/text/code_edit.h"
+#include "editor/text/file_page.h"
+#include "editor/text/find_bar.h"
+#include "editor/text/text_panel.h"
+
+namespace trundle {
+
+Finding::Finding(Document& document, TextPanel& panel, FindBar& bar)
+    : QObject(&panel), m_document(document), m_panel(panel), m_bar(bar) {
+    connect(&bar, &FindBar::changed, this, &Finding::lookAsTyped);
+    connect(&bar, &FindBar::step, this, &Finding::step);
+    connect(&bar, &FindBar::replaceOne, this, &Finding::replaceOne);
+    connect(&bar, &FindBar::replaceAll, this, &Finding::replaceAll);
+    connect(&bar, &FindBar::closed, this, &Finding::close);
+    connect(&document, &Document::changed, this, [this] {
+        if (m_bar.isVisible()) look();
+    });
+}
+
+void Finding::open(bool replacing) {
+    FilePage* page = m_panel.page();
+    if (!page) return;
+    m_panel.flush();
+    const TextRange selected = page->edit().selection();
+    const std::string bytes = page->edit().bytes();
+    QString words = QString::fromStdString(bytes.substr(std::min<std::size_t>(selected.begin, bytes.size()), selected.size()));
+    if (words.contains(QLatin1Char('\n')) || words.contains(QLatin1Char('\r'))) words.clear();
+    m_fromFile = page->file();
+    m_from = selected.begin;
+    m_bar.open(words, replacing);
+}
+
+void Finding::close() {
+    m_bar.hide();
+    m_found.clear();
+    for (FilePage* page : m_panel.pages()) page->edit().showMatches({});
+    if (FilePage* page = m_panel.page()) page->setFocus();
+}
+
+void Finding::look() {
+    m_found.clear();
+    const SearchWish wish = m_bar.wish();
+    const TextSearch search(wish);
+    if (!search.valid()) {
+        for (FilePage* page : m_panel.pages()) page->edit().showMatches({});
+        m_bar.say(search.fault(), true);
+        return;
+    }
+    FilePage* front = m_panel.page();
+    for (const std::string& file : m_document.files()) {
+        FilePage* page = m_panel.pageOf(file);
+        std::vector<TextRange> marks;
+        const auto text = m_document.text(file);
+        if (text && (m_bar.everywhere() || page == front)) {
+            for (TextMatch& match : search.in(*text)) {
+                marks.push_back(match.range);
+                m_found.push_back({file, std::move(match)});
+            }
+        }
+        if (page) page->edit().showMatches(marks);
+    }
+    count();
+}
+
+std::ptrdiff_t Finding::here() const {
+    FilePage* page = m_panel.page();
+    if (!page) return -1;
+    const TextRange selected = page->edit().selection();
+    const auto at = std::find_if(m_found.begin(), m_found.end(),
+                                 [&](const Found& f) { return f.file == page->file() && f.match.range == selected; });
+    return at == m_found.end() ? -1 : at - m_found.begin();
+}
+
+void Finding::count() {
+    if (m_bar.wish().words.isEmpty()) return m_bar.say({});
+    if (m_found.empty()) return m_bar.say(tr("Not found"), true);
+    const std::ptrdiff_t at = here();
+    const int total = static_cast<int>(m_found.size());
+    m_bar.say(at < 0 ? tr("%n found", nullptr, total) : tr("%1 of %2").arg(at + 1).arg(total));
+}
+
+/// The selection goes with the letters: to the first match from where one began.
+void Finding::lookAsTyped() {
+    m_panel.flush();
+    look();
+    FilePage* page = m_panel.page();
+    if (!page || m_found.empty()) return;
+    if (page->file() != m_fromFile) {
+        m_fromFile = page->file();
+        m_from = page->edit().selection().begin;
+    }
+    const auto next = std::find_if(m_found.begin(), m_found.end(),
+                                   [&](const Found& f) { return f.file == m_fromFile && f.match.range.begin >= m_from; });
+    if (next != m_found.end()) go(*next);
+    else if (const auto first =
+                 std::find_if(m_found.begin(), m_found.end(), [&](const Found& f) { return f.file == m_fromFile; });
+             first != m_found.end())
+        go(*first);
+}
+
+void Finding::go(const Found& found) {
+    m_panel.reveal(found.file, found.match.range);
+    if (FilePage* page = m_panel.page(); page && page->file() == found.file) {
+        m_fromFile = found.file;
+        m_from = found.match.range.begin;
+    }
+    count();
+}
+
+void Finding::step(int direction) {
+    m_panel.flush();
+    look();
+    FilePage* page = m_panel.page();
+    if (!page || m_found.empty()) return;
+    std::ptrdiff_t next = here();
+    const auto total = static_cast<std::ptrdiff_t>(m_found.size());
+    if (next >= 0) {
+        next = (next + direction + total) % total;
+    } else { // none is selected: the nearest one that way
+        const auto files = m_document.files();
+        const auto order = [&](const std::string& file) { return std::find(files.begin(), files.end(), file) - files.begin(); };
+        const std::pair caret(order(page->file()), page->edit().selection().begin);
+        next = 0;
+        while (next < total && std::pair(order(m_found[static_cast<std::size_t>(next)].file),
+                                         m_found[static_cast<std::size_t>(next)].match.range.begin) < caret)
+            ++next;
+        if (direction < 0) --next;
+        next = (next + total) % total;
+    }
+    const Found found = m_found[static_cast<std::size_t>(next)];
+    const bool opened = !m_panel.pageOf(found.file);
+    go(found);
+    if (opened) look(); // marks in the tab that is new
+}
+
+void Finding::replaceOne() {
+    m_panel.flush();
+    look();
+    const std::ptrdiff_t at = here();
+    if (at < 0) return step(+1);
+    const Found found = m_found[static_cast<std::size_t>(at)];
+    FilePage* page = m_panel.page();
+    const std::string text = TextSearch(m_bar.wish()).replacement(found.match, m_bar.replacement());
+    const FileId file = page->id();
+    if (file == kNoFile || !m_document.edit(tr("Replace"), {{file, {{{file, found.match.range}, text}}}})) return;
+    const auto end = found.match.range.begin + static_cast<std::uint32_t>(text.size());
+    page->edit().setSelection({end, end});
+    step(+1);
+}
+
+void Finding::replaceAll() {
+    m_panel.flush();
+    look();
+    const TextSearch search(m_bar.wish());
+    const std::vector<std::string>& paths = m_document.loaded()->paths;
+    FileEdits edits;
+    for (const Found& found : m_found) {
+        const auto at = std::find(paths.begin(), paths.end(), found.file);
+        if (at == paths.end()) continue;
+        const auto file = static_cast<FileId>(at - paths.begin());
+        edits[file].push_back({{file, found.match.range}, search.replacement(found.match, m_bar.replacement())});
+    }
+    const int total = static_cast<int>(m_found.size());
+    if (edits.empty() || !m_document.edit(tr("Replace All"), edits)) return;
+    m_bar.say(tr("%n replaced", nullptr, total));
+}
+
+} // namespace trundle

@@ -1,0 +1,47 @@
+#pragma once
+// Find and replace: in the text in front or in every file of the document.
+
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "editor/text/text_search.h"
+
+namespace trundle {
+
+class Document;
+class FindBar;
+class TextPanel;
+
+class Finding final : public QObject {
+    Q_OBJECT
+public:
+    Finding(Document& document, TextPanel& panel, FindBar& bar);
+
+    void open(bool replacing); ///< with the words that are selected
+    void close();
+
+private:
+    struct Found {
+        std::string file;
+        TextMatch match;
+    };
+    void look();  ///< finds all, marks them
+    void count(); ///< says which of how many the selection is
+    void step(int direction);
+    void lookAsTyped();
+    void go(const Found& found);
+    [[nodiscard]] std::ptrdiff_t here() const; ///< index of the match that is selected; -1: none is
+    void replaceOne();
+    void replaceAll();
+
+    Document& m_document;
+    TextPanel& m_panel;
+    FindBar& m_bar;
+    std::vector<Found> m_found; ///< in order of files and places
+    std::string m_fromFile;     ///< where the caret was when one began to type
+    std::uint32_t m_from = 0;
+};
+
+} // namespace trundle

@@ -1,0 +1,82 @@
+#include "editor/text/results_list.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+
+ResultsList::ResultsList(QWidget* parent) : QWidget(parent), m_title(new QLabel(this)), m_list(new QTreeWidget(this)) {
+    setObjectName(QStringLiteral("usesPanel"));
+    m_title->setObjectName(QStringLiteral("usesTitle"));
+    m_list->setObjectName(QStringLiteral("usesList"));
+    m_list->setColumnCount(2);
+    m_list->setHeaderHidden(true);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setAllColumnsShowFocus(true);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    auto* shut = new QToolButton(this);
+    shut->setObjectName(QStringLiteral("usesClose"));
+    shut->setText(QStringLiteral("✕"));
+    shut->setToolTip(tr("Close (Esc)"));
+    shut->setAutoRaise(true);
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(8, 2, 4, 2);
+    head->addWidget(m_title, 1);
+    head->addWidget(shut);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(head);
+    auto* below = new QHBoxLayout;
+    below->setContentsMargins(6, 0, 0, 0);
+    below->addWidget(m_list);
+    layout->addLayout(below, 1);
+    connect(shut, &QToolButton::clicked, this, &QWidget::hide);
+    connect(m_list, &QTreeWidget::itemClicked, this, [this] { choose(false); });
+    connect(m_list, &QTreeWidget::itemActivated, this, [this] { choose(true); });
+    hide();
+}
+
+void ResultsList::showRows(const QString& title, std::vector<Row> rows) {
+    m_rows = std::move(rows);
+    m_title->setText(title);
+    m_list->clear();
+    for (const Row& row : m_rows) {
+        std::string text = row.text;
+        text.erase(0, std::min(text.size(), text.find_first_not_of(" \t")));
+        auto* item = new QTreeWidgetItem(
+            {QString::fromStdString(row.shown) + QLatin1Char(':') + QString::number(row.line), QString::fromStdString(text)});
+        item->setForeground(0, ink(Ink::Faint));
+        item->setFont(1, monospaceFont());
+        if (row.given) item->setToolTip(0, tr("Given here"));
+        QFont font = m_list->font();
+        font.setBold(row.given);
+        item->setFont(0, font);
+        m_list->addTopLevelItem(item);
+    }
+    m_list->setCurrentItem(m_list->topLevelItem(0));
+    show();
+}
+
+void ResultsList::choose(bool focus) {
+    const int at = m_list->indexOfTopLevelItem(m_list->currentItem());
+    if (at < 0 || at >= static_cast<int>(m_rows.size())) return;
+    const Row row = m_rows[static_cast<std::size_t>(at)];
+    Q_EMIT chosen(row.file, row.range, focus);
+}
+
+void ResultsList::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) hide();
+    else QWidget::keyPressEvent(event);
+}
+
+} // namespace trundle

@@ -1,0 +1,341 @@
+#include "editor/text/text_panel.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <QApplication>
+#include <QLabel>
+#include <QMenu>
+#include <QScopedValueRollback>
+#include <QSplitter>
+#include <QStyle>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/text/code_edit.h"
+#include "editor/text/completing.h"
+#include "editor/text/file_page.h"
+#include "editor/text/find_bar.h"
+#include "editor/text/finding.h"
+#include "editor/text/results_list.h"
+#include "editor/text/text_commands.h"
+#include "editor/widgets/actions.h"
+#include "editor/widgets/theme.h"
+#include "project/object_place.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kCaretWait = 60; ///< ms that the caret rests before what it stands in is selected
+
+QString nameOf(const std::string& file) { return QString::fromStdString(std::filesystem::path(file).filename().string()); }
+
+} // namespace
+
+TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_actions(actions), m_tabs(new QTabWidget(this)),
+      m_nothing(new QLabel(tr("No experiment is open."), this)), m_files(new QToolButton(this)),
+      m_commands(new TextCommands(actions, this)), m_uses(new ResultsList(this)),
+      m_completing(new Completing(
+          document, [this] { return m_folders; }, this)) {
+    setObjectName(QStringLiteral("textPanel"));
+    m_tabs->setObjectName(QStringLiteral("textTabs"));
+    m_tabs->setDocumentMode(true);
+    m_tabs->setTabsClosable(true);
+    m_tabs->setMovable(true);
+    m_tabs->setElideMode(Qt::ElideMiddle);
+    m_nothing->setAlignment(Qt::AlignCenter);
+    m_nothing->setForegroundRole(QPalette::PlaceholderText);
+    m_files->setObjectName(QStringLiteral("textFiles"));
+    m_files->setText(tr("Files ▾"));
+    m_files->setStyleSheet(
+        QStringLiteral("QToolButton::menu-indicator { image: none; } QToolButton { border: none; padding: 4px 10px; }"));
+    m_files->setToolTip(tr("Show another file of this experiment"));
+    m_files->setPopupMode(QToolButton::InstantPopup);
+    m_files->setAutoRaise(true);
+    m_files->setMenu(new QMenu(m_files));
+    m_tabs->setCornerWidget(m_files);
+    auto* bar = new FindBar(this);
+    m_finding = new Finding(m_document, *this, *bar);
+    auto* split = new QSplitter(Qt::Vertical, this);
+    split->setObjectName(QStringLiteral("textSplit"));
+    split->setChildrenCollapsible(false);
+    split->addWidget(m_tabs);
+    split->addWidget(m_uses);
+    split->setStretchFactor(0, 3);
+    split->setStretchFactor(1, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(split, 1);
+    layout->addWidget(m_nothing, 1);
+    layout->addWidget(bar);
+
+    m_caretTimer.setParent(this);
+    m_caretTimer.setObjectName(QStringLiteral("caretTimer"));
+    m_caretTimer.setSingleShot(true);
+    m_caretTimer.setInterval(kCaretWait);
+    connect(&m_caretTimer, &QTimer::timeout, this, &TextPanel::selectAtCaret);
+    connect(m_files->menu(), &QMenu::aboutToShow, this, &TextPanel::fillFileMenu);
+    connect(m_tabs, &QTabWidget::tabCloseRequested, this, &TextPanel::closePage);
+    connect(m_tabs, &QTabWidget::currentChanged, this, [this] { markSelected(false); });
+    connect(m_uses, &ResultsList::chosen, this, &TextPanel::reveal);
+    connect(&m_document, &Document::opened, this, &TextPanel::onOpened);
+    connect(&m_document, &Document::changed, this, &TextPanel::onChanged);
+    connect(&m_document, &Document::modifiedChanged, this, &TextPanel::showTitles);
+    connect(&m_selection, &Selection::changed, this, &TextPanel::onSelectionChanged);
+    addCommands();
+    onOpened();
+}
+
+TextPanel::~TextPanel() {
+    if (m_watching) qApp->removeEventFilter(this);
+    m_tabs->blockSignals(true);
+    for (FilePage* page : pages()) page->abandon();
+}
+
+FilePage* TextPanel::page() const { return qobject_cast<FilePage*>(m_tabs->currentWidget()); }
+
+std::vector<FilePage*> TextPanel::pages() const {
+    std::vector<FilePage*> pages;
+    for (int i = 0; i < m_tabs->count(); ++i)
+        if (auto* page = qobject_cast<FilePage*>(m_tabs->widget(i))) pages.push_back(page);
+    return pages;
+}
+
+FilePage* TextPanel::pageOf(const std::string& file) const {
+    for (FilePage* page : pages())
+        if (page->file() == file) return page;
+    return nullptr;
+}
+
+bool TextPanel::hasKeyboard() const { return page() && page()->edit().hasFocus(); }
+
+bool TextPanel::carryOut(const std::string& id) { return page() && m_commands->carryOut(id); }
+
+// --- what is typed ---
+
+void TextPanel::flush() {
+    for (FilePage* page : pages()) page->flush();
+}
+
+/// While something typed waits for its time, whoever is about to do something else finds it done.
+void TextPanel::watchForOthers() {
+    if (m_watching) return;
+    m_watching = true;
+    qApp->installEventFilter(this);
+}
+
+bool TextPanel::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::MouseButtonPress:
+    case QEvent::Shortcut:
+    case QEvent::Drop:
+    case QEvent::Close:
+    case QEvent::WindowDeactivate: {
+        const auto* widget = qobject_cast<QWidget*>(watched);
+        const bool own =
+            event->type() == QEvent::KeyPress && widget && page() && (widget == &page()->edit() || page()->isAncestorOf(widget));
+        if (m_watching && !own && !watched->inherits("QWidgetWindow")) flush();
+        break;
+    }
+    default: break;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+// --- the document ---
+
+void TextPanel::onOpened() {
+    m_caretTimer.stop();
+    for (FilePage* page : pages()) removePage(*page);
+    m_opened.clear();
+    const bool open = m_document.isOpen();
+    m_tabs->parentWidget()->setVisible(open);
+    m_uses->hide();
+    if (!open) m_finding->close();
+    m_nothing->setVisible(!open);
+    if (!open) return;
+    m_opened = m_document.files().front();
+    m_historyAt = m_document.history().position();
+    addPage(m_opened);
+    m_tabs->setCurrentIndex(0);
+    showTitles();
+}
+
+void TextPanel::onChanged() {
+    if (!m_document.isOpen() || m_opened.empty()) return;
+    const std::string opened = m_document.files().front();
+    if (opened != m_opened) { // saved under another name
+        if (FilePage* page = pageOf(m_opened)) page->setFile(opened);
+        m_opened = opened;
+    }
+    const History& history = m_document.history();
+    m_stepping =
+        history.position() != m_historyAt && (history.position() < m_historyAt || history.entries().size() == m_historySize);
+    m_historyAt = history.position();
+    m_historySize = history.entries().size();
+    for (FilePage* page : pages()) {
+        if (!m_document.text(page->file())) {
+            removePage(*page);
+            continue;
+        }
+        page->follow();
+        page->showProblems();
+    }
+    m_stepping = false;
+    showTitles();
+    markSelected(false);
+}
+
+FilePage* TextPanel::addPage(const std::string& file) {
+    auto* page = new FilePage(m_document, file, m_tabs);
+    page->setObjectName(QStringLiteral("page:") + nameOf(file));
+    connectPage(*page);
+    m_tabs->addTab(page, nameOf(file));
+    const auto side = static_cast<QTabBar::ButtonPosition>(
+        m_tabs->style()->styleHint(QStyle::SH_TabBar_CloseButtonPosition, nullptr, m_tabs->tabBar()));
+    QToolButton* shut = nullptr; // the opened file stays
+    if (file != m_opened) {
+        shut = new QToolButton(m_tabs);
+        shut->setObjectName(QStringLiteral("closeTab"));
+        shut->setText(QStringLiteral("✕"));
+        shut->setToolTip(tr("Close this text; the file stays part of the experiment"));
+        shut->setAutoRaise(true);
+        shut->setFocusPolicy(Qt::NoFocus);
+        shut->setFixedSize(20, 20);
+        shut->setStyleSheet(QStringLiteral("QToolButton { border: none; padding: 0; }"));
+        connect(shut, &QToolButton::clicked, this, [this, page] { closePage(m_tabs->indexOf(page)); });
+    }
+    m_tabs->tabBar()->setTabButton(m_tabs->indexOf(page), side, shut);
+    showTitles();
+    return page;
+}
+
+void TextPanel::connectPage(FilePage& page) {
+    CodeEdit& edit = page.edit();
+    m_commands->watch(edit);
+    m_completing->watch(page); // asked before the commands: while the list is open the keys are its
+    connect(&edit, &CodeEdit::hoverAsked, this, [this, &page](std::uint32_t at, const QPoint& pos) { showHover(page, at, pos); });
+    connect(&edit, &CodeEdit::linkSought, this, [this, &page](std::uint32_t at) { showLink(page, at); });
+    connect(&edit, &CodeEdit::linkFollowed, this, &TextPanel::goToDefinition);
+    connect(&edit, &CodeEdit::menuAsked, this, [this, &page](const QPoint& pos) { showMenu(page, pos); });
+    connect(&page, &FilePage::typed, this, &TextPanel::watchForOthers);
+    connect(&page, &FilePage::flushed, this, [this] {
+        const auto all = pages();
+        if (!m_watching || std::any_of(all.begin(), all.end(), [](FilePage* p) { return p->pending(); })) return;
+        m_watching = false;
+        qApp->removeEventFilter(this);
+    });
+    connect(&page, &FilePage::brought, this, [this, &edit](std::uint32_t end) {
+        if (m_stepping && edit.hasFocus()) edit.setSelection({end, end}); // undo leads back to what it changed
+    });
+    connect(&edit, &CodeEdit::caretMovedByHand, this, [this] { m_caretTimer.start(); });
+}
+
+FilePage* TextPanel::openFile(const std::string& file) {
+    FilePage* page = pageOf(file);
+    if (!page && m_document.text(file)) page = addPage(file);
+    if (page) m_tabs->setCurrentWidget(page);
+    return page;
+}
+
+void TextPanel::closePage(int index) {
+    auto* page = qobject_cast<FilePage*>(m_tabs->widget(index));
+    if (!page || page->file() == m_opened) return;
+    page->flush();
+    removePage(*page);
+}
+
+void TextPanel::removePage(FilePage& page) {
+    page.abandon();
+    m_tabs->removeTab(m_tabs->indexOf(&page));
+    page.deleteLater(); // one of its own signals may have led here
+}
+
+void TextPanel::showTitles() {
+    for (FilePage* page : pages()) {
+        const int tab = m_tabs->indexOf(page);
+        const bool modified = m_document.isModified(page->file());
+        QString title = page->file() == m_opened ? nameOf(m_document.path()) : nameOf(page->file());
+        m_tabs->setTabText(tab, modified ? title + QStringLiteral(" ●") : title);
+        QString tip = QString::fromStdString(m_document.shown(page->file()));
+        if (modified) tip += QLatin1Char('\n') + tr("Changed since it was saved");
+        m_tabs->setTabToolTip(tab, tip);
+    }
+}
+
+void TextPanel::fillFileMenu() {
+    QMenu* menu = m_files->menu();
+    menu->clear();
+    for (const std::string& file : m_document.files()) {
+        QString text = QString::fromStdString(m_document.shown(file));
+        text.replace(QLatin1Char('&'), QStringLiteral("&&"));
+        menu->addAction(text, this, [this, file] {
+            if (FilePage* page = openFile(file)) page->setFocus();
+        });
+    }
+}
+
+// --- the selection ---
+
+void TextPanel::selectAtCaret() {
+    FilePage* page = this->page();
+    if (!page || !page->edit().hasFocus()) return;
+    page->flush();
+    const FileId file = page->id();
+    if (file == kNoFile) return;
+    const std::string path = objectAt(*m_document.loaded(), file, page->edit().caret());
+    if (m_selection.paths() == std::vector<std::string>{path}) return;
+    // An object that is reached through an instance stands in the same text as the config's own.
+    if (blockOf(*m_document.loaded(), m_selection.current()) == blockOf(*m_document.loaded(), path) && !m_selection.empty())
+        return;
+    const QScopedValueRollback<bool> own(m_selecting, true);
+    m_selection.select(path);
+    markSelected(false);
+}
+
+void TextPanel::onSelectionChanged() {
+    if (!m_selecting) markSelected(true);
+}
+
+void TextPanel::markSelected(bool scroll) {
+    if (!m_document.isOpen()) return;
+    const Loaded& loaded = *m_document.loaded();
+    SourceRange block;
+    const std::string path = m_selection.current();
+    if (!m_selection.empty() && !path.empty()) {
+        block = blockOf(loaded, path);
+        const auto place = placeOf(loaded, path);
+        const bool hidden = block.known() && block.file < loaded.paths.size() && !pageOf(loaded.paths[block.file]);
+        if (hidden && place && place->instance) block = place->instance->range; // its config is in a file that is not shown
+    }
+    for (FilePage* page : pages()) {
+        const bool here = block.known() && page->id() == block.file;
+        if (!page->pending()) page->edit().showBlock(here ? block.range : TextRange{});
+        if (!here || !scroll) continue;
+        m_tabs->setCurrentWidget(page);
+        page->edit().scrollTo(block.range);
+    }
+}
+
+void TextPanel::reveal(const std::string& file, TextRange range, bool focus) {
+    flush();
+    FilePage* page = openFile(file);
+    if (!page) return;
+    page->endWord();
+    page->edit().setSelection(range);
+    if (focus) page->setFocus();
+}
+
+void TextPanel::revealFile(const SourceRange& place, bool focus) {
+    if (!m_document.isOpen() || place.file >= m_document.loaded()->paths.size()) return;
+    reveal(m_document.loaded()->paths[place.file], place.range, focus);
+}
+
+} // namespace trundle

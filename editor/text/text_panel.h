@@ -1,0 +1,107 @@
+#pragma once
+// The document's files as texts, in tabs: the opened file first, the others when they are wanted.
+
+#include <string>
+#include <vector>
+
+#include <QTimer>
+#include <QWidget>
+
+#include "base/source_range.h"
+#include "editor/text/project_files.h"
+
+class QLabel;
+class QMenu;
+class QTabWidget;
+class QToolButton;
+
+namespace trundle {
+
+class Actions;
+class CodeEdit;
+class Completing;
+class Document;
+class FilePage;
+class Finding;
+class ResultsList;
+class Selection;
+class TextCommands;
+
+class TextPanel final : public QWidget {
+    Q_OBJECT
+public:
+    TextPanel(Document& document, Selection& selection, Actions& actions, QWidget* parent = nullptr);
+    ~TextPanel() override;
+
+    /// Where texts, pictures and modules are looked for beside the project's own folders; for completion.
+    void setFolders(FileFolders folders) { m_folders = std::move(folders); }
+    /// Gives all that is typed to the document. To be called before anything that reads or saves its texts; the panel does it by
+    /// itself whenever the keyboard or the mouse goes elsewhere, and 40 ms after the first key.
+    void flush();
+    [[nodiscard]] FilePage* page() const; ///< the one in front; nullptr where nothing is open
+    [[nodiscard]] FilePage* pageOf(const std::string& file) const;
+    [[nodiscard]] std::vector<FilePage*> pages() const;
+
+    /// Whether the keyboard is in a text: then the edit actions of the window mean the text.
+    [[nodiscard]] bool hasKeyboard() const;
+    /// Does what an action of the table means in a text ("edit.cut"); false where it means nothing here.
+    bool carryOut(const std::string& id);
+
+    void goToDefinition(std::uint32_t offset);
+    void showUses(std::uint32_t offset);
+    /// The ways to mend what is wrong at the caret, else on its line, as a menu under the caret; nullptr where there is none.
+    QMenu* showFixes();
+    void formatText();
+
+public Q_SLOTS:
+    /// Shows a place: opens the file's tab, selects the range there. Takes the keyboard only where asked to.
+    void reveal(const std::string& file, TextRange range, bool focus = false);
+    void revealRange(const SourceRange& place) { revealFile(place, false); }
+    FilePage* openFile(const std::string& file);
+
+Q_SIGNALS:
+    void said(const QString& text); ///< why nothing happened; for the status bar
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void revealFile(const SourceRange& place, bool focus);
+    void onOpened();
+    void onChanged();
+    void onSelectionChanged();
+    void showTitles();
+    void fillFileMenu();
+    void addCommands();
+    void selectAtCaret();
+    void markSelected(bool scroll);
+    void watchForOthers();
+    FilePage* addPage(const std::string& file);
+    void connectPage(FilePage& page);
+    void closePage(int index);
+    void removePage(FilePage& page);
+    void showHover(FilePage& page, std::uint32_t offset, const QPoint& globalPos);
+    void showLink(FilePage& page, std::uint32_t offset);
+    void showMenu(FilePage& page, const QPoint& globalPos);
+    void tell(const QString& text); ///< beside the caret, for a moment
+
+    Document& m_document;
+    Selection& m_selection;
+    Actions& m_actions;
+    QTabWidget* m_tabs;
+    QLabel* m_nothing;
+    QToolButton* m_files;
+    TextCommands* m_commands;
+    ResultsList* m_uses;
+    Completing* m_completing;
+    Finding* m_finding;
+    FileFolders m_folders;
+    QTimer m_caretTimer;
+    std::string m_opened; ///< path of the opened file, as last seen
+    std::size_t m_historyAt = 0, m_historySize = 0;
+    bool m_stepping = false;  ///< the document goes back or forth in its history
+    bool m_selecting = false; ///< the selection changes because of this panel
+    bool m_watching = false;
+};
+
+} // namespace trundle

@@ -1,0 +1,186 @@
+// What the panel says and offers about the text: hover, links, uses, fixes, the menu.
+
+#include <algorithm>
+
+#include <QMenu>
+#include <QToolTip>
+
+#include "editor/document/document.h"
+#include "editor/text/code_edit.h"
+#include "editor/text/file_page.h"
+#include "editor/text/hover.h"
+#include "editor/text/navigation.h"
+#include "editor/text/results_list.h"
+#include "editor/text/text_panel.h"
+#include "editor/widgets/actions.h"
+#include "lang/formatter.h"
+
+namespace trundle {
+namespace {
+
+bool touches(TextRange range, std::uint32_t offset) { return range.begin <= offset && offset <= range.end; }
+
+bool isSign(char c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; }
+
+/// Formatting moves only what is blank, so the signs before a place tell where it is afterwards.
+std::size_t signsBefore(std::string_view text, std::size_t place) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(place, text.size())), isSign));
+}
+/// Before the sign that comes after so many.
+std::size_t placeBehind(std::string_view text, std::size_t signs) {
+    std::size_t at = 0;
+    while (at < text.size() && (signs > 0 || !isSign(text[at])))
+        if (isSign(text[at++])) --signs;
+    return at;
+}
+
+FileEdits editsOf(const Fix& fix) {
+    FileEdits edits;
+    for (const TextEdit& edit : fix.edits) edits[edit.range.file].push_back(edit);
+    return edits;
+}
+
+} // namespace
+
+void TextPanel::tell(const QString& text) {
+    Q_EMIT said(text);
+    FilePage* page = this->page();
+    if (page)
+        QToolTip::showText(page->edit().viewport()->mapToGlobal(page->edit().placeOf(page->edit().caret())), text, &page->edit());
+}
+
+void TextPanel::showHover(FilePage& page, std::uint32_t offset, const QPoint& globalPos) {
+    page.flush();
+    const FileId file = page.id();
+    if (offset == CodeEdit::kNowhere || file == kNoFile) return QToolTip::hideText();
+    std::vector<const Diagnostic*> problems;
+    for (const Diagnostic& problem : page.problems())
+        if (touches(problem.range.range, offset)) problems.push_back(&problem);
+    const std::string html = hoverHtml(hoverAt(*m_document.loaded(), file, offset), problems);
+    if (html.empty()) QToolTip::hideText();
+    else QToolTip::showText(globalPos, QString::fromStdString(html), page.edit().viewport());
+}
+
+void TextPanel::showLink(FilePage& page, std::uint32_t offset) {
+    TextRange link;
+    if (offset != CodeEdit::kNowhere && page.flush() && page.id() != kNoFile) {
+        const auto found = definitionAt(*m_document.loaded(), page.id(), offset);
+        if (found) link = found->word.range;
+    }
+    page.edit().showLink(link);
+}
+
+void TextPanel::goToDefinition(std::uint32_t offset) {
+    FilePage* page = this->page();
+    if (!page) return;
+    page->flush();
+    page->edit().showLink({});
+    if (page->id() == kNoFile) return;
+    const auto found = definitionAt(*m_document.loaded(), page->id(), offset);
+    if (found) revealFile(found->place, true);
+    else tell(tr("Nothing is named here"));
+}
+
+void TextPanel::showUses(std::uint32_t offset) {
+    FilePage* page = this->page();
+    if (!page) return;
+    flush();
+    if (page->id() == kNoFile) return;
+    const Loaded& loaded = *m_document.loaded();
+    const std::vector<SourceRange> uses = usesAt(loaded, page->id(), offset);
+    if (uses.empty()) return tell(tr("Nothing is named here"));
+    const auto given = definitionAt(loaded, page->id(), offset);
+    std::vector<ResultsList::Row> rows;
+    for (const SourceRange& use : uses) {
+        const SourceText& text = loaded.trees[use.file]->source();
+        const std::uint32_t line = text.position(use.range.begin).line;
+        rows.push_back({loaded.paths[use.file], m_document.shown(loaded.paths[use.file]), line, use.range,
+                        std::string(text.line(line)), given && given->place == use});
+    }
+    const QString name = QString::fromStdString(given ? given->name : std::string());
+    const QString title =
+        uses.size() == 1 ? tr("Only here: %1").arg(name) : tr("%1 is named in %2 places").arg(name).arg(uses.size());
+    m_uses->showRows(title, std::move(rows));
+}
+
+QMenu* TextPanel::showFixes() {
+    FilePage* page = this->page();
+    if (!page || !page->flush()) return nullptr;
+    const std::uint32_t caret = page->edit().caret();
+    const FileId file = page->id();
+    if (file == kNoFile) return nullptr;
+    const SourceText& text = m_document.loaded()->trees[file]->source();
+    const auto lineOf = [&](std::uint32_t offset) { return text.position(offset).line; };
+    std::vector<const Diagnostic*> problems;
+    for (const bool exact : {true, false}) { // at the caret, else anywhere on its line
+        for (const Diagnostic& problem : page->problems()) {
+            const TextRange range = problem.range.range;
+            const bool near =
+                exact ? touches(range, caret) : lineOf(range.begin) <= lineOf(caret) && lineOf(caret) <= lineOf(range.end);
+            if (near && !problem.fixes.empty()) problems.push_back(&problem);
+        }
+        if (!problems.empty()) break;
+    }
+    if (problems.empty()) {
+        tell(page->problems().empty() ? tr("Nothing is wrong here") : tr("There is no fix for this place"));
+        return nullptr;
+    }
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("fixMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    QAction* first = nullptr;
+    for (const Diagnostic* problem : problems) {
+        QString message = QString::fromStdString(problem->message);
+        menu->addAction(message.replace(QLatin1Char('&'), QStringLiteral("&&")))->setEnabled(false);
+        for (const Fix& fix : problem->fixes) {
+            QString title = QString::fromStdString(fix.title);
+            QAction* action = menu->addAction(title.replace(QLatin1Char('&'), QStringLiteral("&&")));
+            if (!first) first = action;
+            connect(action, &QAction::triggered, this,
+                    [this, edits = editsOf(fix), name = tr("Fix: %1").arg(QString::fromStdString(fix.title))] {
+                        (void)m_document.edit(name, edits);
+                    });
+        }
+    }
+    menu->setActiveAction(first);
+    menu->popup(page->edit().viewport()->mapToGlobal(page->edit().placeOf(caret)));
+    return menu;
+}
+
+void TextPanel::formatText() {
+    FilePage* page = this->page();
+    if (!page || !page->flush() || page->id() == kNoFile) return;
+    const Tree& tree = *m_document.loaded()->trees[page->id()];
+    const auto broken = std::any_of(tree.diagnostics().begin(), tree.diagnostics().end(),
+                                    [](const Diagnostic& d) { return d.severity == Severity::Error; });
+    if (broken) return tell(tr("Mend the errors first; a text that cannot be read is not formatted"));
+    const std::string before = page->edit().bytes();
+    const std::size_t signs = signsBefore(before, page->edit().caret());
+    if (!m_document.replaceText(tr("Format"), page->file(), format(tree))) return;
+    const auto caret = static_cast<std::uint32_t>(placeBehind(page->edit().bytes(), signs));
+    page->edit().setSelection({caret, caret});
+}
+
+void TextPanel::showMenu(FilePage& page, const QPoint& globalPos) {
+    auto* menu = new QMenu(&page);
+    menu->setObjectName(QStringLiteral("textMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const auto add = [&](const QString& text, const char* id) {
+        QAction* action = menu->addAction(text, this, [this, id] { carryOut(id); });
+        action->setShortcut(m_actions.at(id).shortcut());
+        action->setShortcutVisibleInContextMenu(true);
+        return action;
+    };
+    const bool selected = page.edit().selection().size() > 0;
+    add(tr("Cu&t"), "edit.cut")->setEnabled(selected);
+    add(tr("&Copy"), "edit.copy")->setEnabled(selected);
+    add(tr("&Paste"), "edit.paste");
+    menu->addSeparator();
+    for (const char* id : {"text.fix", "text.definition", "text.uses"}) add(m_actions.at(id).text(), id);
+    menu->addSeparator();
+    for (const char* id : {"text.comment", "text.format"}) add(m_actions.at(id).text(), id);
+    menu->popup(globalPos);
+}
+
+} // namespace trundle

@@ -1,0 +1,195 @@
+#include "editor/viewport/arrange.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <QCoreApplication>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/viewport/held_objects.h"
+#include "editor/viewport/number_text.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view.h"
+#include "lang/edit_style.h"
+#include "lang/tree_edit.h"
+#include "project/object_place.h"
+#include "project/part_values.h"
+#include "project/placed_text.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kInset = 0.02, kAbove = 0.001; // share of a footprint; m
+constexpr int kMostCopies = 400;
+
+QString trArrange(const char* text) { return QCoreApplication::translate("Arrange", text); }
+
+void refuse(const ViewParts& parts, const QString& why) { Q_EMIT parts.document.refused(why); }
+
+/// What can be arranged, or the reason why nothing can.
+bool usable(const ViewParts& parts, const HeldObjects& held, std::size_t least) {
+    if (held.paths().size() >= least) return true;
+    refuse(parts, !held.refusal().isEmpty() ? held.refusal()
+                  : least == 1              ? trArrange("Select what is to stand on the floor.")
+                  : least == 2              ? trArrange("Select two or more objects.")
+                                            : trArrange("Select three or more objects."));
+    return false;
+}
+
+/// The height of what is below a box: the highest thing under it that is not the object itself.
+double groundBelow(const ViewParts& parts, const Bounds& box, const std::vector<ObjectRef>& itself) {
+    const ShownWorld& world = parts.world;
+    const auto isItself = [&](const ObjectRef& geom) {
+        for (std::optional<ObjectRef> object = geom; object; object = world.objects()->ownerOf(*object))
+            if (std::find(itself.begin(), itself.end(), *object) != itself.end()) return true;
+        return false;
+    };
+    double ground = -std::numeric_limits<double>::infinity();
+    const Vec3 middle = box.centre(), half = (0.5 - kInset) * box.size();
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+        const Vec3 from(middle.x() + x * half.x(), middle.y() + y * half.y(), box.high.z() + kAbove);
+        for (const RayHit& hit : world.hitsAlong({from, -Vec3::UnitZ()}, true)) {
+            if (isItself(hit.geom)) continue;
+            ground = std::max(ground, hit.point.z());
+            break;
+        }
+    }
+    return std::isfinite(ground) ? ground : 0;
+}
+
+} // namespace
+
+void dropToFloor(const ViewParts& parts) {
+    HeldObjects held(parts);
+    if (!usable(parts, held, 1)) return;
+    std::vector<Vec3> offsets;
+    const std::vector<std::string> paths = held.paths();
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const Bounds box = held.boundsOf(i);
+        const double by = box.empty() ? 0 : groundBelow(parts, box, parts.world.objectsOf(paths[i])) - box.low.z();
+        offsets.emplace_back(0, 0, by);
+    }
+    (void)held.moveEach(offsets, trArrange("Drop %1 to floor").arg(held.title()));
+}
+
+void alignSelected(const ViewParts& parts, int axis, AlignTo to) {
+    HeldObjects held(parts);
+    if (!usable(parts, held, 2)) return;
+    const auto mark = [&](std::size_t i) {
+        const Bounds box = held.boundsOf(i);
+        if (box.empty()) return std::optional<double>();
+        return std::optional(to == AlignTo::Low ? box.low[axis] : to == AlignTo::High ? box.high[axis] : box.centre()[axis]);
+    };
+    const std::size_t count = held.paths().size();
+    const auto wanted = mark(count - 1);
+    std::vector<Vec3> offsets(count, Vec3::Zero());
+    for (std::size_t i = 0; i < count && wanted; ++i)
+        if (const auto now = mark(i)) offsets[i][axis] = *wanted - *now;
+    (void)held.moveEach(offsets, trArrange("Align %1").arg(held.title()));
+}
+
+void distributeSelected(const ViewParts& parts, int axis) {
+    HeldObjects held(parts);
+    if (!usable(parts, held, 3)) return;
+    const std::size_t count = held.paths().size();
+    std::vector<double> middles;
+    for (std::size_t i = 0; i < count; ++i) middles.push_back(held.boundsOf(i).empty() ? 0 : held.boundsOf(i).centre()[axis]);
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return middles[a] < middles[b]; });
+    const double first = middles[order.front()], step = (middles[order.back()] - first) / double(count - 1);
+    std::vector<Vec3> offsets(count, Vec3::Zero());
+    for (std::size_t k = 0; k < count; ++k) offsets[order[k]][axis] = first + step * double(k) - middles[order[k]];
+    (void)held.moveEach(offsets, trArrange("Distribute %1").arg(held.title()));
+}
+
+QString gridRefusal(const ViewParts& parts) {
+    const std::vector<std::string>& paths = parts.selection.paths();
+    const auto object = paths.size() == 1 ? parts.world.find(paths[0]) : std::nullopt;
+    if (!object || object->kind != ObjectKind::Robot) return trArrange("A Grid is made of one robot.");
+    const auto place = placeOf(*parts.document.loaded(), paths[0]);
+    return !place || place->member || !place->part
+               ? trArrange("%1 is part of a Grid already.").arg(QString::fromStdString(paths[0]))
+               : QString();
+}
+
+namespace {
+
+/// The block of a robot as that of a Grid whose first member stands where the robot stood.
+void makeGrid(const ViewParts& parts, const ArrayCopy& copy) {
+    const std::string path = parts.selection.current();
+    const Loaded& loaded = *parts.document.loaded();
+    const auto place = placeOf(loaded, path);
+    const ObjectRef robot = *parts.world.find(path);
+    const Part& part = *place->part;
+    const Tree& tree = *loaded.trees[part.file];
+    const Pose& pose = parts.world.objects()->robotOf(robot)->pose;
+    const Vec3 centre =
+        pose * Vec3(0.5 * (copy.count[0] - 1) * copy.spacing.x(), 0.5 * (copy.count[1] - 1) * copy.spacing.y(), 0);
+    std::string pos;
+    for (int k = 0; k < 3; ++k) pos += (k ? "," : "") + steppedNumber(centre[k], 1e-6);
+    std::vector<TextEdit> edits{editReplace(tree, part.block->type.range, "Grid")};
+    const PlacedAssignment* old = part.assignments.find("Pos");
+    const std::string count = std::to_string(copy.count[0]) + "," + std::to_string(copy.count[1]);
+    const std::string spacing = steppedNumber(copy.spacing.x(), 1e-6) + "," + steppedNumber(copy.spacing.y(), 1e-6);
+    const bool spaced = spacedEquals(tree, part.block, editStyle(tree));
+    const auto assignment = [&](const char* key, const std::string& value) {
+        return std::string(" ") + key + (spaced ? " = " : "=") + value;
+    };
+    if (old && old->file == part.file) {
+        edits.push_back(editSetValue(tree, *old->value, pos));
+        const std::uint32_t end = old->value->range.end;
+        edits.push_back({{part.file, {end, end}}, assignment("Count", count) + assignment("Spacing", spacing)});
+    } else {
+        const std::uint32_t open = part.block->open.end;
+        edits.push_back(
+            {{part.file, {open, open}}, assignment("Pos", pos) + assignment("Count", count) + assignment("Spacing", spacing)});
+    }
+    (void)parts.document.edit(trArrange("Array copy of %1").arg(QString::fromStdString(path)), {{part.file, edits}});
+}
+
+} // namespace
+
+void copyInRows(const ViewParts& parts, const ArrayCopy& copy) {
+    if (!parts.document.isOpen()) return;
+    if (copy.asGrid) {
+        if (const QString why = gridRefusal(parts); !why.isEmpty()) return refuse(parts, why);
+        return makeGrid(parts, copy);
+    }
+    const std::vector<std::string> originals = parts.selection.paths();
+    if (originals.empty()) return refuse(parts, trArrange("Select what is to be copied."));
+    const long total = long(copy.count[0]) * copy.count[1] * copy.count[2];
+    if (total > kMostCopies)
+        return refuse(
+            parts,
+            trArrange("That would be %1 copies; at most %2 are made, a Grid can hold more.").arg(total - 1).arg(kMostCopies));
+    const std::string key = "array " + std::to_string(parts.document.revision());
+    std::vector<std::string> all = originals;
+    parts.document.endMerge();
+    for (const std::string& path : originals) {
+        const Loaded& loaded = *parts.document.loaded();
+        const auto place = placeOf(loaded, path);
+        if (!place || place->member) {
+            refuse(parts, trArrange("%1 has no text of its own to copy.").arg(QString::fromStdString(path)));
+            break;
+        }
+        const std::string text = textOf(loaded, {path}),
+                          parent = path.substr(0, path.rfind('.') == std::string::npos ? 0 : path.rfind('.'));
+        const Vec3 at = poseAt(loaded, *place).position;
+        std::string blocks;
+        for (int i = 1; i < total; ++i) {
+            const Vec3 steps(i % copy.count[0], i / copy.count[0] % copy.count[1], i / (copy.count[0] * copy.count[1]));
+            PlacedText block(text);
+            block.shift("Pos", steps.cwiseProduct(copy.spacing), at);
+            blocks += block.text() + "\n";
+        }
+        const Result<EditPlan> plan = planInsert(loaded, parent, blocks);
+        if (!parts.document.carryOut(trArrange("Array copy of %1").arg(QString::fromStdString(path)), plan, key)) break;
+        all.insert(all.end(), plan.value().selects.begin(), plan.value().selects.end());
+    }
+    parts.document.endMerge();
+    parts.selection.set(std::move(all));
+}
+
+} // namespace trundle

@@ -1,0 +1,31 @@
+#pragma once
+#include <QDialog>
+
+#include "editor/viewport/arrange.h"
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSpinBox;
+
+namespace trundle {
+
+/// Asks how many copies and how far apart.
+class ArrayDialog final : public QDialog {
+    Q_OBJECT
+public:
+    /// `gridRefusal`: why a Grid cannot be made; empty: it is offered.
+    ArrayDialog(const Vec3& spacing, const QString& gridRefusal, QWidget* parent = nullptr);
+
+    [[nodiscard]] ArrayCopy copy() const;
+
+private:
+    void say();
+
+    std::array<QSpinBox*, 3> m_count{};
+    std::array<QDoubleSpinBox*, 3> m_spacing{};
+    QCheckBox* m_asGrid = nullptr;
+    QLabel* m_summary = nullptr;
+};
+
+} // namespace trundle

@@ -1,0 +1,68 @@
+#pragma once
+// The handles by which objects are moved, turned and sized: where they are on the screen, how they look, which one a point hits.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <QColor>
+#include <QPolygonF>
+
+#include "editor/viewport/view_settings.h"
+#include "scene/view.h"
+
+class QPainter;
+
+namespace trundle {
+
+/// Axis, Plane (named by the axis that stands on it), Screen, Ring, Size.
+struct Handle {
+    enum class Kind { None, Axis, Plane, Screen, Ring, Size };
+    Kind kind = Kind::None;
+    int axis = 0; ///< 0 x, 1 y, 2 z
+    bool operator==(const Handle&) const = default;
+    explicit operator bool() const { return kind != Kind::None; }
+};
+
+/// Where a gizmo stands.
+struct GizmoPlace {
+    Vec3 origin = Vec3::Zero();
+    Mat3 axes = Mat3::Identity(); ///< columns, unit, right-handed
+    Vec3 half = Vec3::Zero();     ///< half the extent of what is sized; 0: cannot be sized along that axis
+    double metresPerPixel = 0.01; ///< at the origin
+    Vec3 forward = Vec3::UnitY(); ///< of the camera, at the origin
+};
+
+using Projector = std::function<std::optional<QPointF>(const Vec3&)>;
+
+class Gizmo {
+public:
+    /// Handles that stand so that they could not be dragged with any sense are left out.
+    Gizmo(Tool tool, const GizmoPlace& place, const Projector& project);
+
+    [[nodiscard]] Handle hit(const QPointF& at) const;
+    /// `hot` is drawn bright, and alone while it is dragged.
+    void paint(QPainter& painter, const Handle& hot, bool dragged) const;
+    /// Middle of a handle on the screen, for hints and tests.
+    [[nodiscard]] std::optional<QPointF> spot(const Handle& handle) const;
+
+private:
+    struct Shape {
+        Handle handle;
+        QColor colour;
+        std::vector<QPolygonF> lines, faint; ///< faint: behind
+        QPolygonF face;                      ///< filled
+        QPointF spot;
+    };
+    void addArrow(int axis);
+    void addPlane(int axis);
+    void addScreen();
+    void addRing(int axis);
+    void addSize(int axis);
+
+    GizmoPlace m_place;
+    Projector m_project;
+    std::vector<Shape> m_shapes; // drawn in this order, hit in the other
+};
+
+} // namespace trundle

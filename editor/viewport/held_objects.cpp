@@ -1,0 +1,243 @@
+#include "editor/viewport/held_objects.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <QCoreApplication>
+
+#include "editor/document/selection.h"
+#include "editor/running/session.h"
+#include "editor/viewport/number_text.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view.h"
+#include "model/provenance.h"
+#include "project/object_place.h"
+#include "project/part_values.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kLeastLength = 1e-3; // m, to which a shape can be dragged
+
+QString tr(const char* text) { return QCoreApplication::translate("HeldObjects", text); }
+
+bool isInside(const std::string& path, const std::string& other) {
+    return path.size() > other.size() && path.starts_with(other) && path[other.size()] == '.';
+}
+
+std::array<double, 3> arrayOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+} // namespace
+
+HeldObjects::HeldObjects(const ViewParts& parts)
+    : m_parts(parts), m_objects(parts.world.objects()), m_running(parts.world.isRunning()) {
+    const std::vector<std::string>& paths = parts.selection.paths();
+    for (const std::string& path : paths) {
+        const bool goesAlong = std::any_of(paths.begin(), paths.end(), [&](const std::string& p) { return isInside(path, p); });
+        if (!goesAlong) take(path);
+    }
+    if (!m_items.empty()) m_refusal.clear();
+}
+
+void HeldObjects::take(const std::string& path) {
+    const ShownWorld& world = m_parts.world;
+    const std::vector<ObjectRef> objects = world.objectsOf(path);
+    if (objects.empty()) return;
+    const ObjectRef object = objects.front();
+    if (m_running) {
+        if (object.kind != ObjectKind::Robot) {
+            m_refusal = tr("While a world runs only whole robots can be moved; reset to edit the start.");
+            return;
+        }
+        for (const ObjectRef& robot : objects) {
+            const Pose at = world.poseOf(robot);
+            m_items.push_back({m_objects->pathOf(robot), robot, at, Pose{}, at, {}, {}});
+        }
+        return;
+    }
+    if (!m_parts.document.isOpen()) return;
+    const auto place = placeOf(*m_parts.document.loaded(), path);
+    if (!place) return;
+    const bool hasPlace = place->member || (place->part && place->part->kind && place->part->kind->find("Pos"));
+    if (!hasPlace) return; // a config as a whole
+    if (place->member) {
+        m_layout = place->instance ? place->instance->name : std::string();
+        m_refusal = tr("%1 is one of many: it stands where %2 puts it.")
+                        .arg(QString::fromStdString(path), QString::fromStdString(m_layout));
+        return;
+    }
+    const bool isLayout = place->instance && place->within.empty() && objects.size() >= 1 && !world.find(path);
+    if (isLayout && !path.starts_with("RobotConfig.") && !path.starts_with("StaticConfig.")) return takeLayout(path);
+    if (world.isLocked(object)) {
+        m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path));
+        return;
+    }
+    Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}};
+    if (const RobotSpec* robot = m_objects->robotOf(object)) {
+        if (object.kind == ObjectKind::Robot) item.local = robot->pose;
+        if (object.kind == ObjectKind::Body) item.local = robot->config->bodies[object.body].pose;
+    } else if (object.kind == ObjectKind::Static) {
+        item.local = m_objects->staticOf(object)->pose;
+    }
+    if (const GeomSpec* geom = m_objects->geomOf(object)) item.local = geom->pose;
+    item.posText = textOf(path + ".Pos");
+    item.hprText = textOf(path + ".HPR");
+    m_items.push_back(std::move(item));
+}
+
+void HeldObjects::takeLayout(const std::string& path) {
+    const auto place = placeOf(*m_parts.document.loaded(), path);
+    Item item{
+        path, std::nullopt, poseAt(*m_parts.document.loaded(), *place), Pose{}, {}, textOf(path + ".Pos"), textOf(path + ".HPR")};
+    item.local = item.world;
+    m_items.push_back(std::move(item));
+}
+
+std::string HeldObjects::textOf(const std::string& property) const {
+    const Loaded& loaded = *m_parts.document.loaded();
+    const auto from = provenanceOf(*loaded.outline, property);
+    if (!from || !from->value.known()) return {};
+    // A value that stands in the config is not edited through an instance: a new one is written, in plain numbers.
+    const bool inConfig = property.starts_with("RobotConfig.") || property.starts_with("StaticConfig.");
+    const SourceRange own = blockOf(loaded, property.substr(0, property.find('.')));
+    const bool inPlace = inConfig || (own.known() && own.file == from->value.file && own.range.begin <= from->value.range.begin &&
+                                      from->value.range.end <= own.range.end);
+    return inPlace ? std::string(loaded.sources.slice(from->value)) : std::string();
+}
+
+QString HeldObjects::title() const {
+    return m_items.size() == 1 ? QString::fromStdString(m_items.front().path)
+                               : QCoreApplication::translate("HeldObjects", "%n objects", nullptr, int(m_items.size()));
+}
+
+std::vector<std::string> HeldObjects::paths() const {
+    std::vector<std::string> all;
+    for (const Item& item : m_items) all.push_back(item.path);
+    return all;
+}
+
+Bounds HeldObjects::boundsOf(std::size_t item) const {
+    if (m_items[item].object) return m_objects->boundsOf(*m_items[item].object, *m_parts.world.poses());
+    Bounds all;
+    for (const ObjectRef& member : m_parts.world.objectsOf(m_items[item].path)) all.add(m_parts.world.boundsOf(member));
+    return all;
+}
+
+std::vector<ValueEdit> HeldObjects::editsOf(Item& item, const Pose& local, Fineness fineness) const {
+    std::vector<ValueEdit> edits;
+    // What a drag has written once it writes on, also back to where it began.
+    item.posEdited |= (item.local.position - local.position).cwiseAbs().maxCoeff() > 1e-9;
+    item.hprEdited |= item.local.rotation.angularDistance(local.rotation) > 1e-7;
+    const auto before = arrayOf(item.local.position), after = arrayOf(local.position);
+    if (item.posEdited) edits.push_back({item.path + ".Pos", withNumbers(item.posText, before, after, "m", fineness.lengthM)});
+    const auto from = arrayOf(hprFromRotation(item.local.rotation) * kDegrees),
+               to = arrayOf(hprFromRotation(local.rotation) * kDegrees);
+    if (item.hprEdited) edits.push_back({item.path + ".HPR", withNumbers(item.hprText, from, to, "deg", fineness.degrees)});
+    return edits;
+}
+
+Status HeldObjects::carryOut(const std::vector<ValueEdit>& edits, const QString& name, const std::string& mergeKey) {
+    const auto same = [](const ValueEdit& a, const ValueEdit& b) { return a.path == b.path && a.text == b.text; };
+    if (edits.empty() || std::equal(edits.begin(), edits.end(), m_last.begin(), m_last.end(), same)) return {};
+    Status done = m_parts.document.setValues(name, edits, mergeKey);
+    if (done) m_last = edits;
+    return done;
+}
+
+Status HeldObjects::move(const Pose& motion, const QString& name, const std::string& mergeKey, Fineness fineness) {
+    if (m_running) {
+        for (const Item& item : m_items)
+            if (!m_parts.session.place(item.path, motion * item.world)) return Error{Code::Internal, "it cannot be placed there"};
+        return {};
+    }
+    std::vector<ValueEdit> edits;
+    for (Item& item : m_items) {
+        // Turned and shifted in the object's own frame, so that what does not change keeps its exact number.
+        const Pose inFrame = item.frame.inverse() * motion * item.frame;
+        Pose local;
+        local.rotation = (inFrame.rotation * item.local.rotation).normalized();
+        const bool turns = motion.rotation.angularDistance(Quat::Identity()) > 1e-12;
+        local.position =
+            turns ? inFrame * item.local.position : Vec3(item.local.position + item.frame.rotation.conjugate() * motion.position);
+        for (ValueEdit& edit : editsOf(item, local, fineness)) edits.push_back(std::move(edit));
+    }
+    return carryOut(edits, name, mergeKey);
+}
+
+Status HeldObjects::moveEach(const std::vector<Vec3>& offsets, const QString& name) {
+    std::vector<ValueEdit> edits;
+    for (std::size_t i = 0; i < m_items.size() && i < offsets.size(); ++i) {
+        Item& item = m_items[i];
+        if (m_running) {
+            Pose to = item.world;
+            to.position += offsets[i];
+            if (!m_parts.session.place(item.path, to)) return Error{Code::Internal, "it cannot be placed there"};
+            continue;
+        }
+        Pose local = item.local;
+        local.position += item.frame.rotation.conjugate() * offsets[i];
+        for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
+    }
+    m_parts.document.endMerge();
+    return carryOut(edits, name, {});
+}
+
+Vec3 HeldObjects::halfExtent() const {
+    const auto& object = m_items.back().object;
+    const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
+    if (m_running || !geom) return Vec3::Zero();
+    switch (geom->shape) {
+    case GeomShape::Box: return 0.5 * geom->size;
+    case GeomShape::Sphere: return Vec3::Constant(geom->radius);
+    case GeomShape::Cylinder:
+    case GeomShape::Capsule: return {geom->radius, geom->radius, 0.5 * geom->length};
+    case GeomShape::Heightfield: return {0.5 * geom->size.x(), 0.5 * geom->size.y(), geom->size.z()};
+    default: return Vec3::Zero();
+    }
+}
+
+Status HeldObjects::resize(const Vec3& growth, const QString& name, const std::string& mergeKey, Fineness fineness) {
+    std::vector<ValueEdit> edits;
+    const auto set = [&](const Item& item, const char* key, std::span<const double> before, std::span<const double> after) {
+        const std::string path = item.path + "." + key;
+        const auto [text, isNew] = m_sizeTexts.try_emplace(path);
+        if (isNew) text->second = textOf(path);
+        edits.push_back({path, withNumbers(text->second, before, after, "m", fineness.lengthM)});
+    };
+    const auto grown = [](double value, double by) { return std::max(kLeastLength, value + by); };
+    for (const Item& item : m_items) {
+        const GeomSpec* geom = item.object ? m_objects->geomOf(*item.object) : nullptr;
+        if (!geom) continue;
+        const double radius = geom->radius, length = geom->length;
+        const double across = std::abs(growth.x()) > std::abs(growth.y()) ? growth.x() : growth.y();
+        switch (geom->shape) {
+        case GeomShape::Box:
+        case GeomShape::Heightfield: {
+            Vec3 size = geom->size;
+            for (int k = 0; k < 3; ++k) {
+                const bool oneSided = geom->shape == GeomShape::Heightfield && k == 2;
+                if (growth[k] != 0) size[k] = grown(size[k], (oneSided ? 1 : 2) * growth[k]);
+            }
+            set(item, "Size", arrayOf(geom->size), arrayOf(size));
+            break;
+        }
+        case GeomShape::Sphere: {
+            const double by = std::abs(across) > std::abs(growth.z()) ? across : growth.z(), to = grown(radius, by);
+            set(item, "Radius", {&radius, 1}, {&to, 1});
+            break;
+        }
+        case GeomShape::Cylinder:
+        case GeomShape::Capsule: {
+            const double wide = grown(radius, across), far = grown(length, 2 * growth.z());
+            if (across != 0 || m_sizeTexts.contains(item.path + ".Radius")) set(item, "Radius", {&radius, 1}, {&wide, 1});
+            if (growth.z() != 0 || m_sizeTexts.contains(item.path + ".Length")) set(item, "Length", {&length, 1}, {&far, 1});
+            break;
+        }
+        default: break;
+        }
+    }
+    return carryOut(edits, name, mergeKey);
+}
+
+} // namespace trundle

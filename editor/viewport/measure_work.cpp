@@ -1,0 +1,90 @@
+#include "editor/viewport/measure_work.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include "editor/viewport/number_text.h"
+#include "editor/viewport/plate.h"
+#include "editor/viewport/view.h"
+#include "editor/viewport/view_settings.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+QString length(double m) { return QString::fromStdString(steppedNumber(m, 1e-4)) + QStringLiteral(" m"); }
+
+} // namespace
+
+MeasureWork::MeasureWork(View& view) : m_view(view) {
+    connect(&view.parts().settings, &ViewSettings::changed, this, [this] {
+        if (isOn() || (m_points.empty() && !m_next)) return;
+        m_points.clear();
+        m_next.reset();
+        m_view.setHint({});
+    });
+}
+
+bool MeasureWork::isOn() const { return m_view.parts().settings.tool() == Tool::Measure; }
+
+bool MeasureWork::press(const Pointer& pointer) {
+    if (!isOn() || pointer.button != Qt::LeftButton) return false;
+    if (m_points.size() >= 2) m_points.clear();
+    m_points.push_back(m_view.pointUnder(pointer.at));
+    m_next.reset();
+    say();
+    return true;
+}
+
+bool MeasureWork::hover(const Pointer& pointer) {
+    if (!isOn()) return false;
+    m_next = m_points.size() == 2 ? std::nullopt : std::optional(m_view.pointUnder(pointer.at));
+    m_view.setHovered({}, {});
+    say();
+    return true;
+}
+
+bool MeasureWork::key(QKeyEvent& event) {
+    if (!isOn() || event.key() != Qt::Key_Escape || m_points.empty()) return false;
+    m_points.clear();
+    say();
+    return true;
+}
+
+void MeasureWork::say() {
+    if (m_points.empty()) {
+        m_view.setHint(tr("Click the first point"));
+    } else if (m_points.size() == 1) {
+        m_view.setHint(tr("Click the second point"));
+    } else {
+        const Vec3 by = m_points[1] - m_points[0];
+        m_view.setHint(
+            tr("Distance %1     x %2   y %3   z %4").arg(length(by.norm()), length(by.x()), length(by.y()), length(by.z())));
+    }
+    m_view.update();
+}
+
+void MeasureWork::paint(QPainter& painter) {
+    if (!isOn()) return;
+    std::vector<Vec3> points = m_points;
+    if (m_next) points.push_back(*m_next);
+    std::vector<QPointF> at;
+    for (const Vec3& point : points) {
+        if (const auto pixel = m_view.shownPixelOf(point)) at.push_back(*pixel);
+    }
+    const QColor colour(255, 208, 60);
+    if (at.size() == 2) {
+        painter.setPen(QPen(QColor(10, 12, 16, 120), 4, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(at[0], at[1]);
+        painter.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(at[0], at[1]);
+    }
+    for (const QPointF& p : at) {
+        painter.setPen(QPen(QColor(10, 12, 16, 160), 1));
+        painter.setBrush(colour);
+        painter.drawEllipse(p, 4, 4);
+    }
+    if (at.size() == 2) paintPlate(painter, 0.5 * (at[0] + at[1]) + QPointF(0, -18), length((points[1] - points[0]).norm()));
+}
+
+} // namespace trundle

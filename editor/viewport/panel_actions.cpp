@@ -1,0 +1,157 @@
+// What the panel does when the window's actions are triggered.
+
+#include <QActionGroup>
+#include <QCursor>
+#include <QMenu>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/running/session.h"
+#include "editor/viewport/array_dialog.h"
+#include "editor/viewport/picking.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view_header.h"
+#include "editor/viewport/viewport_panel.h"
+#include "editor/widgets/actions.h"
+
+namespace trundle {
+namespace {
+
+struct ToolRow {
+    const char* id;
+    Tool tool;
+};
+constexpr ToolRow kTools[] = {{"tool.select", Tool::Select},
+                              {"tool.move", Tool::Move},
+                              {"tool.rotate", Tool::Rotate},
+                              {"tool.scale", Tool::Scale},
+                              {"tool.measure", Tool::Measure}};
+
+struct KindRow {
+    const char* id;
+    ViewKind kind;
+};
+constexpr KindRow kKinds[] = {{"view.perspective", ViewKind::Perspective},
+                              {"view.parallel", ViewKind::Orthographic},
+                              {"view.top", ViewKind::Top},
+                              {"view.front", ViewKind::Front},
+                              {"view.side", ViewKind::Side},
+                              {"view.follow", ViewKind::Follow},
+                              {"view.chase", ViewKind::Chase}};
+
+struct OverlayRow {
+    const char* id;
+    Overlay overlay;
+};
+constexpr OverlayRow kOverlays[] = {{"view.overlayGrid", kOverlayGrid},          {"view.overlayShadows", kOverlayShadows},
+                                    {"view.overlayNames", kOverlayNames},        {"view.overlayTrails", kOverlayTrails},
+                                    {"view.overlayJoints", kOverlayJoints},      {"view.overlayMass", kOverlayMass},
+                                    {"view.overlayContacts", kOverlayContacts},  {"view.overlayCollision", kOverlayCollision},
+                                    {"view.overlayWireframe", kOverlayWireframe}};
+
+QString axisName(int axis) { return QString(QLatin1Char("XYZ"[axis])); }
+
+} // namespace
+
+void ViewportPanel::connectActions() {
+    const auto on = [this](const char* id, auto&& work) { connect(&m_actions.at(id), &QAction::triggered, this, work); };
+    for (const ToolRow& row : kTools)
+        on(row.id, [this, tool = row.tool] {
+            m_settings.setTool(tool);
+            showTools();
+        });
+    for (const KindRow& row : kKinds) on(row.id, [this, kind = row.kind] { setKind(kind); });
+    on("view.one", [this] { setViewCount(1); });
+    on("view.two", [this] { setViewCount(2); });
+    on("view.four", [this] { setViewCount(4); });
+    on("view.frame", [this] { frameSelection(); });
+    on("view.frameAll", [this] { frameAll(); });
+    on("tool.snap", [this] { m_settings.setSnaps(m_actions.at("tool.snap").isChecked()); });
+    on("tool.snapSteps", [this] { findChild<ViewBar*>()->openSteps(); });
+    on("tool.frame", [this] {
+        const AxesOf axes = m_settings.axes();
+        m_settings.setAxes(axes == AxesOf::World ? AxesOf::Parent : axes == AxesOf::Parent ? AxesOf::Local : AxesOf::World);
+    });
+    on("tool.drop", [this] { dropToFloor(*m_parts); });
+    on("tool.align", [this] { askAlign(); });
+    on("tool.distribute", [this] { askDistribute(); });
+    on("tool.array", [this] { askArray(); });
+    connect(&m_settings, &ViewSettings::changed, this, &ViewportPanel::showTools);
+    showTools();
+}
+
+void ViewportPanel::showTools() {
+    for (const ToolRow& row : kTools) m_actions.at(row.id).setChecked(m_settings.tool() == row.tool);
+    m_actions.at("tool.snap").setChecked(m_settings.snaps());
+    for (const OverlayRow& row : kOverlays) m_actions.at(row.id).setChecked(m_settings.shows(row.overlay));
+}
+
+void ViewportPanel::connectOverlays() {
+    for (const OverlayRow& row : kOverlays)
+        connect(&m_actions.at(row.id), &QAction::triggered, this,
+                [this, overlay = row.overlay](bool on) { m_settings.show(overlay, on); });
+    connect(&m_settings, &ViewSettings::changed, this, [this] {
+        m_session.wantContacts(m_settings.shows(kOverlayContacts));
+        m_trails->setWanted(m_settings.shows(kOverlayTrails));
+    });
+}
+
+void ViewportPanel::askAlign() {
+    QMenu menu(this);
+    menu.setObjectName(QStringLiteral("alignMenu"));
+    const std::pair<AlignTo, QString> places[] = {
+        {AlignTo::Low, tr("lowest")}, {AlignTo::Middle, tr("middles")}, {AlignTo::High, tr("highest")}};
+    for (int axis = 0; axis < 3; ++axis) {
+        menu.addSeparator();
+        for (const auto& [to, name] : places)
+            connect(menu.addAction(tr("Along %1: %2").arg(axisName(axis), name)), &QAction::triggered, this,
+                    [this, axis, to = to] { alignSelected(*m_parts, axis, to); });
+    }
+    menu.exec(QCursor::pos());
+}
+
+void ViewportPanel::askDistribute() {
+    QMenu menu(this);
+    menu.setObjectName(QStringLiteral("distributeMenu"));
+    for (int axis = 0; axis < 3; ++axis)
+        connect(menu.addAction(tr("Along %1").arg(axisName(axis))), &QAction::triggered, this,
+                [this, axis] { distributeSelected(*m_parts, axis); });
+    menu.exec(QCursor::pos());
+}
+
+void ViewportPanel::askArray() {
+    if (!m_document.isOpen()) return;
+    Vec3 spacing = Vec3::Constant(0.5);
+    const auto objects = m_world->objectsOf(m_selection.current());
+    if (!objects.empty()) {
+        const Bounds box = m_world->boundsOf(objects.front());
+        // Half as much again as the object is large, in round numbers.
+        if (!box.empty()) spacing = (10 * 1.5 * box.size()).array().ceil() / 10;
+    }
+    ArrayDialog dialog(spacing, gridRefusal(*m_parts), this);
+    if (dialog.exec() == QDialog::Accepted) copyInRows(*m_parts, dialog.copy());
+}
+
+void ViewportPanel::showMenu(View& view, const QPointF& at) {
+    // What was clicked is meant, unless it is in what is selected.
+    const std::vector<std::string> chain = pickChain(*m_world, m_world->hitsAlong(view.rayAt(at)));
+    const bool selected =
+        std::any_of(chain.begin(), chain.end(), [this](const std::string& path) { return m_selection.contains(path); });
+    if (!chain.empty() && !chain.front().empty() && !selected) m_selection.select(chain.front());
+    QMenu menu(this);
+    menu.setObjectName(QStringLiteral("viewMenu"));
+    if (!m_selection.empty()) {
+        for (const char* id : {"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete"})
+            menu.addAction(&m_actions.at(id));
+        menu.addSeparator();
+        for (const char* id : {"tool.drop", "tool.align", "tool.distribute", "tool.array"}) menu.addAction(&m_actions.at(id));
+        menu.addSeparator();
+    } else {
+        menu.addAction(&m_actions.at("edit.paste"));
+        menu.addSeparator();
+    }
+    for (const char* id : {"view.frame", "view.frameAll"}) menu.addAction(&m_actions.at(id));
+    menu.exec(view.mapToGlobal(at.toPoint()));
+}
+
+} // namespace trundle

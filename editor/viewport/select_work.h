@@ -1,0 +1,30 @@
+#pragma once
+#include "editor/viewport/mouse_work.h"
+#include "editor/viewport/picking.h"
+
+namespace trundle {
+
+/// A click selects, repeated it goes deeper and then behind; Ctrl+click adds or removes; a drag spans a box. Esc clears.
+class SelectWork final : public MouseWork {
+public:
+    explicit SelectWork(View& view) : m_view(view) {}
+
+    bool press(const Pointer& pointer) override;
+    void drag(const Pointer& pointer) override;
+    void release(const Pointer& pointer) override;
+    void cancel() override { m_boxing = m_pressed = false; }
+    bool hover(const Pointer& pointer) override;
+    bool key(QKeyEvent& event) override;
+    void paint(QPainter& painter) override;
+
+private:
+    void click(const Pointer& pointer);
+    void takeBox(Qt::KeyboardModifiers modifiers);
+
+    View& m_view;
+    PickCycle m_cycle;
+    QPointF m_start, m_now;
+    bool m_pressed = false, m_boxing = false;
+};
+
+} // namespace trundle

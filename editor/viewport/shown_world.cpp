@@ -1,0 +1,159 @@
+#include "editor/viewport/shown_world.h"
+
+#include <algorithm>
+
+#include "editor/document/document.h"
+#include "editor/running/session.h"
+#include "project/object_place.h"
+#include "scene/ghosts.h"
+
+namespace trundle {
+namespace {
+
+bool isMemberOf(const std::string& name, const std::string& layout) {
+    return name.size() > layout.size() + 1 && name.starts_with(layout) && name[layout.size()] == '_' &&
+           std::all_of(name.begin() + std::ptrdiff_t(layout.size()) + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// A text that cannot be read as a tree says little of what its author means to keep.
+bool hasBrokenSyntax(const Loaded& loaded) {
+    const auto& all = loaded.diagnostics.all();
+    return std::any_of(all.begin(), all.end(),
+                       [](const Diagnostic& d) { return d.severity == Severity::Error && static_cast<int>(d.code) < 200; });
+}
+
+} // namespace
+
+ShownWorld::ShownWorld(Document& document, RunSession& session, RenderService* render, QObject* parent)
+    : QObject(parent), m_document(document), m_session(session), m_render(render) {
+    connect(&m_document, &Document::changed, this, &ShownWorld::look);
+    connect(&m_session, &RunSession::experimentChanged, this, &ShownWorld::look);
+    connect(&m_session, &RunSession::stateChanged, this, &ShownWorld::look);
+    connect(&m_session, &RunSession::advanced, this, &ShownWorld::lookAtPoses);
+    m_objects = std::make_shared<ObjectIndex>(std::make_shared<ExperimentSpec>());
+    m_poses = std::make_shared<BodyPoses>();
+    look();
+}
+
+ShownWorld::~ShownWorld() {
+    if (m_render && m_scene != SceneId::None) m_render->removeScene(m_scene);
+}
+
+void ShownWorld::look() {
+    const bool runs = m_session.experiment() && m_session.poses();
+    std::shared_ptr<const ExperimentSpec> experiment = runs                  ? m_session.experiment()
+                                                       : m_document.isOpen() ? m_document.loaded()->experiment
+                                                                             : nullptr;
+    if (experiment == m_experiment) {
+        if (runs == m_running) return lookAtPoses();
+        m_running = runs;
+        m_poses = std::make_shared<BodyPoses>(startPoses(m_objects->experiment()));
+        m_bounds.reset();
+        lookAtPoses();
+        Q_EMIT posed();
+        return;
+    }
+    m_running = runs;
+    m_experiment = experiment;
+    if (!experiment) experiment = std::make_shared<ExperimentSpec>();
+    m_objects = std::make_shared<ObjectIndex>(experiment);
+    const std::shared_ptr<const BodyPoses> now = runs ? m_session.poses() : nullptr;
+    m_poses = now && now->size() == m_objects->poseCount() ? now : std::make_shared<BodyPoses>(startPoses(*experiment));
+    if (m_render) {
+        const SceneId before = m_scene;
+        m_scene = m_render->addScene(experiment, runs ? nullptr : ghosts());
+        if (before != SceneId::None) m_render->removeScene(before);
+    }
+    listHidden();
+    Q_EMIT replaced();
+}
+
+void ShownWorld::lookAtPoses() {
+    if (!m_running && m_session.poses()) return look();
+    const std::shared_ptr<const BodyPoses> poses = m_running ? m_session.poses() : nullptr;
+    if (!poses || poses == m_poses || poses->size() != m_objects->poseCount()) return;
+    m_poses = poses;
+    m_bounds.reset();
+    Q_EMIT posed();
+}
+
+std::shared_ptr<const ExperimentSpec> ShownWorld::ghosts() const {
+    if (!m_document.isOpen() || !m_document.lastGood() || !m_document.loaded()->diagnostics.hasErrors()) return nullptr;
+    const Loaded& now = *m_document.loaded();
+    const bool broken = hasBrokenSyntax(now);
+    return ghostsOf(*now.experiment, *m_document.lastGood()->experiment,
+                    [&](const std::string& path) { return broken || placeOf(now, path).has_value(); });
+}
+
+std::vector<ObjectRef> ShownWorld::objectsOf(const std::string& path) const {
+    if (const auto object = find(path)) return {*object};
+    std::vector<ObjectRef> objects;
+    const auto add = [&](const std::string& instance, std::string_view rest) {
+        if (const auto object = find(instance + std::string(rest))) objects.push_back(*object);
+    };
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    const std::string first = path.substr(0, dot);
+    const bool isRobotConfig = first == "RobotConfig", isStaticConfig = first == "StaticConfig";
+    if (isRobotConfig || isStaticConfig) {
+        if (dot == path.size()) return objects;
+        const std::size_t end = std::min(path.find('.', dot + 1), path.size());
+        const std::string config = path.substr(dot + 1, end - dot - 1), rest = path.substr(end);
+        const ExperimentSpec& e = m_objects->experiment();
+        if (isRobotConfig) {
+            for (const RobotSpec& robot : e.robots)
+                if (robot.config && robot.config->name == config) add(robot.name, rest);
+        } else {
+            for (const StaticSpec& fixed : e.statics)
+                if (fixed.configName == config) add(fixed.name, rest);
+        }
+        return objects;
+    }
+    for (const RobotSpec& robot : m_objects->experiment().robots)
+        if (isMemberOf(robot.name, first)) add(robot.name, path.substr(dot));
+    return objects;
+}
+
+bool ShownWorld::holds(const std::vector<std::string>& marks, const ObjectRef& object) const {
+    if (marks.empty()) return false;
+    const std::string path = m_objects->pathOf(object);
+    return std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) {
+        if (path.starts_with(mark) && (path.size() == mark.size() || path[mark.size()] == '.')) return true;
+        return isMemberOf(path.substr(0, path.find('.')), mark);
+    });
+}
+
+const Bounds& ShownWorld::bounds() const {
+    if (m_bounds) return *m_bounds;
+    m_bounds.emplace();
+    for (const ObjectRef& object : m_objects->instances())
+        if (!isHidden(object)) m_bounds->add(boundsOf(object));
+    return *m_bounds;
+}
+
+std::vector<RayHit> ShownWorld::hitsAlong(const ViewRay& ray, bool alsoLocked) const {
+    std::vector<RayHit> hits = castRay(*m_objects, *m_poses, ray);
+    if (!m_hidden.empty() || !m_locked.empty())
+        std::erase_if(hits, [&](const RayHit& hit) { return isHidden(hit.geom) || (!alsoLocked && isLocked(hit.geom)); });
+    return hits;
+}
+
+void ShownWorld::setHidden(std::vector<std::string> paths) {
+    if (paths == m_hidden) return;
+    m_hidden = std::move(paths);
+    listHidden();
+    Q_EMIT marked();
+}
+
+void ShownWorld::setLocked(std::vector<std::string> paths) {
+    m_locked = std::move(paths);
+    Q_EMIT marked();
+}
+
+void ShownWorld::listHidden() {
+    m_bounds.reset();
+    m_hiddenInScene.clear();
+    for (const std::string& path : m_hidden)
+        for (const ObjectRef& object : objectsOf(path)) m_hiddenInScene.push_back(m_objects->pathOf(object, '/'));
+}
+
+} // namespace trundle

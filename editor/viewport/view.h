@@ -1,0 +1,155 @@
+#pragma once
+// One 3D view: asks the render service for pictures when something changed, and paints them with what belongs over them.
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include "editor/viewport/mouse_work.h"
+#include "editor/viewport/view_camera.h"
+#include "scene/object_index.h"
+#include "scene/ray_cast.h"
+
+class QMimeData;
+
+namespace trundle {
+
+class Document;
+class GizmoWork;
+class Navigation;
+class RenderService;
+class RunSession;
+class Selection;
+class ShownWorld;
+class Trails;
+class ViewSettings;
+struct PictureRequest;
+
+/// What the views of a panel share. `render` may be null.
+struct ViewParts {
+    Document& document;
+    Selection& selection;
+    RunSession& session;
+    ShownWorld& world;
+    ViewSettings& settings;
+    RenderService* render = nullptr;
+    Trails* trails = nullptr;
+};
+
+class View final : public QWidget {
+    Q_OBJECT
+public:
+    View(const ViewParts& parts, ViewKind kind, QWidget* parent = nullptr);
+    ~View() override;
+
+    [[nodiscard]] const ViewParts& parts() const { return m_parts; }
+    [[nodiscard]] const ViewCamera& camera() const { return m_camera; }
+    void setKind(ViewKind kind);
+    void setCamera(const CameraView& view);
+    /// Shows a box from where the camera looks. `gently`: on the way there pictures in between are shown, for a moment.
+    void frame(const Bounds& bounds, bool gently = true);
+    void changeCamera(const std::function<void(ViewCamera&)>& change);
+
+    [[nodiscard]] CameraView cameraView() const;
+    [[nodiscard]] ViewRay rayAt(const QPointF& at) const;
+    [[nodiscard]] std::optional<QPointF> pixelOf(const Vec3& point) const;
+    /// What lies under a pixel: the nearest thing, else the ground at z = 0, else a point at the distance looked at.
+    [[nodiscard]] Vec3 pointUnder(const QPointF& at) const;
+    /// As the picture that is shown has it, which can be one behind.
+    [[nodiscard]] std::optional<QPointF> shownPixelOf(const Vec3& point) const;
+    [[nodiscard]] const BodyPoses& shownPoses() const;
+
+    /// The picture is out of date. Many calls make one request; none is made while the view is hidden.
+    void redraw();
+    /// What is outlined thinly, and said beside the cursor; empty: nothing.
+    void setHovered(const std::string& path, const QString& hint);
+    /// A line of words at the lower edge, while something is done; empty: none.
+    void setHint(const QString& hint);
+    /// Framed as the one of several that keys and menus mean.
+    void setCurrent(bool current);
+
+    /// Pictures asked for because something changed, and those asked for once more, finer, when all stood still.
+    [[nodiscard]] int redraws() const { return m_redraws; }
+    [[nodiscard]] int refinements() const { return m_refinements; }
+    [[nodiscard]] bool isUpToDate() const { return !m_wanted && !m_inFlight && !m_frame.image.isNull(); }
+    [[nodiscard]] bool isSettled() const { return isUpToDate() && !m_settle.isActive() && !m_glide.isActive(); }
+    [[nodiscard]] const QImage& picture() const { return m_frame.image; }
+    [[nodiscard]] bool mouseIsBusy() const { return m_working != nullptr; }
+    /// The work that has the mouse is done, although the button is still down.
+    void endWork();
+    /// Of what is selected: the same over every picture and in both themes.
+    [[nodiscard]] static QColor outlineColour();
+    [[nodiscard]] GizmoWork& gizmo() { return *m_gizmo; }
+
+Q_SIGNALS:
+    void kindChanged();
+    void activated();                                       ///< it was pressed or got the focus
+    void menuWanted(const QPointF& at);                     ///< right click
+    void dropped(const QMimeData& data, const QPointF& at); ///< from the Library
+    void pictureShown();
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
+    void showEvent(QShowEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+    void mouseDoubleClickEvent(QMouseEvent*) override;
+    void wheelEvent(QWheelEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void keyReleaseEvent(QKeyEvent*) override;
+    void focusInEvent(QFocusEvent*) override;
+    void focusOutEvent(QFocusEvent*) override;
+    void leaveEvent(QEvent*) override;
+    bool event(QEvent*) override;
+    void dragEnterEvent(QDragEnterEvent*) override;
+    void dragMoveEvent(QDragMoveEvent*) override;
+    void dragLeaveEvent(QDragLeaveEvent*) override;
+    void dropEvent(QDropEvent*) override;
+
+private:
+    struct Inbox;
+    /// A picture with all that tells where things are in it.
+    struct Frame {
+        QImage image;
+        CameraView camera;
+        std::shared_ptr<const ObjectIndex> objects;
+        std::shared_ptr<const BodyPoses> poses;
+    };
+    void pump();
+    void ask(bool fine);
+    void take(const QImage& image, const QString& failure, Frame frame, bool software);
+    [[nodiscard]] PictureRequest request(bool fine) const;
+    void followSelection();
+    void settle();
+    void glide();
+    void cancelWork();
+    [[nodiscard]] Pointer pointerOf(const QMouseEvent& event) const;
+    void paintMessage(QPainter& painter, const QString& text) const;
+    void paintHints(QPainter& painter) const;
+
+    ViewParts m_parts;
+    ViewCamera m_camera, m_glideFrom, m_glideTo;
+    std::shared_ptr<Inbox> m_inbox;
+    std::vector<std::unique_ptr<MouseWork>> m_works;
+    MouseWork* m_working = nullptr; // has the mouse
+    Qt::MouseButton m_workButton = Qt::NoButton;
+    Navigation* m_navigation = nullptr;
+    GizmoWork* m_gizmo = nullptr;
+    Frame m_frame;
+    QString m_failure, m_hint, m_hoverHint;
+    std::string m_hovered;
+    QPointF m_cursor, m_dropAt{-1, -1};
+    QTimer m_pumpTimer, m_settle, m_glide;
+    QElapsedTimer m_sinceAsked, m_gliding;
+    bool m_wanted = true, m_inFlight = false, m_fine = false, m_software = true, m_dropping = false, m_isCurrent = false;
+    int m_redraws = 0, m_refinements = 0;
+};
+
+} // namespace trundle

@@ -1,0 +1,181 @@
+// What a view does with events: the work that has the mouse comes first, then the others in their order.
+
+#include <QDropEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QPainter>
+
+#include "editor/viewport/library_drop.h"
+#include "editor/viewport/navigation.h"
+#include "editor/viewport/plate.h"
+#include "editor/viewport/view.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+
+Pointer View::pointerOf(const QMouseEvent& event) const {
+    return {event.position(), event.button(), event.modifiers(), event.type() == QEvent::MouseButtonDblClick};
+}
+
+void View::mousePressEvent(QMouseEvent* event) {
+    Q_EMIT activated();
+    m_cursor = event->position();
+    m_glide.stop();
+    m_settle.stop();
+    if (m_working) return; // one button at a time
+    const Pointer pointer = pointerOf(*event);
+    for (const auto& work : m_works) {
+        if (!work->press(pointer)) continue;
+        m_working = work.get();
+        m_workButton = event->button();
+        setHovered({}, {});
+        return;
+    }
+}
+
+void View::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
+
+void View::mouseMoveEvent(QMouseEvent* event) {
+    m_cursor = event->position();
+    const Pointer pointer = pointerOf(*event);
+    if (m_working) {
+        m_working->drag(pointer);
+        return;
+    }
+    bool taken = false;
+    for (const auto& work : m_works) {
+        if (taken) work->leave();
+        else taken = work->hover(pointer);
+    }
+    if (!taken) setHovered({}, {});
+}
+
+void View::mouseReleaseEvent(QMouseEvent* event) {
+    if (!m_working || event->button() != m_workButton) return;
+    const Pointer pointer = pointerOf(*event);
+    MouseWork* done = std::exchange(m_working, nullptr);
+    done->release(pointer);
+    settle();
+}
+
+void View::wheelEvent(QWheelEvent* event) {
+    m_navigation->wheel(event->position(),
+                        event->angleDelta().y() != 0 ? event->angleDelta().y() : event->pixelDelta().y() * 4.0);
+    event->accept();
+}
+
+void View::endWork() {
+    if (MouseWork* done = std::exchange(m_working, nullptr)) done->release({});
+    settle();
+}
+
+void View::cancelWork() {
+    if (!m_working) return;
+    MouseWork* stopped = std::exchange(m_working, nullptr);
+    stopped->cancel();
+    update();
+}
+
+void View::keyPressEvent(QKeyEvent* event) {
+    if (m_working && m_working->key(*event)) return event->accept();
+    if (event->key() == Qt::Key_Escape && m_working) return cancelWork();
+    for (const auto& work : m_works)
+        if (work.get() != m_working && work->key(*event)) return event->accept();
+    QWidget::keyPressEvent(event);
+}
+
+void View::keyReleaseEvent(QKeyEvent* event) {
+    if (!event->isAutoRepeat()) m_navigation->keyReleased(event->key());
+    QWidget::keyReleaseEvent(event);
+}
+
+void View::focusInEvent(QFocusEvent* event) {
+    Q_EMIT activated();
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void View::focusOutEvent(QFocusEvent* event) {
+    m_navigation->stopFlying();
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+void View::leaveEvent(QEvent*) {
+    if (m_working) return;
+    for (const auto& work : m_works) work->leave();
+    setHovered({}, {});
+}
+
+bool View::event(QEvent* event) {
+    // While something is dragged or flown its keys are not shortcuts.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = static_cast<QKeyEvent&>(*event);
+        const bool arrows = key.key() >= Qt::Key_Left && key.key() <= Qt::Key_Down;
+        if (m_working || arrows || key.key() == Qt::Key_Escape) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void View::resizeEvent(QResizeEvent*) { redraw(); }
+
+void View::showEvent(QShowEvent*) { redraw(); }
+
+void View::dragEnterEvent(QDragEnterEvent* event) {
+    if (!canDrop(*event->mimeData())) return;
+    event->acceptProposedAction();
+    m_dropping = true;
+}
+
+void View::dragMoveEvent(QDragMoveEvent* event) {
+    if (!m_dropping) return;
+    m_dropAt = event->position();
+    event->acceptProposedAction();
+    update();
+}
+
+void View::dragLeaveEvent(QDragLeaveEvent*) {
+    m_dropping = false;
+    update();
+}
+
+void View::dropEvent(QDropEvent* event) {
+    m_dropping = false;
+    update();
+    if (!canDrop(*event->mimeData())) return;
+    event->acceptProposedAction();
+    dropBlocks(*this, *event->mimeData(), event->position());
+}
+
+void View::paintMessage(QPainter& painter, const QString& text) const {
+    const QRect box =
+        painter.fontMetrics().boundingRect(rect().adjusted(24, 0, -24, 0), Qt::AlignCenter | Qt::TextWordWrap, text);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(box.adjusted(-12, -8, 12, 8), 6, 6);
+    painter.setPen(ink(Ink::Text));
+    painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+void View::paintHints(QPainter& painter) const {
+    const QFontMetrics metrics = painter.fontMetrics();
+    const double high = metrics.height() + 6;
+    if (!m_hint.isEmpty()) paintPlate(painter, {0.5 * width(), height() - 0.5 * high - 40}, m_hint);
+    if (!m_hoverHint.isEmpty()) {
+        const double half = 0.5 * (metrics.horizontalAdvance(m_hoverHint) + 14);
+        const double x = std::clamp(m_cursor.x() + 14 + half, half + 2, std::max(half + 2, width() - half - 2));
+        const bool below = m_cursor.y() + 16 + high < height() - 2;
+        paintPlate(painter, {x, below ? m_cursor.y() + 16 + 0.5 * high : m_cursor.y() - 8 - 0.5 * high}, m_hoverHint);
+    }
+    if (m_dropping) {
+        painter.setPen(QPen(ink(Ink::Accent), 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+        if (const auto at = pixelOf(pointUnder(m_dropAt))) painter.drawEllipse(*at, 9, 5);
+    }
+}
+
+} // namespace trundle

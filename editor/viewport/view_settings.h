@@ -1,0 +1,59 @@
+#pragma once
+#include <QObject>
+
+namespace trundle {
+
+enum class Tool { Select, Move, Rotate, Scale, Measure };
+/// Whose axes arrows and rings stand along.
+enum class AxesOf { World, Parent, Local };
+
+/// What can be drawn over a view.
+enum Overlay : unsigned {
+    kOverlayGrid = 1u << 0, ///< floor, its lines and the scale bar
+    kOverlayNames = 1u << 1,
+    kOverlayJoints = 1u << 2,
+    kOverlayContacts = 1u << 3,
+    kOverlayMass = 1u << 4, ///< centres of mass
+    kOverlayCollision = 1u << 5,
+    kOverlayTrails = 1u << 6,
+    kOverlayShadows = 1u << 7,
+    kOverlayWireframe = 1u << 8,
+};
+
+/// How the views of one panel are worked with; the same for all of them.
+class ViewSettings final : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    [[nodiscard]] Tool tool() const { return m_tool; }
+    [[nodiscard]] AxesOf axes() const { return m_axes; }
+    [[nodiscard]] bool snaps() const { return m_snaps; }
+    [[nodiscard]] double moveStep() const { return m_moveStep; } ///< m
+    [[nodiscard]] double turnStep() const { return m_turnStep; } ///< degrees
+    [[nodiscard]] bool shows(Overlay overlay) const { return (m_overlays & overlay) != 0; }
+
+    void setTool(Tool tool) { set(m_tool, tool); }
+    void setAxes(AxesOf axes) { set(m_axes, axes); }
+    void setSnaps(bool snaps) { set(m_snaps, snaps); }
+    /// Only steps above 0 are taken.
+    void setSteps(double moveM, double turnDegrees);
+    void show(Overlay overlay, bool shown) { set(m_overlays, shown ? m_overlays | overlay : m_overlays & ~unsigned(overlay)); }
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    template <class T> void set(T& member, T value) {
+        if (member == value) return;
+        member = value;
+        Q_EMIT changed();
+    }
+    Tool m_tool = Tool::Select;
+    AxesOf m_axes = AxesOf::World;
+    bool m_snaps = true;
+    double m_moveStep = 0.05, m_turnStep = 15;
+    unsigned m_overlays = kOverlayGrid | kOverlayShadows;
+};
+
+} // namespace trundle

@@ -1,0 +1,211 @@
+#include "editor/viewport/viewport_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/running/session.h"
+#include "editor/viewport/held_objects.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view_header.h"
+#include "editor/widgets/actions.h"
+#include "scene/framing.h"
+
+namespace trundle {
+namespace {
+
+constexpr ViewKind kKinds[] = {ViewKind::Perspective, ViewKind::Top, ViewKind::Front, ViewKind::Side};
+constexpr double kLeastFramed = 0.1; // m
+
+} // namespace
+
+ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSession& session, RenderService* render,
+                             Actions& actions, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_session(session), m_actions(actions),
+      m_world(std::make_unique<ShownWorld>(document, session, render)), m_trails(std::make_unique<Trails>(*m_world)) {
+    setObjectName(QStringLiteral("viewportPanel"));
+    m_parts.reset(new ViewParts{document, selection, session, *m_world, m_settings, render, m_trails.get()});
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(new ViewBar(m_settings, actions));
+
+    m_columns = new QSplitter(Qt::Horizontal);
+    // Over the views, so that nothing moves when it comes and goes.
+    m_banner = new QFrame(this);
+    m_banner->setObjectName(QStringLiteral("viewportBanner"));
+    m_banner->setAutoFillBackground(true);
+    static_cast<QFrame*>(m_banner)->setFrameShape(QFrame::StyledPanel);
+    auto* words = new QHBoxLayout(m_banner);
+    words->setContentsMargins(10, 4, 6, 4);
+    m_bannerText = new QLabel;
+    m_bannerButton = new QPushButton;
+    m_bannerButton->setObjectName(QStringLiteral("bannerButton"));
+    words->addWidget(m_bannerText, 1);
+    words->addWidget(m_bannerButton);
+    m_banner->hide();
+    m_left = new QSplitter(Qt::Vertical);
+    m_right = new QSplitter(Qt::Vertical);
+    m_columns->addWidget(m_left);
+    m_columns->addWidget(m_right);
+    column->addWidget(m_columns, 1);
+    makeViews(render);
+    connectActions();
+    connectOverlays();
+    setViewCount(1);
+
+    // Framed once, when there is something to be seen of it.
+    connect(&m_document, &Document::opened, this, [this] { m_toBeFramed = true; });
+    connect(m_world.get(), &ShownWorld::replaced, this, [this] {
+        if (!m_toBeFramed || m_world->objects()->instances().empty()) return;
+        m_toBeFramed = false;
+        m_frameWhenShown = !isVisible();
+        frameAll();
+    });
+    if (!m_world->objects()->instances().empty()) m_toBeFramed = false, m_frameWhenShown = true;
+    for (const auto& signal : {&ShownWorld::replaced, &ShownWorld::posed})
+        connect(m_world.get(), signal, this, &ViewportPanel::showBanner);
+    connect(&m_selection, &Selection::changed, this, &ViewportPanel::showBanner);
+    connect(&m_session, &RunSession::stateChanged, this, &ViewportPanel::showBanner);
+    connect(&m_settings, &ViewSettings::changed, this, &ViewportPanel::showBanner);
+    connect(m_bannerButton, &QPushButton::clicked, this, [this] {
+        if (m_inTheWay.empty()) return m_session.keepPoses();
+        (void)m_document.carryOut(tr("Replace %1 by single instances").arg(QString::fromStdString(m_inTheWay)),
+                                  planReplaceBySingles(*m_document.loaded(), m_inTheWay));
+    });
+}
+
+ViewportPanel::~ViewportPanel() {
+    // The views use what belongs to this panel.
+    delete m_columns;
+}
+
+void ViewportPanel::makeViews(RenderService*) {
+    for (int i = 0; i < 4; ++i) {
+        auto* view = new View(*m_parts, kKinds[i]);
+        view->setObjectName(QStringLiteral("view%1").arg(i));
+        new ViewCorner(*view);
+        (i % 2 == 0 ? m_left : m_right)->addWidget(view);
+        connect(view, &View::activated, this, [this, view] { setCurrent(*view); });
+        connect(view, &View::menuWanted, this, [this, view](const QPointF& at) { showMenu(*view, at); });
+        m_views.push_back(view);
+    }
+    m_current = m_views.front();
+}
+
+void ViewportPanel::setViewCount(int count) {
+    const int before = m_shown;
+    m_shown = count >= 4 ? 4 : count >= 2 ? 2 : 1;
+    for (int i = 0; i < 4; ++i) m_views[std::size_t(i)]->setVisible(i < m_shown);
+    // What comes up is framed in the shape that it has then.
+    for (int i = before; i < m_shown; ++i) {
+        View* view = m_views[std::size_t(i)];
+        QTimer::singleShot(0, view, [this, view] { view->frame(m_world->bounds(), false); });
+    }
+    m_right->setVisible(m_shown > 1);
+    if (m_shown > 1) m_columns->setSizes({1000, 1000});
+    if (m_shown == 4)
+        for (QSplitter* side : {m_left, m_right}) side->setSizes({1000, 1000});
+    setCurrent(m_current->isVisibleTo(this) ? *m_current : *m_views.front());
+}
+
+void ViewportPanel::setCurrent(View& view) {
+    m_current = &view;
+    for (View* each : m_views) each->setCurrent(m_shown > 1 && each == m_current);
+}
+
+void ViewportPanel::setKind(ViewKind kind) { m_current->setKind(kind); }
+
+bool ViewportPanel::showView(const QString& name) {
+    for (const ViewKind kind : {ViewKind::Perspective, ViewKind::Orthographic, ViewKind::Top, ViewKind::Front, ViewKind::Side,
+                                ViewKind::Follow, ViewKind::Chase}) {
+        if (viewKindName(kind).compare(name, Qt::CaseInsensitive) != 0) continue;
+        setKind(kind);
+        if (kind == ViewKind::Top || kind == ViewKind::Front || kind == ViewKind::Side)
+            m_current->frame(m_world->bounds(), false);
+        return true;
+    }
+    return false;
+}
+
+bool ViewportPanel::isUpToDate() const {
+    return std::all_of(m_views.begin(), m_views.end(), [](const View* view) { return !view->isVisible() || view->isUpToDate(); });
+}
+
+bool ViewportPanel::isSettled() const {
+    return std::all_of(m_views.begin(), m_views.end(), [](const View* view) { return !view->isVisible() || view->isSettled(); });
+}
+
+void ViewportPanel::frameSelection() {
+    Bounds box;
+    for (const std::string& path : m_selection.paths())
+        for (const ObjectRef& object : m_world->objectsOf(path)) box.add(m_world->boundsOf(object));
+    if (box.empty()) return frameAll();
+    if (box.radius() < kLeastFramed) box.grow(kLeastFramed);
+    box.grow(0.35 * box.radius());
+    m_current->frame(box);
+}
+
+void ViewportPanel::frameAll() {
+    const bool first = !m_current->isVisible() || m_current->picture().isNull();
+    for (View* view : m_views) {
+        if (view->camera().kind() == ViewKind::Perspective && m_world->objects()) {
+            const auto width = std::uint32_t(std::max(16, view->width())), height = std::uint32_t(std::max(16, view->height()));
+            const CameraView whole = defaultView(m_world->objects()->experiment(), *m_world->poses(), width, height);
+            if (first || view != m_current) {
+                view->setCamera(whole);
+                continue;
+            }
+        }
+        view->frame(m_world->bounds(), view == m_current);
+    }
+}
+
+void ViewportPanel::setHidden(const std::vector<std::string>& paths) { m_world->setHidden(paths); }
+void ViewportPanel::setLocked(const std::vector<std::string>& paths) { m_world->setLocked(paths); }
+
+void ViewportPanel::showBanner() {
+    m_inTheWay.clear();
+    QString text, button;
+    const Tool tool = m_settings.tool();
+    const bool edits = tool == Tool::Move || tool == Tool::Rotate || tool == Tool::Scale;
+    if (edits && !m_selection.empty() && m_document.isOpen()) {
+        const HeldObjects held(*m_parts);
+        text = held.refusal();
+        m_inTheWay = held.layoutInTheWay();
+        if (!m_inTheWay.empty()) button = tr("Replace by Single Instances");
+    }
+    if (text.isEmpty() && m_session.state() == RunState::Paused && edits && m_world->isRunning() &&
+        m_session.keepRefusal().isEmpty()) {
+        text = tr("The text keeps its start while you move things here.");
+        button = tr("Keep These Poses as Start");
+    }
+    m_bannerText->setText(text);
+    m_bannerButton->setText(button);
+    m_bannerButton->setVisible(!button.isEmpty());
+    m_banner->setVisible(!text.isEmpty());
+    placeBanner();
+}
+
+void ViewportPanel::placeBanner() {
+    m_banner->adjustSize();
+    const int wide = std::min(m_banner->sizeHint().width(), width() - 24);
+    m_banner->setGeometry((width() - wide) / 2, height() - m_banner->sizeHint().height() - 14, wide,
+                          m_banner->sizeHint().height());
+    m_banner->raise();
+}
+
+void ViewportPanel::resizeEvent(QResizeEvent*) { placeBanner(); }
+
+void ViewportPanel::showEvent(QShowEvent*) {
+    // Framed while it had no shape yet.
+    if (m_frameWhenShown) QTimer::singleShot(0, this, &ViewportPanel::frameAll);
+    m_frameWhenShown = false;
+}
+
+} // namespace trundle

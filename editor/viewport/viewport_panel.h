@@ -1,0 +1,89 @@
+#pragma once
+// The 3D part of the window: one to four views with what belongs to them.
+
+#include <memory>
+#include <vector>
+
+#include <QWidget>
+
+#include "editor/viewport/trails.h"
+#include "editor/viewport/view.h"
+#include "editor/viewport/view_settings.h"
+
+class QLabel;
+class QSplitter;
+class QPushButton;
+
+namespace trundle {
+
+class Actions;
+class ViewHeader;
+
+class ViewportPanel final : public QWidget {
+    Q_OBJECT
+public:
+    /// `render` is null where no OpenGL is to be had. All outlive this.
+    ViewportPanel(Document& document, Selection& selection, RunSession& session, RenderService* render, Actions& actions,
+                  QWidget* parent = nullptr);
+    ~ViewportPanel() override;
+
+    /// 1, 2 or 4.
+    void setViewCount(int count);
+    [[nodiscard]] int viewCount() const { return m_shown; }
+    /// Those shown, and the one that keys and menus mean.
+    [[nodiscard]] View& view(int index) { return *m_views[std::size_t(index)]; }
+    [[nodiscard]] View& current() { return *m_current; }
+    [[nodiscard]] ViewSettings& settings() { return m_settings; }
+    [[nodiscard]] ShownWorld& world() { return *m_world; }
+    /// "perspective", "top", "chase" ...: the current view. False where there is none of that name.
+    bool showView(const QString& name);
+    /// Every visible view shows what is now.
+    [[nodiscard]] bool isUpToDate() const;
+    /// And as fine as it will be while all stands still: the time for a picture of the window.
+    [[nodiscard]] bool isSettled() const;
+
+public Q_SLOTS:
+    void frameSelection();
+    void frameAll();
+    /// Objects that the views leave out, or do not let the mouse take.
+    void setHidden(const std::vector<std::string>& paths);
+    void setLocked(const std::vector<std::string>& paths);
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+    void showEvent(QShowEvent*) override;
+
+private:
+    void placeBanner();
+    void makeViews(RenderService* render);
+    void connectActions();
+    void connectOverlays();
+    void showBanner();
+    void showMenu(View& view, const QPointF& at);
+    void askAlign();
+    void askDistribute();
+    void askArray();
+    void setCurrent(View& view);
+    void setKind(ViewKind kind);
+    void showTools();
+
+    Document& m_document;
+    Selection& m_selection;
+    RunSession& m_session;
+    Actions& m_actions;
+    ViewSettings m_settings;
+    std::unique_ptr<ShownWorld> m_world;
+    std::unique_ptr<Trails> m_trails;
+    std::unique_ptr<ViewParts> m_parts;
+    std::vector<View*> m_views;
+    View* m_current = nullptr;
+    QSplitter *m_columns = nullptr, *m_left = nullptr, *m_right = nullptr;
+    QWidget* m_banner = nullptr;
+    QLabel* m_bannerText = nullptr;
+    QPushButton* m_bannerButton = nullptr;
+    std::string m_inTheWay;
+    int m_shown = 1;
+    bool m_toBeFramed = true, m_frameWhenShown = false;
+};
+
+} // namespace trundle

@@ -1,0 +1,69 @@
+#include "editor/widgets/style_sheet.h"
+
+namespace trundle {
+
+// Flat surfaces, hairlines between areas, one accent colour. Sizes are in logical pixels; Qt scales them.
+static const char* const kSheet =
+    "QToolTip { background: @base; color: @text; border: 1px solid @line; padding: 4px 6px; }"
+    "QMainWindow::separator { background: @line; width: 1px; height: 1px; }"
+    "QMainWindow::separator:hover { background: @accent; }"
+    "QMenuBar { background: @window; padding: 2px 4px; border-bottom: 1px solid @line; }"
+    "QMenuBar::item { padding: 4px 9px; border-radius: 4px; background: transparent; }"
+    "QMenuBar::item:selected { background: @line; }"
+    "QMenu { background: @base; border: 1px solid @line; padding: 4px; }"
+    "QMenu::item { padding: 5px 26px 5px 12px; border-radius: 4px; }"
+    "QMenu::icon { padding-left: 8px; }"
+    "QMenu::item:selected { background: @accent; color: @onaccent; }"
+    "QMenu::item:disabled { color: @disabled; background: transparent; }"
+    "QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }"
+    "QToolBar { background: @window; border: none; border-bottom: 1px solid @line; padding: 3px 6px; spacing: 2px; }"
+    "QToolBar::separator { background: @line; width: 1px; margin: 4px 6px; }"
+    "QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 3px 5px; }"
+    "QToolButton:hover { background: @line; }"
+    "QToolButton:checked { background: @checked; border-color: @accent; }"
+    "QToolButton:pressed { background: @line; }"
+    "QDockWidget { titlebar-close-icon: none; }"
+    "QStatusBar { background: @window; border-top: 1px solid @line; }"
+    "QStatusBar::item { border: none; }"
+    "QTabBar { qproperty-drawBase: 0; }"
+    "QTabBar::tab { padding: 5px 12px; border: none; border-bottom: 2px solid transparent; color: @faint; }"
+    "QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }"
+    "QTabBar::tab:hover { color: @text; }"
+    "QTabWidget::pane { border: none; }"
+    "QTreeView, QListView, QTableView, QPlainTextEdit, QTextBrowser, QScrollArea { border: none; }"
+    "QTreeView::item, QListView::item { padding: 2px 0; }"
+    "QHeaderView::section { background: @window; border: none; border-bottom: 1px solid @line; padding: 4px 6px; color: @faint; }"
+    "QLineEdit, QComboBox, QAbstractSpinBox { background: @base; border: 1px solid @line; border-radius: 4px; padding: 2px 5px; "
+    "min-height: 18px; selection-background-color: @accent; }"
+    "QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border-color: @accent; }"
+    "QLineEdit:disabled, QComboBox:disabled { color: @disabled; }"
+    "QPushButton { background: @button; border: 1px solid @line; border-radius: 5px; padding: 4px 12px; }"
+    "QPushButton:hover { border-color: @accent; }"
+    "QPushButton:default { border-color: @accent; }"
+    "QPushButton:pressed { background: @line; }"
+    "QPushButton:disabled { color: @disabled; }"
+    "QScrollBar:vertical { background: transparent; width: 11px; margin: 0; }"
+    "QScrollBar:horizontal { background: transparent; height: 11px; margin: 0; }"
+    "QScrollBar::handle { background: @disabled; border-radius: 4px; min-height: 24px; min-width: 24px; margin: 2px; }"
+    "QScrollBar::handle:hover { background: @faint; }"
+    "QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }"
+    "QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }"
+    "QSplitter::handle { background: @line; }"
+    "QSplitter::handle:horizontal { width: 1px; }"
+    "QSplitter::handle:vertical { height: 1px; }";
+
+QString styleSheet(const QMap<QString, QColor>& colours) {
+    QString sheet = QLatin1String(kSheet);
+    const QColor accent = colours.value(QStringLiteral("accent")), window = colours.value(QStringLiteral("window"));
+    const auto mixed = [](const QColor& a, const QColor& b, double share) {
+        return QColor::fromRgbF(float(a.redF() * share + b.redF() * (1 - share)),
+                                float(a.greenF() * share + b.greenF() * (1 - share)),
+                                float(a.blueF() * share + b.blueF() * (1 - share)));
+    };
+    sheet.replace(QStringLiteral("@checked"), mixed(accent, window, 0.22).name());
+    sheet.replace(QStringLiteral("@onaccent"), window.lightnessF() > 0.5 ? QStringLiteral("#ffffff") : QStringLiteral("#0d1117"));
+    for (auto it = colours.begin(); it != colours.end(); ++it) sheet.replace(QLatin1Char('@') + it.key(), it.value().name());
+    return sheet;
+}
+
+} // namespace trundle

@@ -1,0 +1,167 @@
+#include "editor/widgets/theme.h"
+
+#include <array>
+
+#include <QApplication>
+#include <QFile>
+#include <QFontDatabase>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPalette>
+#include <QStyleFactory>
+#include <QSvgRenderer>
+
+#include "editor/widgets/resources.h"
+#include "editor/widgets/style_sheet.h"
+
+namespace trundle {
+namespace {
+
+struct Colours {
+    const char *window, *base, *alternate, *text, *faint, *accent, *onAccent, *button, *line, *disabled;
+    const char *error, *warning, *hint, *good;
+    const char *keyword, *number, *string, *comment, *type;
+    const char *axisX, *axisY, *axisZ;
+};
+
+constexpr Colours kLight{"#f3f4f6", "#ffffff", "#f7f8fa", "#1d2330", "#5d6675", "#1f6feb", "#ffffff", "#ffffff",
+                         "#d3d8e0", "#a3abb8", "#c62828", "#9a5b00", "#3a6ea5", "#1b7f3b", "#8a2da5", "#0b61a4",
+                         "#1b7f3b", "#68717f", "#a8480c", "#d32f2f", "#2e8b3d", "#1f6feb"};
+constexpr Colours kDark{"#22262d", "#1a1d23", "#1f2329", "#e4e7ec", "#9aa3b2", "#4c9aff", "#0d1117", "#2c313a",
+                        "#3a404b", "#697080", "#ff7b72", "#e3a341", "#79b8ff", "#56d364", "#d2a8ff", "#79c0ff",
+                        "#8ddb8c", "#8b949e", "#ffb070", "#ff6b61", "#5fd068", "#5aa2ff"};
+
+ThemeKind g_kind = ThemeKind::Light; // as QApplication's own palette: one for the process
+
+const Colours& colours() { return g_kind == ThemeKind::Dark ? kDark : kLight; }
+QColor colour(const char* name) { return QColor(QLatin1String(name)); }
+
+QPalette paletteOf(const Colours& c) {
+    QPalette p;
+    p.setColor(QPalette::Window, colour(c.window));
+    p.setColor(QPalette::Base, colour(c.base));
+    p.setColor(QPalette::AlternateBase, colour(c.alternate));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+        p.setColor(role, colour(c.text));
+    p.setColor(QPalette::PlaceholderText, colour(c.faint));
+    p.setColor(QPalette::Button, colour(c.button));
+    p.setColor(QPalette::ToolTipBase, colour(c.base));
+    p.setColor(QPalette::Highlight, colour(c.accent));
+    p.setColor(QPalette::HighlightedText, colour(c.onAccent));
+    p.setColor(QPalette::Link, colour(c.accent));
+    p.setColor(QPalette::Mid, colour(c.line));
+    p.setColor(QPalette::Midlight, colour(c.line));
+    p.setColor(QPalette::Dark, colour(c.line));
+    p.setColor(QPalette::Light, colour(c.alternate));
+    p.setColor(QPalette::Shadow, colour(c.line));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
+        p.setColor(QPalette::Disabled, role, colour(c.disabled));
+    p.setColor(QPalette::Disabled, QPalette::Highlight, colour(c.line));
+    return p;
+}
+
+void loadFonts() {
+    static const bool loaded = [] {
+        for (const char* file :
+             {"Inter-Regular.otf", "Inter-SemiBold.otf", "JetBrainsMono-Regular.ttf", "JetBrainsMono-Bold.ttf"})
+            QFontDatabase::addApplicationFont(resourcePath(QStringLiteral("fonts/") + QLatin1String(file)));
+        return true;
+    }();
+    Q_UNUSED(loaded);
+}
+
+/// An SVG drawn in the colour that the theme has when it is drawn, so that icons follow a change of theme.
+class SvgIcon final : public QIconEngine {
+public:
+    explicit SvgIcon(QString path) : m_path(std::move(path)) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+        QSvgRenderer svg(m_path);
+        const qreal scale = painter->device()->devicePixelRatioF();
+        QImage image((QSizeF(rect.size()) * scale).toSize(), QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::transparent);
+        QPainter inside(&image);
+        svg.render(&inside, QRectF(image.rect()));
+        inside.setCompositionMode(QPainter::CompositionMode_SourceIn);
+        const QColor text = mode == QIcon::Disabled   ? colour(colours().disabled)
+                            : mode == QIcon::Selected ? colour(colours().onAccent)
+                                                      : colour(colours().text);
+        if (!m_path.contains(QLatin1String("colour-"))) inside.fillRect(image.rect(), text);
+        inside.end();
+        painter->drawImage(QRectF(rect), image);
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        paint(&painter, QRect(QPoint(), size), mode, state);
+        return pixmap;
+    }
+    QIconEngine* clone() const override { return new SvgIcon(m_path); }
+
+private:
+    QString m_path;
+};
+
+} // namespace
+
+void applyTheme(QApplication& application, ThemeKind kind) {
+    g_kind = kind;
+    loadFonts();
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QFont font(QStringLiteral("Inter"));
+    font.setPixelSize(13);
+    application.setFont(font);
+    application.setPalette(paletteOf(colours()));
+    const Colours& c = colours();
+    application.setStyleSheet(styleSheet({{QStringLiteral("window"), colour(c.window)},
+                                          {QStringLiteral("base"), colour(c.base)},
+                                          {QStringLiteral("alternate"), colour(c.alternate)},
+                                          {QStringLiteral("text"), colour(c.text)},
+                                          {QStringLiteral("faint"), colour(c.faint)},
+                                          {QStringLiteral("accent"), colour(c.accent)},
+                                          {QStringLiteral("button"), colour(c.button)},
+                                          {QStringLiteral("disabled"), colour(c.disabled)},
+                                          {QStringLiteral("line"), colour(c.line)}}));
+}
+
+ThemeKind currentTheme() { return g_kind; }
+
+QColor ink(Ink which) {
+    const Colours& c = colours();
+    switch (which) {
+    case Ink::Text: return colour(c.text);
+    case Ink::Faint: return colour(c.faint);
+    case Ink::Accent: return colour(c.accent);
+    case Ink::Error: return colour(c.error);
+    case Ink::Warning: return colour(c.warning);
+    case Ink::Hint: return colour(c.hint);
+    case Ink::Good: return colour(c.good);
+    case Ink::Keyword: return colour(c.keyword);
+    case Ink::Number: return colour(c.number);
+    case Ink::String: return colour(c.string);
+    case Ink::Comment: return colour(c.comment);
+    case Ink::Type: return colour(c.type);
+    case Ink::AxisX: return colour(c.axisX);
+    case Ink::AxisY: return colour(c.axisY);
+    case Ink::AxisZ: return colour(c.axisZ);
+    case Ink::Line: return colour(c.line);
+    }
+    return {};
+}
+
+QFont monospaceFont() {
+    loadFonts();
+    QFont font(QStringLiteral("JetBrains Mono"));
+    font.setStyleHint(QFont::Monospace);
+    font.setPixelSize(13);
+    return font;
+}
+
+QIcon themedIcon(const QString& name) {
+    if (name.isEmpty()) return {};
+    const QString path = resourcePath(QStringLiteral("icons/") + name + QStringLiteral(".svg"));
+    return QFile::exists(path) ? QIcon(new SvgIcon(path)) : QIcon();
+}
+
+} // namespace trundle

@@ -1,0 +1,111 @@
+// A program that edits and saves is killed at any moment.
+
+#include <QTest>
+
+#include <random>
+
+#include <QElapsedTimer>
+#include <QProcess>
+
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+
+namespace {
+
+/// The number in "Seed = 12\n...// end 12\n"; -1 where the text is not whole.
+int numberOf(const std::string& text) {
+    if (!text.starts_with("Seed = ")) return -1;
+    const int number = std::atoi(text.c_str() + 7);
+    const std::string end = "// end " + std::to_string(number) + "\n";
+    std::size_t lines = 0;
+    const std::string line = "// " + std::to_string(number) + " is the number of the edit\n";
+    for (std::size_t at = text.find('\n') + 1; at < text.size(); at += line.size(), ++lines)
+        if (text.compare(at, line.size(), line) != 0) return text.substr(at) == end ? number : -1;
+    return -1;
+}
+
+struct Heard {
+    int number = 0;
+    qint64 at = 0; ///< ms since the program was ready
+};
+
+} // namespace
+
+class CrashTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts = makeParts(); }
+
+    void nothingIsTornAndLittleIsLost() {
+        const int kills = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 200 : 20;
+        std::mt19937 random(11);
+        int offered = 0;
+        for (int i = 0; i < kills; ++i) {
+            kill(static_cast<int>(random()), static_cast<int>(random() % 2500), offered);
+            if (QTest::currentTestFailed()) return;
+        }
+        QVERIFY2(offered >= kills / 4, qPrintable(QString::number(offered))); // it was unsaved work that was killed, often
+    }
+
+private:
+    void kill(int seed, int afterMs, int& offered) {
+        const Desk desk;
+        desk.write("configs/main.sim", "Seed = 0\n// end 0\n");
+        QProcess program;
+        program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
+                      {QString::fromStdString(desk.main), QString::number(seed & 0xffff)});
+        QVERIFY(program.waitForStarted());
+        while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
+        QCOMPARE(program.readLine(), QByteArray("ready\n"));
+
+        QElapsedTimer clock;
+        clock.start();
+        std::vector<Heard> edits;
+        int saved = 0;
+        while (clock.elapsed() < afterMs) {
+            program.waitForReadyRead(static_cast<int>(std::max<qint64>(1, afterMs - clock.elapsed())));
+            take(program, clock.elapsed(), edits, saved);
+        }
+        const qint64 killedAt = clock.elapsed();
+        program.kill();
+        QVERIFY(program.waitForFinished());
+        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
+        take(program, killedAt, edits, saved);
+
+        const int onDisk = numberOf(bytesOf(desk.main));
+        QVERIFY2(onDisk >= saved, "the file is torn, or a save is lost");
+        int old = 0; // the newest edit that is two seconds old
+        for (const Heard& edit : edits)
+            if (edit.at + 2000 <= killedAt) old = edit.number;
+
+        Document document(*m_parts);
+        QVERIFY(document.open(desk.main).ok());
+        QVERIFY(!document.isReadOnly()); // the lock of a killed program is none
+        const std::vector<Recovery> found = document.recoveries();
+        QVERIFY(found.size() <= 1);
+        int kept = onDisk;
+        if (!found.empty()) {
+            ++offered;
+            const std::string text = found[0].files.at(desk.main).text;
+            QVERIFY2(numberOf(text) >= 0, "the journal is torn");
+            QVERIFY(document.recover(found[0]).ok());
+            kept = std::max(kept, numberOf(text));
+        }
+        QVERIFY2(kept >= old, qPrintable(QStringLiteral("edit %1 of two seconds before is lost, %2 is kept").arg(old).arg(kept)));
+    }
+
+    static void take(QProcess& program, qint64 now, std::vector<Heard>& edits, int& saved) {
+        while (program.canReadLine()) {
+            const QByteArray line = program.readLine();
+            if (line.startsWith("edit ")) edits.push_back({line.mid(5).trimmed().toInt(), now});
+            if (line.startsWith("saved ")) saved = line.mid(6).trimmed().toInt();
+        }
+    }
+
+    std::unique_ptr<Parts> m_parts;
+};
+
+QTEST_GUILESS_MAIN(CrashTest)
+#include "crash_test.moc"

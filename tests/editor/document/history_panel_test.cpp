@@ -1,0 +1,74 @@
+#include <QListWidget>
+#include <QTest>
+
+#include "editor/document/history_panel.h"
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+
+class HistoryPanelTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts = makeParts(); }
+
+    void listsEditsAndGoesThere() {
+        const Desk desk;
+        Document d(*m_parts);
+        HistoryPanel panel(d);
+        panel.resize(240, 320);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto* list = panel.findChild<QListWidget*>(u"historyList"_qs);
+        QVERIFY(list);
+        QCOMPARE(list->count(), 0);
+        QVERIFY(d.open(desk.main).ok());
+        QCOMPARE(names(*list), "Opened");
+        QVERIFY(d.setValues(u"Move robot0"_qs, {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(d.setValues(u"Set Tick"_qs, {{"Tick", "5 ms"}}).ok());
+        QVERIFY(d.setValues(u"Set Seed"_qs, {{"Seed", "5"}}).ok());
+        QCOMPARE(names(*list), "Opened, Move robot0, Set Tick, Set Seed");
+        QCOMPARE(list->currentRow(), 3);
+
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
+        QCOMPARE(d.history().position(), 1u);
+        QCOMPARE(list->currentRow(), 1);
+        QCOMPARE(d.loaded()->experiment->settings.tick, 0.01);
+        QVERIFY(list->item(3)->foreground().color() != list->item(1)->foreground().color()); // undone
+        QTest::keyClick(list, Qt::Key_Down);
+        QCOMPARE(d.history().position(), 2u);
+        QTest::keyClick(list, Qt::Key_Home);
+        QCOMPARE(*d.text(desk.main), kMain);
+
+        QVERIFY(d.setValues(u"Turn robot1"_qs, {{"robot1.HPR", "90,0,0"}}).ok());
+        QCOMPARE(names(*list), "Opened, Turn robot1");
+        d.close();
+        QCOMPARE(list->count(), 0);
+    }
+
+    void staysWhereTheDocumentStays() {
+        const Desk desk;
+        Document d(*m_parts);
+        HistoryPanel panel(d);
+        auto* list = panel.findChild<QListWidget*>(u"historyList"_qs);
+        QVERIFY(d.open(desk.main).ok());
+        QVERIFY(d.setValues(u"Set Tick"_qs, {{"Tick", "5 ms"}}).ok());
+        d.openLater(desk.robot); // edits have to wait, undoing too
+        list->setCurrentRow(0);
+        QCOMPARE(list->currentRow(), 1);
+        QTRY_COMPARE(d.path(), desk.robot);
+        QCOMPARE(names(*list), "Opened");
+    }
+
+private:
+    static std::string names(const QListWidget& list) {
+        std::string all;
+        for (int row = 0; row < list.count(); ++row) all += (row ? ", " : "") + list.item(row)->text().toStdString();
+        return all;
+    }
+
+    std::unique_ptr<Parts> m_parts;
+};
+
+QTEST_MAIN(HistoryPanelTest)
+#include "history_panel_test.moc"

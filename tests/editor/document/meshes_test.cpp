@@ -1,0 +1,146 @@
+// Meshes are read by another program, once, and no edit waits for it.
+
+#include <QTest>
+
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+
+namespace {
+
+const char* kCube = R"(v 0 0 0
+v 1 0 0
+v 0 1 0
+v 1 1 0
+v 0 0 1
+v 1 0 1
+v 0 1 1
+v 1 1 1
+f 1 3 2
+f 2 3 4
+f 5 6 7
+f 6 8 7
+f 1 2 5
+f 2 6 5
+f 3 7 4
+f 4 7 8
+f 1 5 3
+f 3 5 7
+f 2 4 6
+f 4 8 6
+)";
+
+std::string withMesh(const std::string& file) {
+    return "StaticConfig Thing { Mesh shape { File=" + file + " } }\nStatic thing { Config=Thing }\n";
+}
+
+const TriangleMesh* meshOf(const Loaded& loaded) {
+    const auto& statics = loaded.experiment->statics;
+    return statics.empty() || statics[0].geoms->empty() ? nullptr : (*statics[0].geoms)[0].mesh.get();
+}
+
+std::string messages(const Loaded& loaded) {
+    std::string all;
+    for (const Diagnostic& d : loaded.diagnostics.all())
+        if (d.severity == Severity::Error) all += d.message + "\n";
+    return all;
+}
+
+} // namespace
+
+class MeshesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts = makeParts(); }
+    void init() {
+        m_desk = std::make_unique<Desk>();
+        m_desk->write("configs/cube.obj", kCube);
+        m_desk->write("configs/thing.sim", withMesh("cube.obj"));
+    }
+
+    void laterIsNotNow() {
+        OpenOptions later;
+        later.meshesLater = true;
+        const std::string path = m_desk->path("configs/thing.sim");
+        const auto first = m_parts->open(path, later).value();
+        QVERIFY(first->pending);
+        QVERIFY(holds(messages(*first), "cube.obj is being read"));
+        const auto whole = m_parts->open(path, {}).value();
+        QVERIFY(!whole->pending);
+        QVERIFY2(messages(*whole).empty(), messages(*whole).c_str());
+        QVERIFY(meshOf(*whole));
+        const auto again = m_parts->open(path, later).value();
+        QVERIFY(!again->pending);
+        QVERIFY2(messages(*again).empty(), messages(*again).c_str());
+    }
+
+    void aMeshThatIsTypedComesByItself() {
+        Document d(*m_parts);
+        QVERIFY(d.open(m_desk->main).ok());
+        QCOMPARE(why(d.replaceText(u"Type"_qs, m_desk->main, withMesh("cube.obj"))), "");
+        QVERIFY(d.loaded()->pending);
+        QTRY_VERIFY(!d.loaded()->pending);
+        QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
+        const TriangleMesh* mesh = meshOf(*d.loaded());
+        QVERIFY(mesh);
+        QCOMPARE(d.history().entries().size(), 1u);
+        const std::uint64_t revision = d.revision();
+        QCOMPARE(why(d.setValues(u"Move"_qs, {{"thing.Pos", "1,0,0"}})), "");
+        QVERIFY(!d.loaded()->pending); // kept
+        QCOMPARE(meshOf(*d.loaded()), mesh);
+        QCOMPARE(d.revision(), revision + 1);
+    }
+
+    void whatIsWorkedOutFromAMeshIsKept() {
+        const std::string file =
+            m_desk->write("configs/ball.sim", "Tick = 0.01\nRobotConfig Ball { Body b { Mesh shape { File=cube.obj Scale=2 "
+                                              "Density=1 } } }\nRobot r { Config=Ball }\n");
+        Document d(*m_parts);
+        QVERIFY(d.open(file).ok());
+        QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
+        const auto before = d.loaded();
+        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+        const BodySpec &old = before->experiment->robots[0].config->bodies[0],
+                       &now = d.loaded()->experiment->robots[0].config->bodies[0];
+        QVERIFY(old.geoms[0].mesh && old.geoms[0].mesh == now.geoms[0].mesh); // scaled once
+        QVERIFY(old.geoms[0].hull && old.geoms[0].hull == now.geoms[0].hull);
+        QCOMPARE(now.mass.mass, 8.0);
+        QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.Ball.b.shape.Scale", "1,2,3"}}).ok());
+        QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].mass.mass, 6.0);
+        d.undo();
+        QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].mass.mass, 8.0);
+    }
+
+    void aMeshIsChosenInARow() {
+        m_desk->write("configs/other.obj", kCube);
+        m_desk->write("configs/broken.obj", "this is no mesh");
+        Document d(*m_parts);
+        QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
+        QCOMPARE(why(d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "other.obj"}})), "");
+        QTRY_VERIFY(!d.loaded()->pending);
+        QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
+        QCOMPARE(why(d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "broken.obj"}})), "");
+        QTRY_VERIFY(!d.loaded()->pending);
+        QVERIFY(holds(messages(*d.loaded()), "broken.obj"));
+        QVERIFY(!d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "missing.obj"}}).ok());
+    }
+
+    void theProjectGoesWhileAMeshIsRead() {
+        Document d(*m_parts);
+        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.replaceText(u"Type"_qs, m_desk->main, withMesh("cube.obj")).ok());
+        d.close();
+        QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
+        QVERIFY(d.replaceText(u"Type"_qs, d.path(), withMesh("cube.obj") + "// more\n").ok());
+        QTRY_VERIFY(!d.loaded()->pending);
+        QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
+    }
+
+private:
+    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Desk> m_desk;
+};
+
+QTEST_GUILESS_MAIN(MeshesTest)
+#include "meshes_test.moc"

@@ -1,0 +1,127 @@
+// Any edits in any order: undoing all of them gives the bytes of the start, and the modified mark is never wrong.
+
+#include <QTest>
+
+#include <random>
+
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+
+namespace {
+
+class RandomEdits {
+public:
+    RandomEdits(Document& document, const Desk& desk, unsigned seed) : m_document(document), m_desk(desk), m_random(seed) {}
+
+    void oneEdit() {
+        switch (below(8)) {
+        case 0:
+        case 1: return setValue();
+        case 2: return type();
+        case 3: return plan();
+        case 4: return m_document.undo();
+        case 5: return m_document.redo();
+        case 6: return leap();
+        default: return below(10) == 0 ? save() : setValue();
+        }
+    }
+
+    std::size_t below(std::size_t count) { return m_random() % count; }
+
+private:
+    void setValue() {
+        const std::string number = std::to_string(below(50) + 1);
+        const std::vector<ValueEdit> choices{{"robot0.Pos", number + ",0,0"},
+                                             {"robot1.Pos", "0," + number + ",0"},
+                                             {"robot0.chassis.hull.Mass", number},
+                                             {"RobotConfig.Rover.chassis.hull.Mass", number + " kg"},
+                                             {"Tick", number + " ms"},
+                                             {"Seed", number},
+                                             {"robot1.HPR", "-" + number + ",0,0"},
+                                             {"Tick", "-" + number},
+                                             {"robot7.Pos", "0,0,0"}};
+        std::vector<ValueEdit> values{choices[below(choices.size())]};
+        if (below(3) == 0) values.push_back(choices[below(choices.size())]);
+        (void)m_document.setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path);
+    }
+
+    void type() {
+        const std::string file = below(2) ? m_desk.main : m_desk.robot;
+        std::string text = *m_document.text(file);
+        const std::vector<std::string> bits{"x",    " ",  "{",  "}",          "\n", "// word", "Robot r { Config=Rover }\n",
+                                            "\xff", "\r", "\"", "#import a\n"};
+        const std::size_t at = below(text.size() + 1);
+        if (below(3) == 0) text.erase(at, below(5));
+        else text.insert(at, bits[below(bits.size())]);
+        (void)m_document.replaceText(u"Typing"_qs, file, std::move(text), below(2) ? "typing " + file : "");
+        // Broken texts end what the other edits can do, so most of them are mended at once, as people do.
+        if (m_document.loaded()->diagnostics.hasErrors() && below(4) != 0) m_document.undo();
+    }
+
+    void plan() {
+        EditPlan plan;
+        for (FileId file = 0; file < m_document.files().size(); ++file) {
+            if (file > 0 && below(2)) continue;
+            const auto size = static_cast<std::uint32_t>(m_document.text(m_document.files()[file])->size());
+            plan.edits[file].push_back({{file, {size, size}}, "// planned " + std::to_string(below(100)) + "\n"});
+            if (below(2)) plan.edits[file].push_back({{file, {0, 0}}, "// first\n"});
+        }
+        (void)m_document.carryOut(u"Plan"_qs, plan);
+    }
+
+    /// A few entries back or on: most edits are to be undone at the end.
+    void leap() {
+        const std::size_t at = m_document.history().position() + below(9);
+        m_document.moveTo(at < 4 ? 0 : at - 4);
+    }
+
+    void save() { (void)m_document.save(); }
+
+    Document& m_document;
+    const Desk& m_desk;
+    std::mt19937 m_random;
+};
+
+} // namespace
+
+class RandomEditsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts = makeParts(); }
+
+    void undoAllRedoAll_data() {
+        QTest::addColumn<unsigned>("seed");
+        for (unsigned seed = 1; seed <= 4; ++seed) QTest::addRow("seed %u", seed) << seed;
+    }
+    void undoAllRedoAll() {
+        QFETCH(unsigned, seed);
+        const int edits = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 1000 : 100;
+        const Desk desk;
+        Document d(*m_parts);
+        QVERIFY(d.open(desk.main).ok());
+        RandomEdits random(d, desk, seed);
+        for (int i = 0; i < edits; ++i) {
+            random.oneEdit();
+            for (const std::string& file : {desk.main, desk.robot}) QCOMPARE(d.isModified(file), bytesOf(file) != *d.text(file));
+            QCOMPARE(d.isModified(), d.isModified(desk.main) || d.isModified(desk.robot));
+        }
+        d.moveTo(d.history().entries().size());
+        QVERIFY(d.history().entries().size() > 5);
+        const std::string endMain = *d.text(desk.main), endRobot = *d.text(desk.robot);
+        while (d.history().canUndo()) d.undo();
+        QCOMPARE(*d.text(desk.main), kMain);
+        QCOMPARE(*d.text(desk.robot), kRover);
+        QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
+        while (d.history().canRedo()) d.redo();
+        QCOMPARE(*d.text(desk.main), endMain);
+        QCOMPARE(*d.text(desk.robot), endRobot);
+    }
+
+private:
+    std::unique_ptr<Parts> m_parts;
+};
+
+QTEST_GUILESS_MAIN(RandomEditsTest)
+#include "random_edits_test.moc"

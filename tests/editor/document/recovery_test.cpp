@@ -1,0 +1,188 @@
+// What a window that ended badly left, and two windows on one project.
+
+#include <QTest>
+
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+namespace fs = std::filesystem;
+
+class RecoveryTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts = makeParts(); }
+    void init() {
+        m_desk = std::make_unique<Desk>();
+        m_document = std::make_unique<Document>(*m_parts);
+    }
+    void cleanup() { m_document.reset(); }
+
+    void editsAreNotedWithinTwoSeconds() {
+        Document& d = *m_document;
+        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(!fs::exists(m_desk->path("configs/.trundle/journal")));
+        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+        QTRY_VERIFY_WITH_TIMEOUT(fs::exists(m_desk->path("configs/.trundle/journal")), 2000);
+        QVERIFY(d.recoveries().empty()); // ours
+        QCOMPARE(why(d.save()), "");
+        QVERIFY(!fs::exists(m_desk->path("configs/.trundle/journal")));
+        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.03"}}).ok());
+        QTRY_VERIFY(fs::exists(m_desk->path("configs/.trundle/journal")));
+        d.undo();
+        QTRY_VERIFY(!fs::exists(m_desk->path("configs/.trundle/journal"))); // nothing is unsaved
+        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.04"}}).ok());
+        QTRY_VERIFY(fs::exists(m_desk->path("configs/.trundle/journal")));
+        d.close(); // whoever closes has been asked
+        QVERIFY(!fs::exists(m_desk->path("configs/.trundle")));
+    }
+
+    void recovers() {
+        leave({m_desk->main, {}},
+              {{m_desk->main, {kMain, std::string(kMain) + "Seed = 9\n"}}, {m_desk->robot, {kRover, "Seed=1\n"}}});
+        Document& d = *m_document;
+        QVERIFY(d.open(m_desk->main).ok());
+        const auto found = d.recoveries();
+        QCOMPARE(found.size(), 1u);
+        QCOMPARE(found[0].head.opened, m_desk->main);
+        QCOMPARE(why(d.recover(found[0])), "");
+        QCOMPARE(*d.text(m_desk->main), std::string(kMain) + "Seed = 9\n");
+        QCOMPARE(*d.text(m_desk->robot), "Seed=1\n");
+        QVERIFY(d.isModified());
+        QCOMPARE(d.history().entries().size(), 1u);
+        QVERIFY(d.recoveries().empty());
+        QVERIFY(fs::exists(m_desk->path("configs/.trundle/journal"))); // now in ours
+        d.undo();
+        QVERIFY(!d.isModified());
+        QCOMPARE(bytesOf(m_desk->main), kMain);
+    }
+
+    void recoversFromTheWelcomePage() {
+        leave({m_desk->main, {}}, {{m_desk->main, {kMain, "Seed = 9\n"}}});
+        Document& d = *m_document;
+        QCOMPARE(why(d.recover(findRecoveries(m_desk->path("configs")).at(0))), "");
+        QCOMPARE(d.path(), m_desk->main);
+        QCOMPARE(*d.text(m_desk->main), "Seed = 9\n");
+    }
+
+    void recoversOverAnotherText() {
+        leave({m_desk->main, {}}, {{m_desk->main, {kMain, std::string(kMain) + "Seed = 9\n"}}});
+        m_desk->write("configs/main.sim", std::string("Title=\"T\"\n") + kMain);
+        Document& d = *m_document;
+        QVERIFY(d.open(m_desk->main).ok());
+        QCOMPARE(why(d.recover(d.recoveries().at(0))), "");
+        QCOMPARE(*d.text(m_desk->main), std::string("Title=\"T\"\n") + kMain + "Seed = 9\n");
+        QVERIFY(d.diskChanges().empty());
+    }
+
+    void bothChangedTheSameLine() {
+        leave({m_desk->main, {}}, {{m_desk->main, {"Seed = 1\n", "Seed = 2\n"}}});
+        m_desk->write("configs/main.sim", "Seed = 3\n");
+        Document& d = *m_document;
+        QVERIFY(d.open(m_desk->main).ok());
+        QSignalSpy asked(&d, &Document::diskChanged);
+        QCOMPARE(why(d.recover(d.recoveries().at(0))), "");
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(*d.text(m_desk->main), "Seed = 2\n");
+        QCOMPARE(*d.diskChanges().at(m_desk->main), "Seed = 3\n");
+        QVERIFY(!d.save().ok());
+        QVERIFY(d.resolveDiskChange(m_desk->main, Document::Keep::Mine).ok());
+        QCOMPARE(why(d.save()), "");
+        QCOMPARE(bytesOf(m_desk->main), "Seed = 2\n");
+    }
+
+    void theFileIsGone() {
+        leave({m_desk->main, {}}, {{m_desk->main, {kMain, "Seed = 9\n"}}});
+        fs::remove(m_desk->main);
+        Document& d = *m_document;
+        QVERIFY(!d.open(m_desk->main).ok());
+        QCOMPARE(why(d.recover(findRecoveries(m_desk->path("configs")).at(0))), "");
+        QCOMPARE(*d.text(m_desk->main), "Seed = 9\n");
+        QVERIFY(d.isModified());
+        QCOMPARE(why(d.save()), "");
+        QCOMPARE(bytesOf(m_desk->main), "Seed = 9\n");
+    }
+
+    void aNewTextComesBack() {
+        {
+            Document lost(*m_parts);
+            QVERIFY(lost.openNew("untitled.sim", "Tick = 1 ms\n").ok());
+            QVERIFY(lost.setValues(u"Set"_qs, {{"Tick", "2 ms"}}).ok());
+            const std::string state = m_desk->path("state");
+            QTRY_VERIFY(!journalsBelow(state).empty());
+            const std::string journal = journalsBelow(state)[0];
+            m_kept = bytesOf(journal);
+            m_journal = journal;
+        }
+        QVERIFY(!fs::exists(m_journal));
+        fs::create_directories(fs::path(m_journal).parent_path());
+        std::ofstream(m_journal, std::ios::binary) << m_kept; // as if it had crashed
+        Document& d = *m_document;
+        const auto found = d.recoveries();
+        QCOMPARE(found.size(), 1u);
+        QCOMPARE(found[0].head.name, "untitled.sim");
+        QCOMPARE(why(d.recover(found[0])), "");
+        QVERIFY(d.isNew());
+        QVERIFY(d.isModified());
+        QCOMPARE(*d.text("untitled.sim"), "Tick = 2 ms\n");
+        QVERIFY(d.recoveries().empty());
+    }
+
+    void theSecondWindowOnlyLooks() {
+        Document& first = *m_document;
+        Document second(*m_parts);
+        QSignalSpy told(&second, &Document::readOnlyChanged), refused(&second, &Document::refused);
+        QVERIFY(first.open(m_desk->main).ok());
+        QCOMPARE(why(second.open(m_desk->robot)), "");
+        QVERIFY(!first.isReadOnly());
+        QVERIFY(second.isReadOnly());
+        QCOMPARE(told.count(), 1);
+        QVERIFY(holds(said(told), "another window"));
+        QVERIFY(!second.replaceText(u"Type"_qs, m_desk->robot, "x").ok());
+        QCOMPARE(refused.count(), 1);
+        // what the first one saves is shown
+        QVERIFY(first.setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "7"}}).ok());
+        QCOMPARE(why(first.save()), "");
+        QTRY_COMPARE(*second.text(m_desk->robot), *first.text(m_desk->robot));
+        second.editAnyway();
+        QVERIFY(!second.isReadOnly());
+        QCOMPARE(why(second.replaceText(u"Type"_qs, m_desk->robot, "x")), "");
+        QCOMPARE(why(second.save()), "");
+        first.close();
+        second.close();
+        QVERIFY(second.open(m_desk->main).ok());
+        QVERIFY(!second.isReadOnly());
+    }
+
+    void samplesAndNewTextsNeedNoLock() {
+        const std::string sample = std::string(TRUNDLE_SOURCE_DIR) + "/configs/experiments/linear_motion.sim";
+        Document second(*m_parts);
+        QVERIFY(m_document->open(sample).ok() && second.open(sample).ok());
+        QVERIFY(!second.isReadOnly());
+        QVERIFY(m_document->openNew("a.sim", "").ok() && second.openNew("a.sim", "").ok());
+        QVERIFY(!second.isReadOnly());
+    }
+
+private:
+    static std::vector<std::string> journalsBelow(const std::string& folder) {
+        std::vector<std::string> found;
+        std::error_code none;
+        for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
+            if (at->path().extension() == ".journal") found.push_back(at->path().string());
+        return found;
+    }
+
+    /// As a window that crashed would.
+    void leave(const JournalHead& head, const std::map<std::string, RecoveredText>& files) {
+        Journal journal(m_desk->path("configs"), head);
+        for (const auto& [path, text] : files) QVERIFY(journal.note(path, text.base, text.text).ok());
+    }
+
+    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<Document> m_document;
+    std::string m_kept, m_journal;
+};
+
+QTEST_GUILESS_MAIN(RecoveryTest)
+#include "recovery_test.moc"

@@ -1,0 +1,293 @@
+// Saving, saving elsewhere, and what other programs do to the files meanwhile.
+
+#include <QTest>
+
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+namespace fs = std::filesystem;
+
+class SavingTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts = makeParts(); }
+    void init() {
+        m_desk = std::make_unique<Desk>();
+        m_document = std::make_unique<Document>(*m_parts);
+        QVERIFY(m_document->open(m_desk->main).ok());
+    }
+    void cleanup() { m_document.reset(); }
+
+    void everyModifiedFileIsWritten() {
+        Document& d = *m_document;
+        QSignalSpy modified(&d, &Document::modifiedChanged);
+        set("robot0.Pos", "1,0,0");
+        set("RobotConfig.Rover.chassis.hull.Mass", "3");
+        QCOMPARE(modified.count(), 2);
+        QCOMPARE(why(d.save()), "");
+        QVERIFY(!d.isModified());
+        QCOMPARE(bytesOf(m_desk->main), *d.text(m_desk->main));
+        QCOMPARE(bytesOf(m_desk->robot), *d.text(m_desk->robot));
+        QCOMPARE(modified.count(), 3);
+        d.undo();
+        QVERIFY(d.isModified(m_desk->robot));
+        QVERIFY(!d.isModified(m_desk->main));
+        d.redo();
+        QVERIFY(!d.isModified());
+    }
+
+    void whatWasNotEditedKeepsItsBytes() {
+        const std::string strange = "\xef\xbb\xbfTick = 0.01\r\n\r\n// \xff\xfe\rDuration=3 \t\n#import robots/rover.sim\n\n\n";
+        m_desk->write("configs/main.sim", strange);
+        Document& d = *m_document;
+        QVERIFY(d.open(m_desk->main).ok());
+        set("Duration", "4");
+        QCOMPARE(why(d.save()), "");
+        std::string expected = strange;
+        expected.replace(expected.find("Duration=3"), 10, "Duration=4");
+        QCOMPARE(bytesOf(m_desk->main), expected);
+    }
+
+    void aFileThatCannotBeWritten() {
+        Document& d = *m_document;
+        set("robot0.Pos", "1,0,0");
+        set("RobotConfig.Rover.chassis.hull.Mass", "3");
+        fs::remove(m_desk->main);
+        fs::create_directory(m_desk->main); // also root cannot write a folder
+        const Status saved = d.save();
+        QVERIFY(!saved.ok());
+        QVERIFY(saved.error().message.find("main.sim") != std::string::npos);
+        QVERIFY(d.isModified(m_desk->main));
+        QVERIFY(!d.isModified(m_desk->robot)); // the other one is safe
+        QCOMPARE(bytesOf(m_desk->robot), *d.text(m_desk->robot));
+    }
+
+    void samplesAreKeptAsTheyAre() {
+        Document& d = *m_document;
+        const std::string sample = std::string(TRUNDLE_SOURCE_DIR) + "/configs/experiments/linear_motion.sim";
+        const std::string before = bytesOf(sample);
+        QVERIFY(d.open(sample).ok());
+        QVERIFY(d.isSample(sample));
+        set("robot0.Pos", "0.5,0,0");
+        set("RobotConfig.SimpleRobot.leftMotor.Resistance", "3");
+        const Status saved = d.save();
+        QVERIFY(!saved.ok());
+        QVERIFY(saved.error().message.find("Save As") != std::string::npos);
+        QVERIFY(!d.saveAs(fs::path(sample).replace_filename("mine.sim").string()).ok());
+
+        QSignalSpy notice(&d, &Document::notice);
+        const std::string mine = m_desk->path("mine/mine.sim");
+        QVERIFY(!d.saveAs(mine).ok()); // there is no such folder
+        fs::create_directory(m_desk->path("mine"));
+        QCOMPARE(why(d.saveAs(mine)), "");
+        QCOMPARE(d.path(), mine);
+        QVERIFY(!d.isModified());
+        // the robot that was edited lies beside it, the arena that was not stays a sample
+        QCOMPARE(bytesOf(mine), *d.text(mine));
+        QVERIFY(bytesOf(m_desk->path("mine/robots/simple_robot.sim")).find("Resistance=3") != std::string::npos);
+        QVERIFY(!fs::exists(m_desk->path("mine/arenas")));
+        QCOMPARE(notice.count(), 1);
+        QVERIFY(holds(said(notice), "robots/simple_robot.sim"));
+        QCOMPARE(bytesOf(sample), before);
+        QVERIFY(!d.loaded()->diagnostics.hasErrors());
+
+        // history goes on
+        d.undo();
+        QVERIFY(d.isModified(m_desk->path("mine/robots/simple_robot.sim")));
+        d.undo();
+        QCOMPARE(*d.text(mine), before);
+        QCOMPARE(why(d.save()), "");
+        QCOMPARE(bytesOf(mine), before);
+
+        Document again(*m_parts);
+        QVERIFY(again.open(mine).ok());
+        QVERIFY(!again.loaded()->diagnostics.hasErrors());
+    }
+
+    void elsewhereWhatIsNotFoundGoesAlong() {
+        Document& d = *m_document;
+        fs::create_directory(m_desk->path("other"));
+        const std::string target = m_desk->path("other/copy.sim");
+        set("robot0.Pos", "1,0,0");
+        QCOMPARE(why(d.saveAs(target)), "");
+        QCOMPARE(bytesOf(m_desk->path("other/robots/rover.sim")), kRover);
+        QCOMPARE(bytesOf(m_desk->main), kMain); // the first one stays as it was
+        QCOMPARE(d.files(), (std::vector<std::string>{target, m_desk->path("other/robots/rover.sim")}));
+        QVERIFY(!d.loaded()->diagnostics.hasErrors());
+    }
+
+    void inTheSameProjectNothingGoesAlong() {
+        Document& d = *m_document;
+        fs::create_directory(m_desk->path("configs/deep"));
+        const std::string target = m_desk->path("configs/deep/copy.sim");
+        QCOMPARE(why(d.saveAs(target)), "");
+        QVERIFY(!fs::exists(m_desk->path("configs/deep/robots")));
+        QCOMPARE(d.files(), (std::vector<std::string>{target, m_desk->robot}));
+    }
+
+    void importsThatWouldBreakAreWrittenAnew() {
+        Document& d = *m_document;
+        m_desk->write("configs/deep/one.sim", "#import ../robots/rover.sim // up\nRobot robot0 { Config=Rover }\n");
+        QVERIFY(d.open(m_desk->path("configs/deep/one.sim")).ok());
+        fs::create_directory(m_desk->path("other"));
+        const std::string target = m_desk->path("other/copy.sim");
+        QCOMPARE(why(d.saveAs(target)), "");
+        QCOMPARE(bytesOf(target), "#import \"rover.sim\" // up\nRobot robot0 { Config=Rover }\n");
+        QCOMPARE(bytesOf(m_desk->path("other/rover.sim")), kRover);
+        QVERIFY(!d.isModified());
+        QVERIFY(!d.loaded()->diagnostics.hasErrors());
+    }
+
+    void noOtherFileIsOverwritten() {
+        Document& d = *m_document;
+        const std::string taken = m_desk->write("other/robots/rover.sim", "Tick = 1\n");
+        const Status saved = d.saveAs(m_desk->path("other/copy.sim"));
+        QVERIFY(!saved.ok());
+        QVERIFY(saved.error().message.find("rover.sim") != std::string::npos);
+        QCOMPARE(bytesOf(taken), "Tick = 1\n");
+        QVERIFY(!fs::exists(m_desk->path("other/copy.sim")));
+        QCOMPARE(d.path(), m_desk->main);
+        QVERIFY(!d.saveAs(m_desk->robot).ok()); // its own import
+    }
+
+    // --- the disk ---
+
+    void aChangeOnDiskIsTakenIn() {
+        Document& d = *m_document;
+        m_desk->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
+        QTRY_COMPARE(d.loaded()->experiment->settings.seed, 5u);
+        QVERIFY(!d.isModified());
+        QCOMPARE(d.history().entries().size(), 1u);
+        QCOMPARE(d.history().entries()[0].name, u"Changed on disk"_qs);
+        // replaced by rename, as most programs save
+        m_desk->write("configs/new", std::string("Seed = 6\n") + kMain);
+        fs::rename(m_desk->path("configs/new"), m_desk->main);
+        QTRY_COMPARE(d.loaded()->experiment->settings.seed, 6u);
+        m_desk->write("configs/main.sim", std::string("Seed = 7\n") + kMain);
+        QTRY_COMPARE(d.loaded()->experiment->settings.seed, 7u);
+        d.undo();
+        QVERIFY(d.isModified());
+    }
+
+    void changesApartAreMerged() {
+        Document& d = *m_document;
+        set("robot1.Pos", "5,0,0");
+        m_desk->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
+        QTRY_COMPARE(d.loaded()->experiment->settings.seed, 5u);
+        QCOMPARE(d.loaded()->experiment->robots[1].pose.position, Vec3(5, 0, 0));
+        QVERIFY(d.isModified());
+        QCOMPARE(why(d.save()), "");
+        QVERIFY(bytesOf(m_desk->main).starts_with("Seed = 5\n"));
+        d.undo();
+        d.undo();
+        d.undo();
+        QCOMPARE(*d.text(m_desk->main), kMain);
+    }
+
+    void changesOfTheSameLineAreAsked_data() {
+        QTest::addColumn<bool>("mine");
+        QTest::newRow("mine") << true;
+        QTest::newRow("theirs") << false;
+    }
+    void changesOfTheSameLineAreAsked() {
+        QFETCH(bool, mine);
+        Document& d = *m_document;
+        QSignalSpy asked(&d, &Document::diskChanged);
+        set("Tick", "0.02");
+        std::string theirs = kMain;
+        theirs.replace(theirs.find("0.01"), 4, "0.03");
+        m_desk->write("configs/main.sim", theirs);
+        QTRY_COMPARE(asked.count(), 1);
+        QCOMPARE(said(asked), m_desk->main);
+        QCOMPARE(d.loaded()->experiment->settings.tick, 0.02);
+        QCOMPARE(*d.diskChanges().at(m_desk->main), theirs);
+        QVERIFY(!d.save().ok());
+        QCOMPARE(bytesOf(m_desk->main), theirs);
+        QCOMPARE(why(d.resolveDiskChange(m_desk->main, mine ? Document::Keep::Mine : Document::Keep::Theirs)), "");
+        QVERIFY(d.diskChanges().empty());
+        QCOMPARE(d.isModified(), mine);
+        QCOMPARE(d.loaded()->experiment->settings.tick, mine ? 0.02 : 0.03);
+        QCOMPARE(why(d.save()), "");
+        QCOMPARE(bytesOf(m_desk->main), *d.text(m_desk->main));
+        d.moveTo(0);
+        QCOMPARE(*d.text(m_desk->main), kMain);
+    }
+
+    void theyTakeItBack() {
+        Document& d = *m_document;
+        QSignalSpy asked(&d, &Document::diskChanged);
+        set("Tick", "0.02");
+        m_desk->write("configs/main.sim", "Tick = 0.03\n");
+        QTRY_COMPARE(asked.count(), 1);
+        m_desk->write("configs/main.sim", kMain);
+        QTRY_VERIFY(d.diskChanges().empty());
+        QCOMPARE(why(d.save()), "");
+    }
+
+    // The signal of the system may come late or never: the bytes decide.
+    void whatWasNotSeenIsNotOverwritten() {
+        Document& d = *m_document;
+        set("Tick", "0.02");
+        std::string theirs = kMain;
+        theirs.replace(theirs.find("0.01"), 4, "0.03");
+        m_desk->write("configs/main.sim", theirs);
+        const Status saved = d.save();
+        QVERIFY(!saved.ok());
+        QCOMPARE(bytesOf(m_desk->main), theirs);
+        QCOMPARE(d.diskChanges().size(), 1u);
+    }
+
+    void aMergeIsLookedAtBeforeItIsSaved() {
+        Document& d = *m_document;
+        set("robot1.Pos", "5,0,0");
+        m_desk->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
+        QVERIFY(!d.save().ok());
+        QCOMPARE(bytesOf(m_desk->main), std::string("Seed = 5\n") + kMain);
+        QCOMPARE(why(d.save()), "");
+        QCOMPARE(bytesOf(m_desk->main), *d.text(m_desk->main));
+        QVERIFY(d.text(m_desk->main)->starts_with("Seed = 5\n"));
+    }
+
+    void aFileThatGoesIsNotLost() {
+        Document& d = *m_document;
+        QSignalSpy notice(&d, &Document::notice);
+        fs::remove(m_desk->robot);
+        QTRY_VERIFY(d.isModified());
+        QCOMPARE(notice.count(), 1);
+        set("Tick", "0.02");
+        QVERIFY(!d.loaded()->diagnostics.hasErrors()); // its text is still here
+        QCOMPARE(why(d.save()), "");
+        QCOMPARE(bytesOf(m_desk->robot), kRover);
+        QVERIFY(!d.isModified());
+        fs::remove(m_desk->robot);
+        QTRY_VERIFY(d.isModified());
+        m_desk->write("configs/robots/rover.sim", kRover);
+        QTRY_VERIFY(!d.isModified());
+    }
+
+    void ourOwnSavesAreNoNews() {
+        Document& d = *m_document;
+        QSignalSpy asked(&d, &Document::diskChanged);
+        for (int i = 1; i <= 5; ++i) {
+            set("Tick", "0.0" + std::to_string(i + 1));
+            QCOMPARE(why(d.save()), "");
+        }
+        d.lookAtDisk();
+        QCOMPARE(d.history().entries().size(), 5u);
+        QCOMPARE(asked.count(), 0);
+    }
+
+private:
+    void set(const std::string& path, const std::string& text) {
+        const Status status = m_document->setValues(u"Set"_qs, {{path, text}});
+        QVERIFY2(status.ok(), why(status).c_str());
+    }
+
+    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<Document> m_document;
+};
+
+QTEST_GUILESS_MAIN(SavingTest)
+#include "saving_test.moc"

@@ -1,0 +1,142 @@
+// The Insert menu: kinds from the registry, where they fit.
+
+#include <QMenu>
+
+#include "editor/outline/insert_menu.h"
+#include "outlined.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kWithController = "#loadModule controllers/linear_motion\n" + kRovers;
+
+/// What somebody selects to put a block of a kind in.
+const char* placeFor(const Kind& kind) {
+    switch (kind.role) {
+    case Role::Body:
+    case Role::Joint:
+    case Role::Device: return "RobotConfig.Rover";
+    case Role::Geom:
+        return std::ranges::find(kind.parents, "Body") != kind.parents.end() ? "RobotConfig.Rover.chassis" : "StaticConfig.Floor";
+    case Role::Controller: return "robot0";
+    default: return "";
+    }
+}
+
+QAction* entry(QMenu& menu, const char* kind) {
+    return menu.findChild<QAction*>(QStringLiteral("insert.") + QLatin1String(kind));
+}
+
+} // namespace
+
+class InsertTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyKindGoesInWhereItFits_data();
+    void everyKindGoesInWhereItFits();
+    void offersWhatFitsTheSelection();
+    void aRobotHasOneController();
+    void aMenuFollowsTheSelection();
+};
+
+void InsertTest::everyKindGoesInWhereItFits_data() {
+    QTest::addColumn<QByteArray>("kind");
+    const Outlined o;
+    Document document(*o.parts);
+    QVERIFY(o.write("kinds.sim", kWithController));
+    QVERIFY(document.open(o.folder.filePath(QStringLiteral("kinds.sim")).toStdString()).ok());
+    int controllers = 0;
+    for (const Kind* kind : document.loaded()->registry->all()) {
+        if (kind->role == Role::Settings) continue;
+        controllers += kind->role == Role::Controller;
+        QTest::newRow(kind->name.c_str()) << QByteArray::fromStdString(kind->name);
+    }
+    QCOMPARE(controllers, 1); // a kind of a module is there with the others
+}
+
+void InsertTest::everyKindGoesInWhereItFits() {
+    QFETCH(QByteArray, kind);
+    Outlined o;
+    QVERIFY(o.open(kWithController));
+    QCOMPARE(o.errors(), QString());
+    o.selection.select(placeFor(*o.document.loaded()->registry->find(kind.toStdString())));
+    InsertMenu insert(o.document, o.selection, o.edits);
+    QMenu menu;
+    insert.fill(menu);
+    QAction* action = entry(menu, kind);
+    QVERIFY(action);
+    QVERIFY(action->isEnabled());
+    QVERIFY(!action->toolTip().isEmpty());
+    action->trigger();
+    QCOMPARE(o.refusals, QStringList());
+    QVERIFY(o.text() != kWithController);
+    QCOMPARE(o.selection.paths().size(), std::size_t(1));
+    const QModelIndex row = o.at(o.selection.current().c_str());
+    QVERIFY(row.isValid());
+    QCOMPARE(QByteArray::fromStdString(o.model().rowAt(row)->part->block->type.text), kind);
+    QVERIFY(o.document.history().entries().back().name.startsWith(QStringLiteral("Add ") + QLatin1String(kind)));
+    QTRY_COMPARE(o.errors(), QString()); // meshes are read beside the GUI
+    o.document.undo();
+    QCOMPARE(o.text(), kWithController);
+}
+
+void InsertTest::offersWhatFitsTheSelection() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    InsertMenu insert(o.document, o.selection, o.edits);
+    const auto offers = [&](const char* path, const char* kind) {
+        o.selection.select(path);
+        QMenu menu;
+        insert.fill(menu);
+        return entry(menu, kind) != nullptr;
+    };
+    QVERIFY(offers("", "Robot"));
+    QVERIFY(!offers("", "Box"));
+    QVERIFY(!offers("", "Hinge"));
+    QVERIFY(offers("RobotConfig.Rover.chassis", "Box"));
+    QVERIFY(!offers("RobotConfig.Rover.chassis", "Plane"));
+    QVERIFY(offers("RobotConfig.Rover.chassis.hull", "Box")); // beside it
+    QVERIFY(offers("RobotConfig.Rover.chassis", "Hinge"));    // in what is round it
+    QVERIFY(offers("robot0", "Body"));                        // in its config
+    QVERIFY(offers("arena", "Plane"));
+    QVERIFY(!offers("robot0", "LinearMotion")); // nobody loaded that
+}
+
+void InsertTest::aRobotHasOneController() {
+    Outlined o;
+    QVERIFY(o.open(kWithController));
+    InsertMenu insert(o.document, o.selection, o.edits);
+    o.selection.select("robot0");
+    QMenu first, second;
+    insert.fill(first);
+    entry(first, "LinearMotion")->trigger();
+    QCOMPARE(o.errors(), QString());
+    o.selection.select("robot0");
+    insert.fill(second);
+    QVERIFY(!entry(second, "LinearMotion")->isEnabled());
+    QVERIFY(entry(second, "LinearMotion")->toolTip().contains(QStringLiteral("already")));
+}
+
+void InsertTest::aMenuFollowsTheSelection() {
+    Outlined o;
+    QMenu menu;
+    InsertMenu insert(o.document, o.selection, o.edits);
+    insert.attach(menu);
+    QVERIFY(!menu.isEmpty()); // says what to do first
+    QVERIFY(!entry(menu, "Robot"));
+    QVERIFY(o.open(kRovers));
+    menu.popup({});
+    QVERIFY(entry(menu, "Robot"));
+    menu.close();
+    QVERIFY(!entry(menu, "Sphere"));
+    o.selection.select("robot1.chassis");
+    menu.popup({});
+    QVERIFY(entry(menu, "Sphere"));
+    menu.close();
+    entry(menu, "Sphere")->trigger();
+    QVERIFY2(o.selection.current().starts_with("robot1.chassis.sphere"), o.selection.current().c_str());
+}
+
+QTEST_MAIN(InsertTest)
+#include "insert_test.moc"

@@ -1,0 +1,286 @@
+// The Library: what it holds, its pictures, and how things come out of it.
+
+#include <QAbstractButton>
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMimeData>
+
+#include "editor/outline/block_mime.h"
+#include "editor/outline/library_items.h"
+#include "editor/outline/library_model.h"
+#include "editor/outline/library_panel.h"
+#include "editor/outline/library_view.h"
+#include "outlined.h"
+#include "parts/locations.h"
+#include "render/service.h"
+
+using namespace trundle;
+
+namespace {
+
+struct Shelf : Outlined {
+    LibraryPanel library;
+
+    explicit Shelf(RenderService* render = nullptr) : library(document, selection, *parts, render, parts->locations()) {
+        library.resize(300, 900);
+        library.show();
+        (void)QTest::qWaitForWindowExposed(&library);
+    }
+    bool filled() {
+        return QTest::qWaitFor([this] { return !library.isReading(); });
+    }
+    const LibraryItem* item(const char* title) {
+        for (const LibraryItem& item : library.model().items())
+            if (item.title == QLatin1String(title)) return &item;
+        return nullptr;
+    }
+    LibraryList& list(LibrarySection section) {
+        return *library.findChild<LibraryList*>(QStringLiteral("libraryList.%1").arg(int(section)));
+    }
+    QModelIndex row(LibrarySection section, const char* title) {
+        QAbstractItemModel& model = *list(section).model();
+        for (int i = 0; i < model.rowCount(); ++i)
+            if (model.index(i, 0).data() == QLatin1String(title)) return model.index(i, 0);
+        return {};
+    }
+};
+
+} // namespace
+
+class LibraryTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void holdsWhatComesWithTheProgram();
+    void robotsAndArenasGoIn_data();
+    void robotsAndArenasGoIn();
+    void partsGoIntoTheSelectedRobot_data();
+    void partsGoIntoTheSelectedRobot();
+    void aControllerBringsItsModule();
+    void aDoubleClickPutsItAtTheOrigin();
+    void aDragCarriesKindTextAndImports();
+    void findsTheProjectsOwn();
+    void aSearchLeavesWhatMatches();
+    void drawsPictures();
+    void saysWhatToDoFirst();
+    void templatesLoadWithoutAWord_data();
+    void templatesLoadWithoutAWord();
+};
+
+void LibraryTest::holdsWhatComesWithTheProgram() {
+    Shelf s;
+    QVERIFY(s.filled());
+    for (const char* title : {"SimpleRobot", "EvBot", "MediumArena", "Wall", "Crate", "Driven wheel", "Box", "Hinge", "Encoder"})
+        QVERIFY2(s.item(title), title);
+    QCOMPARE(s.item("Wall")->section, LibrarySection::Objects);
+    QVERIFY(s.item("Wall")->help.startsWith(QStringLiteral("A straight wall")));
+    QCOMPARE(s.item("LinearMotion")->section, LibrarySection::Controllers);
+    QVERIFY(!s.item("settings"));
+}
+
+void LibraryTest::robotsAndArenasGoIn_data() {
+    QTest::addColumn<QString>("title");
+    Shelf s;
+    QVERIFY(s.filled());
+    for (const LibraryItem& item : s.library.model().items())
+        if (item.section <= LibrarySection::Objects) QTest::newRow(qPrintable(item.title)) << item.title;
+}
+
+void LibraryTest::robotsAndArenasGoIn() {
+    QFETCH(QString, title);
+    Shelf s;
+    QVERIFY(s.filled());
+    QVERIFY(s.open("Tick = 0.01\n"));
+    QVERIFY(s.filled());
+    const LibraryItem item = *s.item(qPrintable(title));
+    s.library.insert(item);
+    s.library.insert(item); // another one under another name
+    QCOMPARE(s.refusals, QStringList());
+    QCOMPARE(s.errors(), QString());
+    const ExperimentSpec& experiment = *s.document.loaded()->experiment;
+    QCOMPARE(experiment.robots.size() + experiment.statics.size(), std::size_t(2));
+    QCOMPARE(s.text().count("#import"), 1);
+    s.document.undo();
+    s.document.undo();
+    QCOMPARE(s.text(), QByteArray("Tick = 0.01\n"));
+}
+
+void LibraryTest::partsGoIntoTheSelectedRobot_data() {
+    QTest::addColumn<QString>("title");
+    Shelf s;
+    QVERIFY(s.filled());
+    for (const LibraryItem& item : s.library.model().items())
+        if (item.section == LibrarySection::RobotParts) QTest::newRow(qPrintable(item.title)) << item.title;
+}
+
+void LibraryTest::partsGoIntoTheSelectedRobot() {
+    QFETCH(QString, title);
+    Shelf s;
+    // Its body has another name than the part's own text expects.
+    const QByteArray text = "RobotConfig Cart { Body frame { Box b { Size=0.3,0.2,0.1 Mass=2 } } }\nRobot cart { Config=Cart }\n";
+    QVERIFY(s.open(text));
+    QVERIFY(s.filled());
+    s.selection.select("cart");
+    s.library.insert(*s.item(qPrintable(title)));
+    s.selection.select("cart");
+    s.library.insert(*s.item(qPrintable(title)));
+    QCOMPARE(s.refusals, QStringList());
+    QCOMPARE(s.errors(), QString());
+    QCOMPARE(s.document.loaded()->experiment->robots[0].config->bodies.size(), std::size_t(3));
+    s.document.moveTo(0);
+    QCOMPARE(s.text(), text);
+}
+
+void LibraryTest::aControllerBringsItsModule() {
+    Shelf s;
+    QVERIFY(s.open(kRovers));
+    QVERIFY(s.filled());
+    s.selection.select("robot0");
+    s.library.insert(*s.item("LinearMotion"));
+    QCOMPARE(s.refusals, QStringList());
+    QVERIFY2(s.text().contains("#loadModule controllers/linear_motion"), s.text());
+    QCOMPARE(s.errors(), QString());
+    QVERIFY(s.document.loaded()->experiment->robots[0].controller);
+}
+
+void LibraryTest::aDoubleClickPutsItAtTheOrigin() {
+    Shelf s;
+    QVERIFY(s.open(kRovers));
+    QVERIFY(s.filled());
+    const QModelIndex wall = s.row(LibrarySection::Objects, "Wall");
+    QVERIFY(wall.isValid());
+    LibraryList& list = s.list(LibrarySection::Objects);
+    QVERIFY(list.isVisible());
+    const QPoint at = list.visualRect(wall).center();
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(list.viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(s.selected(), QStringLiteral("wall"));
+    QVERIFY2(s.text().contains("#import objects/wall.sim"), s.text());
+    QVERIFY(s.text().contains("Static wall { Config=Wall Pos=0,0,0 HPR=0,0,0 }"));
+    QCOMPARE(s.document.history().entries().size(), std::size_t(1));
+    QCOMPARE(s.document.history().entries()[0].name, QStringLiteral("Add Wall"));
+    list.setFocus();
+    QTest::keyClick(&list, Qt::Key_Return);
+    QVERIFY(s.selection.current().starts_with("wall") && s.selection.current() != "wall");
+    QCOMPARE(s.document.loaded()->experiment->statics.size(), std::size_t(3));
+    QCOMPARE(s.errors(), QString());
+}
+
+void LibraryTest::aDragCarriesKindTextAndImports() {
+    Shelf s;
+    QVERIFY(s.open(kRovers));
+    QVERIFY(s.filled());
+    const QModelIndex wall = s.row(LibrarySection::Objects, "Wall");
+    const std::unique_ptr<QMimeData> mime(wall.model()->mimeData({wall}));
+    const QJsonObject json = QJsonDocument::fromJson(mime->data(QStringLiteral("application/x-trundle-library"))).object();
+    QCOMPARE(json.value(QStringLiteral("kind")).toString(), QStringLiteral("Static"));
+    QVERIFY(json.value(QStringLiteral("text")).toString().startsWith(QStringLiteral("Static wall {")));
+    QCOMPARE(json.value(QStringLiteral("imports")).toArray().at(0).toString(), QStringLiteral("objects/wall.sim"));
+    // The tree takes what it carries.
+    QVERIFY(s.model().dropMimeData(mime.get(), Qt::CopyAction, -1, -1, {}));
+    QCOMPARE(s.selected(), QStringLiteral("wall"));
+    QCOMPARE(s.errors(), QString());
+    const QModelIndex box = s.row(LibrarySection::Shapes, "Box");
+    const std::unique_ptr<QMimeData> shape(box.model()->mimeData({box}));
+    QVERIFY(s.model().dropMimeData(shape.get(), Qt::CopyAction, -1, -1, s.at("RobotConfig.Rover.chassis")));
+    QVERIFY(s.selection.current().starts_with("RobotConfig.Rover.chassis.box"));
+    QCOMPARE(s.errors(), QString());
+}
+
+void LibraryTest::findsTheProjectsOwn() {
+    Shelf s;
+    QVERIFY(QDir(s.folder.path()).mkpath(QStringLiteral("mine")));
+    QVERIFY(QDir(s.folder.path()).mkpath(QStringLiteral("library")));
+    QVERIFY(s.write("mine/sled.sim", "// Slides downhill.\nRobotConfig Sled { Body b { Box x { Size=1,1,1 Mass=1 } } }\n"));
+    QVERIFY(
+        s.write("mixed.sim", "RobotConfig Mixed { Body b { Box x { Size=1,1,1 Mass=1 } } }\nRobot placed { Config=Mixed }\n"));
+    QVERIFY(s.write("mine/broken.sim", "RobotConfig Broken { Body {{{{ \n\xff\xfe"));
+    QVERIFY(s.write("library/lamp.sim", "// Lamp post: stands and shines.\nBody lamp { Box post { Size=0.1,0.1,1 Mass=1 } }\n"));
+    QVERIFY(s.open(kRovers));
+    QVERIFY(s.filled());
+    QVERIFY(s.item("Sled"));
+    QCOMPARE(s.item("Sled")->help, QStringLiteral("Slides downhill."));
+    QVERIFY(s.item("Lamp post"));
+    QVERIFY(s.item("Rover")); // of the opened file itself
+    s.library.insert(*s.item("Sled"));
+    QVERIFY(s.text().contains("#import mine/sled.sim"));
+    s.library.insert(*s.item("Rover"));
+    s.library.insert(*s.item("Mixed")); // without the robot that its file places
+    QCOMPARE(s.refusals, QStringList());
+    QCOMPARE(s.errors(), QString());
+    for (const RobotSpec& robot : s.document.loaded()->experiment->robots) QVERIFY(robot.name != "placed");
+    QCOMPARE(s.document.loaded()->experiment->robots.size(), std::size_t(5));
+}
+
+void LibraryTest::aSearchLeavesWhatMatches() {
+    Shelf s;
+    QVERIFY(s.filled());
+    auto* search = s.library.findChild<QLineEdit*>(QStringLiteral("librarySearch"));
+    QTest::keyClicks(search, QStringLiteral("wheel driven"));
+    QVERIFY(s.row(LibrarySection::RobotParts, "Driven wheel").isValid());
+    QVERIFY(!s.row(LibrarySection::RobotParts, "Slider").isValid());
+    QVERIFY(!s.list(LibrarySection::Arenas).isVisible());
+    search->setText(QStringLiteral("hinge"));
+    QVERIFY(s.row(LibrarySection::Joints, "Hinge").isValid());
+    QVERIFY(s.list(LibrarySection::Joints).isVisible()); // folded, but found
+    search->clear();
+    QVERIFY(!s.list(LibrarySection::Joints).isVisible());
+    QTest::mouseClick(s.library.findChild<QAbstractButton*>(QStringLiteral("librarySection.%1").arg(int(LibrarySection::Joints))),
+                      Qt::LeftButton);
+    QVERIFY(s.list(LibrarySection::Joints).isVisible());
+}
+
+void LibraryTest::drawsPictures() {
+    const auto render = RenderService::start();
+    QVERIFY2(render.ok(), render.ok() ? "" : render.error().message.c_str());
+    Shelf s(render.value().get());
+    QVERIFY(s.filled());
+    QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
+    for (int i = 0; i < s.library.model().rowCount(); ++i) {
+        const LibraryItem& item = s.library.model().items()[std::size_t(i)];
+        if (item.picture.empty()) continue;
+        const QPixmap picture = s.library.model().index(i).data(LibraryModel::PictureRole).value<QPixmap>();
+        QVERIFY2(!picture.isNull(), qPrintable(item.title));
+        std::set<QRgb> colours; // something stands there
+        const QImage image = picture.toImage().scaled(64, 44);
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) colours.insert(image.pixel(x, y));
+        QVERIFY2(colours.size() > 50, qPrintable(item.title));
+    }
+    QVERIFY(s.row(LibrarySection::Robots, "SimpleRobot").data(LibraryModel::PictureRole).isValid());
+    QVERIFY(s.row(LibrarySection::RobotParts, "Driven wheel").data(LibraryModel::PictureRole).isValid());
+}
+
+void LibraryTest::saysWhatToDoFirst() {
+    Shelf s;
+    QVERIFY(s.filled());
+    s.library.insert(*s.item("Wall"));
+    QCOMPARE(s.refusals.size(), 1);
+    QVERIFY(s.open(kRovers));
+    QVERIFY(s.filled());
+    s.library.insert(*s.item("Hinge")); // nothing is selected
+    QCOMPARE(s.refusals.size(), 2);
+    QVERIFY2(s.refusals[1].contains(QStringLiteral("RobotConfig")), qPrintable(s.refusals[1]));
+    QCOMPARE(s.text(), kRovers);
+}
+
+void LibraryTest::templatesLoadWithoutAWord_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"experiment", "robot", "arena"}) QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+void LibraryTest::templatesLoadWithoutAWord() {
+    QFETCH(QString, name);
+    Outlined o;
+    QFile file(QStringLiteral(TRUNDLE_SOURCE_DIR "/resources/templates/%1.sim").arg(name));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(o.open(file.readAll()));
+    for (const Diagnostic& d : o.document.loaded()->diagnostics.all()) QFAIL(d.message.c_str());
+    const ExperimentSpec& experiment = *o.document.loaded()->experiment;
+    QVERIFY(!experiment.statics.empty());
+    QCOMPARE(experiment.robots.empty(), name == QStringLiteral("arena"));
+}
+
+QTEST_MAIN(LibraryTest)
+#include "library_test.moc"

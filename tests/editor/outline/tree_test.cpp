@@ -1,0 +1,244 @@
+// The scene tree: what it shows, what stays through edits, and selection both ways.
+
+#include <QAbstractButton>
+
+#include "outlined.h"
+
+using namespace trundle;
+
+class TreeTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void showsTheExperimentByOwner();
+    void showsFilesWithTheirBlocks();
+    void makesChildrenOnlyWhenTheyAreLookedAt();
+    void aClickSelectsTheObject();
+    void selectionElsewhereIsShownHere();
+    void membersOfAGridAreShownAsTheGrid();
+    void whatIsUnfoldedStaysSoThroughEdits();
+    void anUndoneDeletionComesBackUnfolded();
+    void onlyRowsThatDifferAreTold();
+    void aBrokenTextStillHasATree();
+    void countsProblemsUpToTheGroups();
+    void hidesAndLocksByTheIconsOfARow();
+};
+
+void TreeTest::showsTheExperimentByOwner() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    QCOMPARE(
+        o.rows(),
+        QStringLiteral("trial.sim\nRobots\n robot0\n robot1\nScenery\n arena\nLogs\n path\nRobot configs\nScenery configs\n"));
+    o.tree().expand(o.at("robot0"));
+    o.tree().expand(o.at("robot0.chassis"));
+    QVERIFY(o.rows().contains(QStringLiteral(
+        "\n robot0\n  chassis\n   hull\n   bumper\n  leftWheel\n  rightWheel\n  leftAxle\n  rightAxle\n  count\n robot1\n")));
+    QCOMPARE(o.at("RobotConfig.Rover.chassis.hull").data().toString(), QStringLiteral("hull"));
+    QCOMPARE(o.at("robot0").data(OutlineModel::DetailRole).toString(), QStringLiteral("Rover"));
+    QVERIFY(!o.at("robot7").isValid());
+    QVERIFY(!o.at("robot0.chassis.nothing").isValid());
+    QVERIFY(!o.at("").data().toString().isEmpty());
+}
+
+void TreeTest::showsFilesWithTheirBlocks() {
+    Outlined o;
+    QVERIFY(o.openSample("linear_motion.sim"));
+    auto* byFile = o.panel->findChild<QAbstractButton*>(QStringLiteral("outlineByFile"));
+    QTest::mouseClick(byFile, Qt::LeftButton);
+    QCOMPARE(o.model().rowCount(), int(o.document.files().size()));
+    const QModelIndex main = o.model().index(0, 0);
+    QCOMPARE(main.data().toString(), QStringLiteral("linear_motion.sim"));
+    o.tree().expand(main);
+    QCOMPARE(o.rows(main), QStringLiteral("linear_motion\narena\nrobot0\npath\n"));
+    QVERIFY(o.at("RobotConfig.SimpleRobot.leftAxle").isValid());
+    QCOMPARE(o.at("RobotConfig.SimpleRobot").parent().data().toString(), QStringLiteral("simple_robot.sim"));
+    o.selection.select("robot0.chassis.hull"); // a robot is made of what its config's file says
+    QCOMPARE(o.marked(), QStringLiteral("RobotConfig.SimpleRobot.chassis.hull"));
+    QCOMPARE(o.selected(), QStringLiteral("robot0.chassis.hull"));
+}
+
+void TreeTest::makesChildrenOnlyWhenTheyAreLookedAt() {
+    Outlined o;
+    QByteArray text = kRovers;
+    for (int i = 2; i < 500; ++i)
+        text += "Robot robot" + QByteArray::number(i) + " { Config=Rover Pos=" + QByteArray::number(i) + ",0,0 }\n";
+    QVERIFY(o.open(text));
+    const std::size_t before = o.model().made();
+    QVERIFY(before < 600);
+    o.tree().expand(o.at("robot300"));
+    QCOMPARE(o.model().made(), before + 6);
+}
+
+void TreeTest::aClickSelectsTheObject() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.click(o.at("robot1"));
+    QCOMPARE(o.selected(), QStringLiteral("robot1"));
+    o.click(o.at("arena"), Qt::ControlModifier);
+    QCOMPARE(o.selected(), QStringLiteral("robot1 arena"));
+    o.click(o.at("robot0"));
+    o.click(o.at("path"), Qt::ShiftModifier); // the groups between are no objects
+    QCOMPARE(o.selected(), QStringLiteral("robot0 robot1 arena path"));
+    o.click(o.at("robot1"), Qt::ControlModifier); // out again
+    QCOMPARE(o.selected(), QStringLiteral("robot0 arena path"));
+    o.click(o.at(""));
+    QCOMPARE(o.selection.paths(), std::vector<std::string>{""});
+    QTest::keyClick(&o.tree(), Qt::Key_Down);
+    QVERIFY(o.selection.empty());
+    QTest::keyClick(&o.tree(), Qt::Key_Down);
+    QCOMPARE(o.selected(), QStringLiteral("robot0"));
+}
+
+void TreeTest::selectionElsewhereIsShownHere() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.selection.set({"robot1.chassis.hull", "arena"});
+    QCOMPARE(o.marked(), QStringLiteral("arena robot1.chassis.hull"));
+    QVERIFY(o.tree().isExpanded(o.at("robot1")));
+    QVERIFY(o.tree().visualRect(o.at("robot1.chassis.hull")).isValid());
+    o.selection.select("RobotConfig.Rover.count");
+    QCOMPARE(o.marked(), QStringLiteral("RobotConfig.Rover.count"));
+    o.selection.clear();
+    QCOMPARE(o.marked(), QString());
+    o.selection.select("nobody");
+    QCOMPARE(o.marked(), QString());
+    QCOMPARE(o.selected(), QStringLiteral("nobody")); // not the tree's to change
+}
+
+void TreeTest::membersOfAGridAreShownAsTheGrid() {
+    Outlined o;
+    QVERIFY(o.open(kRovers + "Grid swarm { Config=Rover Pos=5,5,0 Count=2,2 Spacing=1 }\n"));
+    o.selection.select("swarm_3");
+    QCOMPARE(o.marked(), QStringLiteral("swarm"));
+    QCOMPARE(o.selected(), QStringLiteral("swarm_3"));
+    o.selection.select("swarm_3.chassis");
+    QCOMPARE(o.marked(), QStringLiteral("swarm.chassis"));
+    QCOMPARE(o.at("swarm").data(OutlineModel::DetailRole).toString(), QStringLiteral("2×2 Rover"));
+}
+
+void TreeTest::whatIsUnfoldedStaysSoThroughEdits() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.tree().expand(o.at("robot0"));
+    o.tree().expand(o.at("robot0.chassis"));
+    o.selection.select("robot0.chassis.bumper");
+    const std::string file = o.document.path();
+    std::string text =
+        "// above\nMaterial blue { ColorRGB=0,0,1 }\n" + kRovers.toStdString() + "Robot robot2 { Config=Rover Pos=2,0,0 }\n";
+    QVERIFY(o.document.replaceText(QStringLiteral("Type"), file, text).ok());
+    QVERIFY(o.tree().isExpanded(o.at("robot0.chassis")));
+    QCOMPARE(o.marked(), QStringLiteral("robot0.chassis.bumper"));
+    QVERIFY(o.edits.rename("robot0", "scout").ok());
+    QVERIFY(o.tree().isExpanded(o.at("scout")));
+    QVERIFY(o.tree().isExpanded(o.at("scout.chassis")));
+    o.document.undo();
+    QVERIFY(o.tree().isExpanded(o.at("robot0.chassis")));
+    o.filter().setText(QStringLiteral("arena"));
+    QVERIFY(!o.rows().contains(QStringLiteral("hull")));
+    o.filter().clear();
+    QVERIFY(o.tree().isExpanded(o.at("robot0.chassis")));
+}
+
+void TreeTest::anUndoneDeletionComesBackUnfolded() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.tree().expand(o.at("robot1"));
+    o.tree().expand(o.at("robot1.chassis"));
+    QVERIFY(o.edits.remove({"robot1"}).ok());
+    QVERIFY(!o.at("robot1").isValid());
+    o.document.undo();
+    QVERIFY(o.tree().isExpanded(o.at("robot1")));
+    QVERIFY(o.tree().isExpanded(o.at("robot1.chassis")));
+}
+
+void TreeTest::onlyRowsThatDifferAreTold() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.tree().expand(o.at("robot0"));
+    QSignalSpy data(&o.model(), &QAbstractItemModel::dataChanged), in(&o.model(), &QAbstractItemModel::rowsInserted),
+        out(&o.model(), &QAbstractItemModel::rowsRemoved), moved(&o.model(), &QAbstractItemModel::rowsMoved),
+        reset(&o.model(), &QAbstractItemModel::modelReset);
+    const auto told = [&] { return data.count() + in.count() + out.count() + moved.count() + reset.count(); };
+    QVERIFY(o.document.setValues(QStringLiteral("Move"), {{"robot0.Pos", "3,0,0"}}).ok());
+    QCOMPARE(told(), 0);
+    QVERIFY(o.edits.rename("robot0", "scout").ok());
+    QCOMPARE(in.count() + out.count() + moved.count() + reset.count(), 0);
+    const std::string swapped = QByteArray(kRovers)
+                                    .replace("Robot robot1", "Robot robotX")
+                                    .replace("Robot robot0", "Robot robot1")
+                                    .replace("Robot robotX", "Robot robot0")
+                                    .toStdString();
+    o.document.undo();
+    data.clear();
+    QVERIFY(o.document.replaceText(QStringLiteral("Swap"), o.document.path(), swapped).ok());
+    QCOMPARE(moved.count(), 1);
+    QCOMPARE(in.count() + out.count() + reset.count(), 0);
+    QVERIFY(o.tree().isExpanded(o.at("robot0")));
+    QCOMPARE(o.at("robot0").row(), 1);
+}
+
+void TreeTest::aBrokenTextStillHasATree() {
+    Outlined o;
+    QVERIFY(o.open(
+        "Robot a { Config=Nothing }\nRobot a { }\nRobott b { }\nBody loose { }\nMaterial { }\nRobot { Config=X }\n}} ((\n"));
+    QVERIFY(o.rows().startsWith(QStringLiteral("trial.sim\nRobots\n a\n")));
+    QVERIFY(o.rows().contains(QStringLiteral("Out of place\n")));
+    for (const QByteArray& text : {QByteArray(), QByteArray("{{{{{{"), QByteArray("\xff\xfe\x00", 3),
+                                   QByteArray("RobotConfig R { Body b { Body b { Box { } Box { } } } }"), kRovers}) {
+        QVERIFY(o.document.replaceText(QStringLiteral("Type"), o.document.path(), text.toStdString()).ok());
+        o.tree().expandAll();
+        QVERIFY(o.model().rowCount() >= 1);
+    }
+    o.document.close();
+    QCOMPARE(o.model().rowCount(), 0);
+}
+
+void TreeTest::countsProblemsUpToTheGroups() {
+    Outlined o;
+    QVERIFY(o.open(QByteArray(kRovers).replace("Mass=0.05", "Mass=-1").replace("Config=Rover Pos=1", "Config=Rovr Pos=1")));
+    const auto errors = [&](const QModelIndex& index) { return index.data(OutlineModel::ErrorsRole).toInt(); };
+    QCOMPARE(errors(o.at("RobotConfig.Rover.chassis.bumper")), 1);
+    QCOMPARE(errors(o.at("RobotConfig.Rover.chassis.hull")), 0);
+    QCOMPARE(errors(o.at("RobotConfig.Rover.chassis")), 1);
+    QCOMPARE(errors(o.at("RobotConfig.Rover")), 1);
+    QCOMPARE(errors(o.at("RobotConfig.Rover").parent()), 1);
+    QCOMPARE(errors(o.at("robot1")), 1);
+    QCOMPARE(errors(o.at("robot0")), 0);
+    QCOMPARE(errors(o.at("robot1").parent()), 1);
+    QVERIFY(o.at("robot1").data(Qt::ToolTipRole).toString().contains(QStringLiteral("1 error")));
+    QVERIFY(o.document.replaceText(QStringLiteral("Mend"), o.document.path(), kRovers.toStdString()).ok());
+    QCOMPARE(errors(o.at("robot1").parent()), 0);
+    QCOMPARE(errors(o.at("RobotConfig.Rover")), 0);
+}
+
+void TreeTest::hidesAndLocksByTheIconsOfARow() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.selection.select("robot0.chassis");
+    o.click(o.at("robot0"), {}, OutlineModel::VisibleColumn);
+    QVERIFY(o.marks.isHidden("robot0"));
+    QVERIFY(o.marks.isHidden("robot0.chassis.hull"));
+    QVERIFY(!o.marks.isHidden("robot01"));
+    QCOMPARE(o.selected(), QStringLiteral("robot0.chassis")); // the eye selects nothing
+    QCOMPARE(o.at("robot0.chassis").siblingAtColumn(OutlineModel::VisibleColumn).data(OutlineModel::MarkRole).toInt(),
+             int(OutlineModel::MarkedAbove));
+    o.click(o.at("robot0"), {}, OutlineModel::VisibleColumn);
+    QVERIFY(!o.marks.isHidden("robot0"));
+
+    o.selection.set({"robot0", "robot1"});
+    o.click(o.at("robot1"), {}, OutlineModel::LockedColumn); // one of several selected: all of them
+    QVERIFY(o.marks.isLocked("robot0") && o.marks.isLocked("robot1"));
+    const QByteArray before = o.text();
+    QTest::keyClick(&o.tree(), Qt::Key_Delete);
+    QCOMPARE(o.text(), before);
+    QVERIFY2(o.refusals.join(QLatin1Char(' ')).contains(QStringLiteral("locked")), qPrintable(o.refusals.join(QLatin1Char(' '))));
+    o.marks.setLocked({"robot1"}, false);
+    QVERIFY(o.edits.rename("robot1", "scout").ok());
+    o.marks.setHidden({"scout"}, true);
+    QVERIFY(o.edits.rename("scout", "rover9").ok());
+    QVERIFY(o.marks.isHidden("rover9")); // the mark goes with the object
+    QVERIFY(!o.marks.isHidden("scout"));
+}
+
+QTEST_MAIN(TreeTest)
+#include "tree_test.moc"

@@ -1,0 +1,219 @@
+// Every kind of the registry is inserted as the Insert menu does it, and each of its rows is edited with keys and clicks.
+#include "panel_desk.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QToolButton>
+
+#include "editor/properties/property_row.h"
+#include "editor/properties/row_editor.h"
+#include "editor/properties/value_text.h"
+#include "model/provenance.h"
+
+using namespace trundle;
+
+namespace {
+
+const std::string kWorld = R"(
+Material blue { ColorRGB=0,0,1 }
+Surface slick { Friction=0 }
+StaticConfig Yard { Box wall { Size=1,0.1,0.3 Pos=0,2,0.15 Material=grey Surface=slick } }
+StaticConfig Hall { Box wall { Size=1,0.1,0.3 Pos=0,3,0.15 Material=grey Surface=slick } }
+RobotConfig Other { Body body { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 Material=grey Surface=slick } } }
+Static yard { Config=Yard }
+Robot robot0 { Config=Rover Pos=0,0,0 }
+Robot robot1 { Config=Rover Pos=1,0,0 }
+)";
+
+/// Where an object of the kind is put.
+std::string parentOf(const Kind& kind) {
+    const auto in = [&](const char* parent) { return std::count(kind.parents.begin(), kind.parents.end(), parent) > 0; };
+    if (in("")) return "";
+    if (in("RobotConfig")) return "RobotConfig.Rover";
+    if (in("Body")) return "RobotConfig.Rover.chassis";
+    if (in("StaticConfig")) return "StaticConfig.Yard";
+    return in("Robot") ? "robot0" : "";
+}
+
+/// Numbers that a property may have, the likely ones first.
+std::vector<double> legalNumbers(const Property& p) {
+    std::vector<double> numbers;
+    for (double n : {1.0, 2.0, 0.5, 0.25, 3.0, 0.05, 0.02, 10.0, 0.0, -1.0}) {
+        const bool low = p.minExclusive ? n > p.minimum : n >= p.minimum;
+        const bool high = p.maxExclusive ? n < p.maximum : n <= p.maximum;
+        const bool whole = p.type != PropertyType::Integer || n == std::floor(n);
+        if (low && high && whole) numbers.push_back(n);
+    }
+    return numbers;
+}
+
+} // namespace
+
+class EveryKindTest : public QObject {
+    Q_OBJECT
+
+    /// Enters another value with the row's own widgets until the document takes one; what they were, for the message.
+    static QString edit(PanelDesk& desk, const QString& id) {
+        const auto bytes = [&] {
+            std::string all;
+            for (std::size_t i = 0; i < desk.document.files().size(); ++i) all += desk.text(i);
+            return all;
+        };
+        const std::string before = bytes();
+        const auto changed = [&] { return bytes() != before; };
+        QString tried;
+        const auto* row = qobject_cast<PropertyRow*>(desk.row(qPrintable(id)));
+        const Property p = *row->row().property();
+        const EditorKind kind = row->row().editor();
+        if (kind == EditorKind::Choice) {
+            auto* box = desk.field<QComboBox>(qPrintable(id));
+            for (int i = 0; i < box->count() && !changed(); ++i) {
+                box->setFocus();
+                QTest::keyClick(box, i == 0 ? Qt::Key_Home : Qt::Key_Down);
+                tried += box->currentText() + QLatin1Char('|');
+            }
+        } else if (kind == EditorKind::Flag) {
+            QTest::keyClick(desk.field<QCheckBox>(qPrintable(id)), Qt::Key_Space);
+        } else if (kind == EditorKind::Numbers || kind == EditorKind::Colour) {
+            const bool one = p.maxCount == 1;
+            const QString first = desk.shown(qPrintable(id), one ? "field" : "field0");
+            for (double n : legalNumbers(p)) {
+                const QString text = QString::fromStdString(plainNumber(n));
+                if (changed() || text == first) continue;
+                tried += text + QLatin1Char('|');
+                desk.type(qPrintable(id), text, one ? "field" : "field0");
+            }
+        } else if (kind == EditorKind::Reference) {
+            auto* pick = desk.field<QToolButton>(qPrintable(id), "pick");
+            Q_EMIT pick->menu()->aboutToShow();
+            for (qsizetype i = 0; i < pick->menu()->actions().size() && !changed(); ++i) {
+                QAction* action = pick->menu()->actions().at(i);
+                tried += action->text() + QLatin1Char('|');
+                if (!action->isChecked()) action->trigger();
+                if (!changed()) Q_EMIT pick->menu()->aboutToShow();
+            }
+        } else if (kind == EditorKind::File) {
+            tried = QStringLiteral("other.") + QString::fromStdString(p.choices.empty() ? "txt" : p.choices.front());
+            desk.type(qPrintable(id), tried);
+        } else {
+            for (const char* text : {"other", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3"}) {
+                if (changed()) break;
+                tried += QLatin1String(text) + QLatin1Char('|');
+                desk.type(qPrintable(id), QLatin1String(text));
+            }
+        }
+        return changed() ? QString() : tried + desk.help();
+    }
+
+    static QString faults(const PanelDesk& desk) {
+        QStringList all;
+        for (const Diagnostic& d : desk.document.loaded()->diagnostics.all())
+            if (d.severity == Severity::Error) all << QString::fromStdString(d.message);
+        return all.join(QLatin1Char('\n'));
+    }
+
+    /// Rows whose property stands against others that the object has.
+    static bool needsCompany(const Kind& kind, const std::string& property) {
+        for (const Alternatives& choice : kind.alternatives)
+            if (std::count(choice.names.begin(), choice.names.end(), property)) return true;
+        if (kind.name == "Universal" && property.starts_with("Axis")) return true;      // a right angle between them
+        return property == "Density" || (property == "Mass" && kind.role != Role::Log); // not both
+    }
+
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, ThemeKind::Light); }
+
+    void rows_data() {
+        QTest::addColumn<QString>("name");
+        const OpenParts parts;
+        for (const Kind* kind : parts.builtIn()->all()) QTest::newRow(kind->name.c_str()) << QString::fromStdString(kind->name);
+    }
+    void rows() {
+        QFETCH(QString, name);
+        PanelDesk desk;
+        for (const char* file : {"mesh.obj", "other.obj", "hills.png", "other.png", "other.jpg"}) desk.write(file, "x");
+        QVERIFY(desk.open(kWorld));
+        QCOMPARE(desk.document.loaded()->diagnostics.errorCount(), 0u);
+        const Kind kind = *desk.parts.builtIn()->find(name.toStdString());
+        if (kind.role != Role::Settings) {
+            const std::string parent = parentOf(kind);
+            const std::string text =
+                templateOf(*desk.document.loaded(), *desk.document.loaded()->registry->find(kind.name), parent);
+            const Result<EditPlan> plan = planInsert(*desk.document.loaded(), parent, text);
+            QVERIFY2(plan.ok(), plan ? "" : plan.error().message.c_str());
+            QVERIFY(desk.document.carryOut(QStringLiteral("Insert"), plan).ok());
+            QCOMPARE(faults(desk), QString());
+            QVERIFY(!desk.selection.empty());
+            const std::vector<std::string> made = desk.selection.paths();
+            for (const std::string& path : made) { // what it needs may have come with it
+                desk.selection.select(path);
+                if (desk.panel.findChild<QLabel*>(QStringLiteral("objectKind"))
+                        ->text()
+                        .contains(QLatin1Char('>') + name + QLatin1Char('<')))
+                    break;
+            }
+        }
+        desk.picture(qPrintable(name));
+        const std::string object = desk.selection.current();
+        std::vector<std::string> files;
+        for (std::size_t i = 0; i < desk.document.files().size(); ++i) files.push_back(desk.text(i));
+        for (const Property& p : kind.properties) {
+            const QString id = QString::fromStdString(p.name);
+            QVERIFY2(desk.row(p.name.c_str()), p.name.c_str());
+            const std::string path = object.empty() ? p.name : object + "." + p.name;
+            const auto provenance = provenanceOf(*desk.document.loaded()->outline, path);
+            QVERIFY2(provenance, path.c_str());
+            const auto* row = qobject_cast<PropertyRow*>(desk.row(p.name.c_str()));
+            QCOMPARE(row->row().given(), provenance->origin != Origin::Default);
+            const std::size_t done = desk.document.history().position();
+            const QString refused = edit(desk, id);
+            if (!refused.isEmpty() && needsCompany(kind, p.name)) {
+                QVERIFY2(refused.size() > 10, qPrintable(id)); // a reason was given
+                continue;
+            }
+            QVERIFY2(refused.isEmpty(), qPrintable(id + QStringLiteral(": ") + refused));
+            QCOMPARE(desk.document.history().position(), done + 1);
+            if (!needsCompany(kind, p.name)) QCOMPARE(faults(desk), QString());
+            desk.document.undo();
+            for (std::size_t i = 0; i < files.size(); ++i) QCOMPARE(desk.text(i), files[i]);
+        }
+    }
+
+    void aKindAddedWhileItRuns() {
+        struct Sonar {
+            std::string body, mode = "wide";
+            double range = 3;
+            std::array<double, 3> pos{0, 0, 0};
+            bool loud = false;
+            static void describe(Describe<Sonar>& d) {
+                d.help("Hears walls.");
+                d.field("Body", &Sonar::body, reference("Body").required(), "Where it sits.");
+                d.field("Pos", &Sonar::pos, metres().within(-10, 10), "Where on it.");
+                d.field("Range", &Sonar::range, metres().above(0).atMost(20).live(), "How far it hears.");
+                d.field("Mode", &Sonar::mode, oneOf("wide|narrow"), "Its beam.");
+                d.field("Loud", &Sonar::loud, flag(), "Audible.");
+            }
+        };
+        PanelDesk desk;
+        desk.parts.add(kindOf<Sonar>("Sonar", Role::Device, {"RobotConfig"}));
+        QVERIFY(desk.open(kWorld));
+        const Result<EditPlan> plan = planInsert(*desk.document.loaded(), "RobotConfig.Rover", "Sonar front { Body=chassis }");
+        QVERIFY(plan.ok() && desk.document.carryOut(QStringLiteral("Insert"), plan).ok());
+        desk.selection.select("robot0.front");
+        const std::string before = desk.text();
+        desk.type("Range", QStringLiteral("150 cm"));
+        QVERIFY2(desk.text().find("front.Range=150 cm") != std::string::npos, desk.text().c_str());
+        QVERIFY(desk.help().startsWith(QStringLiteral("How far it hears.")));
+        QTest::keyClick(desk.field<QCheckBox>("Loud"), Qt::Key_Space);
+        QVERIFY(desk.text().find("front.Loud=true") != std::string::npos);
+        desk.type("Range", QStringLiteral("21"));
+        QVERIFY(desk.field("Range")->refused());
+        desk.picture("Sonar");
+        desk.document.undo();
+        desk.document.undo();
+        QCOMPARE(desk.text(), before);
+    }
+};
+
+QTEST_MAIN(EveryKindTest)
+#include "every_kind_test.moc"

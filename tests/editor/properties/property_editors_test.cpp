@@ -1,0 +1,207 @@
+#include "panel_desk.h"
+
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QCompleter>
+#include <QFileDialog>
+#include <QToolButton>
+
+using namespace trundle;
+
+namespace {
+
+const std::string kRobots = R"(
+Tick = 0.01
+Robot robot0 { Config=Rover  Pos=0, 0, 0.5  leftMotor.Resistance=3 }
+Robot robot1 { Config=Rover  Pos=1,2,0 }
+PoseLog path { Robot=robot0 Interval=0.1 File=path.csv }
+)";
+
+} // namespace
+
+class PropertyEditorsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, ThemeKind::Light); }
+
+    void draggingALabelIsOneEntry() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        desk.selection.select("robot0.leftMotor");
+        const std::string before = desk.text();
+        const auto drag = [&](QWidget* label, int way) {
+            const QPoint from(4, 6);
+            QTest::mousePress(label, Qt::LeftButton, {}, from);
+            for (int x = 3; x <= way; x += 3) {
+                QMouseEvent move(QEvent::MouseMove, QPointF(from + QPoint(x, 0)),
+                                 label->mapToGlobal(QPointF(from + QPoint(x, 0))), Qt::NoButton, Qt::LeftButton, {});
+                QApplication::sendEvent(label, &move);
+            }
+            QTest::mouseRelease(label, Qt::LeftButton, {}, from + QPoint(way, 0));
+        };
+        drag(desk.row("Resistance")->findChild<QWidget*>(QStringLiteral("label")), 30);
+        QCOMPARE(desk.text(), replaced(before, "Resistance=3", "Resistance=4"));
+        QCOMPARE(desk.document.history().entries().size(), 1u);
+        drag(desk.row("Resistance")->findChild<QWidget*>(QStringLiteral("label")), 30);
+        QCOMPARE(desk.document.history().entries().size(), 2u);
+        desk.document.undo();
+        desk.document.undo();
+        QCOMPARE(desk.text(), before);
+        // one axis of a vector, the unit stays
+        desk.type("Resistance", QStringLiteral("3"));
+        desk.selection.select("robot0");
+        desk.type("Pos", QStringLiteral("12 cm"), "field0");
+        drag(desk.row("Pos")->findChild<QWidget*>(QStringLiteral("axis0")), 30);
+        QVERIFY2(desk.text().find("Pos=22 cm, 0, 0.5") != std::string::npos, desk.text().c_str());
+    }
+
+    void aListThatIsNotGivenYet() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        desk.selection.select("RobotConfig.Rover.leftAxle");
+        desk.type("Anchor", QStringLiteral("5 cm"), "field1");
+        QVERIFY2(desk.rover().find("Anchor=0,5 cm,0") != std::string::npos, desk.rover().c_str());
+        desk.selection.select("RobotConfig.Rover.chassis");
+        desk.type("Inertia", QStringLiteral("0.5"), "field0");
+        QVERIFY2(desk.rover().find("Inertia=0.5,0.5,0.5") != std::string::npos, desk.rover().c_str());
+        desk.type("Inertia", QStringLiteral("0.01"), "field3"); // of the products one brings the others
+        desk.type("Inertia", QString(), "field5");
+        QVERIFY(desk.field("Inertia", "field0"));
+    }
+
+    void arrowKeysStep() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        desk.selection.select("robot0.leftMotor");
+        QTest::keyClick(desk.field("Resistance"), Qt::Key_Up);
+        QVERIFY(desk.text().find("Resistance=3.1") != std::string::npos);
+        QTest::keyClick(desk.field("Resistance"), Qt::Key_PageDown);
+        QVERIFY(desk.text().find("Resistance=2.1") != std::string::npos);
+        desk.selection.select("Surface.rubber");
+        for (int i = 0; i < 30; ++i)
+            QTest::keyClick(desk.field("Restitution"), Qt::Key_PageDown); // down to the limit and no further
+        QCOMPARE(desk.shown("Restitution"), QStringLiteral("0"));
+        QVERIFY(!desk.field("Restitution")->refused());
+    }
+
+    void choosingAColour() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        desk.selection.select("Material.red");
+        const std::string before = desk.rover();
+        auto* swatch = desk.field<QToolButton>("ColorRGB", "swatch");
+        QTest::mouseClick(swatch, Qt::LeftButton);
+        auto* dialog = desk.panel.findChild<QColorDialog*>();
+        QVERIFY(dialog);
+        dialog->setCurrentColor(QColor::fromRgbF(0.0f, 1.0f, 0.0f));
+        QCOMPARE(desk.rover(), replaced(before, "0.9, 0.1, 0.1", "0,1,0"));
+        dialog->setCurrentColor(QColor::fromRgbF(0.0f, 0.0f, 1.0f));
+        dialog->accept();
+        QCOMPARE(desk.rover(), replaced(before, "0.9, 0.1, 0.1", "0,0,1"));
+        QCOMPARE(desk.document.history().entries().size(), 1u);
+        desk.picture("colour");
+        desk.document.undo();
+        QCOMPARE(desk.rover(), before);
+        QTest::mouseClick(swatch, Qt::LeftButton);
+        QTRY_VERIFY(desk.panel.findChildren<QColorDialog*>().size() >= 1);
+        dialog = desk.panel.findChildren<QColorDialog*>().back();
+        dialog->setCurrentColor(Qt::black);
+        dialog->reject();
+        QCOMPARE(desk.rover(), before);
+    }
+
+    void choicesFlagsAndReferences() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        auto* solver = desk.field<QComboBox>("Solver");
+        QVERIFY(solver);
+        solver->setFocus();
+        QTest::keyClick(solver, Qt::Key_Down);
+        QVERIFY(desk.text().find("Solver = exact") != std::string::npos);
+        desk.selection.select("RobotConfig.Rover.chassis.hull");
+        QTest::mouseClick(desk.field<QCheckBox>("Collide"), Qt::LeftButton, {}, QPoint(6, 8));
+        QVERIFY2(desk.rover().find("Collide=false") != std::string::npos, desk.rover().c_str());
+        desk.picture("geom");
+        auto* pick = desk.field<QToolButton>("Material", "pick");
+        QVERIFY(pick);
+        Q_EMIT pick->menu()->aboutToShow();
+        QStringList names;
+        for (const QAction* action : pick->menu()->actions()) names << action->text();
+        QCOMPARE(names, QStringList({QStringLiteral("default"), QStringLiteral("grey"), QStringLiteral("red")}));
+        pick->menu()->actions().at(2)->trigger();
+        QVERIFY(desk.rover().find("Mass=2 Material=red") != std::string::npos);
+        desk.selection.select("RobotConfig.Rover.touch");
+        pick = desk.field<QToolButton>("Geom", "pick"); // a list: picking adds and takes out
+        Q_EMIT pick->menu()->aboutToShow();
+        pick->menu()->actions().at(1)->trigger();
+        QVERIFY2(desk.rover().find("Geom=chassis.hull,leftWheel.tyre") != std::string::npos, desk.rover().c_str());
+        Q_EMIT pick->menu()->aboutToShow();
+        pick->menu()->actions().at(0)->trigger();
+        QVERIFY(desk.rover().find("Geom=leftWheel.tyre") != std::string::npos);
+        desk.type("Geom", QStringLiteral("nobody"));
+        QVERIFY(desk.field("Geom")->refused());
+        desk.selection.select("path");
+        pick = desk.field<QToolButton>("Robot", "pick");
+        Q_EMIT pick->menu()->aboutToShow();
+        QCOMPARE(pick->menu()->actions().size(), 2);
+    }
+
+    void textsAreQuotedWhereTheyMust() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        for (const char* title :
+             {"plain", "two words", "3 wheels", "say \"hi\"", "true", "a\\b c", "a//b", "10 %", "Köln {}", " lead"}) {
+            desk.type("Title", QString::fromUtf8(title));
+            QVERIFY2(!desk.field("Title")->refused(), title);
+            QCOMPARE(desk.shown("Title"), QString::fromUtf8(title));
+            QCOMPARE(QString::fromStdString(desk.document.loaded()->experiment->settings.title), QString::fromUtf8(title));
+        }
+        QVERIFY(desk.text().find("Title = \" lead\"") != std::string::npos);
+    }
+
+    void aFileIsNamedAsTheTextWantsIt() {
+        PanelDesk desk;
+        desk.write("textures/wood.png", "x");
+        QVERIFY(desk.open(kRobots));
+        desk.selection.select("Material.red");
+        QTest::mouseClick(desk.field<QToolButton>("Texture", "browse"), Qt::LeftButton);
+        auto* dialog = desk.panel.findChild<QFileDialog*>();
+        QVERIFY(dialog);
+        Q_EMIT dialog->fileSelected(QString::fromStdString(desk.write("textures/wood.png", "x")));
+        dialog->reject();
+        QVERIFY2(desk.rover().find("Texture = textures/wood.png") != std::string::npos ||
+                     desk.rover().find("Texture=textures/wood.png") != std::string::npos,
+                 desk.rover().c_str());
+    }
+
+    void aNameFromTheListOfWhatFits() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        desk.selection.select("RobotConfig.Rover.leftMotor");
+        auto* field = desk.field("Joint");
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("right"));
+        auto* list = field->completer()->popup();
+        QTRY_VERIFY(list->isVisible());
+        QTest::keyClick(list, Qt::Key_Down);
+        QTest::keyClick(list, Qt::Key_Return);
+        QVERIFY2(desk.rover().find("RotaryMotor leftMotor { Joint=rightAxle") != std::string::npos, desk.rover().c_str());
+        QVERIFY(!list->isVisible());
+    }
+
+    void editingAsText() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        QVERIFY(desk.choose("Solver", "rowAsText"));
+        desk.type("Solver", QStringLiteral("quick"));
+        QVERIFY(desk.text().find("Solver = quick") != std::string::npos);
+        QVERIFY(desk.choose("Solver", "rowAsText"));
+        QVERIFY(desk.field<QComboBox>("Solver"));
+    }
+};
+
+QTEST_MAIN(PropertyEditorsTest)
+#include "property_editors_test.moc"

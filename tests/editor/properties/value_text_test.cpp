@@ -1,0 +1,150 @@
+#include <QTest>
+
+#include "editor/properties/scrub.h"
+#include "editor/properties/value_text.h"
+
+using namespace trundle;
+
+class ValueTextTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void words_data() {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("written");
+        QTest::newRow("word") << "linear_motion.csv"
+                              << "linear_motion.csv";
+        QTest::newRow("path") << "a/b-c.png"
+                              << "a/b-c.png";
+        QTest::newRow("blank") << "two words"
+                               << "\"two words\"";
+        QTest::newRow("up") << "../x.csv"
+                            << "\"../x.csv\"";
+        QTest::newRow("digit first") << "3d.png"
+                                     << "\"3d.png\"";
+        QTest::newRow("number") << "12"
+                                << "\"12\"";
+        QTest::newRow("true") << "true"
+                              << "\"true\"";
+        QTest::newRow("quotes") << "say \"hi\""
+                                << "\"say \\\"hi\\\"\"";
+        QTest::newRow("backslash") << "a\\"
+                                   << "a\\";
+        QTest::newRow("backslash and blank") << "a\\ b"
+                                             << "\"a\\\\ b\"";
+        QTest::newRow("comment") << "http://x"
+                                 << "\"http://x\"";
+        QTest::newRow("Param") << "$name"
+                               << "$name";
+        QTest::newRow("expression") << "$(a+1)"
+                                    << "$(a+1)";
+        QTest::newRow("a dollar that is none") << "$"
+                                               << "\"$\"";
+        QTest::newRow("in quotes already") << "\"as typed\""
+                                           << "\"as typed\"";
+        QTest::newRow("one quote") << "\""
+                                   << "\"\\\"\"";
+        QTest::newRow("braces") << "}{"
+                                << "\"}{\"";
+        QTest::newRow("empty") << ""
+                               << "\"\"";
+        QTest::newRow("list") << "a,b"
+                              << "\"a,b\"";
+    }
+    void words() {
+        QFETCH(QString, typed);
+        QFETCH(QString, written);
+        const std::string text = wordOrQuoted(typed.toStdString(), false);
+        QCOMPARE(QString::fromStdString(text), written);
+        QVERIFY(readElements(text).ok());
+        const bool raw = typed.startsWith(QLatin1Char('$')) || typed.startsWith(QLatin1Char('"'));
+        if (!raw || typed.size() < 2) QCOMPARE(QString::fromStdString(plainText(text)), typed);
+    }
+
+    void notOneValue() {
+        for (const char* text : {"", " ", "3 }", "3 } x {", "a = 3", "3 // c", "1,", ",1", "\"open", "$(1+", "3 4", "Box b { }",
+                                 "3\nTick = 4", "{", "/*"})
+            QVERIFY2(!readElements(text).ok(), text);
+        for (const char* text : {"3", "12 cm", "1, 2 ,3", "$a", "$(a + 1)", "\"a b\"", "true", "x/y.png,z", "-1e-3 m/s"})
+            QVERIFY2(readElements(text).ok(), text);
+    }
+
+    void numbers() {
+        QCOMPARE(plainNumber(0.1), std::string("0.1"));
+        QCOMPARE(plainNumber(-0.0), std::string("0"));
+        QCOMPARE(plainNumber(200000), std::string("200000"));
+        QCOMPARE(plainNumber(1e300), std::string("1e+300"));
+        Property degrees;
+        degrees.unit = "deg";
+        degrees.scale = 3.14159265358979323846 / 180;
+        for (const double angle : {90.0, 30.0, -45.0, 0.1, 179.999, 33.3})
+            QCOMPARE(numberOf(degrees, angle * degrees.scale), plainNumber(angle));
+    }
+
+    void ranges() {
+        Property p;
+        p.unit = "ohm";
+        p.minimum = 1e-6;
+        p.maximum = 1e9;
+        QCOMPARE(unitAndRange(p), std::string("ohm, from 1e-6 to 1e9"));
+        p.minimum = 0;
+        p.minExclusive = true;
+        QCOMPARE(unitAndRange(p), std::string("ohm, above 0, at most 1e9"));
+        p.minimum = -HUGE_VAL;
+        p.maximum = HUGE_VAL;
+        QCOMPARE(unitAndRange(p), std::string("ohm"));
+    }
+
+    void scrubbing_data() {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<double>("steps");
+        QTest::addColumn<QString>("to");
+        QTest::newRow("unit stays") << "12 cm" << 3.0 << "15 cm";
+        QTest::newRow("no blank") << "12cm" << -2.0 << "10cm";
+        QTest::newRow("small") << "0.05" << 1.0 << "0.051";
+        QTest::newRow("digits stay") << "0.0512" << 1.0 << "0.0522";
+        QTest::newRow("zero") << "0" << 5.0 << "0.05";
+        QTest::newRow("through zero") << "0.02" << -100.0 << "-0.08";
+        QTest::newRow("large") << "1500" << 1.0 << "1600";
+        QTest::newRow("none") << "1.25" << 0.2 << "1.25";
+    }
+    void scrubbing() {
+        QFETCH(QString, from);
+        QFETCH(double, steps);
+        QFETCH(QString, to);
+        Property metres;
+        metres.unit = "m";
+        metres.minimum = -HUGE_VAL;
+        metres.maximum = HUGE_VAL;
+        const auto scrub = Scrub::of(from.toStdString(), &metres);
+        QVERIFY(scrub);
+        QCOMPARE(QString::fromStdString(scrub->after(steps)), to);
+        QVERIFY(!Scrub::of("$a", &metres) && !Scrub::of("1,2", &metres) && !Scrub::of("", &metres));
+    }
+
+    void scrubbingStaysInRange() {
+        Property share;
+        share.minimum = 0;
+        share.maximum = 1;
+        QCOMPARE(Scrub::of("0.5", &share)->after(1000), std::string("1"));
+        QCOMPARE(Scrub::of("0.5", &share)->after(-1000), std::string("0"));
+        Property length;
+        length.unit = "m";
+        length.minExclusive = true;
+        length.maximum = HUGE_VAL;
+        QCOMPARE(Scrub::of("5 cm", &length)->after(-1000), std::string("0.1 cm"));
+        Property tick;
+        tick.unit = "s";
+        tick.minimum = 1e-5;
+        tick.maximum = 0.1;
+        QCOMPARE(Scrub::of("0.01", &tick)->after(-1000), std::string("0.00001"));
+        QCOMPARE(Scrub::of("10 ms", &tick)->after(1000), std::string("100 ms"));
+        Property count;
+        count.type = PropertyType::Integer;
+        count.minimum = 1;
+        count.maximum = 10;
+        QCOMPARE(Scrub::of("3", &count)->after(4), std::string("7"));
+    }
+};
+
+QTEST_GUILESS_MAIN(ValueTextTest)
+#include "value_text_test.moc"

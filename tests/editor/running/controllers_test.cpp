@@ -1,0 +1,272 @@
+#include <QAction>
+#include <QLabel>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QtTest>
+
+#include "editor/document/selection.h"
+#include "editor/running/controller_commands.h"
+#include "editor/running/controllers_panel.h"
+#include "editor/running/opened_session.h"
+#include "editor/running/trust.h"
+#include "editor/widgets/actions.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr ActionRow kRows[] = {
+    {"controllers.load", "", "Load Module…", "module", "", "Load."},
+    {"controllers.assign", "", "Assign…", "", "", "Assign."},
+    {"controllers.remove", "", "Remove", "", "", "Remove."},
+    {"controllers.reload", "", "Reload", "", "", "Reload."},
+};
+
+/// Three robots: one with a controller, one without, and a Grid.
+const QByteArray kTeam = R"(// a team
+#import robots/simple_robot.sim
+#import arenas/medium_arena.sim
+#loadModule controllers/linear_motion
+Static arena { Config=MediumArena Pos=0,0,0 }
+Robot leader {
+  Config=SimpleRobot  Pos=1,0,0
+  LinearMotion brain { UpdatePeriod=0.05 Speed=0.2 }
+}
+Robot idle { Config=SimpleRobot Pos=0,1,0 }
+Grid swarm { Config=SimpleRobot Pos=-1,0,0 Count=2 Spacing=0.6 }
+)";
+
+} // namespace
+
+class ControllersTest : public QObject {
+    Q_OBJECT
+
+    static ControllerChoice choice(const ControllerCommands& commands, const char* name) {
+        for (const ControllerChoice& c : commands.choices())
+            if (c.kind.name == name) return c;
+        return {};
+    }
+    static std::string textOf(const OpenedSession& o) { return *o.document.text(o.document.path()); }
+    /// A module of the program, copied where it is not trusted.
+    static QString copiedModule(const OpenedSession& o, const char* name, const char* as) {
+        QDir(o.folder.path()).mkpath(QStringLiteral("mine"));
+        const QString to = o.path("mine/lib") + QLatin1String(as) + QStringLiteral(".so");
+        const QString from =
+            QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle/controllers/lib") + QLatin1String(name) + QStringLiteral(".so");
+        for (const char* ending : {"", ".kinds.json"}) {
+            QFile::remove(to + QLatin1String(ending));
+            if (!QFile::copy(from + QLatin1String(ending), to + QLatin1String(ending))) return {};
+        }
+        return to;
+    }
+
+private Q_SLOTS:
+    void init() {
+        QCoreApplication::setOrganizationName(QStringLiteral("trundle-test"));
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings().clear();
+    }
+    void cleanup() { QSettings().clear(); }
+
+    void listsModulesAndRobots() {
+        OpenedSession o;
+        QVERIFY(o.open(kTeam));
+        ControllerCommands commands(o.document, o.session);
+        const auto modules = commands.modules();
+        QCOMPARE(modules.size(), 1u);
+        QCOMPARE(modules[0].written, std::string("controllers/linear_motion"));
+        QCOMPARE(modules[0].kinds, std::vector<std::string>{"LinearMotion"});
+        QVERIFY(!modules[0].version.isEmpty());
+        QVERIFY(modules[0].trouble.isEmpty());
+        QCOMPARE(modules[0].usedBy, std::string("leader"));
+        const auto robots = controlledRobots(*o.document.loaded());
+        QCOMPARE(robots.size(), 3u);
+        QCOMPARE(robots[0].kind, std::string("LinearMotion"));
+        QVERIFY(robots[1].kind.empty());
+        QCOMPARE(robots[2].members, 2u);
+        QCOMPARE(robotsAmong(*o.document.loaded(), {"leader.chassis", "swarm_1", "arena", "leader", "Material.red"}),
+                 (std::vector<std::string>{"leader", "swarm"}));
+    }
+
+    void assignsToOneAndReplaces() {
+        OpenedSession o;
+        QVERIFY(o.open(kTeam));
+        ControllerCommands commands(o.document, o.session);
+        QVERIFY(commands.assign({"leader", "idle", "swarm"}, choice(commands, "RandomDrive")));
+        const std::string text = textOf(o);
+        QVERIFY2(text.find("#loadModule controllers/random_drive") != std::string::npos, text.c_str());
+        QVERIFY2(text.find("RandomDrive brain { UpdatePeriod=0.05 Speed=0.2 }") != std::string::npos, text.c_str()); // what both mean alike
+        QVERIFY2(text.starts_with("// a team\n"), text.c_str());
+        QVERIFY(!o.document.loaded()->diagnostics.hasErrors());
+        for (const RobotSpec& robot : o.document.loaded()->experiment->robots) {
+            QVERIFY2(robot.controller, robot.name.c_str());
+            QCOMPARE(robot.controller->kind, std::string("RandomDrive"));
+        }
+        QCOMPARE(o.document.history().entries().size(), 1u);
+        o.document.undo();
+        QCOMPARE(textOf(o), kTeam.toStdString());
+
+        QVERIFY(commands.assign({"leader"}, choice(commands, "BumpAndTurn")));
+        QSignalSpy refused(&o.document, &Document::refused);
+        QVERIFY(!commands.assign({"leader"}, choice(commands, "BumpAndTurn"))); // has it
+        QCOMPARE(refused.size(), 1);
+    }
+
+    void removesAndUnloads() {
+        OpenedSession o;
+        QVERIFY(o.open(kTeam));
+        ControllerCommands commands(o.document, o.session);
+        QVERIFY(!commands.unload(commands.modules()[0])); // leader needs it
+        QVERIFY(commands.unassign({"leader", "idle"}));
+        QVERIFY(textOf(o).find("LinearMotion") == std::string::npos);
+        QVERIFY(!commands.unassign({"leader"}));
+        QVERIFY(commands.unload(commands.modules()[0]));
+        QVERIFY(textOf(o).find("#loadModule") == std::string::npos);
+        QVERIFY(commands.modules().empty());
+        o.document.undo();
+        o.document.undo();
+        QCOMPARE(textOf(o), kTeam.toStdString());
+    }
+
+    void aModuleOfAnUntrustedFolderAsksFirst() {
+        OpenedSession o;
+        QVERIFY(o.open(kTeam));
+        const QString library = copiedModule(o, "random_drive", "wander");
+        QVERIFY(!library.isEmpty());
+        ControllerCommands commands(o.document, o.session);
+        QStringList asked;
+        bool answer = false;
+        commands.setAsk([&](const QString&, const QString& folder) {
+            asked.append(folder);
+            return answer;
+        });
+        QVERIFY(!commands.load(library));
+        QCOMPARE(asked, QStringList{QFileInfo(library).absolutePath()});
+        QVERIFY(!o.document.isModified());
+        QVERIFY(ControllerCommands::recent().isEmpty());
+        answer = true;
+        QVERIFY(commands.load(library));
+        QVERIFY2(textOf(o).find("#loadModule mine/wander") != std::string::npos, textOf(o).c_str());
+        QVERIFY(TrustedFolders::covers(QFileInfo(library).absolutePath()));
+        QCOMPARE(commands.modules().size(), 2u);
+        QVERIFY2(commands.modules()[1].trusted, qPrintable(commands.modules()[1].trouble));
+        QCOMPARE(ControllerCommands::recent(), QStringList{library});
+        QVERIFY(!commands.load(library)); // it is there
+        QCOMPARE(asked.size(), 2);
+        QVERIFY(commands.assign({"idle"}, choice(commands, "RandomDrive")));
+        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+    }
+
+    void anOpenedExperimentWithAnUntrustedModuleDoesNotRunUntilItIsTrusted() {
+        OpenedSession o;
+        const QString library = copiedModule(o, "random_drive", "wander");
+        QVERIFY(o.open(QByteArray(kTeam)
+                           .replace("controllers/linear_motion", "mine/wander")
+                           .replace("LinearMotion brain { UpdatePeriod=0.05 Speed=0.2 }", "RandomDrive brain { Speed=0.2 }")));
+        Actions actions(kRows);
+        Selection selection;
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        panel.show();
+        QVERIFY(panel.findChild<QLabel*>(QStringLiteral("controllersNotice"))->isVisible());
+        QVERIFY(o.session.refusal().contains(QStringLiteral("trust")));
+        QVERIFY(!o.session.refusal().contains(QStringLiteral("--trust"))); // words of another program
+        const auto modules = panel.commands().modules();
+        QCOMPARE(modules.size(), 1u);
+        QVERIFY(!modules[0].trusted);
+        QCOMPARE(modules[0].library, library.toStdString());
+        panel.commands().setAsk([](const QString&, const QString&) { return true; });
+        QTest::mouseClick(panel.findChild<QToolButton*>(QStringLiteral("moduleTrust")), Qt::LeftButton);
+        QVERIFY(!panel.findChild<QLabel*>(QStringLiteral("controllersNotice"))->isVisible());
+        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        QVERIFY(!o.document.isModified());
+        o.session.setSpeed(0);
+        o.session.run();
+        QTRY_VERIFY(o.session.time() > 0.1);
+        // Trust that is withdrawn holds from the next reading on.
+        TrustedFolders::remove(QFileInfo(library).absolutePath());
+        panel.commands().applyTrust();
+        QVERIFY(!o.session.refusal().isEmpty());
+    }
+
+    void filesThatAreNoModulesAreRefused_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("text") << QByteArray("#!/bin/sh\necho hello\n");
+        QTest::newRow("cut off") << QByteArray("\177ELF\2\1\1", 7);
+    }
+    void filesThatAreNoModulesAreRefused() {
+        QFETCH(QByteArray, bytes);
+        OpenedSession o;
+        QVERIFY(o.open(kTeam));
+        QFile file(o.path("libbad.so"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        ControllerCommands commands(o.document, o.session);
+        commands.setAsk([](const QString&, const QString&) { return true; });
+        QSignalSpy refused(&commands, &ControllerCommands::refused);
+        QVERIFY(!commands.load(file.fileName()));
+        QCOMPARE(refused.size(), 1);
+        QVERIFY(!commands.load(o.path("nowhere.so")));
+        QVERIFY(!TrustedFolders::covers(o.folder.path())); // nobody was asked for that
+        QVERIFY(!o.document.isModified());
+    }
+
+    void reloadTakesTheLibraryThatIsThereNow() {
+        OpenedSession o;
+        const QString library = copiedModule(o, "random_drive", "mind");
+        TrustedFolders::add(QFileInfo(library).absolutePath());
+        QVERIFY(o.open(QByteArray(kTeam)
+                           .replace("controllers/linear_motion", "mine/mind")
+                           .replace("LinearMotion brain { UpdatePeriod=0.05 Speed=0.2 }", "RandomDrive brain { }")));
+        ControllerCommands commands(o.document, o.session);
+        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        o.session.setSpeed(0);
+        o.session.run();
+        QTRY_VERIFY(o.session.time() > 0.1);
+        QVERIFY(!copiedModule(o, "bump_and_turn", "mind").isEmpty()); // built anew, with another controller
+        commands.reload();
+        QCOMPARE(o.session.state(), RunState::Start);
+        QVERIFY(!o.session.refusal().isEmpty()); // there is no RandomDrive any more
+        QCOMPARE(commands.modules()[0].kinds, std::vector<std::string>{"BumpAndTurn"});
+        const std::string text = textOf(o);
+        QVERIFY(o.document
+                    .replaceText(QStringLiteral("Follow"), o.document.path(),
+                                 QByteArray::fromStdString(text).replace("RandomDrive", "BumpAndTurn").toStdString())
+                    .ok());
+        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        o.session.run();
+        QTRY_VERIFY(o.session.time() > 0.1);
+        QVERIFY(!o.session.end());
+    }
+
+    void thePanelFollowsSelectionAndRun() {
+        OpenedSession o;
+        QVERIFY(o.open(kTeam));
+        Actions actions(kRows);
+        Selection selection;
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        auto* robots = panel.findChild<QTreeWidget*>(QStringLiteral("robotControllers"));
+        QCOMPARE(robots->topLevelItemCount(), 3);
+        QVERIFY(!actions.at("controllers.assign").isEnabled());
+        selection.select("idle.chassis");
+        QVERIFY(robots->topLevelItem(1)->isSelected());
+        QVERIFY(actions.at("controllers.assign").isEnabled());
+        QVERIFY(!actions.at("controllers.remove").isEnabled()); // there is none
+        robots->clearSelection();
+        robots->topLevelItem(0)->setSelected(true);
+        QCOMPARE(selection.current(), std::string("leader"));
+        QVERIFY(actions.at("controllers.remove").isEnabled());
+        QCOMPARE(robots->topLevelItem(0)->text(2), QStringLiteral("waits for a run"));
+        o.session.run();
+        QTRY_COMPARE(robots->topLevelItem(0)->text(2), QStringLiteral("runs"));
+        o.session.pause();
+        QTRY_COMPARE(robots->topLevelItem(0)->text(2), QStringLiteral("paused"));
+        actions.at("controllers.remove").trigger();
+        QCOMPARE(robots->topLevelItem(0)->text(1), QStringLiteral("–"));
+        QVERIFY(o.session.waitsForReset("leader.brain"));
+    }
+};
+
+QTEST_MAIN(ControllersTest)
+#include "controllers_test.moc"

@@ -1,0 +1,401 @@
+#include <QProcess>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <trundle/abi.h>
+
+#include "editor/running/opened_session.h"
+
+using namespace trundle;
+
+namespace {
+
+int countIn(const char* folder) {
+    return static_cast<int>(QDir(QLatin1String(folder)).entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot).size());
+}
+
+} // namespace
+
+class SessionTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+    void goesThroughItsStates() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        RunSession& s = o.session;
+        s.setSpeed(0);
+        QCOMPARE(s.state(), RunState::Start);
+        QVERIFY(!s.experiment());
+        QVERIFY(!s.poses());
+        s.run();
+        QCOMPARE(s.state(), RunState::Building);
+        QTRY_COMPARE(s.state(), RunState::Running);
+        QTRY_VERIFY(s.time() > 0.5);
+        s.pause();
+        QTRY_COMPARE(s.state(), RunState::Paused);
+        const std::uint64_t there = o.tick();
+        s.step();
+        QTRY_COMPARE(o.tick(), there + 1);
+        QCOMPARE(s.state(), RunState::Paused);
+        s.run();
+        QTRY_VERIFY(o.tick() > there + 100);
+        s.reset();
+        QCOMPARE(s.state(), RunState::Start);
+        QCOMPARE(s.time(), 0.0);
+        QVERIFY(!s.poses());
+        s.step(); // from the start: one tick, then it stands
+        QTRY_COMPARE(s.state(), RunState::Paused);
+        QCOMPARE(o.tick(), 1u);
+        QCOMPARE(s.poses()->size(), 3u);
+    }
+
+    void isTheSameRunAsThatOfTheCommandLine_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("speed");
+        QTest::newRow("line") << "linear_motion.sim" << 0.0;
+        QTest::newRow("obstacles") << "obstacle_detection.sim" << 0.0;
+        QTest::newRow("swarm") << "swarm.sim" << 0.0;
+        QTest::newRow("swarm, slower") << "swarm.sim" << 20.0;
+    }
+    void isTheSameRunAsThatOfTheCommandLine() {
+        QFETCH(QString, name);
+        QFETCH(double, speed);
+        OpenedSession o;
+        QVERIFY(o.openSample(name.toLatin1().constData()));
+        QVERIFY(o.document.setValues(QStringLiteral("Shorten"), {{"Duration", "2"}}).ok());
+        QVERIFY(o.document.save().ok());
+
+        QProcess cli;
+        cli.start(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle-cli"),
+                  {QStringLiteral("run"), QString::fromStdString(o.document.path()), QStringLiteral("--quiet"),
+                   QStringLiteral("--hash"), QStringLiteral("--log-dir"), o.folder.filePath(QStringLiteral("cli"))});
+        QVERIFY(cli.waitForFinished(60000));
+        QCOMPARE(cli.exitCode(), 0);
+        const QString said = QString::fromUtf8(cli.readAllStandardOutput()).trimmed();
+
+        o.session.setSpeed(speed);
+        o.session.run();
+        QTRY_COMPARE_WITH_TIMEOUT(o.session.state(), RunState::Ended, 60000);
+        QVERIFY(!o.session.end()->failure);
+        const auto shot = o.session.snapshot();
+        QCOMPARE(QStringLiteral("state-hash %1 tick %2").arg(*shot->hash, 16, 16, QLatin1Char('0')).arg(shot->tick), said);
+
+        // And the logs are the same, where the command line puts them by default.
+        const QDir here(o.folder.filePath(QStringLiteral("logs/") + QFileInfo(name).completeBaseName()));
+        const QDir there(o.folder.filePath(QStringLiteral("cli")));
+        const QStringList files = there.entryList({QStringLiteral("*.csv")});
+        QVERIFY(!files.isEmpty());
+        for (const QString& file : files) {
+            QFile a(here.filePath(file)), b(there.filePath(file));
+            QVERIFY(a.open(QIODevice::ReadOnly));
+            QVERIFY(b.open(QIODevice::ReadOnly));
+            QCOMPARE(a.readAll(), b.readAll());
+        }
+    }
+
+    void theStampedCommandsGiveTheSameRunAgain() {
+        OpenedSession o;
+        QVERIFY(o.openSample("obstacle_detection.sim"));
+        const std::shared_ptr<const Loaded> loaded = o.document.loaded();
+        const auto maker = [&](RunOptions options, Diagnostics& problems) {
+            return o.parts->makeRunner(*loaded, std::move(options), problems);
+        };
+        LiveRun::Options options;
+        options.speed = 10; // fast, and yet not at its end before all is said
+        LiveRun run(maker, options);
+        const auto tick = [&] { return run.snapshot() ? run.snapshot()->tick : 0; };
+        run.run();
+        QTRY_VERIFY(tick() > 50); // from here on the moments are those of this machine
+        run.keepPushing(PushCommand{"robot0/chassis", {0, 0.5, 0}, {0, 0, 0.1}});
+        run.command(PropertyCommand{"robot0/leftMotor", "Resistance", {PropertyType::Number, {4}, {}}});
+        run.command(PropertyCommand{"robot0/brain", "Speed", {PropertyType::Number, {0.1}, {}}});
+        const std::uint64_t changed = tick();
+        QTRY_VERIFY(tick() > changed + 100);
+        run.keepPushing(std::nullopt);
+        run.command(PlaceCommand{"robot0", {{0.3, 0.2, 0}, Quat::Identity()}});
+        run.command(HoldCommand{"robot0", true});
+        const std::uint64_t held = tick();
+        QTRY_VERIFY2(tick() > held + 100, run.end() && run.end()->failure ? run.end()->failure->message.c_str() : "slow");
+        run.pause();
+        QTRY_VERIFY(run.snapshot() && run.snapshot()->hash);
+        for (const LiveLine& line : run.takeLines().lines) QVERIFY2(line.severity != TRUNDLE_ERROR, line.text.c_str());
+
+        const auto again = [&](const std::vector<Command>& commands, std::uint64_t ticks) {
+            Diagnostics problems;
+            const std::unique_ptr<Runner> runner = maker({}, problems);
+            auto next = commands.begin();
+            while (runner->world().ticks() < ticks) {
+                for (; next != commands.end() && next->tick == runner->world().ticks(); ++next) runner->command(next->what);
+                if (!runner->tick()) return std::uint64_t(0);
+            }
+            return runner->world().stateHash();
+        };
+        const auto shot = run.snapshot();
+        std::vector<Command> commands = run.commands();
+        QCOMPARE(again(commands, shot->tick), *shot->hash);
+        std::erase_if(commands, [](const Command& c) { return std::holds_alternative<PropertyCommand>(c.what); });
+        QVERIFY(again(commands, shot->tick) != *shot->hash); // a motor and a controller did take their new values
+    }
+
+    void isRefusedWhileTheTextHasErrors() {
+        OpenedSession o;
+        QVERIFY(o.session.refusal().contains(QStringLiteral("open"))); // nothing is
+        QVERIFY(o.open(QByteArray(kStandingRobot).replace("SimpleRobot", "SimpleRobt")));
+        QSignalSpy refused(&o.session, &RunSession::refused);
+        o.session.run();
+        QCOMPARE(refused.size(), 1);
+        QVERIFY(refused[0][0].toString().contains(QStringLiteral("SimpleRobt")));
+        o.session.step();
+        QCOMPARE(refused.size(), 2);
+        QCOMPARE(o.session.state(), RunState::Start);
+        QVERIFY(o.document.replaceText(QStringLiteral("Mend"), o.document.path(), kStandingRobot.toStdString()).ok());
+        QVERIFY(o.session.refusal().isEmpty());
+        o.session.step();
+        QTRY_COMPARE(o.session.state(), RunState::Paused);
+    }
+
+    void aRobotThatBlowsUpStopsTheRunAndSaysWhere() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        QSignalSpy ended(&o.session, &RunSession::ended);
+        o.session.step();
+        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        QVERIFY(o.session.push("robot0/chassis", {0, 0, 9e8}, {0, 0, 0}));
+        o.session.setSpeed(0);
+        o.session.run();
+        QTRY_COMPARE(o.session.state(), RunState::Ended);
+        QCOMPARE(ended.size(), 1);
+        QVERIFY(o.session.end()->failure);
+        QVERIFY(!o.session.end()->body.empty());
+        QVERIFY(o.session.end()->time > 0);
+        QCOMPARE(o.session.problems().size(), 1u);
+        QVERIFY(o.session.problems()[0].range.known()); // a place to click
+        QVERIFY(o.session.poses());                     // where it all lies can still be seen
+        o.session.reset();
+        QCOMPARE(o.session.state(), RunState::Start);
+    }
+
+    void theWindowGoesOnWhileASwarmRuns() {
+        OpenedSession o;
+        QVERIFY(o.openSample("swarm.sim"));
+        o.session.setSpeed(0);
+        o.session.run();
+        QTRY_COMPARE(o.session.state(), RunState::Running);
+        int turns = 0; // of the event loop while the run makes 200 ticks
+        QTimer idle;
+        connect(&idle, &QTimer::timeout, this, [&] { ++turns; });
+        idle.start(0);
+        QTRY_VERIFY_WITH_TIMEOUT(o.tick() > 200, 60000);
+        QVERIFY2(turns > 200, qPrintable(QString::number(turns)));
+    }
+
+    void theDocumentStaysAsItIs() {
+        OpenedSession o;
+        QVERIFY(o.openSample("obstacle_detection.sim"));
+        o.session.setSpeed(0);
+        o.session.run();
+        QTRY_VERIFY(o.session.time() > 1);
+        o.session.reset();
+        QVERIFY(!o.document.isModified());
+        QCOMPARE(o.document.history().entries().size(), 0u);
+    }
+
+    void anotherProjectEndsTheRun() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        o.session.run();
+        QTRY_COMPARE(o.session.state(), RunState::Running);
+        QVERIFY(o.open(kStandingRobot, "other.sim"));
+        QCOMPARE(o.session.state(), RunState::Start);
+        o.session.run();
+        QTRY_COMPARE(o.session.state(), RunState::Running);
+        o.document.close();
+        QCOMPARE(o.session.state(), RunState::Start);
+        QVERIFY(!o.session.refusal().isEmpty());
+    }
+
+    void keepsPosesAsStart() {
+        OpenedSession o;
+        QVERIFY(o.open(QByteArray(kStandingRobot).replace("Robot robot0", "// the one\nRobot robot0")));
+        QVERIFY(!o.session.keepRefusal().isEmpty()); // nothing ran
+        o.session.step();
+        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        QVERIFY(o.session.place("robot0", {{1.25, -0.5, 0}, Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()))}));
+        QCOMPARE(o.session.robotPose("robot0")->position.x(), 1.25); // shown before the tick that does it
+        QVERIFY((o.session.poses()->at(0).position - Vec3(1.25, -0.5, 0)).norm() < 0.2);
+        o.session.step();
+        QTRY_COMPARE(o.tick(), 2u);
+        QVERIFY(std::abs(o.session.robotPose("robot0")->position.x() - 1.25) < 1e-3);
+        QCOMPARE(o.session.keepRefusal(), QString());
+        o.session.keepPoses();
+        QCOMPARE(o.document.history().entries().size(), 1u);
+        const std::string text = *o.document.text(o.document.path());
+        QVERIFY2(text.find("// the one\nRobot robot0") != std::string::npos, text.c_str());
+        QVERIFY2(text.find("Pos=1.2") != std::string::npos, text.c_str());
+        QVERIFY2(text.find("Pos=0,0,0 HPR") == std::string::npos, text.c_str());
+        const Pose kept = o.document.loaded()->experiment->robots[0].pose;
+        QVERIFY((kept.position - o.session.robotPose("robot0")->position).norm() < 1e-6);
+        QVERIFY(kept.rotation.angularDistance(o.session.robotPose("robot0")->rotation) < 1e-5);
+        o.document.undo();
+        QVERIFY(!o.document.isModified());
+    }
+
+    void membersOfAGridHaveNoStartOfTheirOwn() {
+        OpenedSession o;
+        QVERIFY(o.open(QByteArray(kStandingRobot)
+                           .replace("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }",
+                                    "Grid swarm { Config=SimpleRobot Count=2 Spacing=1 }")));
+        o.session.step();
+        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        QVERIFY(o.session.place("swarm_1", {{2, 0, 0}, Quat::Identity()}));
+        QVERIFY(o.session.keepRefusal().contains(QStringLiteral("Replace swarm by single instances")));
+        QSignalSpy refused(&o.session, &RunSession::refused);
+        o.session.keepPoses();
+        QCOMPARE(refused.size(), 1);
+        QVERIFY(!o.document.isModified());
+    }
+
+    void aRobotIsDrivenWhileItsControllerWaits() {
+        OpenedSession o;
+        QVERIFY(o.open(QByteArray(kStandingRobot)
+                           .replace("#import arenas", "#loadModule controllers/random_drive\n#import arenas")
+                           .replace("HPR=0,0,0 }", "HPR=0,0,0 RandomDrive brain { Speed=1 Period=0.05 } }")));
+        RunSession& s = o.session;
+        s.setSpeed(0);
+        QVERIFY(!s.drive("robot0", 0.2, 0)); // not before it runs
+        s.step();
+        QTRY_COMPARE(s.state(), RunState::Paused);
+        QVERIFY(!s.drive("arena", 0.2, 0));
+        QVERIFY(s.drive("robot0", 0.2, 0));
+        const auto speed = [&] { return s.snapshot()->block->slots()[s.layout()->find("robot0/base/linearVelocity")->offset]; };
+        const std::uint64_t from = o.tick();
+        for (std::uint64_t i = 1; i <= 30; ++i) {
+            s.step();
+            QTRY_COMPARE(o.tick(), from + i);
+            QCOMPARE(speed(), 0.2); // a turn of the controller would have changed it
+        }
+        s.stopDriving();
+        QVERIFY(s.driven().empty());
+        for (int i = 0; i < 10; ++i) s.step();
+        QTRY_COMPARE(o.tick(), from + 40);
+        QVERIFY(speed() != 0.2);
+    }
+
+    void liveValuesReachTheRunAtOnceAndOthersWait() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        RunSession& s = o.session;
+        s.step();
+        QTRY_COMPARE(s.state(), RunState::Paused);
+        const auto resistance = [&] { return s.experiment()->robots[0].config->devices[0].number("Resistance"); };
+        QCOMPARE(resistance(), 2.0);
+
+        QVERIFY(o.document.setValues(QStringLiteral("Resistance"), {{"robot0.leftMotor.Resistance", "3"}}).ok());
+        QVERIFY(!s.needsReset());
+        QCOMPARE(resistance(), 3.0);
+        QCOMPARE(s.built()->experiment->robots[0].config->devices[0].number("Resistance"), 2.0);
+
+        QVERIFY(
+            o.document.setValues(QStringLiteral("Gear"), {{"robot0.leftMotor.GearRatio", "20"}, {"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(s.needsReset());
+        QVERIFY(s.waitsForReset("robot0.leftMotor.GearRatio"));
+        QVERIFY(s.waitsForReset("robot0.Pos"));
+        QVERIFY(!s.waitsForReset("robot0.leftMotor.Resistance"));
+        QVERIFY(!s.waitsForReset("robot0.HPR"));
+        o.document.undo();
+        QVERIFY(!s.needsReset());
+        o.document.undo(); // and back again in the world too
+        QCOMPARE(resistance(), 2.0);
+
+        QVERIFY(o.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
+        QCOMPARE(s.waitingForReset(), std::vector<std::string>{"Tick"});
+        s.reset();
+        QVERIFY(!s.needsReset());
+    }
+
+    void aNewObjectWaitsAsAWhole() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        RunSession& s = o.session;
+        s.step();
+        QTRY_COMPARE(s.state(), RunState::Paused);
+        const std::string more = kStandingRobot.toStdString() + "Robot robot1 { Config=SimpleRobot Pos=1,1,0 }\n";
+        QVERIFY(o.document.replaceText(QStringLiteral("Add"), o.document.path(), more).ok());
+        QCOMPARE(s.waitingForReset(), std::vector<std::string>{"robot1"});
+        QVERIFY(s.waitsForReset("robot1.Pos"));
+    }
+
+    void aSlipperySurfaceIsFeltInTheSameRun() {
+        // Pushed with less than the rubber holds, it stands; on ice it goes.
+        const QByteArray text = R"(Tick = 0.01
+Surface skin { Friction = 0.9 }
+StaticConfig Floor { Plane ground { Surface=skin } }
+RobotConfig Block { Body block { Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1 Mass=1 Surface=skin } } }
+Static floor { Config=Floor Pos=0,0,0 }
+Robot crate { Config=Block Pos=0,0,0 }
+)";
+        OpenedSession o;
+        QVERIFY(o.open(text));
+        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        o.session.step();
+        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        const auto pushed = [&] {
+            o.session.push("crate/block", {4, 0, 0}, {0, 0, 0.02});
+            const std::uint64_t until = o.tick() + 50;
+            for (int i = 0; i < 50; ++i) o.session.step();
+            [&] { QTRY_COMPARE(o.tick(), until); }();
+            return o.session.robotPose("crate")->position.x();
+        };
+        const double held = pushed();
+        QVERIFY2(std::abs(held) < 0.02, qPrintable(QString::number(held)));
+        QVERIFY(o.document.setValues(QStringLiteral("Ice"), {{"Surface.skin.Friction", "0.01"}}).ok());
+        QVERIFY(!o.session.needsReset());
+        QVERIFY(pushed() > held + 0.1);
+    }
+
+    void cannotBuildIsSaidAndLeavesTheStart() {
+        OpenedSession o;
+        // Two motors of one joint's drive: only building finds that.
+        QVERIFY(o.open(QByteArray(kStandingRobot).replace("HPR=0,0,0 }", "HPR=0,0,0 base.RightMotor=leftMotor }")));
+        QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
+        QSignalSpy ended(&o.session, &RunSession::ended);
+        std::vector<std::string> lines;
+        connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& more) {
+            for (const LiveLine& line : more) lines.push_back(line.text);
+        });
+        o.session.run();
+        QTRY_COMPARE(ended.size(), 1);
+        QCOMPARE(o.session.state(), RunState::Start);
+        QCOMPARE(o.session.problems().size(), 1u);
+        QCOMPARE(lines.size(), 1u);
+        QVERIFY(lines[0].find("same motor") != std::string::npos);
+    }
+
+    void openRunCloseLeavesNothingBehind() {
+        const int rounds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 200 : 20;
+        int threads = 0, descriptors = 0;
+        for (int i = 0; i < rounds; ++i) {
+            {
+                OpenedSession o;
+                QVERIFY(o.openSample("linear_motion.sim"));
+                o.session.setSpeed(0);
+                o.session.run();
+                if (i % 4) QTRY_VERIFY(o.tick() > 5);
+                if (i % 3) o.session.reset();
+            }
+            if (i == 0) { // what Qt and libraries keep for good is there by now
+                QTest::qWait(0);
+                threads = countIn("/proc/self/task");
+                descriptors = countIn("/proc/self/fd");
+            }
+        }
+        QTRY_VERIFY(countIn("/proc/self/task") <= threads);
+        QTRY_VERIFY(countIn("/proc/self/fd") <= descriptors);
+    }
+};
+
+QTEST_MAIN(SessionTest)
+#include "session_test.moc"

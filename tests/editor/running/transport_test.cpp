@@ -1,0 +1,170 @@
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QtTest>
+
+#include "editor/document/selection.h"
+#include "editor/running/keyboard_drive.h"
+#include "editor/running/opened_session.h"
+#include "editor/running/run_status.h"
+#include "editor/running/speeds.h"
+#include "editor/running/transport_bar.h"
+#include "editor/widgets/actions.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr ActionRow kRows[] = {
+    {"sim.run", "", "Run", "run", "F5", "Run."},
+    {"sim.pause", "", "Pause", "pause", "F6", "Pause."},
+    {"sim.step", "", "Single Tick", "step", "F10", "Tick."},
+    {"sim.reset", "", "Reset", "reset", "", "Reset."},
+    {"sim.faster", "", "Faster", "", "", "Faster."},
+    {"sim.slower", "", "Slower", "", "", "Slower."},
+    {"sim.keepPoses", "", "Keep", "", "", "Keep."},
+    {"sim.drive", "", "Drive", "drive", "", "Drive.", true},
+};
+
+} // namespace
+
+class TransportTest : public QObject {
+    Q_OBJECT
+
+    static QString label(const QWidget& bar, const char* name) { return bar.findChild<QLabel*>(QLatin1String(name))->text(); }
+
+private Q_SLOTS:
+    void itsButtonsRunPauseStepAndReset() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        Actions actions(kRows);
+        TransportBar bar(o.session, actions);
+        bar.show();
+        const auto click = [&](const char* name) {
+            QTest::mouseClick(bar.findChild<QToolButton*>(QLatin1String(name)), Qt::LeftButton);
+        };
+        o.session.setSpeed(0);
+        QCOMPARE(label(bar, "transportState"), QStringLiteral("At start"));
+        QVERIFY(!actions.at("sim.reset").isEnabled());
+        click("transportRun");
+        QTRY_COMPARE(label(bar, "transportState"), QStringLiteral("Running"));
+        QTRY_VERIFY(o.session.time() > 0.1);
+        QTRY_VERIFY(label(bar, "transportFactor").endsWith(u'×'));
+        click("transportRun"); // the same button
+        QTRY_COMPARE(label(bar, "transportState"), QStringLiteral("Paused"));
+        const double there = o.session.time();
+        click("transportStep");
+        QTRY_COMPARE(label(bar, "transportTime"), timeText(there + 0.01));
+        click("transportReset");
+        QCOMPARE(label(bar, "transportState"), QStringLiteral("At start"));
+        QCOMPARE(label(bar, "transportTime"), QStringLiteral("t = 0.00 s"));
+    }
+
+    void saysWhyItCannotRun() {
+        OpenedSession o;
+        Actions actions(kRows);
+        TransportBar bar(o.session, actions);
+        QVERIFY(!actions.at("sim.run").isEnabled()); // nothing is open
+        QVERIFY(o.open("Robot robot0 { Config=Nobody }\n"));
+        QVERIFY(actions.at("sim.run").isEnabled());
+        QCOMPARE(label(bar, "transportState"), QStringLiteral("Cannot run"));
+        QVERIFY(bar.findChild<QToolButton*>(QStringLiteral("transportRun"))->toolTip().contains(QStringLiteral("Nobody")));
+        QSignalSpy refused(&o.session, &RunSession::refused);
+        actions.at("sim.run").trigger();
+        QCOMPARE(refused.size(), 1);
+        QVERIFY(o.document.replaceText(QStringLiteral("Mend"), o.document.path(), kStandingRobot.toStdString()).ok());
+        QCOMPARE(label(bar, "transportState"), QStringLiteral("At start"));
+    }
+
+    void speedGoesInSteps() {
+        OpenedSession o;
+        Actions actions(kRows);
+        TransportBar bar(o.session, actions);
+        auto* speed = bar.findChild<QComboBox*>(QStringLiteral("transportSpeed"));
+        QCOMPARE(speed->currentText(), QStringLiteral("1×"));
+        QCOMPARE(speed->count(), 8);
+        actions.at("sim.faster").trigger();
+        QCOMPARE(o.session.speed(), 2.0);
+        QCOMPARE(speed->currentText(), QStringLiteral("2×"));
+        for (int i = 0; i < 5; ++i) actions.at("sim.faster").trigger();
+        QCOMPARE(o.session.speed(), 0.0);
+        QCOMPARE(speed->currentText(), QStringLiteral("max"));
+        QVERIFY(!actions.at("sim.faster").isEnabled());
+        for (int i = 0; i < 9; ++i) actions.at("sim.slower").trigger();
+        QCOMPARE(o.session.speed(), 0.1);
+        QVERIFY(!actions.at("sim.slower").isEnabled());
+    }
+
+    void timesAndFactorsReadWell() {
+        QCOMPARE(timeText(12.3456), QStringLiteral("t = 12.35 s"));
+        QCOMPARE(timeText(3725.5), QStringLiteral("t = 1:02:05.5"));
+        QCOMPARE(factorText(0.5), QStringLiteral("0.50×"));
+        QCOMPARE(factorText(1), QStringLiteral("1.0×"));
+        QCOMPARE(factorText(41.4), QStringLiteral("41×"));
+    }
+
+    void theStatusNamesRobotsAndContacts() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        RunStatus status(o.session);
+        QVERIFY(status.text().isEmpty());
+        o.session.step();
+        o.session.step();
+        QTRY_COMPARE(o.tick(), 2u);
+        QVERIFY2(status.text().contains(QStringLiteral("1 robot  •  3 contacts")), qPrintable(status.text()));
+        QVERIFY(o.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
+        QVERIFY(status.text().contains(QStringLiteral("wait for Reset")));
+        o.session.reset();
+        QVERIFY(status.text().isEmpty());
+    }
+
+    void arrowKeysDriveTheSelectedRobot() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        Actions actions(kRows);
+        Selection selection;
+        QWidget window;
+        auto* field = new QLineEdit(&window);
+        auto* view = new QWidget(&window);
+        view->setFocusPolicy(Qt::StrongFocus);
+        KeyboardDrive drive(o.session, selection, actions, window);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        view->setFocus();
+        QSignalSpy refused(&o.session, &RunSession::refused);
+
+        QTest::keyPress(view, Qt::Key_Up); // not switched on
+        QTest::keyRelease(view, Qt::Key_Up);
+        QCOMPARE(refused.size(), 0);
+        actions.at("sim.drive").setChecked(true);
+        QTest::keyPress(view, Qt::Key_Up); // nothing runs
+        QTest::keyRelease(view, Qt::Key_Up);
+        QCOMPARE(refused.size(), 1);
+
+        selection.select("robot0.chassis");
+        o.session.setSpeed(2); // as fast as possible it would be at a wall before the next key
+        o.session.run();
+        QTRY_COMPARE(o.session.state(), RunState::Running);
+        QTest::keyPress(view, Qt::Key_Up);
+        QCOMPARE(o.session.driven(), std::string("robot0"));
+        QTRY_VERIFY(o.session.robotPose("robot0")->position.x() > 0.2);
+        QTest::keyPress(view, Qt::Key_Left);
+        QTRY_VERIFY(std::abs(o.session.robotPose("robot0")->position.y()) > 0.05);
+        QTest::keyRelease(view, Qt::Key_Left);
+        QCOMPARE(o.session.driven(), std::string("robot0"));
+        QTest::keyRelease(view, Qt::Key_Up);
+        QCOMPARE(o.session.driven(), std::string());
+
+        // A field that one types into keeps its arrows, and going there lets go of the robot.
+        QTest::keyPress(view, Qt::Key_Up);
+        field->setFocus();
+        QCOMPARE(o.session.driven(), std::string());
+        QTest::keyPress(field, Qt::Key_Left);
+        QCOMPARE(o.session.driven(), std::string());
+    }
+};
+
+QTEST_MAIN(TransportTest)
+#include "transport_test.moc"

@@ -1,0 +1,90 @@
+// The one table of actions: menus, palette and shortcuts come from it.
+
+#include <QApplication>
+#include <QFile>
+#include <QMenuBar>
+#include <QSettings>
+#include <QtTest>
+
+#include "editor/shell/action_table.h"
+#include "editor/shell/command_palette.h"
+#include "editor/shell/menus.h"
+#include "editor/shell/preferences_dialog.h"
+#include "editor/widgets/resources.h"
+#include "editor/widgets/theme.h"
+
+using namespace trundle;
+
+class ActionsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { applyTheme(*qApp, ThemeKind::Light); }
+    void init() { QSettings().clear(); }
+
+    void everyRowIsWhole() {
+        QSet<QString> ids, keys;
+        for (const ActionRow& row : actionTable()) {
+            const QString id = QLatin1String(row.id);
+            QVERIFY2(!ids.contains(id), row.id);
+            ids.insert(id);
+            QVERIFY2(QString::fromUtf8(row.help).endsWith(u'.'), row.id);
+            const QString shortcut = QLatin1String(row.shortcut);
+            QVERIFY2(shortcut.isEmpty() || !keys.contains(shortcut), row.id);
+            QVERIFY2(shortcut.isEmpty() || !QKeySequence(shortcut).isEmpty(), row.id);
+            keys.insert(shortcut);
+            const QString icon = QLatin1String(row.icon);
+            QVERIFY2(icon.isEmpty() || QFile::exists(resourcePath(QStringLiteral("icons/%1.svg").arg(icon))), row.id);
+        }
+    }
+
+    void menusHoldEveryAction() {
+        Actions actions(actionTable());
+        QMenuBar bar;
+        const auto menus = buildMenus(bar, actions);
+        int count = 0;
+        for (const auto& [path, menu] : menus)
+            for (QAction* action : menu->actions()) count += !action->menu() && !action->isSeparator();
+        QCOMPARE(count, int(actionTable().size()));
+        for (const auto& [path, menu] : menus) {
+            const auto entries = menu->actions();
+            if (entries.isEmpty()) continue;
+            QVERIFY2(!entries.first()->isSeparator() && !entries.last()->isSeparator(), qPrintable(path));
+        }
+    }
+
+    void aFewLettersFindACommand() {
+        QVERIFY(CommandPalette::match(QStringLiteral("Frame Selection"), QStringLiteral("fra sel")) > 0);
+        QVERIFY(CommandPalette::match(QStringLiteral("Frame Selection"), QStringLiteral("zzz")) == 0);
+        QVERIFY(CommandPalette::match(QStringLiteral("Frame All"), QStringLiteral("fr")) >
+                CommandPalette::match(QStringLiteral("World Frame"), QStringLiteral("fr")));
+    }
+
+    void thePaletteDoesWhatIsTyped() {
+        Actions actions(actionTable());
+        int runs = 0;
+        connect(&actions.at("sim.run"), &QAction::triggered, this, [&runs] { ++runs; });
+        CommandPalette palette(actions, {}, nullptr);
+        palette.show();
+        auto* search = palette.findChild<QLineEdit*>(QStringLiteral("paletteSearch"));
+        QTest::keyClicks(search, QStringLiteral("run"));
+        QTest::keyClick(search, Qt::Key_Return);
+        QCOMPARE(runs, 1);
+        QVERIFY(!palette.isVisible());
+    }
+
+    void aShortcutIsKeptAndGivenBack() {
+        {
+            Actions actions(actionTable());
+            actions.setShortcut("sim.run", QKeySequence(QStringLiteral("Ctrl+R")));
+        }
+        Actions actions(actionTable());
+        QCOMPARE(actions.at("sim.run").shortcut(), QKeySequence(QStringLiteral("Ctrl+R")));
+        QCOMPARE(PreferencesDialog::ownerOf(actions, QKeySequence(QStringLiteral("Ctrl+R")), "sim.pause"),
+                 QStringLiteral("sim.run"));
+        actions.resetShortcut("sim.run");
+        QCOMPARE(actions.at("sim.run").shortcut(), QKeySequence(QStringLiteral("F5")));
+    }
+};
+
+QTEST_MAIN(ActionsTest)
+#include "actions_test.moc"

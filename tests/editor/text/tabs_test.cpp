@@ -1,0 +1,158 @@
+// Tabs, places and the selection of the text editor.
+
+#include <QApplication>
+#include <QTabWidget>
+
+#include "editor/text/text_window.h"
+
+using namespace trundle;
+using namespace trundle::test;
+
+class TabsTest final : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void tabsFollowTheDocument();
+    void filesThatGoAwayCloseTheirTabs();
+    void cursorSelects();
+    void selectionIsMarked();
+    void closedDocumentIsEmpty();
+    void ctrlClickFollows();
+    void revealTakesNoKeyboard();
+    void themesChange();
+};
+
+void TabsTest::tabsFollowTheDocument() {
+    TextWindow w;
+    const std::string drive = openDrive(w);
+    const std::string parts = w.document.files().at(1);
+    auto* tabs = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"));
+    QVERIFY(w.panel.openFile(parts));
+    QCOMPARE(tabs->count(), 2);
+    QCOMPARE(w.page().file(), parts);
+    w.edit().setFocus();
+    w.caretAt("0.1");
+    w.keys("1");
+    w.panel.flush();
+    QVERIFY(w.text(parts).contains("Param size = 10.1"));
+    QCOMPARE(tabs->tabText(1), QStringLiteral("parts.sim \u25CF"));
+    QCOMPARE(tabs->tabText(0), QStringLiteral("drive.sim"));
+    w.document.undo();
+    QCOMPARE(tabs->tabText(1), QStringLiteral("parts.sim"));
+    Q_EMIT tabs->tabCloseRequested(0); // the opened file stays
+    QCOMPARE(tabs->count(), 2);
+    Q_EMIT tabs->tabCloseRequested(1);
+    QCOMPARE(tabs->count(), 1);
+    QVERIFY(w.document.saveAs(w.folder.filePath(QStringLiteral("other.sim")).toStdString()));
+    QCOMPARE(tabs->tabText(0), QStringLiteral("other.sim"));
+    w.caretAt("Tick");
+    w.keys("x");
+    w.panel.flush();
+    QVERIFY(w.text(w.document.path()).contains("xTick"));
+    QVERIFY(w.document.path() != drive);
+}
+
+void TabsTest::filesThatGoAwayCloseTheirTabs() {
+    TextWindow w;
+    openDrive(w);
+    const std::string parts = w.document.files().at(1);
+    QVERIFY(w.panel.openFile(parts));
+    QVERIFY(w.panel.openFile(w.document.files().front()));
+    w.edit().setFocus();
+    w.caretAt("#import", 0);
+    w.keys("// ");
+    w.panel.flush();
+    QVERIFY(w.page().file() != parts);
+    w.key(Qt::Key_Z, Qt::ControlModifier);
+    w.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(w.panel.openFile(parts));
+    QCOMPARE(w.shown(), QByteArray(kParts));
+}
+
+void TabsTest::cursorSelects() {
+    TextWindow w;
+    openDrive(w);
+    w.caretAt("Config=Ball");
+    QVERIFY(w.selection.empty()); // only by hand
+    w.key(Qt::Key_Right);
+    QTRY_COMPARE(w.selection.current(), std::string("ball"));
+    QVERIFY(w.panel.openFile(w.document.files().at(1)));
+    w.edit().setFocus();
+    w.caretAt("Radius");
+    w.key(Qt::Key_Right);
+    QTRY_COMPARE(w.selection.current(), std::string("RobotConfig.Ball.body.ball"));
+    w.selection.select("ball.body.ball"); // the same text, through the robot: the caret does not take it back
+    w.key(Qt::Key_Right);
+    QTRY_VERIFY(!w.panel.findChild<QTimer*>(QStringLiteral("caretTimer"))->isActive());
+    QCOMPARE(w.selection.current(), std::string("ball.body.ball"));
+}
+
+void TabsTest::selectionIsMarked() {
+    TextWindow w;
+    openDrive(w);
+    const auto marked = [&](const char* words) {
+        const auto at = static_cast<unsigned long>(w.shown().indexOf(words));
+        return w.edit().SendScintilla(QsciScintillaBase::SCI_INDICATORVALUEAT, 12UL, static_cast<long>(at)) != 0;
+    };
+    const std::uint32_t caret = w.edit().caret();
+    w.selection.select("floor");
+    QVERIFY(marked("Static floor"));
+    QVERIFY(!marked("Robot ball"));
+    w.selection.select("ball.body"); // its config is in a file without a tab: the robot stands for it
+    QVERIFY(marked("Robot ball"));
+    QCOMPARE(w.edit().caret(), caret);
+    w.selection.clear();
+    QVERIFY(!marked("Robot ball"));
+}
+
+void TabsTest::closedDocumentIsEmpty() {
+    TextWindow w;
+    openDrive(w);
+    w.document.close();
+    QVERIFY(!w.panel.page());
+    w.panel.flush();
+    w.panel.reveal("nowhere.sim", {0, 1});
+    w.panel.revealRange({7, {0, 1}});
+    openDrive(w);
+    QCOMPARE(w.shown(), QByteArray(kDrive));
+}
+
+void TabsTest::ctrlClickFollows() {
+    TextWindow w;
+    openDrive(w);
+    const auto at = static_cast<std::uint32_t>(w.shown().indexOf("parts.sim") + 2);
+    const QPoint place = w.edit().placeOf(at) - QPoint(-2, w.edit().lineHeight() / 2);
+    QTest::mouseClick(w.edit().viewport(), Qt::LeftButton, Qt::ControlModifier, place);
+    QCOMPARE(w.page().file(), w.document.files().at(1));
+    QCOMPARE(w.shown(), QByteArray(kParts));
+}
+
+void TabsTest::revealTakesNoKeyboard() {
+    TextWindow w;
+    openDrive(w);
+    w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"))->setFocusPolicy(Qt::StrongFocus);
+    w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"))->setFocus();
+    w.panel.reveal(w.document.files().at(1), {0, 11});
+    QCOMPARE(w.edit().selection(), (TextRange{0, 11}));
+    QVERIFY(!w.edit().hasFocus());
+    w.panel.reveal(w.document.files().at(0), {0, 4}, true);
+    QVERIFY(w.edit().hasFocus());
+    w.panel.reveal(w.document.files().at(0), {4000000, 4000001}); // beyond the end
+    QCOMPARE(w.edit().caret(), static_cast<std::uint32_t>(w.shown().size()));
+}
+
+void TabsTest::themesChange() {
+    TextWindow w;
+    openDrive(w);
+    const auto back = [&] {
+        return w.edit().SendScintilla(QsciScintillaBase::SCI_STYLEGETBACK, static_cast<unsigned long>(TextStyle::Kind));
+    };
+    applyTheme(*qApp, ThemeKind::Light);
+    QCOMPARE(back(), 0xffffffL);
+    applyTheme(*qApp, ThemeKind::Dark);
+    QVERIFY(back() != 0xffffffL);
+    applyTheme(*qApp, ThemeKind::Light);
+    QCOMPARE(back(), 0xffffffL);
+}
+
+QTEST_MAIN(TabsTest)
+#include "tabs_test.moc"

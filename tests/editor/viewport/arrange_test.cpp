@@ -1,0 +1,118 @@
+#include <QtTest>
+
+#include <QSpinBox>
+
+#include "editor/viewport/arrange.h"
+#include "editor/viewport/array_dialog.h"
+#include "editor/viewport/view_window.h"
+
+using namespace trundle;
+
+class ArrangeTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() {
+        m_window = std::make_unique<ViewWindow>(m_render.get());
+        QVERIFY(m_window->open(kRoom));
+    }
+    void cleanup() { m_window.reset(); }
+
+    void droppedThingsStandOnWhatIsBelow() {
+        QVERIFY(m_window->open(
+            QByteArray(kRoom).replace("Pos=-0.5,0,0", "Pos=-0.5,0,0.3").replace("Pos=0.5,0.3,0", "Pos=0.5,0.3,-0.2")));
+        m_window->selection.set({"robot0", "robot1"});
+        m_window->trigger("tool.drop");
+        QVERIFY2(m_window->text().contains("Pos=-0.5,0,0 ") && m_window->text().contains("Pos=0.5,0.3,0 "),
+                 m_window->text().constData());
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        // On top of each other.
+        QVERIFY(m_window->open(QByteArray(kRoom).replace("Pos=0.5,0.3,0", "Pos=-0.5,0,1")));
+        m_window->selection.select("robot1");
+        m_window->trigger("tool.drop");
+        QVERIFY2(m_window->text().contains("Pos=-0.5,0,0.14"), m_window->text().constData());
+    }
+
+    void aligningGoesByTheLastSelected() {
+        m_window->selection.set({"robot0", "robot1"});
+        alignSelected(viewParts(), 1, AlignTo::Middle);
+        QVERIFY2(m_window->text().contains("Pos=-0.5,0.3,0"), m_window->text().constData());
+        alignSelected(viewParts(), 0, AlignTo::Low);
+        QVERIFY2(m_window->text().contains("Pos=0.5,0.3,0 HPR=0,0,0 } // the first"), m_window->text().constData());
+        m_window->document.undo();
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void distributingNeedsThree() {
+        m_window->selection.set({"robot0", "robot1"});
+        distributeSelected(viewParts(), 0);
+        QCOMPARE(m_window->refusals.back(), QStringLiteral("Select three or more objects."));
+        QVERIFY(m_window->open(QByteArray(kRoom) + "Robot robot2 { Config=SimpleRobot Pos=-0.3,1,0 }\n"));
+        m_window->selection.set({"robot2", "robot0", "robot1"});
+        distributeSelected(viewParts(), 0);
+        QVERIFY2(m_window->text().contains("robot2 { Config=SimpleRobot Pos=0,1,0 }"), m_window->text().constData());
+    }
+
+    void rowsOfCopiesAreOneEdit() {
+        m_window->selection.select("robot0");
+        copyInRows(viewParts(), {{2, 2, 1}, {0.4, 0.5, 1}, false});
+        for (const char* pos : {"Pos=-0.5,0,0", "Pos=-0.1,0,0", "Pos=-0.5,0.5,0", "Pos=-0.1,0.5,0"})
+            QVERIFY2(m_window->text().contains(pos), m_window->text().constData());
+        QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(5));
+        QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
+        QCOMPARE(m_window->selection.paths().size(), std::size_t(4));
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void aRobotBecomesAGridThatBeginsWhereItStood() {
+        m_window->selection.select("robot0");
+        copyInRows(viewParts(), {{3, 2, 1}, {0.5, 0.6, 1}, true});
+        const auto& robots = m_window->document.loaded()->experiment->robots;
+        QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
+        QCOMPARE(robots.size(), std::size_t(7));
+        QVERIFY((robots[0].pose.position - Vec3(-0.5, 0, 0)).norm() < 1e-9);
+        QVERIFY((robots[5].pose.position - Vec3(0.5, 0.6, 0)).norm() < 1e-9);
+        QVERIFY2(m_window->text().contains(
+                     "Grid robot0 { Config=SimpleRobot Pos=0,0.3,0 Count=3,2 Spacing=0.5,0.6 HPR=0,0,0 } // the first"),
+                 m_window->text().constData());
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void tooManyCopiesAreRefused() {
+        m_window->selection.select("robot0");
+        copyInRows(viewParts(), {{200, 200, 1}, {1, 1, 1}, false});
+        QCOMPARE(m_window->text(), kRoom);
+        QCOMPARE(m_window->refusals.size(), std::size_t(1));
+    }
+
+    void partsOfAConfigAreCopiedInIt() {
+        QVERIFY(m_window->open(
+            "StaticConfig Yard {\n  Box crate { Size=0.4,0.4,0.4 Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n"));
+        m_window->selection.select("yard.crate");
+        copyInRows(viewParts(), {{3, 1, 1}, {1, 0, 0}, false});
+        QVERIFY2(m_window->text().contains("Pos=1,0,0.2") && m_window->text().contains("Pos=2,0,0.2"),
+                 m_window->text().constData());
+        QCOMPARE(m_window->document.loaded()->experiment->statics[0].geoms->size(), std::size_t(3));
+    }
+
+    void theDialogSaysWhatItWillDo() {
+        ArrayDialog dialog({0.5, 0.5, 0.3}, {});
+        dialog.findChild<QSpinBox*>(QStringLiteral("countX"))->setValue(4);
+        dialog.findChild<QSpinBox*>(QStringLiteral("countY"))->setValue(2);
+        QCOMPARE(dialog.copy().count, (std::array<int, 3>{4, 2, 1}));
+        QVERIFY((dialog.copy().spacing - Vec3(0.5, 0.5, 0.3)).norm() < 1e-9);
+        QVERIFY(!dialog.copy().asGrid);
+    }
+
+private:
+    const ViewParts& viewParts() { return m_window->view().parts(); }
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(ArrangeTest)
+#include "arrange_test.moc"

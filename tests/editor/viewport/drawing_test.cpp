@@ -1,0 +1,218 @@
+#include <QtTest>
+
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view_window.h"
+
+using namespace trundle;
+
+class DrawingTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() {
+        m_window = std::make_unique<ViewWindow>(m_render.get());
+        QVERIFY(m_window->open(kRoom));
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+    }
+    void cleanup() { m_window.reset(); }
+
+    void oneEditIsOnePictureInEachView() {
+        m_window->trigger("view.two");
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        const int first = m_window->panel->view(0).redraws(), second = m_window->panel->view(1).redraws();
+        const int hidden = m_window->panel->view(2).redraws();
+        QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        QCOMPARE(m_window->panel->view(0).redraws(), first + 1);
+        QCOMPARE(m_window->panel->view(1).redraws(), second + 1);
+        QCOMPARE(m_window->panel->view(2).redraws(), hidden);
+    }
+
+    void manyChangesOfOneMomentAreOnePicture() {
+        const int before = m_window->view().redraws();
+        for (int i = 0; i < 5; ++i) m_window->selection.select(i % 2 ? "robot0" : "robot1");
+        for (int i = 0; i < 20; ++i) m_window->view().redraw();
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        QCOMPARE(m_window->view().redraws(), before + 1);
+    }
+
+    void whenAllStandsStillOneFinerPictureIsTheLast() {
+        QTRY_COMPARE(m_window->view().refinements(), 1);
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        const int redraws = m_window->view().redraws();
+        // Turns of the event loop that bring no event of ours.
+        for (int i = 0; i < 200; ++i) QCoreApplication::processEvents();
+        QCOMPARE(m_window->view().redraws(), redraws);
+        QCOMPARE(m_window->view().refinements(), 1);
+    }
+
+    void aHiddenPanelAsksForNothing() {
+        m_window->panel->hide();
+        const int before = m_window->view().redraws();
+        QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
+        for (int i = 0; i < 100; ++i) QCoreApplication::processEvents();
+        QCOMPARE(m_window->view().redraws(), before);
+        m_window->panel->show();
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        QCOMPARE(m_window->view().redraws(), before + 1);
+    }
+
+    void aSelectedRobotHasAnOutline() {
+        const QImage plain = m_window->view().picture();
+        m_window->selection.select("robot0");
+        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        QCOMPARE(orange(plain), 0);
+        m_window->selection.select("robot0.chassis.bumper");
+        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
+        m_window->selection.select("RobotConfig.SimpleRobot.chassis"); // in both robots
+        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        m_window->selection.select("arena.floor"); // has no end, so no outline
+        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
+    }
+
+    void hiddenThingsAreNotInThePicture() {
+        m_window->selection.select("robot0");
+        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        m_window->panel->setHidden({"robot0"});
+        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
+        m_window->panel->setHidden({"robot0.chassis.hull", "arena"});
+        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
+    }
+
+    void theWheelZoomsToTheCursor() {
+        const QPointF cursor(600, 400);
+        const Vec3 under = m_window->view().pointUnder(cursor);
+        const double before = m_window->view().camera().metresPerPixel(900, under);
+        QWheelEvent event(cursor, m_window->view().mapToGlobal(cursor), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&m_window->view(), &event);
+        const QPointF after = *m_window->view().pixelOf(under);
+        QVERIFY(QLineF(after, cursor).length() < 0.01);
+        QVERIFY(m_window->view().camera().metresPerPixel(900, under) < 0.8 * before);
+    }
+
+    void theMiddleButtonOrbitsAboutWhatIsUnderTheCursor() {
+        const QPointF cursor(500, 420);
+        const Vec3 under = m_window->view().pointUnder(cursor);
+        m_window->drag(cursor, cursor + QPointF(90, -30), Qt::MiddleButton);
+        QVERIFY(QLineF(*m_window->view().pixelOf(under), cursor).length() < 0.01);
+    }
+
+    void withShiftItPansAndThePointStaysUnderTheCursor() {
+        const QPointF cursor(500, 420), to(620, 380);
+        const Vec3 under = m_window->view().pointUnder(cursor);
+        m_window->drag(cursor, to, Qt::MiddleButton, Qt::ShiftModifier);
+        QVERIFY(QLineF(*m_window->view().pixelOf(under), to).length() < 0.01);
+    }
+
+    void axisViewsAndLayoutsFollowTheirActions() {
+        for (const auto& [id, kind] :
+             std::vector<std::pair<const char*, ViewKind>>{{"view.top", ViewKind::Top},
+                                                           {"view.front", ViewKind::Front},
+                                                           {"view.side", ViewKind::Side},
+                                                           {"view.parallel", ViewKind::Orthographic},
+                                                           {"view.follow", ViewKind::Follow},
+                                                           {"view.chase", ViewKind::Chase},
+                                                           {"view.perspective", ViewKind::Perspective}}) {
+            m_window->trigger(id);
+            QCOMPARE(m_window->view().camera().kind(), kind);
+            QTRY_VERIFY(m_window->panel->isUpToDate());
+        }
+        m_window->trigger("view.four");
+        for (int i = 0; i < 4; ++i) QVERIFY(m_window->panel->view(i).isVisible());
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        m_window->trigger("view.one");
+        QVERIFY(!m_window->panel->view(3).isVisible());
+    }
+
+    void framingShowsTheSelection() {
+        m_window->selection.select("robot1");
+        m_window->trigger("view.frame");
+        QTRY_VERIFY(m_window->view().rect().contains(m_window->at({0.5, 0.3, 0.05})));
+        QTRY_VERIFY(m_window->view().camera().distance() < 1.5);
+        m_window->trigger("view.frameAll");
+        QTRY_VERIFY(m_window->view().camera().distance() > 3);
+    }
+
+    void aBrokenThingStaysAsAGhost() {
+        const QPointF hull = m_window->at({0.5, 0.3, 0.1});
+        QTRY_COMPARE(m_window->view().refinements(), 1);
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        const QColor before = m_window->view().picture().pixelColor(hull.toPoint());
+        // The second robot's config cannot be found any more.
+        const std::string file = m_window->document.files().front();
+        const std::string broken =
+            QByteArray(kRoom).replace("robot1 { Config=SimpleRobot", "robot1 { Config=Nothing").toStdString();
+        QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, broken).ok());
+        QCOMPARE(m_window->panel->world().objects()->experiment().robots.size(), std::size_t(1));
+        QTRY_COMPARE(m_window->view().refinements(), 2);
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        const QColor ghost = m_window->view().picture().pixelColor(hull.toPoint());
+        const std::string gone =
+            QByteArray(kRoom).split('\n').mid(0, 5).join('\n').toStdString() + "\nRobot x { Config=Nothing }\n";
+        QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, gone).ok());
+        QTRY_COMPARE(m_window->view().refinements(), 3);
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        const QColor floor = m_window->view().picture().pixelColor(hull.toPoint());
+        QVERIFY(ghost != before);
+        QVERIFY(ghost != floor);
+    }
+
+    void everyOverlayCanBeSwitched() {
+        for (const char* id :
+             {"view.overlayShadows", "view.overlayGrid", "view.overlayNames", "view.overlayTrails", "view.overlayJoints",
+              "view.overlayMass", "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"}) {
+            QTRY_VERIFY(m_window->panel->isSettled());
+            const QImage before = m_window->view().grab().toImage();
+            const bool on = m_window->actions.at(id).isChecked();
+            m_window->trigger(id);
+            QCOMPARE(m_window->actions.at(id).isChecked(), !on);
+            QTRY_VERIFY(m_window->panel->isSettled());
+            const bool needsRun = std::string(id) == "view.overlayTrails" || std::string(id) == "view.overlayContacts";
+            if (!needsRun) QVERIFY2(m_window->view().grab().toImage() != before, id);
+        }
+    }
+
+    void withoutOpenGlAllButThePictureWorks() {
+        ViewWindow window(nullptr);
+        QVERIFY(window.open(kRoom));
+        window.look({0, -2.5, 2.5}, {0, 0, 0});
+        window.click(window.at({-0.5, 0, 0.14}));
+        QCOMPARE(window.selection.current(), std::string("robot0"));
+        QVERIFY(!window.view().grab().isNull());
+    }
+
+    void measuringShowsTheDistance() {
+        m_window->look({0, -2.5, 2.5}, {0, 0, 0});
+        m_window->trigger("tool.measure");
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        const QImage before = m_window->view().grab().toImage();
+        m_window->click(m_window->at({-0.3, -0.8, 0}));
+        m_window->click(m_window->at({0.7, -0.8, 0}));
+        QVERIFY(m_window->view().grab().toImage() != before);
+        QVERIFY(m_window->selection.empty());
+        m_window->key(Qt::Key_Escape);
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+private:
+    /// Pixels in the colour of the outline.
+    static int orange(const QImage& image) {
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor c = image.pixelColor(x, y);
+                const QColor wanted = View::outlineColour();
+                count +=
+                    std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) + std::abs(c.blue() - wanted.blue()) <
+                    60;
+            }
+        return count;
+    }
+
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(DrawingTest)
+#include "drawing_test.moc"

@@ -1,0 +1,249 @@
+#include <QtTest>
+
+#include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/view_window.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr Handle kMoveX{Handle::Kind::Axis, 0}, kMoveZ{Handle::Kind::Axis, 2}, kPlaneZ{Handle::Kind::Plane, 2},
+    kTurnZ{Handle::Kind::Ring, 2};
+
+} // namespace
+
+class GizmoTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+
+    void init() {
+        m_window = std::make_unique<ViewWindow>(m_render.get());
+        open(kRoom);
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aDragAlongAnAxisWritesTheExactNumberAndNothingElse() {
+        take("robot0", "tool.move");
+        dragBy(kMoveX, {0.35, 0, 0}, Qt::NoModifier);
+        QByteArray expected = kRoom;
+        QCOMPARE(m_window->text(), expected.replace("Pos=-0.5,0,0", "Pos=-0.15,0,0"));
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Move robot0"));
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRoom);
+        m_window->document.redo();
+        QCOMPARE(m_window->text(), expected);
+    }
+
+    void withoutStepsANumberIsAsFineAsAPixel() {
+        take("robot0", "tool.move");
+        dragBy(kMoveX, {0.3333333, 0, 0}, Qt::ControlModifier);
+        const QRegularExpression value(QStringLiteral("Pos=(-0\\.1\\d\\d?),0,0"));
+        const auto match = value.match(QString::fromUtf8(m_window->text()));
+        QVERIFY2(match.hasMatch(), m_window->text().constData());
+        QVERIFY(std::abs(match.captured(1).toDouble() + 0.1666667) < 0.01);
+    }
+
+    void aPlaneMovesAlongTwoAxes() {
+        take("robot0", "tool.move");
+        dragBy(kPlaneZ, {0.2, -0.3, 0}, Qt::NoModifier);
+        QVERIFY2(m_window->text().contains("Pos=-0.3,-0.3,0"), m_window->text().constData());
+    }
+
+    void turningWritesDegrees() {
+        take("robot0", "tool.rotate");
+        View& view = m_window->view();
+        // From one place on the ring to the one an eighth of a turn further, seen from above.
+        m_window->look({-0.5, -0.01, 4}, {-0.5, 0, 0});
+        const double radius = 74 * view.camera().metresPerPixel(view.width(), {-0.5, 0, 0});
+        const auto on = [&](double degrees) {
+            const double a = degrees * M_PI / 180;
+            return *view.pixelOf(Vec3(-0.5, 0, 0) + radius * Vec3(std::cos(a), std::sin(a), 0));
+        };
+        QVERIFY(view.gizmo().spot(kTurnZ));
+        m_window->press(on(10));
+        for (int i = 1; i <= 9; ++i) m_window->move(on(10 + 5 * i), {}, Qt::LeftButton);
+        m_window->release(on(55));
+        QVERIFY2(m_window->text().contains("Pos=-0.5,0,0 HPR=45,0,0 } // the first"), m_window->text().constData());
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+    }
+
+    void escapeGivesTheSameBytes() {
+        take("robot0", "tool.move");
+        const QPointF from = *m_window->view().gizmo().spot(kMoveX);
+        m_window->press(from);
+        m_window->move(from + QPointF(120, 0), {}, Qt::LeftButton);
+        QVERIFY(m_window->text() != kRoom);
+        m_window->key(Qt::Key_Escape);
+        QCOMPARE(m_window->text(), kRoom);
+        QVERIFY(!m_window->document.isModified());
+        m_window->move(from + QPointF(200, 0), {}, Qt::LeftButton);
+        m_window->release(from + QPointF(200, 0));
+        QCOMPARE(m_window->text(), kRoom);
+        QCOMPARE(m_window->selection.current(), std::string("robot0"));
+    }
+
+    void aTypedNumberIsExact() {
+        take("robot0", "tool.move");
+        const QPointF from = *m_window->view().gizmo().spot(kMoveX);
+        m_window->press(from);
+        m_window->move(from + QPointF(30, 4), {}, Qt::LeftButton);
+        m_window->type(QStringLiteral("0.255"));
+        m_window->key(Qt::Key_Backspace);
+        m_window->key(Qt::Key_Return);
+        QVERIFY2(m_window->text().contains("Pos=-0.25,0,0"), m_window->text().constData());
+        m_window->move(from + QPointF(90, 4), {}, Qt::LeftButton); // it is over, though the button is down
+        m_window->release(from + QPointF(90, 4));
+        QVERIFY(m_window->text().contains("Pos=-0.25,0,0"));
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+    }
+
+    void severalObjectsMoveTogether() {
+        m_window->selection.set({"robot0", "robot1"});
+        m_window->trigger("tool.move");
+        dragBy(kMoveX, {-0.25, 0, 0}, Qt::NoModifier);
+        QVERIFY(m_window->text().contains("Pos=-0.75,0,0") && m_window->text().contains("Pos=0.25,0.3,0"));
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Move 2 objects"));
+    }
+
+    void whatMovesAlongWithItsOwnerIsNotMovedTwice() {
+        m_window->selection.set({"robot0.chassis.hull", "robot0"});
+        m_window->trigger("tool.move");
+        dragBy(kMoveX, {0.1, 0, 0}, Qt::NoModifier);
+        QVERIFY(m_window->text().contains("Pos=-0.4,0,0"));
+        QVERIFY(!m_window->text().contains("hull"));
+    }
+
+    void localAxesTurnWithTheObject() {
+        open(QByteArray(kRoom).replace("HPR=0,0,0 } // the first", "HPR=90,0,0 } // the first"));
+        take("robot0", "tool.move");
+        m_window->panel->settings().setAxes(AxesOf::Local);
+        // Its own x points along y of the world.
+        dragBy(kMoveX, {0, 0.2, 0}, Qt::NoModifier);
+        QVERIFY2(m_window->text().contains("Pos=-0.5,0.2,0"), m_window->text().constData());
+    }
+
+    void formulasThatDoNotChangeStay() {
+        open("Param high = 0.25\n#import robots/simple_robot.sim\nRobot robot0 { Config=SimpleRobot  Pos = 10 cm, $(high * 2), "
+             "$high }\n");
+        take("robot0", "tool.move");
+        dragBy(kMoveX, {0.2, 0, 0}, Qt::NoModifier);
+        QVERIFY2(m_window->text().contains("Pos = 30 cm, $(high * 2), $high }"), m_window->text().constData());
+    }
+
+    void aPartOfAnInstanceIsOverridden() {
+        m_window->look({-1.6, -2.2, 1.2}, {-0.3, 0, 0});
+        take("robot0.chassis.bumper", "tool.move");
+        dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {-0.34, 0, 0.07});
+        QVERIFY2(m_window->text().contains("chassis.bumper.Pos"), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("0.16,0,0.17"), m_window->text().constData());
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void aShapeIsSizedBySides() {
+        open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n");
+        take("StaticConfig.Yard.crate", "tool.scale");
+        const Handle side{Handle::Kind::Size, 0};
+        QVERIFY(m_window->view().gizmo().spot(side));
+        dragBy(side, {0.1, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
+        QVERIFY2(m_window->text().contains("Size=0.6, 0.4, 0.4  Pos=0,0,0.2"), m_window->text().constData());
+        // To nothing and beyond: it stays a shape.
+        dragBy(side, {-9, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
+        QVERIFY2(m_window->text().contains("Size=0.001, 0.4, 0.4"), m_window->text().constData());
+    }
+
+    void aMemberOfAGridOffersToBeReplaced() {
+        open("#import robots/simple_robot.sim\nGrid swarm { Config=SimpleRobot Pos=0,0,0 Count=2 Spacing=1 }\n");
+        take("swarm_1", "tool.move");
+        QVERIFY(!m_window->view().gizmo().spot(kMoveX));
+        auto* button = m_window->panel->findChild<QWidget*>(QStringLiteral("bannerButton"));
+        QVERIFY(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY2(!m_window->text().contains("Grid") && m_window->text().contains("Robot swarm_1"), m_window->text().constData());
+        take("swarm_1", "tool.move");
+        QVERIFY(m_window->view().gizmo().spot(kMoveX));
+        m_window->document.undo();
+        QVERIFY(m_window->text().contains("Grid swarm { Config=SimpleRobot Pos=0,0,0 Count=2 Spacing=1 }"));
+    }
+
+    void aWholeGridIsMoved() {
+        open("#import robots/simple_robot.sim\nGrid swarm { Config=SimpleRobot Pos=0.1,0,0 Count=2 Spacing=1 }\n");
+        take("swarm", "tool.move");
+        dragBy(kMoveX, {0.5, 0, 0}, Qt::NoModifier, {0.1, 0, 0});
+        QVERIFY2(m_window->text().contains("Pos=0.6,0,0 Count=2"), m_window->text().constData());
+    }
+
+    void arrowKeysNudgeByTheStep() {
+        m_window->selection.select("robot0");
+        m_window->key(Qt::Key_Right);
+        m_window->key(Qt::Key_Right);
+        m_window->key(Qt::Key_Up);
+        m_window->key(Qt::Key_PageUp);
+        QVERIFY2(m_window->text().contains("Pos=-0.4,0.05,0.05"), m_window->text().constData());
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void aRefusedDragLeavesTheText() {
+        open(QByteArray(kRoom) + "Robot broken { Config=Nothing Pos=1,1,0 }\n");
+        const QByteArray before = m_window->text();
+        take("broken", "tool.move");
+        QVERIFY(!m_window->view().gizmo().spot(kMoveX)); // nothing is drawn of it
+        take("robot0", "tool.move");
+        dragBy(kMoveX, {0.1, 0, 0}, Qt::NoModifier);
+        QVERIFY2(m_window->text().contains("Pos=-0.4,0,0"), m_window->text().constData());
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), before);
+    }
+
+    void theMouseTakenAwayInADragEndsWell() {
+        take("robot0", "tool.move");
+        const QPointF from = *m_window->view().gizmo().spot(kMoveX);
+        m_window->press(from);
+        m_window->move(from + QPointF(100, 0), {}, Qt::LeftButton);
+        QVERIFY(m_window->open("Tick = 0.02\n")); // another document in the middle of it
+        m_window->move(from + QPointF(150, 0), {}, Qt::LeftButton);
+        m_window->release(from + QPointF(150, 0));
+        QCOMPARE(m_window->text(), QByteArray("Tick = 0.02\n"));
+    }
+
+private:
+    void open(const QByteArray& text) {
+        QVERIFY(m_window->open(text));
+        m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
+        m_window->view().setFocus();
+    }
+    void take(const std::string& path, const char* tool) {
+        m_window->selection.select(path);
+        m_window->trigger(tool);
+    }
+    /// Drags a handle so that what it holds at `origin` goes by `by`.
+    void dragBy(const Handle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, Vec3 origin = {-0.5, 0, 0}) {
+        View& view = m_window->view();
+        const auto spot = view.gizmo().spot(handle);
+        QVERIFY(spot);
+        // The place that the handle's pixel means: on its axis or plane.
+        const ViewRay ray = view.rayAt(*spot);
+        Vec3 start;
+        if (handle.kind == Handle::Kind::Plane) {
+            start = ray.origin + (origin - ray.origin)[handle.axis] / ray.direction[handle.axis] * ray.direction;
+        } else {
+            const Vec3 axis = by.normalized();
+            const Vec3 between = origin - ray.origin;
+            const double b = axis.dot(ray.direction), n = 1 - b * b;
+            start = origin + (b * ray.direction.dot(between) - axis.dot(between)) / n * axis;
+        }
+        const QPointF to = view.pixelOf(start + by).value();
+        m_window->drag(*spot, to, Qt::LeftButton, modifiers);
+    }
+
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(GizmoTest)
+#include "gizmo_test.moc"

@@ -1,0 +1,114 @@
+#include <QtTest>
+
+#include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view_window.h"
+
+using namespace trundle;
+
+class LiveTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() {
+        m_window = std::make_unique<ViewWindow>(m_render.get());
+        QVERIFY(m_window->open(kRoom));
+        m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aRunIsShownWhereItIs() {
+        step();
+        QVERIFY(m_window->panel->world().isRunning());
+        m_window->session.reset();
+        QTRY_VERIFY(!m_window->panel->world().isRunning());
+        QVERIFY(((*m_window->panel->world().poses())[0].position - Vec3(-0.5, 0, 0)).norm() < 1e-12);
+    }
+
+    void aDragInAPausedRunMovesTheWorldOnly() {
+        step();
+        m_window->selection.select("robot0");
+        m_window->trigger("tool.move");
+        const Handle x{Handle::Kind::Axis, 0};
+        QVERIFY(m_window->view().gizmo().spot(x));
+        const QPointF from = *m_window->view().gizmo().spot(x);
+        m_window->drag(from, from + QPointF(120, 0));
+        QCOMPARE(m_window->text(), kRoom);
+        QVERIFY(m_window->session.robotPose("robot0")->position.x() > -0.4);
+        // It can be kept.
+        auto* keep = m_window->panel->findChild<QWidget*>(QStringLiteral("bannerButton"));
+        QTRY_VERIFY(keep->isVisible());
+        QTest::mouseClick(keep, Qt::LeftButton);
+        QVERIFY(m_window->text() != kRoom);
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void escapePutsTheWorldBack() {
+        step();
+        m_window->selection.select("robot0");
+        m_window->trigger("tool.move");
+        const Vec3 before = m_window->session.robotPose("robot0")->position;
+        const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Axis, 0});
+        m_window->press(from);
+        m_window->move(from + QPointF(120, 0), {}, Qt::LeftButton);
+        QVERIFY((m_window->session.robotPose("robot0")->position - before).norm() > 0.05);
+        m_window->key(Qt::Key_Escape);
+        QVERIFY((m_window->session.robotPose("robot0")->position - before).norm() < 1e-6);
+        QVERIFY(!m_window->document.history().canUndo());
+    }
+
+    void partsAreNotMovedInARun() {
+        step();
+        m_window->selection.select("robot0.chassis.hull");
+        m_window->trigger("tool.move");
+        QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Axis, 0}));
+    }
+
+    void ctrlAndADragPushesABody() {
+        m_window->session.run();
+        QTRY_VERIFY(m_window->panel->world().isRunning());
+        const QPointF hull = m_window->at({-0.5, 0, 0.13});
+        m_window->press(hull, Qt::LeftButton, Qt::ControlModifier);
+        m_window->move(hull + QPointF(150, 0), Qt::ControlModifier, Qt::LeftButton);
+        QTRY_VERIFY(m_window->session.robotPose("robot0")->position.x() > -0.45);
+        m_window->release(hull + QPointF(150, 0), Qt::LeftButton, Qt::ControlModifier);
+        QVERIFY(m_window->selection.empty());
+        // A click without a drag is a click.
+        m_window->click(m_window->at(m_window->session.robotPose("robot0")->position + Vec3(0, 0, 0.13)), Qt::ControlModifier);
+        QCOMPARE(m_window->selection.paths(), std::vector<std::string>{"robot0"});
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void followKeepsTheRobotWhereItWasInThePicture() {
+        step();
+        m_window->selection.select("robot1");
+        m_window->trigger("view.follow");
+        const QPointF before = *m_window->view().pixelOf(m_window->session.robotPose("robot1")->position);
+        QVERIFY(m_window->session.place("robot1", {Vec3(-1, -1, 0), Quat::Identity()}));
+        QTRY_VERIFY((m_window->session.robotPose("robot1")->position - Vec3(-1, -1, 0)).norm() < 1e-3);
+        QVERIFY(QLineF(*m_window->view().pixelOf(m_window->session.robotPose("robot1")->position), before).length() < 1);
+    }
+
+    void contactsAndTrailsAreDrawn() {
+        m_window->trigger("view.overlayContacts");
+        m_window->trigger("view.overlayTrails");
+        step();
+        QTRY_VERIFY(m_window->session.snapshot() && m_window->session.snapshot()->contacts);
+        QVERIFY(!m_window->session.snapshot()->contacts->empty());
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        QVERIFY(!m_window->view().grab().isNull());
+    }
+
+private:
+    void step() {
+        m_window->session.step();
+        QTRY_COMPARE(m_window->session.state(), RunState::Paused);
+        QTRY_VERIFY(m_window->session.poses() != nullptr);
+    }
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(LiveTest)
+#include "live_test.moc"

@@ -1,0 +1,143 @@
+#include <QtTest>
+
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view_window.h"
+
+using namespace trundle;
+
+namespace {
+
+using Paths = std::vector<std::string>;
+
+} // namespace
+
+class SelectTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+
+    void init() {
+        m_window = std::make_unique<ViewWindow>(m_render.get());
+        QVERIFY(m_window->open(kRoom));
+        m_window->look({0, -2.5, 2.5}, {0, 0, 0});
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aClickSelectsTheRobot() {
+        m_window->click(m_window->at({-0.5, 0, 0.14}));
+        QCOMPARE(m_window->selection.paths(), Paths{"robot0"});
+        m_window->click(m_window->at({0.5, 0.3, 0.14}));
+        QCOMPARE(m_window->selection.paths(), Paths{"robot1"});
+        m_window->click(m_window->at({0, -1, 0})); // bare floor
+        QVERIFY(m_window->selection.empty());
+    }
+
+    void clicksAtOnePlaceGoDeeperAndThenBehind() {
+        const QPoint hull = m_window->at({-0.5, 0, 0.14});
+        Paths seen;
+        for (int i = 0; i < 7; ++i) {
+            m_window->click(hull);
+            seen.push_back(m_window->selection.current());
+        }
+        QCOMPARE(seen,
+                 (Paths{"robot0", "robot0.chassis", "robot0.chassis.hull", "arena", "arena.floor", "robot0", "robot0.chassis"}));
+        // Somewhere else it begins anew.
+        m_window->click(m_window->at({-0.44, -0.13, 0.06}));
+        QCOMPARE(m_window->selection.current(), std::string("robot0"));
+    }
+
+    void bareFloorIsNothingFirstAndTheArenaThen() {
+        const QPoint floor = m_window->at({0, -1, 0});
+        Paths seen;
+        for (int i = 0; i < 4; ++i) {
+            m_window->click(floor);
+            seen.push_back(m_window->selection.current());
+        }
+        QCOMPARE(seen, (Paths{"", "arena", "arena.floor", ""}));
+    }
+
+    void ctrlAddsAndTakesAway() {
+        m_window->click(m_window->at({-0.5, 0, 0.14}));
+        m_window->click(m_window->at({0.5, 0.3, 0.14}), Qt::ControlModifier);
+        QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
+        m_window->click(m_window->at({-0.5, 0, 0.14}), Qt::ControlModifier);
+        QCOMPARE(m_window->selection.paths(), Paths{"robot1"});
+    }
+
+    void aBoxTakesTheRobotsInIt() {
+        m_window->drag({5, 100}, {890, 690});
+        QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
+        const QPointF left = m_window->at({-0.5, 0, 0.07});
+        m_window->drag(left - QPointF(80, 80), left + QPointF(80, 80));
+        QCOMPARE(m_window->selection.paths(), Paths{"robot0"});
+        const QPointF right = m_window->at({0.5, 0.3, 0.07});
+        m_window->drag(right - QPointF(80, 80), right + QPointF(80, 80), Qt::LeftButton, Qt::ShiftModifier);
+        QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
+        m_window->drag({5, 60}, {30, 80});
+        QVERIFY(m_window->selection.empty());
+    }
+
+    void escapeLeavesABoxAndThenClears() {
+        m_window->selection.select("robot1");
+        m_window->press({10, 100});
+        m_window->move({600, 600}, {}, Qt::LeftButton);
+        m_window->key(Qt::Key_Escape);
+        m_window->release({600, 600});
+        QCOMPARE(m_window->selection.paths(), Paths{"robot1"});
+        m_window->key(Qt::Key_Escape);
+        QVERIFY(m_window->selection.empty());
+    }
+
+    void whatIsHiddenOrLockedIsNotTaken() {
+        m_window->panel->setHidden({"robot0"});
+        m_window->click(m_window->at({-0.5, 0, 0.14}));
+        QVERIFY(m_window->selection.empty());
+        m_window->panel->setHidden({});
+        m_window->panel->setLocked({"robot0"});
+        m_window->click(m_window->at({-0.44, 0.05, 0.14}));
+        QVERIFY(m_window->selection.empty());
+        m_window->drag({5, 100}, {890, 690});
+        QCOMPARE(m_window->selection.paths(), Paths{"robot1"});
+        m_window->panel->setLocked({"robot0.chassis"}); // its body is locked, not the robot
+        m_window->drag({5, 100}, {890, 690});
+        QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
+    }
+
+    void theCursorNamesWhatItWouldSelect() {
+        m_window->move(m_window->at({-0.5, 0, 0.14}));
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        const int before = m_window->view().redraws();
+        m_window->move(m_window->at({-0.49, 0, 0.14})); // the same robot
+        m_window->move(m_window->at({-0.48, 0, 0.14}));
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        QCOMPARE(m_window->view().redraws(), before);
+        m_window->move(m_window->at({0.5, 0.3, 0.14}));
+        QTRY_COMPARE(m_window->view().redraws(), before + 1);
+    }
+
+    void membersOfAGridAreSelectedByTheirName() {
+        QVERIFY(m_window->open(
+            "#import robots/simple_robot.sim\nGrid swarm { Config=SimpleRobot Pos=0,0,0 Count=3,2 Spacing=0.8,0.8 }\n"));
+        m_window->look({0, -2.5, 2.5}, {0, 0, 0});
+        m_window->click(m_window->at({0.8, 0.4, 0.14}));
+        QCOMPARE(m_window->selection.paths(), Paths{"swarm_5"});
+        // The Grid as a whole means all of them.
+        QCOMPARE(m_window->panel->world().objectsOf("swarm").size(), std::size_t(6));
+        QCOMPARE(m_window->panel->world().objectsOf("RobotConfig.SimpleRobot.leftWheel").size(), std::size_t(6));
+    }
+
+    void nothingToPickInAnEmptyText() {
+        QVERIFY(m_window->open("Tick = 0.01\n"));
+        m_window->click({300, 300});
+        m_window->drag({10, 10}, {800, 600});
+        m_window->key(Qt::Key_Escape);
+        QVERIFY(m_window->selection.empty());
+    }
+
+private:
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(SelectTest)
+#include "select_test.moc"

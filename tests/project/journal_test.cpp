@@ -1,0 +1,250 @@
+// Journals of unsaved texts and the lock of a project.
+
+#include <QTest>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include <QTemporaryDir>
+
+#include "base/platform/read_file.h"
+#include "project/journal.h"
+#include "project/project_lock.h"
+#include "project/state_folder.h"
+
+using namespace trundle;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string bytesOf(const std::string& path) {
+    const auto bytes = readRegularFile(path);
+    return bytes ? bytes.value() : std::string();
+}
+
+void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+std::size_t entriesIn(const fs::path& folder) {
+    std::error_code none;
+    std::size_t count = 0;
+    for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) ++count;
+    return count;
+}
+
+} // namespace
+
+class JournalTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init() {
+        m_dir = std::make_unique<QTemporaryDir>();
+        m_folder = fs::canonical(m_dir->path().toStdString()).string();
+        qputenv("XDG_STATE_HOME", QByteArray::fromStdString(m_folder + "/state"));
+        m_project = m_folder + "/project";
+        fs::create_directories(m_project + "/.trundle");
+    }
+
+    void whatACrashLeavesIsFound() {
+        leave("base\n", {"base 1\n", "base 12\n", "\xff\0 any bytes"});
+        const auto found = findRecoveries(m_project);
+        QCOMPARE(found.size(), 1u);
+        QCOMPARE(found[0].head.opened, m_project + "/main.sim");
+        QCOMPARE(found[0].files.size(), 1u);
+        QCOMPARE(found[0].files.at("a.sim").base, "base\n");
+        QCOMPARE(found[0].files.at("a.sim").text, std::string("\xff"));
+        QVERIFY(found[0].time > 1700000000);
+        discardRecovery(found[0]);
+        QVERIFY(findRecoveries(m_project).empty());
+        QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
+    }
+
+    void aWindowThatIsThereIsNoCrash() {
+        Journal journal(m_project, {m_project + "/main.sim", {}});
+        QVERIFY(journal.note("a.sim", "base", "text").ok());
+        QVERIFY(findRecoveries(m_project).empty());
+    }
+
+    void savedTextsAreForgotten() {
+        {
+            Journal journal(m_project, {m_project + "/main.sim", {}});
+            QVERIFY(journal.note("a.sim", "a", "a1").ok());
+            QVERIFY(journal.note("b.sim", "b", "b1").ok());
+            QVERIFY(journal.forget("a.sim").ok());
+            QVERIFY(!journal.holds("a.sim"));
+        }
+        const auto found = findRecoveries(m_project);
+        QCOMPARE(found.size(), 1u);
+        QCOMPARE(found[0].files.size(), 1u);
+        QCOMPARE(found[0].files.at("b.sim").text, "b1");
+    }
+
+    void theLastOneSavedTakesTheFileAlong() {
+        Journal journal(m_project, {m_project + "/main.sim", {}});
+        QVERIFY(journal.note("a.sim", "a", "a1").ok());
+        QVERIFY(entriesIn(m_project + "/.trundle") > 0);
+        QVERIFY(journal.forget("a.sim").ok());
+        QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
+        QVERIFY(journal.note("a.sim", "a1", "a2").ok());
+        QVERIFY(entriesIn(m_project + "/.trundle") > 0);
+    }
+
+    void aSaveInBetweenIsANewBase() {
+        {
+            Journal journal(m_project, {m_project + "/main.sim", {}});
+            QVERIFY(journal.note("a.sim", "one", "two").ok());
+            QVERIFY(journal.note("a.sim", "two", "three").ok());
+        }
+        const auto found = findRecoveries(m_project);
+        QCOMPARE(found.at(0).files.at("a.sim").base, "two");
+        QCOMPARE(found.at(0).files.at("a.sim").text, "three");
+    }
+
+    // A crash may cut the file anywhere: what stands before the cut is brought back, nothing is made up.
+    void brokenTailsAreCut() {
+        const std::vector<std::string> texts{"base 1\n", "base 12\n", "base 123\n", "bose 123\n"};
+        const std::string bytes = leave("base\n", texts);
+        std::size_t most = 0;
+        for (std::size_t length = 0; length <= bytes.size(); ++length) {
+            const auto read = readJournal(std::string_view(bytes).substr(0, length));
+            if (!read) continue;
+            const std::string& text = read->files.at("a.sim").text;
+            const auto which = static_cast<std::size_t>(std::find(texts.begin(), texts.end(), text) - texts.begin());
+            QVERIFY(which < texts.size());
+            QVERIFY(which >= most);
+            most = which;
+        }
+        QCOMPARE(most, texts.size() - 1);
+    }
+
+    void damagedBytesAreNoText() {
+        const std::vector<std::string> texts{"base 1\n", "base 12\n", "base 123\n"};
+        const std::string bytes = leave("base\n", texts);
+        for (std::size_t at = 0; at < bytes.size(); ++at) {
+            std::string damaged = bytes;
+            damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
+            if (const auto read = readJournal(damaged))
+                QVERIFY(std::find(texts.begin(), texts.end(), read->files.at("a.sim").text) != texts.end());
+        }
+    }
+
+    void anyBytesAreNoCrash() {
+        std::mt19937 random(1);
+        for (int round = 0; round < 2000; ++round) {
+            std::string bytes = "TRUNDLE JOURNAL 1\n";
+            for (std::uint32_t count = random() % 200; count > 0; --count) bytes += static_cast<char>(random() % 256);
+            QVERIFY(!readJournal(bytes));
+        }
+        fs::create_directories(m_project + "/.trundle/journal/folder.journal");
+        write(m_project + "/.trundle/journal/empty.journal", "");
+        QVERIFY(findRecoveries(m_project).empty());
+    }
+
+    void whatSaysNothingGoesAfterADay() {
+        const std::string folder = m_project + "/.trundle/journal";
+        fs::create_directories(folder);
+        for (const char* name : {"/old.journal", "/old.journal.new", "/young.journal"})
+            write(folder + name, "TRUNDLE JOURNAL 1\n");
+        for (const char* name : {"/old.journal", "/old.journal.new"})
+            fs::last_write_time(folder + name, fs::file_time_type::clock::now() - std::chrono::hours(25));
+        QVERIFY(findRecoveries(m_project).empty());
+        QCOMPARE(entriesIn(folder), 1u);
+        QVERIFY(fs::exists(folder + "/young.journal"));
+    }
+
+    void aLongDayStaysSmall() {
+        std::string path;
+        {
+            Journal journal(m_project, {m_project + "/main.sim", {}});
+            std::string text(20000, 'x');
+            for (int edit = 0; edit < 300; ++edit) {
+                text.assign(20000, static_cast<char>('a' + edit % 26));
+                QVERIFY(journal.note("a.sim", "base", text).ok());
+            }
+            path = journal.file()->path();
+            QVERIFY(fs::file_size(path) < 4u << 20);
+            QVERIFY(findRecoveries(m_project).empty()); // still held
+        }
+        const auto found = findRecoveries(m_project);
+        QCOMPARE(found.size(), 1u);
+        QCOMPARE(found[0].files.at("a.sim").text, std::string(20000, static_cast<char>('a' + 299 % 26)));
+    }
+
+    void aPlainFolderStaysPlain() {
+        const std::string plain = m_folder + "/plain";
+        fs::create_directories(plain);
+        {
+            Journal journal(plain, {plain + "/main.sim", {}});
+            QVERIFY(journal.note("a.sim", "a", "b").ok());
+            const ProjectLock lock(plain, plain + "/main.sim");
+            QVERIFY(lock.taken());
+            QCOMPARE(entriesIn(plain), 0u);
+        }
+        QCOMPARE(findRecoveries(plain).size(), 1u);
+    }
+
+    void aFolderThatCannotBeWritten() {
+        write(m_project + "/blocked", "");
+        fs::create_directories(m_folder + "/other");
+        write(m_folder + "/other/.trundle", "a file where a folder should be");
+        Journal journal(m_folder + "/other", {m_folder + "/other/main.sim", {}});
+        QVERIFY(journal.note("a.sim", "a", "b").ok());
+        QVERIFY(journal.file()->path().starts_with(m_folder + "/state/"));
+    }
+
+    void oneWindowForEachProject() {
+        auto first = std::make_unique<ProjectLock>(m_project, m_project + "/a.sim");
+        QVERIFY(first->taken());
+        const ProjectLock second(m_project, m_project + "/b.sim");
+        QVERIFY(!second.taken());
+        QCOMPARE(second.holder().opened, m_project + "/a.sim");
+        QCOMPARE(second.holder().process, thisProcess());
+        QVERIFY(second.holder().said().starts_with("another window (process "));
+        first.reset();
+        QVERIFY(ProjectLock(m_project, "c").taken());
+        QCOMPARE(entriesIn(m_project), 1u); // .trundle itself
+    }
+
+    void aLockOfADeadProcessIsNone() {
+        ProcessIdentity dead = thisProcess();
+        dead.start += 1; // the number was given to us since
+        write(m_project + "/.trundle/lock",
+              std::to_string(dead.pid) + "\n" + std::to_string(dead.start) + "\n" + dead.host + "\n5\n/x.sim\n");
+        QVERIFY(ProjectLock(m_project, "a").taken());
+        write(m_project + "/.trundle/lock", "no words of ours \xff\n\n\n");
+        QVERIFY(ProjectLock(m_project, "a").taken());
+    }
+
+    // Where locks do not work, what the file says counts.
+    void aLockOfALivingProcessHolds() {
+        const auto init = thisProcess();
+        write(m_project + "/.trundle/lock", "1\n0\n" + init.host + "\n5\n/x.sim\n");
+        const ProjectLock lock(m_project, "a");
+        QVERIFY(!lock.taken());
+        QCOMPARE(lock.holder().opened, "/x.sim");
+    }
+
+    void aLinkInTheLocksPlaceIsNotWritten() {
+        write(m_folder + "/precious", "kept");
+        fs::create_symlink(m_folder + "/precious", m_project + "/.trundle/lock");
+        const ProjectLock lock(m_project, "a");
+        QCOMPARE(bytesOf(m_folder + "/precious"), "kept");
+    }
+
+private:
+    /// Bytes of the journal that a window leaves which noted these texts one after the other.
+    std::string leave(const std::string& base, const std::vector<std::string>& texts) {
+        Journal journal(m_project, {m_project + "/main.sim", {}});
+        for (const std::string& text : texts)
+            if (!journal.note("a.sim", base, text)) return {};
+        return bytesOf(journal.file()->path());
+    }
+
+    std::unique_ptr<QTemporaryDir> m_dir;
+    std::string m_folder, m_project;
+};
+
+QTEST_APPLESS_MAIN(JournalTest)
+#include "journal_test.moc"

@@ -1,0 +1,210 @@
+// Blocks that get another place: the order in the text, and the pose in the world.
+#include <QTest>
+
+#include "plan_desk.h"
+
+using namespace trundle;
+using sample::PlanDesk;
+
+namespace {
+
+const char* const kCart = R"(RobotConfig Cart {
+  Param r = 0.1
+  Body chassis { Pos=1,0,0 HPR=90,0,0
+    Box hull { Size=1,1,1 Mass=1 Pos=0.5,0,0.2 HPR=0,0,30 }
+    Sphere { Radius=$r Mass=1 } // ball
+  }
+  Body wheel { Pos=0,2,0 HPR=30,40,50
+    Sphere tyre { Radius=0.1 Mass=1 }
+  }
+  Hinge axle { Parent=chassis Child=wheel }
+  TouchSensor touch { Geom=chassis.hull }
+}
+)";
+
+std::string scene(const std::string& more) { return kCart + more; }
+
+/// Where a geom stands in the world.
+Pose worldPose(const Loaded& loaded, const std::string& robot, const std::string& body, const std::string& geom) {
+    for (const RobotSpec& r : loaded.experiment->robots) {
+        if (r.name != robot) continue;
+        for (const BodySpec& b : r.config->bodies)
+            for (const GeomSpec& g : b.geoms)
+                if (b.name == body && g.name == geom) return r.pose * b.pose * g.pose;
+    }
+    for (const StaticSpec& s : loaded.experiment->statics)
+        for (const GeomSpec& g : *s.geoms)
+            if (s.name == robot && g.name == geom) return s.pose * g.pose;
+    return {Vec3(1e9, 0, 0), Quat::Identity()};
+}
+
+} // namespace
+
+class PlansMoveTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void order_data() {
+        QTest::addColumn<QString>("before");
+        QTest::addColumn<QStringList>("paths");
+        QTest::addColumn<QString>("parent");
+        QTest::addColumn<QString>("beside");
+        QTest::addColumn<QString>("after");
+        QTest::newRow("up") << "Material a { }\n// b's\nMaterial b { }\nMaterial c { } // c\n"
+                            << QStringList{"Material.b"} << ""
+                            << "Material.a"
+                            << "Material b { }\nMaterial a { }\n// b's\nMaterial c { } // c\n";
+        QTest::newRow("to the end") << "Material a { }\nMaterial b { }\n"
+                                    << QStringList{"Material.a"} << ""
+                                    << ""
+                                    << "Material b { }\nMaterial a { }\n";
+        QTest::newRow("where it is") << "Material a { }\nMaterial b { }\n"
+                                     << QStringList{"Material.a"} << ""
+                                     << "Material.b"
+                                     << "Material a { }\nMaterial b { }\n";
+        QTest::newRow("before itself") << "Material a { }\nMaterial b { }\n"
+                                       << QStringList{"Material.a"} << ""
+                                       << "Material.a"
+                                       << "Material a { }\nMaterial b { }\n";
+        QTest::newRow("last is last") << "Material a { }\nMaterial b { }\n"
+                                      << QStringList{"Material.b"} << ""
+                                      << ""
+                                      << "Material a { }\nMaterial b { }\n";
+        QTest::newRow("two up") << "Material a { }\nMaterial b { }\nMaterial c { }\n"
+                                << QStringList{"Material.c", "Material.b"} << ""
+                                << "Material.a"
+                                << "Material b { }\nMaterial c { }\nMaterial a { }\n";
+        QTest::newRow("in one line") << "StaticConfig S { Box a { Size=1,1,1 } Box b { Size=2,1,1 } Box c { Size=3,1,1 } }"
+                                     << QStringList{"StaticConfig.S.c"} << "StaticConfig.S"
+                                     << "StaticConfig.S.b"
+                                     << "StaticConfig S { Box a { Size=1,1,1 } Box c { Size=3,1,1 } Box b { Size=2,1,1 } }";
+        QTest::newRow("CRLF and tabs")
+            << "StaticConfig S {\r\n\tBox a {\r\n\t\tSize=1,1,1\r\n\t}\r\n\tBox b { Size=2,1,1 }\r\n}\r\n"
+            << QStringList{"StaticConfig.S.a"} << "StaticConfig.S"
+            << ""
+            << "StaticConfig S {\r\n\tBox b { Size=2,1,1 }\r\n\tBox a {\r\n\t\tSize=1,1,1\r\n\t}\r\n}\r\n";
+    }
+    void order() {
+        QFETCH(QString, before);
+        QFETCH(QStringList, paths);
+        QFETCH(QString, parent);
+        QFETCH(QString, beside);
+        QFETCH(QString, after);
+        const auto loaded = m_desk.open(before.toStdString());
+        std::vector<std::string> all;
+        for (const QString& path : paths) all.push_back(path.toStdString());
+        const auto plan = planMove(*loaded, all, parent.toStdString(), beside.toStdString());
+        QCOMPARE(QString::fromStdString(m_desk.text(loaded, plan)), after);
+        QCOMPARE(plan.value().selects.size(), all.size());
+        const auto again = m_desk.carryOut(loaded, plan);
+        QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
+        for (const std::string& path : plan.value().selects) QVERIFY2(placeOf(*again, path), path.c_str());
+    }
+
+    /// A geom goes to the other body; what names it follows, and in the world it stays.
+    void aGeomKeepsItsPose() {
+        const auto loaded = m_desk.open(scene(
+            "Robot r { Config=Cart Pos=3,4,5 HPR=10,20,30 chassis.hull.Mass=2 }\nSignalLog l { Signals=r/chassis/pose }\n"));
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
+        const auto plan = planMove(*loaded, {"r.chassis.hull"}, "r.wheel", "r.wheel.tyre");
+        const std::string text = m_desk.text(loaded, plan);
+        QVERIFY2(text.find("Geom=wheel.hull") != std::string::npos && text.find("wheel.hull.Mass=2") != std::string::npos,
+                 text.c_str());
+        QCOMPARE(plan.value().selects.at(0), "r.wheel.hull");
+        const auto again = m_desk.carryOut(loaded, plan);
+        QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
+        const Pose a = worldPose(*loaded, "r", "chassis", "hull"), b = worldPose(*again, "r", "wheel", "hull");
+        QVERIFY2((a.position - b.position).norm() < 1e-9, text.c_str());
+        QVERIFY(a.rotation.angularDistance(b.rotation) < 1e-9);
+    }
+
+    /// There and back gives the numbers that were there, short again.
+    void thereAndBack() {
+        const auto loaded = m_desk.open(scene("Robot r { Config=Cart }\n"));
+        const auto there = m_desk.carryOut(loaded, planMove(*loaded, {"r.chassis.hull"}, "r.wheel", ""));
+        const auto back = planMove(*there, {"r.wheel.hull"}, "r.chassis", "r.chassis.sphere");
+        QCOMPARE(m_desk.text(there, back), scene("Robot r { Config=Cart }\n"));
+    }
+
+    void intoOtherRobots() {
+        const std::string more =
+            "RobotConfig Other { Body b { HPR=0,0,45 Mass=1 Box x { Size=1,1,1 } } }\nStaticConfig Yard { }\n"
+            "Static yard { Config=Yard Pos=7,0,0 }\nRobot r { Config=Cart Pos=3,4,5 HPR=10,20,30 }\nRobot o { Config=Other "
+            "Pos=-3,0,1 HPR=90,0,0 }\n";
+        const auto loaded = m_desk.open(scene(more));
+        const auto moved = [&](const char* to, const char* robot, const char* body) {
+            const auto plan = planMove(*loaded, {"r.wheel.tyre"}, to, "");
+            const auto again = m_desk.carryOut(loaded, plan);
+            if (!again) return plan.error().message;
+            const Pose a = worldPose(*loaded, "r", "wheel", "tyre"), b = worldPose(*again, robot, body, "tyre");
+            return (a.position - b.position).norm() < 1e-9 && a.rotation.angularDistance(b.rotation) < 1e-8
+                       ? std::string()
+                       : m_desk.text(loaded, plan);
+        };
+        QCOMPARE(moved("yard", "yard", ""), "");
+        QCOMPARE(moved("r.chassis", "r", "chassis"), "");
+        const auto refused = planMove(*loaded, {"r.chassis.hull"}, "o.b", "");
+        QCOMPARE(m_desk.text(loaded, refused), "refused: Box hull is still used by TouchSensor touch (Geom)");
+        QCOMPARE(m_desk.text(loaded, planMove(*loaded, {"r.chassis.sphere"}, "o.b", "")),
+                 "refused: Sphere uses r, which there is not in Body b");
+        QCOMPARE(m_desk.text(loaded, planMove(*loaded, {"r.axle"}, "o", "")),
+                 "refused: Hinge axle uses chassis, which there is not in RobotConfig Other");
+        const auto both = planMove(*loaded, {"r.wheel", "r.axle", "r.chassis", "r.touch"}, "o", "");
+        QVERIFY(both.ok() || both.error().message.find("uses r,") != std::string::npos);
+    }
+
+    void refused_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("parent");
+        QTest::addColumn<QString>("beside");
+        QTest::addColumn<QString>("why");
+        QTest::newRow("a body into a body") << "r.wheel"
+                                            << "r.chassis"
+                                            << ""
+                                            << "a Body stands in a RobotConfig, not in Body chassis";
+        QTest::newRow("a geom to the top") << "r.wheel.tyre"
+                                           << ""
+                                           << ""
+                                           << "a Sphere stands in a Body or a StaticConfig, not at the top level";
+        QTest::newRow("beside a stranger") << "r.wheel.tyre"
+                                           << "r.chassis"
+                                           << "r.wheel.tyre"
+                                           << "r.wheel.tyre does not stand in the same block";
+        QTest::newRow("member") << "g_0"
+                                << ""
+                                << ""
+                                << "g_0 is a member of Grid g and has no text of its own; replace that by single robots first";
+        QTest::newRow("nowhere") << "r"
+                                 << "blob"
+                                 << ""
+                                 << "there is no blob";
+        QTest::newRow("second controller") << "r.brain"
+                                           << "s"
+                                           << ""
+                                           << "Robot s has a controller already: Walker brain";
+    }
+    void refused() {
+        QFETCH(QString, path);
+        QFETCH(QString, parent);
+        QFETCH(QString, beside);
+        QFETCH(QString, why);
+        const auto loaded =
+            m_desk.open("#loadModule walker\n" + scene("Robot r { Config=Cart Walker brain { } }\nRobot s { Config=Cart Walker "
+                                                       "brain { } }\nGrid g { Config=Cart Count=2 Spacing=9 }\n"));
+        const auto plan = planMove(*loaded, {path.toStdString()}, parent.toStdString(), beside.toStdString());
+        QVERIFY(!plan.ok());
+        QCOMPARE(QString::fromStdString(plan.error().message), why);
+    }
+
+    void aControllerGoesToAnotherRobot() {
+        const auto loaded = m_desk.open("#loadModule walker\n" +
+                                        scene("Robot r { Config=Cart Walker brain { Speed=1 } }\nRobot s { Config=Cart }\n"));
+        QCOMPARE(m_desk.text(loaded, planMove(*loaded, {"r.brain"}, "s", "")),
+                 "#loadModule walker\n" + scene("Robot r { Config=Cart }\nRobot s { Config=Cart Walker brain { Speed=1 } }\n"));
+    }
+
+private:
+    PlanDesk m_desk;
+};
+
+QTEST_APPLESS_MAIN(PlansMoveTest)
+#include "plans_move_test.moc"

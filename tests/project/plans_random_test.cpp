@@ -1,0 +1,227 @@
+// Any plan on any object of the real configs: what comes out is a text that reads, means no less than before, and can be taken back.
+#include <random>
+
+#include <QTest>
+
+#include "plan_desk.h"
+
+using namespace trundle;
+using sample::PlanDesk;
+using sample::Texts;
+
+namespace {
+
+void collect(const Loaded& loaded, const Part& part, std::vector<const Part*> chain, std::vector<std::string>& paths) {
+    chain.push_back(&part);
+    const std::string path = pathOf(loaded, chain);
+    if (path.empty()) return;
+    paths.push_back(path);
+    for (const Part& inner : part.parts) collect(loaded, inner, chain, paths);
+}
+
+std::vector<std::string> pathsOf(const Loaded& loaded) {
+    std::vector<std::string> paths;
+    for (const auto& part : loaded.outline->parts) {
+        collect(loaded, *part, {}, paths);
+        if (!isPlaced(*part)) continue;
+        const Part* config = configOf(loaded, *part);
+        for (const Part& inner : config ? config->parts : std::vector<Part>()) {
+            paths.push_back(part->name + "." + inner.name);
+            for (const Part& geom : inner.parts) paths.push_back(part->name + "." + inner.name + "." + geom.name);
+        }
+    }
+    return paths;
+}
+
+std::vector<std::string> propertiesOf(const Loaded& loaded, const std::string& path) {
+    const auto place = placeOf(loaded, path);
+    std::vector<std::string> paths;
+    if (place && place->part && place->part->kind)
+        for (const Property& p : place->part->kind->properties) paths.push_back(path + "." + p.name);
+    return paths;
+}
+
+std::map<std::string, int> nameErrors(const Loaded& loaded) {
+    std::map<std::string, int> counts;
+    for (const Diagnostic& d : loaded.diagnostics.all()) {
+        const int code = static_cast<int>(d.code);
+        if (d.message.find("needs a Body") != std::string::npos) continue; // the last one was taken out: that may be
+        if (d.severity == Severity::Error &&
+            (code < 200 || d.code == Code::UnknownReference || d.code == Code::UnknownParam || d.code == Code::DuplicateName ||
+             d.code == Code::DuplicateKey || d.code == Code::NoSuchPath || d.code == Code::UnknownKey ||
+             d.code == Code::WrongPlace || d.code == Code::MultipleControllers || d.code == Code::MissingRequired ||
+             d.code == Code::ImportNotFound))
+            ++counts[codeName(d.code)];
+    }
+    return counts;
+}
+
+class Dice {
+public:
+    explicit Dice(unsigned seed) : m_random(seed) {}
+    std::size_t below(std::size_t n) { return n == 0 ? 0 : m_random() % n; }
+    template <class T> T of(const std::vector<T>& all) { return all.empty() ? T() : all[below(all.size())]; }
+
+private:
+    std::mt19937 m_random;
+};
+
+struct Throw {
+    std::string what;
+    Result<EditPlan> plan;
+};
+
+Throw throwPlan(const Loaded& loaded, Dice& dice) {
+    const std::vector<std::string> paths = pathsOf(loaded);
+    const std::string path = dice.of(paths), other = dice.of(paths);
+    static const std::vector<std::string> names{"alpha",     "robot0", "chassis", "wheel", "red",  "swarm_1", "box",
+                                                "leftMotor", "world",  "9",       "a b",   "hull", "brain"};
+    const std::vector<std::string> several =
+        dice.below(3) ? std::vector<std::string>{path} : std::vector<std::string>{path, other, dice.of(paths)};
+    std::string all;
+    for (const std::string& p : several) all += p + " ";
+    switch (dice.below(9)) {
+    case 0: {
+        const std::string name = dice.of(names);
+        return {"rename " + path + " to " + name, planRename(loaded, path, name)};
+    }
+    case 1: return {"remove " + all, planRemove(loaded, several)};
+    case 2: return {"double " + all, planDuplicate(loaded, several, dice.below(2) ? Vec3(0.1, -0.5, 0) : Vec3::Zero())};
+    case 3: {
+        const std::string sibling = dice.below(2) ? other : std::string();
+        const std::string parent = other.substr(0, other.rfind('.') == std::string::npos ? 0 : other.rfind('.'));
+        return {"move " + all + "to " + parent + " before " + sibling,
+                planMove(loaded, several, dice.below(4) ? parent : other, sibling)};
+    }
+    case 4: {
+        const std::vector<const Kind*> kinds = loaded.registry->all();
+        const Kind* kind = kinds[dice.below(kinds.size())];
+        const std::string text = templateOf(loaded, *kind, path);
+        return {"insert " + text + " into " + path, planInsert(loaded, path, text)};
+    }
+    case 5:
+        return {"paste " + all + "into " + other, planInsert(loaded, other, textOf(loaded, several), {"common/materials.sim"})};
+    case 6: {
+        const std::string property = dice.of(propertiesOf(loaded, path));
+        return {"reset " + property, planReset(loaded, {property})};
+    }
+    case 7: {
+        const std::string property = dice.of(propertiesOf(loaded, path));
+        return dice.below(2) ? Throw{"push " + property, planPushOverride(loaded, property)}
+                             : Throw{"pull " + property, planPullOverride(loaded, property)};
+    }
+    default: return {"singles " + path, planReplaceBySingles(loaded, path)};
+    }
+}
+
+/// The edits that take a plan back: what stands in the new text goes, what stood there comes again.
+std::map<std::string, std::vector<TextEdit>> inverseOf(const Loaded& loaded, const EditPlan& plan) {
+    std::map<std::string, std::vector<TextEdit>> inverse;
+    for (const auto& [file, edits] : plan.edits) {
+        std::vector<TextEdit> ordered = edits;
+        std::stable_sort(ordered.begin(), ordered.end(),
+                         [](const TextEdit& a, const TextEdit& b) { return a.range.range < b.range.range; });
+        std::int64_t shift = 0;
+        for (const TextEdit& edit : ordered) {
+            const auto begin = static_cast<std::uint32_t>(edit.range.range.begin + shift);
+            const auto length = static_cast<std::uint32_t>(edit.text.size());
+            inverse[loaded.paths[file]].push_back(
+                {{0, {begin, begin + length}}, std::string(loaded.outline->texts().slice(edit.range))});
+            shift += static_cast<std::int64_t>(length) - edit.range.range.size();
+        }
+    }
+    return inverse;
+}
+
+} // namespace
+
+class PlansRandomTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anyPlan_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("style");
+        for (const char* file : {"linear_motion", "obstacle_detection", "swarm"})
+            for (const char* style : {"as written", "CRLF"})
+                QTest::newRow((std::string(file) + " " + style).c_str()) << file << style;
+    }
+    void anyPlan() {
+        QFETCH(QString, file);
+        QFETCH(QString, style);
+        PlanDesk desk;
+        std::map<std::string, std::string> files;
+        namespace fs = std::filesystem;
+        const fs::path configs = fs::path(TRUNDLE_SOURCE_DIR) / "configs";
+        for (const auto& entry : fs::recursive_directory_iterator(configs)) {
+            if (entry.path().extension() != ".sim") continue;
+            std::string text = readFile(entry.path().string(), 1 << 20).value();
+            if (style == "CRLF") text = std::string(QByteArray::fromStdString(text).replace("\n", "\r\n").replace("  ", "\t"));
+            files["configs/" + entry.path().lexically_relative(configs).string()] = text;
+        }
+        const auto start = desk.open(files, "configs/experiments/" + file.toStdString() + ".sim");
+        QVERIFY2(start && !start->diagnostics.hasErrors(), sample::messages(*start).c_str());
+        const bool isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
+        const int count = isLong ? 10000 / 6 : 50;
+        auto loaded = start;
+        int done = 0;
+        const unsigned seed = isLong ? std::random_device()() : static_cast<unsigned>(file.size() * 7 + style.size());
+        Dice dice(seed);
+        for (int i = 0; i < count; ++i) {
+            const Throw thrown = throwPlan(*loaded, dice);
+            if (!thrown.plan.ok()) {
+                QVERIFY2(!thrown.plan.error().message.empty(), thrown.what.c_str());
+                continue;
+            }
+            const EditPlan& plan = thrown.plan.value();
+            const Texts before = PlanDesk::textsOf(*loaded), after = PlanDesk::after(*loaded, plan);
+            QVERIFY2(!after.empty(), thrown.what.c_str());
+            for (const auto& [path, edits] : inverseOf(*loaded, plan)) {
+                const auto back = applyEdits(after.at(path), edits);
+                QVERIFY2(back.ok() && back.value() == before.at(path), thrown.what.c_str());
+            }
+            const auto again = desk.read(after);
+            const auto was = nameErrors(*loaded), is = nameErrors(*again);
+            for (const auto& [code, n] : is)
+                QVERIFY2(was.count(code) && was.at(code) >= n,
+                         ("seed " + std::to_string(seed) + ": " + thrown.what + "\n" + sample::rendered(*again)).c_str());
+            for (const std::string& path : plan.selects)
+                QVERIFY2(placeOf(*again, path), (thrown.what + " selects " + path).c_str());
+            if (style == "CRLF")
+                for (const auto& [path, text] : after)
+                    if (text != before.at(path))
+                        QVERIFY2(QString::fromStdString(text).count('\n') == QString::fromStdString(text).count("\r\n"),
+                                 thrown.what.c_str());
+            loaded = again;
+            ++done;
+            if (done % 25 == 0)
+                loaded = desk.open(files, "configs/experiments/" + file.toStdString() + ".sim"); // not to wander off
+        }
+        QVERIFY2(done > count / 5, "hardly any plan could be carried out");
+    }
+
+    /// Texts with every fault there is: what a plan gives fits the text, and makes it no harder to read.
+    void brokenTexts() {
+        namespace fs = std::filesystem;
+        const bool isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
+        int done = 0;
+        for (const auto& entry : fs::directory_iterator(TRUNDLE_SOURCE_DIR "/tests/data/broken")) {
+            if (!entry.is_regular_file() || entry.file_size() > 100000) continue;
+            PlanDesk desk;
+            const auto loaded = desk.open(readFile(entry.path().string(), 1 << 20).value());
+            QVERIFY(loaded);
+            Dice dice(isLong ? std::random_device()() : 3);
+            for (int i = 0; i < (isLong ? 100 : 5); ++i) {
+                const Throw thrown = throwPlan(*loaded, dice);
+                if (!thrown.plan.ok()) continue;
+                const Texts after = PlanDesk::after(*loaded, thrown.plan.value());
+                QVERIFY2(!after.empty(), thrown.what.c_str());
+                QVERIFY(desk.read(after));
+                ++done;
+            }
+        }
+        QVERIFY(done > 20);
+    }
+};
+
+QTEST_APPLESS_MAIN(PlansRandomTest)
+#include "plans_random_test.moc"

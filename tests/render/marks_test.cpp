@@ -1,0 +1,186 @@
+#include <QtTest>
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+
+#include "render/sample_experiment.h"
+#include "render/service.h"
+
+using namespace trundle;
+
+namespace {
+
+PictureRequest requestFor(SceneId scene) {
+    PictureRequest request;
+    request.scene = scene;
+    CameraView view;
+    view.eye = {1.6, -2.2, 1.8};
+    view.target = {0, 0, 0.05};
+    request.view = view;
+    request.width = 400;
+    request.height = 300;
+    request.mask = kMaskSensor;
+    request.samples = 1;
+    return request;
+}
+
+int changed(const Image& a, const Image& b) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); i += 3)
+        count += a.pixels[i] != b.pixels[i] || a.pixels[i + 1] != b.pixels[i + 1] || a.pixels[i + 2] != b.pixels[i + 2];
+    return count;
+}
+
+} // namespace
+
+class MarksTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        auto started = RenderService::start();
+        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
+        m_service = std::move(started).value();
+    }
+
+    void marksAreOutlinesInTheirColour_data() {
+        QTest::addColumn<QString>("path");
+        for (const char* path : {"robot0", "robot0/chassis", "robot0/chassis/bumper", "arena", "arena/north"})
+            QTest::newRow(path) << path;
+    }
+    void marksAreOutlinesInTheirColour() {
+        QFETCH(const QString, path);
+        const SceneId scene = m_service->addScene(sampleExperiment({2, 1.0}));
+        PictureRequest request = requestFor(scene);
+        const Image plain = m_service->draw(request).get().value();
+        request.marks.selected = {path.toStdString()};
+        request.outline.selected = {255, 0, 255};
+        const Image marked = m_service->draw(request).get().value();
+        int pure = 0;
+        for (std::size_t i = 0; i < marked.pixels.size(); i += 3)
+            pure += marked.pixels[i] > 240 && marked.pixels[i + 1] < 60 && marked.pixels[i + 2] > 240;
+        QVERIFY(pure > 30);
+        QVERIFY(changed(plain, marked) < 6 * pure + 400); // lines, no areas
+        request.marks = {};
+        QVERIFY(m_service->draw(request).get().value() == plain);
+        m_service->removeScene(scene);
+    }
+
+    void marksOfNothingChangeNothing() {
+        const SceneId scene = m_service->addScene(sampleExperiment({1}));
+        PictureRequest request = requestFor(scene);
+        const Image plain = m_service->draw(request).get().value();
+        request.marks.selected = {"", "/", "robot9", "robot0/", "robot0/chassis/nothing", "arena/floor"};
+        request.marks.hovered = {"robot0//hull"};
+        QVERIFY(m_service->draw(request).get().value() == plain);
+    }
+
+    void whatIsHiddenIsGoneAndComesBack_data() {
+        QTest::addColumn<QString>("path");
+        for (const char* path : {"robot0", "robot0/chassis", "robot0/chassis/hull", "arena", "arena/north", "arena/floor"})
+            QTest::newRow(path) << path;
+    }
+    void whatIsHiddenIsGoneAndComesBack() {
+        QFETCH(const QString, path);
+        const SceneId scene = m_service->addScene(sampleExperiment({2, 1.0}));
+        PictureRequest request = requestFor(scene);
+        const Image plain = m_service->draw(request).get().value();
+        request.hidden = {path.toStdString()};
+        QVERIFY(changed(plain, m_service->draw(request).get().value()) > 100);
+        request.hidden.clear();
+        QVERIFY(m_service->draw(request).get().value() == plain);
+        m_service->removeScene(scene);
+    }
+
+    void linesAndCollisionShapesAreDrawn() {
+        const SceneId scene = m_service->addScene(shapesExperiment());
+        PictureRequest request = requestFor(scene);
+        const Image plain = m_service->draw(request).get().value();
+        request.mask |= kMaskCollision;
+        QVERIFY(changed(plain, m_service->draw(request).get().value()) > 300);
+        request.mask = kMaskSensor;
+        request.wireframe = true;
+        QVERIFY(changed(plain, m_service->draw(request).get().value()) > 1000);
+        request.wireframe = false;
+        QVERIFY(m_service->draw(request).get().value() == plain);
+    }
+
+    void ghostsAreDrawnWhereWanted() {
+        auto ghost = std::make_shared<ExperimentSpec>(*sampleExperiment({1}));
+        ghost->robots[0].pose.position = {0.6, -0.4, 0};
+        ghost->statics.clear();
+        const auto experiment = sampleExperiment({1});
+        const SceneId scene = m_service->addScene(experiment, ghost), without = m_service->addScene(experiment);
+        const Image plain = m_service->draw(requestFor(without)).get().value();
+        QVERIFY(m_service->draw(requestFor(scene)).get().value() == plain); // a sensor sees none
+        PictureRequest request = requestFor(scene);
+        request.mask |= kMaskGhosts;
+        QVERIFY(changed(plain, m_service->draw(request).get().value()) > 300);
+        PickRequest pick{scene, *request.view, 400, 300};
+        const auto at = project(*request.view, 400, 300, {0.6, -0.4, 0.1});
+        pick.x = at->x, pick.y = at->y;
+        QVERIFY(m_service->pick(pick).get().value().path.find("robot") == std::string::npos);
+    }
+
+    void everythingBelowAPixelIsPickedInOrder() {
+        const SceneId scene = m_service->addScene(sampleExperiment({1}));
+        CameraView down;
+        down.eye = {0.06, 0.125, 3};
+        down.target = {0.06, 0.125, 0};
+        PickRequest request{scene, down, 200, 200, 100, 100};
+        request.mask |= kMaskFloor;
+        std::promise<std::vector<std::string>> promise;
+        m_service->pickAll(request, [&](Result<std::vector<Picked>> all) {
+            std::vector<std::string> paths;
+            for (const Picked& picked : all.value()) paths.push_back(picked.path);
+            promise.set_value(paths);
+        });
+        QCOMPARE(promise.get_future().get(), (std::vector<std::string>{"robot0/leftWheel/tyre", "arena/floor"}));
+    }
+
+    void aCaptureGoesBeforeViews() {
+        const SceneId scene = m_service->addScene(sampleExperiment({4}));
+        std::mutex mutex;
+        std::condition_variable changed;
+        std::vector<int> order;
+        bool go = false;
+        const auto note = [&](int which) {
+            return [&, which](Result<Image>) {
+                std::unique_lock lock(mutex);
+                if (which == 0) changed.wait(lock, [&] { return go; }); // holds the thread until all are posted
+                order.push_back(which);
+                changed.notify_all();
+            };
+        };
+        PictureRequest view = requestFor(scene), capture = view;
+        capture.capture = true;
+        m_service->draw(view, note(0));
+        for (const int i : {1, 2}) m_service->draw(view, note(i));
+        const SceneId late = m_service->addScene(sampleExperiment({1}));
+        m_service->draw(requestFor(late), note(3));
+        capture.scene = late;
+        m_service->draw(capture, note(10)); // needs the scene that was added last
+        capture.scene = scene;
+        m_service->draw(capture, note(11));
+        std::unique_lock lock(mutex);
+        go = true;
+        changed.notify_all();
+        changed.wait(lock, [&] { return order.size() == 6; });
+        QCOMPARE(order, (std::vector<int>{0, 1, 2, 10, 11, 3}));
+    }
+
+    void aServiceStartedInTheBackgroundAnswers() {
+        auto service = RenderService::startInBackground();
+        const SceneId scene = service->addScene(sampleExperiment({1}));
+        std::promise<bool> promise;
+        service->draw(requestFor(scene), [&](Result<Image> image) { promise.set_value(image.ok()); });
+        QVERIFY(promise.get_future().get());
+        QVERIFY(!service->renderer().empty());
+    }
+
+private:
+    std::unique_ptr<RenderService> m_service;
+};
+
+QTEST_APPLESS_MAIN(MarksTest)
+#include "marks_test.moc"

@@ -1,0 +1,400 @@
+#include <QtTest>
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+
+#include "run/experiment_runner.h"
+#include "run/fake_world.h"
+#include "run/live_run.h"
+
+using namespace trundle;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// A door that a controller waits at, as one does that never comes back.
+struct Door {
+    std::mutex lock;
+    std::condition_variable opens;
+    bool open = true;
+    std::atomic<int> waiting = 0;
+
+    void pass() {
+        std::unique_lock guard(lock);
+        ++waiting;
+        opens.wait(guard, [&] { return open; });
+        --waiting;
+    }
+    void set(bool isOpen) {
+        const std::scoped_lock guard(lock);
+        open = isOpen;
+        opens.notify_all();
+    }
+};
+
+class TalkingBackend final : public ControllerBackend {
+public:
+    TalkingBackend(Door& door, int linesPerTick) : m_door(door), m_lines(linesPerTick) {}
+    std::uint64_t failAt = ~0ull;
+
+    Status start(const SignalLayout&, SignalBlock&, ControllerOutlet outlet) override {
+        m_outlet = std::move(outlet);
+        return {};
+    }
+    Status tick(std::uint64_t tick, double, double) override {
+        m_door.pass();
+        if (tick == failAt) return Error{Code::ControllerFailed, "the controller Talker of robot0 failed: no"};
+        for (int i = 0; i < m_lines; ++i) m_outlet.print(TRUNDLE_INFO, "tick " + std::to_string(tick));
+        return {};
+    }
+    Status set(const std::string& property, const PropertyValue& value) override {
+        m_outlet.print(TRUNDLE_INFO, property + " = " + std::to_string(value.numbers.at(0)));
+        return {};
+    }
+    void stop() override {}
+    std::string describe() const override { return "talking"; }
+
+private:
+    Door& m_door;
+    int m_lines;
+    ControllerOutlet m_outlet;
+};
+
+int threadCount() { return static_cast<int>(QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot).size()); }
+int descriptorCount() {
+    return static_cast<int>(QDir("/proc/self/fd").entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot).size());
+}
+
+} // namespace
+
+/// What the thread and its owner say to each other; the world is one without physics.
+class LiveRunTest : public QObject {
+    Q_OBJECT
+
+    Door m_door;
+    int m_lines = 0;
+    double m_duration = 0;
+    std::uint64_t m_faultAt = ~0ull, m_failAt = ~0ull;
+    QTemporaryDir m_folder;
+
+    RunnerMaker maker() {
+        return [this](RunOptions options, Diagnostics& problems) -> std::unique_ptr<Runner> {
+            const std::shared_ptr<ExperimentSpec> experiment = experimentOf({"robot0", "robot1"});
+            experiment->settings.duration = m_duration;
+            experiment->robots[0].controller = ComponentSpec{"Talker", "brain", {{"UpdatePeriod", numberValue(0)}}, {}, {}};
+            experiment->logs.push_back(logSpec("PoseLog", "path", {{"Robot", textValue({"robot0"})}}));
+            auto world = std::make_unique<FakeWorld>(experiment);
+            world->faultAt = m_faultAt;
+            world->touching = {{"robot0/chassis/bumper", "arena/north", {1, 0, 0}, {-1, 0, 0}, 0.001, 5}};
+            auto runner = std::make_unique<ExperimentRunner>(std::move(world), std::move(options));
+            runner->startControllers(
+                [this](const RobotSpec&, const SettingsSpec&) -> Result<std::unique_ptr<ControllerBackend>> {
+                    auto backend = std::make_unique<TalkingBackend>(m_door, m_lines);
+                    backend->failAt = m_failAt;
+                    return std::unique_ptr<ControllerBackend>(std::move(backend));
+                },
+                problems);
+            runner->openLogs(problems);
+            return runner;
+        };
+    }
+    LiveRun::Options fast() const {
+        LiveRun::Options options;
+        options.speed = 0;
+        return options;
+    }
+    static std::uint64_t tickOf(const LiveRun& run) {
+        const auto shot = run.snapshot();
+        return shot ? shot->tick : 0;
+    }
+
+private Q_SLOTS:
+    void init() {
+        m_door.set(true);
+        m_lines = 0;
+        m_duration = 0;
+        m_faultAt = m_failAt = ~0ull;
+    }
+
+    void standsBuiltAtTheStart() {
+        LiveRun run(maker(), fast());
+        QTRY_COMPARE(run.phase(), LivePhase::Paused);
+        QCOMPARE(tickOf(run), 0u);
+        QVERIFY(run.layout()->find("robot0/pose"));
+        QVERIFY(!run.end());
+        QCOMPARE(run.busyS(), 0.0);
+    }
+
+    void runsToItsDurationAndClosesTheLogs() {
+        m_duration = 2;
+        LiveRun::Options options = fast();
+        options.startsRunning = true;
+        options.logFolder = m_folder.filePath("ends").toStdString();
+        LiveRun run(maker(), options);
+        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        QVERIFY(!run.end()->failure);
+        QCOMPARE(run.end()->time, 2.0);
+        QCOMPARE(tickOf(run), 200u);
+        QCOMPARE(*run.snapshot()->hash, 200u); // of the world without physics
+        QFile log(m_folder.filePath("ends/path.csv"));
+        QVERIFY(log.open(QIODevice::ReadOnly));
+        QCOMPARE(log.readAll().count('\n'), 202); // header, start, 200 ticks
+        QVERIFY(run.waitUntilGone(10s));
+    }
+
+    void takesSingleTicks() {
+        LiveRun run(maker(), fast());
+        run.step(); // asked for while it is still built
+        QTRY_COMPARE(tickOf(run), 1u);
+        run.step(3);
+        QTRY_COMPARE(tickOf(run), 4u);
+        QCOMPARE(run.phase(), LivePhase::Paused);
+    }
+
+    void pausesAndGoesOn() {
+        LiveRun run(maker(), fast());
+        run.run();
+        QTRY_VERIFY(tickOf(run) > 10);
+        run.pause();
+        QTRY_COMPARE(run.phase(), LivePhase::Paused);
+        QTRY_VERIFY(run.snapshot()->hash.has_value()); // the newest tick is shown once it stands
+        const std::uint64_t there = tickOf(run);
+        QCOMPARE(run.snapshot()->realTimeFactor, 0.0);
+        run.run();
+        QTRY_VERIFY(tickOf(run) > there);
+    }
+
+    void aSlowRunCanBeHurriedAndStopped() {
+        LiveRun::Options slow = fast();
+        slow.speed = 0.001; // a tick takes ten seconds
+        slow.startsRunning = true;
+        LiveRun run(maker(), slow);
+        QTRY_COMPARE(run.phase(), LivePhase::Running);
+        run.setSpeed(0);
+        QTRY_VERIFY(tickOf(run) > 100);
+        run.setSpeed(0.001);
+        run.stop(); // and does not wait for the next tick
+        QVERIFY(run.waitUntilGone(5s));
+        QCOMPARE(run.phase(), LivePhase::Ended);
+    }
+
+    void commandsAreStampedWithTheTickTheyCameBefore() {
+        LiveRun run(maker(), fast());
+        run.step(2);
+        QTRY_COMPARE(tickOf(run), 2u);
+        run.command(PlaceCommand{"robot0", {{1, 0, 0}, Quat::Identity()}});
+        run.command(PlaceCommand{"robot1", {{5, 0, 0}, Quat::Identity()}});
+        run.command(PlaceCommand{"robot0", {{2, 0, 0}, Quat::Identity()}}); // a drag goes on: only the last place counts
+        run.command(SignalCommand{"robot0/base/linearVelocity", 0.5});
+        run.step();
+        QTRY_COMPARE(tickOf(run), 3u);
+        const std::vector<Command> commands = run.commands();
+        QCOMPARE(commands.size(), 3u);
+        for (const Command& command : commands) QCOMPARE(command.tick, 2u);
+        QCOMPARE(std::get<PlaceCommand>(commands[0].what).pose.position.x(), 2.0);
+        QCOMPARE(std::get<PlaceCommand>(commands[1].what).robot, std::string("robot1"));
+        const SignalEntry* entry = run.layout()->find("robot0/base/linearVelocity");
+        QCOMPARE(run.snapshot()->block->slots()[entry->offset], 0.5);
+    }
+
+    void aHeldPushIsACommandOfEachTick() {
+        LiveRun run(maker(), fast());
+        run.keepPushing(PushCommand{"robot0/chassis", {1, 0, 0}, {0, 0, 0}});
+        run.step(3);
+        QTRY_COMPARE(tickOf(run), 3u);
+        run.keepPushing(std::nullopt);
+        run.step(2);
+        QTRY_COMPARE(tickOf(run), 5u);
+        const std::vector<Command> commands = run.commands();
+        QCOMPARE(commands.size(), 3u);
+        QCOMPARE(commands[2].tick, 2u);
+    }
+
+    void aHeldControllerHasNoTurn() {
+        m_lines = 1;
+        LiveRun run(maker(), fast());
+        run.step();
+        QTRY_COMPARE(tickOf(run), 1u);
+        run.command(HoldCommand{"robot0", true});
+        run.step(2);
+        QTRY_COMPARE(tickOf(run), 3u);
+        run.command(HoldCommand{"robot0", false});
+        run.step();
+        QTRY_COMPARE(tickOf(run), 4u);
+        const LiveLines lines = run.takeLines();
+        QCOMPARE(lines.lines.size(), 2u);
+        QCOMPARE(lines.lines[0].text, std::string("tick 0"));
+        QCOMPARE(lines.lines[1].text, std::string("tick 3"));
+    }
+
+    void liveValuesReachControllerDeviceAndSurface() {
+        LiveRun run(maker(), fast());
+        run.command(PropertyCommand{"robot0/brain", "Speed", {PropertyType::Number, {0.5}, {}}});
+        run.command(PropertyCommand{"nobody/motor", "Resistance", {PropertyType::Number, {3}, {}}});
+        run.command(SurfaceCommand{{"rubber", 0.8, 0, 0, 0, {}, {}}});
+        run.step();
+        QTRY_COMPARE(tickOf(run), 1u);
+        const LiveLines lines = run.takeLines();
+        QCOMPARE(lines.lines.size(), 2u);
+        QCOMPARE(lines.lines[0].text, std::string("Speed = 0.500000"));
+        QVERIFY(lines.lines[1].text.starts_with("command refused")); // and the run goes on
+        QCOMPARE(lines.lines[1].severity, int(TRUNDLE_ERROR));
+    }
+
+    void consoleLinesWaitInABoundedQueue() {
+        m_lines = 50;
+        LiveRun run(maker(), fast());
+        run.step(500); // 25,000 lines, room for 10,000
+        QTRY_COMPARE(tickOf(run), 500u);
+        const LiveLines taken = run.takeLines();
+        QCOMPARE(taken.lines.size(), 10'000u);
+        QCOMPARE(taken.dropped, 15'000u);
+        QCOMPARE(taken.lines.back().text, std::string("tick 499")); // the newest are the ones kept
+        QCOMPARE(taken.lines.front().text, std::string("tick 300"));
+        QCOMPARE(taken.lines.front().who, std::string("robot0"));
+        QVERIFY(run.takeLines().lines.empty());
+    }
+
+    void contactsComeWhenTheyAreWanted() {
+        LiveRun run(maker(), fast());
+        run.step();
+        QTRY_COMPARE(tickOf(run), 1u);
+        QVERIFY(!run.snapshot()->contacts);
+        QCOMPARE(run.snapshot()->contactCount, 1u);
+        run.wantContacts(true); // also of the tick that is over
+        QTRY_VERIFY(run.snapshot()->contacts);
+        QCOMPARE(tickOf(run), 1u);
+        QCOMPARE(run.snapshot()->contacts->at(0).second, std::string("arena/north"));
+    }
+
+    void aBlownUpWorldSaysWhatAndWhen() {
+        m_faultAt = 7;
+        LiveRun::Options options = fast();
+        options.startsRunning = true;
+        LiveRun run(maker(), options);
+        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        QCOMPARE(run.end()->failure->code, Code::BlowUp);
+        QCOMPARE(run.end()->body, std::string("robot0/chassis"));
+        QCOMPARE(run.end()->time, 0.07);
+        QCOMPARE(tickOf(run), 7u);
+    }
+
+    void aFailedControllerEndsTheRun() {
+        m_failAt = 3;
+        LiveRun::Options options = fast();
+        options.startsRunning = true;
+        LiveRun run(maker(), options);
+        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        QCOMPARE(run.end()->failure->code, Code::ControllerFailed);
+        QVERIFY(run.end()->body.empty());
+        run.run(); // nothing goes on from here, and nothing breaks
+        run.step();
+        run.command(SignalCommand{"robot0/base/linearVelocity", 1});
+        QVERIFY(run.waitUntilGone(10s));
+        QCOMPARE(tickOf(run), 3u);
+    }
+
+    void whatCannotBeBuiltEndsWithItsProblems() {
+        LiveRun run(
+            [](RunOptions, Diagnostics& problems) -> std::unique_ptr<Runner> {
+                problems.warning(Code::ModuleDescriptionStale, {}, "old");
+                problems.error(Code::KindNotLoaded, {}, "no code is loaded for the kind Sonar");
+                return nullptr;
+            },
+            fast());
+        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        QCOMPARE(run.end()->problems.size(), 2u);
+        QCOMPARE(run.end()->failure->code, Code::KindNotLoaded);
+        QVERIFY(!run.layout());
+        QVERIFY(!run.snapshot());
+    }
+
+    void whatIsThrownBecomesAnEnd() {
+        LiveRun run([](RunOptions, Diagnostics&) -> std::unique_ptr<Runner> { throw std::runtime_error("out of luck"); }, fast());
+        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        QVERIFY(run.end()->failure->message.find("out of luck") != std::string::npos);
+        QVERIFY(run.waitUntilGone(10s));
+    }
+
+    void nobodyWaitsForAControllerThatDoesNotComeBack() {
+        m_door.set(false);
+        const int threads = threadCount();
+        LiveRun::Options options = fast();
+        options.startsRunning = true;
+        options.logFolder = m_folder.filePath("blocked").toStdString();
+        auto run = std::make_unique<LiveRun>(maker(), options);
+        QTRY_COMPARE(m_door.waiting.load(), 1);
+        QVERIFY(run->busyS() > 0);
+        run->stop();
+        QVERIFY(!run->waitUntilGone(1ms));
+
+        // The next run does not write over its logs.
+        options.after = run.get();
+        options.patience = 1ms;
+        options.startsRunning = false;
+        LiveRun next(maker(), options);
+        QTRY_COMPARE(next.phase(), LivePhase::Paused);
+        QVERIFY(next.takeLines().lines.at(0).text.find("writes no logs") != std::string::npos);
+
+        run.reset(); // comes back at once
+        QCOMPARE(m_door.waiting.load(), 1);
+        m_door.set(true);
+        next.stop();
+        QVERIFY(next.waitUntilGone(10s));
+        QTRY_VERIFY(threadCount() <= threads + 1); // the one left behind found its own end
+    }
+
+    void theNextRunWaitsForTheLogsOfTheFormer() {
+        m_door.set(false);
+        LiveRun::Options options = fast();
+        options.startsRunning = true;
+        options.logFolder = m_folder.filePath("waits").toStdString();
+        LiveRun first(maker(), options);
+        QTRY_COMPARE(m_door.waiting.load(), 1);
+        first.stop();
+        options.after = &first;
+        options.patience = 60s;
+        options.startsRunning = false;
+        LiveRun second(maker(), options);
+        QCOMPARE(second.phase(), LivePhase::Building);
+        m_door.set(true);
+        QTRY_COMPARE(second.phase(), LivePhase::Paused);
+        QVERIFY(first.gone());
+        QVERIFY(second.takeLines().lines.empty());
+    }
+
+    void tellsOfEveryChange() {
+        std::atomic<int> told = 0;
+        LiveRun::Options options = fast();
+        options.changed = [&told] { ++told; };
+        LiveRun run(maker(), options);
+        QTRY_COMPARE(told.load(), 1); // built
+        run.step();
+        QTRY_COMPARE(told.load(), 2);
+        run.run();
+        QTRY_COMPARE(told.load(), 3);
+        run.pause();
+        QTRY_COMPARE(told.load(), 4);
+        run.stop();
+        QVERIFY(run.waitUntilGone(10s));
+        QTRY_COMPARE(told.load(), 6); // its end, and that its thread is through
+    }
+
+    void leavesNoThreadAndNoDescriptor() {
+        const int rounds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 200 : 20;
+        const int threads = threadCount(), descriptors = descriptorCount();
+        for (int i = 0; i < rounds; ++i) {
+            LiveRun::Options options = fast();
+            options.startsRunning = true;
+            options.logFolder = m_folder.filePath("rounds").toStdString();
+            LiveRun run(maker(), options);
+            if (i % 3) QTRY_VERIFY(tickOf(run) > 0);
+        }
+        QTRY_COMPARE(threadCount(), threads);
+        QTRY_COMPARE(descriptorCount(), descriptors);
+    }
+};
+
+QTEST_GUILESS_MAIN(LiveRunTest)
+#include "live_run_test.moc"

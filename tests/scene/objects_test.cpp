@@ -1,0 +1,137 @@
+#include <QtTest>
+
+#include <random>
+
+#include "render/sample_experiment.h"
+#include "scene/ghosts.h"
+#include "scene/ray_cast.h"
+#include "scene/scene.h"
+
+using namespace trundle;
+
+class ObjectsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void pathsAreFoundAndGivenBack() {
+        const ObjectIndex objects(shapesExperiment());
+        for (const char* path : {"robot0", "robot1.chassis", "robot0.leftWheel.tyre", "arena", "arena.north", "things.pill"}) {
+            const auto object = objects.find(path);
+            QVERIFY2(object, path);
+            QCOMPARE(objects.pathOf(*object), std::string(path));
+        }
+        QCOMPARE(objects.pathOf(*objects.find("robot0/chassis/hull"), '/'), std::string("robot0/chassis/hull"));
+        for (const char* path :
+             {"", ".", "robot", "robot0.", "robot0.wheel", "robot0.chassis.hull.x", "arena.north.x", "arena..north", "robot9"})
+            QVERIFY2(!objects.find(path), path);
+    }
+
+    void aPartStandsInItsOwner() {
+        const auto experiment = sampleExperiment({2});
+        const ObjectIndex objects(experiment);
+        const BodyPoses poses = startPoses(*experiment);
+        const ObjectRef wheel = *objects.find("robot1.leftWheel");
+        const Pose& robot = experiment->robots[1].pose;
+        QVERIFY((objects.poseOf(wheel, poses).position - robot * Vec3(0.06, 0.125, 0.05)).norm() < 1e-12);
+        QVERIFY((objects.frameOf(wheel, poses).position - robot.position).norm() < 1e-12);
+        QCOMPARE(objects.pathOf(*objects.ownerOf(*objects.find("robot1.leftWheel.tyre"))), std::string("robot1.leftWheel"));
+        QVERIFY(!objects.ownerOf(*objects.find("robot1")));
+        QVERIFY(objects.boundsOf(*objects.find("arena.floor"), poses).empty());
+        // A robot is where its first body carries it.
+        BodyPoses moved = poses;
+        for (Pose& pose : moved) pose.position += Vec3(1, 0, 0);
+        QVERIFY((objects.poseOf(*objects.find("robot1"), moved).position - robot.position - Vec3(1, 0, 0)).norm() < 1e-12);
+        // Poses of something else are not taken.
+        QVERIFY((objects.poseOf(*objects.find("robot1"), {}).position - robot.position).norm() < 1e-12);
+    }
+
+    void boundsOfTurnedShapesAreTight() {
+        GeomSpec cylinder;
+        cylinder.shape = GeomShape::Cylinder;
+        cylinder.radius = 0.05;
+        cylinder.length = 0.4;
+        cylinder.pose.rotation = rotationFromHpr({0, M_PI / 2, 0});
+        const Bounds lying = boundsOf(cylinder, {Vec3(1, 2, 3), Quat::Identity()});
+        QVERIFY((lying.size() - Vec3(0.4, 0.1, 0.1)).norm() < 1e-9);
+        QVERIFY((lying.centre() - Vec3(1, 2, 3)).norm() < 1e-9);
+        GeomSpec broken = cylinder;
+        broken.radius = std::nan("");
+        QVERIFY(boundsOf(broken, {}).empty());
+        QVERIFY(ballAround(broken).radius < 0);
+    }
+
+    /// Rays at random: the shapes themselves and the triangles that are drawn agree.
+    void aRayMeetsWhatIsDrawn() {
+        const auto experiment = shapesExperiment();
+        const ObjectIndex objects(experiment);
+        Scene scene(*experiment);
+        std::mt19937 random(3);
+        const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+        int met = 0, differing = 0;
+        std::set<std::string> names;
+        for (int i = 0; i < 3000; ++i) {
+            const Vec3 from(any(-4, 4), any(-4, 4), any(1, 3)), to(any(-2.2, 2.2), any(-2.2, 2.2), any(0, 0.5));
+            const ViewRay ray{from, (to - from).normalized()};
+            const auto drawn = scene.pick(ray);
+            std::vector<RayHit> hits = castRay(objects, startPoses(*experiment), ray);
+            std::erase_if(hits, [&](const RayHit& hit) { return objects.geomOf(hit.geom)->shape == GeomShape::Plane; });
+            for (std::size_t k = 1; k < hits.size(); ++k) QVERIFY(hits[k - 1].distance <= hits[k].distance);
+            if (hits.empty() && !drawn) continue;
+            ++met;
+            const bool same = !hits.empty() && drawn && objects.pathOf(hits.front().geom, '/') == drawn->path &&
+                              (hits.front().point - drawn->point).norm() < 0.03;
+            if (same) names.insert(drawn->path);
+            differing += !same; // round shapes are drawn with corners
+            if (same) QVERIFY(hits.front().normal.dot(ray.direction) < 1e-6);
+        }
+        QVERIFY(met > 1000);
+        QVERIFY2(differing < met / 40, qPrintable(QString("%1 of %2").arg(differing).arg(met)));
+        QVERIFY(names.size() > 12);
+    }
+
+    void brokenShapesAreMissed() {
+        auto experiment = std::make_shared<ExperimentSpec>();
+        std::vector<GeomSpec> geoms(9);
+        for (int i = 0; i < 8; ++i) {
+            geoms[std::size_t(i)].shape = GeomShape(i);
+            geoms[std::size_t(i)].radius = i % 2 ? std::nan("") : -1;
+            geoms[std::size_t(i)].length = INFINITY;
+            geoms[std::size_t(i)].size = Vec3::Constant(i % 2 ? std::nan("") : 0);
+            geoms[std::size_t(i)].name = std::to_string(i);
+        }
+        geoms[8].visible = false;
+        geoms[8].size = Vec3::Constant(1);
+        StaticSpec fixed;
+        fixed.name = "bad";
+        fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(geoms);
+        experiment->statics = {fixed};
+        experiment->robots.resize(2);
+        const ObjectIndex objects(experiment);
+        for (int i = 0; i < 50; ++i) (void)castRay(objects, {}, {{0.01 * i, 0, 5}, {0, 0, -1}});
+        (void)castRay(objects, {}, {{std::nan(""), 0, 5}, {0, 0, 0}});
+        QVERIFY(objects.find("bad.3"));
+    }
+
+    void ghostsAreWhatIsLostButStillWritten() {
+        const auto before = sampleExperiment({3});
+        auto now = std::make_shared<ExperimentSpec>(*before);
+        now->robots.erase(now->robots.begin() + 1);
+        const auto written = [](const std::string&) { return true; };
+        const auto ghosts = ghostsOf(*now, *before, written);
+        QVERIFY(ghosts);
+        QCOMPARE(ghosts->robots.size(), std::size_t(1));
+        QCOMPARE(ghosts->robots[0].name, std::string("robot1"));
+        QVERIFY(!ghostsOf(*now, *before, [](const std::string& path) { return !path.starts_with("robot1"); })); // it was deleted
+        QVERIFY(!ghostsOf(*before, *before, written));
+        // One shape of a body is lost in every robot of the config.
+        auto config = std::make_shared<RobotConfigSpec>(*before->robots[0].config);
+        config->bodies[0].geoms.erase(config->bodies[0].geoms.begin());
+        auto less = std::make_shared<ExperimentSpec>(*before);
+        for (RobotSpec& robot : less->robots) robot.config = config;
+        const auto hulls = ghostsOf(*less, *before, written);
+        QVERIFY(hulls && hulls->robots.size() == 3 && hulls->robots[0].config->bodies.size() == 1);
+        QCOMPARE(hulls->robots[2].config->bodies[0].geoms[0].name, std::string("hull"));
+    }
+};
+
+QTEST_APPLESS_MAIN(ObjectsTest)
+#include "objects_test.moc"
