@@ -24,12 +24,15 @@ constexpr RoleText kRoles[] = {
     {Role::Config, "config", "Descriptions of robots and arenas"},
     {Role::Material, "material", "How things look"},
     {Role::Surface, "surface", "How things slide and bounce"},
+    {Role::Pattern, "pattern", "Antennas"},
+    {Role::Medium, "medium", "The air between radios"},
     {Role::Body, "body", "Bodies"},
     {Role::Geom, "geom", "Shapes of bodies and arenas"},
     {Role::Joint, "joint", "Joints between bodies"},
     {Role::Device, "device", "Sensors and actuators"},
     {Role::Controller, "controller", "Controllers"},
     {Role::Log, "log", "Logs"},
+    {Role::Look, "look", "Lights and views"},
 };
 
 const char* roleWord(Role role) {

@@ -17,7 +17,7 @@ namespace {
 
 struct RenderArguments {
     OpenOptions open;
-    std::string file, output, size = "1280x720";
+    std::string file, output, camera, view, size = "1280x720";
     double at = 0;
     std::vector<double> eye, target;
     double fieldOfView = 50; // degrees
@@ -75,6 +75,8 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     printDiagnostics(loaded.diagnostics.all(), loaded.sources);
     job.experiment = loaded.experiment.get();
     job.outputPath = arguments.output.c_str();
+    if (!arguments.camera.empty()) job.camera = arguments.camera.c_str();
+    if (!arguments.view.empty()) job.view = arguments.view.c_str();
     setView(arguments, job);
     if (!(arguments.at > 0)) return draw(job); // what is whole of a text with errors is drawn too
     if (loaded.diagnostics.hasErrors()) return kExitText;
@@ -97,6 +99,7 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
 
 constexpr const char* kRenderExamples = R"(Examples:
   trundle-cli render configs/experiments/swarm.sim -o swarm.png
+  trundle-cli render my.sim --at 2 --camera robot0/eye -o what_it_sees.png
   trundle-cli render my.sim --at 5 --size 1920x1080 --eye 2,-2,1.5 --target 0,0,0.1 -o after_five_seconds.jpg)";
 
 } // namespace
@@ -108,11 +111,16 @@ void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     command->add_option("FILE", a.file, "The experiment")->required()->type_name("");
     command->add_option("-o,--output", a.output, "The picture: .png or .jpg")->required()->type_name("OUT");
     command->add_option("--at", a.at, "Run for that many simulated seconds first")->type_name("S")->check(CLI::Range(0.0, 1e9));
+    CLI::Option* camera = command->add_option("--camera", a.camera, "What a robot's camera gives, as robot0/eye; in its own size")
+                              ->type_name("PATH");
+    CLI::Option* view = command->add_option("--view", a.view, "A View of the text")->type_name("NAME")->excludes(camera);
     command->add_option("--size", a.size, "Width and height in pixels, up to 4096x4096")->type_name("WxH")->capture_default_str();
     command->add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")
         ->type_name("X,Y,Z")
         ->delimiter(',')
-        ->expected(3);
+        ->expected(3)
+        ->excludes(camera)
+        ->excludes(view);
     command->add_option("--target", a.target, "What is in the middle of it, m")->type_name("X,Y,Z")->delimiter(',')->expected(3);
     command->add_option("--fov", a.fieldOfView, "Horizontal field of view, deg")
         ->type_name("DEG")

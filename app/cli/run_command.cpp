@@ -11,6 +11,7 @@
 #include "cli/exit_guard.h"
 #include "cli/interrupt.h"
 #include "cli/messages.h"
+#include "cli/movie.h"
 #include "cli/open_options.h"
 #include "cli/progress.h"
 #include "cli/run_loop.h"
@@ -25,7 +26,8 @@ constexpr std::uint64_t kLargestSeed = 1ull << 53; // what a number of the text 
 
 struct RunArguments {
     OpenOptions open;
-    std::string file, logDir;
+    std::string file, logDir, movieSize = "1280x720";
+    MovieWish movie;
     std::optional<double> duration;
     std::optional<std::uint64_t> seed;
     bool realtime = false, hash = false, json = false, quiet = false;
@@ -39,6 +41,10 @@ public:
 private:
     bool load();
     bool planTicks();
+    bool openMovie();
+    bool film();
+    bool endMovie();
+    bool movieProblem(const Status& status);
     ExitCode runLoaded();
     ExitCode tell(ExitCode code);
     RunOptions runOptions();
@@ -48,6 +54,7 @@ private:
     RunArguments m_arguments;
     std::shared_ptr<const Loaded> m_loaded;
     std::unique_ptr<Progress> m_progress;
+    std::unique_ptr<Movie> m_movie;
     std::unique_ptr<Runner> m_runner;
     RunReport m_report;
     std::uint64_t m_ticks = 0;
@@ -71,7 +78,7 @@ ExitCode RunCommand::go() {
         std::fprintf(stderr, "%s: not run, the text has %s\n", safeText(m_arguments.file).c_str(), counts.c_str());
         return tell(kExitText);
     }
-    if (!planTicks()) return tell(kExitUsage);
+    if (!planTicks() || !openMovie()) return tell(kExitUsage);
     return runLoaded();
 }
 
@@ -105,6 +112,37 @@ bool RunCommand::planTicks() {
     if (!m_endless) m_ticks = ticksFor(m_arguments.duration.value_or(settings.duration), settings.tick);
     return true;
 }
+
+/// What is wrong with the movie is told before the run, not after it.
+bool RunCommand::openMovie() {
+    MovieWish& wish = m_arguments.movie;
+    if (wish.path.empty()) return true;
+    int end = 0;
+    const std::string& size = m_arguments.movieSize;
+    if (std::sscanf(size.c_str(), "%5ux%5u%n", &wish.width, &wish.height, &end) != 2 || std::size_t(end) != size.size())
+        return movieProblem(Error{Code::OutOfRange, "a size is written like 1280x720, not " + size});
+    Result<std::unique_ptr<Movie>> movie = Movie::open(wish);
+    if (!movie) return movieProblem(movie.error());
+    m_movie = std::move(movie).value();
+    return true;
+}
+
+bool RunCommand::movieProblem(const Status& status) {
+    if (status) return true;
+    const std::string message = safeText(status.error().message);
+    if (m_progress) m_progress->line("error: " + message + "\n");
+    else printProblem(message);
+    m_report.diagnostics.push_back({Severity::Error, status.error().code, status.error().message, {}, {}, {}, {}});
+    return false;
+}
+
+bool RunCommand::film() {
+    if (!m_movie || movieProblem(m_movie->follow(*m_runner))) return true;
+    m_movie.reset();
+    return false;
+}
+
+bool RunCommand::endMovie() { return !m_movie || movieProblem(m_movie->finish()); }
 
 RunOptions RunCommand::runOptions() {
     RunOptions options;
@@ -142,11 +180,15 @@ ExitCode RunCommand::runLoaded() {
     m_progress = std::make_unique<Progress>(m_ticks, m_loaded->experiment->settings.tick, m_arguments.quiet);
     DriveMeter meter(world);
     const bool metered = !m_arguments.quiet && !m_arguments.json;
-    const LoopPlan plan{m_ticks, m_endless, m_arguments.realtime, [this](const Diagnostic& warning) { warn(warning); }};
+    const bool filming = film(); // the start too
+    const LoopPlan plan{filming ? m_ticks : 0, m_endless && filming, m_arguments.realtime,
+                        m_movie ? std::function<bool()>([this] { return film(); }) : nullptr,
+                        [this](const Diagnostic& warning) { warn(warning); }};
     const LoopOutcome outcome = runTicks(*m_runner, plan, *m_progress, metered ? &meter : nullptr);
     m_report.wallS = outcome.wallS;
     m_report.interrupted = outcome.interrupted;
     m_report.drives = meter.totals();
+    const bool filmed = endMovie() && (m_movie || m_arguments.movie.path.empty());
     (void)m_runner->finish(); // what fails here stands in failure()
     m_progress->finish(world.ticks());
 
@@ -155,7 +197,7 @@ ExitCode RunCommand::runLoaded() {
         printDiagnostics({*failure}, m_report.sources);
         m_report.diagnostics.push_back(*failure);
     }
-    return tell(failure ? exitCodeFor(failure->code) : outcome.interrupted ? kExitInterrupted : kExitDone);
+    return tell(failure ? exitCodeFor(failure->code) : outcome.interrupted ? kExitInterrupted : filmed ? kExitDone : kExitText);
 }
 
 /// The ranges are those of the settings Duration and Seed. Empty where all is well.
@@ -194,6 +236,7 @@ constexpr const char* kRunExamples = R"(Examples:
   trundle-cli run configs/experiments/linear_motion.sim
   trundle-cli run my.sim --duration 60 --seed 7 --log-dir results
   trundle-cli run my.sim --set robot0.brain.Distance=2 --set Tick=0.02
+  trundle-cli run my.sim --movie my.mp4 --camera robot0/eye --fps 30
   trundle-cli run my.sim --json --quiet > result.json
 
 Results go to standard output; progress, messages and what controllers print go to standard error.
@@ -216,6 +259,19 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     addSetOption(*command, a.open);
     command->add_option("--log-dir", a.logDir, "Folder for the logs; by default logs/<experiment> in the project folder")
         ->type_name("DIR");
+    command->add_option("--movie", a.movie.path, "A movie of the run, made by ffmpeg: .mp4 or .webm")->type_name("OUT");
+    CLI::Option* view =
+        command->add_option("--view", a.movie.view, "Which View of the text it shows; else everything")->type_name("NAME");
+    command->add_option("--camera", a.movie.camera, "Which robot's camera it shows, as robot0/eye")
+        ->type_name("PATH")
+        ->excludes(view);
+    command->add_option("--size", a.movieSize, "Width and height of the movie in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command->add_option("--fps", a.movie.framesPerSecond, "Pictures for each simulated second")
+        ->type_name("N")
+        ->check(CLI::Range(0.01, 1000.0))
+        ->capture_default_str();
     command->add_flag("--realtime", a.realtime, "No faster than real time");
     command->add_flag("--hash", a.hash, "End with `state-hash <16 hex digits> tick <n>`");
     command->add_flag("--json", a.json, "One JSON object instead of the summary");

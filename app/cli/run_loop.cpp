@@ -40,6 +40,7 @@ LoopOutcome runTicks(Runner& runner, const LoopPlan& plan, Progress& progress, D
         const bool good = runner.tick().ok();
         for (; warned < runner.warnings().size(); ++warned) plan.warn(runner.warnings()[warned]);
         if (!good) break;
+        if (plan.afterTick && !plan.afterTick()) break;
         if (meter) meter->afterTick(runner.world());
         progress.update(done + 1);
         if (plan.realtime) sleepUntil(start, static_cast<double>(done + 1) * tick);

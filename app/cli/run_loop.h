@@ -17,6 +17,7 @@ struct LoopPlan {
     std::uint64_t ticks = 0;
     bool endless = false;                        ///< until stopped, whatever `ticks` is
     bool realtime = false;                       ///< no faster than that
+    std::function<bool()> afterTick;             ///< false: no more ticks
     std::function<void(const Diagnostic&)> warn; ///< hears each warning of the runner when it comes
 };
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* kUsage = "Usage: trundle-meshreader mesh FILE      (OBJ, STL, DAE, glTF, GLB)\n"
                                "       trundle-meshreader picture FILE   (PNG, JPEG, BMP, PGM, TIFF: as heights)\n"
-                               "Writes the mesh or the heights to standard output in Trundle's binary form.\n";
+                               "       trundle-meshreader colours FILE   (the same files, as colours)\n"
+                               "Writes the mesh, the heights or the colours to standard output in Trundle's binary form.\n";
 
 constexpr trundle::ResourceLimits kLimits{.memoryBytes = 1u << 30, .cpuSeconds = 30, .fileBytes = 0, .coreDumps = false};
 
@@ -24,6 +25,10 @@ trundle::Result<std::string> read(std::string_view kind, const std::string& path
     if (kind == "mesh") {
         const trundle::Result<trundle::TriangleMesh> mesh = trundle::readMeshFile(path);
         return mesh ? trundle::Result<std::string>(trundle::encodeMesh(mesh.value())) : mesh.error();
+    }
+    if (kind == "colours") {
+        const trundle::Result<trundle::Raster> raster = trundle::readColourFile(path);
+        return raster ? trundle::Result<std::string>(trundle::encodeRaster(raster.value())) : raster.error();
     }
     const trundle::Result<trundle::HeightMap> map = trundle::readPictureFile(path);
     return map ? trundle::Result<std::string>(trundle::encodeHeightMap(map.value())) : map.error();
@@ -47,7 +52,7 @@ int main(int argc, char** argv) {
         std::fputs(kUsage, stdout);
         return 0;
     }
-    if (argc != 3 || (kind != "mesh" && kind != "picture")) {
+    if (argc != 3 || (kind != "mesh" && kind != "picture" && kind != "colours")) {
         std::fputs(kUsage, stderr);
         return 2;
     }

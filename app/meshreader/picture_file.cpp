@@ -44,9 +44,18 @@ HeightMap heightsOf(const QImage& grey) {
     return map;
 }
 
-} // namespace
+Raster coloursOf(const QImage& picture) {
+    Raster raster{static_cast<std::uint32_t>(picture.width()), static_cast<std::uint32_t>(picture.height()), {}};
+    const std::size_t row = std::size_t{raster.width} * 3;
+    raster.pixels.reserve(row * raster.height);
+    for (int y = 0; y < picture.height(); ++y) {
+        const uchar* line = picture.constScanLine(y);
+        raster.pixels.insert(raster.pixels.end(), line, line + row);
+    }
+    return raster;
+}
 
-Result<HeightMap> readPictureFile(const std::string& path) {
+Result<QImage> readImage(const std::string& path) {
     const Result<std::string> content = readRegularFile(path, kMostFileBytes);
     if (!content) return content.error();
 
@@ -65,10 +74,30 @@ Result<HeightMap> readPictureFile(const std::string& path) {
     if (!formatIsKnown(reader.format()))
         return failure("a picture is a PNG, JPEG, BMP, PGM or TIFF file, this is " + reader.format().toStdString());
     if (const Status size = checkSize(reader.size()); !size) return size.error();
-    const QImage picture = reader.read();
+    QImage picture = reader.read();
     if (picture.isNull()) return failure("the picture is damaged: " + reader.errorString().toStdString());
     if (const Status size = checkSize(picture.size()); !size) return size.error();
-    const QImage grey = picture.convertToFormat(QImage::Format_Grayscale16);
+    return picture;
+}
+
+} // namespace
+
+Result<Raster> readColourFile(const std::string& path) {
+    Result<QImage> read = readImage(path);
+    if (!read) return read.error();
+    QImage picture = std::move(read).value();
+    constexpr int most = kMostRasterSide;
+    if (picture.width() > most || picture.height() > most)
+        picture = picture.scaled(most, most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    picture = picture.convertToFormat(QImage::Format_RGB888);
+    if (picture.isNull()) return failure("there is not enough memory for the picture");
+    return coloursOf(picture);
+}
+
+Result<HeightMap> readPictureFile(const std::string& path) {
+    const Result<QImage> picture = readImage(path);
+    if (!picture) return picture.error();
+    const QImage grey = picture.value().convertToFormat(QImage::Format_Grayscale16);
     if (grey.isNull()) return failure("there is not enough memory for the picture");
     return heightsOf(grey);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "base/raster.h"
 #include "base/result.h"
 #include "base/triangle_mesh.h"
 
@@ -8,5 +9,7 @@ namespace trundle {
 
 /// Reads a picture as heights: black 0, white 1, colours by their brightness. The message does not name the file.
 [[nodiscard]] Result<HeightMap> readPictureFile(const std::string& path);
+/// Reads it in colour; one with more than kMostRasterSide pixels along a side is made smaller.
+[[nodiscard]] Result<Raster> readColourFile(const std::string& path);
 
 } // namespace trundle

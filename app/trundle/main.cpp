@@ -1,5 +1,7 @@
 // The window: builds the parts, joins them, goes.
 
+#include <cstdlib>
+
 #include <QApplication>
 #include <QSettings>
 
@@ -23,12 +25,18 @@ int main(int argc, char** argv) {
         options.theme.value_or(QSettings().value(QStringLiteral("darkTheme")).toBool() ? ThemeKind::Dark : ThemeKind::Light) ==
         ThemeKind::Dark;
     applyTheme(application, dark ? ThemeKind::Dark : ThemeKind::Light);
+    QApplication::setWindowIcon(themedIcon(QStringLiteral("kind-robot")));
 
     const std::unique_ptr<Parts> parts = makeParts();
     const std::unique_ptr<RenderService> render = RenderService::startInBackground();
     MainWindow window(*parts, render.get(), findLocations());
+    if (options.screenshot.isEmpty()) window.rememberViews(); // a picture is the same whoever takes it
     if (options.size.isValid()) window.resize(options.size);
     window.show();
     PictureTaker taker(window, options); // does what the options ask for, once the window stands
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    if (window.session().endRuns()) return code;
+    // Code of a controller does not come back. What it uses must stay as long as it is there, so nothing is taken down.
+    window.putAway();
+    std::_Exit(code);
 }

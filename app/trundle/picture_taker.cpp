@@ -8,6 +8,8 @@
 
 namespace trundle {
 
+static constexpr double kPatienceS = 5; // with a controller that does not come back
+
 PictureTaker::PictureTaker(MainWindow& window, const WindowOptions& options) : m_window(window), m_options(options) {
     m_look.setInterval(10);
     if (m_options.quit) // nobody is there to read a message in the window
@@ -40,7 +42,11 @@ void PictureTaker::next() {
         m_stage = Stage::Running;
         break;
     case Stage::Running:
-        if (runDone()) m_stage = Stage::Draw;
+        if (isStuck()) {
+            std::fprintf(stderr, "trundle: %s\n", qPrintable(m_window.session().heldUpText()));
+            m_code = 3;
+        }
+        if (runDone() || m_code) m_stage = Stage::Draw;
         break;
     case Stage::Draw:
         if (!m_window.isSettled()) return;
@@ -49,7 +55,7 @@ void PictureTaker::next() {
         break;
     case Stage::Done:
         m_look.stop();
-        if (m_options.quit) QApplication::exit(0);
+        if (m_options.quit) QApplication::exit(m_code);
         break;
     }
 }
@@ -60,11 +66,15 @@ bool PictureTaker::runDone() const {
     return over || (session.state() == RunState::Paused && session.time() > *m_options.runFor - 1e-9);
 }
 
+bool PictureTaker::isStuck() const {
+    return m_window.session().heldUpS() > kPatienceS && !m_window.session().heldUpBy().isEmpty();
+}
+
 void PictureTaker::take() {
     if (m_options.screenshot.isEmpty()) return;
     if (!m_window.grab().save(m_options.screenshot)) {
         std::fprintf(stderr, "trundle: %s could not be written\n", qPrintable(m_options.screenshot));
-        QApplication::exit(2);
+        QApplication::exit(m_code = 2);
     }
 }
 

@@ -17,11 +17,13 @@ private:
     void next();
     void take();
     [[nodiscard]] bool runDone() const;
+    [[nodiscard]] bool isStuck() const;
 
     MainWindow& m_window;
     WindowOptions m_options;
     enum class Stage { Open, Opening, Run, Running, Draw, Done } m_stage = Stage::Open;
-    QTimer m_look; // looks again while something is under way
+    int m_code = 0; // to leave with
+    QTimer m_look;  // looks again while something is under way
 };
 
 } // namespace trundle

@@ -74,6 +74,16 @@ Result<std::shared_ptr<const HeightMap>> AssetReader::heightMap(const std::strin
     return find(m_heightMaps, "picture", path, decodeHeightMap);
 }
 
+Result<std::shared_ptr<const Raster>> AssetReader::picture(const std::string& path) {
+    if (!endsInOne(path, kPictureEndings)) return noPicture(path);
+    return find(m_pictures, "colours", path, decodeRaster);
+}
+
+std::optional<Result<std::shared_ptr<const Raster>>> AssetReader::keptPicture(const std::string& path) {
+    if (!endsInOne(path, kPictureEndings)) return noPicture(path);
+    return kept(m_pictures, path);
+}
+
 std::optional<Result<std::shared_ptr<const TriangleMesh>>> AssetReader::keptMesh(const std::string& path) {
     if (!endsInOne(path, kMeshEndings)) return noMesh(path);
     return kept(m_meshes, path);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/platform/read_file.h"
+#include "base/raster.h"
 #include "base/result.h"
 #include "base/triangle_mesh.h"
 
@@ -34,9 +35,13 @@ public:
     /// PNG, JPEG, BMP, PGM or TIFF (8 or 16 bit), as grey.
     [[nodiscard]] Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path);
 
+    /// The same files in colour, for textures; a large one is made smaller.
+    [[nodiscard]] Result<std::shared_ptr<const Raster>> picture(const std::string& path);
+
     /// The same answers where they need no reading, else nothing. Never waits.
     [[nodiscard]] std::optional<Result<std::shared_ptr<const TriangleMesh>>> keptMesh(const std::string& path);
     [[nodiscard]] std::optional<Result<std::shared_ptr<const HeightMap>>> keptHeightMap(const std::string& path);
+    [[nodiscard]] std::optional<Result<std::shared_ptr<const Raster>>> keptPicture(const std::string& path);
 
 private:
     template <class Asset> struct Kept {
@@ -57,6 +62,7 @@ private:
     std::mutex m_mutex;   // of the shelves
     Shelf<TriangleMesh> m_meshes;
     Shelf<HeightMap> m_heightMaps;
+    Shelf<Raster> m_pictures;
 };
 
 } // namespace trundle

@@ -11,6 +11,7 @@ static_assert(std::endian::native == std::endian::little, "the stream is copied,
 
 constexpr std::string_view kMeshMagic = "TRMESH01";
 constexpr std::string_view kGreyMagic = "TRGREY01";
+constexpr std::string_view kColourMagic = "TRRGB001";
 constexpr std::size_t kHeaderBytes = 16;
 
 Error damaged(const std::string& why) { return Error{Code::MeshUnreadable, "its reader's answer is damaged: " + why}; }
@@ -76,6 +77,25 @@ std::string encodeHeightMap(const HeightMap& map) {
     std::string bytes = startStream(kGreyMagic, {map.columns, map.rows});
     appendItems(bytes, map.heights);
     return bytes;
+}
+
+std::string encodeRaster(const Raster& raster) {
+    std::string bytes = startStream(kColourMagic, {raster.width, raster.height});
+    appendItems(bytes, raster.pixels);
+    return bytes;
+}
+
+Result<Raster> decodeRaster(std::string_view bytes) {
+    const Result<Header> header = readHeader(bytes, kColourMagic);
+    if (!header) return header.error();
+    const auto [width, height] = header.value();
+    if (width < 1 || height < 1) return damaged("no pixel");
+    if (width > kMostRasterSide || height > kMostRasterSide) return damaged("too many pixels");
+    const std::size_t count = std::size_t{width} * height * 3;
+    if (bytes.size() != kHeaderBytes + count) return damaged("its length does not fit its counts");
+    Raster raster{width, height, {}};
+    copyItems(bytes, kHeaderBytes, count, raster.pixels);
+    return raster;
 }
 
 Result<TriangleMesh> decodeMesh(std::string_view bytes) {

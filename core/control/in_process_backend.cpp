@@ -1,11 +1,14 @@
 #include "control/in_process_backend.h"
 
+#include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <vector>
 
 #include "base/rng.h"
 #include "control/port_names.h"
+#include "radio/medium.h"
 #include "schema/live_value.h"
 
 namespace trundle {
@@ -27,6 +30,9 @@ public:
         m_table.openLog = &openLog;
         m_table.writeLog = &writeLog;
         m_table.signalInfo = &signalInfo;
+        m_table.radio = &kRadio;
+        m_cameras = {sizeof m_cameras, 0, this, &capture, &savePicture, &objectName, &cameraError};
+        m_table.cameras = &m_cameras;
     }
     InProcessBackend(const InProcessBackend&) = delete;
     InProcessBackend& operator=(const InProcessBackend&) = delete;
@@ -142,10 +148,83 @@ private:
         if (write && log >= 0 && bytes) write(log, std::string_view(bytes, count));
     }
 
+    std::int32_t told(const Status& status) {
+        m_cameraError = status ? std::string() : status.error().message;
+        return status ? 0 : 1;
+    }
+    static std::int32_t capture(void* context, const char* camera, TrundlePicture* picture) {
+        auto& me = self(context);
+        if (!me.m_outlet.capture || !picture) return me.told(noPictures());
+        const Result<const Frame*> taken = me.m_outlet.capture(textOf(camera));
+        if (!taken) return me.told(taken.error());
+        const Frame& frame = *taken.value();
+        TrundlePicture all{picture->size, frame.width, frame.height, 0, frame.time, frame.pixels.data(), nullptr, nullptr};
+        if (!frame.depth.empty()) all.depth = frame.depth.data();
+        if (!frame.objects.empty()) all.objects = frame.objects.data();
+        std::memcpy(picture, &all, std::min<std::size_t>(picture->size, sizeof all));
+        return me.told({});
+    }
+    static std::int32_t savePicture(void* context, const char* camera, const char* fileName) {
+        auto& me = self(context);
+        return me.told(me.m_outlet.savePicture ? me.m_outlet.savePicture(textOf(camera), textOf(fileName)) : noPictures());
+    }
+    static const char* objectName(void* context, std::uint32_t object) {
+        auto& me = self(context);
+        if (!me.m_outlet.objectName) return nullptr;
+        me.m_objectName = me.m_outlet.objectName(object);
+        return me.m_objectName.empty() ? nullptr : me.m_objectName.c_str();
+    }
+    static const char* cameraError(void* context) { return self(context).m_cameraError.c_str(); }
+    static Status noPictures() { return Error{Code::NoGraphics, "this run takes no pictures"}; }
+
+    static std::int32_t findRadio(void* context, const char* component, std::uint32_t* radio) {
+        auto& me = self(context);
+        const auto entry = PortNames(me.m_robot, *me.m_layout).bind("Transceiver", textOf(component), "rssi");
+        const auto found =
+            me.m_outlet.medium ? me.m_outlet.medium->find(me.m_robot.name + "/" + textOf(component)) : std::nullopt;
+        if (found) {
+            *radio = *found;
+            return 0;
+        }
+        if (!me.m_failure) me.m_failure = entry ? me.failed("has no air for its radio", nullptr) : entry.error();
+        return 1;
+    }
+    static bool isRadio(const InProcessBackend& me, std::uint32_t radio) {
+        return me.m_outlet.medium && radio < me.m_outlet.medium->radioCount();
+    }
+    static std::uint32_t radioAddress(void* context, std::uint32_t radio) {
+        const auto& me = self(context);
+        return isRadio(me, radio) ? me.m_outlet.medium->radio(radio).address : 0;
+    }
+    static std::int32_t sendPacket(void* context, std::uint32_t radio, const std::uint8_t* bytes, std::uint32_t count,
+                                   std::uint32_t to, double power) {
+        const auto& me = self(context);
+        return isRadio(me, radio) && me.m_outlet.medium->send(radio, {bytes, count}, to, power) ? 0 : 1;
+    }
+    static std::int32_t receivePacket(void* context, std::uint32_t radio, TrundlePacket* out) {
+        auto& me = self(context);
+        if (!isRadio(me, radio) || !out || out->size < sizeof(TrundlePacket)) return 0;
+        RadioPacket packet;
+        if (!me.m_outlet.medium->receive(radio, packet)) return 0;
+        out->count = static_cast<std::uint32_t>(std::min(packet.bytes.size(), sizeof out->bytes));
+        std::copy_n(packet.bytes.begin(), out->count, out->bytes);
+        out->time = packet.time;
+        out->rssi = packet.rssi;
+        out->lqi = static_cast<std::uint32_t>(packet.lqi);
+        out->from = packet.from;
+        out->to = packet.to;
+        out->sequence = packet.sequence;
+        return 1;
+    }
+    static constexpr TrundleRobotRadio kRadio{
+        sizeof(TrundleRobotRadio), 0, &findRadio, &radioAddress, &sendPacket, &receivePacket};
+
     const RobotSpec m_robot; // a copy: its name and values are handed out
     const TrundleKind& m_code;
     std::string m_library;
     TrundleRobot m_table{};
+    TrundleCameras m_cameras{};
+    std::string m_cameraError, m_objectName;
     void* m_instance = nullptr;
     const SignalLayout* m_layout = nullptr;
     SignalBlock* m_block = nullptr;

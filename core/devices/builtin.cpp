@@ -2,10 +2,12 @@
 
 #include <trundle/device.h>
 
+#include "devices/camera.h"
 #include "devices/differential_drive.h"
 #include "devices/encoder.h"
 #include "devices/rotary_motor.h"
 #include "devices/touch_sensor.h"
+#include "devices/transceiver.h"
 
 namespace trundle {
 
@@ -16,6 +18,8 @@ Status addDeviceKinds(Registry& registry) {
     if (auto s = add(static_cast<const RotaryMotor*>(nullptr), "RotaryMotor"); !s) return s;
     if (auto s = add(static_cast<const DifferentialDrive*>(nullptr), "DifferentialDrive"); !s) return s;
     if (auto s = add(static_cast<const Encoder*>(nullptr), "Encoder"); !s) return s;
+    if (auto s = add(static_cast<const Camera*>(nullptr), "Camera"); !s) return s;
+    if (auto s = add(static_cast<const Transceiver*>(nullptr), "Transceiver"); !s) return s;
     return add(static_cast<const TouchSensor*>(nullptr), "TouchSensor");
 }
 
@@ -26,6 +30,8 @@ const TrundleKind* findBuiltInDevice(std::string_view kind) {
         r.device<DifferentialDrive>("DifferentialDrive");
         r.device<Encoder>("Encoder");
         r.device<TouchSensor>("TouchSensor");
+        r.device<Transceiver>("Transceiver");
+        r.device<Camera>("Camera");
         return r;
     }();
     for (const auto& table : builtIn.tables())

@@ -6,18 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "base/raster.h"
 #include "model/body_spec.h"
 #include "model/component_spec.h"
 #include "model/joint_spec.h"
+#include "radio/radio_settings.h"
 
 namespace trundle {
 
 struct MaterialSpec {
     std::string name;
     std::array<double, 3> colour{0.8, 0.8, 0.8};
-    std::string texture;             ///< as written
-    std::string texturePath;         ///< the picture found, or empty
-    std::string textureMap = "auto"; ///< auto planar box cylinder sphere
+    std::string texture;                   ///< as written
+    std::string texturePath;               ///< the picture found, or empty
+    std::shared_ptr<const Raster> picture; ///< its pixels; of one that is missing or broken, a glaring stand-in
+    std::string textureMap = "auto";       ///< auto planar box cylinder sphere
     double textureScale = 1, shininess = 0, opacity = 1;
     std::array<double, 3> emission{0, 0, 0};
     SourceRange range;
@@ -30,6 +33,12 @@ struct SurfaceSpec {
     double softness = 0;        ///< m/N
     SourceRange range;          ///< the whole block
     SourceRange nameRange;      ///< where a message about it points
+};
+
+struct AntennaSpec {
+    std::string name;
+    std::shared_ptr<const AntennaPattern> pattern;
+    SourceRange range; ///< the whole block
 };
 
 /// A RobotConfig with one set of Param values and overrides applied. Instances that are equal share it.
@@ -84,8 +93,14 @@ struct ExperimentSpec {
     std::vector<SurfaceSpec> surfaces;   ///< [0] is the built-in default
     std::vector<RobotSpec> robots;       ///< in text order, Grid and Scatter members in place
     std::vector<StaticSpec> statics;
+    std::vector<AntennaSpec> antennas;
+    MediumSettings medium; ///< ideal where the text has none
     std::vector<ComponentSpec> logs;
+    std::vector<ComponentSpec> looks; ///< lights, sky and views
     std::vector<ModuleSpec> modules;
 };
+
+/// The pattern of that name, or the model of that name with its defaults; nullptr where there is neither.
+[[nodiscard]] std::shared_ptr<const AntennaPattern> antennaNamed(const ExperimentSpec& experiment, const std::string& name);
 
 } // namespace trundle

@@ -1,6 +1,7 @@
 #include "model/model_kinds.h"
 
 #include "model/config_fields.h"
+#include "model/radio_fields.h"
 #include "model/world_fields.h"
 
 namespace trundle {
@@ -27,12 +28,17 @@ void addModelKinds(Registry& registry) {
     kinds.add<SettingsFields>("settings", Role::Settings, {});
     kinds.add<MaterialFields>("Material", Role::Material, {""});
     kinds.add<SurfaceFields>("Surface", Role::Surface, {""});
+    kinds.add<AntennaPatternFields>("AntennaPattern", Role::Pattern, {""});
+    kinds.add<RadioMediumFields>("RadioMedium", Role::Medium, {""}, true);
     kinds.add<RobotConfigFields>("RobotConfig", Role::Config, {""});
     kinds.add<StaticConfigFields>("StaticConfig", Role::Config, {""});
     kinds.add<RobotFields>("Robot", Role::Instance, {""});
     kinds.add<StaticFields>("Static", Role::Instance, {""});
     kinds.add<GridFields>("Grid", Role::Layout, {""});
     kinds.add<ScatterFields>("Scatter", Role::Layout, {""});
+    kinds.add<LightFields>("Light", Role::Look, {""}, true);
+    kinds.add<SkyFields>("Sky", Role::Look, {""}, true);
+    kinds.add<ViewFields>("View", Role::Look, {""}, true);
     kinds.add<BodyFields>("Body", Role::Body, {"RobotConfig"});
     const std::vector<std::string> solid{"Body", "StaticConfig"}, ground{"StaticConfig"};
     kinds.add<BoxFields>("Box", Role::Geom, solid, true);

@@ -11,7 +11,8 @@ namespace {
 
 bool topLevelOnly(const Registry& registry, const BlockItem& block) {
     const Kind* kind = registry.find(block.type.text);
-    return kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Config);
+    return kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Pattern ||
+                    kind->role == Role::Config);
 }
 
 /// Materials, surfaces and configs of files that are imported inside a block: they stand at the top level all the same, before
@@ -98,9 +99,12 @@ const NameSpace* Outline::spaceOf(const Kind& kind) const {
     switch (kind.role) {
     case Role::Material: return &materials;
     case Role::Surface: return &surfaces;
+    case Role::Pattern: return &patterns;
     case Role::Config: return &configs;
     case Role::Instance:
     case Role::Layout:
+    case Role::Medium:
+    case Role::Look:
     case Role::Log: return &world;
     default: return nullptr;
     }
@@ -182,6 +186,8 @@ const char* roleName(Role role) {
     case Role::Settings: return "Settings";
     case Role::Material: return "Material";
     case Role::Surface: return "Surface";
+    case Role::Pattern: return "Pattern";
+    case Role::Medium: return "Medium";
     case Role::Config: return "Config";
     case Role::Instance: return "Instance";
     case Role::Layout: return "Layout";
@@ -191,6 +197,7 @@ const char* roleName(Role role) {
     case Role::Device: return "Device";
     case Role::Controller: return "Controller";
     case Role::Log: return "Log";
+    case Role::Look: return "Look";
     }
     return "";
 }

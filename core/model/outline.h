@@ -62,7 +62,7 @@ public:
     AssignmentList settings;
     std::vector<PlacedParam> params;
     std::vector<std::unique_ptr<Part>> parts; ///< everything at the top level, in order
-    NameSpace materials, surfaces, configs, world;
+    NameSpace materials, surfaces, patterns, configs, world;
     std::unordered_set<std::string> unknown; ///< names of blocks that could not be placed: no follow-ups about them
 
     [[nodiscard]] const TextSet& texts() const { return *m_texts; }

@@ -64,7 +64,9 @@ void PartBuilder::fill(Part& part, FileId file) {
     for (const PlacedBlock& inner : view.blocks) {
         const Kind* kind = m_registry.find(inner.block->type.text);
         const bool imported = inner.file != file;
-        if (imported && kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Config)) {
+        if (imported && kind &&
+            (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Pattern ||
+             kind->role == Role::Config)) {
             continue; // stands at the top level: Outline::build lifts it there
         }
         part.parts.push_back(build(inner, &part, part.order));

@@ -67,6 +67,11 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
                                     const Part& config) {
     const std::vector<std::string>& choices = property.choices;
     if (name == "world" && std::count(choices.begin(), choices.end(), "world")) return true;
+    if (std::count(choices.begin(), choices.end(), "AntennaPattern")) { // stands at the top level, or is a model's name
+        if (outline.patterns.find(name) || antennaModelNamed(name) || outline.unknown.count(name)) return true;
+        unknownReference(property.name, "AntennaPattern", name, range, literal, outline.patterns.names());
+        return false;
+    }
     const bool geoms = wantsGeom(registry, choices);
     const std::size_t dot = name.find('.');
     const Part* part = config.find(name.substr(0, dot));

@@ -17,6 +17,35 @@ Spec& placeFor(std::vector<Spec>& all, std::map<std::string, std::uint32_t>& pla
     return all.emplace_back();
 }
 
+/// What nobody takes for meant: magenta and black.
+std::shared_ptr<const Raster> missingPicture() {
+    static const auto picture = [] {
+        constexpr std::uint32_t side = 16;
+        auto raster = std::make_shared<Raster>(Raster{side, side, {}});
+        for (std::uint32_t i = 0; i < side * side; ++i) {
+            const bool light = ((i / 4) % 2 == 0) != ((i / (4 * side)) % 2 == 0);
+            raster->pixels.insert(raster->pixels.end(), {std::uint8_t(light ? 255 : 30), 0, std::uint8_t(light ? 255 : 30)});
+        }
+        return std::shared_ptr<const Raster>(raster);
+    }();
+    return picture;
+}
+
+void readTexture(ResolveContext& context, MaterialSpec& material, SourceRange place) {
+    if (!context.assets.texture) return;
+    const auto stand = [&](const Error& error) {
+        context.diagnostics.warning(error.code, place, error.message);
+        material.picture = missingPicture();
+    };
+    const Result<std::string> found = context.assets.texture(material.texture, place.file);
+    if (!found) return stand(found.error());
+    material.texturePath = found.value();
+    if (!context.assets.picture) return;
+    const Result<std::shared_ptr<const Raster>> picture = context.assets.picture(material.texturePath);
+    if (!picture) return stand(picture.error());
+    material.picture = picture.value();
+}
+
 } // namespace
 
 SettingsSpec resolveSettings(ResolveContext& context) {
@@ -54,11 +83,7 @@ void resolveMaterials(ResolveContext& context) {
         m.shininess = f.shininess;
         m.opacity = f.opacity;
         m.range = part->range;
-        if (m.texture.empty() || !context.assets.texture) continue;
-        const SourceRange place = record.rangeOf("Texture", part->nameRange());
-        Result<std::string> found = context.assets.texture(m.texture, place.file);
-        if (found.ok()) m.texturePath = found.value();
-        else context.diagnostics.warning(found.error().code, place, found.error().message);
+        if (!m.texture.empty()) readTexture(context, m, record.rangeOf("Texture", part->nameRange()));
     }
     context.materialPlaces.try_emplace("default", 0);
 }

@@ -29,6 +29,8 @@ using BodyPlaces = std::unordered_map<std::string, int>;
                                                                         ParamScope& scope, const OverrideNode* overrides);
 [[nodiscard]] std::shared_ptr<const std::vector<GeomSpec>> resolveStaticConfig(ResolveContext& context, const Part& config,
                                                                                ParamScope& scope, const OverrideNode* overrides);
+/// Antenna patterns and the medium; after the settings.
+void resolveRadio(ResolveContext& context);
 void resolveLogs(ResolveContext& context);
 /// Robots, statics, grids and scatters, in text order.
 void resolveInstances(ResolveContext& context);

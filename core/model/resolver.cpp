@@ -64,7 +64,7 @@ void sayDefaults(ResolveContext& context) {
 
 void resolveLogs(ResolveContext& context) {
     for (const Part* part : context.outline.world.all()) {
-        if (!part->is(Role::Log)) continue;
+        if (!part->is(Role::Log) && !part->is(Role::Look)) continue;
         ParamScope scope(&context.globals);
         scope.declare(part->params);
         Record record = context.read(*part, scope, nullptr, Origin::Config);
@@ -76,7 +76,7 @@ void resolveLogs(ResolveContext& context) {
             if (!robots || !record.values[i] || record.values[i]->origin == Origin::Default) continue;
             good = checkRobots(context, property, *record.values[i]) && good;
         }
-        if (good) context.out.logs.push_back(componentFrom(record, *part));
+        if (good) (part->is(Role::Log) ? context.out.logs : context.out.looks).push_back(componentFrom(record, *part));
     }
 }
 
@@ -87,6 +87,7 @@ std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLooku
     experiment->settings = resolveSettings(context);
     resolveMaterials(context);
     resolveSurfaces(context);
+    resolveRadio(context);
     resolveInstances(context);
     resolveLogs(context);
     sayDefaults(context);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "base/raster.h"
 #include "base/result.h"
 #include "base/triangle_mesh.h"
 #include "model/experiment_spec.h"
@@ -26,6 +27,10 @@ struct AssetLookup {
     std::function<Result<FoundAsset<HeightMap>>(const std::string& written, FileId file)> heightMap;
     /// The picture's path, an ending added where none is written; fails with the places looked at.
     std::function<Result<std::string>(const std::string& written, FileId file)> texture;
+    /// The content of a file of numbers (an antenna's measured gains); fails with the places looked at.
+    std::function<Result<std::string>(const std::string& written, FileId file)> table;
+    /// The pixels of the picture at a path; null where nobody reads pictures.
+    std::function<Result<std::shared_ptr<const Raster>>(const std::string& path)> picture;
     std::shared_ptr<MeshShapes> shapes = std::make_shared<MeshShapes>(); ///< of this load and of former ones
 };
 

@@ -9,10 +9,12 @@ namespace {
 
 class Applier {
 public:
-    Applier(Outline& outline, Diagnostics& diagnostics) : m_outline(outline), m_diagnostics(diagnostics) {}
+    /// `lays`: the outline is ours to change.
+    Applier(const Outline& outline, bool lays, Diagnostics& diagnostics)
+        : m_outline(outline), m_lays(lays), m_diagnostics(diagnostics) {}
 
-    AppliedSets run() {
-        for (const SetText& set : m_outline.texts().sets) {
+    AppliedSets run(std::span<const SetText> sets) {
+        for (const SetText& set : sets) {
             if (!set.item || set.item->path.empty()) continue;
             m_set = &set;
             apply();
@@ -28,24 +30,24 @@ private:
         for (const Name& name : path) words.push_back(name.text);
         const PathStart start = startOfPath(m_outline, words);
         if (!start.part) return noStart();
-        descend(const_cast<Part&>(*start.part), start.words); // the outline is ours to change
+        descend(*start.part, start.words);
     }
 
     void setTop() {
         const std::string& key = m_set->item->path[0].text;
         const Kind* settings = m_outline.registry().find("settings");
-        for (PlacedParam& p : m_outline.params) {
+        for (const PlacedParam& p : m_outline.params) {
             if (p.name->text == key && !(settings && settings->find(key))) return setParam(p, nullptr, key);
         }
         put(m_outline.settings, nullptr, 0);
     }
 
     /// From a part with the words from `i` on.
-    void descend(Part& part, std::size_t i) {
+    void descend(const Part& part, std::size_t i) {
         const std::vector<Name>& path = m_set->item->path;
-        Part* at = &part;
+        const Part* at = &part;
         for (; i + 1 < path.size(); ++i) {
-            Part* next = const_cast<Part*>(at->find(path[i].text));
+            const Part* next = at->find(path[i].text);
             if (next) {
                 at = next;
                 continue;
@@ -55,7 +57,7 @@ private:
         }
         const std::string& key = path.back().text;
         if (at->is(Role::Config) && i + 1 == path.size() && !at->kind->find(key)) {
-            for (PlacedParam& p : at->params) {
+            for (const PlacedParam& p : at->params) {
                 if (p.name->text == key) return setParam(p, at, key);
             }
         }
@@ -68,19 +70,21 @@ private:
         return names;
     }
 
-    void setParam(PlacedParam& param, const Part* part, const std::string& key) {
+    void setParam(const PlacedParam& param, const Part* part, const std::string& key) {
         m_applied.targets.push_back({part, key, valueRange(), {param.valueFile, param.value->range}});
-        param.value = &m_set->item->value;
-        param.valueFile = m_set->file;
+        if (!m_lays) return;
+        auto& own = const_cast<PlacedParam&>(param);
+        own.value = &m_set->item->value;
+        own.valueFile = m_set->file;
     }
 
-    void put(AssignmentList& list, const Part* part, std::size_t firstWord) {
+    void put(const AssignmentList& list, const Part* part, std::size_t firstWord) {
         const std::span<const Name> path = std::span(m_set->item->path).subspan(firstWord);
         std::string key = path[0].text;
         for (const Name& name : path.subspan(1)) key += "." + name.text;
         const PlacedAssignment* before = list.find(key);
         m_applied.targets.push_back({part, key, valueRange(), before ? before->valueRange() : SourceRange{}});
-        list.replace({key, path, &m_set->item->value, m_set->file, m_set->item});
+        if (m_lays) const_cast<AssignmentList&>(list).replace({key, path, &m_set->item->value, m_set->file, m_set->item});
     }
 
     SourceRange valueRange() const { return {m_set->file, m_set->item->value.range}; }
@@ -96,7 +100,7 @@ private:
         const std::vector<Name>& path = m_set->item->path;
         const SourceRange first{m_set->file, path[0].range}, second{m_set->file, path[1].range};
         if (const Part* layout = layoutOfMember(m_outline, path[0].text)) {
-            m_applied.members.push_back({layout, first});
+            m_applied.members.push_back({layout, path[0].text, first});
             return;
         }
         const Kind* kind = m_outline.registry().find(path[0].text);
@@ -118,7 +122,8 @@ private:
         noSuch(first, "nothing in the world is named " + path[0].text, words, path[0].text);
     }
 
-    Outline& m_outline;
+    const Outline& m_outline;
+    bool m_lays;
     Diagnostics& m_diagnostics;
     const SetText* m_set = nullptr;
     AppliedSets m_applied;
@@ -136,6 +141,12 @@ PathStart startOfPath(const Outline& outline, std::span<const std::string> path)
     return {part, 2};
 }
 
-AppliedSets applySets(Outline& outline, Diagnostics& diagnostics) { return Applier(outline, diagnostics).run(); }
+AppliedSets applySets(Outline& outline, Diagnostics& diagnostics) {
+    return Applier(outline, true, diagnostics).run(outline.texts().sets);
+}
+
+AppliedSets targetsOfSets(const Outline& outline, std::span<const SetText> sets, Diagnostics& diagnostics) {
+    return Applier(outline, false, diagnostics).run(sets);
+}
 
 } // namespace trundle

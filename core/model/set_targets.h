@@ -19,7 +19,8 @@ struct SetTarget {
 /// A path to one member of a Grid or Scatter, which has no text of its own.
 struct MemberPath {
     const Part* layout = nullptr;
-    SourceRange range; ///< of the member's name
+    std::string name;
+    SourceRange range; ///< of the name
 };
 
 struct AppliedSets {
@@ -30,6 +31,8 @@ struct AppliedSets {
 /// Lays the sets of the outline's texts over it, in order. Wrong paths are E314 with the names that are there; whether the last
 /// word is a property and the value fits is said when values are read.
 [[nodiscard]] AppliedSets applySets(Outline& outline, Diagnostics& diagnostics);
+/// Where sets that are none of the outline's texts would lead; the outline stays as it is.
+[[nodiscard]] AppliedSets targetsOfSets(const Outline& outline, std::span<const SetText> sets, Diagnostics& diagnostics);
 
 /// The part that a dotted path begins with, and how many of its words that took; nullptr where it names nothing.
 struct PathStart {

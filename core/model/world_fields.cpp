@@ -100,6 +100,34 @@ void ScatterFields::describe(Describe<ScatterFields>& d) {
     d.field("Seed", &ScatterFields::seed, whole(0, kLargestWhole), "0 = the experiment's.");
 }
 
+void LightFields::describe(Describe<LightFields>& d) {
+    d.help("A light: the sun, which replaces the one that everything has, or a lamp, which casts no shadows.");
+    d.field("Mode", &LightFields::mode, oneOf("sun|lamp"), "The first sun counts, and up to eight lamps.");
+    d.field("Pos", &LightFields::pos, position(), "Of a lamp.");
+    d.field("Direction", &LightFields::direction, number().within(-1e6, 1e6), "Which way the sun shines.");
+    d.field("ColorRGB", &LightFields::colour, number().within(0, 1), "Red, green and blue.");
+    d.field("Intensity", &LightFields::intensity, number().within(0, 1e6), "Factor on its light; of a lamp, at 1 m.");
+    d.field("Shadows", &LightFields::shadows, flag(), "Whether the sun casts shadows on floors.");
+}
+
+void SkyFields::describe(Describe<SkyFields>& d) {
+    d.help("The sky, and the light that comes from everywhere.");
+    const Quantity share = number().within(0, 1);
+    d.field("Zenith", &SkyFields::zenith, share, "Colour of the sky above: red, green and blue.");
+    d.field("Horizon", &SkyFields::horizon, share, "Colour of the sky low down, and of what is very far.");
+    d.field("Ambient", &SkyFields::ambient, number().within(0, 100), "Factor on the light that comes from sky and ground.");
+}
+
+void ViewFields::describe(Describe<ViewFields>& d) {
+    d.help("A place to look from, for pictures and movies.");
+    d.field("Mode", &ViewFields::mode, oneOf("fixed|follow|chase"),
+            "Fixed in the world; carried along with a robot; or carried and turned with it.");
+    d.field("Eye", &ViewFields::eye, position(), "Where it looks from; with a robot, from its origin.");
+    d.field("Target", &ViewFields::target, position(), "What is in its middle, in the same frame.");
+    d.field("Robot", &ViewFields::robot, reference("Robot"), "Which robot carries it.");
+    d.field("FieldOfView", &ViewFields::fieldOfView, degrees().within(1, 170), "From the left edge to the right one.");
+}
+
 void ControllerFields::describe(Describe<ControllerFields>& d) {
     d.field("UpdatePeriod", &ControllerFields::updatePeriod, seconds().within(0, 1e6), "Time between its turns; 0 = every tick.");
     d.field("Isolation", &ControllerFields::isolation, oneOf("none|module|robot"),

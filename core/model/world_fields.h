@@ -2,6 +2,7 @@
 // What may be written at the top level and in instances, described once.
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,26 @@ struct ScatterFields : PlaceFields {
     std::array<double, 4> area{};
     std::optional<double> minDistance, heading; ///< m; rad
     static void describe(Describe<ScatterFields>& d);
+};
+
+struct LightFields {
+    std::string mode = "sun";
+    Triple pos{0, 0, 2}, direction{0.52, 0.30, -0.80}, colour{1, 1, 1};
+    double intensity = 1;
+    bool shadows = true;
+    static void describe(Describe<LightFields>& d);
+};
+struct SkyFields {
+    Triple zenith{0.265, 0.48, 0.765}, horizon{0.815, 0.865, 0.905};
+    double ambient = 1;
+    static void describe(Describe<SkyFields>& d);
+};
+struct ViewFields {
+    std::string mode = "fixed";
+    std::optional<std::string> robot;
+    Triple eye{3, -4, 3}, target{0, 0, 0};
+    double fieldOfView = 50 * std::numbers::pi / 180;
+    static void describe(Describe<ViewFields>& d);
 };
 
 /// What every controller block may hold beside the fields of its kind.

@@ -13,6 +13,7 @@
 #include "control/module_store.h"
 #include "devices/builtin.h"
 #include "model/model_kinds.h"
+#include "parts/frame_library.h"
 #include "run/log_kinds.h"
 
 namespace trundle {
@@ -26,6 +27,7 @@ public:
     explicit AssetMeshes(AssetReader& reader) : m_reader(reader) {}
     Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) override { return m_reader.mesh(path); }
     Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) override { return m_reader.heightMap(path); }
+    Result<std::shared_ptr<const Raster>> picture(const std::string& path) override { return m_reader.picture(path); }
 
 private:
     AssetReader& m_reader;
@@ -40,6 +42,9 @@ public:
     }
     Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) override {
         return orLater(m_reader.keptHeightMap(path), path);
+    }
+    Result<std::shared_ptr<const Raster>> picture(const std::string& path) override {
+        return orLater(m_reader.keptPicture(path), path);
     }
     bool pending() const override { return m_pending; }
 
@@ -128,6 +133,11 @@ std::unique_ptr<Runner> JoinedParts::makeRunner(const Loaded& loaded, RunOptions
     const BackendFactory backends = [&store](const RobotSpec& robot, const SettingsSpec& settings) {
         return makeInProcessBackend(robot, settings, store);
     };
+    if (!options.pictures) {
+        options.pictures = [folder = m_locations.modules](const ExperimentSpec& experiment, const SignalLayout& layout) {
+            return openFrameSource(folder, experiment, layout);
+        };
+    }
     return Runner::create(loaded.experiment, devices, backends, std::move(options), diagnostics);
 }
 

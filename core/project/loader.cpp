@@ -127,17 +127,18 @@ void Loader::cycle(FileId target, SourceRange range) {
 void Loader::addSets(const std::vector<std::string>& sets) {
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const FileId file = add("--set#" + std::to_string(i + 1), {}, {sets[i], nullptr}, m_folders[0], {});
-        const Tree& tree = *m_texts.trees[file];
-        const AssignmentItem* item = tree.items().size() == 1 ? tree.items()[0].as<AssignmentItem>() : nullptr;
-        const bool broken = std::any_of(tree.diagnostics().begin(), tree.diagnostics().end(),
-                                        [](const Diagnostic& d) { return d.severity == Severity::Error; });
-        if (!item && !broken) {
-            const auto end = static_cast<std::uint32_t>(sets[i].size());
-            m_diagnostics.error(Code::UnexpectedText, {file, {0, end}},
-                                "--set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3");
-        }
-        m_texts.sets.push_back({file, item});
+        m_texts.sets.push_back({file, assignmentOf(*m_texts.trees[file], m_diagnostics)});
     }
+}
+
+const AssignmentItem* assignmentOf(const Tree& tree, Diagnostics& diagnostics) {
+    const AssignmentItem* item = tree.items().size() == 1 ? tree.items()[0].as<AssignmentItem>() : nullptr;
+    const bool broken = std::any_of(tree.diagnostics().begin(), tree.diagnostics().end(),
+                                    [](const Diagnostic& d) { return d.severity == Severity::Error; });
+    if (!item && !broken)
+        diagnostics.error(Code::UnexpectedText, {tree.file(), {0, static_cast<std::uint32_t>(tree.source().bytes().size())}},
+                          "--set takes PATH=VALUE, as in robot0.leftMotor.Resistance=3");
+    return item;
 }
 
 } // namespace trundle

@@ -30,6 +30,9 @@ struct LoadOptions {
     std::string shownFrom;              ///< folder that shown paths start from; empty: the opened file as given, others from here
 };
 
+/// The one assignment that a `--set` text is; nullptr where it is something else, which is said.
+[[nodiscard]] const AssignmentItem* assignmentOf(const Tree& tree, Diagnostics& diagnostics);
+
 class Loader {
 public:
     Loader(const FileSearch& search, Diagnostics& diagnostics, LoadOptions options = {})

@@ -40,8 +40,7 @@ void sayReplaceBySingles(const MemberPath& member, const Outline& outline, const
                          Diagnostics& diagnostics) {
     const Part& layout = *member.layout;
     Diagnostic& d = diagnostics.error(Code::ReplaceBySingles, member.range,
-                                      std::string(outline.texts().slice(member.range)) + " is a member of " + layout.title() +
-                                          " and has no text of its own");
+                                      member.name + " is a member of " + layout.title() + " and has no text of its own");
     const std::string text = singles(layout, outline.texts(), experiment);
     if (!text.empty()) d.fixes.push_back({"replace by single instances", {{layout.range, text}}});
 }

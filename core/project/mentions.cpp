@@ -279,8 +279,8 @@ bool fitsPattern(std::string_view pattern, std::string_view name) {
 }
 
 bool namesWorld(const Kind& kind, const Property& property) {
-    if (kind.role != Role::Log) return false;
-    static const char* const names[] = {"Robot", "Robots", "Signal", "Signals"};
+    if (kind.role != Role::Log && kind.role != Role::Look) return false;
+    static const char* const names[] = {"Robot", "Robots", "Signal", "Signals", "Camera", "View"};
     return (property.type == PropertyType::Text || property.type == PropertyType::Reference) &&
            std::find(std::begin(names), std::end(names), property.name) != std::end(names);
 }

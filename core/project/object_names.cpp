@@ -46,7 +46,7 @@ TakenNames::TakenNames(const Loaded& loaded, const Part* parent, const Kind* kin
     if (parent) return;
     const Outline& o = *loaded.outline;
     if (const NameSpace* space = kind ? o.spaceOf(*kind) : nullptr) m_spaces = {space};
-    else m_spaces = {&o.materials, &o.surfaces, &o.configs, &o.world};
+    else m_spaces = {&o.materials, &o.surfaces, &o.patterns, &o.configs, &o.world};
 }
 
 std::string TakenNames::inSpace(const NameSpace& space, const std::string& name) const {

@@ -50,6 +50,8 @@ Result<EditPlan> planDuplicate(const Loaded& loaded, const std::vector<std::stri
         const Part& part = *c.place.part;
         if (part.is(Role::Controller))
             return Error{Code::MultipleControllers, part.title() + " cannot be doubled: a robot has one controller"};
+        if (part.is(Role::Medium))
+            return Error{Code::DuplicateName, part.title() + " cannot be doubled: an experiment has one air for all radios"};
         if (!part.kind) return Error{Code::UnknownKind, part.title() + " is of a kind that is not loaded"};
         text += blockText(loaded, part.range) + "\n";
     }

@@ -65,6 +65,8 @@ private:
         if (!target.ok()) return target.error();
         entry.target = target.value().part;
         m_paths.push_back(target.value().path);
+        if (entry.kind && entry.kind->role == Role::Medium)
+            if (Status status = oneMedium(); !status.ok()) return status;
         if (entry.kind && entry.kind->role == Role::Controller && entry.target)
             if (Status status = oneController(*entry.target); !status.ok()) return status;
         const bool optional = !entry.kind || entry.kind->nameOptional;
@@ -101,6 +103,15 @@ private:
             return e.target == &robot && e.kind && e.kind->role == Role::Controller;
         });
         if (here > 1) return Error{Code::MultipleControllers, robot.title() + " can have one controller"};
+        return {};
+    }
+
+    Status oneMedium() const {
+        for (const Part* part : m_loaded.outline->world.all())
+            if (part->is(Role::Medium)) return Error{Code::DuplicateName, "there is a radio medium already: " + part->title()};
+        const auto here = std::count_if(m_blocks.entries.begin(), m_blocks.entries.end(),
+                                        [](const PastedBlocks::Entry& e) { return e.kind && e.kind->role == Role::Medium; });
+        if (here > 1) return Error{Code::DuplicateName, "an experiment can have one radio medium"};
         return {};
     }
 

@@ -2,39 +2,77 @@
 
 #include "project/edit_sheet.h"
 #include "project/plan_targets.h"
+#include "project/plan_users.h"
 
 namespace trundle {
+namespace {
+
+void addBlocks(const Part& part, std::set<const BlockItem*>& blocks) {
+    blocks.insert(part.block);
+    for (const Part& inner : part.parts) addBlocks(inner, blocks);
+}
+
+/// Who names one of these, or what is in one, from outside of all of them.
+std::vector<const Mention*> outsideUsers(const std::vector<Mention>& mentions, const std::vector<Chosen>& all) {
+    std::set<const BlockItem*> blocks;
+    for (const Chosen& c : all) addBlocks(*c.place.part, blocks);
+    const auto isGone = [&](const SourceRange& name) {
+        return std::any_of(all.begin(), all.end(), [&](const Chosen& c) { return isWithin(name, c.place.part->range); });
+    };
+    std::vector<const Mention*> users;
+    for (const Mention& m : mentions) {
+        if (!m.target || !blocks.count(m.target) || !m.name.known() || m.pattern) continue;
+        if (!isGone(m.name) && !(m.user && blocks.count(m.user->block))) users.push_back(&m);
+    }
+    return users;
+}
+
+/// Whether a block is of no use without what it names there.
+bool goesAlong(const Mention& mention) {
+    if (!mention.user) return false;
+    const Part& user = *mention.user;
+    for (const Role role : {Role::Joint, Role::Device, Role::Controller, Role::Log, Role::Look})
+        if (user.is(role)) return true;
+    return isPlaced(user) && mention.property == "Config";
+}
+
+} // namespace
+
+std::vector<std::string> usersOf(const Loaded& loaded, const std::vector<std::string>& paths) {
+    const std::vector<Mention> mentions = mentionsIn(loaded);
+    std::vector<std::string> all = paths;
+    for (;;) {
+        const Result<std::vector<Chosen>> gone = chosen(loaded, all);
+        if (!gone) return {};
+        const std::vector<const Mention*> users = outsideUsers(mentions, gone.value());
+        if (users.empty()) {
+            std::vector<std::string> along;
+            for (const Chosen& c : gone.value())
+                if (std::find(paths.begin(), paths.end(), c.path) == paths.end()) along.push_back(c.path);
+            return along;
+        }
+        const std::size_t before = all.size();
+        std::set<const Part*> going;
+        for (const Mention* m : users) {
+            if (!goesAlong(*m) || !going.insert(m->user).second) continue;
+            all.push_back(objectAt(loaded, m->user->range.file, m->user->range.range.begin));
+        }
+        if (all.size() == before) return {};
+        if (std::any_of(users.begin(), users.end(), [&](const Mention* m) { return !going.contains(m->user); })) return {};
+    }
+}
 
 Result<EditPlan> planRemove(const Loaded& loaded, const std::vector<std::string>& paths) {
     const Result<std::vector<Chosen>> all = chosen(loaded, paths);
     if (!all.ok()) return all.error();
-    std::vector<SourceRange> gone;
-    for (const Chosen& c : all.value()) gone.push_back(c.place.part->range);
-    const auto isGone = [&](FileId file, TextRange range) {
-        return std::any_of(gone.begin(), gone.end(), [&](const SourceRange& g) { return isWithin({file, range}, g); });
-    };
     const std::vector<Mention> mentions = mentionsIn(loaded);
-    std::set<const BlockItem*> blocks; // of all that goes
-    const auto collect = [&](const auto& self, const Part& part) -> void {
-        blocks.insert(part.block);
-        for (const Part& inner : part.parts) self(self, inner);
-    };
-    for (const Chosen& c : all.value()) collect(collect, *c.place.part);
-    std::vector<const Mention*> users;
-    for (const Mention& m : mentions) {
-        if (!m.target || !blocks.count(m.target) || !m.name.known() || m.pattern) continue;
-        if (!isGone(m.name.file, m.name.range) && !(m.user && blocks.count(m.user->block))) users.push_back(&m);
-    }
+    const std::vector<const Mention*> users = outsideUsers(mentions, all.value());
     if (!users.empty()) {
         std::string what;
         for (const Chosen& c : all.value()) {
             const bool named = std::any_of(users.begin(), users.end(), [&](const Mention* m) {
                 std::set<const BlockItem*> own;
-                const auto look = [&](const auto& self, const Part& part) -> void {
-                    own.insert(part.block);
-                    for (const Part& inner : part.parts) self(self, inner);
-                };
-                look(look, *c.place.part);
+                addBlocks(*c.place.part, own);
                 return own.count(m->target) > 0;
             });
             if (!named) continue;

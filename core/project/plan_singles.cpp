@@ -11,7 +11,7 @@ Result<EditPlan> planReplaceBySingles(const Loaded& loaded, const std::string& p
     const Part* layout = place ? place->instance : nullptr;
     if (!layout || !layout->is(Role::Layout)) return Error{Code::NoSuchPath, path + " is no Grid or Scatter"};
     Diagnostics said;
-    sayReplaceBySingles({layout, layout->nameRange()}, *loaded.outline, *loaded.experiment, said);
+    sayReplaceBySingles({layout, layout->name, layout->nameRange()}, *loaded.outline, *loaded.experiment, said);
     if (said.all().empty() || said.all()[0].fixes.empty())
         return Error{Code::ReplaceBySingles, layout->title() + " has no members that could be written out"};
     const TextEdit& edit = said.all()[0].fixes[0].edits.at(0);

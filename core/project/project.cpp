@@ -1,6 +1,7 @@
 #include "project/project.h"
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -14,6 +15,18 @@
 namespace trundle {
 
 namespace {
+
+constexpr std::size_t kLargestTable = 16 << 20; ///< bytes
+
+Result<std::string> readTable(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::string text(kLargestTable + 1, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    if (in.bad() || !in.is_open()) return Error{Code::FileUnreadable, path + " cannot be read"};
+    if (text.size() > kLargestTable) return Error{Code::FileUnreadable, path + " holds more than 16 MiB"};
+    return text;
+}
 
 /// One wrong Param is one mistake, however many properties take it: of the errors that point at the same given value the first stays.
 std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
@@ -55,9 +68,20 @@ Diagnostics tidied(const Diagnostics& diagnostics) {
     return tidy;
 }
 
-AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch& search, MeshSource& meshes) {
+FileStamp stampOf(const std::string& path) {
+    const Result<FileStamp> stamp = regularFileStamp(path);
+    return stamp ? stamp.value() : FileStamp{};
+}
+
+AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch& search, MeshSource& meshes, Loaded& loaded) {
     AssetLookup lookup;
     const auto folder = [&folders](FileId file) { return file < folders.size() ? folders[file] : std::string("."); };
+    const auto find = [=, &search, &loaded](const std::string& written, FileId file, std::span<const std::string> endings = {}) {
+        Result<std::string> path = search.find(written, folder(file), endings);
+        const auto [named, isNew] = loaded.named.try_emplace({file, written});
+        if (isNew && path) named->second = {path.value(), stampOf(path.value())};
+        return path;
+    };
     const auto missing = [&search](const Error& error, const std::string& written, const std::string& from) {
         Error e = error;
         if (e.code == Code::ImportNotFound) {
@@ -68,26 +92,32 @@ AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch
         return e;
     };
     lookup.mesh = [=, &search, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {
-        Result<std::string> path = search.find(written, folder(file));
+        Result<std::string> path = find(written, file);
         if (!path.ok()) return missing(path.error(), written, folder(file));
         Result<std::shared_ptr<const TriangleMesh>> mesh = meshes.mesh(path.value());
         if (!mesh.ok()) return mesh.error();
         return FoundAsset<TriangleMesh>{path.value(), mesh.value()};
     };
     lookup.heightMap = [=, &search, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<HeightMap>> {
-        Result<std::string> path = search.find(written, folder(file));
+        Result<std::string> path = find(written, file);
         if (!path.ok()) return missing(path.error(), written, folder(file));
         Result<std::shared_ptr<const HeightMap>> map = meshes.heightMap(path.value());
         if (!map.ok()) return map.error();
         return FoundAsset<HeightMap>{path.value(), map.value()};
     };
+    lookup.table = [=, &search](const std::string& written, FileId file) -> Result<std::string> {
+        Result<std::string> path = find(written, file);
+        if (!path.ok()) return Error{Code::FileUnreadable, missing(path.error(), written, folder(file)).message};
+        return readTable(path.value());
+    };
     lookup.texture = [=, &search](const std::string& written, FileId file) -> Result<std::string> {
         static const std::string endings[] = {"jpg", "jpeg", "png"};
-        Result<std::string> path = search.find(written, folder(file), endings);
+        Result<std::string> path = find(written, file, endings);
         if (path.ok()) return path;
         Error e = missing(path.error(), written, folder(file));
         return Error{e.code, "the picture " + e.message};
     };
+    lookup.picture = [&meshes](const std::string& path) { return meshes.picture(path); };
     return lookup;
 }
 
@@ -127,7 +157,7 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     loaded->registry = registry;
     std::shared_ptr<Outline> outline = Outline::build(texts, registry, diagnostics);
     AppliedSets sets = applySets(*outline, diagnostics);
-    AssetLookup assets = assetsFrom(fileFolders, pictures, m_meshes);
+    AssetLookup assets = assetsFrom(fileFolders, pictures, m_meshes, *loaded);
     if (m_options.previous && m_options.previous->shapes) assets.shapes = m_options.previous->shapes;
     loaded->shapes = assets.shapes;
     std::shared_ptr<ExperimentSpec> experiment = resolve(*outline, assets, diagnostics);

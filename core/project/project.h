@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/platform/read_file.h"
 #include "lang/source_text.h"
 #include "lang/tree.h"
 #include "model/experiment_spec.h"
@@ -33,6 +34,12 @@ struct ProjectOptions {
     bool shownFromProject = false; ///< messages name files from the project's folder on, not from where the program stands
 };
 
+/// A mesh, a picture or a table that a text names.
+struct NamedFile {
+    std::string path; ///< absolute; "" where it was not found
+    FileStamp stamp;  ///< before it was read; of nothing where it was not found
+};
+
 /// What one load gave. Immutable; a new edit gives a new one.
 struct Loaded {
     SourceTable sources;
@@ -44,6 +51,8 @@ struct Loaded {
     std::string projectFolder;
     std::shared_ptr<const Outline> outline; ///< what stands where: for provenance (model/provenance.h), navigation and edits
     std::vector<SetTarget> sets;            ///< where the options' sets lead; see project/set_path.h
+    /// By the text that names them, and the words there.
+    std::map<std::pair<FileId, std::string>, NamedFile> named;
     std::shared_ptr<MeshShapes> shapes;     ///< what was worked out from meshes; a load takes over the previous one's
     bool pending = false;                   ///< some mesh or height map is not read yet; see OpenOptions::meshesLater
     std::size_t parses = 0;                 ///< texts that were parsed for this load; the others came from the previous one

@@ -50,6 +50,14 @@ std::string shownPath(const std::string& absolute, const std::string& from) {
     return fs::path(absolute).lexically_relative(here).string();
 }
 
+std::string shownInProject(const std::string& absolute, const std::string& folder) {
+    if (folder.empty()) return absolute;
+    if (const std::string shown = shownPath(absolute, folder); shown != absolute) return shown;
+    const std::string own = projectFolderOf(absolute);
+    const bool bare = fs::path(own) == fs::path(absolute).parent_path(); // its name alone would tell too little
+    return bare ? absolute : shownPath(absolute, own);
+}
+
 bool FileSearch::onlyAsText(const std::string& path, std::string& canonical) const {
     if (!m_texts || m_texts->empty()) return false;
     canonical = canonicalPath(path);

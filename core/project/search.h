@@ -16,6 +16,9 @@ namespace trundle {
 [[nodiscard]] std::string canonicalPath(const std::string& path);
 /// As people know the file: relative to `from`, or to where they stand where that is empty, when it lies below; else absolute.
 [[nodiscard]] std::string shownPath(const std::string& absolute, const std::string& from = {});
+/// The same for a file that an experiment of the project `folder` uses: one of another project, as those that come with the
+/// program are, is named as its own project names it, "robots/amr.sim".
+[[nodiscard]] std::string shownInProject(const std::string& absolute, const std::string& folder);
 
 class FileSearch {
 public:

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "lang/tree_edit.h"
+#include "project/loader.h"
+#include "project/members.h"
 
 namespace trundle {
 
@@ -19,12 +21,12 @@ void addEdit(std::vector<TextEdit>& edits, TextEdit edit) {
     edits.push_back(std::move(edit));
 }
 
-} // namespace
-
-std::map<FileId, std::vector<TextEdit>> editsForSets(const Loaded& loaded) {
+/// `valueOf` gives the text of a new value.
+template <class ValueOf>
+std::map<FileId, std::vector<TextEdit>> editsFor(const Loaded& loaded, const std::vector<SetTarget>& sets, ValueOf valueOf) {
     const TextSet& texts = loaded.outline->texts();
     std::vector<SetTarget> targets;
-    for (const SetTarget& set : loaded.sets) { // a later one of the same path takes the place of the earlier
+    for (const SetTarget& set : sets) { // a later one of the same path takes the place of the earlier
         const auto same = std::find_if(targets.begin(), targets.end(),
                                        [&](const SetTarget& t) { return t.part == set.part && t.key == set.key; });
         if (same == targets.end()) targets.push_back(set);
@@ -32,7 +34,7 @@ std::map<FileId, std::vector<TextEdit>> editsForSets(const Loaded& loaded) {
     }
     std::map<FileId, std::vector<TextEdit>> edits;
     for (const SetTarget& t : targets) {
-        const std::string text(texts.slice(t.value));
+        const std::string text(valueOf(t.value));
         if (t.before.known()) {
             if (texts.slice(t.before) != text) addEdit(edits[t.before.file], {t.before, text});
             continue;
@@ -42,6 +44,32 @@ std::map<FileId, std::vector<TextEdit>> editsForSets(const Loaded& loaded) {
     }
     std::erase_if(edits, [](const auto& entry) { return entry.second.empty(); });
     return edits;
+}
+
+} // namespace
+
+std::map<FileId, std::vector<TextEdit>> editsForSets(const Loaded& loaded) {
+    return editsFor(loaded, loaded.sets, [&](const SourceRange& value) { return loaded.outline->texts().slice(value); });
+}
+
+Result<std::map<FileId, std::vector<TextEdit>>> editsForSets(const Loaded& loaded, const std::vector<std::string>& sets) {
+    const auto first = static_cast<FileId>(loaded.trees.size()); // behind the files that there are
+    std::vector<std::shared_ptr<const Tree>> trees;
+    std::vector<SetText> texts;
+    Diagnostics diagnostics;
+    for (const std::string& set : sets) {
+        const auto file = static_cast<FileId>(first + trees.size());
+        trees.push_back(parse(std::make_shared<const SourceText>("--set", set), file));
+        diagnostics.append(trees.back()->diagnostics());
+        texts.push_back({file, assignmentOf(*trees.back(), diagnostics)});
+    }
+    const AppliedSets applied = targetsOfSets(*loaded.outline, texts, diagnostics);
+    for (const MemberPath& member : applied.members)
+        sayReplaceBySingles(member, *loaded.outline, *loaded.experiment, diagnostics);
+    for (const Diagnostic& d : diagnostics.all())
+        if (d.severity == Severity::Error) return Error{d.code, d.message};
+    return editsFor(loaded, applied.targets,
+                    [&](const SourceRange& value) { return trees[value.file - first]->source().slice(value.range); });
 }
 
 bool setsFailed(const Loaded& loaded) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/raster.h"
 #include "base/result.h"
 #include "base/triangle_mesh.h"
 #include "schema/kind.h"
@@ -30,6 +31,10 @@ public:
     virtual ~MeshSource() = default;
     [[nodiscard]] virtual Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) = 0;
     [[nodiscard]] virtual Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) = 0;
+    /// The pixels of a texture; null where nobody looks at them.
+    [[nodiscard]] virtual Result<std::shared_ptr<const Raster>> picture(const std::string&) {
+        return std::shared_ptr<const Raster>();
+    }
     /// Whether some answer was "not yet": asked again later, it may be another.
     [[nodiscard]] virtual bool pending() const { return false; }
 };

@@ -46,12 +46,16 @@ Result<std::string> jpegBytes(const Image& image, int quality) {
     return bytes;
 }
 
-Status saveImage(const Image& image, const std::string& path) {
+Result<std::string> imageBytes(const Image& image, const std::string& path) {
     std::string ending = path.substr(std::min(path.size(), path.find_last_of('.')));
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     const bool png = ending == ".png", jpeg = ending == ".jpg" || ending == ".jpeg";
     if (!png && !jpeg) return Error{Code::PictureFailed, "a picture is written as .png, .jpg or .jpeg, not \"" + path + '"'};
-    const Result<std::string> bytes = png ? pngBytes(image) : jpegBytes(image);
+    return png ? pngBytes(image) : jpegBytes(image);
+}
+
+Status saveImage(const Image& image, const std::string& path) {
+    const Result<std::string> bytes = imageBytes(image, path);
     if (!bytes) return bytes.error();
     return writeFileAtomically(path, bytes.value());
 }

@@ -21,7 +21,9 @@ struct Image {
 /// Equal pictures give equal bytes.
 [[nodiscard]] Result<std::string> pngBytes(const Image& image);
 [[nodiscard]] Result<std::string> jpegBytes(const Image& image, int quality = 92);
-/// PNG or JPEG by the ending of the name (.png, .jpg, .jpeg); another ending is refused. Atomic.
+/// PNG or JPEG by the ending of the name (.png, .jpg, .jpeg); another ending is refused.
+[[nodiscard]] Result<std::string> imageBytes(const Image& image, const std::string& name);
+/// The same as a file. Atomic.
 [[nodiscard]] Status saveImage(const Image& image, const std::string& path);
 
 } // namespace trundle

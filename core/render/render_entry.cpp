@@ -3,22 +3,41 @@
 #include <cstdio>
 #include <exception>
 
-#include "render/service.h"
+#include "base/platform/atomic_file.h"
+#include "render/frame_drawer.h"
 
 namespace trundle {
 namespace {
 
 Vec3 vectorOf(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
+/// Only borrowed: whoever gets it ends first.
+std::shared_ptr<const ExperimentSpec> borrowed(const ExperimentSpec* experiment) {
+    return {std::shared_ptr<const void>(), experiment};
+}
+
+Status renderNamed(const RenderJob& job) {
+    const SignalLayout noLayout;
+    const SignalBlock noBlock(noLayout); // everything then stands where it starts
+    const bool started = job.layout && job.block;
+    FrameDrawer drawer(borrowed(job.experiment), started ? *job.layout : noLayout);
+    const SignalBlock& block = started ? *job.block : noBlock;
+    const Result<Frame> frame =
+        job.camera ? drawer.capture(job.camera, block) : drawer.view(job.view, job.width, job.height, block);
+    if (!frame) return frame.error();
+    const Result<std::string> bytes = drawer.encode(frame.value(), job.camera ? job.camera : "", job.outputPath);
+    return bytes ? writeFileAtomically(job.outputPath, bytes.value()) : Status(bytes.error());
+}
+
 Status renderOnce(const RenderJob& job) {
     if (job.structSize != sizeof(RenderJob)) return Error{Code::Internal, "the render library is of another build"};
     if (!job.experiment || !job.outputPath) return Error{Code::Internal, "no experiment or no file to write"};
+    if (job.camera || job.view) return renderNamed(job);
     Result<std::unique_ptr<RenderService>> service = RenderService::start();
     if (!service) return service.error();
 
     PictureRequest request;
-    // Only borrowed: the service ends before this function does.
-    request.scene = service.value()->addScene({std::shared_ptr<const void>(), job.experiment});
+    request.scene = service.value()->addScene(borrowed(job.experiment));
     request.width = job.width;
     request.height = job.height;
     if (job.hasView) {
@@ -40,6 +59,15 @@ Status renderOnce(const RenderJob& job) {
 
 } // namespace
 } // namespace trundle
+
+extern "C" trundle::FrameSource* trundle_frame_source(const trundle::ExperimentSpec* experiment,
+                                                      const trundle::SignalLayout* layout, std::size_t build) {
+    using namespace trundle;
+    if (!experiment || !layout || build != sizeof(RenderJob)) return nullptr;
+    try {
+        return new FrameDrawer(borrowed(experiment), *layout);
+    } catch (const std::exception&) { return nullptr; }
+}
 
 extern "C" int trundle_render_experiment(const trundle::RenderJob* job) {
     using namespace trundle;

@@ -8,6 +8,7 @@
 namespace trundle {
 
 struct ExperimentSpec;
+class FrameSource;
 class SignalLayout;
 class SignalBlock;
 
@@ -20,8 +21,10 @@ struct RenderJob {
     double eye[3] = {0, 0, 0}, target[3] = {0, 0, 0}, up[3] = {0, 0, 1}; ///< m, world
     double fieldOfView = 0;                                              ///< rad, horizontal; 0: the default
     std::uint32_t width = 1280, height = 720;                            ///< up to 4096
-    const char* outputPath = nullptr;                                    ///< .png, .jpg or .jpeg
-    char* error = nullptr;                                               ///< one line, ends with NUL; may be null
+    const char* view = nullptr;       ///< a View of the text; what the other fields say of the view does not matter then
+    const char* camera = nullptr;     ///< "robot0/eye": what that camera gives, in its own size; the view does not matter then
+    const char* outputPath = nullptr; ///< .png, .jpg or .jpeg
+    char* error = nullptr;            ///< one line, ends with NUL; may be null
     std::size_t errorSize = 0;
 };
 
@@ -35,4 +38,8 @@ extern "C" {
 /// Writes one picture. 0, or the number of the diagnostic code (510: no OpenGL to be had, 511: the picture failed) with its
 /// words in `error`. Throws nothing.
 TRUNDLE_RENDER_EXPORT int trundle_render_experiment(const trundle::RenderJob* job);
+/// What the cameras of an experiment see; experiment and layout outlive it. To be deleted by the caller, before the library is
+/// closed. nullptr where `build` is not sizeof(RenderJob), as another build's may be.
+TRUNDLE_RENDER_EXPORT trundle::FrameSource* trundle_frame_source(const trundle::ExperimentSpec* experiment,
+                                                                 const trundle::SignalLayout* layout, std::size_t build);
 }

@@ -1,10 +1,12 @@
 #include "render/service.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <thread>
 
+#include "base/platform/thread_priority.h"
 #include "render/studio.h"
 
 namespace trundle {
@@ -18,6 +20,7 @@ struct Job {
     std::function<void(const Error&)> refuse;
     std::uint64_t stream = 0;
     Rank rank = Rank::View;
+    bool yields = false;
 };
 
 template <class T, class Work> Job jobFor(Work work, std::function<void(Result<T>)> done) {
@@ -49,6 +52,8 @@ struct RenderService::Thread {
     std::condition_variable wake;
     std::deque<Job> jobs;
     bool stopping = false;
+    bool yielding = false;       // what is drawn now yields
+    bool enough = false;         // and is not to be drawn to its end; OSG looks here too, so it is no std::atomic
     std::optional<Error> failed; // no context: nothing will ever be drawn
     std::uint64_t lastScene = 0;
     std::string renderer;
@@ -75,11 +80,14 @@ struct RenderService::Thread {
             if (failed || stopping) {
                 why = failed ? *failed : Error{Code::PictureFailed, "the render service has ended"};
                 replaced = std::move(job);
-            } else if (same != jobs.end()) {
-                why = Error{Code::PictureFailed, "a newer picture took its place"};
-                replaced = std::exchange(*same, std::move(job));
             } else {
-                jobs.insert(placeFor(job), std::move(job));
+                if (yielding && !job.yields) std::atomic_ref(enough).store(true);
+                if (same != jobs.end()) {
+                    why = Error{Code::PictureFailed, "a newer picture took its place"};
+                    replaced = std::exchange(*same, std::move(job));
+                } else {
+                    jobs.insert(placeFor(job), std::move(job));
+                }
             }
         }
         wake.notify_one();
@@ -107,6 +115,7 @@ struct RenderService::Thread {
             refuseAll(studio.error());
             return;
         }
+        studio.value()->endEarlyOn(enough);
         renderer = studio.value()->context().renderer();
         software = studio.value()->context().isSoftware();
         promise.set_value({});
@@ -116,6 +125,8 @@ struct RenderService::Thread {
             if (stopping) break;
             Job job = std::move(jobs.front());
             jobs.pop_front();
+            yielding = job.yields;
+            enough = yielding && std::any_of(jobs.begin(), jobs.end(), [](const Job& other) { return !other.yields; });
             lock.unlock();
             job.work(*studio.value());
             job = {};
@@ -128,12 +139,17 @@ RenderService::RenderService(std::unique_ptr<Thread> thread) : m_thread(std::mov
 
 std::unique_ptr<RenderService> RenderService::startInBackground() {
     auto thread = std::make_unique<Thread>();
-    thread->thread = std::thread([t = thread.get()] { t->run(); });
+    thread->thread = std::thread([t = thread.get()] {
+        letOthersGoFirst(); // with no graphics card pictures take all the processors that there are: a window's own work goes first
+        t->run();
+    });
     return std::unique_ptr<RenderService>(new RenderService(std::move(thread)));
 }
 
 Result<std::unique_ptr<RenderService>> RenderService::start() {
-    std::unique_ptr<RenderService> service = startInBackground();
+    auto thread = std::make_unique<Thread>();
+    thread->thread = std::thread([t = thread.get()] { t->run(); });
+    std::unique_ptr<RenderService> service(new RenderService(std::move(thread)));
     const Status status = service->m_thread->opened.get();
     if (!status) return status.error();
     return service;
@@ -173,15 +189,27 @@ void RenderService::removeScene(SceneId scene) {
 void RenderService::draw(PictureRequest request, ImageDone done) {
     const std::uint64_t stream = request.stream;
     const Rank rank = request.capture ? Rank::Capture : Rank::View;
+    const bool yields = request.yields;
     Job job = jobFor<Image>([request = std::move(request)](Studio& studio) { return studio.draw(request); }, std::move(done));
     job.stream = stream;
     job.rank = rank;
+    job.yields = yields;
     m_thread->post(std::move(job));
 }
 
 std::future<Result<Image>> RenderService::draw(PictureRequest request) {
     auto [done, future] = promised<Image>();
     draw(std::move(request), std::move(done));
+    return std::move(future);
+}
+
+std::future<Result<Measured>> RenderService::measure(PictureRequest request) {
+    auto [done, future] = promised<Measured>();
+    const Rank rank = request.capture ? Rank::Capture : Rank::View;
+    Job job =
+        jobFor<Measured>([request = std::move(request)](Studio& studio) { return studio.measure(request); }, std::move(done));
+    job.rank = rank;
+    m_thread->post(std::move(job));
     return std::move(future);
 }
 

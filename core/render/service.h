@@ -11,6 +11,7 @@
 
 #include "model/experiment_spec.h"
 #include "render/image.h"
+#include "render/measured.h"
 #include "render/outline.h"
 #include "scene/masks.h"
 #include "scene/poses.h"
@@ -33,8 +34,10 @@ struct PictureRequest {
     std::shared_ptr<const BodyPoses> poses; ///< none: start poses
     std::uint64_t stream = 0;               ///< not 0: a newer request of the same stream takes the place of one that still waits
     bool capture = false;                   ///< a simulated camera waits for it: it goes before all views
-    bool wireframe = false;                 ///< robots and statics as lines
-    SceneMarks marks;                       ///< outlined; paths as "robot0/chassis/hull"
+    /// Only a finer picture of what is shown already: it ends, with an Error of no words, as soon as a request waits that is none.
+    bool yields = false;
+    bool wireframe = false; ///< robots and statics as lines
+    SceneMarks marks;       ///< outlined; paths as "robot0/chassis/hull"
     OutlineStyle outline;
     std::vector<std::string> hidden; ///< left out, as the marks by path
 };
@@ -76,6 +79,8 @@ public:
 
     [[nodiscard]] std::future<Result<Image>> draw(PictureRequest request);
     void draw(PictureRequest request, ImageDone done);
+    /// How far away everything is, and what it is, where draw() would give its colour. Mask, samples, marks and lines do not matter.
+    [[nodiscard]] std::future<Result<Measured>> measure(PictureRequest request);
     /// What is nearest below a pixel.
     [[nodiscard]] std::future<Result<Picked>> pick(PickRequest request);
     /// Everything below a pixel, nearest first.

@@ -42,6 +42,8 @@ Studio::~Studio() {
     m_context = nullptr;
 }
 
+void Studio::endEarlyOn(bool& enough) { m_context->getState()->setAbortRenderingPtr(&enough); }
+
 void Studio::add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<const ExperimentSpec> ghosts) {
     Stage stage;
     stage.scene = std::make_unique<Scene>(*experiment, m_shapes, ghosts.get());
@@ -87,7 +89,7 @@ Result<Target*> Studio::target(TargetShape shape) {
     return kept.target.get();
 }
 
-Result<Image> Studio::draw(const PictureRequest& request) {
+Result<Studio::Set> Studio::prepare(const PictureRequest& request, bool data) {
     if (request.width < 1 || request.height < 1 || request.width > kMostPixels || request.height > kMostPixels) {
         return refused("a picture has 1 to " + std::to_string(kMostPixels) + " pixels along each side, not " +
                        std::to_string(request.width) + " x " + std::to_string(request.height));
@@ -99,14 +101,30 @@ Result<Image> Studio::draw(const PictureRequest& request) {
                                 : defaultView(*stage.value()->experiment, request.poses ? *request.poses : stage.value()->start,
                                               request.width, request.height);
     if (!isUsable(view)) return refused("no picture can be taken from this view");
-    const Result<Target*> target = this->target({request.width, request.height, std::clamp(request.samples, 1, m_mostSamples)});
+    const int samples = data ? 1 : std::clamp(request.samples, 1, m_mostSamples);
+    const Result<Target*> target = this->target({request.width, request.height, samples, data});
     if (!target) return target.error();
-    Scene& scene = *stage.value()->scene;
-    scene.setHidden(request.hidden);
+    stage.value()->scene->setHidden(request.hidden);
+    return Set{stage.value(), target.value(), view};
+}
+
+Result<Measured> Studio::measure(const PictureRequest& request) {
+    const Result<Set> set = prepare(request, true);
+    if (!set) return set.error();
+    Scene& scene = *set.value().stage->scene;
+    scene.makeData(*set.value().stage->experiment);
+    scene.followData();
+    return set.value().target->measure(scene, set.value().view, static_cast<unsigned>(++m_uses));
+}
+
+Result<Image> Studio::draw(const PictureRequest& request) {
+    const Result<Set> set = prepare(request, false);
+    if (!set) return set.error();
+    Scene& scene = *set.value().stage->scene;
     scene.setMarks(request.marks);
     scene.setWireframe(request.wireframe);
-    if (request.mask & kMaskCollision) scene.makeCollision(*stage.value()->experiment);
-    return target.value()->draw(scene, view, request.mask, static_cast<unsigned>(++m_uses), request.outline);
+    if (request.mask & kMaskCollision) scene.makeCollision(*set.value().stage->experiment);
+    return set.value().target->draw(scene, set.value().view, request.mask, static_cast<unsigned>(++m_uses), request.outline);
 }
 
 Result<std::vector<Picked>> Studio::pick(const PickRequest& request) {

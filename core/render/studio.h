@@ -18,7 +18,10 @@ public:
     void add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<const ExperimentSpec> ghosts);
     void remove(SceneId id);
     [[nodiscard]] Result<Image> draw(const PictureRequest& request);
+    [[nodiscard]] Result<Measured> measure(const PictureRequest& request);
     [[nodiscard]] Result<std::vector<Picked>> pick(const PickRequest& request);
+    /// A picture that is drawn while `enough` is set, or becomes so, ends with an Error. It outlives this.
+    void endEarlyOn(bool& enough);
     [[nodiscard]] const EglContext& context() const { return *m_egl; }
 
 private:
@@ -30,6 +33,13 @@ private:
     explicit Studio(std::unique_ptr<EglContext> egl);
     [[nodiscard]] Result<Stage*> stage(SceneId id, const std::shared_ptr<const BodyPoses>& poses);
     [[nodiscard]] Result<Target*> target(TargetShape shape);
+    struct Set {
+        Stage* stage;
+        Target* target;
+        CameraView view;
+    };
+    /// Everything in place for a picture.
+    [[nodiscard]] Result<Set> prepare(const PictureRequest& request, bool data);
 
     struct Kept {
         std::unique_ptr<Target> target;

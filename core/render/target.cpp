@@ -6,6 +6,7 @@ namespace trundle {
 namespace {
 
 constexpr double kLeastNear = 0.01, kMostNear = 2.0, kFar = 8000; // m
+constexpr GLenum kDataFormat = 0x8814;                            // four 32-bit floats for each pixel
 
 osg::GLExtensions& gl(GraphicsContext& context) { return *context.getState()->get<osg::GLExtensions>(); }
 
@@ -47,7 +48,7 @@ Status Target::makeBuffers() {
     };
     ext.glGenFramebuffers(1, &m_frame);
     ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_frame);
-    buffer(m_colour, GL_RGBA8, GL_COLOR_ATTACHMENT0, m_shape.samples);
+    buffer(m_colour, m_shape.data ? kDataFormat : GL_RGBA8, GL_COLOR_ATTACHMENT0, m_shape.samples);
     buffer(m_depth, GL_DEPTH24_STENCIL8_EXT, GL_DEPTH_STENCIL_ATTACHMENT, m_shape.samples);
     bool whole = ext.glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
     if (m_shape.samples > 1) {
@@ -111,10 +112,17 @@ Result<Image> Target::draw(Scene& scene, const CameraView& view, std::uint32_t m
     const_cast<osg::FrameStamp*>(m_view->getFrameStamp())->setFrameNumber(frame);
     aim(scene, view);
     pass(scene.root(), mask, {0.5f, 0.5f, 0.5f, 1});
-    Image image{m_shape.width, m_shape.height, readBack(GL_RGB, 3)};
+    const auto endedEarly = [&] {
+        const bool ended = m_context.getState()->getAbortRendering();
+        if (ended) m_view->setSceneData(nullptr);
+        return ended;
+    };
+    if (endedEarly()) return Error{Code::PictureFailed, {}};
+    Image image{m_shape.width, m_shape.height, readBack<std::uint8_t>(GL_RGB, GL_UNSIGNED_BYTE, 3)};
     if (scene.marks().getBound().valid()) {
         pass(scene.marks(), ~0u, {0, 0, 0, 0});
-        drawOutlines(image, readBack(GL_RGBA, 4), outline);
+        if (endedEarly()) return Error{Code::PictureFailed, {}}; // it would be the picture of nothing selected
+        drawOutlines(image, readBack<std::uint8_t>(GL_RGBA, GL_UNSIGNED_BYTE, 4), outline);
     }
     m_view->setSceneData(nullptr);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
@@ -122,7 +130,26 @@ Result<Image> Target::draw(Scene& scene, const CameraView& view, std::uint32_t m
     return image;
 }
 
-std::vector<std::uint8_t> Target::readBack(GLenum format, std::size_t bytes) {
+Result<Measured> Target::measure(Scene& scene, const CameraView& view, unsigned frame) {
+    const_cast<osg::FrameStamp*>(m_view->getFrameStamp())->setFrameNumber(frame);
+    aim(scene, view);
+    pass(scene.root(), kMaskData, {0, 0, 0, 0});
+    const std::vector<float> values = readBack<float>(GL_RGBA, GL_FLOAT, 4);
+    m_view->setSceneData(nullptr);
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+        return Error{Code::PictureFailed, "OpenGL reports error " + std::to_string(error)};
+    Measured measured{m_shape.width, m_shape.height, {}, {}};
+    const std::size_t count = values.size() / 4;
+    measured.depth.resize(count);
+    measured.objects.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        measured.objects[i] = static_cast<std::uint32_t>(std::lround(values[4 * i + 1]));
+        measured.depth[i] = measured.objects[i] ? values[4 * i] : std::numeric_limits<float>::infinity();
+    }
+    return measured;
+}
+
+template <class Value> std::vector<Value> Target::readBack(GLenum format, GLenum type, std::size_t count) {
     osg::GLExtensions& ext = gl(m_context);
     const auto width = GLsizei(m_shape.width), height = GLsizei(m_shape.height);
     if (m_resolvedFrame) {
@@ -131,10 +158,10 @@ std::vector<std::uint8_t> Target::readBack(GLenum format, std::size_t bytes) {
         ext.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         ext.glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_resolvedFrame);
     }
-    const std::size_t row = std::size_t(m_shape.width) * bytes;
-    std::vector<std::uint8_t> pixels(row * m_shape.height);
+    const std::size_t row = std::size_t(m_shape.width) * count;
+    std::vector<Value> pixels(row * m_shape.height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width, height, format, GL_UNSIGNED_BYTE, pixels.data());
+    glReadPixels(0, 0, width, height, format, type, pixels.data());
     // OpenGL counts rows from the bottom.
     for (std::size_t y = 0; y < m_shape.height / 2; ++y) {
         const auto top = pixels.begin() + std::ptrdiff_t(y * row),

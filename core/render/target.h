@@ -7,6 +7,7 @@
 
 #include "render/graphics_context.h"
 #include "render/image.h"
+#include "render/measured.h"
 #include "render/outline.h"
 #include "scene/scene.h"
 
@@ -15,7 +16,8 @@ namespace trundle {
 /// How a target is made; one of each is kept and used again.
 struct TargetShape {
     std::uint32_t width = 0, height = 0;
-    int samples = 1; ///< per pixel
+    int samples = 1;   ///< per pixel
+    bool data = false; ///< numbers in place of colours
     auto operator<=>(const TargetShape&) const = default;
 };
 
@@ -30,14 +32,16 @@ public:
     /// Marked objects get an outline, in front of whatever hides them.
     [[nodiscard]] Result<Image> draw(Scene& scene, const CameraView& view, std::uint32_t mask, unsigned frame,
                                      const OutlineStyle& outline = {});
+    /// Of a target for data, and of a scene with it.
+    [[nodiscard]] Result<Measured> measure(Scene& scene, const CameraView& view, unsigned frame);
 
 private:
     Target(GraphicsContext& context, TargetShape shape);
     [[nodiscard]] Status makeBuffers();
     void aim(const Scene& scene, const CameraView& view);
     void pass(osg::Group& root, std::uint32_t mask, const osg::Vec4& background);
-    /// Rows from the top, each pixel of so many bytes.
-    [[nodiscard]] std::vector<std::uint8_t> readBack(GLenum format, std::size_t bytes);
+    /// Rows from the top, each pixel of so many values.
+    template <class Value> [[nodiscard]] std::vector<Value> readBack(GLenum format, GLenum type, std::size_t values);
 
     GraphicsContext& m_context;
     TargetShape m_shape;

@@ -15,11 +15,26 @@ namespace {
 constexpr std::size_t kMostControllerErrors = 20; // a swarm of one broken controller says it once, ten kinds ten times
 constexpr std::size_t kMostControllerLogs = 1000;
 
+/// Says whose turn it is, as long as it lasts.
+class Turn {
+public:
+    Turn(const RunOptions& options, std::size_t robot) : m_turn(options.turn.get()) { say(robot + 1); }
+    ~Turn() { say(0); }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+private:
+    void say(std::size_t whose) {
+        if (m_turn) m_turn->store(static_cast<std::uint32_t>(whose), std::memory_order_relaxed);
+    }
+    std::atomic<std::uint32_t>* m_turn;
+};
+
 } // namespace
 
 ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
-    : m_options(std::move(options)), m_world(std::move(world)), m_folder(m_options.logFolder),
-      m_tellsDropped(1, m_world->experiment().settings.tick) {
+    : m_options(std::move(options)), m_world(std::move(world)), m_cameras(*m_world, m_options.pictures),
+      m_folder(m_options.logFolder), m_tellsDropped(1, m_world->experiment().settings.tick) {
     (void)m_tellsDropped.due(0);
     m_world->setDeviceText(
         [this](const std::string& device, int severity, const std::string& text) { say(device, severity, text); });
@@ -80,6 +95,8 @@ ControllerOutlet ExperimentRunner::outletFor(const RobotSpec& robot) {
         if (log >= 0 && static_cast<std::size_t>(log) < m_controllerLogs.size())
             m_controllerLogs[static_cast<std::size_t>(log)]->write(bytes);
     };
+    addCameras(outlet, robot.name);
+    outlet.medium = m_world->medium();
     return outlet;
 }
 
@@ -99,6 +116,7 @@ void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnost
         }
         m_controllers.push_back(
             {i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick)});
+        const Turn turn(m_options, i);
         const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outletFor(robots[i]));
         if (!started) report(started.error(), spec);
     }
@@ -116,6 +134,7 @@ void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
                 diagnostics.error(file.error().code, spec.nameRange, file.error().message);
             continue;
         }
+        log->usePictures([this](const PictureWish& wish, const std::string& name) { return savePicture(wish, name); });
         m_rows.clear();
         log->header(m_rows);
         file.value()->write(m_rows);
@@ -183,6 +202,7 @@ Status ExperimentRunner::think() {
         const double sinceLast = controller.called ? time - controller.lastTime : 0;
         controller.lastTime = time;
         controller.called = true;
+        const Turn turn(m_options, controller.robot);
         const Status done = controller.backend->tick(tick, time, sinceLast);
         if (!done) return fail(done.error(), experiment().robots[controller.robot].controller->nameRange);
     }
@@ -213,15 +233,23 @@ Status ExperimentRunner::tick() {
         const Fault* fault = m_world->fault();
         return fail(done.error(), fault ? fault->range : SourceRange{});
     }
+    m_cameras.afterTick();
     if (!m_toldCluster && m_world->largestExactCluster() > 0) warnOfCluster();
     if (m_tellsDropped.due(m_world->ticks())) tellDropped();
     return writeLogs();
 }
 
+void ExperimentRunner::flushLogs() {
+    for (const auto& file : m_folder.files()) file->flush();
+}
+
 Status ExperimentRunner::finish() {
     if (m_finished) return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
     m_finished = true;
-    for (Controller& controller : m_controllers) controller.backend->stop();
+    for (Controller& controller : m_controllers) {
+        const Turn turn(m_options, controller.robot);
+        controller.backend->stop();
+    }
     tellDropped();
     for (const auto& file : m_folder.files())
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});

@@ -25,8 +25,10 @@ public:
     const std::vector<Command>& commands() const override { return m_commands; }
     const std::vector<Diagnostic>& warnings() const override { return m_warnings; }
     const Diagnostic* failure() const override { return m_failure ? &*m_failure : nullptr; }
+    void flushLogs() override;
     Status finish() override;
     World& world() override { return *m_world; }
+    CameraDesk& cameras() override { return m_cameras; }
     std::vector<std::string> logFiles() const override;
 
 private:
@@ -46,6 +48,11 @@ private:
 
     const ExperimentSpec& experiment() const { return m_world->experiment(); }
     ControllerOutlet outletFor(const RobotSpec& robot);
+    void addCameras(ControllerOutlet& outlet, const std::string& robot);
+    [[nodiscard]] Status savePicture(const std::string& camera, const std::string& fileName);
+    [[nodiscard]] Status savePicture(const PictureWish& wish, const std::string& fileName);
+    [[nodiscard]] Status writePicture(const Result<std::string>& bytes, const std::string& fileName);
+    void warnOfGraphics(const Error& error);
     void say(const std::string& who, int severity, const std::string& text);
     void tellDropped();
     void warnOfCluster();
@@ -63,7 +70,8 @@ private:
     RunOptions m_options;
     ConsoleLimit m_console;
     std::unique_ptr<World> m_world; // before the controllers, which hold on to its block
-    LogFolder m_folder;             // before them too: they write into it
+    CameraDesk m_cameras;
+    LogFolder m_folder; // before them too: they write into it
     std::vector<Controller> m_controllers;
     std::vector<OpenLog> m_logs;
     std::vector<LogFile*> m_controllerLogs; // by the number a controller was given
@@ -73,7 +81,8 @@ private:
     std::optional<Diagnostic> m_failure;
     Schedule m_tellsDropped; // once a second
     std::string m_rows;
-    bool m_toldCluster = false;
+    std::size_t m_pictures = 0; // saved
+    bool m_toldCluster = false, m_toldGraphics = false;
     bool m_finished = false;
 };
 

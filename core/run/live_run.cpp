@@ -176,4 +176,9 @@ double LiveRun::busyS() const {
     return m_shared->busySince ? std::chrono::duration<double>(LiveClock::now() - *m_shared->busySince).count() : 0;
 }
 
+std::optional<std::size_t> LiveRun::turn() const {
+    const std::uint32_t whose = m_shared->turn->load(std::memory_order_relaxed);
+    return whose > 0 ? std::optional<std::size_t>(whose - 1) : std::nullopt;
+}
+
 } // namespace trundle

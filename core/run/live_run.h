@@ -120,6 +120,8 @@ public:
     [[nodiscard]] std::vector<Command> commands() const;
     /// Wall s that the thread has been busy with one tick (or with building); 0 while it waits.
     [[nodiscard]] double busyS() const;
+    /// Robot whose controller has its turn now, by its place in the experiment.
+    [[nodiscard]] std::optional<std::size_t> turn() const;
 
 private:
     friend class LiveThread;

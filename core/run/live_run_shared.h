@@ -38,6 +38,9 @@ struct LiveRun::Shared {
     std::vector<Command> stamped;
     std::optional<LiveClock::time_point> busySince;
 
+    /// Written by the runner.
+    std::shared_ptr<std::atomic<std::uint32_t>> turn = std::make_shared<std::atomic<std::uint32_t>>(0);
+
     std::thread thread; ///< touched by the owner only
 };
 

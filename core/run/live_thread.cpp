@@ -7,7 +7,8 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostLines = 10'000; // that nobody fetched yet
+constexpr std::size_t kMostLines = 10'000;          // that nobody fetched yet
+constexpr std::chrono::milliseconds kFlushGap(200); // so much of the logs is lost at most where the program ends in the middle
 
 std::shared_ptr<const std::vector<LiveContact>> copied(const std::vector<WorldContact>& contacts) {
     auto list = std::make_shared<std::vector<LiveContact>>();
@@ -66,6 +67,7 @@ void LiveThread::say(LiveLine line) {
 void LiveThread::build(const RunnerMaker& maker) {
     RunOptions options;
     options.logFolder = m_logFolder;
+    options.turn = m_shared->turn;
     // The runner outlives neither this object nor its thread.
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         say({time, who, severity, text});
@@ -158,6 +160,10 @@ LiveThread::Next LiveThread::awaitNext() {
 bool LiveThread::tick() {
     for (auto& what : std::exchange(m_commands, {})) m_runner->command(std::move(what));
     const LiveClock::time_point before = LiveClock::now();
+    if (before - m_flushed >= kFlushGap) {
+        m_runner->flushLogs();
+        m_flushed = before;
+    }
     const bool good = m_runner->tick().ok();
     const LiveClock::time_point after = LiveClock::now();
     m_meter.ticked(after - before);
@@ -217,6 +223,7 @@ void LiveThread::publish(bool stands) {
         contacts = m_shared->contacts;
     }
     auto shot = look(stands, contacts);
+    if (stands) m_runner->flushLogs(); // who pauses may want to read them
     {
         const std::scoped_lock guard(m_shared->lock);
         m_shared->snapshot = std::move(shot);

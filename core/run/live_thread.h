@@ -42,7 +42,8 @@ private:
     std::chrono::milliseconds m_patience{0};
     std::string m_logFolder;
     std::unique_ptr<Runner> m_runner;
-    std::uint64_t m_ticks = 0; ///< of the whole run; 0: until stopped
+    std::uint64_t m_ticks = 0;       ///< of the whole run; 0: until stopped
+    LiveClock::time_point m_flushed; // when logs were
     LivePace m_pace;
     LiveMeter m_meter;
     std::vector<decltype(Command::what)> m_commands;

@@ -1,6 +1,7 @@
 #pragma once
 // A log of an experiment: a CSV file with a row, or some rows, at the initial state and every `Interval`.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,9 +21,18 @@ struct LogSettings {
     std::optional<std::string> file; ///< in the log folder; none: "<name>.csv"
 };
 
+/// A picture that a log asks for.
+struct PictureWish {
+    std::string camera, view; ///< both empty: everything
+    std::uint32_t width = 0, height = 0;
+};
+using PictureSaver = std::function<Status(const PictureWish&, const std::string& fileName)>;
+
 class Log {
 public:
     virtual ~Log() = default;
+    /// Called before anything else.
+    virtual void usePictures(PictureSaver) {}
     /// The header row, then rows of the state that the world stands in.
     virtual void header(std::string& csv) const = 0;
     virtual void rows(const World& world, double time, std::string& csv) = 0;
@@ -55,6 +65,9 @@ template <class T> void describeLogSettings(Describe<T>& d) {
 std::unique_ptr<Log> makePoseLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 std::unique_ptr<Log> makeSignalLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 std::unique_ptr<Log> makeContactLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<Log> makeFrameLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 std::unique_ptr<Log> makeEnergyLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<Log> makeRadioLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
+std::unique_ptr<Log> makeLinkMatrix(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -95,6 +95,8 @@ Status LogFile::close() {
         errno = 0;
         if (std::fclose(m_file) != 0) fail(errno);
         m_file = nullptr;
+        m_buffer.clear(); // a run may write thousands of pictures
+        m_buffer.shrink_to_fit();
     }
     return m_failure ? Status(*m_failure) : Status();
 }

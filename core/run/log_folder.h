@@ -21,6 +21,7 @@ public:
     LogFile& operator=(const LogFile&) = delete;
 
     void write(std::string_view bytes);
+    void flush();
     /// Flushes and closes. Gives the first failure of its whole life.
     Status close();
 
@@ -29,7 +30,6 @@ public:
     [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
 
 private:
-    void flush();
     void fail(int errorNumber);
 
     std::string m_name, m_path, m_buffer;

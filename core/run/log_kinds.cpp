@@ -18,10 +18,10 @@ struct LogKind {
 template <class T> Kind logKind(std::string name) { return kindOf<T>(std::move(name), Role::Log, {""}, true); }
 
 constexpr LogKind kLogKinds[] = {
-    {"PoseLog", logKind<PoseLogSettings>, makePoseLog},
-    {"SignalLog", logKind<SignalLogSettings>, makeSignalLog},
-    {"ContactLog", logKind<ContactLogSettings>, makeContactLog},
-    {"EnergyLog", logKind<EnergyLogSettings>, makeEnergyLog},
+    {"PoseLog", logKind<PoseLogSettings>, makePoseLog},          {"SignalLog", logKind<SignalLogSettings>, makeSignalLog},
+    {"ContactLog", logKind<ContactLogSettings>, makeContactLog}, {"EnergyLog", logKind<EnergyLogSettings>, makeEnergyLog},
+    {"FrameLog", logKind<FrameLogSettings>, makeFrameLog},       {"RadioLog", logKind<RadioLogSettings>, makeRadioLog},
+    {"LinkMatrix", logKind<LinkMatrixSettings>, makeLinkMatrix},
 };
 
 } // namespace
@@ -38,7 +38,9 @@ std::unique_ptr<Log> makeLog(const ComponentSpec& spec, const World& world, Diag
     return nullptr; // a kind of log that no table knows cannot come out of the resolver
 }
 
-std::string logFileName(const ComponentSpec& spec) { return spec.text("File", spec.name + ".csv"); }
+std::string logFileName(const ComponentSpec& spec) {
+    return spec.text("File", spec.name + (spec.text("Format") == "pcap" ? ".pcap" : ".csv"));
+}
 
 void checkLogs(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
     std::map<std::string, const ComponentSpec*> writers;

@@ -6,7 +6,7 @@
 
 namespace trundle {
 
-/// Adds PoseLog, SignalLog, ContactLog and EnergyLog.
+/// Adds PoseLog, SignalLog, ContactLog, EnergyLog, RadioLog and LinkMatrix.
 [[nodiscard]] Status addLogKinds(Registry& registry);
 
 /// The log that a spec asks for; nullptr with a diagnostic where it cannot be had.

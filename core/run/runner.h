@@ -1,6 +1,7 @@
 #pragma once
 // Runs one experiment: world, controllers, commands, logs, in tick order. Owns no thread: the caller's loop is the clock.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "base/diagnostic.h"
 #include "base/result.h"
 #include "control/backend.h"
+#include "run/camera_desk.h"
 #include "run/command.h"
 #include "world/world.h"
 
@@ -21,6 +23,9 @@ using BackendFactory =
 struct RunOptions {
     std::string logFolder; ///< this run's own files in it are replaced; nothing is written outside it. Empty: no logs
     std::function<void(double time, const std::string& robot, int severity, const std::string& text)> console;
+    FrameSourceMaker pictures; ///< none: cameras take no pictures
+    /// Robot whose controller has its turn, by its place in the experiment, plus one; 0: none has. For who watches from elsewhere.
+    std::shared_ptr<std::atomic<std::uint32_t>> turn;
     std::shared_ptr<void> keeps; ///< let go when controllers and devices are gone: the libraries that their code is in
 };
 
@@ -41,10 +46,13 @@ public:
     [[nodiscard]] virtual const std::vector<Diagnostic>& warnings() const = 0;
     /// What ended the run early, with its place; nullptr while all is well. Set by a tick() or finish() that failed.
     [[nodiscard]] virtual const Diagnostic* failure() const = 0;
+    /// Gives what the logs hold to the system: it is kept then, whatever becomes of this program.
+    virtual void flushLogs() = 0;
     /// Stops the controllers, flushes and closes logs; also done by the destructor.
     virtual Status finish() = 0;
 
     [[nodiscard]] virtual World& world() = 0;
+    [[nodiscard]] virtual CameraDesk& cameras() = 0;
     /// Files written, in order.
     [[nodiscard]] virtual std::vector<std::string> logFiles() const = 0;
 };

@@ -15,8 +15,15 @@ std::vector<FloorPlane> floorPlanes(const ExperimentSpec& experiment) {
         if (!fixed.geoms) continue;
         for (const GeomSpec& geom : *fixed.geoms) {
             if (geom.shape != GeomShape::Plane || !geom.visible) continue;
-            FloorPlane floor{fixed.pose * geom.pose, {0.6, 0.6, 0.6}, fixed.name + "/" + geom.name};
-            if (geom.material < experiment.materials.size()) floor.colour = experiment.materials[geom.material].colour;
+            FloorPlane floor;
+            floor.pose = fixed.pose * geom.pose;
+            floor.path = fixed.name + "/" + geom.name;
+            if (geom.material < experiment.materials.size()) {
+                const MaterialSpec& material = experiment.materials[geom.material];
+                floor.colour = material.colour;
+                floor.picture = material.picture;
+                floor.pictureScale = material.textureScale;
+            }
             if (!floor.pose.position.allFinite() || !floor.pose.rotation.coeffs().allFinite() || floor.pose.position.norm() > 1e6)
                 continue;
             const bool known = std::any_of(floors.begin(), floors.end(), [&](const FloorPlane& other) {
@@ -39,7 +46,7 @@ std::optional<std::size_t> levelFloor(const std::vector<FloorPlane>& floors) {
 }
 
 osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, const Bounds& about, double reach,
-                                      const Look& look) {
+                                      const Look& look, Pictures& pictures, const Lighting& lighting) {
     // The quad keeps the plane's own frame, so that the lines of the grid stand where the text says the plane is.
     const Vec3 middle = about.empty() ? floor.pose.position : about.centre();
     const Vec3 local = floor.pose.inverse() * middle;
@@ -51,15 +58,22 @@ osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, c
     quad->setUseDisplayList(false);
     quad->setUseVertexBufferObjects(true);
     quad->setVertexArray(points);
+    quad->setTexCoordArray(kLayerUnit, new osg::FloatArray(4), osg::Array::BIND_PER_VERTEX);
     quad->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 4));
 
     osg::StateSet* state = quad->getOrCreateStateSet();
-    state->setAttributeAndModes(look.floor);
+    state->setAttributeAndModes(floor.picture ? look.picturedFloor : look.floor);
+    if (floor.picture) {
+        state->setTextureAttribute(kPictureUnit, pictures.textureOf(floor.picture));
+        state->addUniform(new osg::Uniform("picture", int(kPictureUnit)));
+        state->addUniform(new osg::Uniform("pictureScale", static_cast<float>(floor.pictureScale)));
+    }
     const auto share = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
     state->addUniform(
         new osg::Uniform("floorColour", osg::Vec3(share(floor.colour[0]), share(floor.colour[1]), share(floor.colour[2]))));
     const Vec3 n = floor.normal();
-    state->addUniform(new osg::Uniform("floorLight", lightOn(osg::Vec3(n.x(), n.y(), n.z()))));
+    state->addUniform(new osg::Uniform("floorLight", lighting.on(osg::Vec3(n.x(), n.y(), n.z()))));
+    state->addUniform(new osg::Uniform("floorNormal", osg::Vec3(n.x(), n.y(), n.z())));
     // Whatever lies in the plane of a floor is seen, not the floor.
     state->setAttributeAndModes(new osg::PolygonOffset(1.f + index, 2.f + index));
     osg::ref_ptr<osg::Stencil> mark = new osg::Stencil;

@@ -10,7 +10,48 @@ constexpr double kWholeRoom = 20, kSurroundings = 7;
 
 Bounds shownBounds(const GeomSpec& geom, const Pose& owner) { return geom.visible ? boundsOf(geom, owner) : Bounds{}; }
 
+Vec3 placeFrom(const ComponentSpec& spec, std::string_view key, const Vec3& otherwise) {
+    const ResolvedValue* value = spec.find(key);
+    return value && value->value.numbers.size() == 3 ? Vec3(value->value.numbers.data()) : otherwise;
+}
+
+/// Where the frame that a view is written in stands: the world's, a robot's origin, or that and its heading.
+Pose carrierOf(const ComponentSpec& view, const ExperimentSpec& experiment, const BodyPoses& poses) {
+    const std::string mode = view.text("Mode"), name = view.text("Robot");
+    std::size_t first = 0;
+    for (const RobotSpec& robot : experiment.robots) {
+        if (!robot.config) continue;
+        if (robot.name == name && mode != "fixed" && first < poses.size() && !robot.config->bodies.empty()) {
+            const Pose frame = poses[first] * robot.config->bodies[0].pose.inverse();
+            const double heading = hprFromRotation(frame.rotation).x();
+            return {frame.position, rotationFromHpr({mode == "chase" ? heading : 0.0, 0, 0})};
+        }
+        first += robot.config->bodies.size();
+    }
+    return {};
+}
+
 } // namespace
+
+std::optional<CameraView> namedView(const ExperimentSpec& experiment, std::string_view name, const BodyPoses& poses) {
+    for (const ComponentSpec& spec : experiment.looks) {
+        if (spec.kind != "View" || spec.name != name) continue;
+        const Pose carrier = carrierOf(spec, experiment, poses);
+        CameraView view;
+        view.eye = carrier * placeFrom(spec, "Eye", view.eye);
+        view.target = carrier * placeFrom(spec, "Target", view.target);
+        view.fieldOfView = spec.number("FieldOfView", view.fieldOfView);
+        return view;
+    }
+    return std::nullopt;
+}
+
+std::string viewNames(const ExperimentSpec& experiment) {
+    std::string names;
+    for (const ComponentSpec& spec : experiment.looks)
+        if (spec.kind == "View" && names.size() < 200) names += (names.empty() ? "" : ", ") + spec.name;
+    return names;
+}
 
 CameraView defaultView(const ExperimentSpec& experiment, const BodyPoses& poses, std::uint32_t width, std::uint32_t height) {
     Bounds robots, statics;

@@ -1,11 +1,20 @@
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "model/experiment_spec.h"
 #include "scene/poses.h"
 #include "scene/view.h"
 
 namespace trundle {
+
+/// The View of that name in the experiment's text, while everything stands at these poses. Nothing where there is none.
+[[nodiscard]] std::optional<CameraView> namedView(const ExperimentSpec& experiment, std::string_view name,
+                                                  const BodyPoses& poses);
+/// "top, side": the names of the experiment's Views.
+[[nodiscard]] std::string viewNames(const ExperimentSpec& experiment);
 
 /// A good picture of an experiment where nobody said from where: all robots, and of the statics what is near them.
 [[nodiscard]] CameraView defaultView(const ExperimentSpec& experiment, const BodyPoses& poses, std::uint32_t width,

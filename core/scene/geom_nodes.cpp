@@ -2,6 +2,7 @@
 
 #include <osg/LOD>
 
+#include "scene/picture_map.h"
 #include "scene/shape_mesh.h"
 
 namespace trundle {
@@ -9,7 +10,6 @@ namespace {
 
 constexpr float kFinePixels = 170, kCoarsePixels = 34; // size on screen (diameter) where another degree of detail takes over
 constexpr Fineness kFine{36, true}, kMiddle{18, true}, kCoarse{10, false};
-constexpr std::uint32_t kLayers = 4; // coplanar faces of neighbouring geoms are told apart by their order
 
 /// A drawable in the making.
 struct Batch {
@@ -19,6 +19,7 @@ struct Batch {
     osg::ref_ptr<osg::FloatArray> layers = new osg::FloatArray;
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     osg::ref_ptr<GeomRanges> ranges = new GeomRanges;
+    osg::ref_ptr<osg::Vec2Array> onPicture = new osg::Vec2Array; // empty, or of every point
 
     void add(const GeomSpec& geom, std::uint32_t index, const ShapeMesh& mesh, const MaterialSpec& material);
     [[nodiscard]] osg::ref_ptr<osg::Geometry> finish(osg::StateSet* state) const;
@@ -34,6 +35,17 @@ const MaterialSpec& placeholderMaterial() {
         return m;
     }();
     return material;
+}
+
+/// Each triangle with corners of its own, since neighbours may lie on different parts of the picture.
+ShapeMesh apart(const ShapeMesh& mesh) {
+    ShapeMesh result;
+    for (const std::uint32_t i : mesh.indices) {
+        result.indices.push_back(static_cast<std::uint32_t>(result.points.size()));
+        result.points.push_back(mesh.points[i]);
+        result.normals.push_back(mesh.normals[i]);
+    }
+    return result;
 }
 
 void Batch::add(const GeomSpec& geom, std::uint32_t index, const ShapeMesh& mesh, const MaterialSpec& material) {
@@ -52,7 +64,7 @@ void Batch::add(const GeomSpec& geom, std::uint32_t index, const ShapeMesh& mesh
         normals->push_back(osg::Vec3(n.x(), n.y(), n.z()));
         colours->push_back(colour);
         glow->push_back(light);
-        layers->push_back(static_cast<float>(index % kLayers));
+        layers->push_back(static_cast<float>(index));
     }
     for (const std::uint32_t i : mesh.indices) triangles->push_back(first + i);
 }
@@ -67,6 +79,7 @@ osg::ref_ptr<osg::Geometry> Batch::finish(osg::StateSet* state) const {
     geometry->setColorArray(colours, osg::Array::BIND_PER_VERTEX);
     geometry->setTexCoordArray(kGlowUnit, glow, osg::Array::BIND_PER_VERTEX);
     geometry->setTexCoordArray(kLayerUnit, layers, osg::Array::BIND_PER_VERTEX);
+    if (!onPicture->empty()) geometry->setTexCoordArray(kPictureUnit, onPicture, osg::Array::BIND_PER_VERTEX);
     geometry->addPrimitiveSet(triangles);
     geometry->setStateSet(state);
     geometry->setUserData(ranges);
@@ -92,11 +105,43 @@ osg::ref_ptr<osg::Geometry> merged(std::span<const GeomSpec> geoms, const std::v
         const MaterialSpec& material = isPlaceholder(geom)                ? placeholderMaterial()
                                        : geom.material < materials.size() ? materials[geom.material]
                                                                           : kPlain;
-        if (!wanted(geom, material.opacity < 1)) continue;
+        if (!wanted(geom, material)) continue;
         const ShapeMesh mesh = shapeOf(geom, fineness);
-        if (!mesh.indices.empty()) batch.add(geom, i, mesh, material);
+        if (mesh.indices.empty()) continue;
+        if (!material.picture) {
+            batch.add(geom, i, mesh, material);
+            continue;
+        }
+        batch.add(geom, i, apart(mesh), material);
+        const PictureMap map = pictureMapOf(material.textureMap, geom.shape);
+        for (const Eigen::Vector2f& at : pictureCoordinates(mesh, map, material.textureScale))
+            batch.onPicture->push_back(osg::Vec2(at.x(), at.y()));
     }
     return batch.points->empty() ? nullptr : batch.finish(state);
+}
+
+/// Three degrees of detail, where there is anything.
+template <class Make> void addDetail(osg::Group& group, Make make) {
+    const osg::ref_ptr<osg::Geometry> fine = make(kFine);
+    if (!fine) return;
+    osg::ref_ptr<osg::LOD> detail = new osg::LOD;
+    detail->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
+    detail->addChild(fine, kFinePixels, 1e9f);
+    detail->addChild(make(kMiddle), kCoarsePixels, kFinePixels);
+    detail->addChild(make(kCoarse), 0, kCoarsePixels);
+    group.addChild(detail);
+}
+
+/// Each picture once, in the order of the geoms, and whether one can see through what it is on.
+std::vector<std::pair<std::shared_ptr<const Raster>, bool>> picturesOf(std::span<const GeomSpec> geoms,
+                                                                       const std::vector<MaterialSpec>& materials) {
+    std::vector<std::pair<std::shared_ptr<const Raster>, bool>> all;
+    for (const GeomSpec& geom : geoms) {
+        if (geom.material >= materials.size() || !materials[geom.material].picture) continue;
+        const std::pair next(materials[geom.material].picture, materials[geom.material].opacity < 1);
+        if (std::find(all.begin(), all.end(), next) == all.end()) all.push_back(next);
+    }
+    return all;
 }
 
 osg::ref_ptr<osg::Geometry> partOf(const osg::Geometry& whole, const std::function<bool(std::uint32_t)>& keep) {
@@ -125,35 +170,37 @@ std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
 }
 
 osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
-                                      const Look& look) {
+                                      const Look& look, Pictures& pictures) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     osg::ref_ptr<GeomNames> names = new GeomNames;
     for (const GeomSpec& geom : geoms) names->names.push_back(geom.name);
     group->setUserData(names);
-    const auto shapes = [&](Fineness fineness) {
+    const auto isClear = [](const MaterialSpec& m) { return m.opacity < 1; };
+    addDetail(*group, [&](Fineness fineness) {
         return merged(geoms, materials, fineness, look.bodies,
-                      [](const GeomSpec& g, bool clear) { return !clear && isRound(g); });
-    };
-    if (const osg::ref_ptr<osg::Geometry> fine = shapes(kFine)) {
-        osg::ref_ptr<osg::LOD> detail = new osg::LOD;
-        detail->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
-        detail->addChild(fine, kFinePixels, 1e9f);
-        detail->addChild(shapes(kMiddle), kCoarsePixels, kFinePixels);
-        detail->addChild(shapes(kCoarse), 0, kCoarsePixels);
-        group->addChild(detail);
-    }
+                      [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && isRound(g); });
+    });
     const osg::ref_ptr<osg::Geometry> surfaces =
-        merged(geoms, materials, kFine, look.surfaces, [](const GeomSpec& g, bool clear) { return !clear && !isRound(g); });
+        merged(geoms, materials, kFine, look.surfaces,
+               [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && !isRound(g); });
     if (surfaces) group->addChild(surfaces);
-    const osg::ref_ptr<osg::Geometry> clear =
-        merged(geoms, materials, kFine, look.clear, [](const GeomSpec&, bool isClear) { return isClear; });
+    const osg::ref_ptr<osg::Geometry> clear = merged(
+        geoms, materials, kFine, look.clear, [&](const GeomSpec&, const MaterialSpec& m) { return !m.picture && isClear(m); });
     if (clear) group->addChild(clear);
+    for (const auto& [picture, clearOnes] : picturesOf(geoms, materials)) {
+        const osg::ref_ptr<osg::StateSet> state = pictures.stateFor(picture, clearOnes, look);
+        addDetail(*group, [&](Fineness fineness) {
+            return merged(geoms, materials, fineness, state, [&](const GeomSpec&, const MaterialSpec& m) {
+                return m.picture == picture && isClear(m) == clearOnes;
+            });
+        });
+    }
     return group;
 }
 
 osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
-    if (const auto lines = merged(geoms, {}, kCoarse, nullptr, [](const GeomSpec&, bool) { return true; }))
+    if (const auto lines = merged(geoms, {}, kCoarse, nullptr, [](const GeomSpec&, const MaterialSpec&) { return true; }))
         group->addChild(lines);
     return group;
 }

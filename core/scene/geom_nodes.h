@@ -15,6 +15,7 @@
 
 #include "model/experiment_spec.h"
 #include "scene/look.h"
+#include "scene/pictures.h"
 
 namespace trundle {
 
@@ -35,7 +36,7 @@ struct GeomNames : osg::Referenced {
 /// Shared by every body, in any robot, that has these geoms. Empty group where none is visible.
 /// Planes are left out: they are floors.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
-                                                    const Look& look);
+                                                    const Look& look, Pictures& pictures);
 /// The same geoms without a look of their own and coarse, for lines.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms);
 

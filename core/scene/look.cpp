@@ -5,28 +5,15 @@
 #include <osg/Depth>
 #include <osg/PolygonMode>
 
-#include <cstdio>
-
 #include "scene/shaders.h"
+#include "scene/surroundings_shaders.h"
 
 namespace trundle {
 namespace {
 
-const osg::Vec3 kSunLight(0.98f, 0.94f, 0.86f), kSkyLight(0.36f, 0.395f, 0.45f), kGroundLight(0.19f, 0.185f, 0.18f);
+std::string withHeader(const std::string& source) { return "#version 130\n" + std::string(shaders::kLight) + source; }
 
-std::string constant(const char* name, const osg::Vec3& v) {
-    char text[128];
-    std::snprintf(text, sizeof text, "const vec3 %s = vec3(%.7f, %.7f, %.7f);\n", name, double(v.x()), double(v.y()),
-                  double(v.z()));
-    return text;
-}
-
-std::string withHeader(const char* source) {
-    return "#version 130\n" + constant("kSun", sunDirection()) + constant("kSunLight", kSunLight) +
-           constant("kSkyLight", kSkyLight) + constant("kGroundLight", kGroundLight) + shaders::kLight + source;
-}
-
-osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const char* fragment) {
+osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const std::string& fragment) {
     osg::ref_ptr<osg::Program> result = new osg::Program;
     result->setName(name);
     result->addShader(new osg::Shader(osg::Shader::VERTEX, "#version 130\n" + std::string(vertex)));
@@ -36,28 +23,15 @@ osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const c
 
 } // namespace
 
-osg::Vec3 sunDirection() {
-    osg::Vec3 sun(-0.52f, -0.30f, 0.80f);
-    sun.normalize();
-    return sun;
-}
-
-osg::Vec3 lightOn(const osg::Vec3& normal) {
-    const float up = 0.5f + 0.5f * normal.z();
-    return kGroundLight * (1 - up) + kSkyLight * up + kSunLight * std::max(0.f, normal * sunDirection());
-}
-
-float sunShare(const osg::Vec3& normal) {
-    const osg::Vec3 sun = kSunLight * std::max(0.f, normal * sunDirection()), all = lightOn(normal);
-    return (sun.x() + sun.y() + sun.z()) / (all.x() + all.y() + all.z());
-}
-
 Look::Look()
     : bodies(new osg::StateSet), surfaces(new osg::StateSet), clear(new osg::StateSet), sky(new osg::StateSet),
       ghosts(new osg::StateSet), collision(new osg::StateSet),
       floor(program("floor", shaders::kFloorVertex, shaders::kFloorFragment)),
       shadow(program("shadow", shaders::kShadowVertex, shaders::kShadowFragment)),
-      flat(program("flat", shaders::kFlatVertex, shaders::kFlatFragment)) {
+      flat(program("flat", shaders::kFlatVertex, shaders::kFlatFragment)),
+      data(program("data", shaders::kDataVertex, shaders::kDataFragment)),
+      pictured(program("pictured", shaders::kBodyVertex, "#define PICTURED\n" + std::string(shaders::kBodyFragment))),
+      picturedFloor(program("picturedFloor", shaders::kFloorVertex, shaders::kPicturedFloorFragment)) {
     const osg::ref_ptr<osg::Program> body = program("body", shaders::kBodyVertex, shaders::kBodyFragment);
     for (osg::StateSet* set : {bodies.get(), surfaces.get(), clear.get()}) set->setAttributeAndModes(body);
     surfaces->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);

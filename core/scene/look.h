@@ -10,17 +10,15 @@
 namespace trundle {
 
 /// Where vertex data beyond position, normal and colour stands.
-inline constexpr unsigned kGlowUnit = 1;  ///< texture coordinates: emitted light (rgb), shininess
-inline constexpr unsigned kLayerUnit = 2; ///< texture coordinates: order among coplanar faces
+inline constexpr unsigned kPictureUnit = 0; ///< texture coordinates, and the picture
+inline constexpr unsigned kGlowUnit = 1;    ///< texture coordinates: emitted light (rgb), shininess
+inline constexpr unsigned kLayerUnit = 2;   ///< texture coordinates: number of the geom, which orders coplanar faces
 
 /// Order of drawing. Floors come after bodies so that hidden floor costs nothing, the sky after both.
 enum DrawOrder : int { kDrawBodies = 0, kDrawFloor = 1, kDrawShadows = 2, kDrawSky = 3, kDrawClear = 10, kDrawOver = 12 };
 
-/// Towards the sun, unit.
+/// Towards the sun of an experiment that names none, unit.
 [[nodiscard]] osg::Vec3 sunDirection();
-/// Light that falls on an open surface with this normal, from sun and sky, and the share of it that is the sun's.
-[[nodiscard]] osg::Vec3 lightOn(const osg::Vec3& normal);
-[[nodiscard]] float sunShare(const osg::Vec3& normal);
 
 /// What a scene tells the programs.
 struct SceneUniforms {
@@ -43,7 +41,8 @@ public:
     osg::ref_ptr<osg::StateSet> sky;
     osg::ref_ptr<osg::StateSet> ghosts;    ///< grey and translucent, whatever lies below says
     osg::ref_ptr<osg::StateSet> collision; ///< lines in one colour
-    osg::ref_ptr<osg::Program> floor, shadow, flat;
+    osg::ref_ptr<osg::Program> floor, shadow, flat, data;
+    osg::ref_ptr<osg::Program> pictured, picturedFloor; ///< with a picture in place of a colour
 };
 
 } // namespace trundle

@@ -13,6 +13,7 @@ enum SceneMask : std::uint32_t {
     kMaskSoftShadows = 1u << 5, ///< shadows that soften with their distance from what casts them: for stills
     kMaskCollision = 1u << 6,   ///< what collides, as lines
     kMaskGhosts = 1u << 7,      ///< the last whole drawing of what the text no longer says
+    kMaskData = 1u << 8,        ///< distances and numbers of objects in place of colours
 
     kMaskWorld = kMaskRobots | kMaskStatics | kMaskFloor | kMaskSky,
     kMaskSensor = kMaskWorld | kMaskShadows,

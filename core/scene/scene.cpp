@@ -32,9 +32,11 @@ Scene::Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store
     m_statics->setNodeMask(kMaskStatics);
     m_collision->setNodeMask(kMaskCollision);
     m_collision->setStateSet(m_store->look.collision);
+    m_data->setNodeMask(kMaskData);
     m_root->addChild(m_robots);
     m_root->addChild(m_statics);
     m_root->addChild(m_collision);
+    m_root->addChild(m_data);
     addRobots(experiment);
     addStatics(experiment);
     if (ghosts) addGhosts(*ghosts);
@@ -116,14 +118,16 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
     osg::ref_ptr<osg::Group> casters = new osg::Group;
     casters->addChild(m_robots);
     casters->addChild(m_statics);
-    const osg::Vec3 sun = sunDirection();
+    const Lighting lighting = lightingOf(experiment);
+    lighting.applyTo(*m_root->getOrCreateStateSet());
+    const osg::Vec3 sun = lighting.sun;
     for (unsigned i = 0; i < floors.size(); ++i) {
-        const osg::ref_ptr<osg::Node> floor = makeFloorNode(floors[i], i, about, reach, look);
+        const osg::ref_ptr<osg::Node> floor = makeFloorNode(floors[i], i, about, reach, look, m_store->pictures, lighting);
         floorGroup->addChild(floor);
         m_objects.try_emplace(floors[i].path, Object{floor->asGroup(), nullptr});
-        if (i >= kShadowedFloors || floors[i].normal().dot(Vec3(sun.x(), sun.y(), sun.z())) < 0.2) continue;
-        sharp->addChild(makeSharpShadow(floors[i], i, *casters, look));
-        soft->addChild(makeSoftShadow(floors[i], i, *casters, look));
+        if (!lighting.shadows || i >= kShadowedFloors || floors[i].normal().dot(Vec3(sun.x(), sun.y(), sun.z())) < 0.2) continue;
+        sharp->addChild(makeSharpShadow(floors[i], i, *casters, look, lighting));
+        soft->addChild(makeSoftShadow(floors[i], i, *casters, look, lighting));
     }
     osg::ref_ptr<osg::Node> sky = makeSkyNode(look);
     floorGroup->setNodeMask(kMaskFloor);

@@ -27,6 +27,9 @@ struct SceneHit {
     double distance = 0; ///< m from the start of the ray
 };
 
+/// Names of the objects in kMaskData pictures, "robot0/chassis/hull" and "arena/north"; the first, which is nothing, is empty.
+[[nodiscard]] std::vector<std::string> objectNames(const ExperimentSpec& experiment);
+
 class Scene {
 public:
     /// Everything at its start pose. Geoms that cannot be drawn (sizes or places beyond all reason) are left out; a missing
@@ -45,6 +48,10 @@ public:
     void setWireframe(bool on);
     /// Makes what kMaskCollision shows, once. The experiment is the one that the scene was made from.
     void makeCollision(const ExperimentSpec& experiment);
+    /// Makes what kMaskData shows, once, of the same experiment.
+    void makeData(const ExperimentSpec& experiment);
+    /// Puts that where everything stands now; hidden objects are left out.
+    void followData();
 
     /// What is worth framing: robots where they are now and statics, without floors.
     [[nodiscard]] Bounds bounds() const;
@@ -65,6 +72,12 @@ private:
     struct Follower {
         osg::ref_ptr<osg::MatrixTransform> node, leader;
     };
+    /// The same, shown only where the node and the object it is part of are.
+    struct DataFollower {
+        osg::ref_ptr<osg::MatrixTransform> node, leader;
+        osg::ref_ptr<osg::Group> whole;
+    };
+    [[nodiscard]] osg::ref_ptr<osg::MatrixTransform> addDataNode(osg::Node& shapes, unsigned firstObject);
     void addRobots(const ExperimentSpec& experiment);
     void addStatics(const ExperimentSpec& experiment);
     void addGhosts(const ExperimentSpec& ghosts);
@@ -77,10 +90,11 @@ private:
     std::shared_ptr<ShapeStore> m_store;
     SceneUniforms m_uniforms;
     osg::ref_ptr<osg::Group> m_root = new osg::Group, m_robots = new osg::Group, m_statics = new osg::Group,
-                             m_collision = new osg::Group, m_marks = new osg::Group;
+                             m_collision = new osg::Group, m_data = new osg::Group, m_marks = new osg::Group;
     std::vector<osg::ref_ptr<osg::MatrixTransform>> m_bodies; // in the order of BodyPoses
     std::unordered_map<std::string, Object> m_objects;        // by path
     std::vector<Follower> m_markFollowers, m_collisionFollowers;
+    std::vector<DataFollower> m_dataFollowers;
     SceneMarks m_marked;
     std::vector<std::string> m_hidden;
     bool m_wireframe = false;

@@ -66,23 +66,27 @@ osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsig
     return node;
 }
 
-Vec3 towardsSun() { return {sunDirection().x(), sunDirection().y(), sunDirection().z()}; }
+Vec3 towardsSun(const Lighting& lighting) { return {lighting.sun.x(), lighting.sun.y(), lighting.sun.z()}; }
 
 /// Share of what is shown that a shadow takes away (the screen's curve is a square root).
-float fullDepth(const Vec3& n) { return 1 - std::sqrt(1 - sunShare(osg::Vec3(n.x(), n.y(), n.z()))); }
+float fullDepth(const Lighting& lighting, const Vec3& n) {
+    return 1 - std::sqrt(1 - lighting.sunShare(osg::Vec3(n.x(), n.y(), n.z())));
+}
 
 } // namespace
 
-osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look) {
-    return makeLayer(floor, index, 0, towardsSun(), fullDepth(floor.normal()), kNoTop, casters, look);
+osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
+                                        const Lighting& lighting) {
+    return makeLayer(floor, index, 0, towardsSun(lighting), fullDepth(lighting, floor.normal()), kNoTop, casters, look);
 }
 
-osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look) {
+osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
+                                       const Lighting& lighting) {
     constexpr unsigned kSunLayers = kMostShadowLayers - 1;
     osg::ref_ptr<osg::Group> layers = new osg::Group;
-    const Vec3 sun = towardsSun();
+    const Vec3 sun = towardsSun(lighting);
     const Vec3 side = sun.cross(Vec3::UnitX()).normalized(), other = sun.cross(side);
-    const float each = 1 - std::pow(1 - fullDepth(floor.normal()), 1.f / kSunLayers);
+    const float each = 1 - std::pow(1 - fullDepth(lighting, floor.normal()), 1.f / kSunLayers);
     for (unsigned i = 0; i < kSunLayers; ++i) {
         const double turn = 2 * std::numbers::pi * i / kSunLayers + 0.3, reach = kSunRadius * (i % 2 ? 1.0 : 0.55);
         const Vec3 light = (sun + reach * (std::cos(turn) * side + std::sin(turn) * other)).normalized();

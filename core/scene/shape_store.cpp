@@ -54,6 +54,10 @@ void addMaterial(Key& key, const MaterialSpec& m) {
     for (const double c : m.emission) key.number(c);
     key.number(m.opacity);
     key.number(m.shininess);
+    key.plain(m.picture.get()); // kept with what is drawn, so that no other gets its address
+    if (!m.picture) return;
+    key.number(m.textureScale);
+    key.bytes += m.textureMap + '\n';
 }
 
 } // namespace
@@ -69,7 +73,7 @@ osg::ref_ptr<osg::Group> ShapeStore::nodeOf(std::span<const GeomSpec> geoms, con
     }
     auto [entry, isNew] = m_nodes.try_emplace(std::move(key.bytes));
     if (isNew) {
-        entry->second = makeGeomNode(geoms, materials, look);
+        entry->second = makeGeomNode(geoms, materials, look, pictures);
         ++m_made;
     }
     return entry->second;
@@ -93,6 +97,7 @@ osg::ref_ptr<osg::Group> ShapeStore::collisionNodeOf(std::span<const GeomSpec> g
 
 void ShapeStore::forgetUnused() {
     std::erase_if(m_nodes, [](const auto& entry) { return entry.second->referenceCount() == 1; });
+    pictures.forgetUnused();
 }
 
 void ShapeStore::releaseGlObjects(osg::State* state) {

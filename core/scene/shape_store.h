@@ -10,6 +10,7 @@
 
 #include "model/experiment_spec.h"
 #include "scene/look.h"
+#include "scene/pictures.h"
 
 namespace trundle {
 
@@ -17,6 +18,7 @@ namespace trundle {
 class ShapeStore {
 public:
     const Look look;
+    Pictures pictures;
 
     /// One node for all sets of geoms that are drawn alike, whatever experiment they come from.
     [[nodiscard]] osg::ref_ptr<osg::Group> nodeOf(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials);

@@ -8,7 +8,9 @@
 
 #include "model/experiment_spec.h"
 #include "scene/bounds.h"
+#include "scene/lighting.h"
 #include "scene/look.h"
+#include "scene/pictures.h"
 
 namespace trundle {
 
@@ -16,7 +18,9 @@ namespace trundle {
 struct FloorPlane {
     Pose pose; ///< the plane is z = 0 of it
     std::array<double, 3> colour{0.6, 0.6, 0.6};
-    std::string path; ///< "arena/floor"
+    std::shared_ptr<const Raster> picture; ///< in place of the colour
+    double pictureScale = 1;               ///< pictures on each metre
+    std::string path;                      ///< "arena/floor"
     [[nodiscard]] Vec3 normal() const { return pose.rotation * Vec3::UnitZ(); }
 };
 
@@ -27,12 +31,12 @@ struct FloorPlane {
 
 /// A quad so large that its edge is lost in the haze; its centre lies below the middle of `about`. `index` counts floors.
 [[nodiscard]] osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, const Bounds& about, double reach,
-                                                    const Look& look);
+                                                    const Look& look, Pictures& pictures, const Lighting& lighting);
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSkyNode(const Look& look);
 /// `casters` flattened onto the floor: one sharp shadow, and one of several layers that is soft. Drawn only on that floor.
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters,
-                                                      const Look& look);
+                                                      const Look& look, const Lighting& lighting);
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters,
-                                                     const Look& look);
+                                                     const Look& look, const Lighting& lighting);
 
 } // namespace trundle

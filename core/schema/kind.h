@@ -43,7 +43,23 @@ struct Alternatives {
     std::string likely; ///< property whose value the last of them most likely has; empty: nobody knows
 };
 
-enum class Role { Settings, Material, Surface, Config, Instance, Layout, Body, Geom, Joint, Device, Controller, Log };
+enum class Role {
+    Settings,
+    Material,
+    Surface,
+    Pattern, ///< of an antenna
+    Medium,  ///< the air between radios
+    Config,
+    Instance,
+    Layout,
+    Body,
+    Geom,
+    Joint,
+    Device,
+    Controller,
+    Log,
+    Look ///< lights, sky and views
+};
 
 struct Kind {
     std::string name, help;

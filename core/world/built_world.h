@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "radio/medium.h"
 #include "world/engine.h"
 #include "world/world.h"
 
@@ -69,6 +70,12 @@ struct JointPlace {
     Vec3 anchor = Vec3::Zero(), axis = Vec3::UnitZ();
 };
 
+/// Where a radio sits.
+struct RadioMount {
+    std::uint32_t body = 0, robot = 0; ///< engine body
+    Pose mount;                        ///< of the antenna in the body
+};
+
 class BuiltWorld final : public World {
 public:
     BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment);
@@ -91,6 +98,7 @@ public:
     [[nodiscard]] Pose robotPose(std::size_t robot) const override;
     [[nodiscard]] RobotEnergy robotEnergy(std::size_t robot) const override;
     [[nodiscard]] const std::vector<WorldContact>& contacts() const override;
+    [[nodiscard]] Medium* medium() const override { return m_medium.get(); }
     [[nodiscard]] Status push(const std::string& body, const Vec3& force, const Vec3& point) override;
     [[nodiscard]] Status place(const std::string& robot, const Pose& pose) override;
     [[nodiscard]] Status setSurface(const SurfaceSpec& surface) override;
@@ -100,6 +108,7 @@ public:
 private:
     friend struct Device;
     friend struct MountCalls;
+    friend struct RadioCalls;
     friend struct ServiceCalls;
 
     // world_build.cpp
@@ -118,6 +127,12 @@ private:
     [[nodiscard]] Device* deviceNamed(const BuiltRobot& robot, std::string_view name);
 
     void print(const Device& device, int severity, const char* text);
+
+    // world_radio.cpp
+    void openMedium();
+    void placeRadios();
+    void airTime();
+    [[nodiscard]] int solids(RadioId first, const Vec3& a, RadioId second, const Vec3& b) const;
 
     // world_tick.cpp
     [[nodiscard]] bool callDevices(bool acting);
@@ -144,6 +159,9 @@ private:
     std::vector<std::uint8_t> m_jointTurns;                                     ///< by engine joint: has a position
     std::vector<JointPlace> m_jointPlaces;                                      ///< by engine joint
 
+    std::unique_ptr<Medium> m_medium;
+    std::vector<RadioMount> m_radioMounts; ///< by radio
+
     TrundleServices m_services{};
     Device* m_current = nullptr; ///< whose act or sense is running
     bool m_inAct = false;
@@ -161,6 +179,8 @@ private:
 /// Fills the tables of functions that devices are given.
 void fillServices(TrundleServices& services, BuiltWorld& world, double tick);
 void fillMount(Device& device, double tick);
+[[nodiscard]] const TrundleMountRadio* mountRadio();
+[[nodiscard]] const TrundleServicesRadio* servicesRadio();
 
 /// "leftAxle, rightAxle" of anything with a name.
 template <class List> std::string namesOf(const List& list) {

@@ -194,7 +194,8 @@ void fillMount(Device& device, double tick) {
                     MountCalls::peerText,
                     MountCalls::fail,
                     MountCalls::addAxialInertia,
-                    MountCalls::print};
+                    MountCalls::print,
+                    mountRadio()};
 }
 
 void Device::note(const std::string& why) {

@@ -146,7 +146,8 @@ void fillServices(TrundleServices& services, BuiltWorld& world, double tick) {
                 ServiceCalls::ray,
                 ServiceCalls::random,
                 ServiceCalls::jointAnchor,
-                ServiceCalls::print};
+                ServiceCalls::print,
+                servicesRadio()};
 }
 
 } // namespace trundle

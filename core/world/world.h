@@ -18,6 +18,8 @@
 
 namespace trundle {
 
+class Medium;
+
 /// The code of a device kind, built in or from a module; nullptr where none is known.
 using DeviceCode = std::function<const TrundleKind*(const std::string& kind)>;
 /// Where a device's text goes: device path, severity (TRUNDLE_INFO ...), text.
@@ -77,6 +79,9 @@ public:
     [[nodiscard]] virtual Pose robotPose(std::size_t robot) const = 0;
     [[nodiscard]] virtual RobotEnergy robotEnergy(std::size_t robot) const = 0;
     [[nodiscard]] virtual const std::vector<WorldContact>& contacts() const = 0;
+
+    /// The air between the robots' radios as they stand now; nullptr in a world without.
+    [[nodiscard]] virtual Medium* medium() const { return nullptr; }
 
     // Commands from outside, applied at the start of the next tick (they enter stamped, through run).
     /// Force (N, world) at a point (m, world) on a body "robot0/chassis" for one tick.

@@ -48,12 +48,14 @@ bool BuiltWorld::build(const DeviceCode& devices, Diagnostics& diagnostics) {
     createDevices(devices, diagnostics);
     if (failed()) return false;
     layOutSignals();
+    openMedium();
     m_block = std::make_unique<SignalBlock>(m_layout);
     fillServices(m_services, *this, s.tick);
     setupDevices(diagnostics);
     if (!failed()) orderDevices(diagnostics);
     if (failed()) return false;
     publish();
+    placeRadios();
     if (!callDevices(false)) { // so that what sensors show at tick 0 is true
         diagnostics.error(Code::DeviceSetup, m_fault->range, m_fault->reason);
         return false;

@@ -29,6 +29,7 @@ Status BuiltWorld::tick() {
     ++m_block->header().sequence; // odd: being written
     bool good = callDevices(true);
     if (good) {
+        airTime();
         m_contactsReady = false;
         if (const auto fault = m_engine->step(m_experiment->settings.tick)) {
             const double time = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
@@ -38,6 +39,7 @@ Status BuiltWorld::tick() {
                          known ? m_bodyRanges[fault->body.index] : SourceRange{}});
         }
         ++m_ticks;
+        placeRadios();
         publish(); // before sense, so that devices may read what is true as signals too
         good = callDevices(false);
     }

@@ -67,15 +67,15 @@ Status Document::openNew(const std::string& name, const std::string& text) {
     return {};
 }
 
-// A mesh that an edit names for the first time is read in a thread; then the texts are read again.
-void Document::readPending() {
-    if (!m_loaded->pending || std::exchange(m_state->readsAssets, true)) return;
+// A mesh that an edit names for the first time, or that is another one now, is read in a thread; then the texts are read again.
+void Document::readNamed() {
+    if (std::exchange(m_state->readsNamed, true)) return;
     OpenOptions options = optionsNow();
     options.meshesLater = false;
     m_state->pool.start([this, path = m_state->opened, options = std::move(options), opening = m_state->openings] {
         (void)m_parts.open(path, options); // what it read is kept
         const auto deliver = [this, opening] {
-            m_state->readsAssets = false;
+            m_state->readsNamed = false;
             if (isOpen() && (opening == m_state->openings || m_loaded->pending)) readAgain();
         };
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
@@ -113,7 +113,7 @@ void Document::adopt(std::shared_ptr<const Loaded> loaded) {
         if (!path.empty()) m_state->files.take(path, m_loaded->trees[file]->source().bytes());
     }
     sayWatched();
-    readPending();
+    if (m_loaded->pending) readNamed();
 }
 
 void Document::setOptions(const OpenOptions& options) {
@@ -148,7 +148,7 @@ SharedText Document::text(const std::string& file) const {
 
 std::string Document::shown(const std::string& file) const {
     if (m_state->isNew() && file == m_state->opened) return m_state->name;
-    return m_loaded ? shownPath(file, m_loaded->projectFolder) : file;
+    return m_loaded ? shownInProject(file, m_loaded->projectFolder) : file;
 }
 
 bool Document::isSample(const std::string& file) const {

@@ -3,6 +3,7 @@
 // changes a text: every part of the window edits through edit() or one of the calls that end in it.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,10 +21,20 @@
 
 namespace trundle {
 
+struct SavePlan;
+
 /// A value to set: dotted path of the property ("robot0.leftMotor.Resistance", "Tick") and its new text ("3", "12 cm").
 struct ValueEdit {
     std::string path, text;
 };
+
+/// Files that are no texts, that the texts name, and that would not be found from another place.
+struct Companions {
+    std::vector<std::string> files, modules; ///< absolute: meshes and pictures; libraries
+    [[nodiscard]] bool empty() const { return files.empty() && modules.empty(); }
+};
+/// Name: the text gives the whole path of the module where it is, and it is not copied.
+enum class ModuleCopies { Make, Name };
 
 class Document final : public QObject {
     Q_OBJECT
@@ -77,6 +88,9 @@ public:
     Status setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey = {});
     /// Ends a drag: the next edit is an entry of its own whatever its merge key.
     void endMerge();
+    /// Takes back what was edited under this key since the last entry of another one, as if it had never been: no entry is left, and
+    /// what could be redone before can be redone again. Does nothing after endMerge().
+    void withdraw(const std::string& mergeKey);
 
     [[nodiscard]] const History& history() const { return m_history; }
     void undo();
@@ -91,9 +105,11 @@ public:
     /// file failed and why; the others are written all the same.
     [[nodiscard]] Status save();
     /// Writes the opened file to another path and goes on with it there; the history stays. Imported files that would not be found
-    /// from there, and samples that were edited, are written beside it, where its imports find them; notice() says which. Fails,
-    /// having written nothing, where one of those would take the place of another file.
-    [[nodiscard]] Status saveAs(const std::string& path);
+    /// from there, and samples that were edited, are written beside it, where its imports find them, and so are copies of meshes,
+    /// pictures and modules; notice() says which. Fails, having written nothing, where one of those would take the place of another.
+    [[nodiscard]] Status saveAs(const std::string& path, ModuleCopies modules = ModuleCopies::Make);
+    /// What saveAs() would copy.
+    [[nodiscard]] Result<Companions> companionsAt(const std::string& path) const;
 
     /// Looks whether another program wrote one of the files. Called by itself when the system tells of it.
     void lookAtDisk();
@@ -132,11 +148,14 @@ private:
     [[nodiscard]] OpenOptions optionsNow() const;
     void start(const std::string& path, const std::string& name, std::shared_ptr<const Loaded> loaded);
     void adopt(std::shared_ptr<const Loaded> loaded);
-    void readPending();
+    void readNamed();
+    [[nodiscard]] bool isNamedStale() const;
+    /// Says why texts cannot be taken that have been read; empty where they can.
+    using Judge = std::function<std::string(const Loaded& loaded)>;
     /// Puts texts in place and reads them. On failure all is as before.
-    [[nodiscard]] Status put(const FileTexts& texts);
+    [[nodiscard]] Status put(const FileTexts& texts, const Judge& judge = {});
     /// put() as an entry of the history.
-    [[nodiscard]] Status enter(const QString& name, FileTexts after, const std::string& mergeKey);
+    [[nodiscard]] Status enter(const QString& name, FileTexts after, const std::string& mergeKey, const Judge& judge = {});
     [[nodiscard]] Result<FileTexts> textsAfter(const FileEdits& edits) const;
     [[nodiscard]] Status mayEdit() const;
     Status answer(Status status); ///< says refused() where it failed
@@ -145,10 +164,11 @@ private:
 
     [[nodiscard]] Status saveFile(const std::string& path);
     [[nodiscard]] Status mayBecome(const std::string& target) const;
+    [[nodiscard]] Result<SavePlan> planFor(const std::string& target, ModuleCopies modules) const;
     void moveFile(const std::string& from, const std::string& to);
     /// Takes in what the disk holds: at once where nothing was edited here, merged where that goes, else diskChanged().
     void noteDisk(const std::string& path, std::shared_ptr<const std::string> bytes);
-    void sayMoved(const std::map<std::string, std::string>& moves);
+    void sayMoved(const SavePlan& save);
     void lock();
     [[nodiscard]] std::string readOnlyReason() const;
     [[nodiscard]] Status openFor(const Recovery& recovery);

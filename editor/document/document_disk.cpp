@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include "base/platform/read_file.h"
@@ -24,6 +25,17 @@ void Document::lookAtDisk() {
         }
     }
     sayModified();
+    if (isOpen() && isNamedStale()) readNamed();
+}
+
+/// Whether a mesh or a picture is another one than was read, or one that was not found may be there now.
+bool Document::isNamedStale() const {
+    for (const auto& [use, file] : m_loaded->named) {
+        if (file.path.empty()) return true;
+        const Result<FileStamp> now = regularFileStamp(file.path);
+        if (!now || now.value() != file.stamp) return true;
+    }
+    return std::ranges::any_of(m_loaded->diagnostics.all(), [](const Diagnostic& d) { return d.code == Code::ImportNotFound; });
 }
 
 void Document::noteDisk(const std::string& path, SharedText bytes) {
@@ -69,6 +81,11 @@ void Document::sayWatched() {
     std::vector<std::string> files;
     for (const auto& [path, file] : m_state->files.all())
         if (!isNew() || path != m_state->opened) files.push_back(path);
+    for (const auto& [use, file] : m_loaded->named) {
+        if (!file.path.empty()) files.push_back(file.path);
+        else if (use.first < m_loaded->paths.size()) // where it is looked for first
+            files.push_back((std::filesystem::path(m_loaded->paths[use.first]).parent_path() / use.second).string());
+    }
     m_state->watch.watch(files);
 }
 

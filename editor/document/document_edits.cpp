@@ -9,16 +9,33 @@ namespace trundle {
 
 namespace {
 
-/// Why the sets of a load cannot be: an error in what was typed, or one elsewhere that comes of it. "" where they can.
-std::string reasonAgainstSets(const Loaded& loaded) {
-    const TextSet& texts = loaded.outline->texts();
+/// Where the new texts of edits stand once all of them are done.
+std::vector<SourceRange> placesAfter(FileId file, std::vector<TextEdit> edits) {
+    std::ranges::stable_sort(edits, {}, [](const TextEdit& edit) { return edit.range.range.begin; });
+    std::vector<SourceRange> places;
+    std::int64_t shift = 0;
+    for (const TextEdit& edit : edits) {
+        const auto begin = static_cast<std::uint32_t>(edit.range.range.begin + shift);
+        const auto size = static_cast<std::uint32_t>(edit.text.size());
+        places.push_back({file, {begin, begin + size}});
+        shift += std::int64_t(size) - edit.range.range.size();
+    }
+    return places;
+}
+
+/// Why values cannot stand at these places: an error in one of them, or one elsewhere that comes of it. "" where they can.
+std::string reasonAgainst(const Loaded& loaded, const std::vector<SourceRange>& places) {
+    const auto inPlace = [&](const SourceRange& range) {
+        return std::ranges::any_of(places, [&](const SourceRange& place) {
+            return place.file == range.file && place.range.begin <= range.range.begin && range.range.end <= place.range.end;
+        });
+    };
     std::string reason;
     for (const Diagnostic& d : loaded.diagnostics.all()) {
         if (d.severity != Severity::Error) continue;
         if (loaded.pending && d.code == Code::MeshUnreadable) continue; // not read yet; then it is said in the text
-        if (texts.commandLine(d.range.file)) return d.message;
-        const bool comesOfIt =
-            std::ranges::any_of(d.notes, [&](const auto& note) { return texts.commandLine(note.second.file); });
+        if (inPlace(d.range)) return d.message;
+        const bool comesOfIt = std::ranges::any_of(d.notes, [&](const auto& note) { return inPlace(note.second); });
         if (comesOfIt && reason.empty()) reason = d.message;
     }
     return reason;
@@ -38,21 +55,22 @@ Status Document::mayEdit() const {
     return {};
 }
 
-Status Document::put(const FileTexts& texts) {
+Status Document::put(const FileTexts& texts, const Judge& judge) {
     FileTexts before;
     for (const auto& [file, text] : texts) before.emplace(file, m_state->files.text(file));
     m_state->files.setTexts(texts);
     Result<std::shared_ptr<const Loaded>> loaded = m_parts.open(m_state->opened, optionsNow());
-    if (!loaded) {
+    std::string reason = loaded && judge ? judge(*loaded.value()) : std::string();
+    if (!loaded || !reason.empty()) {
         m_state->files.setTexts(before);
-        return loaded.error();
+        return loaded ? Error{Code::OutOfRange, std::move(reason)} : loaded.error();
     }
     if (!texts.empty()) ++m_revision;
     adopt(std::move(loaded).value());
     return {};
 }
 
-Status Document::enter(const QString& name, FileTexts after, const std::string& mergeKey) {
+Status Document::enter(const QString& name, FileTexts after, const std::string& mergeKey, const Judge& judge) {
     HistoryEntry entry{name, {}, {}, mergeKey};
     for (auto& [file, text] : after) {
         const SharedText before = m_state->files.text(file);
@@ -62,7 +80,7 @@ Status Document::enter(const QString& name, FileTexts after, const std::string& 
         entry.after.emplace(file, std::move(text));
     }
     if (entry.after.empty()) return {};
-    if (Status put = this->put(entry.after); !put) return put;
+    if (Status put = this->put(entry.after, judge); !put) return put;
     m_history.push(std::move(entry));
     sayEdited();
     return {};
@@ -108,16 +126,33 @@ Status Document::carryOut(const QString& name, const Result<EditPlan>& plan, con
 
 Status Document::setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey) {
     if (Status may = mayEdit(); !may) return answer(may);
-    OpenOptions options = optionsNow();
-    for (const ValueEdit& value : values) options.sets.push_back(value.path + "=" + value.text);
-    const Result<std::shared_ptr<const Loaded>> tried = m_parts.open(m_state->opened, options);
-    if (!tried) return answer(tried.error());
-    if (std::string reason = reasonAgainstSets(*tried.value()); !reason.empty())
-        return answer(Error{Code::OutOfRange, std::move(reason)});
-    return edit(name, editsForSets(*tried.value()), mergeKey);
+    std::vector<std::string> sets;
+    for (const ValueEdit& value : values) sets.push_back(value.path + "=" + value.text);
+    const Result<FileEdits> edits = editsForSets(*m_loaded, sets);
+    if (!edits) return answer(edits.error());
+    Result<FileTexts> after = textsAfter(edits.value());
+    if (!after) return answer(after.error());
+    std::vector<SourceRange> places;
+    for (const auto& [file, changes] : edits.value())
+        for (const SourceRange& place : placesAfter(file, changes)) places.push_back(place);
+    // Read once, with the values in their places: a drag does this with every step.
+    return answer(
+        enter(name, std::move(after).value(), mergeKey, [&](const Loaded& tried) { return reasonAgainst(tried, places); }));
 }
 
 void Document::endMerge() { m_history.endMerge(); }
+
+void Document::withdraw(const std::string& mergeKey) {
+    if (!m_history.canWithdraw(mergeKey)) return;
+    const std::size_t before = m_history.position();
+    if (const Status back = put(m_history.moveTo(before - 1)); !back) {
+        (void)m_history.moveTo(before);
+        (void)answer(back);
+        return;
+    }
+    m_history.dropWithdrawn();
+    sayEdited();
+}
 
 void Document::undo() {
     if (m_history.canUndo()) moveTo(m_history.position() - 1);

@@ -86,7 +86,7 @@ void Document::moveFile(const std::string& from, const std::string& to) {
 namespace {
 
 /// All or none: what was written before one failed goes again.
-Status writeMoved(const TextOverlay& texts, const std::string& last) {
+Status writeMoved(const SavePlan& save, const std::string& last) {
     std::vector<std::string> made;
     const auto write = [&](const std::string& path, const std::string& bytes) -> Status {
         std::error_code failed;
@@ -96,7 +96,18 @@ Status writeMoved(const TextOverlay& texts, const std::string& last) {
         if (!existed) made.push_back(path);
         return {};
     };
+    const auto copy = [&](const std::string& to, const std::string& from) -> Status {
+        std::error_code failed;
+        fs::create_directories(fs::path(to).parent_path(), failed);
+        if (!fs::copy_file(from, to, failed))
+            return Error{Code::FileUnwritable, from + " cannot be copied to " + to + ": " + failed.message()};
+        made.push_back(to);
+        return {};
+    };
+    const TextOverlay& texts = save.texts;
     Status status;
+    for (const auto& [to, from] : save.copies)
+        if (status) status = copy(to, from);
     for (const auto& [path, text] : texts)
         if (status && path != last) status = write(path, *text);
     if (status) status = write(last, *texts.at(last));
@@ -108,18 +119,30 @@ Status writeMoved(const TextOverlay& texts, const std::string& last) {
 
 } // namespace
 
-Status Document::saveAs(const std::string& path) {
-    const std::string target = canonicalPath(path);
-    if (isOpen() && target == m_state->opened) return save();
-    if (Status may = mayBecome(target); !may) return may;
+Result<SavePlan> Document::planFor(const std::string& target, ModuleCopies modules) const {
+    if (Status may = mayBecome(target); !may) return may.error();
     std::set<std::string> mustMove;
     for (const std::string& file : m_state->files.modified())
         if (isSample(file)) mustMove.insert(file);
-    const Result<SavePlan> plan = planSaveAs(m_parts, *m_loaded, optionsNow(), target, mustMove);
+    return planSaveAs(m_parts, *m_loaded, optionsNow(), target, mustMove, modules);
+}
+
+Result<Companions> Document::companionsAt(const std::string& path) const {
+    const std::string target = canonicalPath(path);
+    if (isOpen() && target == m_state->opened) return Companions{};
+    Result<SavePlan> plan = planFor(target, ModuleCopies::Make);
+    if (!plan) return plan.error();
+    return std::move(std::move(plan).value().companions);
+}
+
+Status Document::saveAs(const std::string& path, ModuleCopies modules) {
+    const std::string target = canonicalPath(path);
+    if (isOpen() && target == m_state->opened) return save();
+    const Result<SavePlan> plan = planFor(target, modules);
     if (!plan) return plan.error();
     const SavePlan& save = plan.value();
     const bool hadErrors = m_loaded->diagnostics.hasErrors();
-    if (Status written = writeMoved(save.texts, target); !written) return written;
+    if (Status written = writeMoved(save, target); !written) return written;
 
     FileTexts imports; // texts whose imports read otherwise now
     for (const auto& [from, to] : save.moves) {
@@ -135,17 +158,18 @@ Status Document::saveAs(const std::string& path) {
     lock();
     m_state->journal.start(workPlace(), {m_state->opened, m_state->name});
     sayEdited();
-    if (save.moves.size() > 1) sayMoved(save.moves);
-    if (!hadErrors && m_loaded->diagnostics.hasErrors()) // a mesh beside the old place, say; the text is saved all the same
+    if (save.moves.size() > 1 || !save.copies.empty()) sayMoved(save);
+    if (!hadErrors && !m_loaded->pending && m_loaded->diagnostics.hasErrors()) // the text is saved all the same
         Q_EMIT notice(tr("Saved, but from there something is not found; see the problems"));
     return {};
 }
 
-void Document::sayMoved(const std::map<std::string, std::string>& moves) {
+void Document::sayMoved(const SavePlan& save) {
     QStringList names;
-    for (const auto& [from, to] : moves)
+    for (const auto& [from, to] : save.moves)
         if (to != m_state->opened) names += QString::fromStdString(shown(to));
-    Q_EMIT notice(tr("Saved with what it imports: %1").arg(names.join(u", "_qs)));
+    for (const auto& [to, from] : save.copies) names += QString::fromStdString(shown(to));
+    Q_EMIT notice(tr("Saved with what it needs: %1").arg(names.join(u", "_qs)));
 }
 
 } // namespace trundle

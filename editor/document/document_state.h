@@ -24,7 +24,7 @@ struct Document::State {
     JournalKeeper journal{files};
     std::unique_ptr<ProjectLock> lock;
     bool readOnly = false;
-    bool readsAssets = false;
+    bool readsNamed = false;    ///< a thread reads meshes and pictures
     std::uint64_t openings = 0; ///< which openLater() is the newest
     QThreadPool pool;           ///< reads files; the last member, so that it ends first
 

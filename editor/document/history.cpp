@@ -4,8 +4,8 @@
 
 namespace trundle {
 
-bool History::joinsLast(const HistoryEntry& entry) const {
-    return m_mayMerge && m_position > 0 && !entry.mergeKey.empty() && m_entries[m_position - 1].mergeKey == entry.mergeKey;
+bool History::canWithdraw(const std::string& mergeKey) const {
+    return m_mayMerge && m_position > 0 && !mergeKey.empty() && m_entries[m_position - 1].mergeKey == mergeKey;
 }
 
 void History::join(const HistoryEntry& entry) {
@@ -19,17 +19,23 @@ void History::join(const HistoryEntry& entry) {
         else last.splices.insert_or_assign(file, std::move(whole));
     }
     if (!last.splices.empty()) return;
-    m_entries.pop_back(); // back where it began: there is nothing to undo
-    --m_position;
-    m_mayMerge = false;
+    --m_position; // back where it began: there is nothing to undo
+    dropWithdrawn();
+}
+
+void History::dropWithdrawn() {
+    m_entries.resize(m_position);
+    std::move(m_forgotten.begin(), m_forgotten.end(), std::back_inserter(m_entries));
+    endMerge();
 }
 
 void History::push(HistoryEntry entry) {
-    const bool joins = joinsLast(entry);
-    m_entries.resize(m_position);
-    if (joins) {
+    if (canWithdraw(entry.mergeKey)) {
         join(entry);
     } else {
+        const auto undone = m_entries.begin() + static_cast<std::ptrdiff_t>(m_position);
+        m_forgotten.assign(std::make_move_iterator(undone), std::make_move_iterator(m_entries.end()));
+        m_entries.erase(undone, m_entries.end());
         Step step{std::move(entry.name), {}, std::move(entry.mergeKey)};
         for (const auto& [file, after] : entry.after) step.splices.emplace(file, spliceBetween(*entry.before.at(file), *after));
         m_entries.push_back(std::move(step));
@@ -39,7 +45,10 @@ void History::push(HistoryEntry entry) {
     for (const auto& [file, after] : entry.after) m_now.insert_or_assign(file, after);
 }
 
-void History::endMerge() { m_mayMerge = false; }
+void History::endMerge() {
+    m_mayMerge = false;
+    m_forgotten.clear();
+}
 
 void History::clear() { *this = {}; }
 
@@ -53,7 +62,8 @@ void History::renameFile(const std::string& from, const std::string& to) {
         map.insert(std::move(node));
     };
     rename(m_now);
-    for (Step& step : m_entries) rename(step.splices);
+    for (std::vector<Step>* steps : {&m_entries, &m_forgotten})
+        for (Step& step : *steps) rename(step.splices);
 }
 
 FileTexts History::moveTo(std::size_t position) {

@@ -36,7 +36,12 @@ public:
     };
 
     void push(HistoryEntry entry); ///< forgets what was undone; joins the last entry where the merge keys are equal and not empty
-    void endMerge();               ///< the next push starts an entry of its own
+    /// Whether the last entry has this key and may still be joined.
+    [[nodiscard]] bool canWithdraw(const std::string& mergeKey) const;
+    /// The entry after the position, one that could be withdrawn before moveTo() went back over it, goes without a trace: what it
+    /// made forgotten can be redone again.
+    void dropWithdrawn();
+    void endMerge(); ///< the next push starts an entry of its own
     void clear();
     void renameFile(const std::string& from, const std::string& to); ///< a file goes on under another path
 
@@ -48,11 +53,11 @@ public:
     [[nodiscard]] FileTexts moveTo(std::size_t position);
 
 private:
-    [[nodiscard]] bool joinsLast(const HistoryEntry& entry) const;
     void join(const HistoryEntry& entry);
 
     std::vector<Step> m_entries;
-    FileTexts m_now; // of each file that an entry changes
+    std::vector<Step> m_forgotten; // by the last push, while it may be withdrawn
+    FileTexts m_now;               // of each file that an entry changes
     std::size_t m_position = 0;
     bool m_mayMerge = false;
 };

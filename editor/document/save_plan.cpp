@@ -1,14 +1,19 @@
 // needs        the project as loaded now, and the path that its opened file is to have
-// assumptions  a text refers to other texts by imports only; an import looks first in the folder of the file it stands in
+// assumptions  a text refers to other texts by imports only; whatever it names is looked for first in the folder of the file it stands in
 // method       the project is loaded from the new path, in memory, and both are walked together: an import that leads elsewhere than
-//              before, or to a file that must move, gets that file a place beside the importing one; until nothing is left to move
-// data         moves: old path -> new path; a file that stays has none
+//              before, or to a file that must move, gets that file a place beside the importing one; until nothing is left to move.
+//              Then the same with meshes, pictures and modules, which get a copy there, or other words in the text
+// data         moves: old path -> new path; a file that stays has none. m_edits: other words, in the bytes as they are now
 
 #include "editor/document/save_plan.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
+#include "base/platform/read_file.h"
+#include "editor/document/save_companions.h"
 #include "lang/tree_edit.h"
 #include "project/search.h"
 
@@ -33,22 +38,33 @@ std::vector<const ImportItem*> importsOf(const Tree& tree) {
     return found;
 }
 
+std::string quoted(const std::string& words) { return '"' + words + '"'; }
+
 /// Whether a path stays below the folder it starts from.
 bool staysBelow(const std::string& written) {
     const fs::path path = fs::path(written).lexically_normal();
     return path.is_relative() && !path.empty() && *path.begin() != "..";
 }
 
+bool sameBytes(const std::string& a, const std::string& b) {
+    const Result<FileStamp> first = regularFileStamp(a), second = regularFileStamp(b);
+    if (!first || !second || first.value().size != second.value().size) return false;
+    std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
+    return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {});
+}
+
 class SaveAs {
 public:
-    SaveAs(Parts& parts, const Loaded& loaded, OpenOptions options, const std::set<std::string>& mustMove)
-        : m_parts(parts), m_loaded(loaded), m_options(std::move(options)), m_mustMove(mustMove) {
+    SaveAs(Parts& parts, const Loaded& loaded, OpenOptions options, const std::set<std::string>& mustMove, ModuleCopies modules)
+        : m_parts(parts), m_loaded(loaded), m_options(std::move(options)), m_mustMove(mustMove), m_modules(modules) {
         m_options.previous = nullptr;
+        m_options.meshesLater = true; // whether they can be read is no question here
     }
 
     Result<SavePlan> plan(const std::string& target) {
         if (Status moved = move(0, target); !moved) return moved.error();
-        for (std::size_t round = 0; round <= 2 * m_loaded.paths.size(); ++round) {
+        const std::vector<NamedThere> named = namedBy(m_loaded, m_parts, m_options);
+        for (std::size_t round = 0; round <= 2 * m_loaded.paths.size() + named.size(); ++round) {
             OpenOptions options = m_options;
             for (const auto& [path, text] : m_plan.texts) options.texts.insert_or_assign(path, text);
             const Result<std::shared_ptr<const Loaded>> there = m_parts.open(target, options);
@@ -56,7 +72,10 @@ public:
             m_seen.clear();
             const Result<bool> changed = compare(0, *there.value(), 0);
             if (!changed) return changed.error();
-            if (!changed.value()) return std::move(m_plan);
+            if (changed.value()) continue;
+            const Result<bool> carried = carry(named, *there.value());
+            if (!carried) return carried.error();
+            if (!carried.value()) return std::move(m_plan);
         }
         return Error{Code::ImportNotFound, "what it imports cannot be found from there"};
     }
@@ -99,7 +118,71 @@ private:
             if (Status done = moveBeside(imported); !done) return done;
         }
         const std::string path = fs::path(m_plan.moves.at(file)).lexically_relative(folder).string();
-        return rewrite(importing, i, path);
+        return rewrite(importing, {importsOf(*m_loaded.trees[importing])[i]->pathRange}, path);
+    }
+
+    /// Gives what texts name, and would not find any more, a place there. True where texts have moved or changed for it.
+    Result<bool> carry(const std::vector<NamedThere>& named, const Loaded& there) {
+        for (const NamedThere& file : named) {
+            if (isFoundFrom(there, file)) continue;
+            const auto place = m_plan.moves.find(m_loaded.paths[file.text]);
+            const Status done = place == m_plan.moves.end()
+                                    ? moveBeside(file.text)
+                                    : bring(file, fs::path(place->second).parent_path(), there.projectFolder);
+            if (!done) return done.error();
+            if (place == m_plan.moves.end()) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool isFoundFrom(const Loaded& there, const NamedThere& file) const {
+        if (m_brought.contains({file.text, file.written})) return true;
+        const std::string& before = m_loaded.paths[file.text];
+        const auto place = m_plan.moves.find(before);
+        const std::string& now = place == m_plan.moves.end() ? before : place->second;
+        if (file.module) return libraryOf(file.written, fs::path(now).parent_path().string(), m_parts, m_options) == file.path;
+        const auto text = std::ranges::find(there.paths, now);
+        const auto found = there.named.find({static_cast<FileId>(text - there.paths.begin()), file.written});
+        return found != there.named.end() && found->second.path == file.path;
+    }
+
+    /// `folder`: where the text will be that names it.
+    Status bring(const NamedThere& file, const fs::path& folder, const std::string& project) {
+        m_brought.insert({file.text, file.written});
+        const fs::path from = file.path;
+        // A module is named without what its system puts before and behind the name.
+        const fs::path shown = file.module ? fs::path(file.written).filename() : from.filename();
+        if (file.module && m_modules == ModuleCopies::Name) {
+            m_plan.companions.modules.push_back(file.path);
+            return rewrite(file, (from.parent_path() / shown).string());
+        }
+        if (!file.module && staysBelow(from.lexically_relative(project).string()))
+            return rewrite(file, from.lexically_relative(folder).string());
+        const bool stays = staysBelow(file.written);
+        const fs::path place = stays ? folder / fs::path(file.written).parent_path() : folder;
+        (file.module ? m_plan.companions.modules : m_plan.companions.files).push_back(file.path);
+        if (Status done = copy(from, place / from.filename()); !done) return done;
+        for (const std::string& part : partsOf(file))
+            if (Status done = copy(from.parent_path() / part, place / part); !done) return done;
+        return stays ? Status() : rewrite(file, shown.string());
+    }
+
+    Status copy(const fs::path& from, const fs::path& to) {
+        const std::string target = to.lexically_normal().string();
+        std::error_code none;
+        const auto [known, isNew] = m_copies.emplace(target, from.string());
+        const bool there = fs::exists(target, none), same = there && sameBytes(from.string(), target);
+        if (m_plan.texts.contains(target) || (!isNew && known->second != from.string()) || (there && !same))
+            return Error{Code::FileUnwritable,
+                         "it needs " + from.string() + " beside it, and " + target + " is another file; choose another folder"};
+        if (!there) m_plan.copies.emplace(target, from.string());
+        return {};
+    }
+
+    Status rewrite(const NamedThere& file, const std::string& words) {
+        const std::vector<TextRange> places =
+            file.module ? std::vector{file.range} : placesOf(*m_loaded.trees[file.text], file.written);
+        return rewrite(file.text, places, words);
     }
 
     Status moveBeside(FileId file) {
@@ -122,12 +205,10 @@ private:
         return {};
     }
 
-    Status rewrite(FileId file, std::size_t i, const std::string& path) {
-        m_rewritten[file][i] = path;
+    Status rewrite(FileId file, const std::vector<TextRange>& places, const std::string& words) {
+        for (const TextRange& place : places) m_edits[file].insert_or_assign(place.begin, TextEdit{{file, place}, quoted(words)});
         std::vector<TextEdit> edits;
-        const auto imports = importsOf(*m_loaded.trees[file]);
-        for (const auto& [number, words] : m_rewritten[file])
-            edits.push_back({{file, imports[number]->pathRange}, "\"" + words + "\""});
+        for (const auto& [at, edit] : m_edits[file]) edits.push_back(edit);
         Result<std::string> bytes = applyEdits(m_loaded.trees[file]->source().bytes(), edits);
         if (!bytes) return bytes.error();
         const std::string& place = m_plan.moves.at(m_loaded.paths[file]);
@@ -141,16 +222,19 @@ private:
     const Loaded& m_loaded;
     OpenOptions m_options;
     const std::set<std::string>& m_mustMove;
+    const ModuleCopies m_modules;
     SavePlan m_plan;
     std::set<FileId> m_seen;
-    std::map<FileId, std::map<std::size_t, std::string>> m_rewritten;
+    std::set<std::pair<FileId, std::string>> m_brought;
+    std::map<std::string, std::string> m_copies; // also of what is there already
+    std::map<FileId, std::map<std::uint32_t, TextEdit>> m_edits;
 };
 
 } // namespace
 
 Result<SavePlan> planSaveAs(Parts& parts, const Loaded& loaded, OpenOptions options, const std::string& target,
-                            const std::set<std::string>& mustMove) {
-    return SaveAs(parts, loaded, std::move(options), mustMove).plan(target);
+                            const std::set<std::string>& mustMove, ModuleCopies modules) {
+    return SaveAs(parts, loaded, std::move(options), mustMove, modules).plan(target);
 }
 
 } // namespace trundle

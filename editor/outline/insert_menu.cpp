@@ -30,14 +30,18 @@ QString roleTitle(Role role) {
     case Role::Config: return InsertMenu::tr("Configs");
     case Role::Material: return InsertMenu::tr("Materials");
     case Role::Surface: return InsertMenu::tr("Surfaces");
+    case Role::Look: return InsertMenu::tr("Light and Views");
+    case Role::Pattern: return InsertMenu::tr("Antennas");
+    case Role::Medium: return InsertMenu::tr("Radio");
     case Role::Settings: break;
     }
     return {};
 }
 
 /// In the order in which a person builds.
-constexpr Role kRoles[] = {Role::Body,   Role::Geom,   Role::Joint,    Role::Device,  Role::Controller, Role::Instance,
-                           Role::Layout, Role::Config, Role::Material, Role::Surface, Role::Log};
+constexpr Role kRoles[] = {Role::Body,     Role::Geom,    Role::Joint,  Role::Device,   Role::Controller,
+                           Role::Instance, Role::Layout,  Role::Config, Role::Material, Role::Surface,
+                           Role::Look,     Role::Pattern, Role::Medium, Role::Log};
 
 } // namespace
 
@@ -108,6 +112,12 @@ QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind, const std::string& p
         action->setEnabled(false);
         action->setToolTip(
             tr("%1 has a controller already: %2").arg(QString::fromStdString(place), QString::fromStdString(there->title())));
+    }
+    const auto& world = m_document.loaded()->outline->world.all();
+    const bool medium = kind.role == Role::Medium;
+    if (medium && std::any_of(world.begin(), world.end(), [](const Part* part) { return part->is(Role::Medium); })) {
+        action->setEnabled(false);
+        action->setToolTip(tr("There is one already: all radios share one air"));
     }
     connect(action, &QAction::triggered, this, [this, name = kind.name] {
         const Kind* kind = m_document.isOpen() ? m_document.loaded()->registry->find(name) : nullptr;

@@ -7,18 +7,26 @@
 namespace trundle {
 
 // In alphabetical order.
-static constexpr std::array<std::string_view, 26> kDrawn{
-    "Ball",    "Body",      "Box",   "Capsule",     "ContactLog",  "Convex",  "Cylinder",  "DifferentialDrive",
-    "Encoder", "EnergyLog", "Fixed", "Grid",        "Heightfield", "Hinge",   "Material",  "Mesh",
-    "Plane",   "PoseLog",   "Robot", "RobotConfig", "RotaryMotor", "Scatter", "SignalLog", "Slider",
-    "Sphere",  "Static"};
-static constexpr std::array<std::string_view, 5> kDrawnToo{"StaticConfig", "Surface", "Suspension", "TouchSensor", "Universal"};
+static constexpr auto kDrawn = std::to_array<std::string_view>({"Ball",         "Body",        "Box",
+                                                                "Camera",       "Capsule",     "ContactLog",
+                                                                "Convex",       "Cylinder",    "DifferentialDrive",
+                                                                "Encoder",      "EnergyLog",   "Fixed",
+                                                                "Grid",         "Heightfield", "Hinge",
+                                                                "Material",     "Mesh",        "Plane",
+                                                                "PoseLog",      "Robot",       "RobotConfig",
+                                                                "RotaryMotor",  "Scatter",     "SignalLog",
+                                                                "Slider",       "Sphere",      "Static",
+                                                                "StaticConfig", "Surface",     "Suspension",
+                                                                "TouchSensor",  "Transceiver", "Universal"});
 
 QString roleIcon(Role role) {
     switch (role) {
     case Role::Settings: return QStringLiteral("kind-settings");
     case Role::Material: return QStringLiteral("kind-material");
     case Role::Surface: return QStringLiteral("kind-surface");
+    case Role::Look: return QStringLiteral("kind-look");
+    case Role::Pattern:
+    case Role::Medium: return QStringLiteral("kind-radio");
     case Role::Config: return QStringLiteral("kind-robotconfig");
     case Role::Instance: return QStringLiteral("kind-robot");
     case Role::Layout: return QStringLiteral("kind-grid");
@@ -34,9 +42,7 @@ QString roleIcon(Role role) {
 
 QString kindIcon(const Kind* kind) {
     if (!kind) return QStringLiteral("kind-unknown");
-    const std::string_view name = kind->name;
-    const bool drawn =
-        std::binary_search(kDrawn.begin(), kDrawn.end(), name) || std::binary_search(kDrawnToo.begin(), kDrawnToo.end(), name);
+    const bool drawn = std::binary_search(kDrawn.begin(), kDrawn.end(), std::string_view(kind->name));
     return drawn ? QStringLiteral("kind-") + QString::fromStdString(kind->name).toLower() : roleIcon(kind->role);
 }
 

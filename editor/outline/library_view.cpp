@@ -62,6 +62,7 @@ void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     initStyleOption(&ground, index);
     ground.text.clear();
     ground.state &= ~QStyle::State_HasFocus;
+    ground.showDecorationSelected = true; // the whole cell: the words on it are drawn here
     const QStyle* style = ground.widget ? ground.widget->style() : QApplication::style();
     style->drawControl(QStyle::CE_ItemViewItem, &ground, painter, ground.widget);
     const bool selected = option.state & QStyle::State_Selected;
@@ -89,8 +90,9 @@ void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     painter->restore();
 }
 
-QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
-    return asList ? QSize(kCell, kRow) : QSize(kCell, kCellHeight);
+QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+    const auto* list = qobject_cast<const QListView*>(option.widget);
+    return QSize(list ? std::max(kCell, list->gridSize().width()) : kCell, asList ? kRow : kCellHeight);
 }
 
 LibraryList::LibraryList(QWidget* parent) : QListView(parent), m_delegate(new LibraryDelegate(this)) {
@@ -119,7 +121,8 @@ void LibraryList::setAsList(bool list) {
 }
 
 void LibraryList::fit() {
-    const int count = model() ? model()->rowCount() : 0, room = std::max(viewport()->width(), kCell);
+    const int count = model() ? model()->rowCount() : 0,
+              room = std::max(viewport()->width() - 1, kCell); // less one: the last column would not fit to the pixel
     const int columns = m_delegate->asList ? 1 : std::max(1, room / kCell);
     setGridSize(m_delegate->asList ? QSize(room, kRow) : QSize(room / columns, kCellHeight));
     setFixedHeight((count + columns - 1) / columns * (m_delegate->asList ? kRow : kCellHeight) + 2);

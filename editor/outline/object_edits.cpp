@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include <QApplication>
 #include <QClipboard>
-#include <QGuiApplication>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
@@ -12,6 +14,7 @@
 #include "editor/outline/duplicate_offset.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/placing.h"
+#include "project/plan_users.h"
 
 namespace trundle {
 namespace {
@@ -161,7 +164,31 @@ Status ObjectEdits::replaceBySingles(const std::string& path) {
                                planReplaceBySingles(*m_document.loaded(), layout));
 }
 
-void ObjectEdits::removeSelected() { (void)remove(m_selection.paths()); }
+void ObjectEdits::removeSelected() {
+    const std::vector<std::string> paths = objectsOf(m_selection.paths());
+    const std::vector<std::string> users = m_document.isOpen() ? usersOf(*m_document.loaded(), paths) : paths;
+    if (users.empty() || !mayChange(paths, tr("delete"))) return (void)remove(paths);
+    constexpr std::size_t kMostNamed = 5;
+    QStringList names;
+    for (const std::string& user : users)
+        if (const auto place = placeOf(*m_document.loaded(), user); place && place->part)
+            names.append(shown(place->part->title()));
+    if (users.size() > kMostNamed) names = names.mid(0, kMostNamed) << tr("%1 more").arg(users.size() - kMostNamed);
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Delete"),
+                                     tr("%1 is used by %2.").arg(named(paths), names.join(QStringLiteral(", "))),
+                                     QMessageBox::Cancel, QApplication::activeWindow());
+    question->setObjectName(QStringLiteral("deleteQuestion"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(tr("They can only be deleted together. One undo brings them back."));
+    QPushButton* all = question->addButton(tr("Delete All"), QMessageBox::AcceptRole);
+    question->setDefaultButton(all);
+    connect(all, &QPushButton::clicked, this, [this, paths, users] {
+        std::vector<std::string> together = paths;
+        together.insert(together.end(), users.begin(), users.end());
+        (void)remove(together);
+    });
+    question->open();
+}
 void ObjectEdits::duplicateSelected() { (void)duplicate(m_selection.paths()); }
 void ObjectEdits::copySelected() { (void)copy(m_selection.paths()); }
 void ObjectEdits::cutSelected() { (void)cut(m_selection.paths()); }

@@ -45,7 +45,7 @@ public:
     Status replaceBySingles(const std::string& path);
 
     // The same for what is selected.
-    void removeSelected();
+    void removeSelected(); ///< asks where something else refers to it and would have to go along
     void duplicateSelected();
     void copySelected();
     void cutSelected();

@@ -25,7 +25,7 @@ int paintBadge(QPainter& painter, const QRect& row, int right, int count, const 
     const QString text = count > 99 ? QStringLiteral("99+") : QString::number(count);
     QFont font = painter.font();
     font.setPixelSize(10);
-    font.setBold(true);
+    font.setWeight(QFont::DemiBold);
     const int width = std::max(kBadgeHeight, QFontMetrics(font).horizontalAdvance(text) + 8);
     const QRect badge(right - width, row.center().y() - kBadgeHeight / 2, width, kBadgeHeight);
     painter.save();
@@ -105,7 +105,7 @@ void OutlineDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& o
     painter.setPen(textColour(option, faint));
     painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, shown);
     rest.setLeft(rest.left() + metrics.horizontalAdvance(shown) + kGap + 2);
-    if (!detail.isEmpty() && rest.width() > 24) {
+    if (!detail.isEmpty() && rest.width() >= std::min(24, metrics.horizontalAdvance(detail))) {
         painter.setPen(textColour(option, true));
         if (selected) painter.setOpacity(0.8);
         painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, metrics.elidedText(detail, Qt::ElideRight, rest.width()));
@@ -122,7 +122,7 @@ void OutlineDelegate::paintMark(QPainter& painter, const QStyleOptionViewItem& o
     const QString name = eye ? (set ? QStringLiteral("eye-off") : QStringLiteral("eye"))
                              : (set ? QStringLiteral("lock") : QStringLiteral("unlock"));
     painter.save();
-    painter.setOpacity(mark == OutlineModel::Marked ? 1.0 : 0.5);
+    painter.setOpacity(mark == OutlineModel::Marked ? 1.0 : option.state & QStyle::State_Selected ? 0.8 : 0.5);
     const QRect& r = option.rect;
     painter.drawPixmap(r.center().x() - kIcon / 2 + 1, r.center().y() - kIcon / 2 + 1,
                        drawnIcon(name, kIcon, painter.device()->devicePixelRatioF(), option.state & QStyle::State_Selected));

@@ -25,6 +25,8 @@ QString iconOf(const OutlineRow& row) {
     switch (row.group) {
     case OutlineGroup::Robots: return QStringLiteral("kind-robot");
     case OutlineGroup::Scenery: return QStringLiteral("kind-static");
+    case OutlineGroup::Looks: return QStringLiteral("kind-look");
+    case OutlineGroup::Radio: return QStringLiteral("kind-radio");
     case OutlineGroup::Logs: return QStringLiteral("kind-poselog");
     case OutlineGroup::Modules: return QStringLiteral("module");
     case OutlineGroup::RobotConfigs: return QStringLiteral("kind-robotconfig");

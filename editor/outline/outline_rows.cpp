@@ -33,6 +33,9 @@ OutlineGroup groupOf(const Part& part) {
     switch (part.kind->role) {
     case Role::Instance: return part.kind->name == "Static" ? OutlineGroup::Scenery : OutlineGroup::Robots;
     case Role::Layout: return OutlineGroup::Robots;
+    case Role::Look: return OutlineGroup::Looks;
+    case Role::Medium:
+    case Role::Pattern: return OutlineGroup::Radio;
     case Role::Log: return OutlineGroup::Logs;
     case Role::Config: return part.kind->name == "StaticConfig" ? OutlineGroup::StaticConfigs : OutlineGroup::RobotConfigs;
     case Role::Material: return OutlineGroup::Materials;
@@ -41,8 +44,9 @@ OutlineGroup groupOf(const Part& part) {
     }
 }
 
-constexpr std::array<const char*, kOutlineGroups> kGroupNames{
-    "Robots", "Scenery", "Logs", "Modules", "Robot configs", "Scenery configs", "Materials", "Surfaces", "Out of place"};
+constexpr std::array<const char*, kOutlineGroups> kGroupNames{"Robots",    "Scenery",  "Light and views", "Radio",
+                                                              "Logs",      "Modules",  "Robot configs",   "Scenery configs",
+                                                              "Materials", "Surfaces", "Out of place"};
 
 /// "10×10" from `Count = 10, 10`.
 std::string countOf(const Loaded& loaded, const Part& layout) {
@@ -234,7 +238,8 @@ void OutlineRows::name(OutlineRow& row, const Part& part, const OutlineRow& abov
         row.path = above.path + "." + part.name;
         row.selectable = true;
     } else if (above.type != OutlineRow::Type::Object && part.kind && m_loaded->outline->spaceOf(*part.kind)) {
-        const bool world = part.is(Role::Instance) || part.is(Role::Layout) || part.is(Role::Log);
+        const bool world = part.is(Role::Instance) || part.is(Role::Layout) || part.is(Role::Log) || part.is(Role::Look) ||
+                           part.is(Role::Medium);
         row.path = (world ? std::string() : part.kind->name + ".") + part.name;
         row.key = row.path;
         row.selectable = true;

@@ -16,8 +16,20 @@ namespace trundle {
 
 enum class OutlineMode { ByOwner, ByFile };
 
-enum class OutlineGroup { Robots, Scenery, Logs, Modules, RobotConfigs, StaticConfigs, Materials, Surfaces, Misplaced };
-inline constexpr std::size_t kOutlineGroups = 9;
+enum class OutlineGroup {
+    Robots,
+    Scenery,
+    Looks,
+    Radio,
+    Logs,
+    Modules,
+    RobotConfigs,
+    StaticConfigs,
+    Materials,
+    Surfaces,
+    Misplaced
+};
+inline constexpr std::size_t kOutlineGroups = 11;
 
 struct OutlineRow {
     enum class Type { Experiment, Group, File, Module, Object };

@@ -47,7 +47,8 @@ std::string parentOf(const Loaded& loaded, const std::string& path) {
     if (dot == std::string::npos) return {};
     std::string above = path.substr(0, dot);
     const Kind* kind = loaded.registry->find(above); // "Material" of "Material.red" is no object
-    const bool space = kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Config);
+    const bool space = kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Pattern ||
+                                kind->role == Role::Config);
     return space ? std::string() : above;
 }
 

@@ -1,10 +1,9 @@
 #include "editor/problems/problem_icons.h"
 
 #include <QCoreApplication>
-#include <QIconEngine>
-#include <QPainter>
 #include <QPainterPath>
 
+#include "editor/widgets/painted_icon.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -39,29 +38,11 @@ void paintSign(QPainter& painter, const QRectF& box, Severity severity) {
     painter.restore();
 }
 
-/// Drawn when it is shown, so that it follows a change of theme and is sharp at any scale.
-class SignIcon final : public QIconEngine {
-public:
-    explicit SignIcon(Severity severity) : m_severity(severity) {}
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode, QIcon::State) override {
-        paintSign(*painter, QRectF(rect), m_severity);
-    }
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap pixmap(size);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        paint(&painter, QRect(QPoint(), size), mode, state);
-        return pixmap;
-    }
-    QIconEngine* clone() const override { return new SignIcon(m_severity); }
-
-private:
-    Severity m_severity;
-};
-
 } // namespace
 
-QIcon severityIcon(Severity severity) { return QIcon(new SignIcon(severity)); }
+QIcon severityIcon(Severity severity) {
+    return paintedIcon([severity](QPainter& painter, const QRectF& box, QIcon::Mode) { paintSign(painter, box, severity); });
+}
 
 QString severityWord(Severity severity) {
     switch (severity) {

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include <QDir>
-
 #include "editor/problems/problem_icons.h"
 #include "editor/widgets/theme.h"
+#include "project/search.h"
 
 namespace trundle {
 namespace {
@@ -34,9 +33,7 @@ QString problemPlace(const Loaded& loaded, const SourceRange& place) {
     if (!place.known() || place.file >= loaded.sources.size()) return {};
     const SourceText& source = *loaded.sources[place.file].text;
     const bool file = place.file < loaded.paths.size() && !loaded.paths[place.file].empty();
-    QString name = text(file ? loaded.paths[place.file] : source.path());
-    const QString below = loaded.projectFolder.empty() ? name : QDir(text(loaded.projectFolder)).relativeFilePath(name);
-    if (file && !below.startsWith(QLatin1String("../"))) name = below;
+    const QString name = text(file ? shownInProject(loaded.paths[place.file], loaded.projectFolder) : source.path());
     const LineColumn at = source.position(place.range.begin);
     return QStringLiteral("%1:%2:%3").arg(name).arg(at.line).arg(at.column);
 }

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QPainter>
 #include <QSignalBlocker>
 
 #include "editor/properties/quiet_wheel.h"
@@ -11,28 +10,7 @@
 #include "editor/widgets/theme.h"
 
 namespace trundle {
-namespace {
-
-/// A list whose arrow is drawn flat, as the rest of the window is.
-class ChoiceBox final : public QComboBox {
-public:
-    using QComboBox::QComboBox;
-
-protected:
-    void paintEvent(QPaintEvent* event) override {
-        QComboBox::paintEvent(event);
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(ink(Ink::Faint), 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        const QPointF c(width() - 11, height() / 2.0 + 1);
-        const QPointF corners[] = {c + QPointF(-3.5, -2), c + QPointF(0, 1.5), c + QPointF(3.5, -2)};
-        painter.drawPolyline(corners, 3);
-    }
-};
-
-} // namespace
-
-ChoiceEditor::ChoiceEditor(QWidget* parent) : RowEditor(parent), m_box(new ChoiceBox(this)) {
+ChoiceEditor::ChoiceEditor(QWidget* parent) : RowEditor(parent), m_box(new QComboBox(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_box);
@@ -64,9 +42,7 @@ void ChoiceEditor::refresh() {
     const QString word = QString::fromStdString(plainText(m_row.first().text));
     m_box->setPlaceholderText(m_row.mixed() ? tr("mixed") : word.isEmpty() ? tr("not set") : word);
     m_box->setCurrentIndex(m_row.mixed() ? -1 : m_box->findText(word));
-    const QString colour = ink(m_row.given() ? Ink::Text : Ink::Faint).name();
-    const QString sheet =
-        QStringLiteral("QComboBox { color: %1; } QComboBox::drop-down { border: none; width: 20px; }").arg(colour);
+    const QString sheet = QStringLiteral("QComboBox { color: %1; }").arg(ink(m_row.given() ? Ink::Text : Ink::Faint).name());
     if (m_box->styleSheet() != sheet) m_box->setStyleSheet(sheet);
 }
 

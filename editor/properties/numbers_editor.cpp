@@ -66,7 +66,10 @@ void NumbersEditor::addFields(std::size_t count) {
         connect(label, &ScrubLabel::dragged, this, [this, i](double steps) { scrubField(i, steps); });
         connect(label, &ScrubLabel::ended, this, &RowEditor::scrubEnded);
         connect(label, &ScrubLabel::clicked, field, [field] { field->setFocus(Qt::MouseFocusReason), field->selectAll(); });
-        connect(label, &ScrubLabel::abandoned, this, [this, i] { abandonScrub(i); });
+        connect(label, &ScrubLabel::abandoned, this, [this] {
+            Q_EMIT scrubAbandoned();
+            Q_EMIT scrubEnded();
+        });
     }
     setFocusProxy(m_fields.front());
 }
@@ -152,16 +155,10 @@ void NumbersEditor::scrubField(std::size_t i, double steps) {
         [start, steps, i, property](const FieldValue& v) {
             const auto it = start.find(v.path);
             if (it == start.end()) return v.text;
-            if (steps == 0) return it->second.given() ? it->second.text : std::string();
             const auto scrub = Scrub::of(it->second.element(i), &property);
             return scrub ? it->second.with(i, scrub->after(steps)) : v.text;
         },
         "scrub " + m_row.first().path);
-}
-
-void NumbersEditor::abandonScrub(std::size_t i) {
-    scrubField(i, 0);
-    Q_EMIT scrubEnded();
 }
 
 } // namespace trundle

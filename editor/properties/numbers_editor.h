@@ -26,7 +26,6 @@ private:
     void arrange();
     void enter(std::size_t i, const QString& typed);
     void scrubField(std::size_t i, double steps);
-    void abandonScrub(std::size_t i);
     void showField(std::size_t i);
 
     QGridLayout* m_grid;

@@ -39,7 +39,7 @@ ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
     m_name->setObjectName(QStringLiteral("objectName"));
     m_name->setAccessibleName(tr("Name"));
     QFont bold = font();
-    bold.setBold(true);
+    bold.setWeight(QFont::DemiBold);
     m_name->setFont(bold);
     m_kind->setObjectName(QStringLiteral("objectKind"));
     m_path->setObjectName(QStringLiteral("objectPath"));

@@ -25,7 +25,7 @@ void OriginMark::paintSign(QPainter& painter) const {
     if (m_formula) {
         QFont font = this->font();
         font.setItalic(true);
-        font.setBold(m_standing == Standing::Override);
+        if (m_standing == Standing::Override) font.setWeight(QFont::DemiBold);
         painter.setFont(font);
         return painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("ƒ"));
     }

@@ -1,17 +1,16 @@
 #include "editor/properties/origin_words.h"
 
-#include <QDir>
 #include <QObject>
+
+#include "project/search.h"
 
 namespace trundle {
 
 QString placeWords(const Loaded& loaded, const SourceRange& place) {
     if (!place.known() || place.file >= loaded.sources.size()) return {};
     const SourceText& source = *loaded.sources[place.file].text;
-    QString name = QString::fromStdString(place.file < loaded.paths.size() ? loaded.paths[place.file] : source.path());
-    const QString folder = QString::fromStdString(loaded.projectFolder);
-    const QString below = folder.isEmpty() ? name : QDir(folder).relativeFilePath(name);
-    if (!below.startsWith(QLatin1String("../"))) name = below;
+    const std::string& file = place.file < loaded.paths.size() ? loaded.paths[place.file] : source.path();
+    const QString name = QString::fromStdString(shownInProject(file, loaded.projectFolder));
     return QStringLiteral("%1:%2").arg(name).arg(source.position(place.range.begin).line);
 }
 

@@ -127,7 +127,7 @@ void PropertiesPanel::build(const std::vector<Row>& rows, const std::vector<Shap
     dropRows();
     if (m_body) return; // made anew on the way
     m_shapes = shapes;
-    m_body = new QWidget;
+    m_body = new QWidget(m_scroll->viewport()); // where it stays: each row would be styled anew if it came there later
     m_body->setObjectName(QStringLiteral("rows"));
     auto* layout = new QVBoxLayout(m_body);
     layout->setContentsMargins(0, 0, 0, 8);
@@ -174,6 +174,8 @@ void PropertiesPanel::addRow(const Row& row, EditorKind kind, Section& section) 
         showHelp();
     });
     connect(widget, &PropertyRow::scrubEnded, this, [this] { m_document.endMerge(); });
+    connect(widget, &PropertyRow::scrubAbandoned, this,
+            [this, widget] { m_document.withdraw("scrub " + widget->row().first().path); });
     connect(widget, &PropertyRow::menuWanted, this,
             [this, widget](const QPoint& place, QMenu* under) { openMenu(widget, place, under); });
 }

@@ -49,16 +49,18 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     m_label->setContentsMargins(0, 5, 0, 0);
     m_mark->setObjectName(QStringLiteral("mark"));
     m_note->setObjectName(QStringLiteral("note"));
+    m_note->setWordWrap(true); // never wider than the row
     connect(m_label, &ScrubLabel::dragged, this, [this](double steps) { m_editor->scrub(steps); });
     connect(m_label, &ScrubLabel::ended, m_editor, &RowEditor::scrubEnded);
     connect(m_label, &ScrubLabel::abandoned, this, [this] {
-        m_editor->scrub(0);
+        Q_EMIT m_editor->scrubAbandoned();
         Q_EMIT m_editor->scrubEnded();
     });
     connect(m_label, &ScrubLabel::clicked, this, [this] {
         if (QWidget* field = m_editor->focusField()) field->setFocus(Qt::MouseFocusReason);
     });
     connect(m_editor, &RowEditor::scrubEnded, this, &PropertyRow::scrubEnded);
+    connect(m_editor, &RowEditor::scrubAbandoned, this, &PropertyRow::scrubAbandoned);
     connect(m_editor, &RowEditor::refusedChanged, this, [this](const QString& reason) {
         m_refusal = reason;
         Q_EMIT refusedChanged();
@@ -96,18 +98,31 @@ void PropertyRow::showLabel() {
     const bool override = std::any_of(m_row.values.begin(), m_row.values.end(),
                                       [](const FieldValue& value) { return value.standing == Standing::Override; });
     QFont font = this->font();
-    font.setBold(override);
+    if (override) font.setWeight(QFont::DemiBold);
     const QString html = labelHtml(m_row, QFontMetrics(font), m_labelWidth);
-    m_label->setText(override ? QStringLiteral("<b>%1</b>").arg(html) : html);
+    const QString problem = this->problem();
+    m_label->setText(QStringLiteral("<span style='font-weight:%1; color:%2'>%3</span>")
+                         .arg(override ? 600 : 400)
+                         .arg(ink(problem.isEmpty() ? Ink::Text : Ink::Error).name(), html));
     const QString range = v.property ? QString::fromStdString(unitAndRange(*v.property)) : QString();
     const QString help = v.property ? QString::fromStdString(v.property->help) : QString();
-    m_label->setToolTip(m_row.label + (range.isEmpty() ? QString() : QStringLiteral(" – ") + range) +
+    m_label->setToolTip((problem.isEmpty() ? QString() : problem + QLatin1Char('\n')) + m_row.label +
+                        (range.isEmpty() ? QString() : QStringLiteral(" – ") + range) +
                         (help.isEmpty() ? QString() : QStringLiteral("\n") + help));
     m_label->setScrubbing(m_editor->canScrub());
     if (QWidget* field = m_editor->focusField()) {
         field->setAccessibleName(m_row.label);
         field->setAccessibleDescription(help);
     }
+}
+
+QString PropertyRow::problem() const {
+    for (const FieldValue& v : m_row.values)
+        for (const Diagnostic& d : m_row.loaded->diagnostics.all())
+            if (v.given() && d.severity == Severity::Error && d.range.file == v.place.file &&
+                d.range.range.begin < v.place.range.end && v.place.range.begin < d.range.range.end)
+                return QString::fromStdString(d.message);
+    return {};
 }
 
 void PropertyRow::showNote() {
@@ -123,7 +138,7 @@ void PropertyRow::showNote() {
 
 int PropertyRow::labelWidthWanted() const {
     QFont bold = font();
-    bold.setBold(true);
+    bold.setWeight(QFont::DemiBold);
     const Property* p = m_row.property();
     const bool unit = p && m_row.fieldCount() > 1;
     return QFontMetrics(bold).horizontalAdvance(m_row.label +

@@ -20,7 +20,8 @@ public:
     void display(const Row& row);
     [[nodiscard]] const Row& row() const { return m_row; }
     [[nodiscard]] RowEditor& editor() const { return *m_editor; }
-    [[nodiscard]] const QString& refusal() const { return m_refusal; }
+    /// Why what was typed is refused, or what is wrong with what stands in the text; empty: nothing.
+    [[nodiscard]] QString refusal() const { return m_refusal.isEmpty() ? problem() : m_refusal; }
     void setLabelWidth(int width);
     [[nodiscard]] int labelWidthWanted() const;
 
@@ -28,6 +29,7 @@ Q_SIGNALS:
     void entered(); ///< the focus is in it, or the mouse wants its help
     void refusedChanged();
     void scrubEnded();
+    void scrubAbandoned();
     void menuWanted(const QPoint& place, QMenu* under); ///< `under`: a menu that the row's entries join, or null
 
 protected:
@@ -35,6 +37,7 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    [[nodiscard]] QString problem() const;
     void showLabel();
     void showNote();
     void watch(QWidget* widget);

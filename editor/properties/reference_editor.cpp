@@ -36,14 +36,12 @@ ReferenceEditor::ReferenceEditor(QWidget* parent)
     layout->addWidget(m_button);
     m_field->setObjectName(QStringLiteral("field"));
     m_button->setObjectName(QStringLiteral("pick"));
-    m_button->setArrowType(Qt::DownArrow);
     m_button->setFixedWidth(22);
     m_button->setToolTip(tr("Choose from what fits"));
     m_button->setAccessibleName(m_button->toolTip());
     m_button->setFocusPolicy(Qt::NoFocus); // Alt+Down in the field does the same
     m_button->setMenu(m_menu);
     m_button->setPopupMode(QToolButton::InstantPopup);
-    m_button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     m_button->setFixedHeight(m_field->sizeHint().height());
     setFocusProxy(m_field);
     auto* completer = new QCompleter(m_names, this);

@@ -24,6 +24,7 @@ public:
 Q_SIGNALS:
     void refusedChanged(const QString& reason); ///< empty: nothing is refused any more
     void scrubEnded();
+    void scrubAbandoned(); ///< nothing of it is to be left; scrubEnded() follows
 
 protected:
     virtual void refresh() = 0;

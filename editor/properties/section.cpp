@@ -16,7 +16,7 @@ Section::Section(const QString& title, bool open, QWidget* parent)
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(1);
     QFont bold = font();
-    bold.setBold(true);
+    bold.setWeight(QFont::DemiBold);
     m_heading->setFont(bold);
     m_heading->setText(title);
     m_heading->setObjectName(QStringLiteral("heading"));

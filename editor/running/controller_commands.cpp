@@ -122,8 +122,8 @@ bool ControllerCommands::assign(const std::vector<std::string>& robots, const Co
     const Kind* kind = m_document.loaded()->registry->find(choice.kind.name);
     const bool done =
         answer(m_document.carryOut(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key));
+    if (!done) m_document.withdraw(key); // a module that nobody uses was not asked for
     m_document.endMerge();
-    if (!done && !choice.module.empty()) m_document.undo(); // a module that nobody uses was not asked for
     return done;
 }
 

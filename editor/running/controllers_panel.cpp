@@ -44,7 +44,9 @@ QToolButton* textButton(const char* name, const QString& text, const QString& ti
     return made;
 }
 
-QToolButton* actionButton(QAction& action) {
+/// With a short text: the menus, which take the long one, do not say where it is pressed.
+QToolButton* actionButton(QAction& action, const QString& text) {
+    action.setIconText(text);
     auto* made = new QToolButton;
     made->setDefaultAction(&action);
     made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -114,7 +116,7 @@ QWidget* ControllersPanel::makeModules() {
     m_modules->setColumnWidth(0, 160);
     m_modules->setColumnWidth(1, 120);
     m_modules->setColumnWidth(2, 52);
-    QToolButton* load = actionButton(m_actions.at("controllers.load"));
+    QToolButton* load = actionButton(m_actions.at("controllers.load"), tr("Load…"));
     load->setObjectName(QStringLiteral("moduleLoad"));
     m_recent = new QMenu(load);
     load->setMenu(m_recent);
@@ -122,7 +124,7 @@ QWidget* ControllersPanel::makeModules() {
     connect(m_recent, &QMenu::aboutToShow, this, &ControllersPanel::showRecent);
     m_unload = textButton("moduleUnload", tr("Unload"), tr("Take the line that loads the module out of the text"));
     m_trust = textButton("moduleTrust", tr("Trust…"), tr("Allow the modules of this folder to run"));
-    QToolButton* reload = actionButton(m_actions.at("controllers.reload"));
+    QToolButton* reload = actionButton(m_actions.at("controllers.reload"), tr("Reload"));
     connect(m_unload, &QToolButton::clicked, this, [this] {
         if (const ModuleInfo* module = currentModule()) m_commands->unload(ModuleInfo(*module));
     });
@@ -153,7 +155,8 @@ QWidget* ControllersPanel::makeRobots() {
     });
     connect(m_robots, &QTreeWidget::itemActivated, this, [this] { assignTo(chosenRobots()); });
     return titled(tr("Robots"), m_robots,
-                  {actionButton(m_actions.at("controllers.assign")), actionButton(m_actions.at("controllers.remove"))});
+                  {actionButton(m_actions.at("controllers.assign"), tr("Assign…")),
+                   actionButton(m_actions.at("controllers.remove"), tr("Remove"))});
 }
 
 void ControllersPanel::connectActions() {
@@ -235,13 +238,16 @@ void ControllersPanel::refreshModules() {
                          "Choose the module and Trust… "
                          "if you know where it comes from.")
                           .arg(untrusted.join(QStringLiteral(", "))));
-    m_notice->setStyleSheet(QStringLiteral("QLabel { color: %1; }").arg(ink(Ink::Warning).name()));
+    const QString colour = QStringLiteral("QLabel { color: %1; }").arg(ink(Ink::Warning).name());
+    if (colour != m_notice->styleSheet()) m_notice->setStyleSheet(colour);
 }
 
 void ControllersPanel::refreshRobots() {
     m_listed = m_document.loaded() ? controlledRobots(*m_document.loaded()) : std::vector<ControlledRobot>();
     const QSignalBlocker quiet(m_robots);
     m_robots->clear();
+    m_stale = !isVisible(); // a swarm's rows take longer than the edit: they are made when somebody looks
+    if (m_stale) return;
     for (const ControlledRobot& robot : m_listed) {
         const QString name = QString::fromStdString(robot.path);
         const QString shown = robot.members == 1 ? name : tr("%1 (%2 robots)").arg(name).arg(robot.members);
@@ -254,7 +260,7 @@ void ControllersPanel::refreshRobots() {
 }
 
 void ControllersPanel::showStates() {
-    for (std::size_t i = 0; i < m_listed.size(); ++i) {
+    for (std::size_t i = 0; i < m_listed.size() && !m_stale; ++i) {
         const ControllerState state = controllerState(m_session, m_listed[i]);
         QTreeWidgetItem* item = m_robots->topLevelItem(static_cast<int>(i));
         item->setText(2, state.text);
@@ -280,6 +286,11 @@ void ControllersPanel::showButtons() {
     for (int i = 0; i < m_robots->topLevelItemCount(); ++i)
         m_robots->topLevelItem(i)->setSelected(std::ranges::find(robots, m_listed[static_cast<std::size_t>(i)].path) !=
                                                robots.end());
+}
+
+void ControllersPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (m_stale) refresh();
 }
 
 void ControllersPanel::changeEvent(QEvent* event) {

@@ -35,6 +35,7 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     QWidget* makeModules();
@@ -64,6 +65,7 @@ private:
     QToolButton* m_trust = nullptr;
     QMenu* m_recent = nullptr;
     bool m_choosing = false; // the selection comes from here
+    bool m_stale = false;    // the robots' rows: nobody saw them when they changed
 };
 
 } // namespace trundle

@@ -59,7 +59,9 @@ void KeyboardDrive::steer() {
     const auto along = [this](int forward, int back) { return int(m_down.contains(forward)) - int(m_down.contains(back)); };
     const double scale = m_fast ? 2 : 1;
     const std::string selected = m_selection.current();
-    const std::string robot = selected.substr(0, selected.find('.'));
+    std::string robot = selected.substr(0, selected.find('.'));
+    const auto experiment = m_session.experiment();
+    if (robot.empty() && experiment && experiment->robots.size() == 1) robot = experiment->robots.front().name;
     if (!m_session.drive(robot, scale * kSpeed * along(Qt::Key_Up, Qt::Key_Down),
                          scale * kTurnRate * along(Qt::Key_Left, Qt::Key_Right)))
         m_down.clear();

@@ -25,7 +25,9 @@ void note(const Outline& outline, const Part& part, const std::string& path, Tex
     for (const Part& inner : part.parts) note(outline, inner, path + "." + inner.name, out);
 }
 
-bool isNamedByKind(const Part& part) { return part.is(Role::Material) || part.is(Role::Surface) || part.is(Role::Config); }
+bool isNamedByKind(const Part& part) {
+    return part.is(Role::Material) || part.is(Role::Surface) || part.is(Role::Pattern) || part.is(Role::Config);
+}
 
 Texts textsOf(const Outline& outline) {
     Texts out;

@@ -1,5 +1,7 @@
 #include "editor/running/robot_states.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 
 #include "editor/running/controller_edits.h"
@@ -21,10 +23,11 @@ bool isOf(const RunSession& session, const std::string& built, const ControlledR
 ControllerState controllerState(const RunSession& session, const ControlledRobot& robot) {
     const auto experiment = session.experiment();
     if (!experiment) return {robot.kind.empty() ? trState("no controller") : trState("waits for a run"), false, false};
-    const RobotSpec* built = nullptr;
-    for (const RobotSpec& spec : experiment->robots)
-        if (!built && isOf(session, spec.name, robot)) built = &spec;
-    if (!built) return {trState("not in this run"), false, false};
+    const auto& robots = experiment->robots;
+    auto built = std::ranges::find(robots, robot.path, &RobotSpec::name);
+    if (built == robots.end()) // a Grid or Scatter: its first member speaks for it
+        built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isOf(session, spec.name, robot); });
+    if (built == robots.end()) return {trState("not in this run"), false, false};
     if (!built->controller) return {trState("no controller"), false, false};
     const std::optional<LiveEnd>& end = session.end();
     if (end && end->failure && end->failure->range.known() && end->failure->range == built->controller->nameRange)

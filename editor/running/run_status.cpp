@@ -26,6 +26,7 @@ RunStatus::RunStatus(RunSession& session, QObject* parent) : QObject(parent), m_
         if (!m_timer.isActive()) refresh();
     });
     connect(&session, &RunSession::waitingChanged, this, &RunStatus::refresh);
+    connect(&session, &RunSession::heldUpChanged, this, &RunStatus::refresh);
 }
 
 void RunStatus::refresh() {
@@ -36,9 +37,7 @@ void RunStatus::refresh() {
         parts << counted(shot->contactCount, tr("1 contact"), tr("%1 contacts"));
         parts << tr("step %1 ms").arg(shot->stepMs, 0, 'f', shot->stepMs < 10 ? 2 : 0);
     }
-    if (const double held = m_session.heldUpS(); held > 0)
-        parts << (m_session.state() == RunState::Building ? tr("building for %1 s") : tr("one tick takes %1 s so far"))
-                     .arg(held, 0, 'f', 0);
+    if (const QString heldUp = m_session.heldUpText(); !heldUp.isEmpty()) parts << heldUp;
     if (m_session.needsReset()) parts << tr("edits wait for Reset");
     const QString text = parts.join(QStringLiteral("  •  "));
     if (text == m_text) return;

@@ -20,7 +20,7 @@ private:
     void refresh();
 
     RunSession& m_session;
-    QTimer m_timer; // while it runs: also a tick that does not end is to be seen
+    QTimer m_timer; // while it runs
     QString m_text;
 };
 

@@ -16,7 +16,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kFrameMs = 16;
+constexpr int kFrameMs = 16, kWatchMs = 250;
 constexpr double kRemarkablyLongS = 1;
 constexpr std::chrono::milliseconds kLastWait(2000);
 
@@ -41,6 +41,8 @@ RunSession::RunSession(Document& document, Parts& parts, QObject* parent)
     m_frames.setInterval(kFrameMs);
     m_frames.setTimerType(Qt::PreciseTimer);
     connect(&m_frames, &QTimer::timeout, this, &RunSession::look);
+    m_watch.setInterval(kWatchMs);
+    connect(&m_watch, &QTimer::timeout, this, &RunSession::watch);
     connect(&document, &Document::opened, this, &RunSession::reset);
     connect(&document, &Document::changed, this, &RunSession::followDocument);
 }
@@ -51,11 +53,20 @@ RunSession::~RunSession() {
         m_doorbell->session = nullptr;
     }
     leave();
+    (void)waitForRuns();
+}
+
+bool RunSession::endRuns() {
+    reset();
+    return waitForRuns();
+}
+
+bool RunSession::waitForRuns() const {
     const auto deadline = std::chrono::steady_clock::now() + kLastWait;
-    for (const auto& run : m_leaving) {
+    return std::ranges::all_of(m_leaving, [&](const std::unique_ptr<LiveRun>& run) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
-        (void)run->waitUntilGone(std::max(left, std::chrono::milliseconds(0)));
-    }
+        return run->waitUntilGone(std::max(left, std::chrono::milliseconds(0)));
+    });
 }
 
 double RunSession::time() const { return m_snapshot ? m_snapshot->time : 0; }
@@ -65,6 +76,34 @@ double RunSession::realTimeFactor() const { return m_snapshot && m_state == RunS
 double RunSession::heldUpS() const {
     const double busy = m_run ? m_run->busyS() : 0;
     return busy >= kRemarkablyLongS ? busy : 0;
+}
+
+QString RunSession::heldUpBy() const {
+    const auto turn = m_run ? m_run->turn() : std::nullopt;
+    if (!turn || !m_built || *turn >= m_built->experiment->robots.size()) return {};
+    const RobotSpec& robot = m_built->experiment->robots[*turn];
+    return tr("%1's %2").arg(QString::fromStdString(robot.name),
+                             QString::fromStdString(robot.controller ? robot.controller->kind : std::string()));
+}
+
+QString RunSession::heldUpText() const {
+    const double held = heldUpS();
+    if (held <= 0) return {};
+    const QString seconds = QString::number(held, 'f', 0), who = heldUpBy();
+    if (!who.isEmpty()) return tr("%1 has not come back for %2 s").arg(who, seconds);
+    return m_state == RunState::Building ? tr("building for %1 s").arg(seconds) : tr("one tick takes %1 s so far").arg(seconds);
+}
+
+/// The window goes on whatever a controller does; what it does not do is to be seen.
+void RunSession::watch() {
+    const QString text = heldUpText();
+    if (text == m_saidHeldUp) return;
+    m_saidHeldUp = text;
+    if (!heldUpBy().isEmpty() && heldUpS() > 0 && !std::exchange(m_toldHeldUp, true))
+        tell(TRUNDLE_WARNING,
+             tr("%1 does not come back. Reset leaves it behind; you can go on editing and save").arg(heldUpBy()));
+    if (text.isEmpty()) m_toldHeldUp = false;
+    Q_EMIT heldUpChanged();
 }
 
 QString RunSession::refusal() const {
@@ -139,6 +178,8 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
 
 void RunSession::leave() {
     m_frames.stop();
+    m_watch.stop();
+    m_toldHeldUp = false;
     if (!m_run) return;
     m_run->stop();
     m_leaving.push_back(std::move(m_run));
@@ -180,9 +221,10 @@ void RunSession::reset() {
     m_placed.clear();
     m_end.reset();
     m_driven.clear();
-    const bool waited = needsReset();
+    const bool waited = needsReset(), heldUp = !std::exchange(m_saidHeldUp, {}).isEmpty();
     m_waiting.clear();
     setState(RunState::Start);
+    if (heldUp) Q_EMIT heldUpChanged();
     Q_EMIT experimentChanged();
     if (waited) Q_EMIT waitingChanged();
     Q_EMIT advanced();
@@ -203,6 +245,8 @@ void RunSession::wantContacts(bool wanted) {
 void RunSession::setState(RunState state) {
     if (state == RunState::Running) m_frames.start();
     else m_frames.stop();
+    if (state == RunState::Start || state == RunState::Ended) m_watch.stop();
+    else if (!m_watch.isActive()) m_watch.start();
     if (state == m_state) return;
     m_state = state;
     Q_EMIT stateChanged();

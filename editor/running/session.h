@@ -30,6 +30,9 @@ public:
     RunSession(Document& document, Parts& parts, QObject* parent = nullptr);
     /// Waits at most two seconds for a run to close its logs. Code of a module that does not come back is left behind.
     ~RunSession() override;
+    /// Goes back to Start and waits so for all runs. False where one does not come to its end: its thread uses what it has until the
+    /// program is gone.
+    [[nodiscard]] bool endRuns();
 
     [[nodiscard]] RunState state() const { return m_state; }
     [[nodiscard]] bool isActive() const { return m_state != RunState::Start; } ///< there is a world, or soon will be
@@ -55,8 +58,12 @@ public:
     [[nodiscard]] const std::optional<LiveEnd>& end() const { return m_end; }
     /// What building and running had to say since the last start, in built()'s texts.
     [[nodiscard]] const std::vector<Diagnostic>& problems() const { return m_problems; }
-    /// Wall s that one tick has taken so far, where that is remarkably long; else 0.
+    /// Wall s that one tick (or building) has taken so far, where that is remarkably long; else 0.
     [[nodiscard]] double heldUpS() const;
+    /// By which controller: "robot0's Wanderer"; empty where it is none.
+    [[nodiscard]] QString heldUpBy() const;
+    /// The same in a sentence; empty while nothing is held up.
+    [[nodiscard]] QString heldUpText() const;
     /// Where a robot's config frame stands now (with a placement that waits for the next tick).
     [[nodiscard]] std::optional<Pose> robotPose(const std::string& robot) const;
 
@@ -104,6 +111,7 @@ Q_SIGNALS:
     void advanced();          ///< new poses; at most about 60 times a second
     void experimentChanged(); ///< experiment() is another one: built, changed live or gone
     void waitingChanged();    ///< needsReset() or what waits
+    void heldUpChanged();     ///< heldUpText() is another one
     void problemsChanged();
     void consoleLines(const std::vector<trundle::LiveLine>& lines, quint64 dropped);
     void ended(const trundle::Diagnostic& reason); ///< blew up, a controller failed or nothing could be built
@@ -114,6 +122,7 @@ private:
 
     bool begin(bool running, std::uint64_t steps = 0);
     void leave();
+    [[nodiscard]] bool waitForRuns() const;
     void look();
     void showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot);
     void takeReports();
@@ -122,13 +131,16 @@ private:
     bool refuse(const QString& reason);
     [[nodiscard]] const RobotSpec* robotNamed(const std::string& name) const;
     [[nodiscard]] std::string logFolder() const;
+    void watch();
     void tellLogs();
     void tell(int severity, const QString& text);
 
     Document& m_document;
     Parts& m_parts;
     std::shared_ptr<Doorbell> m_doorbell;
-    QTimer m_frames;
+    QTimer m_frames, m_watch; // m_watch: whether a tick comes to its end
+    QString m_saidHeldUp;
+    bool m_toldHeldUp = false;
     RunState m_state = RunState::Start;
     double m_speed = 1;
     bool m_contacts = false;

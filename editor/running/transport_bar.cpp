@@ -20,6 +20,7 @@ struct StateLook {
 };
 
 StateLook lookOf(const RunSession& session, bool open) {
+    if (!session.heldUpBy().isEmpty() && session.heldUpS() > 0) return {TransportBar::tr("Held up"), Ink::Warning};
     switch (session.state()) {
     case RunState::Start:
         if (open && !session.refusal().isEmpty()) return {TransportBar::tr("Cannot run"), Ink::Error};
@@ -60,6 +61,7 @@ TransportBar::TransportBar(RunSession& session, Actions& actions, QWidget* paren
     connectActions();
     connect(&session, &RunSession::stateChanged, this, &TransportBar::showState);
     connect(&session, &RunSession::refusalChanged, this, &TransportBar::showState);
+    connect(&session, &RunSession::heldUpChanged, this, &TransportBar::showRefusal);
     connect(&session, &RunSession::advanced, this, &TransportBar::showFigures);
     connect(&session, &RunSession::speedChanged, this, &TransportBar::showSpeed);
     showState();
@@ -151,9 +153,9 @@ void TransportBar::showRefusal() {
     m_state->setText(look.text);
     m_state->setStyleSheet(
         QStringLiteral("QLabel { color: %1; border: 1px solid %1; border-radius: 8px; font-weight: 600; }").arg(colour.name()));
-    fixWidth(m_state,
-             {tr("At start"), tr("Building"), tr("Running"), tr("Paused"), tr("Finished"), tr("Stopped"), tr("Cannot run")});
-    QString why;
+    fixWidth(m_state, {tr("At start"), tr("Building"), tr("Running"), tr("Paused"), tr("Finished"), tr("Stopped"),
+                       tr("Cannot run"), tr("Held up")});
+    QString why = m_session.heldUpText();
     if (m_session.state() == RunState::Start && open) why = m_session.refusal();
     else if (m_session.end() && m_session.end()->failure) why = QString::fromStdString(m_session.end()->failure->message);
     m_state->setToolTip(why);
@@ -166,7 +168,7 @@ void TransportBar::showFigures() {
     const bool runs = m_session.state() == RunState::Running;
     m_factor->setText(runs ? factorText(m_session.realTimeFactor()) : QString());
     fixWidth(m_time, {timeText(0), timeText(8888.88), m_time->text()});
-    fixWidth(m_factor, {factorText(888), m_factor->text()});
+    fixWidth(m_factor, {factorText(888), factorText(0.88), m_factor->text()});
 }
 
 void TransportBar::changeEvent(QEvent* event) {

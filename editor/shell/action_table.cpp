@@ -9,7 +9,7 @@ static constexpr ActionRow kTable[] = {
     {"file.newRobot",  "File/New",    "&Robot…",                 "",            "",               "Start a robot from a template."},
     {"file.newArena",  "File/New",    "&Arena…",                 "",            "",               "Start an arena from a template."},
     {"file.open",      "File",        "&Open…",                  "open",        "Ctrl+O",         "Open an experiment, a robot or an arena."},
-    {"file.openSample", "File",       "Open &Sample…",           "",            "",               "Choose one of the sample experiments by its picture."},
+    {"file.openSample", "File",       "Open &Sample…",           "",            "",               "Go back to the Welcome page, where the sample experiments are."},
     {"file.save",      "|File",       "&Save",                   "save",        "Ctrl+S",         "Write every changed file."},
     {"file.saveAs",    "File",        "Save &As…",               "",            "Ctrl+Shift+S",   "Write the opened file under another name and go on with that."},
     {"file.close",     "|File",       "&Close",                  "",            "Ctrl+F4",        "Close the experiment and show the Welcome page."},

@@ -27,7 +27,9 @@ public:
         const auto group = enabled ? QPalette::Active : QPalette::Disabled;
         const QIcon icon = index.data(Qt::DecorationRole).value<QIcon>();
         icon.paint(painter, QRect(option.rect.left() + 10, option.rect.center().y() - 7, 16, 16), Qt::AlignCenter,
-                   selected ? QIcon::Selected : QIcon::Normal);
+                   selected  ? QIcon::Selected
+                   : enabled ? QIcon::Normal
+                             : QIcon::Disabled);
         painter->setPen(option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text));
         painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter, index.data().toString());
         if (!selected) painter->setPen(ink(Ink::Faint));
@@ -43,8 +45,11 @@ CommandPalette::CommandPalette(const Actions& actions, QList<QAction*> more, QWi
     for (const ActionRow& row : actions.table()) {
         QAction& action = actions.at(row.id);
         if (std::string_view(row.id) == "edit.palette") continue;
-        QString menu = QLatin1String(row.menu);
-        m_commands.push_back({action.text().remove(QLatin1Char('&')), menu.remove(QLatin1Char('|')), &action});
+        QString menu = QLatin1String(row.menu), name = action.text().remove(QLatin1Char('&'));
+        menu.remove(QLatin1Char('|'));
+        if (const qsizetype under = menu.indexOf(QLatin1Char('/')); under > 0) // its name alone may not say enough: "Robot…"
+            name = menu.mid(under + 1) + QStringLiteral(": ") + name;
+        m_commands.push_back({name, menu, &action});
     }
     for (QAction* action : more)
         m_commands.push_back({tr("Insert %1").arg(action->text().remove(QLatin1Char('&'))), tr("Insert"), action});
@@ -84,7 +89,10 @@ void CommandPalette::fill(const QString& letters) {
     m_list->clear();
     std::vector<std::pair<int, std::size_t>> found;
     for (std::size_t i = 0; i < m_commands.size(); ++i)
-        if (const int score = match(m_commands[i].name, letters)) found.emplace_back(-score, i);
+        // The words may stand in the menu's name too: "For Running" is one of View/Layout.
+        if (int score = match(m_commands[i].name, letters);
+            score > 0 || (score = match(m_commands[i].menu + QLatin1Char(' ') + m_commands[i].name, letters)) > 0)
+            found.emplace_back(-score, i);
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [score, i] : found) {
         const Command& command = m_commands[i];

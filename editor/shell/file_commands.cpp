@@ -23,14 +23,27 @@ FileCommands::FileCommands(QWidget& window, Document& document, Actions& actions
     on("file.newRobot", [this] { newFrom("robot"); });
     on("file.newArena", [this] { newFrom("arena"); });
     on("file.open", [this] { choose(); });
-    on("file.openSample", [this] { Q_EMIT openSampleWanted(); });
+    on("file.openSample", [this] { close(); }); // the Welcome page shows them
     on("file.save", [this] { save(); });
     on("file.saveAs", [this] { saveAs(); });
-    on("file.close", [this] {
-        if (!mayLeave()) return;
-        m_document.close();
-        Q_EMIT closed();
+    on("file.close", [this] { close(); });
+}
+
+void FileCommands::close() {
+    if (mayLeave()) m_document.close();
+}
+
+QMenu* FileCommands::makeRecentMenu() {
+    auto* menu = new QMenu(tr("Open &Recent"), &m_window);
+    menu->setObjectName(QStringLiteral("menu.recent"));
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        for (const QString& file : recentFiles())
+            menu->addAction(QDir::toNativeSeparators(file).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                            [this, file] { open(file); });
+        if (menu->isEmpty()) menu->addAction(tr("Nothing yet"))->setEnabled(false);
     });
+    return menu;
 }
 
 bool FileCommands::open(const QString& path) {
@@ -40,7 +53,8 @@ bool FileCommands::open(const QString& path) {
 }
 
 void FileCommands::sayNotOpened(const QString& path, const QString& reason) {
-    tell(tr("%1 could not be opened").arg(QDir::toNativeSeparators(path)), Error{Code::FileUnreadable, reason.toStdString()});
+    const QString what = reason.contains(path) ? reason : QStringLiteral("%1: %2").arg(path, reason);
+    tell(tr("Not opened"), Error{Code::FileUnreadable, what.toStdString()});
 }
 
 void FileCommands::newFrom(const char* templateName) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include <QMenu>
 #include <QObject>
 #include <QWidget>
 
@@ -19,17 +20,16 @@ public:
     bool open(const QString& path);
     /// True where nothing is unsaved any more, or the user lets it go.
     [[nodiscard]] bool mayLeave();
+    /// A menu of files opened lately.
+    [[nodiscard]] QMenu* makeRecentMenu();
     /// Called before texts are written or asked for: parts that hold typed text hand it over.
     void setFlush(std::function<void()> flush) { m_flush = std::move(flush); }
 
 public Q_SLOTS:
     void sayNotOpened(const QString& path, const QString& reason);
 
-Q_SIGNALS:
-    void openSampleWanted();
-    void closed();
-
 private:
+    void close();
     void newFrom(const char* templateName);
     void choose();
     bool save();

@@ -9,6 +9,9 @@ class HelpPanel final : public QTextBrowser {
 public:
     explicit HelpPanel(QWidget* parent = nullptr);
 
+private:
+    void setType();
+
 protected:
     QVariant loadResource(int type, const QUrl& name) override;
     void changeEvent(QEvent* event) override;

@@ -1,5 +1,7 @@
 #include "editor/shell/layouts.h"
 
+#include <algorithm>
+
 #include <QSettings>
 
 namespace trundle {
@@ -7,17 +9,21 @@ namespace {
 
 constexpr int kVersion = 1; // raised when docks come or go, so that old settings are not applied to a new window
 
+const QString kGuide = QStringLiteral("guide");
+
 QString settingOf(Layout layout) { return QStringLiteral("layouts/") + nameOf(layout); }
 
 } // namespace
 
 QString nameOf(Layout layout) { return layout == Layout::Edit ? QStringLiteral("Edit") : QStringLiteral("Run"); }
 
-Layouts::Layouts(QMainWindow& window) : QObject(&window), m_window(window) {
+Layouts::Layouts(QMainWindow& window) : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Panels"), &window)) {
+    m_menu->setEnabled(false);
     // Side docks stand beside the bottom ones only where the window is wide; the view should be as high as can be.
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    m_window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    m_window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks |
+                            QMainWindow::GroupedDragging); // also by the tab: one among tabs has no title
     m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
 }
 
@@ -28,6 +34,14 @@ QDockWidget* Layouts::add(QWidget* panel, const QString& title) {
     m_window.addDockWidget(Qt::LeftDockWidgetArea, dock);
     dock->hide(); // until setShown()
     m_docks[panel->objectName()] = dock;
+    for (const auto& moved : {&QDockWidget::visibilityChanged, &QDockWidget::topLevelChanged})
+        connect(dock, moved, this, &Layouts::showTitles, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::dockLocationChanged, this, &Layouts::showTitles, Qt::QueuedConnection);
+    QAction* action = dock->toggleViewAction();
+    connect(action, &QAction::triggered, dock, [dock](bool shown) {
+        if (shown) dock->raise();
+    });
+    m_menu->addAction(action);
     return dock;
 }
 
@@ -55,14 +69,22 @@ void Layouts::setShown(bool shown) {
     if (shown == m_shown) return;
     if (!shown) save();
     m_shown = shown;
+    m_menu->setEnabled(shown);
+    const QDockWidget* guide = m_docks.value(kGuide);
+    const bool reading = guide && !guide->isHidden();
     if (shown) restore();
     else
         for (QDockWidget* dock : m_docks) dock->hide();
+    if (reading && shown) raise(kGuide); // who reads it on the Welcome page goes on in what it told them to open
 }
 
 void Layouts::raise(const QString& name) {
     QDockWidget* dock = m_docks.value(name);
-    if (!dock || !m_shown) return;
+    if (!dock || (!m_shown && name != kGuide)) return;
+    if (!m_shown) {
+        m_window.addDockWidget(Qt::RightDockWidgetArea, dock);
+        m_window.resizeDocks({dock}, {m_window.width() * 3 / 10}, Qt::Horizontal);
+    }
     dock->show();
     dock->raise();
 }
@@ -101,6 +123,7 @@ void Layouts::arrange(Layout layout) {
         if (QDockWidget* other = m_docks.value(QLatin1String(place.tabWith))) m_window.tabifyDockWidget(other, dock);
         dock->setVisible(place.shown);
     }
+    showTitles();
     for (const char* front : {"scene", "properties", layout == Layout::Edit ? "problems" : "console"})
         if (QDockWidget* dock = m_docks.value(QLatin1String(front))) dock->raise();
     sizeDocks();
@@ -108,12 +131,27 @@ void Layouts::arrange(Layout layout) {
     QMetaObject::invokeMethod(this, &Layouts::sizeDocks, Qt::QueuedConnection);
 }
 
+/// The tab of a dock says its name: a title below would say it again.
+void Layouts::showTitles() {
+    for (QDockWidget* dock : m_docks) {
+        const QList<QDockWidget*> others = m_window.tabifiedDockWidgets(dock);
+        const bool tabbed = !dock->isFloating() && std::any_of(others.begin(), others.end(),
+                                                               [](const QDockWidget* other) { return !other->isHidden(); });
+        QWidget* const before = dock->titleBarWidget();
+        if (tabbed == (before != nullptr)) continue;
+        dock->setTitleBarWidget(tabbed ? new QWidget(dock) : nullptr);
+        delete before;
+    }
+}
+
 void Layouts::sizeDocks() {
     const auto dock = [this](const char* name) { return m_docks.value(QLatin1String(name)); };
     const bool edit = m_layout == Layout::Edit;
-    m_window.resizeDocks({dock("scene"), dock("properties")}, {280, 320}, Qt::Horizontal);
+    const int width = m_window.width();
+    m_window.resizeDocks({dock("scene"), dock("properties")},
+                         {std::clamp(width * 18 / 100, 190, 280), std::clamp(width * 22 / 100, 300, 340)}, Qt::Horizontal);
     if (edit) m_window.resizeDocks({dock("scene"), dock("library")}, {430, 300}, Qt::Vertical);
-    m_window.resizeDocks({dock(edit ? "problems" : "console")}, {edit ? 130 : 180}, Qt::Vertical);
+    m_window.resizeDocks({dock(edit ? "problems" : "console")}, {edit ? 170 : 180}, Qt::Vertical);
 }
 
 } // namespace trundle

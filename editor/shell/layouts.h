@@ -2,6 +2,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMap>
+#include <QMenu>
 
 namespace trundle {
 
@@ -25,15 +26,19 @@ public:
     [[nodiscard]] Layout current() const { return m_layout; }
     /// The docks as they were last, or all away, as at first and on the Welcome page.
     void setShown(bool shown);
-    /// Brings a dock to the front, wherever it is.
+    /// Brings a dock to the front, wherever it is. On the Welcome page there is only the guide.
     void raise(const QString& name);
+    /// Shows and hides each dock; of no use while setShown() keeps them away.
+    [[nodiscard]] QMenu* menu() const { return m_menu; }
 
 private:
     void arrange(Layout layout);
     void sizeDocks();
     void restore();
+    void showTitles();
 
     QMainWindow& m_window;
+    QMenu* m_menu;
     QMap<QString, QDockWidget*> m_docks;
     Layout m_layout = Layout::Edit;
     bool m_shown = false;

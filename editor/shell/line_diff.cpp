@@ -49,7 +49,7 @@ std::vector<DiffLine> diffLines(std::string_view before, std::string_view after,
 
 QString diffAsHtml(const std::vector<DiffLine>& lines) {
     using Kind = DiffLine::Kind;
-    QString html = QStringLiteral("<pre style=\"margin:0\">");
+    QString html = QStringLiteral("<pre style=\"margin:0; font-family:'%1'\">").arg(monospaceFont().family());
     for (const DiffLine& line : lines) {
         const Ink colour = line.kind == Kind::Added     ? Ink::Good
                            : line.kind == Kind::Removed ? Ink::Error

@@ -34,11 +34,23 @@
 #include "editor/shell/recent_files.h"
 #include "editor/shell/status_line.h"
 #include "editor/shell/welcome_page.h"
+#include "editor/shell/window_memory.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
+namespace {
+
+/// Whether a command means nothing on the Welcome page. Undo, the run and the controllers look after theirs themselves.
+bool needsDocument(std::string_view id) {
+    for (const char* other : {"file.new", "file.open", "file.quit", "edit.undo", "edit.redo", "edit.palette", "edit.preferences",
+                              "view.theme", "sim.", "controllers.", "help."})
+        if (id.starts_with(other)) return id == "file.openSample";
+    return true;
+}
+
+} // namespace
 
 MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& places)
     : m_actions(std::make_unique<Actions>(actionTable())), m_document(new Document(parts, this)),
@@ -46,6 +58,7 @@ MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& pla
       m_edits(new ObjectEdits(*m_document, *m_selection, *m_marks, this)) {
     setObjectName(QStringLiteral("mainWindow"));
     resize(1440, 900);
+    restoreGeometry(QSettings().value(QStringLiteral("windowGeometry")).toByteArray());
     m_files = new FileCommands(*this, *m_document, *m_actions, QString::fromStdString(places.configs));
     m_layouts = new Layouts(*this);
     makePanels(parts, render, places);
@@ -59,6 +72,8 @@ MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& pla
 
 MainWindow::~MainWindow() {
     m_layouts->save();
+    m_memory->save();
+    delete m_memory; // it looks at the views
     // Panels look at document, selection and run until they are gone.
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete m_pages;
@@ -75,11 +90,12 @@ void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations
     m_work->addWidget(m_viewport);
     m_work->addWidget(m_text);
     m_work->setChildrenCollapsible(false);
-    m_work->setSizes({620, 480});
+    m_work->setSizes({1000, 1000});
     m_pages->addWidget(m_welcome);
     m_pages->addWidget(m_work);
     setCentralWidget(m_pages);
 
+    m_memory = new WindowMemory(*m_document, *m_marks, *m_viewport, this);
     m_outline = new OutlinePanel(*m_document, *m_selection, *m_marks, *m_edits);
     m_library = new LibraryPanel(*m_document, *m_selection, parts, render, places);
     m_properties = new PropertiesPanel(*m_document, *m_selection, m_session);
@@ -127,7 +143,7 @@ void MainWindow::makeToolBars() {
     tools->addSeparator();
     for (const char* id : {"tool.snap", "tool.drop", "view.frame"}) tools->addAction(&m_actions->at(id));
     tools->addSeparator();
-    tools->addAction(&m_actions->at("view.text"));
+    for (const char* id : {"view.text", "sim.drive"}) tools->addAction(&m_actions->at(id));
     m_status = new StatusLine(*statusBar(), *m_document);
     connect(new RunStatus(*m_session, this), &RunStatus::changed, m_status, &StatusLine::setRunText);
 }
@@ -177,6 +193,8 @@ void MainWindow::connectPanels() {
 void MainWindow::connectActions() {
     const auto on = [this](const char* id, auto what) { connect(&m_actions->at(id), &QAction::triggered, this, what); };
     m_menus = buildMenus(*menuBar(), *m_actions);
+    m_menus.at(QStringLiteral("File"))->insertMenu(&m_actions->at("file.openSample"), m_files->makeRecentMenu());
+    m_menus.at(QStringLiteral("View"))->insertMenu(m_menus.at(QStringLiteral("View/Layout"))->menuAction(), m_layouts->menu());
     (new InsertMenu(*m_document, *m_selection, *m_edits, this))->attach(*m_menus.at(QStringLiteral("Insert")));
     on("file.quit", [this] { close(); });
     on("edit.undo", [this] { m_text->flush(), m_document->undo(); });
@@ -209,6 +227,11 @@ void MainWindow::connectActions() {
     on("problems.fix", [this] { m_problems->fixCurrent(); });
     on("edit.replace", [this] { showText(true); });
     new KeyboardDrive(*m_session, *m_selection, *m_actions, *this); // a child of the window
+    on("sim.drive", [this](bool drives) {
+        if (!drives) return;
+        m_viewport->current().setFocus(); // in a text the arrows move the caret
+        m_status->refuse(tr("The arrow keys steer the selected robot while it runs, with Shift twice as fast."));
+    });
     connect(m_document, &Document::historyChanged, this, &MainWindow::showUndo);
     showUndo();
 }
@@ -221,7 +244,8 @@ void MainWindow::showDocument() {
     statusBar()->setVisible(open);
     if (open && !m_document->isNew()) addRecentFile(QString::fromStdString(m_document->path()));
     if (!open) m_welcome->refresh();
-    for (const char* id : {"file.save", "file.saveAs", "file.close"}) m_actions->at(id).setEnabled(open);
+    for (const ActionRow& row : m_actions->table())
+        if (needsDocument(row.id)) m_actions->at(row.id).setEnabled(open);
     m_selection->clear();
     showTitle();
 }

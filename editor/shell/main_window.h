@@ -34,6 +34,7 @@ class TextPanel;
 class TransportBar;
 class ViewportPanel;
 class WelcomePage;
+class WindowMemory;
 
 class MainWindow final : public QMainWindow {
     Q_OBJECT
@@ -58,6 +59,10 @@ public:
     void useView(const QString& name);
     /// All that is shown is drawn as it is now.
     [[nodiscard]] bool isSettled() const;
+    /// Hidden and locked objects, cameras, overlays and snap steps are those of the last time, and are kept for the next.
+    void rememberViews();
+    /// Keeps for the next start what is kept, and lets go of the project. The window is done then.
+    void putAway();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -107,6 +112,7 @@ private:
     HelpPanel* m_help = nullptr;
     TransportBar* m_transport = nullptr;
     StatusLine* m_status = nullptr;
+    WindowMemory* m_memory = nullptr;
     std::map<QString, QMenu*> m_menus;
 };
 

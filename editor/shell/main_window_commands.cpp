@@ -13,6 +13,7 @@
 #include "editor/shell/file_commands.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/recovery_dialog.h"
+#include "editor/shell/window_memory.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
 #include "editor/widgets/theme.h"
@@ -95,10 +96,10 @@ void MainWindow::showUndo() {
 void MainWindow::setDarkTheme(bool dark) {
     QSettings().setValue(QStringLiteral("darkTheme"), dark);
     applyTheme(*qApp, dark ? ThemeKind::Dark : ThemeKind::Light);
-    m_actions->drawIcons();
 }
 
 void MainWindow::offerRecovery() {
+    if (m_document->isReadOnly()) return; // once it may be edited
     std::vector<Recovery> found = m_document->recoveries();
     if (found.empty()) return;
     auto* dialog = new RecoveryDialog(*m_document, std::move(found), this);
@@ -117,7 +118,9 @@ void MainWindow::showReadOnly(const QString& holder) {
     question->addButton(tr("Only Look"), QMessageBox::AcceptRole);
     const auto* edit = question->addButton(tr("Edit Anyway"), QMessageBox::DestructiveRole);
     connect(question, &QMessageBox::buttonClicked, this, [this, edit](QAbstractButton* button) {
-        if (button == edit) m_document->editAnyway();
+        if (button != edit) return;
+        m_document->editAnyway();
+        offerRecovery();
     });
     question->open();
 }
@@ -148,7 +151,7 @@ void MainWindow::showAbout() {
     QMessageBox about(this);
     about.setObjectName(QStringLiteral("about"));
     about.setWindowTitle(tr("About Trundle"));
-    about.setText(tr("<h3>Trundle %1</h3>").arg(QApplication::applicationVersion()));
+    about.setText(tr("<p style='font-size:18px; font-weight:600'>Trundle %1</p>").arg(QApplication::applicationVersion()));
     about.setInformativeText(
         tr("<p>Describe robots, run them in 3D, measure, repeat.</p>"
            "<p>Free software under the GNU General Public License, version 3 or later. The headers for controllers "
@@ -169,10 +172,19 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!m_files->mayLeave()) return event->ignore();
+    putAway();
+    event->accept();
+}
+
+void MainWindow::rememberViews() {
+    m_memory->start();
+    m_viewport->settings().keepBetweenStarts();
+}
+
+void MainWindow::putAway() {
     m_layouts->save();
     QSettings().setValue(QStringLiteral("windowGeometry"), saveGeometry());
     m_document->close();
-    event->accept();
 }
 
 } // namespace trundle

@@ -29,7 +29,7 @@ QList<Sample> sampleExperiments(const QString& configs) {
         {"arc_motion", "Arc motion", "A full circle at a commanded speed and turn rate."},
         {"obstacle_detection", "Obstacle detection", "Bump, back off, turn, go on: a walled arena."},
         {"swarm", "Swarm", "A hundred robots, each on a random walk of its own."},
-        {"thesis_figure_3_4", "Figure 3.4", "The text of the thesis that began it all, as it stands there."},
+        {"thesis_figure_3_4", "Figure 3.4", "The example of the thesis that began it all, word for word."},
     };
     QList<Sample> found;
     for (const auto& [name, title, description] : samples) {

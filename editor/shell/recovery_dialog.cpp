@@ -39,7 +39,8 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
         const QString name = r.head.name.empty() ? QFileInfo(QString::fromStdString(r.head.opened)).fileName()
                                                  : QString::fromStdString(r.head.name);
         const QString when = QLocale().toString(QDateTime::fromSecsSinceEpoch(r.time), QLocale::ShortFormat);
-        m_list->addItem(tr("%1, %2, %n file(s)", nullptr, int(r.files.size())).arg(name, when));
+        const std::size_t files = r.files.size();
+        m_list->addItem(files == 1 ? tr("%1, %2").arg(name, when) : tr("%1, %2, %3 files").arg(name, when).arg(files));
     }
     auto* back = new QPushButton(tr("Bring Back"));
     auto* drop = new QPushButton(tr("Throw Away"));
@@ -68,7 +69,7 @@ void RecoveryDialog::show(int row) {
     if (row < 0 || row >= int(m_found.size())) return m_preview->clear();
     QString html;
     for (const auto& [path, recovered] : m_found[std::size_t(row)].files) {
-        html += QStringLiteral("<p><b>%1</b></p>").arg(QString::fromStdString(path).toHtmlEscaped());
+        html += QStringLiteral("<p style='font-weight:600'>%1</p>").arg(QString::fromStdString(path).toHtmlEscaped());
         html += diffAsHtml(diffLines(onDisk(path).toStdString(), recovered.text));
     }
     m_preview->setHtml(html);

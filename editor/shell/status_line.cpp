@@ -44,9 +44,7 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void StatusLine::refresh() {
-    const bool open = m_document.isOpen();
-    for (QLabel* label : {m_file, m_saved, m_problems}) label->setVisible(open);
-    if (!open) return;
+    if (!m_document.isOpen()) return; // the bar is hidden then; the labels are not: the bar hides them while it shows a message
     m_file->setText(QString::fromStdString(m_document.shown(m_document.path())));
     m_file->setToolTip(QString::fromStdString(m_document.path()));
     const bool modified = m_document.isModified();

@@ -22,12 +22,14 @@ public:
         setCursor(Qt::PointingHandCursor);
         setFocusPolicy(Qt::StrongFocus);
         setAttribute(Qt::WA_Hover);
-        setFixedSize(kWidth, kPicture + 78);
         setObjectName(QStringLiteral("sample.") + QFileInfo(sample.path).completeBaseName());
     }
 
+    static int heightAt(int width) { return pictureHeight(width) + 78; }
+
 protected:
     void paintEvent(QPaintEvent*) override {
+        const int picture = pictureHeight(width());
         QPainter p(this);
         p.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
         const QRectF frame = QRectF(rect()).adjusted(0.75, 0.75, -0.75, -0.75);
@@ -37,10 +39,10 @@ protected:
         p.save();
         p.setClipPath(card);
         if (!m_picture.isNull()) {
-            const QSizeF shown = QSizeF(m_picture.size()).scaled(frame.width(), kPicture, Qt::KeepAspectRatioByExpanding);
-            const QRectF place((frame.width() - shown.width()) / 2, (kPicture - shown.height()) / 2, shown.width(),
+            const QSizeF shown = QSizeF(m_picture.size()).scaled(frame.width(), picture, Qt::KeepAspectRatioByExpanding);
+            const QRectF place((frame.width() - shown.width()) / 2, (picture - shown.height()) / 2, shown.width(),
                                shown.height());
-            p.setClipRect(QRectF(0, 0, width(), kPicture), Qt::IntersectClip);
+            p.setClipRect(QRectF(0, 0, width(), picture), Qt::IntersectClip);
             p.drawImage(place, m_picture);
         }
         p.restore();
@@ -48,10 +50,10 @@ protected:
         QFont bold = font();
         bold.setWeight(QFont::DemiBold);
         p.setFont(bold);
-        p.drawText(QRect(14, kPicture + 10, width() - 28, 20), Qt::AlignLeft | Qt::AlignVCenter, text());
+        p.drawText(QRect(14, picture + 10, width() - 28, 20), Qt::AlignLeft | Qt::AlignVCenter, text());
         p.setFont(font());
         p.setPen(ink(Ink::Faint));
-        p.drawText(QRect(14, kPicture + 32, width() - 28, 36), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+        p.drawText(QRect(14, picture + 32, width() - 28, 36), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                    m_sample.description);
         const bool hot = underMouse() || hasFocus();
         p.setPen(QPen(hot ? ink(Ink::Accent) : ink(Ink::Line), hot ? 2 : 1));
@@ -63,7 +65,7 @@ protected:
     }
 
 private:
-    static constexpr int kWidth = 264, kPicture = 148;
+    static int pictureHeight(int width) { return width * 9 / 16; }
     Sample m_sample;
     QImage m_picture;
 };
@@ -89,7 +91,7 @@ QPushButton* linkButton(const QString& text, const QIcon& icon = {}) {
     return button;
 }
 
-/// Cards in as many columns as fit.
+/// Cards in as many columns as fit, as wide as there is room.
 class CardFlow final : public QWidget {
 public:
     using QWidget::QWidget;
@@ -102,14 +104,14 @@ protected:
 private:
     void place() {
         if (m_cards.isEmpty()) return;
-        const QSize card = m_cards.front()->size();
-        const int columns = std::max(1, (width() + kGap) / (card.width() + kGap));
+        const int columns = std::clamp((width() + kGap) / (kLeast + kGap), 1, int(m_cards.size()));
+        const int wide = std::min(kMost, (width() - (columns - 1) * kGap) / columns), high = SampleCard::heightAt(wide);
         for (int i = 0; i < m_cards.size(); ++i)
-            m_cards[i]->move((i % columns) * (card.width() + kGap), (i / columns) * (card.height() + kGap));
+            m_cards[i]->setGeometry((i % columns) * (wide + kGap), (i / columns) * (high + kGap), wide, high);
         const int rows = (int(m_cards.size()) + columns - 1) / columns;
-        setMinimumHeight(rows * (card.height() + kGap));
+        setMinimumHeight(rows * (high + kGap));
     }
-    static constexpr int kGap = 16;
+    static constexpr int kGap = 16, kLeast = 212, kMost = 340;
     QList<QWidget*> m_cards;
 };
 

@@ -87,6 +87,7 @@ private:
     void chooseKeys();
     void buildMargins();
     void applyLook();
+    void drawMarks();
     void fitNumberMargin();
     void onModified(int at, int what, const char* text, int length);
     void styleUpTo(int position);

@@ -1,6 +1,9 @@
 // Keys, margins, colours and marks of the editor.
 
 #include <algorithm>
+#include <cmath>
+
+#include <QPainter>
 
 #include "editor/text/code_edit.h"
 #include "editor/widgets/theme.h"
@@ -8,7 +11,7 @@
 namespace trundle {
 namespace {
 
-enum Margin { kNumbers = 0, kSymbols = 1, kFolds = 2 };
+enum Margin { kNumbers = 0, kBlocks = 1, kSymbols = 2, kFolds = 3 };
 enum Indicator { kError = 8, kWarning = 9, kHint = 10, kMatch = 11, kBlock = 12, kLink = 13 };
 enum Marker { kErrorMark = 1, kWarningMark = 2, kHintMark = 3, kBlockMark = 4 };
 
@@ -92,19 +95,23 @@ void CodeEdit::chooseKeys() {
 void CodeEdit::buildMargins() {
     setMarginType(kNumbers, NumberMargin);
     setMarginType(kSymbols, SymbolMargin);
-    setMarginMarkerMask(kSymbols, 1 << kErrorMark | 1 << kWarningMark | 1 << kHintMark | 1 << kBlockMark);
+    setMarginMarkerMask(kSymbols, 1 << kErrorMark | 1 << kWarningMark | 1 << kHintMark);
     setMarginSensitivity(kSymbols, false);
+    setMarginType(kBlocks, SymbolMargin);
+    setMarginMarkerMask(kBlocks, 1 << kBlockMark);
+    setMarginSensitivity(kBlocks, false);
+    setMarginWidth(kBlocks, 3);
     setFolding(BoxedTreeFoldStyle, kFolds);
     setMarginWidth(kSymbols, 14);
     setMarginWidth(kFolds, 16);
     SendScintilla(SCI_SETMARGINLEFT, 0UL, 4L);
-    for (const int marker : {kErrorMark, kWarningMark, kHintMark})
-        SendScintilla(SCI_MARKERDEFINE, static_cast<unsigned long>(marker), static_cast<long>(SC_MARK_CIRCLE));
-    SendScintilla(SCI_MARKERDEFINE, static_cast<unsigned long>(kBlockMark), static_cast<long>(SC_MARK_LEFTRECT));
+    SendScintilla(SCI_MARKERDEFINE, static_cast<unsigned long>(kBlockMark), static_cast<long>(SC_MARK_FULLRECT));
+    for (const int marker : {SC_MARKNUM_FOLDERSUB, SC_MARKNUM_FOLDERTAIL, SC_MARKNUM_FOLDERMIDTAIL})
+        SendScintilla(SCI_MARKERDEFINE, static_cast<unsigned long>(marker), static_cast<long>(SC_MARK_EMPTY));
 }
 
 void CodeEdit::fitNumberMargin() {
-    const int digits = std::max(3, static_cast<int>(QString::number(lines()).size()));
+    const int digits = std::max(2, static_cast<int>(QString::number(lines()).size()));
     setMarginWidth(kNumbers, QString(digits + 1, QLatin1Char('9')));
 }
 
@@ -136,12 +143,8 @@ void CodeEdit::applyLook() {
     setExtraDescent(1);
     SendScintilla(SCI_STYLESETFORE, static_cast<unsigned long>(STYLE_LINENUMBER), ink(Ink::Faint));
     SendScintilla(SCI_STYLESETBACK, static_cast<unsigned long>(STYLE_LINENUMBER), palette().color(QPalette::AlternateBase));
-    setMarginBackgroundColor(kSymbols, palette().color(QPalette::AlternateBase));
+    for (const int margin : {kBlocks, kSymbols}) setMarginBackgroundColor(margin, palette().color(QPalette::AlternateBase));
     setFoldMarginColors(base, base);
-    for (int marker = SC_MARKNUM_FOLDEREND; marker <= static_cast<int>(SC_MARKNUM_FOLDEROPEN); ++marker) {
-        SendScintilla(SCI_MARKERSETFORE, static_cast<unsigned long>(marker), base);
-        SendScintilla(SCI_MARKERSETBACK, static_cast<unsigned long>(marker), ink(Ink::Faint));
-    }
     setMatchedBraceForegroundColor(accent);
     setMatchedBraceBackgroundColor(mixed(base, accent, 0.18));
     setUnmatchedBraceForegroundColor(ink(Ink::Error));
@@ -168,12 +171,42 @@ void CodeEdit::applyLook() {
     indicator(kMatch, INDIC_ROUNDBOX, ink(Ink::Warning), 60, 140, true);
     indicator(kBlock, INDIC_FULLBOX, accent, 26, 26, true);
     indicator(kLink, INDIC_PLAIN, accent, 255, 255, true);
-    for (const auto& [marker, colour] : {std::pair(kErrorMark, Ink::Error), std::pair(kWarningMark, Ink::Warning),
-                                         std::pair(kHintMark, Ink::Hint), std::pair(kBlockMark, Ink::Accent)}) {
-        SendScintilla(SCI_MARKERSETFORE, static_cast<unsigned long>(marker), ink(colour));
-        SendScintilla(SCI_MARKERSETBACK, static_cast<unsigned long>(marker), ink(colour));
-    }
+    SendScintilla(SCI_MARKERSETBACK, static_cast<unsigned long>(kBlockMark), accent);
+    drawMarks();
     fitNumberMargin();
+}
+
+/// Dots and chevrons of the margins. Pictures, because the widget draws its own shapes with jagged edges.
+void CodeEdit::drawMarks() {
+    constexpr int kSide = 12;
+    const qreal scale = devicePixelRatioF();
+    const auto define = [&](int marker, const auto& paint) {
+        QImage image(QSize(kSide, kSide) * scale, QImage::Format_ARGB32_Premultiplied);
+        image.setDevicePixelRatio(scale);
+        image.fill(Qt::transparent);
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.translate(kSide / 2.0, kSide / 2.0);
+        paint(painter);
+        painter.end();
+        SendScintilla(SCI_RGBAIMAGESETSCALE, static_cast<unsigned long>(std::lround(100 * scale)));
+        markerDefine(image, marker);
+    };
+    for (const auto& [marker, colour] :
+         {std::pair(kErrorMark, Ink::Error), std::pair(kWarningMark, Ink::Warning), std::pair(kHintMark, Ink::Hint)})
+        define(marker, [colour = ink(colour)](QPainter& painter) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colour);
+            painter.drawEllipse(QPointF(0, 0), 4.5, 4.5);
+        });
+    for (const auto& [marker, turn] : {std::pair(SC_MARKNUM_FOLDEROPEN, 90), std::pair(SC_MARKNUM_FOLDEROPENMID, 90),
+                                       std::pair(SC_MARKNUM_FOLDER, 0), std::pair(SC_MARKNUM_FOLDEREND, 0)})
+        define(marker, [turn = turn](QPainter& painter) {
+            painter.rotate(turn);
+            painter.setPen(QPen(ink(Ink::Faint), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            const QPointF corners[] = {{-2, -4}, {2, 0}, {-2, 4}};
+            painter.drawPolyline(corners, 3);
+        });
 }
 
 void CodeEdit::mark(int indicator, TextRange range) {

@@ -15,7 +15,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kMostRows = 10, kWidest = 620;
+constexpr int kMostRows = 10, kWidest = 620, kHelpMargin = 6, kMostHelpLines = 4;
 
 /// A letter in a coloured square: what sort of thing it is.
 QPixmap badge(CompletionSort sort, qreal scale, bool selected) {
@@ -79,7 +79,8 @@ CompletionPopup::CompletionPopup(QWidget* owner)
     m_help->setObjectName(QStringLiteral("completionHelp"));
     m_help->setWordWrap(true);
     m_help->setTextFormat(Qt::PlainText);
-    m_help->setMargin(6);
+    m_help->setMargin(kHelpMargin);
+    m_help->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_help->setForegroundRole(QPalette::PlaceholderText);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(1, 1, 1, 1);
@@ -127,7 +128,13 @@ void CompletionPopup::fitTo(const QPoint& place, int lineHeight) {
     const int width = std::clamp(label + detail + 20, 320, std::min(kWidest, std::max(200, window->width() - 8)));
     m_list->setColumnWidth(0, std::min(label, width - std::min(detail, 160) - 20));
     m_list->setFixedHeight(count * rowHeight + 4);
-    m_help->setFixedHeight(QFontMetrics(m_help->font()).lineSpacing() * 2 + 14);
+    // As high as the longest help of the list, so that nothing moves while one goes through it.
+    const QFontMetrics metrics(m_help->font());
+    const QRect room(0, 0, width - 2 * kHelpMargin - 2, kMostHelpLines * metrics.lineSpacing());
+    int high = 2 * metrics.lineSpacing();
+    for (const std::string& help : m_helps)
+        high = std::max(high, metrics.boundingRect(room, Qt::TextWordWrap, QString::fromStdString(help)).height());
+    m_help->setFixedHeight(std::min(high, room.height()) + 2 * kHelpMargin + 2);
     resize(width, m_list->height() + m_help->height() + 2);
     QPoint at = window->mapFromGlobal(place);
     if (at.y() + height() > window->height() && at.y() - lineHeight - height() >= 0) at.ry() -= lineHeight + height();

@@ -38,8 +38,8 @@ FilePage::FilePage(Document& document, std::string file, QWidget* parent)
         }
         m_typing.changed(at, inserted);
         // Not put off by the next key: a person who types on sees the rest of the window follow all the same. Where reading takes
-        // long, it waits long enough to leave most of the time to the keys.
-        if (!m_timer.isActive()) m_timer.start(std::clamp(m_cost * 2, kWait, kLongestWait));
+        // long, it waits long enough to leave half of the time to the keys.
+        if (!m_timer.isActive()) m_timer.start(std::clamp(m_cost, kWait, kLongestWait));
         Q_EMIT typed();
     });
     connect(m_edit, &CodeEdit::left, this, [this] { flush(); });

@@ -39,7 +39,9 @@ FindBar::FindBar(QWidget* parent)
     };
     QToolButton* back = button(QStringLiteral("↑"), QStringLiteral("findBack"), tr("The one before (Shift+Enter)"));
     QToolButton* on = button(QStringLiteral("↓"), QStringLiteral("findOn"), tr("The next one (Enter)"));
-    QToolButton* shut = button(QStringLiteral("✕"), QStringLiteral("findClose"), tr("Close (Esc)"));
+    QToolButton* shut = button({}, QStringLiteral("findClose"), tr("Close (Esc)"));
+    shut->setIcon(themedIcon(QStringLiteral("close")));
+    shut->setIconSize({14, 14});
     auto* one = new QPushButton(tr("Replace"), m_second);
     auto* all = new QPushButton(tr("Replace All"), m_second);
     one->setObjectName(QStringLiteral("replaceOne"));
@@ -48,21 +50,23 @@ FindBar::FindBar(QWidget* parent)
     auto* first = new QHBoxLayout;
     first->setSpacing(4);
     first->addWidget(m_find, 1);
-    for (QWidget* w : std::initializer_list<QWidget*>{m_case, m_words, m_regex, back, on, m_everywhere}) first->addWidget(w);
-    first->addWidget(m_said);
-    first->addStretch(0);
-    first->addWidget(shut);
+    for (QWidget* w : std::initializer_list<QWidget*>{m_case, m_words, m_regex, back, on, shut}) first->addWidget(w);
     auto* second = new QHBoxLayout(m_second);
     second->setContentsMargins(0, 0, 0, 0);
     second->setSpacing(4);
     second->addWidget(m_replace, 1);
     second->addWidget(one);
     second->addWidget(all);
+    auto* third = new QHBoxLayout;
+    third->addWidget(m_everywhere);
+    third->addStretch(1);
+    third->addWidget(m_said);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(6, 4, 6, 4);
     rows->setSpacing(4);
     rows->addLayout(first);
     rows->addWidget(m_second);
+    rows->addLayout(third);
 
     connect(m_find, &QLineEdit::textChanged, this, &FindBar::changed);
     for (QToolButton* b : {m_case, m_words, m_regex}) connect(b, &QToolButton::toggled, this, &FindBar::changed);

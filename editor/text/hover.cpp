@@ -122,7 +122,8 @@ private:
         if (!needed.empty()) hover.lines.push_back("Needs " + listText(needed, "and") + ".");
         std::vector<std::string> parents = kind->parents;
         std::replace(parents.begin(), parents.end(), std::string(), std::string("the top level"));
-        if (!parents.empty()) hover.lines.push_back("Stands in " + listText(parents) + ".");
+        const bool top = parents.size() == 1 && parents.front() == "the top level";
+        if (!parents.empty()) hover.lines.push_back((top ? "Stands at " : "Stands in ") + listText(parents) + ".");
         if (!kind->module.empty()) hover.lines.push_back("From " + kind->module);
         return hover;
     }
@@ -176,19 +177,22 @@ std::optional<Hover> hoverAt(const Loaded& loaded, FileId file, std::uint32_t of
     return Teller(loaded, file, offset).tell();
 }
 
+/// As bold as the font of the window comes.
+static std::string strong(const std::string& html) { return "<span style='font-weight:600'>" + html + "</span>"; }
+
 std::string hoverHtml(const std::optional<Hover>& hover, const std::vector<const Diagnostic*>& problems) {
     std::string html;
     for (const Diagnostic* problem : problems) {
         const char* sort = problem->severity == Severity::Error     ? "Error"
                            : problem->severity == Severity::Warning ? "Warning"
                                                                     : "Hint";
-        html += "<p><b>" + std::string(sort) + " " + codeName(problem->code) + "</b> " + escaped(problem->message);
+        html += "<p>" + strong(std::string(sort) + " " + codeName(problem->code)) + " " + escaped(problem->message);
         if (!problem->suggestions.empty()) html += "<br>Did you mean " + escaped(listText(problem->suggestions)) + "?";
         for (const Fix& fix : problem->fixes) html += "<br>Alt+Enter: " + escaped(fix.title);
         html += "</p>";
     }
     if (hover) {
-        html += "<p><b>" + escaped(hover->title) + "</b>";
+        html += "<p>" + strong(escaped(hover->title));
         for (const std::string& line : hover->lines)
             if (!line.empty()) html += "<br>" + escaped(line);
         html += "</p>";

@@ -25,7 +25,8 @@ ResultsList::ResultsList(QWidget* parent) : QWidget(parent), m_title(new QLabel(
     m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     auto* shut = new QToolButton(this);
     shut->setObjectName(QStringLiteral("usesClose"));
-    shut->setText(QStringLiteral("✕"));
+    shut->setIcon(themedIcon(QStringLiteral("close")));
+    shut->setIconSize({14, 14});
     shut->setToolTip(tr("Close (Esc)"));
     shut->setAutoRaise(true);
     auto* head = new QHBoxLayout;
@@ -59,7 +60,7 @@ void ResultsList::showRows(const QString& title, std::vector<Row> rows) {
         item->setFont(1, monospaceFont());
         if (row.given) item->setToolTip(0, tr("Given here"));
         QFont font = m_list->font();
-        font.setBold(row.given);
+        font.setWeight(row.given ? QFont::DemiBold : QFont::Normal);
         item->setFont(0, font);
         m_list->addTopLevelItem(item);
     }

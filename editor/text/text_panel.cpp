@@ -44,16 +44,13 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
           document, [this] { return m_folders; }, this)) {
     setObjectName(QStringLiteral("textPanel"));
     m_tabs->setObjectName(QStringLiteral("textTabs"));
-    m_tabs->setDocumentMode(true);
     m_tabs->setTabsClosable(true);
     m_tabs->setMovable(true);
     m_tabs->setElideMode(Qt::ElideMiddle);
     m_nothing->setAlignment(Qt::AlignCenter);
     m_nothing->setForegroundRole(QPalette::PlaceholderText);
     m_files->setObjectName(QStringLiteral("textFiles"));
-    m_files->setText(tr("Files ▾"));
-    m_files->setStyleSheet(
-        QStringLiteral("QToolButton::menu-indicator { image: none; } QToolButton { border: none; padding: 4px 10px; }"));
+    m_files->setText(tr("Files"));
     m_files->setToolTip(tr("Show another file of this experiment"));
     m_files->setPopupMode(QToolButton::InstantPopup);
     m_files->setAutoRaise(true);
@@ -204,7 +201,8 @@ FilePage* TextPanel::addPage(const std::string& file) {
     if (file != m_opened) {
         shut = new QToolButton(m_tabs);
         shut->setObjectName(QStringLiteral("closeTab"));
-        shut->setText(QStringLiteral("✕"));
+        shut->setIcon(themedIcon(QStringLiteral("close")));
+        shut->setIconSize({12, 12});
         shut->setToolTip(tr("Close this text; the file stays part of the experiment"));
         shut->setAutoRaise(true);
         shut->setFocusPolicy(Qt::NoFocus);
@@ -287,7 +285,7 @@ void TextPanel::fillFileMenu() {
 void TextPanel::selectAtCaret() {
     FilePage* page = this->page();
     if (!page || !page->edit().hasFocus()) return;
-    page->flush();
+    if (page->pending()) return m_caretTimer.start(); // read first, in its own time, so that no one wait is for both
     const FileId file = page->id();
     if (file == kNoFile) return;
     const std::string path = objectAt(*m_document.loaded(), file, page->edit().caret());

@@ -141,7 +141,7 @@ QString GizmoDrag::readOut() const {
             text += QStringLiteral("%1  %2 m").arg(QLatin1String(kNames[k]), number(by[k], 1e-4));
         }
     }
-    return m_typed.empty() ? text : text + QStringLiteral("   ⌨ ") + QString::fromStdString(m_typed);
+    return m_typed.empty() ? text : text + QStringLiteral("   › ") + QString::fromStdString(m_typed);
 }
 
 } // namespace trundle

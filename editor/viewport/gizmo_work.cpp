@@ -160,9 +160,7 @@ void GizmoWork::release(const Pointer&) {
 void GizmoWork::cancel() {
     m_pending = false;
     if (m_dragged && m_dragged->movesWorld()) (void)m_dragged->move(Pose{}, m_name, m_mergeKey);
-    Document& document = m_view.parts().document;
-    const History& history = document.history();
-    if (history.canUndo() && history.entries()[history.position() - 1].mergeKey == m_mergeKey) document.undo();
+    m_view.parts().document.withdraw(m_mergeKey);
     release({});
 }
 

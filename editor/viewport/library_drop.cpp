@@ -172,7 +172,7 @@ private:
             !document.carryOut(title, planInsert(*document.loaded(), {}, m_cargo.text, m_cargo.imports), key))
             return true;
         const std::string path = m_view.parts().world.objects()->pathOf(*m_ground.geom);
-        (void)document.setValues(title, {{path + ".Material", block->name->text}}, key);
+        if (!document.setValues(title, {{path + ".Material", block->name->text}}, key)) document.withdraw(key);
         document.endMerge();
         return true;
     }

@@ -195,8 +195,8 @@ void paintSideGrid(QPainter& painter, const View& view) {
 /// How long a metre is in the middle of the picture.
 void paintScale(QPainter& painter, const View& view) {
     const double metresPerPixel = view.camera().metresPerPixel(view.width(), view.camera().middle());
-    const double length = roundLength(130 * metresPerPixel), pixels = length / metresPerPixel;
-    const double x = 76, y = view.height() - 20;
+    const double x = 76, y = view.height() - 20, room = std::clamp(view.width() - x - 30, 30.0, 130.0);
+    const double length = roundLength(room * metresPerPixel), pixels = length / metresPerPixel;
     const QPolygonF bar{{x, y - 5}, {x, y}, {x + pixels, y}, {x + pixels, y - 5}};
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(10, 12, 16, 150), 4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
@@ -214,7 +214,7 @@ void paintAxes(QPainter& painter, const View& view) {
     // What points away is drawn first.
     std::sort(order.begin(), order.end(), [&](int a, int b) { return axes(a, 2) < axes(b, 2); });
     QFont font = painter.font();
-    font.setBold(true);
+    font.setWeight(QFont::DemiBold);
     painter.save();
     painter.setFont(font);
     for (const int k : order) {

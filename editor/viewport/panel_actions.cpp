@@ -121,6 +121,10 @@ void ViewportPanel::askDistribute() {
 
 void ViewportPanel::askArray() {
     if (!m_document.isOpen()) return;
+    if (m_selection.empty()) {
+        Q_EMIT m_document.refused(tr("Select what to copy first."));
+        return;
+    }
     Vec3 spacing = Vec3::Constant(0.5);
     const auto objects = m_world->objectsOf(m_selection.current());
     if (!objects.empty()) {

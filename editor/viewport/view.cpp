@@ -62,7 +62,7 @@ View::View(const ViewParts& parts, ViewKind kind, QWidget* parent)
     m_pumpTimer.setSingleShot(true);
     m_settle.setSingleShot(true);
     connect(&m_pumpTimer, &QTimer::timeout, this, [this] {
-        if (m_wanted && !m_inFlight && isVisible()) ask(false);
+        if (mayAsk()) ask(false);
     });
     connect(&m_settle, &QTimer::timeout, this, [this] {
         if (!m_wanted && !m_inFlight && isVisible() && !mouseIsBusy()) ask(true);
@@ -203,7 +203,7 @@ void View::redraw() {
 }
 
 void View::pump() {
-    if (!m_wanted || m_inFlight || !isVisible() || m_pumpTimer.isActive()) return;
+    if (!mayAsk() || m_pumpTimer.isActive()) return;
     // Changes of one moment make one picture: the request goes out when the event loop comes round.
     const qint64 since = m_sinceAsked.isValid() ? m_sinceAsked.elapsed() : kFrameMs;
     m_pumpTimer.start(int(std::max<qint64>(0, kFrameMs - since)));
@@ -220,6 +220,7 @@ PictureRequest View::request(bool fine) const {
     r.height = std::uint32_t(std::clamp(int(std::lround(height() * scale)), 1, int(kMostPixels)));
     r.poses = m_parts.world.poses();
     r.samples = fine || !m_software ? 4 : 1;
+    r.yields = fine;
     r.mask = kMaskRobots | kMaskStatics | kMaskSky | kMaskGhosts;
     if (settings.shows(kOverlayGrid)) r.mask |= kMaskFloor;
     if (settings.shows(kOverlayCollision)) r.mask |= kMaskCollision;
@@ -251,7 +252,7 @@ void View::ask(bool fine) {
     ++(fine ? m_refinements : m_redraws);
     PictureRequest wish = request(fine);
     Frame frame{{}, *wish.view, m_parts.world.objects(), m_parts.world.poses()};
-    m_parts.render->draw(std::move(wish), [inbox = m_inbox, frame = std::move(frame),
+    m_parts.render->draw(std::move(wish), [inbox = m_inbox, frame = std::move(frame), number = m_redraws + m_refinements,
                                            render = m_parts.render](Result<Image> result) {
         QImage image;
         QString failure;
@@ -266,14 +267,22 @@ void View::ask(bool fine) {
         const std::lock_guard lock(inbox->mutex);
         if (!inbox->view) return;
         QMetaObject::invokeMethod(
-            inbox->view, [view = inbox->view, image, failure, frame, software] { view->take(image, failure, frame, software); },
+            inbox->view,
+            [view = inbox->view, number, image, failure, frame, software] {
+                view->take(number, image, failure, frame, software);
+            },
             Qt::QueuedConnection);
     });
 }
 
-void View::take(const QImage& image, const QString& failure, Frame frame, bool software) {
+void View::take(int number, const QImage& image, const QString& failure, Frame frame, bool software) {
+    if (number != m_redraws + m_refinements) return; // a finer one that gave way
     m_inFlight = false;
     m_software = software;
+    if (image.isNull() && failure.isEmpty()) { // it gave way to somebody else's picture: once more when there is time
+        m_fine = false;
+        return settle();
+    }
     m_failure = failure;
     if (!image.isNull()) {
         m_frame = std::move(frame);

@@ -81,7 +81,7 @@ public:
     [[nodiscard]] const QImage& picture() const { return m_frame.image; }
     [[nodiscard]] bool mouseIsBusy() const { return m_working != nullptr; }
     /// The work that has the mouse is done, although the button is still down.
-    void endWork();
+    void endWork(const Pointer& pointer = {});
     /// Of what is selected: the same over every picture and in both themes.
     [[nodiscard]] static QColor outlineColour();
     [[nodiscard]] GizmoWork& gizmo() { return *m_gizmo; }
@@ -124,7 +124,9 @@ private:
     };
     void pump();
     void ask(bool fine);
-    void take(const QImage& image, const QString& failure, Frame frame, bool software);
+    void take(int number, const QImage& image, const QString& failure, Frame frame, bool software);
+    /// A finer picture gives way to one of something new.
+    [[nodiscard]] bool mayAsk() const { return m_wanted && (!m_inFlight || m_fine) && isVisible(); }
     [[nodiscard]] PictureRequest request(bool fine) const;
     void followSelection();
     void settle();
@@ -149,7 +151,7 @@ private:
     QTimer m_pumpTimer, m_settle, m_glide;
     QElapsedTimer m_sinceAsked, m_gliding;
     bool m_wanted = true, m_inFlight = false, m_fine = false, m_software = true, m_dropping = false, m_isCurrent = false;
-    int m_redraws = 0, m_refinements = 0;
+    int m_redraws = 0, m_refinements = 0; // together: the number of the picture asked for last
 };
 
 } // namespace trundle

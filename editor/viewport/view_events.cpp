@@ -38,6 +38,7 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) { mousePressEvent(event); }
 void View::mouseMoveEvent(QMouseEvent* event) {
     m_cursor = event->position();
     const Pointer pointer = pointerOf(*event);
+    if (m_working && !event->buttons().testFlag(m_workButton)) endWork(pointer); // a dialog that came up got the release
     if (m_working) {
         m_working->drag(pointer);
         return;
@@ -52,10 +53,7 @@ void View::mouseMoveEvent(QMouseEvent* event) {
 
 void View::mouseReleaseEvent(QMouseEvent* event) {
     if (!m_working || event->button() != m_workButton) return;
-    const Pointer pointer = pointerOf(*event);
-    MouseWork* done = std::exchange(m_working, nullptr);
-    done->release(pointer);
-    settle();
+    endWork(pointerOf(*event));
 }
 
 void View::wheelEvent(QWheelEvent* event) {
@@ -64,8 +62,8 @@ void View::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-void View::endWork() {
-    if (MouseWork* done = std::exchange(m_working, nullptr)) done->release({});
+void View::endWork(const Pointer& pointer) {
+    if (MouseWork* done = std::exchange(m_working, nullptr)) done->release(pointer);
     settle();
 }
 
@@ -163,7 +161,13 @@ void View::paintMessage(QPainter& painter, const QString& text) const {
 void View::paintHints(QPainter& painter) const {
     const QFontMetrics metrics = painter.fontMetrics();
     const double high = metrics.height() + 6;
-    if (!m_hint.isEmpty()) paintPlate(painter, {0.5 * width(), height() - 0.5 * high - 40}, m_hint);
+    if (!m_hint.isEmpty()) {
+        // In a narrow view one below the other.
+        const bool fits = metrics.horizontalAdvance(m_hint) + 20 < width();
+        const QStringList lines = fits ? QStringList(m_hint) : m_hint.split(QStringLiteral(" · "));
+        for (int i = 0; i < lines.size(); ++i)
+            paintPlate(painter, {0.5 * width(), height() - 40 - high * (double(lines.size() - i) - 0.5)}, lines[i]);
+    }
     if (!m_hoverHint.isEmpty()) {
         const double half = 0.5 * (metrics.horizontalAdvance(m_hoverHint) + 14);
         const double x = std::clamp(m_cursor.x() + 14 + half, half + 2, std::max(half + 2, width() - half - 2));

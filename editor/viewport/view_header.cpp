@@ -4,8 +4,8 @@
 #include <QActionGroup>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QMenu>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QWidgetAction>
 
@@ -17,18 +17,6 @@
 
 namespace trundle {
 namespace {
-
-QToolButton* menuButton(const QString& name, const QString& tip) {
-    auto* button = new QToolButton;
-    button->setObjectName(name);
-    button->setToolTip(tip);
-    button->setAutoRaise(true);
-    button->setPopupMode(QToolButton::InstantPopup);
-    button->setStyleSheet(QStringLiteral(
-        "QToolButton { padding-right: 18px; }"
-        "QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: right center; right: 4px; }"));
-    return button;
-}
 
 QDoubleSpinBox* stepBox(const QString& name, double value, const QString& suffix, int decimals) {
     auto* box = new QDoubleSpinBox;
@@ -66,8 +54,7 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
     m_button->setStyleSheet(QStringLiteral(
         "QToolButton { color: #f5f6f8; background: rgba(24,27,31,170); border: none; border-radius: 4px; padding: 3px 20px 3px "
         "8px; }"
-        "QToolButton:hover { background: rgba(24,27,31,225); }"
-        "QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: right center; right: 5px; }"));
+        "QToolButton:hover { background: rgba(24,27,31,225); }"));
     auto* menu = new QMenu(m_button);
     for (const ViewKind kind : {ViewKind::Perspective, ViewKind::Orthographic, ViewKind::Top, ViewKind::Front, ViewKind::Side,
                                 ViewKind::Follow, ViewKind::Chase}) {
@@ -86,28 +73,20 @@ void ViewCorner::show() {
     resize(m_button->size());
 }
 
-ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QWidget(parent), m_settings(settings) {
+ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QToolBar(parent), m_settings(settings) {
     setObjectName(QStringLiteral("viewBar"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(6, 2, 6, 2);
-    row->setSpacing(4);
+    setIconSize({16, 16});
+    setFixedHeight(29); // as high as the tabs of the text beside it
 
-    m_axes = menuButton(QStringLiteral("axes"), tr("Along whose axes arrows and rings stand"));
-    auto* axes = new QMenu(m_axes);
+    auto* axes = new QMenu(this);
     const auto addAxes = [&](const QString& name, AxesOf which) {
         connect(axes->addAction(name), &QAction::triggered, this, [this, which] { m_settings.setAxes(which); });
     };
     addAxes(tr("World axes"), AxesOf::World);
     addAxes(tr("Parent axes"), AxesOf::Parent);
     addAxes(tr("Local axes"), AxesOf::Local);
-    m_axes->setMenu(axes);
 
-    auto* snap = new QToolButton;
-    snap->setObjectName(QStringLiteral("snap"));
-    snap->setAutoRaise(true);
-    snap->setDefaultAction(&actions.at("tool.snap"));
-    m_steps = menuButton(QStringLiteral("steps"), tr("Steps of moves and turns"));
-    auto* steps = new QMenu(m_steps);
+    auto* steps = new QMenu(this);
     auto* form = new QWidget;
     auto* lines = new QFormLayout(form);
     auto *move = stepBox(QStringLiteral("moveStep"), settings.moveStep(), tr(" m"), 3),
@@ -117,45 +96,64 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QW
     const auto take = [this, move, turn] { m_settings.setSteps(move->value(), turn->value()); };
     connect(move, &QDoubleSpinBox::valueChanged, this, take);
     connect(turn, &QDoubleSpinBox::valueChanged, this, take);
+    connect(&settings, &ViewSettings::changed, this, [this, move, turn] {
+        const QSignalBlocker quietMove(move), quietTurn(turn);
+        // Only what comes from elsewhere: a number that is being typed stays as it is.
+        if (move->value() != m_settings.moveStep()) move->setValue(m_settings.moveStep());
+        if (turn->value() != m_settings.turnStep()) turn->setValue(m_settings.turnStep());
+    });
     auto* holder = new QWidgetAction(steps);
     holder->setDefaultWidget(form);
     steps->addAction(holder);
-    m_steps->setMenu(steps);
 
-    auto* overlays = menuButton(QStringLiteral("overlays"), tr("What is drawn over the views"));
-    overlays->setIcon(themedIcon(QStringLiteral("overlays")));
-    overlays->setText(tr("Overlays"));
-    overlays->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    auto* overlayMenu = new QMenu(overlays);
+    auto* overlays = new QMenu(this);
     for (const char* id :
          {"view.overlayGrid", "view.overlayShadows", "view.overlayNames", "view.overlayTrails", "view.overlayJoints",
           "view.overlayMass", "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"})
-        overlayMenu->addAction(&actions.at(id));
-    overlays->setMenu(overlayMenu);
+        overlays->addAction(&actions.at(id));
 
-    row->addWidget(m_axes);
-    row->addWidget(snap);
-    row->addWidget(m_steps);
-    row->addStretch();
-    row->addWidget(overlays);
-    for (const char* id : {"view.one", "view.two", "view.four"}) {
-        auto* button = new QToolButton;
-        button->setAutoRaise(true);
-        button->setDefaultAction(&actions.at(id));
-        row->addWidget(button);
-    }
+    auto* counts = new QMenu(this);
+    for (const char* id : {"view.one", "view.two", "view.four"}) counts->addAction(&actions.at(id));
+
+    m_axes = addMenuButton("axes", tr("Along whose axes arrows and rings stand"), axes);
+    m_steps = addMenuButton("steps", tr("Steps of moves and turns"), steps);
+    auto* gap = new QWidget;
+    gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(gap);
+    QAction* shown = addMenuButton("overlays", tr("What is drawn over the views"), overlays);
+    shown->setText(tr("Overlays"));
+    shown->setIcon(themedIcon(QStringLiteral("overlays")));
+    QAction* views = addMenuButton("views", tr("How many views"), counts);
+    views->setText(tr("Views")); // for the menu of what has no room
+    views->setIcon(themedIcon(QStringLiteral("views")));
+    qobject_cast<QToolButton*>(widgetForAction(views))->setToolButtonStyle(Qt::ToolButtonIconOnly);
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showSettings);
     showSettings();
 }
 
+QAction* ViewBar::addMenuButton(const char* name, const QString& tip, QMenu* menu) {
+    QAction* action = addAction(QString());
+    action->setMenu(menu);
+    action->setToolTip(tip);
+    auto* button = qobject_cast<QToolButton*>(widgetForAction(action));
+    button->setObjectName(QLatin1String(name));
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    return action;
+}
+
 void ViewBar::showSettings() {
     const AxesOf axes = m_settings.axes();
-    m_axes->setText(axes == AxesOf::World ? tr("World axes") : axes == AxesOf::Parent ? tr("Parent axes") : tr("Local axes"));
+    m_axes->setText(axes == AxesOf::World ? tr("World") : axes == AxesOf::Parent ? tr("Parent") : tr("Local"));
     m_steps->setText(QStringLiteral("%1 m · %2°")
                          .arg(QString::fromStdString(steppedNumber(m_settings.moveStep(), 0.001)),
                               QString::fromStdString(steppedNumber(m_settings.turnStep(), 0.1))));
 }
 
-void ViewBar::openSteps() { m_steps->showMenu(); }
+void ViewBar::openSteps() {
+    const QWidget* button = widgetForAction(m_steps);
+    m_steps->menu()->popup(button->isVisible() ? button->mapToGlobal(QPoint(0, button->height()))
+                                               : mapToGlobal(QPoint(0, height())));
+}
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-#include <QWidget>
+#include <QToolBar>
 
 class QToolButton;
 
@@ -25,8 +25,9 @@ private:
     QToolButton* m_button;
 };
 
-/// The bar over the views: axes of the handles, snapping and its steps, overlays, how many views.
-class ViewBar final : public QWidget {
+/// The bar over the views: axes of the handles, steps of moves, overlays, how many views. Where it is narrow, what has
+/// no room goes into the menu at its end.
+class ViewBar final : public QToolBar {
     Q_OBJECT
 public:
     ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent = nullptr);
@@ -34,9 +35,10 @@ public:
     void openSteps();
 
 private:
+    QAction* addMenuButton(const char* name, const QString& tip, QMenu* menu);
     void showSettings();
     ViewSettings& m_settings;
-    QToolButton *m_axes, *m_steps;
+    QAction *m_axes, *m_steps;
 };
 
 } // namespace trundle

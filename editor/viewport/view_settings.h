@@ -38,6 +38,8 @@ public:
     void setSnaps(bool snaps) { set(m_snaps, snaps); }
     /// Only steps above 0 are taken.
     void setSteps(double moveM, double turnDegrees);
+    /// As they were in the last window of this user; from now on every change is kept for the next. Not the tool.
+    void keepBetweenStarts();
     void show(Overlay overlay, bool shown) { set(m_overlays, shown ? m_overlays | overlay : m_overlays & ~unsigned(overlay)); }
 
 Q_SIGNALS:

@@ -44,6 +44,7 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     auto* words = new QHBoxLayout(m_banner);
     words->setContentsMargins(10, 4, 6, 4);
     m_bannerText = new QLabel;
+    m_bannerText->setWordWrap(true);
     m_bannerButton = new QPushButton;
     m_bannerButton->setObjectName(QStringLiteral("bannerButton"));
     words->addWidget(m_bannerText, 1);
@@ -133,6 +134,21 @@ bool ViewportPanel::showView(const QString& name) {
     return false;
 }
 
+std::vector<ViewStand> ViewportPanel::stands() const {
+    std::vector<ViewStand> stands;
+    for (const View* view : m_views) stands.push_back({view->camera().kind(), view->camera().view()});
+    return stands;
+}
+
+void ViewportPanel::setStands(const std::vector<ViewStand>& stands, int shown) {
+    m_toBeFramed = m_frameWhenShown = false;
+    setViewCount(shown);
+    for (std::size_t i = 0; i < m_views.size() && i < stands.size(); ++i) {
+        m_views[i]->setCamera(stands[i].camera);
+        m_views[i]->setKind(stands[i].kind);
+    }
+}
+
 bool ViewportPanel::isUpToDate() const {
     return std::all_of(m_views.begin(), m_views.end(), [](const View* view) { return !view->isVisible() || view->isUpToDate(); });
 }
@@ -192,11 +208,12 @@ void ViewportPanel::showBanner() {
     placeBanner();
 }
 
+/// Below the corner of the first view: axes and scale stand at the lower edge.
 void ViewportPanel::placeBanner() {
-    m_banner->adjustSize();
-    const int wide = std::min(m_banner->sizeHint().width(), width() - 24);
-    m_banner->setGeometry((width() - wide) / 2, height() - m_banner->sizeHint().height() - 14, wide,
-                          m_banner->sizeHint().height());
+    const int frame = m_banner->layout()->minimumSize().width() - m_bannerText->minimumSizeHint().width();
+    const int wanted = frame + m_bannerText->fontMetrics().horizontalAdvance(m_bannerText->text()) + 4;
+    const int wide = std::min(wanted, width() - 24);
+    m_banner->setGeometry((width() - wide) / 2, m_columns->y() + 42, wide, m_banner->heightForWidth(wide));
     m_banner->raise();
 }
 

@@ -19,6 +19,12 @@ namespace trundle {
 class Actions;
 class ViewHeader;
 
+/// How a view stands, for the next time.
+struct ViewStand {
+    ViewKind kind = ViewKind::Perspective;
+    CameraView camera;
+};
+
 class ViewportPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -37,6 +43,10 @@ public:
     [[nodiscard]] ShownWorld& world() { return *m_world; }
     /// "perspective", "top", "chase" ...: the current view. False where there is none of that name.
     bool showView(const QString& name);
+    /// Of all four, whether they are shown or not.
+    [[nodiscard]] std::vector<ViewStand> stands() const;
+    /// So many are shown. What was just opened is not framed then.
+    void setStands(const std::vector<ViewStand>& stands, int shown);
     /// Every visible view shows what is now.
     [[nodiscard]] bool isUpToDate() const;
     /// And as fine as it will be while all stands still: the time for a picture of the window.

@@ -17,6 +17,7 @@ Actions::Actions(std::span<const ActionRow> table, QObject* parent) : QObject(pa
         auto* action = new QAction(tr(row.text), this);
         action->setObjectName(QLatin1String(row.id));
         action->setCheckable(row.checkable);
+        action->setIcon(themedIcon(QLatin1String(row.icon)));
         const QVariant own = settings.value(settingOf(row.id));
         action->setShortcut(own.isValid() ? QKeySequence(own.toString(), QKeySequence::PortableText)
                                           : QKeySequence(QLatin1String(row.shortcut), QKeySequence::PortableText));
@@ -31,7 +32,6 @@ Actions::Actions(std::span<const ActionRow> table, QObject* parent) : QObject(pa
         });
         Q_EMIT action->changed();
     }
-    drawIcons();
 }
 
 QAction& Actions::at(const char* id) const {
@@ -50,10 +50,6 @@ void Actions::resetShortcut(const char* id) {
     for (const ActionRow& row : m_table)
         if (std::string_view(row.id) == id)
             at(id).setShortcut(QKeySequence(QLatin1String(row.shortcut), QKeySequence::PortableText));
-}
-
-void Actions::drawIcons() {
-    for (const ActionRow& row : m_table) at(row.id).setIcon(themedIcon(QLatin1String(row.icon)));
 }
 
 } // namespace trundle

@@ -31,8 +31,6 @@ public:
     /// Shortcuts the user changed, kept in QSettings under "shortcuts/<id>".
     void setShortcut(const char* id, const QKeySequence& keys);
     void resetShortcut(const char* id);
-    /// Icons in the colours of the palette of now; to be called when the theme changes.
-    void drawIcons();
 
 private:
     std::span<const ActionRow> m_table;

@@ -1,8 +1,11 @@
 #include "editor/widgets/style_sheet.h"
 
+#include "editor/widgets/resources.h"
+
 namespace trundle {
 
-// Flat surfaces, hairlines between areas, one accent colour. Sizes are in logical pixels; Qt scales them.
+// Flat surfaces, hairlines between areas, one accent colour. Sizes are in logical pixels; Qt scales them. Icons named colour-*
+// keep their own colour, which can be seen in both themes: a style sheet cannot give them one.
 static const char* const kSheet =
     "QToolTip { background: @base; color: @text; border: 1px solid @line; padding: 4px 6px; }"
     "QMainWindow::separator { background: @line; width: 1px; height: 1px; }"
@@ -13,16 +16,34 @@ static const char* const kSheet =
     "QMenu { background: @base; border: 1px solid @line; padding: 4px; }"
     "QMenu::item { padding: 5px 26px 5px 12px; border-radius: 4px; }"
     "QMenu::icon { padding-left: 8px; }"
+    "QMenu::icon:checked { background: @checked; border: 1px solid @accent; border-radius: 4px; }"
+    "QMenu::indicator { width: 14px; height: 14px; left: 7px; }"
+    "QMenu::indicator:checked { image: url(\"@icons/colour-check.svg\"); }"
     "QMenu::item:selected { background: @accent; color: @onaccent; }"
     "QMenu::item:disabled { color: @disabled; background: transparent; }"
     "QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }"
     "QToolBar { background: @window; border: none; border-bottom: 1px solid @line; padding: 3px 6px; spacing: 2px; }"
+    "QToolBar#viewBar { padding: 0 4px; margin: 0; }"
+    "QToolBar#viewBar QToolButton { padding-top: 1px; padding-bottom: 1px; }"
+    "QToolBar QToolButton#qt_toolbar_ext_button { border: none; padding: 0; image: url(\"@icons/colour-more.svg\"); "
+    "qproperty-iconSize: 0px; }"
     "QToolBar::separator { background: @line; width: 1px; margin: 4px 6px; }"
     "QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 3px 5px; }"
     "QToolButton:hover { background: @line; }"
     "QToolButton:checked { background: @checked; border-color: @accent; }"
     "QToolButton:pressed { background: @line; }"
-    "QDockWidget { titlebar-close-icon: none; }"
+    "QToolButton[popupMode=\"1\"], QToolButton[popupMode=\"2\"] { padding-right: 18px; }"
+    "QToolButton::menu-button { border: none; width: 18px; }"
+    "QToolButton::menu-arrow, QToolButton::menu-indicator { image: url(\"@icons/colour-chevron-down.svg\"); width: 10px; "
+    "height: 10px; }"
+    "QToolButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: right center; right: 4px; }"
+    "QDockWidget { titlebar-close-icon: url(\"@icons/colour-close.svg\"); titlebar-normal-icon: "
+    "url(\"@icons/colour-float.svg\"); }"
+    "QDockWidget::title { background: @window; padding: 5px 8px; }"
+    "QDockWidget::close-button, QDockWidget::float-button { border: none; padding: 0; width: 18px; subcontrol-origin: margin; "
+    "subcontrol-position: right center; }"
+    "QDockWidget::close-button { right: 4px; }"
+    "QDockWidget::float-button { right: 24px; }"
     "QStatusBar { background: @window; border-top: 1px solid @line; }"
     "QStatusBar::item { border: none; }"
     "QTabBar { qproperty-drawBase: 0; }"
@@ -31,12 +52,25 @@ static const char* const kSheet =
     "QTabBar::tab:hover { color: @text; }"
     "QTabWidget::pane { border: none; }"
     "QTreeView, QListView, QTableView, QPlainTextEdit, QTextBrowser, QScrollArea { border: none; }"
-    "QTreeView::item, QListView::item { padding: 2px 0; }"
-    "QHeaderView::section { background: @window; border: none; border-bottom: 1px solid @line; padding: 4px 6px; color: @faint; }"
+    "QTreeView::item { padding: 2px 0; }"
+    "QListView::item { padding: 4px 0; }"
+    "QListView#historyList { background: @base; padding: 4px 6px; }"
+    "QHeaderView::section { background: @window; border: none; border-bottom: 1px solid @line; padding: 4px 3px; color: @faint; }"
     "QLineEdit, QComboBox, QAbstractSpinBox { background: @base; border: 1px solid @line; border-radius: 4px; padding: 2px 5px; "
     "min-height: 18px; selection-background-color: @accent; }"
     "QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border-color: @accent; }"
     "QLineEdit:disabled, QComboBox:disabled { color: @disabled; }"
+    "QComboBox::drop-down { border: none; width: 20px; }"
+    "QComboBox::down-arrow { image: url(\"@icons/colour-chevron-down.svg\"); width: 12px; height: 12px; }"
+    "QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: 16px; }"
+    "QAbstractSpinBox::up-arrow { image: url(\"@icons/colour-chevron-up.svg\"); width: 10px; height: 10px; }"
+    "QAbstractSpinBox::down-arrow { image: url(\"@icons/colour-chevron-down.svg\"); width: 10px; height: 10px; }"
+    "QCheckBox { spacing: 6px; }"
+    "QCheckBox::indicator { background: @base; border: 1px solid @faint; border-radius: 3px; width: 13px; height: 13px; }"
+    "QCheckBox::indicator:hover, QCheckBox::indicator:checked { border-color: @accent; }"
+    "QCheckBox::indicator:checked { background: @checked; image: url(\"@icons/colour-check.svg\"); }"
+    "QCheckBox::indicator:indeterminate { image: url(\"@icons/colour-dash.svg\"); }"
+    "QCheckBox::indicator:disabled { border-color: @line; }"
     "QPushButton { background: @button; border: 1px solid @line; border-radius: 5px; padding: 4px 12px; }"
     "QPushButton:hover { border-color: @accent; }"
     "QPushButton:default { border-color: @accent; }"
@@ -62,6 +96,7 @@ QString styleSheet(const QMap<QString, QColor>& colours) {
     };
     sheet.replace(QStringLiteral("@checked"), mixed(accent, window, 0.22).name());
     sheet.replace(QStringLiteral("@onaccent"), window.lightnessF() > 0.5 ? QStringLiteral("#ffffff") : QStringLiteral("#0d1117"));
+    sheet.replace(QStringLiteral("@icons"), resourcePath(QStringLiteral("icons")));
     for (auto it = colours.begin(); it != colours.end(); ++it) sheet.replace(QLatin1Char('@') + it.key(), it.value().name());
     return sheet;
 }

@@ -5,12 +5,11 @@
 #include <QApplication>
 #include <QFile>
 #include <QFontDatabase>
-#include <QIconEngine>
-#include <QPainter>
 #include <QPalette>
 #include <QStyleFactory>
 #include <QSvgRenderer>
 
+#include "editor/widgets/painted_icon.h"
 #include "editor/widgets/resources.h"
 #include "editor/widgets/style_sheet.h"
 
@@ -70,38 +69,18 @@ void loadFonts() {
     Q_UNUSED(loaded);
 }
 
-/// An SVG drawn in the colour that the theme has when it is drawn, so that icons follow a change of theme.
-class SvgIcon final : public QIconEngine {
-public:
-    explicit SvgIcon(QString path) : m_path(std::move(path)) {}
-
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-        QSvgRenderer svg(m_path);
-        const qreal scale = painter->device()->devicePixelRatioF();
-        QImage image((QSizeF(rect.size()) * scale).toSize(), QImage::Format_ARGB32_Premultiplied);
-        image.fill(Qt::transparent);
-        QPainter inside(&image);
-        svg.render(&inside, QRectF(image.rect()));
-        inside.setCompositionMode(QPainter::CompositionMode_SourceIn);
-        const QColor text = mode == QIcon::Disabled   ? colour(colours().disabled)
-                            : mode == QIcon::Selected ? colour(colours().onAccent)
-                                                      : colour(colours().text);
-        if (!m_path.contains(QLatin1String("colour-"))) inside.fillRect(image.rect(), text);
-        inside.end();
-        painter->drawImage(QRectF(rect), image);
-    }
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap pixmap(size);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        paint(&painter, QRect(QPoint(), size), mode, state);
-        return pixmap;
-    }
-    QIconEngine* clone() const override { return new SvgIcon(m_path); }
-
-private:
-    QString m_path;
-};
+/// An SVG in the colour that the theme has when it is drawn.
+void paintSvg(QPainter& painter, const QRectF& box, const QString& path, const QColor& colour) {
+    QSvgRenderer svg(path);
+    QImage image((box.size() * painter.device()->devicePixelRatioF()).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter inside(&image);
+    svg.render(&inside, QRectF(image.rect()));
+    inside.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    inside.fillRect(image.rect(), colour);
+    inside.end();
+    painter.drawImage(box, image);
+}
 
 } // namespace
 
@@ -161,7 +140,14 @@ QFont monospaceFont() {
 QIcon themedIcon(const QString& name) {
     if (name.isEmpty()) return {};
     const QString path = resourcePath(QStringLiteral("icons/") + name + QStringLiteral(".svg"));
-    return QFile::exists(path) ? QIcon(new SvgIcon(path)) : QIcon();
+    if (!QFile::exists(path)) return {};
+    return paintedIcon([path](QPainter& painter, const QRectF& box, QIcon::Mode mode) {
+        const Colours& c = colours();
+        paintSvg(painter, box, path,
+                 colour(mode == QIcon::Disabled   ? c.disabled
+                        : mode == QIcon::Selected ? c.onAccent
+                                                  : c.text));
+    });
 }
 
 } // namespace trundle

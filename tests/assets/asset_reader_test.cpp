@@ -150,6 +150,29 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < wanted.size(); ++i) QVERIFY(std::fabs(map.value()->heights[i] - wanted[i]) < 1e-3);
     }
 
+    void aPictureKeepsItsColours() {
+        QImage picture(3, 2, QImage::Format_RGB32);
+        picture.fill(qRgb(10, 20, 30));
+        picture.setPixel(2, 0, qRgb(250, 0, 5)); // top right
+        QVERIFY(picture.save(m_folder->filePath("c.png")));
+        const auto raster = m_reader->picture(m_folder->filePath("c.png").toStdString());
+        QVERIFY2(raster.ok(), raster.ok() ? "" : raster.error().message.c_str());
+        QCOMPARE(raster.value()->width, 3u);
+        QCOMPARE(raster.value()->height, 2u);
+        const std::vector<std::uint8_t> wanted{10, 20, 30, 10, 20, 30, 250, 0, 5, 10, 20, 30, 10, 20, 30, 10, 20, 30};
+        QVERIFY(raster.value()->pixels == wanted);
+    }
+
+    void aLargePictureIsMadeSmaller() {
+        QImage picture(3000, 30, QImage::Format_RGB888);
+        picture.fill(qRgb(10, 20, 30));
+        QVERIFY(picture.save(m_folder->filePath("wide.png")));
+        const auto raster = m_reader->picture(m_folder->filePath("wide.png").toStdString());
+        QVERIFY(raster.ok());
+        QCOMPARE(raster.value()->width, 2048u);
+        QCOMPARE(raster.value()->pixels.size(), std::size_t(raster.value()->height) * 2048 * 3);
+    }
+
     void withoutTheReadingProgramTheMessageNamesIt() {
         AssetReader lost("/nowhere/trundle-meshreader");
         const auto mesh = lost.mesh(sample("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));

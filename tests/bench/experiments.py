@@ -1,6 +1,7 @@
 """Texts of the measured experiments, made from nothing but the shipped configs."""
 
 import math
+import os
 
 
 def pattern(count):
@@ -9,6 +10,18 @@ def pattern(count):
     while count % rows:
         rows -= 1
     return count // rows, rows
+
+
+def _room(x, y):
+    return f"""StaticConfig Room {{
+  Plane floor {{ Material=concrete Surface=ground }}
+  Box north {{ Pos=0, {y / 2 + 0.05}, 0.15   Size={x + 0.2}, 0.1, 0.3  Material=wood Surface=wall }}
+  Box south {{ Pos=0, {-y / 2 - 0.05}, 0.15  Size={x + 0.2}, 0.1, 0.3  Material=wood Surface=wall }}
+  Box east  {{ Pos={x / 2 + 0.05}, 0, 0.15   Size=0.1, {y}, 0.3  Material=wood Surface=wall }}
+  Box west  {{ Pos={-x / 2 - 0.05}, 0, 0.15  Size=0.1, {y}, 0.3  Material=wood Surface=wall }}
+}}
+Static room {{ Config=Room }}
+"""
 
 
 def crowd(count, seconds, tick=0.01):
@@ -21,19 +34,48 @@ def crowd(count, seconds, tick=0.01):
 #import common/surfaces.sim
 #loadModule controllers/random_drive
 
-StaticConfig Room {{
-  Plane floor {{ Material=concrete Surface=ground }}
-  Box north {{ Pos=0, {y / 2 + 0.05}, 0.15   Size={x + 0.2}, 0.1, 0.3  Material=wood Surface=wall }}
-  Box south {{ Pos=0, {-y / 2 - 0.05}, 0.15  Size={x + 0.2}, 0.1, 0.3  Material=wood Surface=wall }}
-  Box east  {{ Pos={x / 2 + 0.05}, 0, 0.15   Size=0.1, {y}, 0.3  Material=wood Surface=wall }}
-  Box west  {{ Pos={-x / 2 - 0.05}, 0, 0.15  Size=0.1, {y}, 0.3  Material=wood Surface=wall }}
-}}
-Static room {{ Config=Room }}
-Grid crowd {{
+{_room(x, y)}Grid crowd {{
   Config=SimpleRobot  Count={columns},{rows}  Spacing=1
   RandomDrive brain {{ Speed=0.3 TurnRate=1 Period=1 }}
 }}
 """
+
+
+def singles(count, config="SimpleRobot", further=""):
+    """`count` robots, each a block of its own as a person edits them, one per square metre of a walled room; one is named middle."""
+    columns, rows = pattern(count)
+    text = f"""Tick = 0.01   Duration = 1000
+#import robots/simple_robot.sim
+#import common/materials.sim
+#import common/surfaces.sim
+#loadModule controllers/random_drive
+
+{_room(max(columns, 4), max(rows, 4))}{further}"""
+    for i in range(count):
+        middle = i == columns * (rows // 2) + columns // 2
+        x, y = i % columns - columns // 2, i // columns - rows // 2
+        text += f"""
+Robot {'middle' if middle else f'robot{i}'} {{
+  Config={config}
+  Pos={'0.0' if middle else x},{y},0  HPR={37 * i % 360},0,0
+  RandomDrive brain {{ Speed=0.3 TurnRate=1 Period=1 }}
+}}
+"""
+    return text
+
+
+def long_text(lines=2000, robots=150):
+    """A text of so many lines: robots, a robot described in it, and scenery of many blocks."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    with open(os.path.join(here, "..", "..", "configs", "robots", "simple_robot.sim"), encoding="utf-8") as file:
+        described = "".join(line for line in file if not line.startswith("#")).replace("SimpleRobot", "OwnRobot")
+
+    def text(walls):
+        blocks = "".join(f"  Box block{i} {{ Pos={i % 40 - 20 + 0.5},{i // 40 - 12 + 0.5},0.05  Size=0.1,0.1,0.1  Material=wood Surface=wall }}\n"
+                         for i in range(walls))
+        return singles(robots, "OwnRobot", f"{described}\nStaticConfig Blocks {{\n{blocks}}}\nStatic blocks {{ Config=Blocks }}\n")
+
+    return text(lines - text(0).count("\n"))
 
 
 def straight(distance, speed):

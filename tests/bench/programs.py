@@ -17,6 +17,8 @@ class Programs:
     def __init__(self, build, folder):
         self.cli = os.path.join(build, "bin", "trundle-cli")
         self.bare = os.path.join(build, "bench", "bare_ode")
+        self.trundle = os.path.join(build, "bin", "trundle")
+        self.window_bench = os.path.join(build, "bench", "window_bench")
         self.folder = folder
 
     def write(self, name, text):
@@ -39,6 +41,23 @@ class Programs:
         words = [self.bare, "-n", str(count), "-nx", str(columns), "-ny", str(rows), "-t", str(seconds)]
         return {key: float(value) for key, value in re.findall(r"(\w+)=(\S+)", _output(words))}
 
+    def window(self, *words):
+        """One measurement of window_bench; its JSON object."""
+        return json.loads(_output([self.window_bench, *map(str, words)], self._alone()))
+
+    def window_seconds(self, *words):
+        """Wall time of the window's whole program."""
+        start = time.perf_counter()
+        _output([self.trundle, *words], self._alone())
+        return time.perf_counter() - start
+
+    def _alone(self):
+        """No display, and settings of its own."""
+        home = os.path.join(self.folder, "home")
+        os.makedirs(home, mode=0o700, exist_ok=True)
+        folders = {f"XDG_{name}": home for name in ["CONFIG_HOME", "DATA_HOME", "STATE_HOME", "CACHE_HOME", "RUNTIME_DIR"]}
+        return os.environ | folders | {"QT_QPA_PLATFORM": "offscreen"}
+
     @staticmethod
     def peer_run(program, count, seconds):
         """A reference program that takes odebench's options and prints RTF=<number>."""
@@ -46,8 +65,9 @@ class Programs:
         return float(re.search(r"RTF=(\S+)", _output(words)).group(1))
 
 
-def _output(words):
-    done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=1800)
+def _output(words, environment=None):
+    done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=1800,
+                          env=environment)
     if done.returncode != 0:
         raise Failed(f"{' '.join(words)}: exit code {done.returncode}\n{done.stderr[-2000:]}")
     return done.stdout

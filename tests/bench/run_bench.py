@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures Trundle: speed against a bare ODE loop, memory, start and load times, and how exactly it drives.
+"""Measures Trundle: speed against a bare ODE loop, memory, start and load times, how the window answers, and how exactly it drives.
 
 Writes results/*.csv and *.svg and the tables of RESULTS.md beside this file. Ratios are taken inside one run, with the two sides
 interleaved; absolute figures belong to the machine named in RESULTS.md.
@@ -15,6 +15,7 @@ import tempfile
 import experiments
 import report
 import svg_plot
+import window_tables
 from programs import Failed, Programs, interleaved, median, progress
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -164,7 +165,12 @@ def arcs(programs, options):
             if abs(int(row[0])) <= 360 and float(row[2]) == 0.3 and float(row[1]) == 0.3 and (abs(float(row[4])) > 0.02 or float(row[5]) > 0.1)]
 
 
-SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "speed": speed, "crowds": crowds}
+def windows(programs, options):
+    """How fast the window answers."""
+    return window_tables.measure(programs, options, RESULTS, PAGE)
+
+
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "window": windows, "speed": speed, "crowds": crowds}
 
 
 def main():

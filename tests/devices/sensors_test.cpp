@@ -85,6 +85,26 @@ private Q_SLOTS:
         QCOMPARE(pulses, 3);
     }
 
+    void aCameraCountsThePicturesOfItsStream() {
+        BenchRobot robot(.01);
+        BenchDevice& camera = robot.device("Camera", "eye");
+        camera.texts = {{"Body", {"chassis"}}};
+        camera.numbers = {{"UpdatePeriod", {.025}}};
+        QCOMPARE(robot.setup(), std::string());
+        const std::vector<double> frames{0, 0, 1, 1, 2, 2, 2, 3, 3, 4}, times{.01, .01, .03, .03, .05, .05, .05, .08, .08, .1};
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            robot.tick();
+            QCOMPARE(robot.signal("eye/frame")[0], frames[i]);
+            QVERIFY(std::abs(robot.signal("eye/time")[0] - times[i]) < 1e-12);
+        }
+    }
+
+    void aCameraWhoseFarIsNearIsRefused() {
+        BenchRobot robot(.01);
+        robot.device("Camera", "eye").numbers = {{"Near", {2}}, {"Far", {1}}};
+        QCOMPARE(robot.setup(), std::string("Near must be smaller than Far"));
+    }
+
     void touchIsPressedByContacts() {
         BenchRobot robot(.01);
         robot.contacts = {{"chassis.bumper", {}}, {"chassis.side", {}}};

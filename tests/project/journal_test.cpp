@@ -8,6 +8,9 @@
 #include <fstream>
 #include <random>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <QTemporaryDir>
 
 #include "base/platform/read_file.h"
@@ -215,6 +218,16 @@ private Q_SLOTS:
         QVERIFY(ProjectLock(m_project, "a").taken());
         write(m_project + "/.trundle/lock", "no words of ours \xff\n\n\n");
         QVERIFY(ProjectLock(m_project, "a").taken());
+    }
+
+    void aLockOfAnEndedProcessThatNobodyAskedAfterIsNone() {
+        const pid_t ended = ::fork();
+        if (ended == 0) ::_exit(0);
+        siginfo_t how;
+        QCOMPARE(::waitid(P_PID, id_t(ended), &how, WEXITED | WNOWAIT), 0); // it stays in the table
+        write(m_project + "/.trundle/lock", std::to_string(ended) + "\n0\n" + thisProcess().host + "\n5\n/x.sim\n");
+        QVERIFY(ProjectLock(m_project, "a").taken());
+        QCOMPARE(::waitpid(ended, nullptr, 0), ended);
     }
 
     // Where locks do not work, what the file says counts.

@@ -309,7 +309,10 @@ private Q_SLOTS:
         const auto place = placeOf(*again, plan.value().selects.back());
         QVERIFY2(place && place->part && place->part->kind->name == kind.toStdString(), block.c_str());
         // The same once more, beside the first.
-        if (controller) return;
+        if (controller || described->role == Role::Medium) {
+            QVERIFY(!planInsert(*again, parent, templateOf(*again, *described, parent)).ok());
+            return;
+        }
         const auto second = planInsert(*again, parent, templateOf(*again, *described, parent));
         QVERIFY2(second.ok(), second.ok() ? "" : second.error().message.c_str());
         const auto twice = m_desk.carryOut(again, second);

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "plan_desk.h"
+#include "project/plan_users.h"
 
 using namespace trundle;
 using sample::PlanDesk;
@@ -243,6 +244,35 @@ private Q_SLOTS:
         const auto plan = planRemove(*loaded, all);
         QVERIFY(!plan.ok());
         QCOMPARE(QString::fromStdString(plan.error().message), why);
+    }
+
+    void whatCouldGoAlong_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QStringList>("users");
+        QTest::newRow("robot") << "robot0" << QStringList{"where", "what"};
+        QTest::newRow("drive") << "robot0.base" << QStringList{"robot0.brain"};
+        QTest::newRow("right axle, and what hangs on it")
+            << "robot1.rightAxle" << QStringList{"RobotConfig.Cart.rightMotor", "RobotConfig.Cart.base", "robot0.brain"};
+        QTest::newRow("config") << "RobotConfig.Cart" << QStringList{"robot0", "robot1", "swarm", "where", "what"};
+        QTest::newRow("nobody uses it") << "robot1" << QStringList{};
+        QTest::newRow("a shape stays without its material") << "Material.red" << QStringList{};
+        QTest::newRow("a robot stays without its override") << "robot0.leftMotor" << QStringList{};
+        QTest::newRow("not there") << "blob" << QStringList{};
+    }
+    void whatCouldGoAlong() {
+        QFETCH(QString, path);
+        QFETCH(QStringList, users);
+        const auto loaded = m_desk.open(kScene);
+        std::vector<std::string> all{path.toStdString()};
+        QStringList found;
+        for (const std::string& user : usersOf(*loaded, all)) {
+            found.append(QString::fromStdString(user));
+            all.push_back(user);
+        }
+        found.sort();
+        users.sort();
+        QCOMPARE(found, users);
+        if (!users.isEmpty()) QVERIFY(planRemove(*loaded, all).ok());
     }
 
     void doubles_data() {

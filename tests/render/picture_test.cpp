@@ -295,6 +295,30 @@ private Q_SLOTS:
         QVERIFY(drawn >= 1 && drawn < 20);
     }
 
+    void aFinerPictureGivesWayToOthers() {
+        const SceneId scene = m_service->addScene(sampleExperiment({100}));
+        PictureRequest fine = requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 2048, 2048);
+        fine.mask = kMaskStill;
+        fine.samples = 4;
+        fine.yields = true;
+        const PictureRequest quick = requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 64, 48);
+        const Image expected = m_service->draw(quick).get().value();
+        for (int i = 0; i < 5; ++i) { // while it waits, or while it is drawn
+            auto first = m_service->draw(fine), second = m_service->draw(quick);
+            const auto ended = first.get(), drawn = second.get();
+            QVERIFY(!ended.ok());
+            QCOMPARE(ended.error().message, std::string());
+            QVERIFY(drawn.ok() && drawn.value() == expected);
+        }
+        // Not to another of its kind, and nothing is left of those that ended early.
+        fine.width = fine.height = 200;
+        auto one = m_service->draw(fine), other = m_service->draw(fine);
+        const auto a = one.get(), b = other.get();
+        QVERIFY(a.ok() && b.ok());
+        fine.yields = false;
+        QVERIFY(a.value() == b.value() && a.value() == m_service->draw(fine).get().value());
+    }
+
     void manyThreadsMayAsk() {
         const SceneId scene = m_service->addScene(sampleExperiment({4}));
         const PictureRequest request = requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 80, 60);

@@ -11,18 +11,26 @@
 namespace trundle {
 namespace {
 
-// Field 22 of /proc/PID/stat. The name of the program, field 2, stands in brackets and may hold blanks and brackets.
-std::uint64_t startOf(std::int64_t pid) {
+// Fields 3 and 22 of /proc/PID/stat. The name of the program, field 2, stands in brackets and may hold blanks and brackets.
+struct Stat {
+    char state = 0;
+    std::uint64_t start = 0;
+};
+
+Stat statOf(std::int64_t pid) {
     std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
     std::string line;
-    if (!std::getline(file, line)) return 0;
+    if (!std::getline(file, line)) return {};
     const std::size_t bracket = line.rfind(')');
-    if (bracket == std::string::npos) return 0;
+    if (bracket == std::string::npos) return {};
     std::istringstream rest(line.substr(bracket + 1));
+    Stat stat;
+    if (!(rest >> stat.state)) return {};
     std::string field;
-    for (int number = 3; number <= 22; ++number)
-        if (!(rest >> field)) return 0;
-    return std::strtoull(field.c_str(), nullptr, 10);
+    for (int number = 4; number <= 22; ++number)
+        if (!(rest >> field)) return stat;
+    stat.start = std::strtoull(field.c_str(), nullptr, 10);
+    return stat;
 }
 
 std::string hostName() {
@@ -32,14 +40,15 @@ std::string hostName() {
 
 } // namespace
 
-ProcessIdentity thisProcess() { return {::getpid(), startOf(::getpid()), hostName()}; }
+ProcessIdentity thisProcess() { return {::getpid(), statOf(::getpid()).start, hostName()}; }
 
 bool mayBeAlive(const ProcessIdentity& process) {
     if (process.host != hostName()) return true;
     if (process.pid <= 0) return false;
     if (::kill(static_cast<pid_t>(process.pid), 0) != 0 && errno == ESRCH) return false;
-    const std::uint64_t start = startOf(process.pid);
-    return start == 0 || process.start == 0 || start == process.start;
+    const Stat now = statOf(process.pid);
+    if (now.state == 'Z' || now.state == 'X') return false; // it has ended, and nobody has asked how
+    return now.start == 0 || process.start == 0 || now.start == process.start;
 }
 
 } // namespace trundle

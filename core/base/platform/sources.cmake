@@ -8,4 +8,5 @@ set(BASE_PLATFORM_SOURCES
   platform/process.cpp
   platform/process_identity.cpp
   platform/program_path.cpp
-  platform/read_file.cpp)
+  platform/read_file.cpp
+  platform/thread_priority.cpp)

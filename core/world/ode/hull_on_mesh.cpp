@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPreferSurface = 2e-3; // m: a face of the body must be so much better than the triangle's own normal
 constexpr double kSameNormal = 1e-6, kSameOffset = 1e-5; // 1 - cosine, m: in one plane
-constexpr double kAsOpposed = 0.02;                      // cosine: faces this much less opposed to the triangle still lie on it
+constexpr double kFaceOpposed = 0.02;                    // cosine: faces this much less opposed to the triangle still lie on it
 
 /// A triangle that the body overlaps.
 struct Overlap {
@@ -64,7 +64,7 @@ void lieOnTriangle(const FlatBody& body, const Overlap& o, std::vector<SurfaceCo
     const Triangle& t = *o.triangle;
     const double turn = (t[1] - t[0]).cross(t[2] - t[0]).dot(o.normal) > 0 ? 1 : -1;
     for (std::size_t f = 0; f < body.triangles.size(); ++f) {
-        if (body.normals[f].dot(o.normal) > opposed + kAsOpposed) continue;
+        if (body.normals[f].dot(o.normal) > opposed + kFaceOpposed) continue;
         polygon.clear();
         for (const std::uint32_t corner : body.triangles[f]) polygon.push_back(body.points[corner]);
         for (std::size_t side = 0; side < 3 && !polygon.empty(); ++side) {

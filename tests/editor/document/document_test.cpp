@@ -80,6 +80,31 @@ private Q_SLOTS:
         QCOMPARE(*d.text(m_desk->main), expected);
     }
 
+    void aWithdrawnEditLeavesNoTrace() {
+        Document& d = *m_document;
+        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.setValues(u"Set Tick"_qs, {{"Tick", "5 ms"}}).ok());
+        d.undo();
+        QSignalSpy modified(&d, &Document::modifiedChanged);
+        for (const char* x : {"1", "2", "3"})
+            QVERIFY(d.setValues(u"Move"_qs, {{"robot0.Pos", x + std::string(",0,0")}}, "drag").ok());
+        QVERIFY(!d.history().canRedo());
+        QCOMPARE(modified.count(), 1);
+        d.withdraw("another");
+        QVERIFY(d.isModified());
+        d.withdraw("drag");
+        QCOMPARE(*d.text(m_desk->main), kMain);
+        QCOMPARE(modified.count(), 2);
+        QVERIFY(!d.isModified());
+        QCOMPARE(d.loaded()->experiment->robots[0].pose.position, Vec3(0, 0, 0));
+        QCOMPARE(d.history().entries().size(), 1u);
+        QVERIFY(!d.history().canUndo());
+        d.redo(); // what was undone before can still be had
+        QVERIFY(holds(*d.text(m_desk->main), "Tick = 5 ms"));
+        d.withdraw("drag");
+        QVERIFY(d.isModified());
+    }
+
     void severalValuesAreOneEntryInTheirFiles() {
         Document& d = *m_document;
         QVERIFY(d.open(m_desk->main).ok());

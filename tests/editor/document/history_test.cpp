@@ -121,6 +121,43 @@ private Q_SLOTS:
         QCOMPARE(*t.now["b"], "beta");
     }
 
+    void whatADragMadeForgottenComesBackWithItsEnd() {
+        Texts t = texts();
+        t.edit("one", "a", "alpha1");
+        t.edit("two", "b", "beta2");
+        t.go(1);
+        t.edit("move", "a", "alpha 1", "drag");
+        t.edit("move", "a", "alpha 23", "drag");
+        QCOMPARE(t.names(), "one move ");
+        t.edit("move", "a", "alpha1", "drag"); // back where it began
+        QCOMPARE(t.names(), "one two ");
+        t.edit("move", "a", "alpha 4", "drag"); // and on
+        QCOMPARE(t.names(), "one move ");
+        QVERIFY(t.history.canWithdraw("drag"));
+        QVERIFY(!t.history.canWithdraw("other") && !t.history.canWithdraw(""));
+        t.go(1);
+        t.history.dropWithdrawn();
+        QCOMPARE(t.names(), "one two ");
+        QCOMPARE(*t.now["a"], "alpha1");
+        t.go(2);
+        QCOMPARE(*t.now["b"], "beta2");
+        t.go(0);
+        QCOMPARE(*t.now["a"], "alpha");
+        QCOMPARE(*t.now["b"], "beta");
+    }
+
+    void whatIsDoneIsNotWithdrawn() {
+        Texts t = texts();
+        QVERIFY(!t.history.canWithdraw("drag"));
+        t.edit("move", "a", "alpha 1", "drag");
+        t.history.endMerge();
+        QVERIFY(!t.history.canWithdraw("drag"));
+        t.edit("move", "a", "alpha 2", "drag");
+        t.go(1);
+        t.go(2);
+        QVERIFY(!t.history.canWithdraw("drag"));
+    }
+
     void aFileGoesOnUnderAnotherName() {
         Texts t = texts();
         t.edit("one", "a", "alpha1");

@@ -40,6 +40,15 @@ const TriangleMesh* meshOf(const Loaded& loaded) {
     return statics.empty() || statics[0].geoms->empty() ? nullptr : (*statics[0].geoms)[0].mesh.get();
 }
 
+/// The largest z of the mesh; 0: none.
+double highest(const Loaded& loaded) {
+    const TriangleMesh* mesh = meshOf(loaded);
+    double z = 0;
+    if (mesh)
+        for (const auto& point : mesh->points) z = std::max(z, point[2]);
+    return z;
+}
+
 std::string messages(const Loaded& loaded) {
     std::string all;
     for (const Diagnostic& d : loaded.diagnostics.all())
@@ -124,6 +133,63 @@ private Q_SLOTS:
         QTRY_VERIFY(!d.loaded()->pending);
         QVERIFY(holds(messages(*d.loaded()), "broken.obj"));
         QVERIFY(!d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "missing.obj"}}).ok());
+    }
+
+    void aMeshThatChangesOnTheDiskIsReadAgain() {
+        Document d(*m_parts);
+        QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
+        QVERIFY(meshOf(*d.loaded()));
+        QCOMPARE(highest(*d.loaded()), 1.0);
+        std::string higher = kCube;
+        for (std::size_t at = 0; (at = higher.find(" 1\nv", at)) != std::string::npos;) higher.replace(at, 2, " 3");
+        m_desk->write("configs/cube.obj", higher);
+        QTRY_COMPARE(highest(*d.loaded()), 3.0);
+        QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
+        QVERIFY(!d.isModified());
+        QVERIFY(d.history().entries().empty());
+        // replaced by rename, as most programs save
+        m_desk->write("configs/new.obj", kCube);
+        std::filesystem::rename(m_desk->path("configs/new.obj"), m_desk->path("configs/cube.obj"));
+        QTRY_COMPARE(highest(*d.loaded()), 1.0);
+        QVERIFY(!d.isModified());
+    }
+
+    void aMeshThatGoesAndComesIsSaid() {
+        Document d(*m_parts);
+        QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
+        std::filesystem::remove(m_desk->path("configs/cube.obj"));
+        QTRY_VERIFY(holds(messages(*d.loaded()), "cube.obj"));
+        m_desk->write("configs/cube.obj", kCube);
+        QTRY_VERIFY(messages(*d.loaded()).empty());
+        QVERIFY(meshOf(*d.loaded()));
+    }
+
+    void aPictureThatChangesOnTheDiskIsReadAgain() {
+        const auto picture = [](const char* grey) { return std::string("P2\n2 2\n255\n0 0\n0 ") + grey + "\n"; };
+        m_desk->write("configs/hill.pgm", picture("255"));
+        const std::string file = m_desk->write(
+            "configs/hills.sim",
+            "StaticConfig Hills { Heightfield hill { File=hill.pgm Size=1,1,1 } }\nStatic hills { Config=Hills }\n");
+        Document d(*m_parts);
+        QVERIFY(d.open(file).ok());
+        QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
+        const auto top = [&] {
+            const auto& statics = d.loaded()->experiment->statics;
+            const auto map = statics.empty() || statics[0].geoms->empty() ? nullptr : (*statics[0].geoms)[0].heightMap;
+            return map ? *std::ranges::max_element(map->heights) : -1;
+        };
+        const double before = top();
+        m_desk->write("configs/hill.pgm", picture("100"));
+        QTRY_VERIFY(top() > 0 && top() < before);
+    }
+
+    void anImportThatComesIsReadIn() {
+        Document d(*m_parts);
+        QVERIFY(d.open(m_desk->write("configs/waits.sim", "#import later.sim\n")).ok());
+        QVERIFY(holds(messages(*d.loaded()), "later.sim"));
+        m_desk->write("configs/later.sim", "Tick = 0.02\n");
+        QTRY_COMPARE(d.loaded()->experiment->settings.tick, 0.02);
+        QVERIFY(messages(*d.loaded()).empty());
     }
 
     void theProjectGoesWhileAMeshIsRead() {

@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 
 #include "editor/outline/block_mime.h"
@@ -17,6 +18,7 @@ private Q_SLOTS:
     void aNameThatIsTakenIsRefused();
     void deletesWhatIsSelected();
     void whatOthersNeedIsNotDeleted();
+    void whatNeedsItGoesAlongIfOneWantsSo();
     void copyAndPasteGiveTheBlockBack();
     void pastesWhereItFits();
     void whatIsNoBlockIsRefusedWithTheReason_data();
@@ -85,13 +87,36 @@ void EditsTest::deletesWhatIsSelected() {
 void EditsTest::whatOthersNeedIsNotDeleted() {
     Outlined o;
     QVERIFY(o.open(kRovers));
-    o.click(o.at("robot0"));
-    QTest::keyClick(&o.tree(), Qt::Key_Delete);
+    QVERIFY(!o.edits.remove({"robot0"}).ok());
     QCOMPARE(o.text(), kRovers);
     QCOMPARE(o.refusals.size(), 1);
     QVERIFY2(o.refusals[0].contains(QStringLiteral("path")), qPrintable(o.refusals[0]));
     o.selection.select("");
     QTest::keyClick(&o.tree(), Qt::Key_Delete);
+    QCOMPARE(o.text(), kRovers);
+}
+
+void EditsTest::whatNeedsItGoesAlongIfOneWantsSo() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    const auto askFor = [&](const char* path) {
+        o.click(o.at(path));
+        QTest::keyClick(&o.tree(), Qt::Key_Delete);
+        QWidget* asked = QApplication::activeModalWidget();
+        return asked && asked->objectName() == QStringLiteral("deleteQuestion") ? qobject_cast<QMessageBox*>(asked) : nullptr;
+    };
+    QMessageBox* question = askFor("robot0");
+    QVERIFY(question);
+    QVERIFY2(question->text().contains(QStringLiteral("path")), qPrintable(question->text()));
+    question->button(QMessageBox::Cancel)->click();
+    QCOMPARE(o.text(), kRovers);
+    question = askFor("robot0");
+    QVERIFY(question);
+    QTest::keyClick(question, Qt::Key_Return);
+    QVERIFY2(!o.text().contains("robot0") && !o.text().contains("PoseLog"), o.text().constData());
+    QCOMPARE(o.errors(), QString());
+    QCOMPARE(o.document.history().entries().size(), std::size_t(1));
+    o.document.undo();
     QCOMPARE(o.text(), kRovers);
 }
 

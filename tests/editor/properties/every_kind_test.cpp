@@ -17,6 +17,7 @@ namespace {
 const std::string kWorld = R"(
 Material blue { ColorRGB=0,0,1 }
 Surface slick { Friction=0 }
+AntennaPattern lobe { Model=cosine }
 StaticConfig Yard { Box wall { Size=1,0.1,0.3 Pos=0,2,0.15 Material=grey Surface=slick } }
 StaticConfig Hall { Box wall { Size=1,0.1,0.3 Pos=0,3,0.15 Material=grey Surface=slick } }
 RobotConfig Other { Body body { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 Material=grey Surface=slick } } }
@@ -38,7 +39,7 @@ std::string parentOf(const Kind& kind) {
 /// Numbers that a property may have, the likely ones first.
 std::vector<double> legalNumbers(const Property& p) {
     std::vector<double> numbers;
-    for (double n : {1.0, 2.0, 0.5, 0.25, 3.0, 0.05, 0.02, 10.0, 0.0, -1.0}) {
+    for (double n : {1.0, 2.0, 0.5, 0.25, 3.0, 0.05, 0.02, 10.0, 0.0, -1.0, 2e6}) {
         const bool low = p.minExclusive ? n > p.minimum : n >= p.minimum;
         const bool high = p.maxExclusive ? n < p.maximum : n <= p.maximum;
         const bool whole = p.type != PropertyType::Integer || n == std::floor(n);
@@ -132,6 +133,7 @@ private Q_SLOTS:
         QFETCH(QString, name);
         PanelDesk desk;
         for (const char* file : {"mesh.obj", "other.obj", "hills.png", "other.png", "other.jpg"}) desk.write(file, "x");
+        desk.write("other.csv", "azimuth,elevation,gain\n0,0,0\n");
         QVERIFY(desk.open(kWorld));
         QCOMPARE(desk.document.loaded()->diagnostics.errorCount(), 0u);
         const Kind kind = *desk.parts.builtIn()->find(name.toStdString());

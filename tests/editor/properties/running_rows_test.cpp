@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include <QLabel>
+#include <QScrollArea>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -56,6 +57,20 @@ private Q_SLOTS:
         QVERIFY(!desk.note("Config")->isVisible());
         desk.session.reset();
         QTRY_VERIFY(!desk.note("Pos")->isVisible());
+    }
+
+    void aLongNoteMakesTheRowsNoWider() {
+        RunningDesk desk;
+        desk.panel.resize(300, 600);
+        desk.selection.select("crate");
+        desk.session.step();
+        QTRY_COMPARE(desk.session.state(), RunState::Paused);
+        QVERIFY(desk.document.setValues(QStringLiteral("Set Pos"), {{"crate.Pos", "-12.5,-12.5,20"}}).ok());
+        QTRY_VERIFY(desk.note("Pos")->text().contains(QStringLiteral("after reset")));
+        const auto* area = desk.panel.findChild<QScrollArea*>();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        QVERIFY(area->widget()->width() <= area->viewport()->width());
+        QVERIFY(area->widget()->minimumSizeHint().width() <= area->viewport()->width());
     }
 
     void whatWaitsForAResetSaysSo() {

@@ -95,7 +95,8 @@ private Q_SLOTS:
         QVERIFY(commands.assign({"leader", "idle", "swarm"}, choice(commands, "RandomDrive")));
         const std::string text = textOf(o);
         QVERIFY2(text.find("#loadModule controllers/random_drive") != std::string::npos, text.c_str());
-        QVERIFY2(text.find("RandomDrive brain { UpdatePeriod=0.05 Speed=0.2 }") != std::string::npos, text.c_str()); // what both mean alike
+        QVERIFY2(text.find("RandomDrive brain { UpdatePeriod=0.05 Speed=0.2 }") != std::string::npos,
+                 text.c_str()); // what both mean alike
         QVERIFY2(text.starts_with("// a team\n"), text.c_str());
         QVERIFY(!o.document.loaded()->diagnostics.hasErrors());
         for (const RobotSpec& robot : o.document.loaded()->experiment->robots) {
@@ -247,6 +248,8 @@ private Q_SLOTS:
         Selection selection;
         ControllersPanel panel(o.document, selection, o.session, actions);
         auto* robots = panel.findChild<QTreeWidget*>(QStringLiteral("robotControllers"));
+        QCOMPARE(robots->topLevelItemCount(), 0); // no rows for nobody
+        panel.show();
         QCOMPARE(robots->topLevelItemCount(), 3);
         QVERIFY(!actions.at("controllers.assign").isEnabled());
         selection.select("idle.chassis");
@@ -265,6 +268,28 @@ private Q_SLOTS:
         actions.at("controllers.remove").trigger();
         QCOMPARE(robots->topLevelItem(0)->text(1), QStringLiteral("–"));
         QVERIFY(o.session.waitsForReset("leader.brain"));
+    }
+
+    void rowsThatNobodySeesAreNotMade() {
+        OpenedSession o;
+        QVERIFY(o.open(kTeam));
+        Actions actions(kRows);
+        Selection selection;
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        panel.show();
+        auto* robots = panel.findChild<QTreeWidget*>(QStringLiteral("robotControllers"));
+        panel.hide();
+        QSignalSpy made(robots->model(), &QAbstractItemModel::rowsInserted);
+        QVERIFY(o.document.setValues(QStringLiteral("Move"), {{"idle.Pos", "3,0,0"}}).ok());
+        selection.select("leader");
+        o.session.run();
+        QTRY_COMPARE(o.session.state(), RunState::Running);
+        QCOMPARE(made.size(), 0);
+        QVERIFY(actions.at("controllers.remove").isEnabled()); // what a menu shows is known all the same
+        panel.show();
+        QCOMPARE(robots->topLevelItemCount(), 3);
+        QCOMPARE(robots->topLevelItem(0)->text(2), QStringLiteral("runs"));
+        QVERIFY(robots->topLevelItem(0)->isSelected());
     }
 };
 

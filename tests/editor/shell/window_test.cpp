@@ -1,10 +1,13 @@
 // The whole window, with its real parts: open, move, undo, type, run, reset, save.
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -57,6 +60,57 @@ private Q_SLOTS:
     void aNewWindowShowsTheWelcomePage() {
         QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("welcome"))->isVisible());
         QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("sample.linear_motion"))->isVisible());
+    }
+
+    void onTheWelcomePageEveryCommandDoesNoHarm() {
+        const QStringList asking{QStringLiteral("file.open"),        QStringLiteral("file.quit"),  QStringLiteral("edit.palette"),
+                                 QStringLiteral("edit.preferences"), QStringLiteral("help.about"), QStringLiteral("view.theme")};
+        for (const ActionRow& row : m_window->actions().table()) {
+            const QString id = QLatin1String(row.id);
+            if (asking.contains(id) || id.startsWith(QStringLiteral("file.new"))) continue;
+            m_window->actions().at(row.id).trigger();
+            QVERIFY2(!m_window->document().isOpen(), row.id);
+            QVERIFY2(!QApplication::activeModalWidget() && !QApplication::activePopupWidget(), row.id);
+        }
+    }
+
+    void theGuideIsReadOnTheWelcomePageAndGoesAlong() {
+        auto* guide = m_window->findChild<QDockWidget*>(QStringLiteral("dock.guide"));
+        m_window->actions().at("help.guide").trigger();
+        QVERIFY(guide->isVisible());
+        QVERIFY(!m_window->findChild<QDockWidget*>(QStringLiteral("dock.scene"))->isVisible());
+        openMine();
+        QTRY_VERIFY(guide->isVisible());
+        QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("dock.scene"))->isVisible());
+        m_window->actions().at("file.openSample").trigger();
+        QVERIFY(!m_window->document().isOpen());
+        QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("welcome"))->isVisible());
+    }
+
+    void aMessageInTheStatusBarStandsAlone() {
+        openMine();
+        Q_EMIT m_window->document().refused(QStringLiteral("no"));
+        const auto* file = m_window->findChild<QLabel*>(QStringLiteral("status.file"));
+        QVERIFY(!file->isVisible());
+        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(!file->isVisible());
+        m_window->statusBar()->clearMessage();
+        QVERIFY(file->isVisible());
+    }
+
+    void theWindowComesBackAsLargeAsItWas() {
+        m_window->resize(1111, 777);
+        QVERIFY(m_window->close());
+        m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+        QCOMPARE(m_window->size(), QSize(1111, 777));
+    }
+
+    void aSmallScreenHoldsTheWindow() {
+        openMine();
+        QVERIFY2(
+            m_window->minimumSizeHint().width() <= 1024 && m_window->minimumSizeHint().height() <= 700,
+            qPrintable(
+                QStringLiteral("%1 x %2").arg(m_window->minimumSizeHint().width()).arg(m_window->minimumSizeHint().height())));
     }
 
     void aSampleOpensWithAClick() {

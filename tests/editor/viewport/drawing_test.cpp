@@ -46,6 +46,23 @@ private Q_SLOTS:
         QCOMPARE(m_window->view().refinements(), 1);
     }
 
+    void aFinerPictureKeepsNoNewOneWaiting() {
+        m_window->panel->resize(1800, 1400); // so that it takes long
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        const int finer = m_window->view().refinements();
+        while (m_window->view().refinements() == finer) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        const int before = m_window->view().redraws();
+        QSignalSpy shown(&m_window->view(), &View::pictureShown);
+        m_window->selection.select("robot0");
+        QTRY_VERIFY(m_window->panel->isUpToDate());
+        QCOMPARE(m_window->view().redraws(), before + 1);
+        QVERIFY(shown.size() >= 1);
+        QVERIFY(orange(m_window->view().picture()) > 100);
+        QTRY_COMPARE(m_window->view().refinements(), finer + 2); // it comes later
+        QTRY_VERIFY(m_window->panel->isSettled());
+        QCOMPARE(shown.size(), 2); // the one that gave way was not
+    }
+
     void aHiddenPanelAsksForNothing() {
         m_window->panel->hide();
         const int before = m_window->view().redraws();

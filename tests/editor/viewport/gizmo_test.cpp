@@ -70,6 +70,8 @@ private Q_SLOTS:
     }
 
     void escapeGivesTheSameBytes() {
+        QVERIFY(m_window->document.setValues(QStringLiteral("Set Tick"), {{"Tick", "0.02"}}).ok());
+        m_window->document.undo();
         take("robot0", "tool.move");
         const QPointF from = *m_window->view().gizmo().spot(kMoveX);
         m_window->press(from);
@@ -77,6 +79,9 @@ private Q_SLOTS:
         QVERIFY(m_window->text() != kRoom);
         m_window->key(Qt::Key_Escape);
         QCOMPARE(m_window->text(), kRoom);
+        QVERIFY(!m_window->document.history().canUndo());
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1)); // what was undone before can still be redone
+        QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Set Tick"));
         QVERIFY(!m_window->document.isModified());
         m_window->move(from + QPointF(200, 0), {}, Qt::LeftButton);
         m_window->release(from + QPointF(200, 0));

@@ -88,6 +88,15 @@ private Q_SLOTS:
         QVERIFY(m_window->selection.empty());
     }
 
+    void aReleaseThatSomebodyElseGotEndsABox() {
+        m_window->press({5, 60});
+        m_window->move({30, 80}, {}, Qt::LeftButton);
+        QVERIFY(m_window->view().mouseIsBusy());
+        m_window->move({890, 690}); // no button is down any more
+        QVERIFY(!m_window->view().mouseIsBusy());
+        QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
+    }
+
     void whatIsHiddenOrLockedIsNotTaken() {
         m_window->panel->setHidden({"robot0"});
         m_window->click(m_window->at({-0.5, 0, 0.14}));

@@ -7,10 +7,14 @@
 
 #include <stdint.h>
 
+#include <trundle/abi_camera.h>
+#include <trundle/abi_radio.h>
+#include <trundle/abi_world.h>
+
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 1u
-#define TRUNDLE_SDK_VERSION "1.1.0"
+#define TRUNDLE_ABI_MINOR 2u
+#define TRUNDLE_SDK_VERSION "1.2.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -82,6 +86,8 @@ typedef struct TrundleRobot {
     void (*writeLog)(void* context, int32_t log, const char* bytes, uint64_t count);
     /* Asks without noting a failure; component "" and signal "" answer for the component or robot alone. 0: it is there. */
     int32_t (*signalInfo)(void* context, const char* component, const char* signal, uint32_t* count, uint32_t* direction);
+    const TrundleCameras* cameras; /* since 1.2 */
+    const TrundleRobotRadio* radio; /* since 1.2 */
 } TrundleRobot;
 
 /* ---- devices ---- */
@@ -104,29 +110,8 @@ typedef struct TrundleMount {
     /* Adds kg m^2 to the joint's child about the joint's axis (a geared rotor turning with it). 0: done. */
     int32_t (*addAxialInertia)(void* context, uint32_t joint, double inertia);
     void (*print)(void* context, int32_t severity, const char* text);
+    const TrundleMountRadio* radio; /* since 1.2 */
 } TrundleMount;
-
-typedef struct TrundleContact {
-    double position[3]; /* world, m */
-    double normal[3];   /* world, towards the geom that asked */
-    double depth;       /* m */
-    double force;       /* N along the normal, of the last step */
-    uint32_t other; /* geom; 0xffffffff where unknown */
-    uint32_t reserved;
-} TrundleContact;
-
-typedef struct TrundleHit {
-    double distance; /* m */
-    double normal[3];
-    uint32_t geom, reserved;
-} TrundleHit;
-
-typedef struct TrundleBodyState {
-    double position[3];   /* of the body's frame, world, m */
-    double quaternion[4]; /* w x y z */
-    double linear[3];     /* m/s, of the body frame's origin */
-    double angular[3];    /* rad/s, world */
-} TrundleBodyState;
 
 /* What a device may do to and ask of the world, in act and in sense. Actuation is ignored outside act. */
 typedef struct TrundleServices {
@@ -150,6 +135,7 @@ typedef struct TrundleServices {
     uint64_t (*random)(void* context, uint64_t index); /* a function of (seed, device path, tick, index) */
     void (*jointAnchor)(void* context, uint32_t joint, double anchor[3], double axis[3]); /* world, as the parent carries them */
     void (*print)(void* context, int32_t severity, const char* text); /* to the console, under the device's path */
+    const TrundleServicesRadio* radio; /* since 1.2 */
 } TrundleServices;
 
 /* ---- kinds and the module ---- */

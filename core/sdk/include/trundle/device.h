@@ -24,6 +24,7 @@ template <class Tag> struct WorldId {
 using JointId = WorldId<struct JointTag>;
 using BodyId = WorldId<struct BodyTag>;
 using GeomId = WorldId<struct GeomTag>;
+using RadioId = WorldId<struct RadioTag>;
 
 /// What a device finds when it is put on its robot. Whatever is not there ends the setup with a message of the host that names
 /// what is; the call gives an empty value in the meantime.
@@ -61,6 +62,13 @@ public:
     void addAxialInertia(JointId joint, double inertia) {
         const bool done = m_mount.addAxialInertia && m_mount.addAxialInertia(m_mount.context, joint.index, inertia) == 0;
         if (!done) fail("this joint can take no additional inertia");
+    }
+    /// Opens the device's radio: its antenna and what it can.
+    [[nodiscard]] RadioId radio(const TrundleRadioSettings& settings) {
+        RadioId id;
+        if (m_mount.radio && m_mount.radio->open(m_mount.context, &settings, &id.index) == 0) return id;
+        note("the radio could not be opened");
+        return {};
     }
     void warn(const std::string& text) const {
         if (m_mount.print) m_mount.print(m_mount.context, TRUNDLE_WARNING, text.c_str());
@@ -112,6 +120,12 @@ public:
     [[nodiscard]] TrundleBodyState bodyState(BodyId body) const {
         TrundleBodyState state{};
         m_services.bodyState(m_services.context, body.index, &state);
+        return state;
+    }
+    [[nodiscard]] TrundleRadioState radioState(RadioId radio) const {
+        TrundleRadioState state{};
+        state.size = sizeof state;
+        if (m_services.radio) m_services.radio->state(m_services.context, radio.index, &state);
         return state;
     }
     /// Of the last step; `out` is filled anew.

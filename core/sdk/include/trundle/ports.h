@@ -7,7 +7,9 @@
 #include <string>
 
 #include <trundle/abi.h>
+#include <trundle/camera.h>
 #include <trundle/geometry.h>
+#include <trundle/radio.h>
 #include <trundle/slot.h>
 
 namespace trundle {
@@ -135,6 +137,8 @@ public:
     [[nodiscard]] MotorPort motor(const char* name);
     [[nodiscard]] EncoderPort encoder(const char* name);
     [[nodiscard]] TouchPort touch(const char* name);
+    [[nodiscard]] CameraPort camera(const char* name);
+    [[nodiscard]] RadioPort radio(const char* name);
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);
     [[nodiscard]] GroundTruthPort groundTruth();
     /// A device's truth, "base/pose"; read only.
@@ -147,6 +151,8 @@ public:
     template <class Name> [[nodiscard]] MotorPort motor(const Name& n) { return motor(n.c_str()); }
     template <class Name> [[nodiscard]] EncoderPort encoder(const Name& n) { return encoder(n.c_str()); }
     template <class Name> [[nodiscard]] TouchPort touch(const Name& n) { return touch(n.c_str()); }
+    template <class Name> [[nodiscard]] RadioPort radio(const Name& n) { return radio(n.c_str()); }
+    template <class Name> [[nodiscard]] CameraPort camera(const Name& n) { return camera(n.c_str()); }
 
     [[nodiscard]] bool complete() const { return !m_missing; } ///< no name was missing so far
 

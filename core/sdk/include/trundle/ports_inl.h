@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
+#include <cstddef>
 
 namespace trundle {
 inline namespace sdk1 {
@@ -56,6 +57,26 @@ inline TouchPort RobotPorts::touch(const char* name) {
     port.m_pressed = bind(kind, name, "pressed");
     port.m_force = bind(kind, name, "force");
     port.m_count = bind(kind, name, "count");
+    return port;
+}
+
+inline CameraPort RobotPorts::camera(const char* name) {
+    CameraPort port;
+    port.m_name = name;
+    port.m_frame = bind("Camera", name, "frame");
+    // An older program's table ends before.
+    if (m_robot.size >= offsetof(TrundleRobot, cameras) + sizeof m_robot.cameras) port.m_cameras = m_robot.cameras;
+    return port;
+}
+
+inline RadioPort RobotPorts::radio(const char* name) {
+    RadioPort port;
+    if (m_missing) return port;
+    const TrundleRobotRadio* border = m_robot.radio;
+    m_missing = !border || border->find(m_robot.context, name, &port.m_radio) != 0;
+    if (m_missing) return port;
+    port.m_border = border;
+    port.m_context = m_robot.context;
     return port;
 }
 

@@ -1,0 +1,26 @@
+#pragma once
+#include <trundle/device.h>
+
+namespace trundle {
+
+/// A radio with its antenna at a place of a body. Packets go to and from controllers by their RadioPort; the medium (core/radio) does the
+/// rest. What is published here is what a driver could count.
+class Transceiver final : public Device {
+public:
+    static void describe(Describe<Transceiver>& d);
+    void setup(Mount& mount) override;
+    void sense(Sensing& world) override;
+
+private:
+    std::string m_bodyName, m_antenna = "isotropic";
+    std::array<double, 3> m_pos{0, 0, 0}, m_hpr{0, 0, 0};
+    double m_maxOutputPower = 0, m_minReceivePower = -94, m_maxReceivePower = 0, m_rssiStep = 1, m_bitRate = 250000;
+    int m_bufferLimit = 16, m_channel = 26, m_address = 0;
+    std::vector<double> m_powerLevels, m_transmitCurrent;
+    double m_receiveCurrent = 0, m_supply = 3;
+
+    RadioId m_radio;
+    Slot m_ownAddress, m_rssi, m_lqi, m_pending, m_queued, m_sent, m_received, m_dropped, m_failed, m_energy;
+};
+
+} // namespace trundle

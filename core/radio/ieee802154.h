@@ -1,0 +1,35 @@
+#pragma once
+// IEEE 802.15.4 at 2.4 GHz: times, errors and the bytes of frames.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace trundle {
+
+inline constexpr std::uint32_t kBroadcastAddress = 0xffff;
+inline constexpr std::uint32_t kFrameOverhead = 11; ///< bytes of a data frame beside its payload: 9 before, 2 after
+inline constexpr std::uint32_t kMostPayload = 127 - kFrameOverhead;
+inline constexpr std::uint32_t kAckBytes = 5;
+
+// Unslotted CSMA-CA (IEEE 802.15.4-2006, 7.5.1.4), us.
+inline constexpr std::int64_t kBackoffUnitUs = 320, kListenUs = 128, kTurnaroundUs = 192, kAckWaitUs = 864;
+inline constexpr int kLeastExponent = 3, kMostExponent = 5, kMostBackoffs = 4, kMostRetries = 3;
+
+/// Bit error rate of O-QPSK with 16 spread symbols at a signal to noise ratio in dB (802.15.4-2006, E.4.1.8).
+[[nodiscard]] double bitErrorRate(double sinrDb);
+/// Probability that so many bits arrive without an error.
+[[nodiscard]] double receptionRate(double sinrDb, double bits);
+
+/// Time on the air of a frame of `mpduBytes`, with six bytes of preamble, start and length before it.
+[[nodiscard]] std::int64_t airtimeUs(std::uint32_t mpduBytes, double bitRate);
+
+/// The chip correlation that a CC2420 gives as link quality: about 110 for the best frames and 50 for the worst it can decode.
+[[nodiscard]] int linkQuality(double sinrDb);
+
+/// A frame as it goes over the air (MPDU), check sequence included; short addresses in one network.
+[[nodiscard]] std::vector<std::uint8_t> dataFrame(std::uint32_t from, std::uint32_t to, std::uint8_t sequence, bool wantsAck,
+                                                  std::span<const std::uint8_t> payload);
+[[nodiscard]] std::vector<std::uint8_t> ackFrame(std::uint8_t sequence);
+
+} // namespace trundle

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "radio/radio_trace.h"
+
+namespace trundle {
+
+/// A capture file of link type 195 (IEEE 802.15.4 with check sequence), as Wireshark opens it: its head, then each frame.
+void beginPcap(std::string& bytes);
+void addToPcap(const AirFrame& frame, std::string& bytes);
+
+} // namespace trundle

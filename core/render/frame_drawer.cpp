@@ -1,0 +1,112 @@
+#include "render/frame_drawer.h"
+
+#include "render/picture_note.h"
+#include "scene/framing.h"
+#include "scene/scene.h"
+
+namespace trundle {
+
+FrameDrawer::FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, const SignalLayout& layout)
+    : m_experiment(std::move(experiment)), m_reader(*m_experiment, layout), m_objects(objectNames(*m_experiment)) {
+    for (CameraModel& model : camerasOf(*m_experiment)) {
+        std::optional<LensMap> lens = lensMapOf(model);
+        std::string path = model.path;
+        m_cameras.emplace(std::move(path), Camera{std::move(model), std::move(lens)});
+    }
+}
+
+FrameDrawer::~FrameDrawer() = default;
+
+void FrameDrawer::start() {
+    if (m_service) return;
+    m_service = RenderService::startInBackground();
+    m_scene = m_service->addScene(m_experiment);
+}
+
+Result<FrameDrawer::Camera*> FrameDrawer::cameraAt(const std::string& path) {
+    const auto it = m_cameras.find(path);
+    if (it != m_cameras.end()) return &it->second;
+    std::string names;
+    for (const auto& [name, camera] : m_cameras)
+        if (names.size() < 200) names += (names.empty() ? "" : ", ") + name;
+    return Error{Code::PictureFailed,
+                 "there is no camera " + path + (names.empty() ? "; the experiment has none" : "; there is " + names)};
+}
+
+Result<Frame> FrameDrawer::capture(const std::string& path, const SignalBlock& block) {
+    const Result<Camera*> found = cameraAt(path);
+    if (!found) return found.error();
+    const auto& [model, lens] = *found.value();
+    start();
+    auto poses = std::make_shared<BodyPoses>();
+    m_reader.read(block, *poses);
+
+    PictureRequest request;
+    request.scene = m_scene;
+    request.view = viewOf(model, model.body < poses->size() ? (*poses)[model.body] : Pose{});
+    request.width = lens ? lens->width : model.width;
+    request.height = lens ? lens->height : model.height;
+    if (lens) request.view->fieldOfView = lens->fieldOfView;
+    request.mask = kMaskSensor;
+    request.samples = 1;
+    request.capture = true;
+    if (!model.seesSelf) request.hidden = {model.robot};
+    request.poses = std::move(poses);
+
+    Frame frame;
+    if (model.mode == CameraMode::Colour || model.mode == CameraMode::Grey) {
+        const Result<Image> image = m_service->draw(std::move(request)).get();
+        if (!image) return image.error();
+        frame = developed(model, lens, image.value());
+    } else {
+        const Result<Measured> measured = m_service->measure(std::move(request)).get();
+        if (!measured) return measured.error();
+        frame = developed(model, lens, measured.value());
+    }
+    frame.tick = block.header().tick;
+    frame.time = block.header().time;
+    addNoise(model, m_experiment->settings.seed, frame);
+    return frame;
+}
+
+Result<Frame> FrameDrawer::view(const std::string& name, std::uint32_t width, std::uint32_t height, const SignalBlock& block) {
+    auto poses = std::make_shared<BodyPoses>();
+    m_reader.read(block, *poses);
+    PictureRequest request;
+    if (name.empty()) {
+        request.view = defaultView(*m_experiment, startPoses(*m_experiment), width, height);
+    } else if (request.view = namedView(*m_experiment, name, *poses); !request.view) {
+        const std::string names = viewNames(*m_experiment);
+        return Error{Code::PictureFailed,
+                     "there is no view " + name + (names.empty() ? "; the text has none" : "; there is " + names)};
+    }
+    start();
+    request.scene = m_scene;
+    request.width = width;
+    request.height = height;
+    request.poses = std::move(poses);
+    Result<Image> image = m_service->draw(std::move(request)).get();
+    if (!image) return image.error();
+    Frame frame;
+    frame.width = width;
+    frame.height = height;
+    frame.tick = block.header().tick;
+    frame.time = block.header().time;
+    frame.pixels = std::move(std::move(image).value().pixels);
+    return frame;
+}
+
+Result<std::string> FrameDrawer::encode(const Frame& frame, const std::string& camera, const std::string& fileName) {
+    const auto it = m_cameras.find(camera);
+    const std::string note = pictureNote(frame, it == m_cameras.end() ? nullptr : &it->second.model, m_experiment->settings);
+    const Image image{frame.width, frame.height, frame.pixels};
+    Result<std::string> bytes = imageBytes(image, fileName);
+    if (!bytes) return bytes;
+    return withNote(std::move(bytes).value(), note);
+}
+
+std::string FrameDrawer::objectName(std::uint32_t object) const {
+    return object < m_objects.size() ? m_objects[object] : std::string();
+}
+
+} // namespace trundle

@@ -1,0 +1,42 @@
+#pragma once
+#include <map>
+#include <memory>
+
+#include "render/develop.h"
+#include "render/service.h"
+#include "scene/camera_model.h"
+#include "signals/frame.h"
+
+namespace trundle {
+
+/// Draws what the cameras of an experiment see, with a render service of its own. Nothing is started before the first picture is
+/// asked for. Where no OpenGL is to be had every picture ends with E510.
+class FrameDrawer final : public FrameSource {
+public:
+    /// `layout` is that of all blocks to come. Keeps the experiment.
+    FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, const SignalLayout& layout);
+    ~FrameDrawer() override;
+
+    [[nodiscard]] Result<Frame> capture(const std::string& camera, const SignalBlock& block) override;
+    [[nodiscard]] Result<Frame> view(const std::string& name, std::uint32_t width, std::uint32_t height,
+                                     const SignalBlock& block) override;
+    [[nodiscard]] Result<std::string> encode(const Frame& frame, const std::string& camera, const std::string& fileName) override;
+    [[nodiscard]] std::string objectName(std::uint32_t object) const override;
+
+private:
+    struct Camera {
+        CameraModel model;
+        std::optional<LensMap> lens;
+    };
+    [[nodiscard]] Result<Camera*> cameraAt(const std::string& path);
+    void start();
+
+    std::shared_ptr<const ExperimentSpec> m_experiment;
+    PoseReader m_reader;
+    std::map<std::string, Camera> m_cameras;
+    std::vector<std::string> m_objects;
+    std::unique_ptr<RenderService> m_service;
+    SceneId m_scene = SceneId::None;
+};
+
+} // namespace trundle

@@ -1,0 +1,91 @@
+#include <cstdio>
+
+#include "base/spelling.h"
+#include "run/csv.h"
+#include "run/log.h"
+#include "run/log_settings.h"
+
+namespace trundle {
+namespace {
+
+class FrameLog final : public Log {
+public:
+    FrameLog(std::string name, const FrameLogSettings& settings)
+        : m_name(std::move(name)), m_wish{settings.camera.value_or(""), settings.view.value_or(""),
+                                          static_cast<std::uint32_t>(settings.size[0]),
+                                          static_cast<std::uint32_t>(settings.size[1])},
+          m_ending(settings.format) {}
+
+    void usePictures(PictureSaver save) override { m_save = std::move(save); }
+
+    void header(std::string& csv) const override {
+        CsvWriter out(csv);
+        for (const char* name : {"time [s]", "picture"}) out.cell(name);
+        out.endRow();
+    }
+
+    /// One that could not be taken has no name in its row.
+    void rows(const World&, double time, std::string& csv) override {
+        char number[32];
+        std::snprintf(number, sizeof number, "_%06llu.", static_cast<unsigned long long>(m_frames++));
+        const std::string file = m_name + number + m_ending;
+        const bool saved = m_save && m_save(m_wish, file).ok();
+        CsvWriter out(csv);
+        out.cell(time).cell(saved ? file : std::string());
+        out.endRow();
+    }
+
+private:
+    std::string m_name;
+    PictureWish m_wish;
+    std::string m_ending;
+    PictureSaver m_save;
+    std::uint64_t m_frames = 0;
+};
+
+std::vector<std::string> cameraPaths(const ExperimentSpec& experiment) {
+    std::vector<std::string> paths;
+    for (const RobotSpec& robot : experiment.robots)
+        for (const ComponentSpec& device : robot.config->devices)
+            if (device.kind == "Camera") paths.push_back(robot.name + "/" + device.name);
+    return paths;
+}
+
+std::vector<std::string> viewsOf(const ExperimentSpec& experiment) {
+    std::vector<std::string> names;
+    for (const ComponentSpec& look : experiment.looks)
+        if (look.kind == "View") names.push_back(look.name);
+    return names;
+}
+
+bool isThere(const ComponentSpec& spec, const char* key, const char* what, const std::vector<std::string>& names,
+             Diagnostics& diagnostics) {
+    const ResolvedValue* value = spec.find(key);
+    const std::string written = spec.text(key);
+    if (!value || written.empty() || std::find(names.begin(), names.end(), written) != names.end()) return true;
+    Diagnostic& d = diagnostics.error(Code::UnknownReference, value->range.known() ? value->range : spec.nameRange,
+                                      std::string("no ") + what + " is called '" + written + "'");
+    d.suggestions = nearestWords(written, names);
+    return false;
+}
+
+} // namespace
+
+void FrameLogSettings::describe(Describe<FrameLogSettings>& d) {
+    d.help("Pictures of the run as numbered files, from a robot's camera or a View, and a table that says when each was taken.");
+    d.field("Camera", &FrameLogSettings::camera, text(), "The camera that takes them, as robot0/eye.");
+    d.field("View", &FrameLogSettings::view, text(), "The View they are taken from; without it and a camera, one of everything.");
+    Quantity pixels = number().within(1, 4096);
+    pixels.type = TRUNDLE_INTEGER;
+    d.field("Size", &FrameLogSettings::size, pixels, "Width and height in pixels; a camera has its own.");
+    d.field("Format", &FrameLogSettings::format, oneOf("jpg|png"), "What kind of files.");
+    describeLogSettings(d);
+}
+
+std::unique_ptr<Log> makeFrameLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
+    const bool camera = isThere(spec, "Camera", "camera", cameraPaths(world.experiment()), diagnostics);
+    if (!isThere(spec, "View", "view", viewsOf(world.experiment()), diagnostics) || !camera) return nullptr;
+    return std::make_unique<FrameLog>(spec.name, settingsFrom<FrameLogSettings>(spec));
+}
+
+} // namespace trundle

@@ -1,0 +1,55 @@
+// What controllers ask of their cameras.
+
+#include "run/experiment_runner.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kMostPictures = 100'000; // saved in one run
+
+} // namespace
+
+/// The run goes on, and says so once.
+void ExperimentRunner::warnOfGraphics(const Error& error) {
+    if (error.code != Code::NoGraphics || std::exchange(m_toldGraphics, true)) return;
+    m_warnings.push_back({Severity::Warning, error.code, "cameras take no pictures: " + error.message, {}, {}, {}, {}});
+}
+
+void ExperimentRunner::addCameras(ControllerOutlet& outlet, const std::string& robot) {
+    outlet.capture = [this, robot](const std::string& camera) -> Result<const Frame*> {
+        Result<const Frame*> frame = m_cameras.capture(robot + "/" + camera);
+        if (!frame) warnOfGraphics(frame.error());
+        return frame;
+    };
+    outlet.savePicture = [this, robot](const std::string& camera, const std::string& fileName) {
+        Status saved = savePicture(robot + "/" + camera, fileName);
+        if (!saved) warnOfGraphics(saved.error());
+        return saved;
+    };
+    outlet.objectName = [this](std::uint32_t object) { return m_cameras.objectName(object); };
+}
+
+Status ExperimentRunner::savePicture(const std::string& camera, const std::string& fileName) {
+    return writePicture(m_cameras.file(camera, fileName), fileName);
+}
+
+Status ExperimentRunner::savePicture(const PictureWish& wish, const std::string& fileName) {
+    const Status saved = wish.camera.empty()
+                             ? writePicture(m_cameras.viewFile(wish.view, wish.width, wish.height, fileName), fileName)
+                             : savePicture(wish.camera, fileName);
+    if (!saved) warnOfGraphics(saved.error());
+    return saved;
+}
+
+Status ExperimentRunner::writePicture(const Result<std::string>& bytes, const std::string& fileName) {
+    if (m_pictures >= kMostPictures)
+        return Error{Code::LogUnwritable, "no more than " + std::to_string(kMostPictures) + " pictures are saved in one run"};
+    if (!bytes) return bytes.error();
+    const Result<LogFile*> file = m_folder.create(fileName);
+    if (!file) return file.error();
+    ++m_pictures;
+    file.value()->write(bytes.value());
+    return file.value()->close();
+}
+
+} // namespace trundle

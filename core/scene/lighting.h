@@ -1,0 +1,38 @@
+#pragma once
+// The light of an experiment: the sun, the sky and the lamps that its text names, or those that everything has.
+
+#include <vector>
+
+#include <osg/StateSet>
+#include <osg/Vec3>
+
+#include "model/experiment_spec.h"
+
+namespace trundle {
+
+inline constexpr std::size_t kMostLamps = 8; ///< more cost every pixel too much; those that come first count
+
+struct Lamp {
+    osg::Vec3 place;
+    osg::Vec3 light; ///< at a distance of 1 m
+};
+
+/// Light is linear; the colours of the sky are as shown.
+struct Lighting {
+    osg::Vec3 sun; ///< towards it, unit
+    osg::Vec3 sunLight{0.98f, 0.94f, 0.86f}, skyLight{0.36f, 0.395f, 0.45f}, groundLight{0.19f, 0.185f, 0.18f};
+    osg::Vec3 horizon{0.815f, 0.865f, 0.905f}, zenith{0.265f, 0.480f, 0.765f};
+    bool shadows = true;
+    std::vector<Lamp> lamps;
+
+    Lighting();
+    /// What falls on an open surface with this normal from sun and sky, and the share of it that is the sun's.
+    [[nodiscard]] osg::Vec3 on(const osg::Vec3& normal) const;
+    [[nodiscard]] float sunShare(const osg::Vec3& normal) const;
+    /// Tells the programs.
+    void applyTo(osg::StateSet& root) const;
+};
+
+[[nodiscard]] Lighting lightingOf(const ExperimentSpec& experiment);
+
+} // namespace trundle

@@ -1,0 +1,132 @@
+#include "editor/shell/window_memory.h"
+
+#include <cmath>
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
+
+#include "project/object_place.h"
+#include "project/state_folder.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kMostKept = 200; // experiments
+
+QString folder() { return QString::fromStdString(userStateFolder()) + QStringLiteral("/windows"); }
+
+QString fileOf(const std::string& path) {
+    const QByteArray hash = QCryptographicHash::hash(QByteArray::fromStdString(path), QCryptographicHash::Sha1).toHex();
+    return folder() + QLatin1Char('/') + QLatin1String(hash.left(16)) + QStringLiteral(".ini");
+}
+
+QStringList listOf(const ObjectMarks::Paths& paths) {
+    QStringList list;
+    for (const std::string& path : paths) list += QString::fromStdString(path);
+    return list;
+}
+
+/// Marks of objects that are there: one that comes later under the same name is not hidden for it.
+std::vector<std::string> marksIn(const QVariant& list, const Loaded& loaded) {
+    std::vector<std::string> paths;
+    for (const QString& text : list.toStringList())
+        if (std::string path = text.toStdString(); placeOf(loaded, path)) paths.push_back(std::move(path));
+    return paths;
+}
+
+QVariantList numbersOf(const CameraView& camera) {
+    QVariantList numbers;
+    for (const Vec3& v : {camera.eye, camera.target})
+        for (int k = 0; k < 3; ++k) numbers += v[k];
+    return numbers << camera.orthographicWidth;
+}
+
+std::optional<CameraView> cameraFrom(const QVariantList& numbers) {
+    if (numbers.size() != 7) return std::nullopt;
+    double n[7];
+    for (int i = 0; i < 7; ++i) {
+        n[i] = numbers[i].toDouble();
+        if (!std::isfinite(n[i]) || std::abs(n[i]) > 1e6) return std::nullopt;
+    }
+    CameraView camera;
+    camera.eye = {n[0], n[1], n[2]};
+    camera.target = {n[3], n[4], n[5]};
+    camera.orthographicWidth = n[6];
+    if ((camera.target - camera.eye).norm() < 1e-6) return std::nullopt;
+    return camera;
+}
+
+/// The oldest go where there are too many.
+void tidy() {
+    const QFileInfoList files = QDir(folder()).entryInfoList({QStringLiteral("*.ini")}, QDir::Files, QDir::Time);
+    for (const QFileInfo& file : files.mid(kMostKept)) QFile::remove(file.filePath());
+}
+
+} // namespace
+
+WindowMemory::WindowMemory(Document& document, ObjectMarks& marks, ViewportPanel& viewport, QObject* parent)
+    : QObject(parent), m_document(document), m_marks(marks), m_viewport(viewport) {
+    connect(&document, &Document::opened, this, &WindowMemory::onOpened);
+    connect(&document, &Document::changed, this, &WindowMemory::onChanged);
+    for (const auto signal : {&ObjectMarks::hiddenChanged, &ObjectMarks::lockedChanged})
+        connect(&marks, signal, this, [this] {
+            if (!m_fresh) save();
+        });
+}
+
+void WindowMemory::start() {
+    m_on = true;
+    m_fresh = m_document.isOpen();
+    onChanged();
+}
+
+/// The views still stand as they did for what was open before.
+void WindowMemory::onOpened() {
+    save();
+    m_path.clear();
+    m_fresh = true;
+}
+
+void WindowMemory::onChanged() {
+    const bool fresh = std::exchange(m_fresh, false);
+    m_path = m_document.isOpen() && !m_document.isNew() ? m_document.path() : std::string(); // another one after Save As
+    if (m_on && fresh && !m_path.empty()) restore();
+}
+
+void WindowMemory::restore() {
+    if (!QFileInfo::exists(fileOf(m_path))) return;
+    const QSettings kept(fileOf(m_path), QSettings::IniFormat);
+    const std::vector<std::string> hidden = marksIn(kept.value(QStringLiteral("hidden")), *m_document.loaded()),
+                                   locked = marksIn(kept.value(QStringLiteral("locked")), *m_document.loaded());
+    std::vector<ViewStand> stands;
+    for (int i = 0; i < 4; ++i) {
+        const QString view = QStringLiteral("view%1/").arg(i);
+        const int kind = kept.value(view + QStringLiteral("kind"), -1).toInt();
+        const auto camera = cameraFrom(kept.value(view + QStringLiteral("camera")).toList());
+        if (camera && kind >= 0 && kind <= int(ViewKind::Chase)) stands.push_back({ViewKind(kind), *camera});
+    }
+    if (stands.size() == 4) m_viewport.setStands(stands, kept.value(QStringLiteral("views"), 1).toInt());
+    m_marks.setHidden(hidden, true);
+    m_marks.setLocked(locked, true);
+}
+
+void WindowMemory::save() const {
+    if (!m_on || m_path.empty()) return;
+    QDir().mkpath(folder());
+    QSettings kept(fileOf(m_path), QSettings::IniFormat);
+    kept.setValue(QStringLiteral("file"), QString::fromStdString(m_path)); // for people
+    kept.setValue(QStringLiteral("hidden"), listOf(m_marks.hidden()));
+    kept.setValue(QStringLiteral("locked"), listOf(m_marks.locked()));
+    kept.setValue(QStringLiteral("views"), m_viewport.viewCount());
+    const std::vector<ViewStand> stands = m_viewport.stands();
+    for (std::size_t i = 0; i < stands.size(); ++i) {
+        const QString view = QStringLiteral("view%1/").arg(i);
+        kept.setValue(view + QStringLiteral("kind"), int(stands[i].kind));
+        kept.setValue(view + QStringLiteral("camera"), numbersOf(stands[i].camera));
+    }
+    tidy();
+}
+
+} // namespace trundle

@@ -1,0 +1,62 @@
+// A mote of a sensor network. The target floods its number; every mote keeps the best way to it that it heard of in the newest flood, and
+// tells those around it: a pseudo-gradient towards the target (after Deshpande, Grant and Henderson, IEEE Systems Journal 8(1), 2014).
+#include <trundle/controller.h>
+
+#include "beacon.h"
+
+namespace {
+
+struct Mote : trundle::Controller {
+    double period = 0.1, floodPeriod = 2, power = 0, goodRssi = -75;
+    bool target = false;
+    std::string radioName = "radio";
+
+    static void describe(trundle::Describe<Mote>& d) {
+        d.help("Sends beacons that tell how far it is to the target mote, from hops and signal strengths.");
+        d.field("Target", &Mote::target, trundle::flag(), "It is the target itself.");
+        d.field("Period", &Mote::period, trundle::seconds().within(0.01, 1000), "Mean time between its beacons.");
+        d.field("FloodPeriod", &Mote::floodPeriod, trundle::seconds().within(0.1, 1000), "Between two floods of the target.");
+        d.field("Power", &Mote::power, trundle::decibelMilliwatts().within(-100, 100), "It sends with.");
+        d.field("GoodRssi", &Mote::goodRssi, trundle::decibelMilliwatts().within(-150, 50),
+                "A hop with more costs no more than one hop.");
+        d.field("Radio", &Mote::radioName, trundle::text(), "Its Transceiver.");
+    }
+
+    void setup(trundle::RobotPorts& robot) override {
+        radio = robot.radio(radioName);
+        nextBeacon = period * random();
+    }
+
+    void update(trundle::Seconds) override {
+        while (const auto packet = radio.receive())
+            if (const auto beacon = Beacon::from(packet->bytes)) heard(*beacon, packet->rssi);
+        if (target && time() >= nextFlood) {
+            nextFlood += floodPeriod;
+            known = {static_cast<std::uint16_t>(known.flood + 1), 0, 0};
+        }
+        if (time() < nextBeacon) return;
+        nextBeacon = time() + period * random(0.5, 1.5); // so that neighbours do not meet again and again
+        radio.send(known.bytes(), power);
+    }
+
+private:
+    /// A neighbour's way to the target, and the hop to the neighbour.
+    void heard(const Beacon& beacon, double rssi) {
+        if (target || !beacon.knowsTarget()) return;
+        const double hop = 10 + std::max(0.0, goodRssi - rssi);
+        const double cost = beacon.cost + hop;
+        if (cost >= Beacon::kUnknown || beacon.hops >= 254) return;
+        const auto ahead = static_cast<std::int16_t>(beacon.flood - known.flood); // the number runs over
+        if (known.knowsTarget() && ahead < 0) return;
+        if (known.knowsTarget() && ahead == 0 && cost >= known.cost) return;
+        known = {beacon.flood, static_cast<std::uint8_t>(beacon.hops + 1), static_cast<std::uint16_t>(cost)};
+    }
+
+    trundle::RadioPort radio;
+    Beacon known;
+    double nextBeacon = 0, nextFlood = 0;
+};
+
+} // namespace
+
+TRUNDLE_MODULE(registry) { registry.controller<Mote>("Mote"); }

@@ -1,0 +1,340 @@
+// How the window looks, held against the pictures in tests/data/golden: four moments, in both themes, at scale 1 and 2.
+//
+// After a change that is meant to be seen: build/release/tests/test_editor_shell_golden --write, then look at each picture.
+// At most 0.5 % of the pixels may differ by more than 2 of 255 in any channel. Of a picture that misses, what was drawn and
+// where it differs are left in golden/ in the build folder.
+//
+// Nothing in them depends on the machine: the only fonts are the program's own, the 3D view is drawn in software, the files
+// lie in a folder of the test's own, a run is held at an exact simulated time. One figure comes from a clock, the milliseconds
+// that a tick took (in the status line): another is written in its place.
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLocale>
+#include <QProcess>
+#include <QSettings>
+#include <QtTest>
+#include <QtWidgets>
+#include <unistd.h>
+
+#include "editor/shell/main_window.h"
+#include "editor/widgets/theme.h"
+#include "parts/parts.h"
+#include "render/service.h"
+
+using namespace trundle;
+
+namespace {
+
+const QString kHome = QStringLiteral(TRUNDLE_BINARY_DIR "/homes/editor_shell_golden");
+const QString kKept = QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/data/golden/");
+const QString kMissed = QStringLiteral(TRUNDLE_BINARY_DIR "/golden/");
+constexpr QSize kWindow(1100, 700);
+constexpr double kTolerated = 0.005; // share of the pixels
+constexpr int kNear = 2;             // of 255
+
+const QByteArray kRover = "// Drives until the bumper touches the wall, backs off and turns.\n"
+                          "Tick = 0.01   Duration = 60\n"
+                          "#import robots/simple_robot.sim\n"
+                          "#import arenas/medium_arena.sim\n"
+                          "#loadModule controllers/bump_and_turn\n"
+                          "\n"
+                          "Static arena { Config=MediumArena }\n"
+                          "Robot rover {\n"
+                          "  Config=SimpleRobot\n"
+                          "  Pos=0,0,0  HPR=150,0,0   // faces the far wall\n"
+                          "  BumpAndTurn brain { Speed=0.3 BackOff=0.2 }\n"
+                          "}\n"
+                          "PoseLog path { Robot=rover Interval=0.1 }\n";
+
+bool g_write = false;
+
+/// How many pixels differ; marks them in red in a pale copy of `actual`.
+qsizetype difference(const QImage& kept, const QImage& actual, QImage& shown) {
+    shown = actual.convertToFormat(QImage::Format_RGB32);
+    qsizetype count = 0;
+    for (int y = 0; y < actual.height(); ++y) {
+        for (int x = 0; x < actual.width(); ++x) {
+            const QRgb a = kept.pixel(x, y), b = actual.pixel(x, y);
+            const int far = std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+            count += far > kNear;
+            const int pale = 192 + qGray(b) / 4;
+            shown.setPixel(x, y, far > kNear ? qRgb(220, 0, 0) : qRgb(pale, pale, pale));
+        }
+    }
+    return count;
+}
+
+/// Empty where the picture is as the kept one.
+QString complaint(const QImage& kept, const QImage& actual, const QString& name) {
+    QString why;
+    if (kept.isNull()) why = QStringLiteral("there is no %1%2").arg(kKept, name);
+    else if (kept.size() != actual.size()) why = QStringLiteral("%1 has another size").arg(name);
+    QImage shown;
+    if (why.isEmpty()) {
+        const qsizetype count = difference(kept, actual, shown), all = qsizetype(actual.width()) * actual.height();
+        if (double(count) <= kTolerated * double(all)) return {};
+        why = QStringLiteral("%1: %2 of %3 pixels differ").arg(name).arg(count).arg(all);
+    }
+    QDir().mkpath(kMissed);
+    actual.save(kMissed + name);
+    if (!shown.isNull()) shown.save(kMissed + QStringLiteral("differs-") + name);
+    return why + QStringLiteral("; see ") + kMissed;
+}
+
+} // namespace
+
+class GoldenTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        m_parts = makeParts();
+        m_render = RenderService::startInBackground();
+    }
+    void init() {
+        QSettings().clear();
+        QDir(kHome + QStringLiteral("/desk")).removeRecursively();
+        write(QStringLiteral("rover.sim"), kRover);
+        write(QStringLiteral("broken.sim"), QByteArray(kRover)
+                                                .replace("SimpleRobot", "SimpelRobot")
+                                                .replace("Speed=0.3", "Speed=fast")
+                                                .replace("Interval=0.1", "Intervall=0.1"));
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aDifferenceIsSeen() {
+        QImage kept(100, 100, QImage::Format_RGB32), shown;
+        kept.fill(qRgb(100, 100, 100));
+        QImage actual = kept;
+        actual.fill(qRgb(102, 100, 98));
+        QCOMPARE(difference(kept, actual, shown), 0);
+        for (int x = 0; x < 51; ++x) actual.setPixel(x, 7, qRgb(100, 103, 100));
+        QCOMPARE(difference(kept, actual, shown), 51);
+        QCOMPARE(shown.pixel(50, 7), qRgb(220, 0, 0));
+    }
+
+
+    // LOOK-BEGIN
+    void look() {
+        QFile script(qEnvironmentVariable("LOOK"));
+        if (!script.open(QIODevice::ReadOnly)) return;
+        for (const QString& line : QString::fromUtf8(script.readAll()).split(QLatin1Char('\n'))) {
+            const QStringList w = line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+            if (w.isEmpty() || w[0].startsWith(QLatin1Char('#'))) continue;
+            const QString c = w[0], a = w.value(1);
+            if (c == QLatin1String("new")) {
+                m_window.reset();
+                QSettings().clear();
+                applyTheme(*qApp, a == QLatin1String("dark") ? ThemeKind::Dark : ThemeKind::Light);
+                m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+                m_window->resize(w[2].toInt(), w[3].toInt());
+                m_window->show();
+                QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+            } else if (c == QLatin1String("open")) {
+                m_window->open(a);
+                QTRY_VERIFY(m_window->document().isOpen());
+            } else if (c == QLatin1String("select")) {
+                std::vector<std::string> p;
+                for (const QString& s : w.mid(1)) p.push_back(s.toStdString());
+                m_window->selection().set(p);
+            } else if (c == QLatin1String("do")) {
+                act(a.toLatin1().constData());
+            } else if (c == QLatin1String("modal")) {
+                QTimer::singleShot(400, qApp, [out = w[2]] {
+                    QWidget* top = QApplication::activeModalWidget();
+                    for (QWidget* t : QApplication::topLevelWidgets()) if (!top && t->isVisible() && qobject_cast<QDialog*>(t)) top = t;
+                    if (!top) return qWarning("no dialog");
+                    top->grab().save(out);
+                    top->close();
+                });
+                act(a.toLatin1().constData());
+                QTest::qWait(600);
+            } else if (c == QLatin1String("set")) {
+                qDebug() << m_window->document().setValues(QStringLiteral("Move robot0"), {{w[1].toStdString(), w[2].toStdString()}}).ok();
+            } else if (c == QLatin1String("run")) {
+                const double until = m_window->session().time() + a.toDouble();
+                m_window->session().runFor(a.toDouble());
+                QTRY_VERIFY_WITH_TIMEOUT(m_window->session().state() == RunState::Ended || (m_window->session().state() == RunState::Paused && m_window->session().time() > until - 1e-9), 20000);
+            } else if (c == QLatin1String("raise")) {
+                auto* d = m_window->findChild<QDockWidget*>(QStringLiteral("dock.") + a);
+                d->show();
+                d->raise();
+            } else if (c == QLatin1String("type")) {
+                QTest::keyClicks(m_window->findChild<QWidget*>(a), w.mid(2).join(QLatin1Char(' ')));
+            } else if (c == QLatin1String("key")) {
+                QTest::keySequence(m_window->findChild<QWidget*>(a), QKeySequence(w[2]));
+            } else if (c == QLatin1String("click")) {
+                auto* widget = m_window->findChild<QWidget*>(a);
+                if (auto* b = qobject_cast<QAbstractButton*>(widget)) b->click();
+                else QTest::mouseClick(widget, Qt::LeftButton);
+            } else if (c == QLatin1String("menu")) {
+                auto* b = m_window->findChild<QToolButton*>(a);
+                QMenu* m = b ? b->menu() ? b->menu() : b->defaultAction()->menu() : m_window->findChild<QMenu*>(a);
+                m->popup(m_window->mapToGlobal(QPoint(60, 60)));
+                QTest::qWait(100);
+                m->grab().save(w[2]);
+                m->hide();
+            } else if (c == QLatin1String("sizes")) {
+                for (QDockWidget* d : m_window->findChildren<QDockWidget*>())
+                    qDebug() << d->objectName() << d->minimumSizeHint() << d->widget()->minimumSizeHint() << d->size();
+                auto* ext = m_window->findChild<QWidget*>(QStringLiteral("viewBar"))->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+                qDebug() << ext << ext->geometry() << ext->isVisible() << ext->icon() << ext->iconSize() << ext->parentWidget()->size();
+                ext->grab().save(QStringLiteral("/tmp/g/ext.png"));
+                qDebug() << m_window->minimumSizeHint() << m_window->size() << m_window->centralWidget()->minimumSizeHint();
+            } else if (c == QLatin1String("die")) {
+                QTest::qWait(3500);
+                ::_exit(1);
+            } else if (c == QLatin1String("dialog")) {
+                QTest::qWait(1500);
+                for (QWidget* t : QApplication::topLevelWidgets()) if (t->isVisible() && qobject_cast<QDialog*>(t)) t->grab().save(a), t->close();
+            } else if (c == QLatin1String("shot")) {
+                picture().save(a);
+            }
+        }
+    }
+    // LOOK-END
+
+    void theWindowLooksAsItDid_data() {
+        QTest::addColumn<QString>("moment");
+        QTest::addColumn<bool>("dark");
+        for (const char* moment : {"welcome", "edited", "running", "broken"})
+            for (const bool dark : {false, true})
+                QTest::addRow("%s %s", moment, dark ? "dark" : "light") << QString::fromLatin1(moment) << dark;
+    }
+    void theWindowLooksAsItDid() {
+        QFETCH(QString, moment);
+        QFETCH(bool, dark);
+        applyTheme(*qApp, dark ? ThemeKind::Dark : ThemeKind::Light);
+        if (moment == QLatin1String("welcome"))
+            QSettings().setValue(QStringLiteral("recentFiles"),
+                                 QStringList{path(QStringLiteral("rover.sim")), path(QStringLiteral("broken.sim"))});
+        m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+        m_window->setAnimated(false);
+        m_window->resize(kWindow);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        if (moment == QLatin1String("edited")) edit();
+        if (moment == QLatin1String("running")) run();
+        if (moment == QLatin1String("broken")) breakDown();
+        if (QTest::currentTestFailed()) return;
+
+        const QImage actual = picture();
+        const QString name = QStringLiteral("%1-%2-%3x.png")
+                                 .arg(moment, dark ? QStringLiteral("dark") : QStringLiteral("light"))
+                                 .arg(m_window->devicePixelRatioF());
+        if (g_write) {
+            QVERIFY(QDir().mkpath(kKept));
+            QVERIFY(actual.save(kKept + name, "PNG", 0)); // 0: as small as can be
+        } else {
+            const QString why = complaint(QImage(kKept + name), actual, name);
+            QVERIFY2(why.isEmpty(), qPrintable(why));
+        }
+    }
+
+private:
+    void edit() {
+        open(QStringLiteral("rover.sim"));
+        m_window->selection().select("rover");
+        act("tool.move");
+        QVERIFY(m_window->document().setValues(QStringLiteral("Move rover"), {{"rover.Pos", "-1.2,0.5,0"}}).ok());
+    }
+    void run() {
+        open(QStringLiteral("rover.sim"));
+        m_window->selection().select("rover");
+        act("view.layoutRun");
+        act("view.text");
+        for (const char* overlay : {"view.overlayNames", "view.overlayTrails", "view.overlayJoints", "view.overlayMass",
+                                    "view.overlayContacts", "view.overlayCollision"})
+            act(overlay);
+        RunSession& session = m_window->session();
+        for (int tenth = 1; tenth <= 71; ++tenth) { // in steps, so that the trail has its points at the same times
+            session.runFor(0.1);
+            QTRY_VERIFY(session.state() == RunState::Paused && session.time() > 0.1 * tenth - 1e-9);
+        }
+        act("view.frame");
+        auto* status = m_window->findChild<QLabel*>(QStringLiteral("status.run"));
+        static const QRegularExpression step(QStringLiteral("step [0-9.]+ ms"));
+        QVERIFY(status->text().contains(step));
+        status->setText(status->text().replace(step, QStringLiteral("step 0.10 ms")));
+    }
+    void breakDown() {
+        open(QStringLiteral("broken.sim"));
+        m_window->selection().select("rover");
+        act("view.viewport");
+        act("problems.next");
+    }
+
+    void open(const QString& file) {
+        QVERIFY(m_window->open(path(file)));
+        QTRY_VERIFY(m_window->document().isOpen());
+    }
+    void act(const char* id) { m_window->actions().at(id).trigger(); }
+
+    QImage picture() {
+        if (QWidget* focus = m_window->focusWidget()) focus->clearFocus(); // no caret, and it is the same on every machine
+        int still = 0; // what a picture shows may still ask for another
+        const bool settled = QTest::qWaitFor([&] { return (still = m_window->isSettled() ? still + 1 : 0) > 5; }, 60000);
+        if (!settled) qWarning("the window did not come to rest");
+        return m_window->grab().toImage().convertToFormat(QImage::Format_RGB888);
+    }
+
+    static QString path(const QString& file) { return kHome + QStringLiteral("/desk/") + file; }
+    static void write(const QString& file, const QByteArray& text) {
+        QVERIFY(QDir().mkpath(kHome + QStringLiteral("/desk")));
+        QFile written(path(file));
+        QVERIFY(written.open(QIODevice::WriteOnly) && written.write(text) == text.size());
+    }
+
+    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+namespace {
+
+/// Settings, state and fonts that do not come from the machine; to be said before Qt starts.
+void leaveTheMachineOut() {
+    for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
+        qputenv(place, kHome.toUtf8());
+    QDir().mkpath(kHome);
+    QFile fonts(kHome + QStringLiteral("/fonts.conf"));
+    if (fonts.open(QIODevice::WriteOnly))
+        fonts.write("<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig><match target='pattern'>"
+                    "<edit name='antialias'><bool>true</bool></edit><edit name='hintstyle'><const>hintslight</const></edit>"
+                    "<edit name='rgba'><const>none</const></edit></match></fontconfig>");
+    fonts.close();
+    qputenv("FONTCONFIG_FILE", fonts.fileName().toUtf8());
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
+    qputenv("LC_ALL", "C.UTF-8");
+    for (const char* wish : {"QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME", "QT_FONT_DPI", "QT_SCREEN_SCALE_FACTORS"}) qunsetenv(wish);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (!qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) { // Qt takes the scale once, as it starts: one process for each
+        leaveTheMachineOut();
+        QStringList arguments;
+        for (int i = 1; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+        int failed = 0;
+        for (const char* scale : {"1", "2"}) {
+            qputenv("QT_SCALE_FACTOR", scale);
+            failed |= QProcess::execute(QString::fromLocal8Bit(argv[0]), arguments);
+        }
+        return failed;
+    }
+    const auto rest = std::remove_if(argv + 1, argv + argc, [](const char* word) {
+        const bool write = qstrcmp(word, "--write") == 0;
+        g_write = g_write || write;
+        return write;
+    });
+    argc = int(rest - argv);
+    QApplication application(argc, argv);
+    GoldenTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "golden_test.moc"

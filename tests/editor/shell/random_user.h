@@ -1,0 +1,107 @@
+#pragma once
+// Works in a window as a person does who knows every part of it and wants nothing in particular: keys, mouse, menus, drops and runs.
+// What it does follows from the seed and from what the window shows.
+
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <QModelIndex>
+#include <QPointF>
+#include <QString>
+
+#include "editor/viewport/gizmo.h"
+
+class QMenu;
+class QWidget;
+
+namespace trundle {
+
+class MainWindow;
+class OutlinePanel;
+class View;
+
+class RandomUser {
+public:
+    RandomUser(MainWindow& window, unsigned seed);
+
+    /// Does one thing; what is half typed or half dragged in it is finished.
+    void step();
+    [[nodiscard]] const char* doing() const { return m_doing; }        ///< what the last step was
+    [[nodiscard]] const QString& trouble() const { return m_trouble; } ///< what went wrong in it; empty: nothing
+
+private:
+    struct Deed {
+        int share; ///< how often, against the others
+        const char* name;
+        void (RandomUser::*go)();
+    };
+    static const std::vector<Deed> kDeeds;
+
+    // in the tree
+    void rename();
+    void removeObject();
+    void duplicateObject();
+    void cutObject();
+    void copyObject();
+    void pasteObject();
+    void dragRow();
+    void insertKind();
+    void insertFromLibrary();
+    void dropFromLibrary();
+    // in the rows
+    void typeValue();
+    void openRowMenu();
+    void turnChoice();
+    void scrubRow();
+    // in the 3D view
+    void moveByGizmo();
+    void turnByGizmo();
+    void sizeByGizmo();
+    void nudge();
+    void dropToFloor();
+    // in the text
+    void typeText();
+    void pasteText();
+    void deleteText();
+    void commandText();
+    // runs
+    void runAWhile();
+    void stepOnce();
+    void runAndPause();
+    void pushRobot();
+    void keepPoses();
+    void resetRun();
+    // history
+    void undo();
+    void redo();
+    void leap();
+    void save();
+
+    [[nodiscard]] std::size_t below(std::size_t count) { return m_random() % count; }
+    template <class T> const T& oneOf(const std::vector<T>& all) { return all[below(all.size())]; }
+    [[nodiscard]] OutlinePanel& outline() const;
+    [[nodiscard]] View& view() const;
+    [[nodiscard]] std::vector<QModelIndex> rows() const; ///< of objects
+    /// Clicks a random row of the tree, or one that `fits`. False where there is none.
+    bool selectObject(const std::function<bool(const std::string& path)>& fits = {});
+    bool selectRobot();
+    bool dragHandle(const char* tool, Handle handle);
+    void trigger(const char* action);
+    void mouse(QWidget& on, int type, const QPointF& at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = {});
+    void choose(QMenu& menu, bool deep);
+    void caretSomewhere();
+    void mendText();
+    void waitForRun();
+    [[nodiscard]] std::string number();
+
+    void waitFor(const std::function<bool()>& done, const char* what);
+
+    MainWindow& m_window;
+    std::mt19937 m_random;
+    const char* m_doing = "";
+    QString m_trouble;
+};
+
+} // namespace trundle

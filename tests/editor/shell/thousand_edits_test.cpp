@@ -1,0 +1,196 @@
+// Edits of every kind by the ways of a person, with runs in between: after each the modified mark is right, and in the end all
+// undone gives the bytes of the start and all redone those of the end. TRUNDLE_SEED begins at another seed.
+
+#include <set>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "editor/outline/library_panel.h"
+#include "editor/shell/main_window.h"
+#include "editor/shell/random_user.h"
+#include "editor/text/code_edit.h"
+#include "editor/text/file_page.h"
+#include "editor/text/text_panel.h"
+#include "editor/widgets/theme.h"
+#include "parts/parts.h"
+#include "render/service.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kExperiment = "// mine\n"
+                               "Tick = 0.01\n"
+                               "#import robots/simple_robot.sim\n"
+                               "#import arenas/medium_arena.sim\n"
+                               "#loadModule controllers/linear_motion\n"
+                               "Static arena { Config=MediumArena }\n"
+                               "Robot robot0 {\n"
+                               "  Config=SimpleRobot  Pos=-1,0,0   // where it starts\n"
+                               "  LinearMotion brain { Distance=1.0 Speed=0.2 }\n"
+                               "}\n"
+                               "Robot robot1 { Config=SimpleRobot Pos=1, 0.5, 0 HPR=90,0,0 leftMotor.Resistance=3 }\n"
+                               "PoseLog path { Robot=robot0 Interval=0.1 File=path.csv }\n";
+
+using Texts = std::map<std::string, std::string>;
+
+} // namespace
+
+class ThousandEditsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        applyTheme(*qApp, ThemeKind::Light);
+        m_parts = makeParts();
+        auto render = RenderService::start();
+        QVERIFY2(render.ok(), render.ok() ? "" : render.error().message.c_str());
+        m_render = std::move(render).value();
+        // Whoever is told something reads it and goes on.
+        connect(&m_reader, &QTimer::timeout, this, [] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) box->buttons().first()->click();
+        });
+        m_reader.start(5);
+    }
+    void init() {
+        QSettings().clear();
+        m_folder = std::make_unique<QTemporaryDir>();
+        write("mine.sim", kExperiment);
+        for (const char* name : {"robots/simple_robot.sim", "arenas/medium_arena.sim"}) {
+            QFile sample(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/") + QLatin1String(name));
+            QVERIFY(sample.open(QIODevice::ReadOnly));
+            write(name, sample.readAll());
+        }
+        m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(m_window->open(path("mine.sim")));
+        QTRY_VERIFY(document().isOpen());
+        QVERIFY(!document().loaded()->diagnostics.hasErrors());
+        QTRY_VERIFY(!m_window->findChild<LibraryPanel*>()->isReading());
+        m_window->session().setSpeed(0);
+        m_known.clear();
+    }
+    void cleanup() {
+        if (QTest::currentTestFailed()) {
+            qWarning("TRUNDLE_SEED=%u, step %d: %s", m_seed, m_step, qPrintable(m_deed));
+            const auto& entries = document().history().entries();
+            for (std::size_t i = entries.size() < 5 ? 0 : entries.size() - 5; i < entries.size(); ++i)
+                qWarning("  entry %zu: %s", i + 1, qPrintable(entries[i].name));
+        }
+        m_window.reset();
+        m_folder.reset();
+    }
+
+    void undoAllRedoAll_data() {
+        QTest::addColumn<unsigned>("seed");
+        const unsigned first = qEnvironmentVariableIsSet("TRUNDLE_SEED") ? qEnvironmentVariable("TRUNDLE_SEED").toUInt() : 1;
+        const unsigned seeds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 2 : 1;
+        for (unsigned seed = first; seed < first + seeds; ++seed) QTest::addRow("seed %u", seed) << seed;
+    }
+    void undoAllRedoAll() {
+        QFETCH(unsigned, seed);
+        m_seed = seed;
+        const int edits = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 1000 : 60;
+        const Texts start = texts();
+        RandomUser user(*m_window, seed);
+        for (m_step = 1; m_step <= edits; ++m_step) {
+            user.step();
+            if (qEnvironmentVariableIsSet("TRUNDLE_VERBOSE")) qInfo("step %d: %s; %zu of %zu", m_step, user.doing(), document().history().position(), document().history().entries().size());
+            m_deed = QLatin1String(user.doing());
+            QVERIFY2(user.trouble().isEmpty(), qPrintable(user.trouble()));
+            check();
+            if (QTest::currentTestFailed()) return;
+        }
+        QVERIFY2(document().history().entries().size() > 5, "too little came of it");
+
+        m_deed = QStringLiteral("redo all");
+        goThrough("edit.redo");
+        const Texts end = texts();
+        m_deed = QStringLiteral("undo all");
+        goThrough("edit.undo");
+        compare(start);
+        m_deed = QStringLiteral("redo all again");
+        goThrough("edit.redo");
+        compare(end);
+    }
+
+private:
+    [[nodiscard]] Document& document() { return m_window->document(); }
+    [[nodiscard]] QString path(const char* name) const {
+        return QDir(m_folder->path()).canonicalPath() + QStringLiteral("/configs/") + QLatin1String(name);
+    }
+    void write(const char* name, const QByteArray& bytes) const {
+        const QString to = path(name);
+        QVERIFY(QDir().mkpath(QFileInfo(to).path()));
+        QFile file(to);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(bytes), bytes.size());
+    }
+    static std::string onDisk(const std::string& path) {
+        QFile file(QString::fromStdString(path));
+        return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+    }
+    [[nodiscard]] Texts texts() {
+        m_window->text().flush();
+        Texts all;
+        for (const std::string& file : document().files()) all.emplace(file, *document().text(file));
+        return all;
+    }
+    void compare(const Texts& wanted) {
+        for (const auto& [file, text] : wanted) QCOMPARE(*document().text(file), text);
+        const Texts now = texts();
+        QCOMPARE(now.size(), wanted.size());
+        check();
+    }
+    void goThrough(const char* action) {
+        while (m_window->actions().at(action).isEnabled()) {
+            const std::size_t before = document().history().position();
+            m_window->actions().at(action).trigger();
+            QVERIFY(document().history().position() != before);
+            check();
+            if (QTest::currentTestFailed()) return;
+        }
+    }
+
+    /// All parts of the window show one and the same text, and what differs from the disk is marked.
+    void check() {
+        m_window->text().flush();
+        Document& d = document();
+        for (const std::string& file : d.files()) m_known.insert(file);
+        bool modified = false;
+        for (const std::string& file : m_known) {
+            const bool differs = onDisk(file) != *d.text(file);
+            QVERIFY2(d.isModified(file) == differs, file.c_str());
+            modified = modified || differs;
+        }
+        QCOMPARE(d.isModified(), modified);
+        QCOMPARE(m_window->isWindowModified(), modified);
+        for (const FilePage* page : m_window->text().pages()) {
+            QVERIFY(!page->pending());
+            QCOMPARE(const_cast<FilePage*>(page)->edit().bytes(), *d.text(page->file()));
+        }
+        QCOMPARE(m_window->actions().at("edit.undo").isEnabled(), d.history().canUndo());
+        QCOMPARE(m_window->actions().at("edit.redo").isEnabled(), d.history().canRedo());
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<MainWindow> m_window;
+    QTimer m_reader;
+    std::set<std::string> m_known; // files that were ever part of the project
+    unsigned m_seed = 0;
+    int m_step = 0;
+    QString m_deed;
+};
+
+QTEST_MAIN(ThousandEditsTest)
+#include "thousand_edits_test.moc"

@@ -1,0 +1,144 @@
+// Robots that see: the shipped experiments with cameras, as a user runs them.
+
+#include "flow/cli.h"
+
+namespace {
+
+const QString kExperiment = configPath("experiments/blob_follow.sim");
+constexpr double kTargetX = 1.9, kTargetY = 0.3;
+
+/// The last row of a pose log: x and y.
+QPair<double, double> lastPlace(const QString& path) {
+    const QList<QByteArray> rows = contentOf(path).trimmed().split('\n');
+    const QList<QByteArray> cells = rows.last().split(',');
+    return cells.size() > 3 ? qMakePair(cells[2].toDouble(), cells[3].toDouble()) : qMakePair(1e9, 1e9);
+}
+
+Outcome cliWith(const QProcessEnvironment& environment, const QStringList& arguments) {
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(programPath(), arguments);
+    if (!process.waitForFinished(120'000)) return {};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2, process.readAllStandardOutput(),
+            process.readAllStandardError()};
+}
+
+} // namespace
+
+class CamerasFlowTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theBlobIsFoundFromEveryStart_data() {
+        QTest::addColumn<int>("seed");
+        const int last = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 20 : 3;
+        for (int seed = 1; seed <= last; ++seed) QTest::addRow("seed %d", seed) << seed;
+    }
+    void theBlobIsFoundFromEveryStart() {
+        QFETCH(int, seed);
+        QTemporaryDir logs;
+        const Outcome run = cli({"run", kExperiment, "--seed", QString::number(seed), "--log-dir", logs.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        QVERIFY2(run.err.contains("there"), shown(run));
+        const auto [x, y] = lastPlace(logs.filePath("blob_follow.csv"));
+        const double away = std::hypot(x - kTargetX, y - kTargetY);
+        QVERIFY2(away < 0.7, qPrintable(QStringLiteral("%1 m away").arg(away)));
+        const QStringList pictures = QDir(logs.path()).entryList({"seeker_0_*.jpg"});
+        QVERIFY(pictures.size() > 3);
+        QVERIFY(contentOf(logs.filePath(pictures.last())).startsWith("\xff\xd8\xff"));
+    }
+
+    void twoRunsKeepTheSamePictures() {
+        QTemporaryDir one, two;
+        for (const QTemporaryDir* logs : {&one, &two})
+            QCOMPARE(cli({"run", kExperiment, "--duration", "3", "--log-dir", logs->path()}).code, 0);
+        const QStringList pictures = QDir(one.path()).entryList({"*.jpg"});
+        QCOMPARE(pictures.size(), 6);
+        for (const QString& picture : pictures)
+            QVERIFY2(contentOf(one.filePath(picture)) == contentOf(two.filePath(picture)), qPrintable(picture));
+    }
+
+    void whatACameraSeesCanBeDrawn() {
+        QTemporaryDir folder;
+        const QString picture = folder.filePath("eye.png");
+        const Outcome drawn = cli({"render", kExperiment, "--camera", "seeker_0/eye", "--at", "1", "-o", picture});
+        QVERIFY2(drawn.code == 0, shown(drawn));
+        QVERIFY(contentOf(picture).startsWith("\x89PNG"));
+        QVERIFY(contentOf(picture).contains("camera = seeker_0/eye"));
+        const Outcome wrong = cli({"render", kExperiment, "--camera", "seeker_0/ear", "-o", picture});
+        QCOMPARE(wrong.code, 1);
+        QVERIFY2(wrong.err.contains("there is no camera seeker_0/ear; there is seeker_0/eye"), shown(wrong));
+    }
+
+    void aViewOfTheTextCanBeDrawn() {
+        QTemporaryDir folder;
+        const auto draw = [&](const QString& view, const QString& at) {
+            const QString picture = folder.filePath(view + at + ".png");
+            const Outcome drawn = cli({"render", kExperiment, "--view", view, "--at", at, "--size", "160x100", "-o", picture});
+            return drawn.code == 0 ? contentOf(picture) : shown(drawn);
+        };
+        QVERIFY2(draw("overview", "0").startsWith("\x89PNG"), draw("overview", "0"));
+        QVERIFY2(draw("behind", "0").startsWith("\x89PNG"), draw("behind", "0"));
+        QVERIFY(draw("behind", "0") != draw("behind", "12")); // it is carried along
+        QVERIFY2(draw("below", "0").contains("there is no view below; there is overview, behind"), draw("below", "0"));
+    }
+
+    void aFrameLogNumbersItsPictures() {
+        QTemporaryDir folder;
+        QFile::copy(kExperiment, folder.filePath("film.sim"));
+        QVERIFY(writeFile(folder.filePath("film.sim"),
+                          contentOf(kExperiment) + "FrameLog film { Camera=seeker_0/eye Interval=0.5 }\n"
+                                                   "FrameLog above { View=overview Size=64,48 Format=png Interval=1 }\n"));
+        const Outcome run = cli({"run", folder.filePath("film.sim"), "--duration", "1", "--log-dir", folder.filePath("logs")});
+        QVERIFY2(run.code == 0, shown(run));
+        const QDir logs(folder.filePath("logs"));
+        QCOMPARE(logs.entryList({"film_*"}), (QStringList{"film_000000.jpg", "film_000001.jpg", "film_000002.jpg"}));
+        QCOMPARE(logs.entryList({"above_*"}), (QStringList{"above_000000.png", "above_000001.png"}));
+        QCOMPARE(contentOf(logs.filePath("film.csv")),
+                 QByteArray("time [s],picture\n0,film_000000.jpg\n0.5,film_000001.jpg\n1,film_000002.jpg\n"));
+    }
+
+    void aRunGoesOnWithoutPictures() {
+        QTemporaryDir logs;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere/none.json");
+        environment.remove("DISPLAY");
+        const Outcome run = cliWith(
+            environment, {"run", configPath("experiments/camera_swarm.sim"), "--duration", "1", "--log-dir", logs.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        QCOMPARE(run.err.count("E510"), 1);
+        QVERIFY2(run.err.contains("cannot see, stays where it is: no OpenGL to draw with"), shown(run));
+    }
+
+    void aMovieWithoutItsProgramIsRefusedBeforeTheRun() {
+        QTemporaryDir folder;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("PATH", folder.path());
+        const Outcome run =
+            cliWith(environment, {"run", kExperiment, "--movie", folder.filePath("a.mp4"), "--log-dir", folder.path()});
+        QVERIFY2(run.code == 2, shown(run));
+        QVERIFY2(run.err.contains("the program ffmpeg is not installed"), shown(run));
+        QVERIFY(!QFile::exists(folder.filePath("blob_follow.csv")));
+    }
+
+    void aMovieHasExactlyItsPictures_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::newRow("MP4") << "mp4";
+        QTest::newRow("WebM") << "webm";
+    }
+    void aMovieHasExactlyItsPictures() {
+        QFETCH(QString, ending);
+        QTemporaryDir folder;
+        const QString movie = folder.filePath("a." + ending);
+        const Outcome run = cli({"run", kExperiment, "--duration", "1", "--movie", movie, "--camera", "seeker_0/eye", "--fps",
+                                 "24", "--log-dir", folder.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        QProcess probe;
+        probe.start("ffprobe", {"-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+                                "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", movie});
+        QVERIFY(probe.waitForFinished(60000));
+        QCOMPARE(probe.readAllStandardOutput().trimmed(), QByteArray("160,120,24/1,25")); // t = 0 and t = 1 too
+    }
+};
+
+QTEST_GUILESS_MAIN(CamerasFlowTest)
+#include "cameras_test.moc"

@@ -1,0 +1,143 @@
+// The whole link against the closed form: places, turned antennas, powers.
+#include <QtTest>
+
+#include <random>
+
+#include "radio/air.h"
+#include "radio/propagation.h"
+
+using namespace air;
+
+namespace {
+
+Vec3 anywhere(std::mt19937_64& random, double size) {
+    std::uniform_real_distribution<double> along(-size, size);
+    return {along(random), along(random), along(random)};
+}
+
+/// 2 (n + 1) cos^n of the angle between the antenna's axis and the way to the other, in dBi.
+double lobeGain(const Vec3& hpr, const Vec3& way, double n) {
+    const double h = hpr.x(), p = hpr.y();
+    const Vec3 axis(std::cos(h) * std::cos(p), std::sin(h) * std::cos(p), -std::sin(p));
+    const double cosine = axis.dot(way) / way.norm();
+    return cosine > 0 ? std::max(-30., 10 * std::log10(2 * (n + 1)) + 10 * n * std::log10(cosine)) : -30;
+}
+
+/// Half-wave dipole along the antenna's z.
+double dipoleGain(const Vec3& hpr, const Vec3& way) {
+    const Mat3 r = (Eigen::AngleAxisd(hpr.x(), Vec3::UnitZ()) * Eigen::AngleAxisd(hpr.y(), Vec3::UnitY()) *
+                    Eigen::AngleAxisd(hpr.z(), Vec3::UnitX()))
+                       .toRotationMatrix();
+    const double cosine = r.col(2).dot(way) / way.norm(), sine = std::sqrt(1 - cosine * cosine);
+    return std::max(-30., 10 * std::log10(1.6409224) + 20 * std::log10(std::abs(std::cos(M_PI / 2 * cosine) / sine)));
+}
+
+} // namespace
+
+class LinkTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void turnedAntennasMatchTheClosedForm() {
+        std::mt19937_64 random(20261122);
+        const auto lobe = std::make_shared<const AntennaPattern>(AntennaPattern::of(AntennaModel::Cosine));
+        const auto dipole = std::make_shared<const AntennaPattern>(AntennaPattern::of(AntennaModel::Dipole));
+        for (int i = 0; i < 1000; ++i) {
+            Medium medium({});
+            RadioDefinition a = radioNamed("a"), b = radioNamed("b");
+            a.antenna = lobe;
+            b.antenna = dipole;
+            a.maxOutputPower = std::uniform_real_distribution<double>(-25, 0)(random);
+            const Vec3 from = anywhere(random, 20), to = anywhere(random, 20), turnA = anywhere(random, 3),
+                       turnB = anywhere(random, 3);
+            const RadioId first = open(medium, a, from, turnA), second = open(medium, b, to, turnB);
+            const double distance = (to - from).norm();
+            const double expected = a.maxOutputPower + lobeGain(turnA, to - from, 2) + dipoleGain(turnB, from - to) -
+                                    20 * std::log10(4 * M_PI * distance * 2.45e9 / 299792458.);
+            const LinkBudget link = medium.link(first, second);
+            QVERIFY2(std::abs(link.power - expected) < 0.01,
+                     qPrintable(QString("%1 %2 %3").arg(i).arg(link.power).arg(expected)));
+            QCOMPARE(medium.link(second, first).power - b.maxOutputPower + a.maxOutputPower, link.power);
+        }
+    }
+
+    void bothWaysAreTheSame_data() {
+        QTest::addColumn<int>("model");
+        QTest::newRow("ideal") << static_cast<int>(PropagationModel::Ideal);
+        QTest::newRow("two_ray") << static_cast<int>(PropagationModel::TwoRay);
+        QTest::newRow("log_distance") << static_cast<int>(PropagationModel::LogDistance);
+    }
+    void bothWaysAreTheSame() {
+        QFETCH(int, model);
+        std::mt19937_64 random(5);
+        MediumSettings settings;
+        settings.model = static_cast<PropagationModel>(model);
+        settings.exponent = 2.7;
+        settings.shadowing = 4;
+        settings.wallLoss = 3;
+        Medium medium(settings);
+        medium.setWalls([](RadioId a, const Vec3&, RadioId b, const Vec3&) { return static_cast<int>((a * 7 + b) % 3); });
+        std::vector<RadioId> radios;
+        for (int i = 0; i < 20; ++i) {
+            RadioDefinition d = radioNamed("robot" + std::to_string(i) + "/radio");
+            d.antenna = std::make_shared<const AntennaPattern>(AntennaPattern::of(static_cast<AntennaModel>(i % 6)));
+            radios.push_back(open(medium, d, anywhere(random, 30), anywhere(random, 3)));
+        }
+        for (const RadioId a : radios)
+            for (const RadioId b : radios)
+                if (a != b) QVERIFY(medium.link(a, b).power == medium.link(b, a).power); // to the last bit
+    }
+
+    void othersChangeNoLink() {
+        MediumSettings settings;
+        settings.model = PropagationModel::LogDistance;
+        settings.shadowing = 5;
+        Medium alone(settings), crowd(settings);
+        const RadioId a = open(alone, "a/radio", {0, 0, 0}), b = open(alone, "b/radio", {5, 0, 0});
+        for (int i = 0; i < 5; ++i) open(crowd, "other" + std::to_string(i), {1. * i, 3, 0});
+        const RadioId b2 = open(crowd, "b/radio", {5, 0, 0}), a2 = open(crowd, "a/radio", {0, 0, 0});
+        QCOMPARE(crowd.link(a2, b2).power, alone.link(a, b).power);
+        QVERIFY(std::abs(alone.link(a, b).shadow) > 1e-6);
+    }
+
+    void lookingChangesNothing() {
+        MediumSettings settings;
+        settings.model = PropagationModel::LogDistance;
+        settings.shadowing = 5;
+        Medium looked(settings), quiet(settings);
+        for (Medium* m : {&looked, &quiet}) open(*m, "a", {0, 0, 0}), open(*m, "b", {5, 0, 0});
+        for (int step = 0; step <= 10; ++step) {
+            for (Medium* m : {&looked, &quiet}) m->place(1, {{5 + step * .3, 0, 0}, Quat::Identity()});
+            (void)looked.link(0, 1);
+        }
+        QCOMPARE(looked.link(0, 1).power, quiet.link(0, 1).power);
+    }
+
+    void radiosDifferByTheirOffsets() {
+        MediumSettings settings;
+        settings.offsets = 2;
+        Medium medium(settings);
+        double squares = 0;
+        for (int i = 0; i < 400; ++i) open(medium, "mote" + std::to_string(i), {1. * i, 0, 0});
+        for (RadioId i = 0; i + 1 < 400; ++i) squares += std::pow(medium.link(i, i + 1).power + 40.2311, 2);
+        QVERIFY(std::abs(std::sqrt(squares / 399) - 2) < 0.25);
+    }
+
+    void whoIsOutOfRangeIsLeftOut() {
+        // near and far of the range, with and without a grid that leaves some out
+        Medium medium({});
+        const RadioId sender = open(medium, "sender", {0, 0, 0});
+        for (int i = 0; i < 300; ++i) open(medium, "mote" + std::to_string(i), {(i % 20) * 60. - 500, (i / 20) * 70. - 400, 0});
+        std::uint64_t reach = 0;
+        for (RadioId i = 1; i < medium.radioCount(); ++i) reach += medium.link(sender, i).power >= -94;
+        QVERIFY(send(medium, sender));
+        medium.advance(10000);
+        QVERIFY(reach > 50 && reach < 299);
+        QCOMPARE(count(medium, Fate::Delivered), reach);
+        QCOMPARE(count(medium, Fate::TooWeak), 300 - reach);
+        QVERIFY(isConserved(medium));
+    }
+};
+
+QTEST_APPLESS_MAIN(LinkTest)
+#include "link_test.moc"

@@ -1,0 +1,270 @@
+#include <QtTest>
+
+#include <cstring>
+
+#include "radio/air.h"
+
+using namespace air;
+
+namespace {
+
+/// A busy hour among some motes, told as a hash over every record.
+std::uint64_t story(std::uint64_t seed, bool watched, std::int64_t tick) {
+    MediumSettings settings;
+    settings.model = PropagationModel::LogDistance;
+    settings.exponent = 2.8;
+    settings.shadowing = 4;
+    settings.csma = settings.collisions = settings.packetErrors = true;
+    settings.offsets = 1;
+    settings.seed = seed;
+    Medium medium(settings);
+    for (int i = 0; i < 12; ++i) open(medium, "mote" + std::to_string(i) + "/radio", {(i % 4) * 9., (i / 4) * 8., 0.1});
+    std::shared_ptr<RadioTrace> trace = medium.trace(), other;
+    if (watched) other = medium.trace();
+    for (std::int64_t us = 0; us < 2000000; us += tick) {
+        if (us % 100000 == 0)
+            for (RadioId i = 0; i < 12; ++i) send(medium, i, 20 + i, i % 3 == 0 ? kBroadcastAddress : (i + 1) % 12 + 1);
+        medium.advance(us + tick);
+        if (watched) (void)medium.link(0, 1), other->records.clear();
+    }
+    std::uint64_t hash = 1469598103934665603ull;
+    const auto add = [&hash](double v) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &v, sizeof bits);
+        hash = (hash ^ bits) * 1099511628211ull;
+    };
+    for (const FrameRecord& r : trace->records)
+        for (const double v : {r.time, 1. * r.from, 1. * r.to, r.link.power, r.rssi, r.sinr, 1. * static_cast<int>(r.fate)})
+            add(v);
+    add(static_cast<double>(trace->records.size()));
+    return isConserved(medium) ? hash : 0;
+}
+
+} // namespace
+
+class MediumTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void twoMotes() {
+        Medium medium({});
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, "b", {0, 10, 0});
+        const std::uint8_t hello[] = {'h', 'i'};
+        QVERIFY(medium.send(a, hello, kBroadcastAddress, -5));
+        RadioPacket packet;
+        medium.advance(500);
+        QVERIFY(!medium.receive(b, packet)); // still on its way: 6 + 13 bytes take 608 us
+        medium.advance(10000);
+        QVERIFY(medium.receive(b, packet));
+        QVERIFY(!medium.receive(b, packet));
+        QVERIFY(!medium.receive(a, packet));
+        QCOMPARE(packet.bytes, (std::vector<std::uint8_t>{'h', 'i'}));
+        QVERIFY(std::abs(packet.rssi + 65.2311) < 1e-4);
+        QVERIFY(std::abs(packet.time - 608e-6) < 1e-12);
+        QCOMPARE(packet.from, medium.radio(a).address);
+        QCOMPARE(packet.lqi, 110);
+        QCOMPARE(medium.counts(a).sent, 1u);
+        QCOMPARE(medium.counts(b).received, 1u);
+    }
+
+    void readingsAreSteppedAndClipped() {
+        Medium medium({});
+        const RadioId a = open(medium, "a", {0, 0, 0});
+        RadioDefinition d = radioNamed("b");
+        d.rssiStep = 1;
+        d.maxReceivePower = -60;
+        const RadioId b = open(medium, d, {5, 0, 0}), far = open(medium, "far", {5, 0, 0});
+        RadioPacket packet;
+        std::int64_t now = 0;
+        for (const auto& [power, stepped] : {std::pair{-10., -64.}, {-10.6, -65.}, {0., -60.}}) {
+            send(medium, a, 1, kBroadcastAddress, power);
+            medium.advance(now += 1000);
+            QVERIFY(medium.receive(b, packet));
+            QCOMPARE(packet.rssi, stepped);
+            QVERIFY(medium.receive(far, packet));
+            QVERIFY(std::abs(packet.rssi - (power - 54.2105)) < 1e-4);
+        }
+    }
+
+    void weakerThanTheThresholdIsDropped() {
+        Medium medium({});
+        const RadioId a = open(medium, "a", {0, 0, 0});
+        open(medium, "inside", {488, 0, 0});
+        open(medium, "outside", {0, 488.1, 0});
+        send(medium, a);
+        medium.advance(10000);
+        QCOMPARE(count(medium, Fate::Delivered), 1u);
+        QCOMPARE(count(medium, Fate::TooWeak), 1u);
+    }
+
+    void levelsOfPower() {
+        Medium medium({});
+        RadioDefinition d = radioNamed("a");
+        d.powerLevels = {0, -5, -25};
+        d.transmitCurrents = {0.0174, 0.0139, 0.0085};
+        d.receiveCurrent = 0.0188;
+        d.supply = 3;
+        const RadioId a = open(medium, d, {0, 0, 0}), b = open(medium, "b", {1, 0, 0});
+        RadioPacket packet;
+        for (const auto& [wanted, given] : {std::pair{10., 0.}, {-1., -5.}, {-5., -5.}, {-40., -25.}}) {
+            send(medium, a, 1, kBroadcastAddress, wanted);
+            medium.advance(static_cast<std::int64_t>(1e6 + 1e6 * (10 - wanted)));
+            QVERIFY(medium.receive(b, packet));
+            QVERIFY(std::abs(packet.rssi - (given - 40.2311)) < 1e-4);
+        }
+        // 4 frames of 576 us out of 51 s
+        const double sending = 576e-6, all = 51,
+                     energy = 3 * (sending * (.0174 + 2 * .0139 + .0085) + (all - 4 * sending) * .0188);
+        QVERIFY(std::abs(medium.counts(a).energy - energy) < 1e-9);
+        QCOMPARE(medium.counts(b).energy, 0.);
+    }
+
+    void aFullBufferDropsTheNewest() {
+        Medium medium({});
+        RadioDefinition d = radioNamed("b");
+        d.bufferLimit = 3;
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, d, {1, 0, 0});
+        for (std::size_t i = 1; i <= 5; ++i) QVERIFY(send(medium, a, i));
+        medium.advance(100000);
+        QCOMPARE(medium.pending(b), std::size_t{3});
+        QCOMPARE(medium.counts(b).dropped, 2u);
+        QCOMPARE(count(medium, Fate::BufferFull), 2u);
+        RadioPacket packet;
+        for (std::size_t i = 1; i <= 3; ++i) {
+            QVERIFY(medium.receive(b, packet));
+            QCOMPARE(packet.bytes.size(), i);
+        }
+        for (int i = 0; i < 16; ++i) QVERIFY(send(medium, a));
+        QVERIFY(!send(medium, a));
+        QVERIFY(!send(medium, b, 117));
+        QCOMPARE(medium.counts(a).refused, 1u);
+        QVERIFY(isConserved(medium));
+    }
+
+    void whoSendsHearsNothing() {
+        Medium medium({});
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, "b", {1, 0, 0}), c = open(medium, "c", {2, 0, 0});
+        send(medium, a);
+        send(medium, b);
+        medium.advance(10000);
+        QCOMPARE(medium.pending(a), std::size_t{0});
+        QCOMPARE(medium.pending(b), std::size_t{0});
+        QCOMPARE(medium.pending(c), std::size_t{2}); // no collisions unless asked for
+        QCOMPARE(count(medium, Fate::Sending), 2u);
+        QVERIFY(isConserved(medium));
+    }
+
+    void channelsAreApart() {
+        Medium medium({});
+        RadioDefinition d = radioNamed("b");
+        d.channel = 11;
+        const RadioId a = open(medium, "a", {0, 0, 0});
+        open(medium, d, {1, 0, 0});
+        send(medium, a);
+        medium.advance(10000);
+        QCOMPARE(medium.expected(), 0u);
+        QVERIFY(isConserved(medium));
+    }
+
+    void addressesAreHeeded() {
+        Medium medium({});
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, "b", {1, 0, 0}), c = open(medium, "c", {2, 0, 0});
+        send(medium, a, 4, medium.radio(c).address);
+        medium.advance(10000);
+        QCOMPARE(medium.pending(b), std::size_t{0});
+        QCOMPARE(medium.pending(c), std::size_t{1});
+        QCOMPARE(count(medium, Fate::NotForIt), 1u);
+    }
+
+    void theStrongerSurvivesACollision() {
+        MediumSettings settings;
+        settings.collisions = true;
+        for (const double distance : {1.2, 2.0}) { // 1.6 dB and 6 dB weaker than the one at 1 m
+            Medium medium(settings);
+            const RadioId near = open(medium, "near", {1, 0, 0}), far = open(medium, "far", {-distance, 0, 0}),
+                          ear = open(medium, "ear", {0, 0, 0});
+            send(medium, near);
+            medium.advance(100);
+            send(medium, far);
+            medium.advance(10000);
+            QCOMPARE(medium.pending(ear), std::size_t{distance > 1.5});
+            QVERIFY(count(medium, Fate::Busy) > 0);
+            QCOMPARE(count(medium, Fate::Collision), distance > 1.5 ? 0u : 1u);
+            QVERIFY(isConserved(medium));
+        }
+    }
+
+    void lossesFollowTheCurve_data() {
+        QTest::addColumn<double>("power");
+        QTest::addColumn<double>("rate");
+        QTest::newRow("-94") << -94. << .99;
+        QTest::newRow("0 dB") << -94.5 << .9670;
+        QTest::newRow("-1 dB") << -95.5 << .7873;
+        QTest::newRow("-2 dB") << -96.5 << .3383;
+        QTest::newRow("-3 dB") << -97.5 << .0320;
+    }
+    void lossesFollowTheCurve() {
+        QFETCH(double, power);
+        QFETCH(double, rate);
+        MediumSettings settings;
+        settings.packetErrors = true;
+        Medium medium(settings);
+        RadioDefinition d = radioNamed("b");
+        d.minReceivePower = -120;
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, d, {10, 0, 0});
+        constexpr int kFrames = 20000;
+        RadioPacket packet;
+        int received = 0;
+        for (int i = 0; i < kFrames; ++i) {
+            send(medium, a, 15, kBroadcastAddress, power + 60.2311); // 26 bytes
+            medium.advance((i + 1) * 2000);
+            received += medium.receive(b, packet);
+        }
+        const double error = 4 * std::sqrt(rate * (1 - rate) / kFrames) + 1e-4;
+        QVERIFY2(std::abs(received / double(kFrames) - rate) < error, qPrintable(QString::number(received)));
+        QVERIFY(isConserved(medium));
+    }
+
+    void powersAddUpAsNoise() {
+        // -80 dBm against a floor of -95 and others of -90 and -88: 5.3743 dB
+        MediumSettings settings;
+        settings.collisions = true;
+        settings.noiseFloor = -95;
+        Medium medium(settings);
+        const auto at = [](double power) { return std::pow(10, (-power - 40.2311) / 20); };
+        const RadioId a = open(medium, "a", {at(-80), 0, 0}), b = open(medium, "b", {0, at(-90), 0}),
+                      c = open(medium, "c", {0, -at(-88), 0});
+        const RadioId ear = open(medium, "ear", {0, 0, 0});
+        const std::shared_ptr<RadioTrace> trace = medium.trace();
+        for (const RadioId id : {a, b, c}) send(medium, id);
+        medium.advance(10000);
+        for (const FrameRecord& r : trace->records)
+            if (r.from == a && r.to == ear) QVERIFY2(std::abs(r.sinr - 5.3743) < 1e-3, qPrintable(QString::number(r.sinr)));
+        QCOMPARE(medium.pending(ear), std::size_t{1});
+    }
+
+    void clocksDrift() {
+        MediumSettings settings;
+        settings.clockDrift = 40;
+        Medium medium(settings);
+        const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, "b", {1, 0, 0});
+        medium.advance(100000000);
+        send(medium, a);
+        medium.advance(100010000);
+        RadioPacket packet;
+        QVERIFY(medium.receive(b, packet));
+        QVERIFY(std::abs(packet.time - 100) > 1e-4 && std::abs(packet.time - 100) < 0.02);
+    }
+
+    void theSameSeedIsTheSameStory() {
+        const std::uint64_t first = story(1, false, 10000);
+        QVERIFY(first != 0);
+        QCOMPARE(story(1, false, 10000), first);
+        QCOMPARE(story(1, true, 10000), first);  // whoever watches
+        QCOMPARE(story(1, false, 20000), first); // whatever the tick
+        QVERIFY(story(2, false, 10000) != first);
+    }
+};
+
+QTEST_APPLESS_MAIN(MediumTest)
+#include "medium_test.moc"

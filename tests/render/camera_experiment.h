@@ -1,0 +1,43 @@
+#pragma once
+// Robots that are a camera and nothing else, and what they look at.
+
+#include <map>
+
+#include "model/experiment_spec.h"
+#include "render/frame_drawer.h"
+
+namespace trundle {
+
+using CameraValues = std::map<std::string, PropertyValue>;
+
+inline PropertyValue numbers(std::vector<double> values) { return {PropertyType::Number, std::move(values), {}}; }
+inline PropertyValue word(std::string value) { return {PropertyType::Choice, {}, {std::move(value)}}; }
+
+/// A robot `name` at `pose` with a body "mount" (of these geoms) and a Camera "eye" in its origin.
+inline RobotSpec cameraRobot(const std::string& name, const Pose& pose, CameraValues values, std::vector<GeomSpec> geoms = {}) {
+    auto config = std::make_shared<RobotConfigSpec>();
+    BodySpec body;
+    body.name = "mount";
+    body.geoms = std::move(geoms);
+    config->bodies = {body};
+    ComponentSpec camera;
+    camera.kind = "Camera";
+    camera.name = "eye";
+    values.try_emplace("Body", PropertyValue{PropertyType::Reference, {}, {"mount"}});
+    for (auto& [key, value] : values) camera.values[key] = {value, {}, Origin::Config};
+    config->devices = {camera};
+    RobotSpec robot;
+    robot.name = name;
+    robot.pose = pose;
+    robot.config = config;
+    return robot;
+}
+
+/// What a camera gives while everything stands where it starts.
+inline Result<Frame> captureAtStart(const std::shared_ptr<const ExperimentSpec>& experiment, const std::string& camera) {
+    const SignalLayout layout;
+    const SignalBlock block(layout);
+    return FrameDrawer(experiment, layout).capture(camera, block);
+}
+
+} // namespace trundle

@@ -1,0 +1,94 @@
+// Sun, lamps and sky of an experiment's text.
+#include <QtTest>
+
+#include "render/camera_experiment.h"
+#include "render/sample_experiment.h"
+
+using namespace trundle;
+
+namespace {
+
+ComponentSpec look(const std::string& kind, CameraValues values) {
+    ComponentSpec spec;
+    spec.kind = kind;
+    spec.name = kind;
+    for (auto& [key, value] : values) spec.values[key] = {value, {}, Origin::Config};
+    return spec;
+}
+
+/// A post on a floor, from above.
+std::shared_ptr<ExperimentSpec> post(std::vector<ComponentSpec> looks) {
+    auto experiment = sampleExperiment({0, 1, false, 4});
+    GeomSpec floor, box;
+    floor.name = "floor";
+    floor.shape = GeomShape::Plane;
+    floor.material = 6;
+    box.name = "post";
+    box.size = {0.2, 0.2, 1};
+    box.pose.position = {0, 0, 0.5};
+    StaticSpec fixed;
+    fixed.name = "yard";
+    fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{floor, box});
+    experiment->statics = {fixed};
+    experiment->looks = std::move(looks);
+    const Pose above{{0, 0, 5}, rotationFromHpr({std::numbers::pi / 2, std::numbers::pi / 2, 0})};
+    experiment->robots = {cameraRobot("robot0", above, {{"Resolution", numbers({200, 200})}, {"FieldOfView", numbers({0.8})}})};
+    return experiment;
+}
+
+/// Brightness of the floor at a place, over a few pixels.
+double floorAt(const std::shared_ptr<ExperimentSpec>& experiment, double x, double y) {
+    const Result<Frame> frame = captureAtStart(experiment, "robot0/eye");
+    if (!frame) qFatal("%s", frame.error().message.c_str());
+    const CameraModel camera = camerasOf(*experiment).at(0);
+    const auto at = project(viewOf(camera, experiment->robots[0].pose), 200, 200, {x, y, 0});
+    double sum = 0;
+    for (int dy = -2; dy <= 2; ++dy)
+        for (int dx = -2; dx <= 2; ++dx)
+            for (int k = 0; k < 3; ++k)
+                sum += frame.value().pixels[std::size_t(3 * ((int(at->y) + dy) * 200 + int(at->x) + dx) + k)];
+    return sum / 75;
+}
+
+} // namespace
+
+class LightsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theShadowFallsAwayFromTheSun() {
+        for (const double side : {1.0, -1.0}) { // shining towards +x, then towards -x
+            const auto experiment = post({look("Light", {{"Mode", word("sun")}, {"Direction", numbers({side, 0, -1})}})});
+            const double shadow = floorAt(experiment, 0.5 * side, 0), lit = floorAt(experiment, -0.5 * side, 0);
+            QVERIFY2(shadow < 0.8 * lit, qPrintable(QStringLiteral("%1 and %2").arg(shadow).arg(lit)));
+        }
+    }
+    void aSunMayCastNoShadows() {
+        const auto experiment = post({look("Light", {{"Direction", numbers({1, 0, -1})}, {"Shadows", numbers({0})}})});
+        QVERIFY(floorAt(experiment, 0.5, 0) > 0.95 * floorAt(experiment, -0.5, 0));
+    }
+    void aLampIsBrightNearIt() {
+        const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
+        const ComponentSpec lamp =
+            look("Light", {{"Mode", word("lamp")}, {"Pos", numbers({1, 1, 0.5})}, {"Intensity", numbers({0.3})}});
+        const double dark = floorAt(post({night}), 1, 1), bright = floorAt(post({night, lamp}), 1, 1);
+        QVERIFY2(bright > 1.5 * dark, qPrintable(QStringLiteral("%1 and %2").arg(bright).arg(dark)));
+        QVERIFY(floorAt(post({night, lamp}), -1, -1) < 0.7 * bright);
+    }
+    void ambientLightIsAFactor() {
+        const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
+        const double one = floorAt(post({night}), 0.7, 0.7);
+        const double four = floorAt(post({night, look("Sky", {{"Ambient", numbers({4})}})}), 0.7, 0.7);
+        QVERIFY2(std::abs(four / one - 2) < 0.05, qPrintable(QString::number(four / one))); // as shown: its square root
+    }
+    void theSkyHasItsColours() {
+        auto experiment = post({look("Sky", {{"Zenith", numbers({0, 1, 0})}, {"Horizon", numbers({0, 1, 0})}})});
+        experiment->robots[0].pose = {{0, 0, 5}, rotationFromHpr({2, -0.6, 0})}; // up, away from the sun
+        const Result<Frame> frame = captureAtStart(experiment, "robot0/eye");
+        QVERIFY(frame.ok());
+        const std::uint8_t* p = frame.value().pixels.data() + 3 * (100 * 200 + 100);
+        QVERIFY(p[0] < 10 && p[1] > 245 && p[2] < 10);
+    }
+};
+
+QTEST_APPLESS_MAIN(LightsTest)
+#include "lights_test.moc"
