@@ -78,6 +78,47 @@ def long_text(lines=2000, robots=150):
     return text(lines - text(0).count("\n"))
 
 
+def seen(count, width, height):
+    """`count` shipped robots that wander in a walled room, all of them in view of a camera on a tower beside it."""
+    columns, rows = pattern(count)
+    room = _room(0.7 * columns + 0.6, 0.7 * rows + 0.6)
+    return f"""Tick = 0.01   Duration = 1000   Solver = exact
+#import robots/simple_robot.sim
+#import common/materials.sim
+#import common/surfaces.sim
+#loadModule controllers/random_drive
+
+{room}Grid crowd {{
+  Config=SimpleRobot  Count={columns},{rows}  Spacing=0.7
+  RandomDrive brain {{ Speed=0.3 TurnRate=1 Period=1 }}
+}}
+RobotConfig Tower {{
+  Body mast {{ Box pole {{ Size=0.2,0.2,3.4  Pos=0,0,1.7  Mass=200  Material=steel  Surface=ground }} }}
+  Camera eye {{ Body=mast  Pos=0.15,0,3.3  HPR=0,29,0  Resolution={width},{height}  FieldOfView=60 }}
+}}
+Robot tower {{ Config=Tower  Pos={-0.35 * columns - 3:g},0,0 }}
+"""
+
+
+def camera_robots(count, width, height, seeing, seconds):
+    """`count` robots that look for a red ball, each with a camera of its own that takes ten pictures a second, or none."""
+    columns, rows = pattern(count)
+    brain = "BlobFollow brain { Speed=0.2 KeepEvery=0 UpdatePeriod=0.1 }" if seeing else "RandomDrive brain { Speed=0.2 }"
+    return f"""Tick = 0.01   Duration = {seconds}   Solver = exact
+#import robots/camera_robot.sim
+#import arenas/colour_yard.sim
+#loadModule controllers/blob_follow
+#loadModule controllers/random_drive
+
+Static yard {{ Config=ColourYard }}
+Grid swarm {{
+  Config=CameraRobot  Pos=-0.8,0,0  Count={columns},{rows}  Spacing=0.42,0.7
+  eye.Resolution={width},{height}
+  {brain}
+}}
+"""
+
+
 def straight(distance, speed):
     return _drive("linear_motion", f"LinearMotion brain {{ Distance={distance} Speed={speed} }}", abs(distance) / speed + speed + 1)
 

@@ -18,6 +18,7 @@ class Programs:
         self.cli = os.path.join(build, "bin", "trundle-cli")
         self.bare = os.path.join(build, "bench", "bare_ode")
         self.trundle = os.path.join(build, "bin", "trundle")
+        self.camera_bench = os.path.join(build, "bench", "camera_bench")
         self.window_bench = os.path.join(build, "bench", "window_bench")
         self.folder = folder
 
@@ -40,6 +41,10 @@ class Programs:
     def bare_run(self, count, columns, rows, seconds):
         words = [self.bare, "-n", str(count), "-nx", str(columns), "-ny", str(rows), "-t", str(seconds)]
         return {key: float(value) for key, value in re.findall(r"(\w+)=(\S+)", _output(words))}
+
+    def camera(self, path, camera, pictures):
+        """Seconds that pictures take; a JSON object of [10 %, median, mean]."""
+        return json.loads(_output([self.camera_bench, path, camera, str(pictures)]))
 
     def window(self, *words):
         """One measurement of window_bench; its JSON object."""

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures Trundle: speed against a bare ODE loop, memory, start and load times, how the window answers, and how exactly it drives.
+"""Measures Trundle: speed against a bare ODE loop, memory, start and load times, cameras, how the window answers, and how exactly it drives.
 
 Writes results/*.csv and *.svg and the tables of RESULTS.md beside this file. Ratios are taken inside one run, with the two sides
 interleaved; absolute figures belong to the machine named in RESULTS.md.
@@ -12,6 +12,7 @@ import platform
 import sys
 import tempfile
 
+import camera_tables
 import experiments
 import report
 import svg_plot
@@ -170,7 +171,12 @@ def windows(programs, options):
     return window_tables.measure(programs, options, RESULTS, PAGE)
 
 
-SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "window": windows, "speed": speed, "crowds": crowds}
+def cameras(programs, options):
+    """How fast pictures are drawn, and what robots with cameras cost."""
+    return camera_tables.measure(programs, options, RESULTS, PAGE)
+
+
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "crowds": crowds}
 
 
 def main():
