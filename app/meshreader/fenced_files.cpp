@@ -45,6 +45,11 @@ private:
     size_t m_at = 0;
 };
 
+bool isMaterials(const std::string& file) {
+    const std::string ending = fs::path(file).extension().string();
+    return ending == ".mtl" || ending == ".MTL";
+}
+
 std::string realPath(const fs::path& path) {
     std::error_code fault;
     const fs::path real = fs::weakly_canonical(path, fault);
@@ -63,7 +68,7 @@ FencedFiles::Verdict FencedFiles::judge(const std::string& file) const {
     const std::string real = realPath(written.is_absolute() ? written : fs::path(m_folder) / written);
     if (!real.empty() && real == m_meshFile) return Verdict::Readable;
     if (!real.starts_with(m_folder)) return Verdict::Outside;
-    return fs::path(real).extension() == ".bin" ? Verdict::Readable : Verdict::Ignored;
+    return fs::path(real).extension() == ".bin" || isMaterials(real) ? Verdict::Readable : Verdict::Ignored;
 }
 
 bool FencedFiles::Exists(const char* file) const {
@@ -82,10 +87,26 @@ Assimp::IOStream* FencedFiles::Open(const char* file, const char* mode) {
     Result<std::string> bytes =
         readRegularFile((written.is_absolute() ? written : fs::path(m_folder) / written).string(), kMostFileBytes);
     if (!bytes) {
-        m_unreadable = bytes.error().message;
+        if (isMaterials(file)) m_missingMaterials.emplace_back(fs::path(file).filename().string());
+        else m_unreadable = bytes.error().message;
         return nullptr;
     }
     return new MemoryStream(std::move(bytes).value());
+}
+
+Result<std::string> FencedFiles::pictureFile(std::string written) const {
+    if (written.starts_with("file://")) written.erase(0, 7);
+    std::replace(written.begin(), written.end(), '\\', '/');
+    bool outside = false;
+    for (const fs::path& place : {fs::path(written), fs::path(written).filename()}) {
+        if (place.empty() || written.find('\0') != std::string::npos) continue;
+        const std::string real = realPath(place.is_absolute() ? place : fs::path(m_folder) / place);
+        std::error_code fault;
+        if (real.empty()) continue; // no name that a file can have
+        if (!real.starts_with(m_folder)) outside = true;
+        else if (fs::is_regular_file(real, fault)) return real;
+    }
+    return Error{Code::MeshUnreadable, outside ? "it lies outside the folder of the mesh" : "it is not there"};
 }
 
 } // namespace trundle

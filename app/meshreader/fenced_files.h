@@ -1,13 +1,17 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
+#include "base/result.h"
+
 namespace trundle {
 
-/// All that assimp sees of the disk: the mesh file itself and the binary buffers (.bin) beside or below it. Material files are
-/// "not there", writing is refused, and a reference that leaves the folder is remembered, so that the whole file can be refused.
+/// All that assimp sees of the disk: the mesh file itself, the binary buffers (.bin) and the materials (.mtl) beside or below it.
+/// Anything else is "not there", writing is refused, and a reference that leaves the folder is remembered, so that the whole file can
+/// be refused.
 class FencedFiles final : public Assimp::IOSystem {
 public:
     explicit FencedFiles(const std::string& meshFile);
@@ -23,6 +27,11 @@ public:
     [[nodiscard]] const std::string& refused() const { return m_refused; }
     /// Why the last file that may be read could not be; empty where all could.
     [[nodiscard]] const std::string& unreadable() const { return m_unreadable; }
+    /// Files of materials that were asked for and are not there.
+    [[nodiscard]] const std::vector<std::string>& missingMaterials() const { return m_missingMaterials; }
+    /// Where a picture is that the mesh names: at its path, or by its name alone beside the mesh, as one exported elsewhere names
+    /// it. Never outside the mesh's folder.
+    [[nodiscard]] Result<std::string> pictureFile(std::string written) const;
 
 private:
     enum class Verdict { Readable, Ignored, Outside };
@@ -31,6 +40,7 @@ private:
     std::string m_meshFile; ///< canonical
     std::string m_folder;   ///< canonical, ends in a slash
     std::string m_refused, m_unreadable;
+    std::vector<std::string> m_missingMaterials;
 };
 
 } // namespace trundle

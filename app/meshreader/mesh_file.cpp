@@ -20,6 +20,7 @@
 
 #include "assets/mesh_stream.h"
 #include "meshreader/fenced_files.h"
+#include "meshreader/look_collector.h"
 
 namespace trundle {
 namespace {
@@ -44,9 +45,8 @@ void keepOurReaders(Assimp::Importer& importer) {
 
 void configure(Assimp::Importer& importer) {
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
-                                                            aiComponent_COLORS | aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
-                                                            aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
-                                                            aiComponent_CAMERAS);
+                                                            aiComponent_COLORS | aiComponent_BONEWEIGHTS |
+                                                            aiComponent_ANIMATIONS | aiComponent_LIGHTS | aiComponent_CAMERAS);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
 }
 
@@ -76,7 +76,7 @@ private:
 
 class MeshCollector {
 public:
-    explicit MeshCollector(bool yIsUp) : m_yIsUp(yIsUp), m_joiner(m_mesh.points) {}
+    MeshCollector(bool yIsUp, LookCollector& look) : m_yIsUp(yIsUp), m_look(look), m_joiner(m_mesh.points) {}
 
     Status addNodes(const aiScene& scene) {
         struct Open {
@@ -118,7 +118,11 @@ private:
                 }
                 triangle[corner] = places[index];
             }
-            if (const Status added = addTriangle(triangle); !added) return added;
+            if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+            m_mesh.triangles.push_back(triangle);
+            m_look.add(mesh, face);
+            if (m_mesh.triangles.size() > kMostMeshTriangles)
+                return failure("it has more than " + std::to_string(kMostMeshTriangles) + " triangles");
         }
         return {};
     }
@@ -134,18 +138,11 @@ private:
         return place;
     }
 
-    Status addTriangle(const std::array<std::uint32_t, 3>& triangle) {
-        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) return {};
-        m_mesh.triangles.push_back(triangle);
-        if (m_mesh.triangles.size() > kMostMeshTriangles)
-            return failure("it has more than " + std::to_string(kMostMeshTriangles) + " triangles");
-        return {};
-    }
-
     static constexpr std::uint32_t kUnplaced = 0xffffffffu;
     static constexpr double kFarthest = 1e9;
 
     bool m_yIsUp;
+    LookCollector& m_look;
     TriangleMesh m_mesh;
     PointJoiner m_joiner;
 };
@@ -160,11 +157,10 @@ std::string inPlainWords(const std::string& words) {
     return words.empty() ? "its format is not understood" : words;
 }
 
-// assimp turns COLLADA to y up, and glTF is y up by its standard.
-bool comesWithYUp(const std::string& path) {
+std::string endingOf(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return ending == ".dae" || ending == ".gltf" || ending == ".glb";
+    return ending;
 }
 
 } // namespace
@@ -181,10 +177,18 @@ Result<TriangleMesh> readMeshFile(const std::string& path) {
     if (scene == nullptr && !files->unreadable().empty()) return failure(files->unreadable());
     if (scene == nullptr) return failure(inPlainWords(importer.GetErrorString()));
     if (scene->mRootNode == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) return failure("it is incomplete");
-    MeshCollector collector(comesWithYUp(path));
+    const std::string ending = endingOf(path);
+    const bool isGltf = ending == ".gltf" || ending == ".glb";
+    LookCollector look(*scene, *files, isGltf ? LookCollector::Colours::Linear : LookCollector::Colours::AsShown);
+    // Where that is missing, assimp asks for one of the mesh's own name.
+    if (!files->missingMaterials().empty())
+        look.complain("its file of materials, " + files->missingMaterials().front() + ", is not there");
+    // assimp turns COLLADA to y up, and glTF is y up by its standard.
+    MeshCollector collector(isGltf || ending == ".dae", look);
     if (const Status added = collector.addNodes(*scene); !added) return added.error();
     TriangleMesh mesh = collector.take();
     if (mesh.triangles.empty()) return failure("it holds no triangle");
+    if (ending != ".stl") mesh.look = look.take();
     return mesh;
 }
 

@@ -55,16 +55,13 @@ Raster coloursOf(const QImage& picture) {
     return raster;
 }
 
-Result<QImage> readImage(const std::string& path) {
-    const Result<std::string> content = readRegularFile(path, kMostFileBytes);
-    if (!content) return content.error();
-
+Result<QImage> decoded(const std::string& content) {
     int count = 1; // Qt looks for its picture plugins beside an application
     char name[] = "trundle-meshreader";
     char* names[] = {name, nullptr};
     const QCoreApplication application(count, names);
 
-    QByteArray bytes = QByteArray::fromRawData(content.value().data(), static_cast<qsizetype>(content.value().size()));
+    QByteArray bytes = QByteArray::fromRawData(content.data(), static_cast<qsizetype>(content.size()));
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::ReadOnly);
     QImageReader::setAllocationLimit(kMostMegabytes);
@@ -80,10 +77,22 @@ Result<QImage> readImage(const std::string& path) {
     return picture;
 }
 
+Result<QImage> readImage(const std::string& path) {
+    const Result<std::string> content = readRegularFile(path, kMostFileBytes);
+    if (!content) return content.error();
+    return decoded(content.value());
+}
+
 } // namespace
 
 Result<Raster> readColourFile(const std::string& path) {
-    Result<QImage> read = readImage(path);
+    const Result<std::string> content = readRegularFile(path, kMostFileBytes);
+    if (!content) return content.error();
+    return readColours(content.value());
+}
+
+Result<Raster> readColours(const std::string& content) {
+    Result<QImage> read = decoded(content);
     if (!read) return read.error();
     QImage picture = std::move(read).value();
     constexpr int most = kMostRasterSide;

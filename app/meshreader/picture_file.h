@@ -11,5 +11,7 @@ namespace trundle {
 [[nodiscard]] Result<HeightMap> readPictureFile(const std::string& path);
 /// Reads it in colour; one with more than kMostRasterSide pixels along a side is made smaller.
 [[nodiscard]] Result<Raster> readColourFile(const std::string& path);
+/// The same of a picture in memory.
+[[nodiscard]] Result<Raster> readColours(const std::string& content);
 
 } // namespace trundle

@@ -9,7 +9,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the stream is copied, not converted");
 
-constexpr std::string_view kMeshMagic = "TRMESH01";
+constexpr std::string_view kMeshMagic = "TRMESH02";
 constexpr std::string_view kGreyMagic = "TRGREY01";
 constexpr std::string_view kColourMagic = "TRRGB001";
 constexpr std::size_t kHeaderBytes = 16;
@@ -70,6 +70,7 @@ std::string encodeMesh(const TriangleMesh& mesh) {
         kMeshMagic, {static_cast<std::uint32_t>(mesh.points.size()), static_cast<std::uint32_t>(mesh.triangles.size())});
     appendItems(bytes, mesh.points);
     appendItems(bytes, mesh.triangles);
+    if (mesh.look) bytes += encodeLook(*mesh.look);
     return bytes;
 }
 
@@ -104,13 +105,18 @@ Result<TriangleMesh> decodeMesh(std::string_view bytes) {
     const auto [points, triangles] = header.value();
     if (points > kMostMeshPoints || triangles > kMostMeshTriangles) return damaged("too many points or triangles");
     const std::size_t trianglesAt = kHeaderBytes + 24ull * points;
-    if (bytes.size() != trianglesAt + 12ull * triangles) return damaged("its length does not fit its counts");
+    const std::size_t lookAt = trianglesAt + 12ull * triangles;
+    if (bytes.size() < lookAt) return damaged("its length does not fit its counts");
     if (triangles == 0) return damaged("no triangle");
     TriangleMesh mesh;
     copyItems(bytes, kHeaderBytes, points, mesh.points);
     copyItems(bytes, trianglesAt, triangles, mesh.triangles);
     if (!allFinite(mesh.points)) return damaged("a coordinate is not a number");
     if (!allBelow(mesh.triangles, points)) return damaged("a triangle names a point that is not there");
+    if (bytes.size() == lookAt) return mesh;
+    Result<std::shared_ptr<const MeshLook>> look = decodeLook(bytes.substr(lookAt), triangles);
+    if (!look) return look.error();
+    mesh.look = std::move(look).value();
     return mesh;
 }
 

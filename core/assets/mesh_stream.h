@@ -1,12 +1,13 @@
 #pragma once
 // The bytes that trundle-meshreader writes and assets reads: little-endian, a magic, two counts, then the numbers.
-//   mesh:   "TRMESH01" u32 points, u32 triangles, points x 3 f64 [m], triangles x 3 u32
+//   mesh:   "TRMESH02" u32 points, u32 triangles, points x 3 f64 [m], triangles x 3 u32; then, if any, its look (mesh_look_stream.h)
 //   colour: "TRRGB001" u32 columns, u32 rows, columns x rows x 3 u8, top row first
 //   grey:   "TRGREY01" u32 columns, u32 rows, columns x rows f32 [0..1], top row first
 
 #include <string>
 #include <string_view>
 
+#include "assets/mesh_look_stream.h"
 #include "base/raster.h"
 #include "base/result.h"
 #include "base/triangle_mesh.h"
@@ -19,7 +20,8 @@ inline constexpr std::uint32_t kMostGreySide = 16'384;
 inline constexpr std::uint32_t kMostRasterSide = 2048;
 inline constexpr std::uint64_t kMostGreyPoints = 16'777'216; ///< 4096 x 4096
 /// No mesh and no picture is longer than this.
-inline constexpr std::uint64_t kMostStreamBytes = 16 + 24ull * kMostMeshPoints + 12ull * kMostMeshTriangles;
+inline constexpr std::uint64_t kMostStreamBytes =
+    16 + 24ull * kMostMeshPoints + 38ull * kMostMeshTriangles + kMostMeshPictureBytes + (1u << 20);
 
 [[nodiscard]] std::string encodeMesh(const TriangleMesh& mesh);
 [[nodiscard]] std::string encodeHeightMap(const HeightMap& map);

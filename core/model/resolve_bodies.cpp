@@ -36,7 +36,13 @@ public:
         m_body.pose = poseOf(m_fields.pos, m_fields.hpr);
         m_body.range = m_part.range;
         m_body.nameRange = m_part.nameRange();
-        if (!good || !readMass()) return std::nullopt;
+        if (!good) return std::nullopt;
+        // Of a body whose mesh is missing nobody knows the mass; it is there to be seen, the missing file was said.
+        const auto missing = [](const GeomSpec& g) {
+            return (g.shape == GeomShape::Mesh || g.shape == GeomShape::Convex) && !g.mesh;
+        };
+        if (std::any_of(m_body.geoms.begin(), m_body.geoms.end(), missing)) m_body.mass = {1, Vec3::Zero(), Mat3::Identity()};
+        else if (!readMass()) return std::nullopt;
         return std::move(m_body);
     }
 

@@ -2,6 +2,7 @@
 #include "model/config_fields.h"
 #include "model/resolve_parts.h"
 #include "model/world_fields.h"
+#include "schema/value_words.h"
 
 namespace trundle {
 
@@ -17,6 +18,26 @@ void warnOfDoubles(ResolveContext& context, JoinedPairs& pairs, const JointSpec&
                                 "two joints join the same bodies: " + it->second + " and " + joint.name);
 }
 
+/// Of kinds that come with the program: two numbers of which the first must be the smaller one.
+constexpr struct { const char *kind, *low, *high; } kAscending[] = {{"Camera", "Near", "Far"}};
+
+bool checkOrder(ResolveContext& context, const Record& record, const Part& part) {
+    for (const auto& pair : kAscending) {
+        if (record.kind->name != pair.kind) continue;
+        const ResolvedValue *low = record.find(pair.low), *high = record.find(pair.high);
+        if (!low || !high || low->value.numbers.empty() || high->value.numbers.empty()) continue;
+        if (low->value.numbers[0] < high->value.numbers[0]) continue;
+        // Where one of them is a default, the other is the one that was written.
+        const char* written = low->origin == Origin::Default ? pair.high : pair.low;
+        context.diagnostics.error(Code::Conflict, record.rangeOf(written, part.nameRange()),
+                                  std::string(pair.low) + " of " + part.title() + " is " + numberText(low->value.numbers[0]) +
+                                      " m, " + pair.high + " is " + numberText(high->value.numbers[0]) + " m: " + pair.low +
+                                      " must be the smaller one");
+        return false;
+    }
+    return true;
+}
+
 std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Part& part, ParamScope& scope,
                                            const OverrideNode* overrides, const Part& config) {
     ParamScope own(&scope);
@@ -24,7 +45,7 @@ std::optional<ComponentSpec> resolveDevice(ResolveContext& context, const Part& 
     context.evaluator.checkAll(own);
     const Record record = context.read(part, own, overrides, Origin::Config);
     const bool known = context.checkReferences(record, config);
-    if (!record.complete || !known) return std::nullopt;
+    if (!record.complete || !known || !checkOrder(context, record, part)) return std::nullopt;
     return componentFrom(record, part);
 }
 

@@ -1,4 +1,5 @@
 // Geoms of bodies and of scenery.
+#include "base/mesh_look.h"
 #include "model/config_fields.h"
 #include "model/resolve_parts.h"
 #include "schema/value_words.h"
@@ -23,14 +24,20 @@ public:
         m_geom.name = m_part.name;
         m_geom.range = m_part.range;
         m_geom.nameRange = m_part.nameRange();
-        return readShape() ? std::optional<GeomSpec>(std::move(m_geom)) : std::nullopt;
+        const bool read = readShape();
+        noteDefaults();
+        return read ? std::optional<GeomSpec>(std::move(m_geom)) : std::nullopt;
     }
 
 private:
     void lookUpNames() {
         m_geom.material = m_context.materialIndex(m_record, m_part);
         m_geom.surface = m_context.surfaceIndex(m_record, m_part);
-        const bool looks = m_record.given("Material"), touches = m_record.given("Surface");
+    }
+
+    void noteDefaults() {
+        const bool ownLook = m_geom.shape == GeomShape::Mesh && m_geom.mesh && m_geom.mesh->look;
+        const bool looks = m_record.given("Material") || ownLook, touches = m_record.given("Surface");
         if (looks && touches) return;
         if (!m_context.defaultedParts.insert(&m_part).second) return; // met in another instance of the config
         m_context.defaulted.emplace_back(&m_part, looks ? "Surface" : touches ? "Material" : "Material and no Surface");
@@ -88,7 +95,8 @@ private:
         return solid(f);
     }
 
-    /// The mesh of File, scaled; nullptr after saying why not.
+    /// The mesh of File, scaled; nullptr after saying why not. A file that cannot be had leaves a geom without a mesh: a stand-in is
+    /// drawn in its place.
     std::shared_ptr<const TriangleMesh> load(const std::string& file, const std::vector<double>& scale) {
         const SourceRange place = m_record.rangeOf("File", m_part.nameRange());
         if (scale.size() == 2) {
@@ -100,6 +108,7 @@ private:
         Result<FoundAsset<TriangleMesh>> found = m_context.assets.mesh(file, place.file);
         if (!found.ok()) {
             m_context.diagnostics.error(found.error().code, place, found.error().message);
+            m_missing = true;
             return nullptr;
         }
         m_geom.file = found.value().path;
@@ -135,7 +144,7 @@ private:
         const auto f = fieldsFrom<ConvexFields>(m_record);
         m_geom.shape = GeomShape::Convex;
         const std::shared_ptr<const TriangleMesh> mesh = load(f.file, f.scale);
-        if (!mesh) return false;
+        if (!mesh) return m_missing && solid(f);
         m_geom.hull = hullOf(mesh);
         if (!m_geom.hull) return false;
         m_geom.mesh = m_geom.hull;
@@ -147,7 +156,12 @@ private:
         const auto f = fieldsFrom<MeshFields>(m_record);
         m_geom.shape = GeomShape::Mesh;
         m_geom.mesh = load(f.file, f.scale);
-        if (!m_geom.mesh || !solid(f)) return false;
+        if (!m_geom.mesh) return m_missing && solid(f);
+        if (!solid(f)) return false;
+        if (m_geom.mesh->look && !m_record.given("Material"))
+            for (const std::string& complaint : m_geom.mesh->look->complaints)
+                m_context.diagnostics.warning(Code::MeshUnreadable, m_record.rangeOf("File", m_part.nameRange()),
+                                              "the mesh " + f.file + ": " + complaint);
         const std::string shape = f.shape.value_or(m_onBody ? "hull" : "mesh");
         if (shape == "none") m_geom.collide = false;
         m_geom.collideAsHull = shape == "hull" && m_geom.collide;
@@ -165,7 +179,7 @@ private:
         Result<FoundAsset<HeightMap>> found = m_context.assets.heightMap(f.file, place.file);
         if (!found.ok()) {
             m_context.diagnostics.error(found.error().code, place, found.error().message);
-            return false;
+            return true; // a stand-in is drawn
         }
         m_geom.file = found.value().path;
         m_geom.heightMap = found.value().content;
@@ -177,7 +191,7 @@ private:
 
     ResolveContext& m_context;
     const Part& m_part;
-    bool m_onBody;
+    bool m_onBody, m_missing = false;
     Record m_record;
     GeomSpec m_geom;
 };

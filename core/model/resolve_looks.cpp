@@ -1,4 +1,5 @@
 // Settings, materials and surfaces.
+#include "base/stand_in.h"
 #include "model/resolve_parts.h"
 #include "model/world_fields.h"
 
@@ -17,25 +18,11 @@ Spec& placeFor(std::vector<Spec>& all, std::map<std::string, std::uint32_t>& pla
     return all.emplace_back();
 }
 
-/// What nobody takes for meant: magenta and black.
-std::shared_ptr<const Raster> missingPicture() {
-    static const auto picture = [] {
-        constexpr std::uint32_t side = 16;
-        auto raster = std::make_shared<Raster>(Raster{side, side, {}});
-        for (std::uint32_t i = 0; i < side * side; ++i) {
-            const bool light = ((i / 4) % 2 == 0) != ((i / (4 * side)) % 2 == 0);
-            raster->pixels.insert(raster->pixels.end(), {std::uint8_t(light ? 255 : 30), 0, std::uint8_t(light ? 255 : 30)});
-        }
-        return std::shared_ptr<const Raster>(raster);
-    }();
-    return picture;
-}
-
 void readTexture(ResolveContext& context, MaterialSpec& material, SourceRange place) {
     if (!context.assets.texture) return;
     const auto stand = [&](const Error& error) {
         context.diagnostics.warning(error.code, place, error.message);
-        material.picture = missingPicture();
+        material.picture = standInPicture();
     };
     const Result<std::string> found = context.assets.texture(material.texture, place.file);
     if (!found) return stand(found.error());

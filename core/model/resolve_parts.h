@@ -32,6 +32,8 @@ using BodyPlaces = std::unordered_map<std::string, int>;
 /// Antenna patterns and the medium; after the settings.
 void resolveRadio(ResolveContext& context);
 void resolveLogs(ResolveContext& context);
+/// Values of Transceivers that do not go together; after the robots.
+void checkRadios(ResolveContext& context);
 /// Robots, statics, grids and scatters, in text order.
 void resolveInstances(ResolveContext& context);
 

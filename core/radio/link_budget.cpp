@@ -11,6 +11,9 @@ namespace trundle {
 namespace {
 
 constexpr double kMostSigmas = 4, kTwoRayGain = 6.03; ///< what shadowing and a second ray can add at most
+constexpr double kPerMetre = 1000; ///< places that shadowing tells apart: what lies still never lies quite still
+
+Vec3 shadowPlace(const Vec3& p) { return ((p * kPerMetre).array().round() / kPerMetre).matrix(); }
 
 } // namespace
 
@@ -20,7 +23,7 @@ const LinkModel::Obstacles& LinkModel::obstacles(const AntennaPlace& low, const 
     const std::uint64_t pair = static_cast<std::uint64_t>(low.id) << 32 | high.id;
     const auto [it, fresh] = m_obstacles.try_emplace(pair);
     Obstacles& o = it->second;
-    const Vec3 &a = low.pose.position, &b = high.pose.position;
+    const Vec3 a = shadowPlace(low.pose.position), b = shadowPlace(high.pose.position);
     const bool stands = !fresh && o.a == a && o.b == b;
     if (m_settings.shadowing > 0 && !stands) {
         // by key and not by id: who else is there must not matter
@@ -30,7 +33,7 @@ const LinkModel::Obstacles& LinkModel::obstacles(const AntennaPlace& low, const 
                                                     swap ? a : b, m_settings.correlation);
     }
     if (m_settings.wallLoss > 0 && m_walls)
-        o.walls = m_settings.wallLoss * m_walls(low.id, a, high.id, b); // things may have moved
+        o.walls = m_settings.wallLoss * m_walls(low.id, low.pose.position, high.id, high.pose.position); // things may have moved
     o.a = a;
     o.b = b;
     return o;

@@ -51,11 +51,14 @@ void Medium::startFrame(RadioId sender, const Outgoing& packet, bool ack) {
     const double least =
         m_settings.collisions || m_settings.csma ? std::min(m_leastPower, m_settings.noiseFloor - kNegligible) : m_leastPower;
     const double gain = radio.definition.antenna ? radio.definition.antenna->peak() : 0;
-    m_neighbours.near(radio.place.pose.position, m_links.range(frame.outputPower + gain + m_bestGain, least), m_near);
+    const double range = m_links.range(frame.outputPower + gain + m_bestGain, least);
+    const Vec3 place = radio.place.pose.position;
+    m_neighbours.near(place, range, m_near);
     const std::uint32_t channel = radio.definition.channel;
     std::uint64_t heard = 0;
     for (const RadioId other : m_near) {
         if (other == sender || m_radios[other].definition.channel != channel) continue;
+        if ((m_radios[other].place.pose.position - place).squaredNorm() > range * range) continue; // the grid is coarse
         ++heard;
         if (!ack) ++m_expected, ++m_inTheAir;
         arrive(index, other);

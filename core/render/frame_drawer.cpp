@@ -15,12 +15,21 @@ FrameDrawer::FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, const
     }
 }
 
-FrameDrawer::~FrameDrawer() = default;
+FrameDrawer::FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, RenderService& service)
+    : FrameDrawer(std::move(experiment), SignalLayout()) {
+    m_service = &service;
+}
+
+FrameDrawer::~FrameDrawer() {
+    if (m_service && m_scene != SceneId::None) m_service->removeScene(m_scene);
+}
 
 void FrameDrawer::start() {
-    if (m_service) return;
-    m_service = RenderService::startInBackground();
-    m_scene = m_service->addScene(m_experiment);
+    if (!m_service) {
+        m_own = RenderService::startInBackground();
+        m_service = m_own.get();
+    }
+    if (m_scene == SceneId::None) m_scene = m_service->addScene(m_experiment);
 }
 
 Result<FrameDrawer::Camera*> FrameDrawer::cameraAt(const std::string& path) {
@@ -33,17 +42,25 @@ Result<FrameDrawer::Camera*> FrameDrawer::cameraAt(const std::string& path) {
                  "there is no camera " + path + (names.empty() ? "; the experiment has none" : "; there is " + names)};
 }
 
-Result<Frame> FrameDrawer::capture(const std::string& path, const SignalBlock& block) {
-    const Result<Camera*> found = cameraAt(path);
-    if (!found) return found.error();
-    const auto& [model, lens] = *found.value();
-    start();
+FrameMoment FrameDrawer::momentOf(const SignalBlock& block) const {
     auto poses = std::make_shared<BodyPoses>();
     m_reader.read(block, *poses);
+    return {std::move(poses), block.header().tick, block.header().time};
+}
+
+Result<Frame> FrameDrawer::capture(const std::string& path, const SignalBlock& block) { return capture(path, momentOf(block)); }
+
+Result<Frame> FrameDrawer::capture(const std::string& path, const FrameMoment& moment, std::optional<CameraMode> mode) {
+    const Result<Camera*> found = cameraAt(path);
+    if (!found) return found.error();
+    CameraModel model = found.value()->model;
+    const std::optional<LensMap>& lens = found.value()->lens;
+    if (mode) model.mode = *mode;
+    start();
 
     PictureRequest request;
     request.scene = m_scene;
-    request.view = viewOf(model, model.body < poses->size() ? (*poses)[model.body] : Pose{});
+    request.view = viewOf(model, model.body < moment.poses->size() ? (*moment.poses)[model.body] : Pose{});
     request.width = lens ? lens->width : model.width;
     request.height = lens ? lens->height : model.height;
     if (lens) request.view->fieldOfView = lens->fieldOfView;
@@ -51,7 +68,7 @@ Result<Frame> FrameDrawer::capture(const std::string& path, const SignalBlock& b
     request.samples = 1;
     request.capture = true;
     if (!model.seesSelf) request.hidden = {model.robot};
-    request.poses = std::move(poses);
+    request.poses = moment.poses;
 
     Frame frame;
     if (model.mode == CameraMode::Colour || model.mode == CameraMode::Grey) {
@@ -63,35 +80,38 @@ Result<Frame> FrameDrawer::capture(const std::string& path, const SignalBlock& b
         if (!measured) return measured.error();
         frame = developed(model, lens, measured.value());
     }
-    frame.tick = block.header().tick;
-    frame.time = block.header().time;
+    frame.tick = moment.tick;
+    frame.time = moment.time;
     addNoise(model, m_experiment->settings.seed, frame);
     return frame;
 }
 
 Result<Frame> FrameDrawer::view(const std::string& name, std::uint32_t width, std::uint32_t height, const SignalBlock& block) {
-    auto poses = std::make_shared<BodyPoses>();
-    m_reader.read(block, *poses);
+    const FrameMoment moment = momentOf(block);
     PictureRequest request;
     if (name.empty()) {
         request.view = defaultView(*m_experiment, startPoses(*m_experiment), width, height);
-    } else if (request.view = namedView(*m_experiment, name, *poses); !request.view) {
+    } else if (request.view = namedView(*m_experiment, name, *moment.poses); !request.view) {
         const std::string names = viewNames(*m_experiment);
         return Error{Code::PictureFailed,
                      "there is no view " + name + (names.empty() ? "; the text has none" : "; there is " + names)};
     }
-    start();
-    request.scene = m_scene;
     request.width = width;
     request.height = height;
-    request.poses = std::move(poses);
+    return picture(std::move(request), moment);
+}
+
+Result<Frame> FrameDrawer::picture(PictureRequest request, const FrameMoment& moment) {
+    start();
+    request.scene = m_scene;
+    request.poses = moment.poses;
+    Frame frame;
+    frame.width = request.width;
+    frame.height = request.height;
+    frame.tick = moment.tick;
+    frame.time = moment.time;
     Result<Image> image = m_service->draw(std::move(request)).get();
     if (!image) return image.error();
-    Frame frame;
-    frame.width = width;
-    frame.height = height;
-    frame.tick = block.header().tick;
-    frame.time = block.header().time;
     frame.pixels = std::move(std::move(image).value().pixels);
     return frame;
 }

@@ -26,7 +26,8 @@ Studio::Studio(std::unique_ptr<EglContext> egl)
 }
 
 Result<std::unique_ptr<Studio>> Studio::open() {
-    osg::setNotifyHandler(new Silence);
+    // Once for all threads that open a studio: OSG swaps handlers without a lock.
+    [[maybe_unused]] static const bool silent = (osg::setNotifyHandler(new Silence), true);
     Result<std::unique_ptr<EglContext>> egl = EglContext::create();
     if (!egl) return egl.error();
     return std::unique_ptr<Studio>(new Studio(std::move(egl).value()));

@@ -76,9 +76,12 @@ Target::~Target() {
 
 void Target::aim(const Scene& scene, const CameraView& view) {
     // Depth is finest where the near plane is far: it keeps half the way to what is nearest.
-    double nearest = scene.bounds().distanceTo(view.eye);
-    if (const auto floor = scene.floorHeight()) nearest = std::min(nearest, std::abs(view.eye.z() - *floor));
-    const double nearPlane = view.nearPlane > 0 ? view.nearPlane : std::clamp(0.5 * nearest, kLeastNear, kMostNear);
+    const auto chosenNear = [&] {
+        double nearest = scene.bounds().distanceTo(view.eye);
+        if (const auto floor = scene.floorHeight()) nearest = std::min(nearest, std::abs(view.eye.z() - *floor));
+        return std::clamp(0.5 * nearest, kLeastNear, kMostNear);
+    };
+    const double nearPlane = view.nearPlane > 0 ? view.nearPlane : chosenNear();
     const double farPlane = std::max(view.farPlane > 0 ? view.farPlane : kFar, 1.001 * nearPlane);
     const double aspect = double(m_shape.height) / m_shape.width;
     osg::Camera* camera = m_view->getCamera();

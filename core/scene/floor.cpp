@@ -8,6 +8,22 @@
 #include "scene/surroundings.h"
 
 namespace trundle {
+namespace {
+
+/// In the plane z = 0, its middle as near to a place as can be.
+osg::ref_ptr<osg::Geometry> makeQuad(double x, double y, double reach) {
+    osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
+    for (const auto& [dx, dy] : {std::pair{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}})
+        points->push_back(osg::Vec3(x + dx, y + dy, 0));
+    osg::ref_ptr<osg::Geometry> quad = new osg::Geometry;
+    quad->setUseDisplayList(false);
+    quad->setUseVertexBufferObjects(true);
+    quad->setVertexArray(points);
+    quad->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 4));
+    return quad;
+}
+
+} // namespace
 
 std::vector<FloorPlane> floorPlanes(const ExperimentSpec& experiment) {
     std::vector<FloorPlane> floors;
@@ -50,16 +66,8 @@ osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, c
     // The quad keeps the plane's own frame, so that the lines of the grid stand where the text says the plane is.
     const Vec3 middle = about.empty() ? floor.pose.position : about.centre();
     const Vec3 local = floor.pose.inverse() * middle;
-    const double r = reach;
-    osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
-    for (const auto& [x, y] : {std::pair{-r, -r}, {r, -r}, {r, r}, {-r, r}})
-        points->push_back(osg::Vec3(local.x() + x, local.y() + y, 0));
-    osg::ref_ptr<osg::Geometry> quad = new osg::Geometry;
-    quad->setUseDisplayList(false);
-    quad->setUseVertexBufferObjects(true);
-    quad->setVertexArray(points);
+    const osg::ref_ptr<osg::Geometry> quad = makeQuad(local.x(), local.y(), reach);
     quad->setTexCoordArray(kLayerUnit, new osg::FloatArray(4), osg::Array::BIND_PER_VERTEX);
-    quad->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 4));
 
     osg::StateSet* state = quad->getOrCreateStateSet();
     state->setAttributeAndModes(floor.picture ? look.picturedFloor : look.floor);
@@ -86,6 +94,14 @@ osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, c
     node->setName(floor.path);
     node->addChild(quad);
     return node;
+}
+
+osg::ref_ptr<osg::Node> makeGuideNode(const Bounds& about, double reach, const Look& look) {
+    const Vec3 middle = about.empty() ? Vec3(Vec3::Zero()) : about.centre();
+    const osg::ref_ptr<osg::Geometry> quad = makeQuad(middle.x(), middle.y(), reach);
+    quad->setStateSet(look.guide);
+    quad->setName("guide");
+    return quad;
 }
 
 osg::ref_ptr<osg::Node> makeSkyNode(const Look& look) {

@@ -1,7 +1,10 @@
 #include "scene/geom_nodes.h"
 
+#include <map>
+
 #include <osg/LOD>
 
+#include "base/mesh_look.h"
 #include "scene/picture_map.h"
 #include "scene/shape_mesh.h"
 
@@ -93,32 +96,108 @@ bool finite(const GeomSpec& g) {
     return g.pose.position.allFinite() && g.pose.rotation.coeffs().allFinite() && g.pose.position.norm() < 1e6;
 }
 
-/// The geoms that `wanted` takes, as one drawable; nothing where there are none.
-template <class Wanted>
-osg::ref_ptr<osg::Geometry> merged(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials, Fineness fineness,
-                                   osg::StateSet* state, Wanted wanted) {
-    static const MaterialSpec kPlain;
-    Batch batch;
-    for (std::uint32_t i = 0; i < geoms.size(); ++i) {
-        const GeomSpec& geom = geoms[i];
-        if (!geom.visible || geom.shape == GeomShape::Plane || !finite(geom)) continue;
-        const MaterialSpec& material = isPlaceholder(geom)                ? placeholderMaterial()
-                                       : geom.material < materials.size() ? materials[geom.material]
-                                                                          : kPlain;
-        if (!wanted(geom, material)) continue;
-        const ShapeMesh mesh = shapeOf(geom, fineness);
-        if (mesh.indices.empty()) continue;
-        if (!material.picture) {
-            batch.add(geom, i, mesh, material);
-            continue;
+/// A geom, or of a mesh that brings its own look the triangles that look alike.
+struct Piece {
+    std::uint32_t geom = 0;
+    MaterialSpec material;
+    std::optional<std::uint16_t> part; ///< the mesh's number of the material
+};
+
+MaterialSpec asMaterial(const MeshMaterial& own) {
+    MaterialSpec material;
+    material.colour = {own.colour[0], own.colour[1], own.colour[2]};
+    material.emission = {own.emission[0], own.emission[1], own.emission[2]};
+    material.opacity = own.opacity;
+    material.shininess = own.shininess;
+    material.picture = own.picture;
+    return material;
+}
+
+/// What of the geoms is drawn.
+class Pieces {
+public:
+    Pieces(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials) : m_geoms(geoms) {
+        for (std::uint32_t i = 0; i < geoms.size(); ++i) {
+            const GeomSpec& geom = geoms[i];
+            if (!geom.visible || geom.shape == GeomShape::Plane || !finite(geom)) continue;
+            if (isPlaceholder(geom)) m_all.push_back({i, placeholderMaterial(), {}});
+            else if (bringsItsLook(geom)) addParts(i, *geom.mesh->look);
+            else m_all.push_back({i, geom.material < materials.size() ? materials[geom.material] : MaterialSpec{}, {}});
         }
-        batch.add(geom, i, apart(mesh), material);
+    }
+
+    /// Those that `wanted` takes, as one drawable; nothing where there are none.
+    template <class Wanted> osg::ref_ptr<osg::Geometry> merged(Fineness fineness, osg::StateSet* state, Wanted wanted) {
+        Batch batch;
+        for (const Piece& piece : m_all)
+            if (wanted(m_geoms[piece.geom], piece.material)) add(batch, piece, fineness);
+        return batch.points->empty() ? nullptr : batch.finish(state);
+    }
+
+    /// Each picture once, in the order of the geoms, and whether one can see through what it is on.
+    [[nodiscard]] std::vector<std::pair<std::shared_ptr<const Raster>, bool>> pictures() const {
+        std::vector<std::pair<std::shared_ptr<const Raster>, bool>> all;
+        for (const Piece& piece : m_all) {
+            if (!piece.material.picture) continue;
+            const std::pair next(piece.material.picture, piece.material.opacity < 1);
+            if (std::find(all.begin(), all.end(), next) == all.end()) all.push_back(next);
+        }
+        return all;
+    }
+
+private:
+    void addParts(std::uint32_t index, const MeshLook& look) {
+        std::vector<bool> used(look.materials.size(), false);
+        for (const std::uint16_t material : look.material)
+            if (material < used.size()) used[material] = true;
+        for (std::size_t i = 0; i < used.size(); ++i)
+            if (used[i]) m_all.push_back({index, asMaterial(look.materials[i]), static_cast<std::uint16_t>(i)});
+    }
+
+    /// The triangles of a mesh that have a material, apart from each other.
+    const ShapeMesh& partOfMesh(const Piece& piece) {
+        auto [whole, isNew] = m_meshes.try_emplace(piece.geom);
+        const MeshLook& look = *m_geoms[piece.geom].mesh->look;
+        if (isNew) {
+            const ShapeMesh all = smoothedMesh(*m_geoms[piece.geom].mesh);
+            whole->second.resize(look.materials.size());
+            for (std::size_t t = 0; t < all.sources.size(); ++t) {
+                ShapeMesh& part = whole->second[look.material[all.sources[t]]];
+                part.sources.push_back(all.sources[t]);
+                for (std::size_t k = 3 * t; k < 3 * t + 3; ++k) {
+                    part.indices.push_back(static_cast<std::uint32_t>(part.points.size()));
+                    part.points.push_back(all.points[all.indices[k]]);
+                    part.normals.push_back(all.normals[all.indices[k]]);
+                }
+            }
+        }
+        return whole->second[*piece.part];
+    }
+
+    void add(Batch& batch, const Piece& piece, Fineness fineness) {
+        const GeomSpec& geom = m_geoms[piece.geom];
+        const MaterialSpec& material = piece.material;
+        if (piece.part) {
+            const ShapeMesh& mesh = partOfMesh(piece);
+            batch.add(geom, piece.geom, mesh, material);
+            if (!material.picture) return;
+            for (const std::uint32_t source : mesh.sources)
+                for (const auto& corner : geom.mesh->look->onPicture[source]) batch.onPicture->push_back({corner[0], corner[1]});
+            return;
+        }
+        const ShapeMesh mesh = shapeOf(geom, fineness);
+        if (mesh.indices.empty()) return;
+        if (!material.picture) return batch.add(geom, piece.geom, mesh, material);
+        batch.add(geom, piece.geom, apart(mesh), material);
         const PictureMap map = pictureMapOf(material.textureMap, geom.shape);
         for (const Eigen::Vector2f& at : pictureCoordinates(mesh, map, material.textureScale))
-            batch.onPicture->push_back(osg::Vec2(at.x(), at.y()));
+            batch.onPicture->push_back({at.x(), at.y()});
     }
-    return batch.points->empty() ? nullptr : batch.finish(state);
-}
+
+    std::span<const GeomSpec> m_geoms;
+    std::vector<Piece> m_all;
+    std::map<std::uint32_t, std::vector<ShapeMesh>> m_meshes; // by geom, then by material
+};
 
 /// Three degrees of detail, where there is anything.
 template <class Make> void addDetail(osg::Group& group, Make make) {
@@ -130,18 +209,6 @@ template <class Make> void addDetail(osg::Group& group, Make make) {
     detail->addChild(make(kMiddle), kCoarsePixels, kFinePixels);
     detail->addChild(make(kCoarse), 0, kCoarsePixels);
     group.addChild(detail);
-}
-
-/// Each picture once, in the order of the geoms, and whether one can see through what it is on.
-std::vector<std::pair<std::shared_ptr<const Raster>, bool>> picturesOf(std::span<const GeomSpec> geoms,
-                                                                       const std::vector<MaterialSpec>& materials) {
-    std::vector<std::pair<std::shared_ptr<const Raster>, bool>> all;
-    for (const GeomSpec& geom : geoms) {
-        if (geom.material >= materials.size() || !materials[geom.material].picture) continue;
-        const std::pair next(materials[geom.material].picture, materials[geom.material].opacity < 1);
-        if (std::find(all.begin(), all.end(), next) == all.end()) all.push_back(next);
-    }
-    return all;
 }
 
 osg::ref_ptr<osg::Geometry> partOf(const osg::Geometry& whole, const std::function<bool(std::uint32_t)>& keep) {
@@ -176,31 +243,33 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
     for (const GeomSpec& geom : geoms) names->names.push_back(geom.name);
     group->setUserData(names);
     const auto isClear = [](const MaterialSpec& m) { return m.opacity < 1; };
+    Pieces pieces(geoms, materials);
+    const auto addWhole = [&](const osg::ref_ptr<osg::Geometry>& drawable) {
+        if (drawable) group->addChild(drawable);
+    };
     addDetail(*group, [&](Fineness fineness) {
-        return merged(geoms, materials, fineness, look.bodies,
-                      [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && isRound(g); });
+        return pieces.merged(fineness, look.bodies,
+                             [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && isRound(g); });
     });
-    const osg::ref_ptr<osg::Geometry> surfaces =
-        merged(geoms, materials, kFine, look.surfaces,
-               [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && !isRound(g); });
-    if (surfaces) group->addChild(surfaces);
-    const osg::ref_ptr<osg::Geometry> clear = merged(
-        geoms, materials, kFine, look.clear, [&](const GeomSpec&, const MaterialSpec& m) { return !m.picture && isClear(m); });
-    if (clear) group->addChild(clear);
-    for (const auto& [picture, clearOnes] : picturesOf(geoms, materials)) {
+    addWhole(pieces.merged(kFine, look.surfaces,
+                           [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && !isRound(g); }));
+    addWhole(pieces.merged(kFine, look.clear, [&](const GeomSpec&, const MaterialSpec& m) { return !m.picture && isClear(m); }));
+    for (const auto& [picture, clearOnes] : pieces.pictures()) {
         const osg::ref_ptr<osg::StateSet> state = pictures.stateFor(picture, clearOnes, look);
+        const auto wears = [&](const MaterialSpec& m) { return m.picture == picture && isClear(m) == clearOnes; };
         addDetail(*group, [&](Fineness fineness) {
-            return merged(geoms, materials, fineness, state, [&](const GeomSpec&, const MaterialSpec& m) {
-                return m.picture == picture && isClear(m) == clearOnes;
-            });
+            return pieces.merged(fineness, state,
+                                 [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && isRound(g); });
         });
+        addWhole(pieces.merged(kFine, state, [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && !isRound(g); }));
     }
     return group;
 }
 
 osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
-    if (const auto lines = merged(geoms, {}, kCoarse, nullptr, [](const GeomSpec&, const MaterialSpec&) { return true; }))
+    Pieces pieces(geoms, {});
+    if (const auto lines = pieces.merged(kCoarse, nullptr, [](const GeomSpec&, const MaterialSpec&) { return true; }))
         group->addChild(lines);
     return group;
 }

@@ -48,9 +48,12 @@ void Lighting::applyTo(osg::StateSet& root) const {
                                       {"horizonColour", horizon},
                                       {"zenithColour", zenith}})
         root.addUniform(new osg::Uniform(name, value));
-    root.addUniform(new osg::Uniform("lampCount", static_cast<int>(lamps.size())));
-    osg::ref_ptr<osg::Uniform> places = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "lampPlace", kMostLamps);
-    osg::ref_ptr<osg::Uniform> lights = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "lampLight", kMostLamps);
+    root.removeDefine("LAMPS");
+    if (lamps.empty()) return;
+    const auto count = static_cast<int>(lamps.size());
+    root.setDefine("LAMPS", std::to_string(count));
+    osg::ref_ptr<osg::Uniform> places = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "lampPlace", count);
+    osg::ref_ptr<osg::Uniform> lights = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "lampLight", count);
     for (unsigned i = 0; i < lamps.size(); ++i) {
         places->setElement(i, lamps[i].place);
         lights->setElement(i, lamps[i].light);

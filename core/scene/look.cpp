@@ -4,6 +4,7 @@
 #include <osg/CullFace>
 #include <osg/Depth>
 #include <osg/PolygonMode>
+#include <osg/PolygonOffset>
 
 #include "scene/shaders.h"
 #include "scene/surroundings_shaders.h"
@@ -25,8 +26,8 @@ osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const s
 
 Look::Look()
     : bodies(new osg::StateSet), surfaces(new osg::StateSet), clear(new osg::StateSet), sky(new osg::StateSet),
-      ghosts(new osg::StateSet), collision(new osg::StateSet),
-      floor(program("floor", shaders::kFloorVertex, shaders::kFloorFragment)),
+      ghosts(new osg::StateSet), collision(new osg::StateSet), guide(new osg::StateSet),
+      floor(program("floor", shaders::kFloorVertex, shaders::kGridLines + std::string(shaders::kFloorFragment))),
       shadow(program("shadow", shaders::kShadowVertex, shaders::kShadowFragment)),
       flat(program("flat", shaders::kFlatVertex, shaders::kFlatFragment)),
       data(program("data", shaders::kDataVertex, shaders::kDataFragment)),
@@ -44,6 +45,14 @@ Look::Look()
     sky->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
     sky->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     sky->setRenderBinDetails(kDrawSky, "RenderBin");
+
+    guide->setAttributeAndModes(
+        program("guide", shaders::kFloorVertex, shaders::kGridLines + std::string(shaders::kGuideFragment)));
+    guide->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    guide->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
+    guide->setAttributeAndModes(new osg::PolygonOffset(1.f, 2.f)); // what lies on the ground is seen
+    guide->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    guide->setRenderBinDetails(kDrawClear, "DepthSortedBin");
 
     const unsigned force = osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON;
     ghosts->setAttributeAndModes(program("ghost", shaders::kBodyVertex, shaders::kGhostFragment), force);

@@ -41,6 +41,7 @@ public:
     osg::ref_ptr<osg::StateSet> sky;
     osg::ref_ptr<osg::StateSet> ghosts;    ///< grey and translucent, whatever lies below says
     osg::ref_ptr<osg::StateSet> collision; ///< lines in one colour
+    osg::ref_ptr<osg::StateSet> guide;     ///< lines of a floor, and nothing between them
     osg::ref_ptr<osg::Program> floor, shadow, flat, data;
     osg::ref_ptr<osg::Program> pictured, picturedFloor; ///< with a picture in place of a colour
 };

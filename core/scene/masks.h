@@ -14,6 +14,7 @@ enum SceneMask : std::uint32_t {
     kMaskCollision = 1u << 6,   ///< what collides, as lines
     kMaskGhosts = 1u << 7,      ///< the last whole drawing of what the text no longer says
     kMaskData = 1u << 8,        ///< distances and numbers of objects in place of colours
+    kMaskGuide = 1u << 9,       ///< the lines of a floor at z = 0 where there is none, for whoever builds there
 
     kMaskWorld = kMaskRobots | kMaskStatics | kMaskFloor | kMaskSky,
     kMaskSensor = kMaskWorld | kMaskShadows,

@@ -129,6 +129,11 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
         sharp->addChild(makeSharpShadow(floors[i], i, *casters, look, lighting));
         soft->addChild(makeSoftShadow(floors[i], i, *casters, look, lighting));
     }
+    if (floors.empty()) {
+        const osg::ref_ptr<osg::Node> guide = makeGuideNode(about, reach, look);
+        guide->setNodeMask(kMaskGuide);
+        m_root->addChild(guide);
+    }
     osg::ref_ptr<osg::Node> sky = makeSkyNode(look);
     floorGroup->setNodeMask(kMaskFloor);
     sharp->setNodeMask(kMaskShadows);

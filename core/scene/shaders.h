@@ -4,21 +4,26 @@
 
 namespace trundle::shaders {
 
-/// What Lighting tells.
+/// What Lighting tells. The programs are made for one number of lamps: in software a loop that could be entered costs every
+/// pixel twice the time, also where it is not.
 inline constexpr const char* kLight = R"(
+#pragma import_defines(LAMPS)
 uniform vec3 sunWay, sunLight, skyLight, groundLight, horizonColour, zenithColour;
-uniform int lampCount;
-uniform vec3 lampPlace[8], lampLight[8];
+#ifdef LAMPS
+uniform vec3 lampPlace[LAMPS], lampLight[LAMPS];
 /// Of all lamps on a matt surface.
 vec3 lampsOn(vec3 place, vec3 n) {
     vec3 all = vec3(0.0);
-    for (int i = 0; i < lampCount; ++i) {
+    for (int i = 0; i < LAMPS; ++i) {
         vec3 way = lampPlace[i] - place;
         float square = max(dot(way, way), 1.0e-4);
         all += lampLight[i] * max(dot(n, way), 0.0) * inversesqrt(square) / square;
     }
     return all;
 }
+#else
+vec3 lampsOn(vec3 place, vec3 n) { return vec3(0.0); }
+#endif
 vec3 skyColour(vec3 d) { return mix(horizonColour, zenithColour, pow(clamp(d.z, 0.0, 1.0), 0.62)); }
 )";
 

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "base/mesh_look.h"
+
 namespace trundle {
 namespace {
 
@@ -144,6 +146,11 @@ bool isPlaceholder(const GeomSpec& geom) {
     case GeomShape::Heightfield: return !geom.heightMap || geom.heightMap->columns < 2 || geom.heightMap->rows < 2;
     default: return false;
     }
+}
+
+bool bringsItsLook(const GeomSpec& geom) {
+    if (geom.shape != GeomShape::Mesh || geom.material != 0 || isPlaceholder(geom) || !geom.mesh->look) return false;
+    return geom.mesh->look->material.size() == geom.mesh->triangles.size();
 }
 
 ShapeMesh shapeOf(const GeomSpec& geom, Fineness fineness) {

@@ -14,6 +14,7 @@ namespace trundle {
 struct ShapeMesh {
     std::vector<Eigen::Vector3f> points, normals; ///< same length
     std::vector<std::uint32_t> indices;           ///< three for each triangle, counter-clockwise from outside
+    std::vector<std::uint32_t> sources;           ///< of a mesh: which of its triangles each one is; else empty
 };
 
 /// How finely round shapes are cut, and whether edges of boxes catch the light.
@@ -38,5 +39,7 @@ struct Fineness {
 [[nodiscard]] ShapeMesh shapeOf(const GeomSpec& geom, Fineness fineness);
 /// True where the mesh or height map of the geom is missing.
 [[nodiscard]] bool isPlaceholder(const GeomSpec& geom);
+/// A mesh whose colours and pictures are those of its own file: the text names no material for it.
+[[nodiscard]] bool bringsItsLook(const GeomSpec& geom);
 
 } // namespace trundle

@@ -2,7 +2,9 @@
 
 #include <cstring>
 
+#include "base/mesh_look.h"
 #include "scene/geom_nodes.h"
+#include "scene/shape_mesh.h"
 
 namespace trundle {
 namespace {
@@ -60,6 +62,15 @@ void addMaterial(Key& key, const MaterialSpec& m) {
     key.bytes += m.textureMap + '\n';
 }
 
+void addLook(Key& key, const MeshLook& look) {
+    key.array(look.material), key.array(look.onPicture);
+    for (const MeshMaterial& m : look.materials) {
+        for (int i = 0; i < 3; ++i) key.plain(m.colour[std::size_t(i)]), key.plain(m.emission[std::size_t(i)]);
+        key.plain(m.opacity), key.plain(m.shininess);
+        key.plain(m.picture.get());
+    }
+}
+
 } // namespace
 
 osg::ref_ptr<osg::Group> ShapeStore::nodeOf(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials) {
@@ -70,6 +81,7 @@ osg::ref_ptr<osg::Group> ShapeStore::nodeOf(std::span<const GeomSpec> geoms, con
         key.plain(g.visible);
         addShape(key, g);
         addMaterial(key, g.material < materials.size() ? materials[g.material] : kPlain);
+        if (bringsItsLook(g)) addLook(key, *g.mesh->look);
     }
     auto [entry, isNew] = m_nodes.try_emplace(std::move(key.bytes));
     if (isNew) {

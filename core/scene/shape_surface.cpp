@@ -32,6 +32,7 @@ struct PointHash {
 };
 
 struct Face {
+    std::uint32_t source;                 // in the mesh
     std::array<std::uint32_t, 3> corners; // welded points
     Vector3f normal;                      // unit
     std::array<float, 3> angles;          // at the corners, which weigh the normals there
@@ -63,9 +64,10 @@ std::vector<std::uint32_t> weld(const TriangleMesh& mesh, std::vector<Vector3f>&
 std::vector<Face> facesOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& welded,
                           const std::vector<Vector3f>& points) {
     std::vector<Face> faces;
-    for (const auto& t : mesh.triangles) {
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& t = mesh.triangles[i];
         if (t[0] >= welded.size() || t[1] >= welded.size() || t[2] >= welded.size()) continue;
-        Face face{{welded[t[0]], welded[t[1]], welded[t[2]]}, Vector3f::Zero(), {}};
+        Face face{i, {welded[t[0]], welded[t[1]], welded[t[2]]}, Vector3f::Zero(), {}};
         const Eigen::Vector3d a = points[face.corners[0]].cast<double>(), b = points[face.corners[1]].cast<double>(),
                               c = points[face.corners[2]].cast<double>();
         const Eigen::Vector3d across = (b - a).cross(c - a);
@@ -97,6 +99,7 @@ ShapeMesh smoothedMesh(const TriangleMesh& mesh) {
     ShapeMesh result;
     result.points.reserve(faces.size() * 3);
     for (const Face& face : faces) {
+        result.sources.push_back(face.source);
         for (const std::uint32_t c : face.corners) {
             Vector3f normal = face.normal;
             if (start[c + 1] - start[c] <= kMostNeighbours) {

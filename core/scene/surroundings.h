@@ -32,6 +32,8 @@ struct FloorPlane {
 /// A quad so large that its edge is lost in the haze; its centre lies below the middle of `about`. `index` counts floors.
 [[nodiscard]] osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, const Bounds& about, double reach,
                                                     const Look& look, Pictures& pictures, const Lighting& lighting);
+/// The lines of a floor at z = 0, as large as one.
+[[nodiscard]] osg::ref_ptr<osg::Node> makeGuideNode(const Bounds& about, double reach, const Look& look);
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSkyNode(const Look& look);
 /// `casters` flattened onto the floor: one sharp shadow, and one of several layers that is soft. Drawn only on that floor.
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters,

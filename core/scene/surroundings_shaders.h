@@ -17,6 +17,20 @@ void main() {
 )";
 
 /// Lines every 10 cm, 1 m and 10 m; each set fades where its lines would crowd. One pixel wide at any distance.
+inline constexpr const char* kGridLines = R"(
+float lines(vec2 p, vec2 w, float widthPx) {
+    vec2 d = abs(fract(p - 0.5) - 0.5) / w;
+    vec2 l = clamp(widthPx * 0.5 + 0.5 - d, 0.0, 1.0) * clamp(1.25 - 6.0 * w, 0.0, 1.0);
+    return max(l.x, l.y);
+}
+float gridInk(vec2 p, vec2 w) {
+    float fine = lines(p * 10.0, w * 10.0, 1.0);
+    float metre = lines(p, w, 1.25);
+    float ten = lines(p * 0.1, w * 0.1, 2.0);
+    return max(max(fine * 0.13, metre * 0.34), ten * 0.52);
+}
+)";
+
 inline constexpr const char* kFloorFragment = R"(
 uniform vec3 floorColour;
 uniform vec3 floorLight, floorNormal;
@@ -24,17 +38,9 @@ uniform float hazeDistance;
 in vec2 onFloor;
 in vec3 fromEye, positionW;
 out vec4 fragment;
-float lines(vec2 p, vec2 w, float widthPx) {
-    vec2 d = abs(fract(p - 0.5) - 0.5) / w;
-    vec2 l = clamp(widthPx * 0.5 + 0.5 - d, 0.0, 1.0) * clamp(1.25 - 6.0 * w, 0.0, 1.0);
-    return max(l.x, l.y);
-}
 void main() {
     vec2 w = fwidth(onFloor);
-    float fine = lines(onFloor * 10.0, w * 10.0, 1.0);
-    float metre = lines(onFloor, w, 1.25);
-    float ten = lines(onFloor * 0.1, w * 0.1, 2.0);
-    float ink = max(max(fine * 0.13, metre * 0.34), ten * 0.52);
+    float ink = gridInk(onFloor, w);
     // Every second metre a shade darker.
     vec2 tile = abs(fract(onFloor * 0.5) - 0.5);
     vec2 edge = clamp((tile - 0.25) / max(w * 0.5, vec2(1e-5)), -0.5, 0.5);
@@ -43,6 +49,18 @@ void main() {
     vec3 shown = sqrt(albedo * (floorLight + lampsOn(positionW, floorNormal)));
     float far = length(fromEye) / hazeDistance;
     fragment = vec4(mix(horizonColour, shown, exp(-far * far)), 1.0);
+}
+)";
+
+/// The lines alone.
+inline constexpr const char* kGuideFragment = R"(
+uniform float hazeDistance;
+in vec2 onFloor;
+in vec3 fromEye, positionW;
+out vec4 fragment;
+void main() {
+    float far = length(fromEye) / hazeDistance;
+    fragment = vec4(0.13, 0.15, 0.18, gridInk(onFloor, fwidth(onFloor)) * exp(-far * far));
 }
 )";
 

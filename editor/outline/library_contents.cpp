@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <QFileInfo>
+
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/outline/block_mime.h"
@@ -36,6 +38,7 @@ void LibraryPanel::readFolders() {
     const bool open = m_document.isOpen();
     const std::string project = open ? canonicalPath(m_document.loaded()->projectFolder) : std::string();
     const std::string opened = open ? canonicalPath(m_document.loaded()->paths[0]) : std::string();
+    m_readOf = lastWritten();
     ++m_reading;
     m_pool.start(
         [this, reading = ++m_readings, project, opened, configs = m_configs, resources = m_resources, modules = m_modules] {
@@ -60,6 +63,14 @@ void LibraryPanel::readFolders() {
                 },
                 Qt::QueuedConnection);
         });
+}
+
+QDateTime LibraryPanel::lastWritten() const {
+    QDateTime last;
+    if (m_document.isOpen())
+        for (const std::string& path : m_document.loaded()->paths)
+            last = std::max(last, QFileInfo(QString::fromStdString(path)).lastModified());
+    return last;
 }
 
 /// Of the opened file: they need no import.

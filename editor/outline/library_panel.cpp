@@ -52,7 +52,8 @@ LibraryPanel::LibraryPanel(Document& document, Selection& selection, Parts& part
     connect(&document, &Document::opened, this, &LibraryPanel::readFolders);
     connect(&document, &Document::changed, this, &LibraryPanel::showItems);
     connect(&document, &Document::modifiedChanged, this, [this] {
-        if (m_document.isOpen() && !m_document.isModified()) readFolders(); // something was saved
+        // Unmodified again: undone, or something was saved.
+        if (m_document.isOpen() && !m_document.isModified() && lastWritten() != m_readOf) readFolders();
     });
     readFolders();
     showItems();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include <QDateTime>
 #include <QThreadPool>
 #include <QWidget>
 
@@ -48,6 +49,7 @@ private:
     void build();
     void addSection(LibrarySection section, QVBoxLayout& layout);
     void readFolders();
+    [[nodiscard]] QDateTime lastWritten() const; ///< any file of what is open
     void showItems();
     void setWords(const QString& text);
     void setAsList(bool list);
@@ -72,6 +74,7 @@ private:
     std::vector<Kind> m_moduleKinds;
     std::shared_ptr<const Registry> m_registry; ///< of the kinds that are shown
     std::vector<std::string> m_ownNames;        ///< of configs of the opened file that are shown
+    QDateTime m_readOf;                         ///< what was written last when the folders were read
     int m_reading = 0;
     std::uint64_t m_readings = 0;
     QThreadPool m_pool; // reads folders; the last member, so that it ends first

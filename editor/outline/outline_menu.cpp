@@ -61,6 +61,9 @@ void OutlinePanel::addObjectActions(QMenu& menu, const std::string& path) {
     if (place && place->instance && place->instance->is(Role::Layout))
         add(menu, "outline.singles", QStringLiteral("array"), tr("Replace by &Single Robots"),
             [this, path] { (void)m_edits.replaceBySingles(path); });
+    if (place && place->part && place->part->kind && place->part->kind->name == "Camera")
+        add(menu, "outline.through", QStringLiteral("kind-camera"), tr("&Look Through It"),
+            [this, path] { Q_EMIT lookThroughWanted(path); });
     menu.addSeparator();
     add(
         menu, "outline.rename", QStringLiteral("rename"), tr("&Rename"), [this] { renameSelected(); }, QStringLiteral("F2"))

@@ -40,6 +40,7 @@ public:
 Q_SIGNALS:
     /// To a place in a text: absolute path of the file.
     void jumpTo(const std::string& file, const trundle::TextRange& range);
+    void lookThroughWanted(const std::string& path); ///< a camera, as the selection names it
 
 private:
     void build();

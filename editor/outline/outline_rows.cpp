@@ -107,11 +107,9 @@ std::vector<OutlineRow> OutlineRows::below(const OutlineRow& row) const {
         for (const Part* part : m_groups[std::size_t(row.group)]) keep(rows, partRow(*part, row), row);
         if (row.group == OutlineGroup::Modules) addModules(rows, row);
         break;
-    case OutlineRow::Type::Object: {
-        const Part* config = m_mode == OutlineMode::ByOwner && isInstance(*row.part) ? configOf(*m_loaded, *row.part) : nullptr;
-        if (config) addParts(rows, *config, row, true);
+    case OutlineRow::Type::Object:
+        if (row.config) addParts(rows, *row.config, row, true);
         addParts(rows, *row.part, row, row.reached);
-    }
     }
     std::unordered_set<std::string> keys; // what stands twice in a broken text is still two rows
     for (OutlineRow& r : rows)
@@ -221,7 +219,9 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
             (part.is(Role::Layout) ? countOf(*m_loaded, part) : "") + (config ? config->name
                                                                        : a ? std::string(m_loaded->sources.slice(a->valueRange()))
                                                                            : part.kind->name);
-        row.hasRows |= m_mode == OutlineMode::ByOwner && config && !config->parts.empty();
+        // One that stands in a config by mistake may stand in its own: there would be no end to it.
+        if (m_mode == OutlineMode::ByOwner && above.type != OutlineRow::Type::Object) row.config = config;
+        row.hasRows |= row.config && !row.config->parts.empty();
     }
     if (part.is(Role::Material))
         if (const auto it = m_materials.find(part.name); it != m_materials.end()) row.colour = it->second->colour;
@@ -264,11 +264,7 @@ bool OutlineRows::says(std::string_view name, std::string_view detail, std::stri
 
 bool OutlineRows::leads(const OutlineRow& row) const {
     switch (row.type) {
-    case OutlineRow::Type::Object: {
-        if (leads(*row.part)) return true;
-        const Part* config = m_mode == OutlineMode::ByOwner && isInstance(*row.part) ? configOf(*m_loaded, *row.part) : nullptr;
-        return config && leads(*config);
-    }
+    case OutlineRow::Type::Object: return leads(*row.part) || (row.config && leads(*row.config));
     case OutlineRow::Type::Group: {
         const auto& parts = m_groups[std::size_t(row.group)];
         if (std::any_of(parts.begin(), parts.end(), [&](const Part* part) {

@@ -45,6 +45,7 @@ struct OutlineRow {
     OutlineGroup group = OutlineGroup::Robots;
     FileId file = kNoFile;                       ///< of a File
     const Part* part = nullptr;                  ///< of an Object
+    const Part* config = nullptr;                ///< of an instance in the world: its parts are shown below it
     bool reached = false;                        ///< through an instance: its block is in the config
     SourceRange range;                           ///< where it stands in the text
     ProblemCounts::Count problems;               ///< with those below

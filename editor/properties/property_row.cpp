@@ -1,5 +1,7 @@
 #include "editor/properties/property_row.h"
 
+#include <algorithm>
+
 #include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QLineEdit>
@@ -80,6 +82,7 @@ void PropertyRow::watch(QWidget* widget) {
 
 void PropertyRow::display(const Row& row) {
     m_row = row;
+    m_problem = problemInText();
     m_editor->display(row);
     showLabel();
     showNote();
@@ -100,14 +103,12 @@ void PropertyRow::showLabel() {
     QFont font = this->font();
     if (override) font.setWeight(QFont::DemiBold);
     const QString html = labelHtml(m_row, QFontMetrics(font), m_labelWidth);
-    const QString problem = this->problem();
     m_label->setText(QStringLiteral("<span style='font-weight:%1; color:%2'>%3</span>")
                          .arg(override ? 600 : 400)
-                         .arg(ink(problem.isEmpty() ? Ink::Text : Ink::Error).name(), html));
+                         .arg(ink(m_problem.isEmpty() ? Ink::Text : Ink::Error).name(), html));
     const QString range = v.property ? QString::fromStdString(unitAndRange(*v.property)) : QString();
     const QString help = v.property ? QString::fromStdString(v.property->help) : QString();
-    m_label->setToolTip((problem.isEmpty() ? QString() : problem + QLatin1Char('\n')) + m_row.label +
-                        (range.isEmpty() ? QString() : QStringLiteral(" – ") + range) +
+    m_label->setToolTip(m_row.label + (range.isEmpty() ? QString() : QStringLiteral(" – ") + range) +
                         (help.isEmpty() ? QString() : QStringLiteral("\n") + help));
     m_label->setScrubbing(m_editor->canScrub());
     if (QWidget* field = m_editor->focusField()) {
@@ -116,24 +117,27 @@ void PropertyRow::showLabel() {
     }
 }
 
-QString PropertyRow::problem() const {
+/// Of the first value with an error in it. One that stands between two characters counts for what comes after it.
+QString PropertyRow::problemInText() const {
     for (const FieldValue& v : m_row.values)
         for (const Diagnostic& d : m_row.loaded->diagnostics.all())
             if (v.given() && d.severity == Severity::Error && d.range.file == v.place.file &&
-                d.range.range.begin < v.place.range.end && v.place.range.begin < d.range.range.end)
+                d.range.range.begin < v.place.range.end &&
+                v.place.range.begin < std::max(d.range.range.end, d.range.range.begin + 1))
                 return QString::fromStdString(d.message);
     return {};
 }
 
 void PropertyRow::showNote() {
     QStringList notes;
+    if (!m_problem.isEmpty()) notes << m_problem;
     if (!m_row.now.isEmpty()) notes << m_row.now;
     if (m_row.afterReset) notes << tr("after reset");
     m_note->setText(notes.join(QStringLiteral("  ·  ")));
     m_note->setVisible(!notes.isEmpty());
-    QPalette p;
-    p.setColor(QPalette::WindowText, ink(m_row.afterReset ? Ink::Warning : Ink::Faint));
-    m_note->setPalette(p);
+    const QColor colour = ink(!m_problem.isEmpty() ? Ink::Error : m_row.afterReset ? Ink::Warning : Ink::Faint);
+    const QString sheet = QStringLiteral("color: %1;").arg(colour.name()); // a palette loses against the window's style sheet
+    if (!notes.isEmpty() && m_note->styleSheet() != sheet) m_note->setStyleSheet(sheet);
 }
 
 int PropertyRow::labelWidthWanted() const {

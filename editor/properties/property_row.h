@@ -21,7 +21,7 @@ public:
     [[nodiscard]] const Row& row() const { return m_row; }
     [[nodiscard]] RowEditor& editor() const { return *m_editor; }
     /// Why what was typed is refused, or what is wrong with what stands in the text; empty: nothing.
-    [[nodiscard]] QString refusal() const { return m_refusal.isEmpty() ? problem() : m_refusal; }
+    [[nodiscard]] const QString& refusal() const { return m_refusal.isEmpty() ? m_problem : m_refusal; }
     void setLabelWidth(int width);
     [[nodiscard]] int labelWidthWanted() const;
 
@@ -37,14 +37,14 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    [[nodiscard]] QString problem() const;
+    [[nodiscard]] QString problemInText() const;
     void showLabel();
     void showNote();
     void watch(QWidget* widget);
     void fieldMenu(class QLineEdit* field, const QPoint& place);
 
     Row m_row;
-    QString m_refusal;
+    QString m_refusal, m_problem;
     ScrubLabel* m_label;
     RowEditor* m_editor;
     int m_labelWidth = 0; ///< 0: not aligned yet

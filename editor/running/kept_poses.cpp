@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 
 #include "model/outline.h"
-#include "schema/value_words.h"
 
 namespace trundle {
 namespace {
@@ -22,7 +21,15 @@ Vec3 rounded(const Vec3& v, double step) {
     return out;
 }
 
-std::string tripleText(const Vec3& v) { return numberText(v.x()) + ", " + numberText(v.y()) + ", " + numberText(v.z()); }
+/// Without exponents, as people write places.
+std::string plainText(double value) {
+    QString text = QString::number(value, 'f', 6);
+    while (text.endsWith(QLatin1Char('0'))) text.chop(1);
+    if (text.endsWith(QLatin1Char('.'))) text.chop(1);
+    return text.toStdString();
+}
+
+std::string tripleText(const Vec3& v) { return plainText(v.x()) + ", " + plainText(v.y()) + ", " + plainText(v.z()); }
 
 Vec3 degreesOf(const Pose& pose) { return hprFromRotation(pose.rotation) * (180 / std::numbers::pi); }
 

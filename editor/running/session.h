@@ -83,6 +83,9 @@ public:
     /// Why a robot cannot be driven; empty where it can.
     [[nodiscard]] QString driveRefusal(const std::string& robot) const;
 
+    /// All that was done so, as it was stamped; none at Start.
+    [[nodiscard]] std::vector<Command> commands() const { return m_run ? m_run->commands() : std::vector<Command>(); }
+
     /// Why the poses cannot be kept; empty where they can.
     [[nodiscard]] QString keepRefusal() const;
 

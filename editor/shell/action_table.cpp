@@ -53,6 +53,7 @@ static constexpr ActionRow kTable[] = {
     {"view.side",      "View/Camera", "&Side",                   "",            "3",              "From the side, without perspective."},
     {"view.follow",    "View/Camera", "F&ollow Robot",           "",            "8",              "Keep the selected robot in the middle."},
     {"view.chase",     "View/Camera", "&Chase Robot",            "",            "9",              "Ride behind the selected robot."},
+    {"view.through",   "|View/Camera", "&Look Through Camera",   "kind-camera", "0",              "See what the selected camera sees, and go with it; Esc leaves."},
     {"view.one",       "View/Views",  "&One View",               "view-single", "",               "One 3D view."},
     {"view.two",       "View/Views",  "&Two Views",              "view-two",      "",               "Two 3D views side by side."},
     {"view.four",      "View/Views",  "&Four Views",             "views",       "",               "Perspective, top, front and side."},
@@ -62,9 +63,11 @@ static constexpr ActionRow kTable[] = {
     {"view.overlayTrails", "View/Overlays", "&Trails",           "",            "",               "Where robots have been since this was switched on.", true},
     {"view.overlayJoints", "|View/Overlays", "&Joint Axes",      "",            "",               "Where joints are, and about what they turn.", true},
     {"view.overlayMass", "View/Overlays", "Centres of &Mass",    "",            "",               "Of each body, and of each robot as a whole.", true},
+    {"view.overlayFrusta", "View/Overlays", "Camera &Frusta",    "",            "",               "What cameras see, from their near to their far plane; those selected are shown always.", true},
     {"view.overlayContacts", "View/Overlays", "&Contacts and Forces", "",       "",               "Where things touch in a run, and how hard.", true},
     {"view.overlayCollision", "View/Overlays", "C&ollision Shapes", "",         "",               "What collides, as lines.", true},
     {"view.overlayWireframe", "View/Overlays", "&Wireframe",     "",            "",               "Robots and statics as lines.", true},
+    {"view.savePicture", "|View",     "Save Pict&ure…",          "",            "",               "Write what the 3D view shows to a file, up to 4K."},
     {"view.text",      "|View",       "Show &Text",              "view-text",   "Ctrl+T",         "Show the text beside the 3D view.", true},
     {"view.viewport",  "View",        "Show &3D View",           "",            "",               "Show the 3D view beside the text.", true},
     {"view.theme",     "|View",       "&Dark Theme",             "theme",       "",               "Switch between the light and the dark theme.", true},
@@ -93,6 +96,8 @@ static constexpr ActionRow kTable[] = {
     {"sim.slower",     "Simulation",  "S&lower",                 "",            "Ctrl+[",         "Run at a lower speed."},
     {"sim.keepPoses",  "|Simulation", "&Keep These Poses as Start", "keep",     "",               "Write where the robots stand now into the experiment."},
     {"sim.drive",      "Simulation",  "&Drive with the Keyboard", "drive",      "Ctrl+K",         "Steer the selected robot with the arrow keys.", true},
+
+    {"sim.record",     "|Simulation", "Record &Movie…",          "record",      "",               "Make a movie of the experiment, or of this run."},
 
     {"controllers.load", "Controllers", "&Load Module…",         "module",      "",               "Use a library of controllers or components in this experiment."},
     {"controllers.assign", "Controllers", "&Assign to Selected Robots…", "",    "",               "Choose the controller of the selected robots."},

@@ -7,7 +7,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kVersion = 1; // raised when docks come or go, so that old settings are not applied to a new window
+constexpr int kVersion = 2; // raised when docks come or go, so that old settings are not applied to a new window
 
 const QString kGuide = QStringLiteral("guide");
 
@@ -103,7 +103,8 @@ void Layouts::arrange(Layout layout) {
                                  {"guide", Qt::RightDockWidgetArea, "history", false},
                                  {"problems", Qt::BottomDockWidgetArea, "", true},
                                  {"console", Qt::BottomDockWidgetArea, "problems", true},
-                                 {"controllers", Qt::BottomDockWidgetArea, "console", true}};
+                                 {"controllers", Qt::BottomDockWidgetArea, "console", true},
+                                 {"cameras", Qt::BottomDockWidgetArea, "controllers", false}};
     static const Place run[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
                                 {"library", Qt::LeftDockWidgetArea, "scene", false},
                                 {"properties", Qt::RightDockWidgetArea, "", true},
@@ -111,7 +112,8 @@ void Layouts::arrange(Layout layout) {
                                 {"guide", Qt::RightDockWidgetArea, "properties", false},
                                 {"console", Qt::BottomDockWidgetArea, "", true},
                                 {"problems", Qt::BottomDockWidgetArea, "console", true},
-                                {"controllers", Qt::BottomDockWidgetArea, "problems", true}};
+                                {"controllers", Qt::BottomDockWidgetArea, "problems", true},
+                                {"cameras", Qt::BottomDockWidgetArea, "controllers", true}};
     for (QDockWidget* dock : m_docks) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);
@@ -135,8 +137,8 @@ void Layouts::arrange(Layout layout) {
 void Layouts::showTitles() {
     for (QDockWidget* dock : m_docks) {
         const QList<QDockWidget*> others = m_window.tabifiedDockWidgets(dock);
-        const bool tabbed = !dock->isFloating() && std::any_of(others.begin(), others.end(),
-                                                               [](const QDockWidget* other) { return !other->isHidden(); });
+        const auto isBeside = [](const QDockWidget* other) { return !other->isHidden() && !other->isFloating(); };
+        const bool tabbed = !dock->isFloating() && std::any_of(others.begin(), others.end(), isBeside);
         QWidget* const before = dock->titleBarWidget();
         if (tabbed == (before != nullptr)) continue;
         dock->setTitleBarWidget(tabbed ? new QWidget(dock) : nullptr);
@@ -151,7 +153,7 @@ void Layouts::sizeDocks() {
     m_window.resizeDocks({dock("scene"), dock("properties")},
                          {std::clamp(width * 18 / 100, 190, 280), std::clamp(width * 22 / 100, 300, 340)}, Qt::Horizontal);
     if (edit) m_window.resizeDocks({dock("scene"), dock("library")}, {430, 300}, Qt::Vertical);
-    m_window.resizeDocks({dock(edit ? "problems" : "console")}, {edit ? 170 : 180}, Qt::Vertical);
+    m_window.resizeDocks({dock(edit ? "problems" : "console")}, {edit ? 170 : 230}, Qt::Vertical);
 }
 
 } // namespace trundle

@@ -11,6 +11,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "editor/cameras/cameras_panel.h"
 #include "editor/document/history_panel.h"
 #include "editor/outline/insert_menu.h"
 #include "editor/outline/library_panel.h"
@@ -28,6 +29,7 @@
 #include "editor/shell/action_table.h"
 #include "editor/shell/command_palette.h"
 #include "editor/shell/file_commands.h"
+#include "editor/shell/file_drop.h"
 #include "editor/shell/help_panel.h"
 #include "editor/shell/menus.h"
 #include "editor/shell/preferences_dialog.h"
@@ -46,7 +48,7 @@ namespace {
 bool needsDocument(std::string_view id) {
     for (const char* other : {"file.new", "file.open", "file.quit", "edit.undo", "edit.redo", "edit.palette", "edit.preferences",
                               "view.theme", "sim.", "controllers.", "help."})
-        if (id.starts_with(other)) return id == "file.openSample";
+        if (id.starts_with(other)) return id == "file.openSample" || id == "sim.record";
     return true;
 }
 
@@ -66,6 +68,7 @@ MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& pla
     makeToolBars();
     connectPanels();
     connectActions();
+    connectCameras(parts, render);
     showDocument();
     QMetaObject::invokeMethod(this, &MainWindow::offerRecovery, Qt::QueuedConnection); // texts that no file holds
 }
@@ -103,6 +106,7 @@ void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations
     m_history = new HistoryPanel(*m_document);
     m_problems = new ProblemsPanel(*m_document, *m_selection);
     m_console = new ConsolePanel(*m_session);
+    m_cameras = new CamerasPanel(*m_document, *m_session, render);
     m_controllers = new ControllersPanel(*m_document, *m_selection, *m_session, *m_actions);
     m_help = new HelpPanel;
 }
@@ -116,10 +120,12 @@ void MainWindow::makeDocks() {
         {m_problems, "problems", tr("Problems")},
         {m_console, "console", tr("Console")},
         {m_controllers, "controllers", tr("Controllers")},
+        {m_cameras, "cameras", tr("Cameras")},
         {m_help, "guide", tr("Guide")}};
     for (const auto& [panel, name, title] : docks) {
         panel->setObjectName(QLatin1String(name));
-        m_layouts->add(panel, title);
+        QDockWidget* dock = m_layouts->add(panel, title);
+        if (panel != m_outline) dock->installEventFilter(this);
     }
 }
 
@@ -156,6 +162,7 @@ void MainWindow::connectPanels() {
     connect(m_document, &Document::notice, m_status, &StatusLine::refuse);
     connect(m_document, &Document::diskChanged, this, &MainWindow::askAboutDisk);
     connect(m_document, &Document::opened, this, &MainWindow::offerRecovery, Qt::QueuedConnection);
+    connect(m_document, &Document::opened, m_console, &ConsolePanel::clear); // what it told of is gone
     connect(m_document, &Document::openFailed, m_files, &FileCommands::sayNotOpened);
     connect(m_document, &Document::readOnlyChanged, this, &MainWindow::showReadOnly);
     connect(m_session, &RunSession::refused, m_status, &StatusLine::refuse);
@@ -188,6 +195,8 @@ void MainWindow::connectPanels() {
     });
     connect(m_text, &TextPanel::said, m_status, &StatusLine::refuse);
     m_files->setFlush([this] { m_text->flush(); });
+    m_text->installEventFilter(this);
+    new FileDrop(*this, [this](const QString& path) { m_files->open(path); });
 }
 
 void MainWindow::connectActions() {

@@ -17,6 +17,7 @@
 
 namespace trundle {
 
+class CamerasPanel;
 class ConsolePanel;
 class ControllersPanel;
 class FileCommands;
@@ -67,6 +68,7 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void makePanels(Parts& parts, RenderService* render, const Locations& places);
@@ -81,6 +83,8 @@ private:
     void doEdit(const char* id);
     [[nodiscard]] QList<QAction*> insertActions();
     void showUndo();
+    void connectCameras(Parts& parts, RenderService* render);
+    [[nodiscard]] QString pictureFile(const QString& ending) const;
     void askAboutDisk(const QString& file);
     void offerRecovery();
     void showReadOnly(const QString& holder);
@@ -108,6 +112,7 @@ private:
     HistoryPanel* m_history = nullptr;
     ProblemsPanel* m_problems = nullptr;
     ConsolePanel* m_console = nullptr;
+    CamerasPanel* m_cameras = nullptr;
     ControllersPanel* m_controllers = nullptr;
     HelpPanel* m_help = nullptr;
     TransportBar* m_transport = nullptr;

@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QSettings>
 
+#include "editor/cameras/cameras_panel.h"
 #include "editor/outline/library_panel.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/outline_panel.h"
@@ -43,7 +44,9 @@ void MainWindow::useView(const QString& name) {
     m_viewport->showView(name);
 }
 
-bool MainWindow::isSettled() const { return !m_document->isOpening() && m_viewport->isSettled() && m_library->isSettled(); }
+bool MainWindow::isSettled() const {
+    return !m_document->isOpening() && m_viewport->isSettled() && m_library->isSettled() && m_cameras->isSettled();
+}
 
 void MainWindow::showPlace(const std::string& file, TextRange range) {
     showText(true);
@@ -162,6 +165,20 @@ void MainWindow::showAbout() {
            "Robot Simulation Framework</i> (2011).</p>")
             .arg(QLatin1String(qVersion())));
     about.exec();
+}
+
+/// The keys that take objects away do so in the tree and in the views. Elsewhere whoever presses them means what is there, be it a
+/// message or a value, and the robot that happens to be selected stays.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const QKeySequence pressed(key.keyCombination());
+        if (pressed == m_actions->at("edit.delete").shortcut() || pressed == m_actions->at("edit.cut").shortcut()) {
+            event->accept();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::changeEvent(QEvent* event) {

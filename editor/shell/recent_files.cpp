@@ -42,4 +42,25 @@ QList<Sample> sampleExperiments(const QString& configs) {
     return found;
 }
 
+QList<Sample> sampleParts(const QString& configs) {
+    const std::initializer_list<std::array<const char*, 3>> parts{
+        {"robots/simple_robot", "Simple robot", "Two driven wheels, a slider, a bumper that feels."},
+        {"robots/evbot", "EvBot", "A sturdy indoor robot, bumpers front and back."},
+        {"robots/amr", "AMR", "A heavy carrier for halls and corridors."},
+        {"robots/camera_robot", "Camera robot", "The simple robot with a camera on a mast."},
+        {"robots/radio_robot", "Radio robot", "Carries a patch antenna that looks ahead."},
+        {"robots/tmote_sky", "Tmote Sky", "A radio mote, lying on its batteries."},
+        {"arenas/medium_arena", "Medium arena", "A square room, 4 m x 4 m, with low walls."},
+        {"arenas/colour_yard", "Colour yard", "A red ball to find among things of other colours."},
+    };
+    QList<Sample> found;
+    for (const auto& [name, title, description] : parts) {
+        const QString path = configs + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".sim");
+        if (!QFileInfo::exists(path)) continue;
+        const QString picture = QStringLiteral("pictures/gallery/%1.png").arg(QFileInfo(path).completeBaseName());
+        found.append({path, QLatin1String(title), QLatin1String(description), resourcePath(picture)});
+    }
+    return found;
+}
+
 } // namespace trundle

@@ -12,5 +12,7 @@ struct Sample {
     QString path, title, description, picture;
 };
 [[nodiscard]] QList<Sample> sampleExperiments(const QString& configs);
+/// Robots and arenas that come with the program.
+[[nodiscard]] QList<Sample> sampleParts(const QString& configs);
 
 } // namespace trundle

@@ -164,14 +164,17 @@ QWidget* WelcomePage::makeSamples(const QString& configs) {
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 10, 0, 0);
     layout->setSpacing(12);
-    layout->addWidget(heading(tr("Samples"), 15));
-    auto* flow = new CardFlow;
-    for (const Sample& sample : sampleExperiments(configs)) {
-        auto* card = new SampleCard(sample, flow);
-        connect(card, &QAbstractButton::clicked, this, [this, path = sample.path] { Q_EMIT openWanted(path); });
-        flow->add(card);
+    for (const auto& [title, samples] :
+         {std::pair(tr("Samples"), sampleExperiments(configs)), std::pair(tr("Robots and arenas"), sampleParts(configs))}) {
+        layout->addWidget(heading(title, 15));
+        auto* flow = new CardFlow;
+        for (const Sample& sample : samples) {
+            auto* card = new SampleCard(sample, flow);
+            connect(card, &QAbstractButton::clicked, this, [this, path = sample.path] { Q_EMIT openWanted(path); });
+            flow->add(card);
+        }
+        layout->addWidget(flow);
     }
-    layout->addWidget(flow);
     layout->addStretch(1);
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);

@@ -13,7 +13,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kWait = 40, kLongestWait = 400; ///< ms from the first key until the document hears of it
+constexpr int kWait = 10, kLongestWait = 400; ///< ms from a key until the document hears of it
 
 } // namespace
 
@@ -38,8 +38,9 @@ FilePage::FilePage(Document& document, std::string file, QWidget* parent)
         }
         m_typing.changed(at, inserted);
         // Not put off by the next key: a person who types on sees the rest of the window follow all the same. Where reading takes
-        // long, it waits long enough to leave half of the time to the keys.
-        if (!m_timer.isActive()) m_timer.start(std::clamp(m_cost, kWait, kLongestWait));
+        // long, as much time lies between two readings, so that half of it is left to the keys.
+        const int since = m_sinceFlush.isValid() ? int(std::min<qint64>(m_sinceFlush.elapsed(), kLongestWait)) : kLongestWait;
+        if (!m_timer.isActive()) m_timer.start(std::clamp(m_cost - since, kWait, kLongestWait));
         Q_EMIT typed();
     });
     connect(m_edit, &CodeEdit::left, this, [this] { flush(); });
@@ -97,6 +98,7 @@ bool FilePage::flush() {
             taken = taken && m_document.replaceText(entry.name, m_file, std::move(entry.bytes), entry.mergeKey).ok();
     }
     m_cost = static_cast<int>(clock.elapsed());
+    m_sinceFlush.start();
     if (!taken) m_typing.drop();
     follow();
     showProblems();

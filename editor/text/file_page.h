@@ -59,6 +59,7 @@ private:
     std::vector<Diagnostic> m_problems;
     QTimer m_timer;
     int m_cost = 0; ///< ms that the last flush took
+    QElapsedTimer m_sinceFlush;
     bool m_flushing = false;
 };
 

@@ -44,7 +44,6 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
           document, [this] { return m_folders; }, this)) {
     setObjectName(QStringLiteral("textPanel"));
     m_tabs->setObjectName(QStringLiteral("textTabs"));
-    m_tabs->setTabsClosable(true);
     m_tabs->setMovable(true);
     m_tabs->setElideMode(Qt::ElideMiddle);
     m_nothing->setAlignment(Qt::AlignCenter);
@@ -56,8 +55,8 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     m_files->setAutoRaise(true);
     m_files->setMenu(new QMenu(m_files));
     m_tabs->setCornerWidget(m_files);
-    auto* bar = new FindBar(this);
-    m_finding = new Finding(m_document, *this, *bar);
+    m_bar = new FindBar(this);
+    m_finding = new Finding(m_document, *this, *m_bar);
     auto* split = new QSplitter(Qt::Vertical, this);
     split->setObjectName(QStringLiteral("textSplit"));
     split->setChildrenCollapsible(false);
@@ -70,7 +69,7 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     layout->setSpacing(0);
     layout->addWidget(split, 1);
     layout->addWidget(m_nothing, 1);
-    layout->addWidget(bar);
+    layout->addWidget(m_bar);
 
     m_caretTimer.setParent(this);
     m_caretTimer.setObjectName(QStringLiteral("caretTimer"));
@@ -78,7 +77,6 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     m_caretTimer.setInterval(kCaretWait);
     connect(&m_caretTimer, &QTimer::timeout, this, &TextPanel::selectAtCaret);
     connect(m_files->menu(), &QMenu::aboutToShow, this, &TextPanel::fillFileMenu);
-    connect(m_tabs, &QTabWidget::tabCloseRequested, this, &TextPanel::closePage);
     connect(m_tabs, &QTabWidget::currentChanged, this, [this] { markSelected(false); });
     connect(m_uses, &ResultsList::chosen, this, &TextPanel::reveal);
     connect(&m_document, &Document::opened, this, &TextPanel::onOpened);
@@ -113,6 +111,11 @@ FilePage* TextPanel::pageOf(const std::string& file) const {
 bool TextPanel::hasKeyboard() const { return page() && page()->edit().hasFocus(); }
 
 bool TextPanel::carryOut(const std::string& id) { return page() && m_commands->carryOut(id); }
+
+QSize TextPanel::minimumSizeHint() const {
+    for (const QWidget* part : m_bar->findChildren<QWidget*>()) part->ensurePolished(); // or they grow when they are shown
+    return QWidget::minimumSizeHint().expandedTo({m_bar->minimumSizeHint().width(), 0});
+}
 
 // --- what is typed ---
 
@@ -197,7 +200,7 @@ FilePage* TextPanel::addPage(const std::string& file) {
     m_tabs->addTab(page, nameOf(file));
     const auto side = static_cast<QTabBar::ButtonPosition>(
         m_tabs->style()->styleHint(QStyle::SH_TabBar_CloseButtonPosition, nullptr, m_tabs->tabBar()));
-    QToolButton* shut = nullptr; // the opened file stays
+    QToolButton* shut = nullptr; // the opened file stays; setTabsClosable() would make buttons that are never deleted
     if (file != m_opened) {
         shut = new QToolButton(m_tabs);
         shut->setObjectName(QStringLiteral("closeTab"));

@@ -22,6 +22,7 @@ class CodeEdit;
 class Completing;
 class Document;
 class FilePage;
+class FindBar;
 class Finding;
 class ResultsList;
 class Selection;
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] bool hasKeyboard() const;
     /// Does what an action of the table means in a text ("edit.cut"); false where it means nothing here.
     bool carryOut(const std::string& id);
+    /// As wide as the bar to find with needs, also while that is away: nothing moves when it comes.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
     void goToDefinition(std::uint32_t offset);
     void showUses(std::uint32_t offset);
@@ -94,6 +97,7 @@ private:
     TextCommands* m_commands;
     ResultsList* m_uses;
     Completing* m_completing;
+    FindBar* m_bar;
     Finding* m_finding;
     FileFolders m_folders;
     QTimer m_caretTimer;

@@ -1,5 +1,7 @@
 #include "editor/viewport/measure_work.h"
 
+#include <utility>
+
 #include <QKeyEvent>
 #include <QPainter>
 
@@ -16,12 +18,32 @@ QString length(double m) { return QString::fromStdString(steppedNumber(m, 1e-4))
 
 } // namespace
 
-MeasureWork::MeasureWork(View& view) : m_view(view) {
+void Measurement::add(const Vec3& point) {
+    if (m_points.size() >= 2) m_points.clear();
+    m_points.push_back(point);
+    m_next.reset();
+    Q_EMIT changed();
+}
+
+void Measurement::setNext(const std::optional<Vec3>& point) {
+    if (point == m_next) return;
+    m_next = point;
+    Q_EMIT changed();
+}
+
+void Measurement::clear() {
+    if (m_points.empty() && !m_next) return;
+    m_points.clear();
+    m_next.reset();
+    Q_EMIT changed();
+}
+
+MeasureWork::MeasureWork(View& view) : m_view(view), m_measured(view.parts().measurement) {
+    connect(&m_measured, &Measurement::changed, this, &MeasureWork::say);
     connect(&view.parts().settings, &ViewSettings::changed, this, [this] {
-        if (isOn() || (m_points.empty() && !m_next)) return;
-        m_points.clear();
-        m_next.reset();
-        m_view.setHint({});
+        if (isOn()) return;
+        m_measured.clear();
+        say();
     });
 }
 
@@ -29,35 +51,36 @@ bool MeasureWork::isOn() const { return m_view.parts().settings.tool() == Tool::
 
 bool MeasureWork::press(const Pointer& pointer) {
     if (!isOn() || pointer.button != Qt::LeftButton) return false;
-    if (m_points.size() >= 2) m_points.clear();
-    m_points.push_back(m_view.pointUnder(pointer.at));
-    m_next.reset();
-    say();
+    m_measured.add(m_view.pointUnder(pointer.at));
     return true;
 }
 
 bool MeasureWork::hover(const Pointer& pointer) {
     if (!isOn()) return false;
-    m_next = m_points.size() == 2 ? std::nullopt : std::optional(m_view.pointUnder(pointer.at));
     m_view.setHovered({}, {});
-    say();
+    m_measured.setNext(m_measured.points().size() == 2 ? std::nullopt : std::optional(m_view.pointUnder(pointer.at)));
     return true;
 }
 
 bool MeasureWork::key(QKeyEvent& event) {
-    if (!isOn() || event.key() != Qt::Key_Escape || m_points.empty()) return false;
-    m_points.clear();
-    say();
+    if (!isOn() || event.key() != Qt::Key_Escape || m_measured.points().empty()) return false;
+    m_measured.clear();
     return true;
 }
 
 void MeasureWork::say() {
-    if (m_points.empty()) {
+    const std::vector<Vec3>& points = m_measured.points();
+    if (!isOn()) {
+        if (std::exchange(m_said, false)) m_view.setHint({}); // and not what another work says
+        return;
+    }
+    m_said = true;
+    if (points.empty()) {
         m_view.setHint(tr("Click the first point"));
-    } else if (m_points.size() == 1) {
-        m_view.setHint(tr("Click the second point"));
+    } else if (points.size() == 1) {
+        m_view.setHint(tr("Click the second point, in this view or another"));
     } else {
-        const Vec3 by = m_points[1] - m_points[0];
+        const Vec3 by = points[1] - points[0];
         m_view.setHint(
             tr("Distance %1     x %2   y %3   z %4").arg(length(by.norm()), length(by.x()), length(by.y()), length(by.z())));
     }
@@ -66,8 +89,8 @@ void MeasureWork::say() {
 
 void MeasureWork::paint(QPainter& painter) {
     if (!isOn()) return;
-    std::vector<Vec3> points = m_points;
-    if (m_next) points.push_back(*m_next);
+    std::vector<Vec3> points = m_measured.points();
+    if (m_measured.next()) points.push_back(*m_measured.next());
     std::vector<QPointF> at;
     for (const Vec3& point : points) {
         if (const auto pixel = m_view.shownPixelOf(point)) at.push_back(*pixel);

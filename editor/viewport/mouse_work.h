@@ -29,6 +29,8 @@ public:
     /// No button is down. True: the mouse is over something of this work, and what lies behind is not meant.
     virtual bool hover(const Pointer&) { return false; }
     virtual void leave() {}
+    /// While it has the mouse: whether keys are its own, and no shortcuts of the window.
+    [[nodiscard]] virtual bool takesKeys() const { return true; }
     /// While this work has the mouse. True: the key is used up.
     virtual bool key(QKeyEvent&) { return false; }
     /// Over the picture, in logical pixels.

@@ -6,6 +6,7 @@
 
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
+#include "editor/viewport/frusta.h"
 #include "editor/viewport/number_text.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/trails.h"
@@ -235,6 +236,7 @@ void paintOverlays(QPainter& painter, const View& view) {
     const ViewSettings& settings = view.parts().settings;
     if (settings.shows(kOverlayGrid)) paintSideGrid(painter, view);
     if (settings.shows(kOverlayTrails)) paintTrails(painter, view);
+    paintFrusta(painter, view, settings.shows(kOverlayFrusta));
     paintJoints(painter, view, settings.shows(kOverlayJoints));
     if (settings.shows(kOverlayMass)) paintMass(painter, view);
     if (settings.shows(kOverlayContacts)) paintContacts(painter, view);

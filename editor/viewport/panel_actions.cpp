@@ -43,11 +43,13 @@ struct OverlayRow {
     const char* id;
     Overlay overlay;
 };
-constexpr OverlayRow kOverlays[] = {{"view.overlayGrid", kOverlayGrid},          {"view.overlayShadows", kOverlayShadows},
-                                    {"view.overlayNames", kOverlayNames},        {"view.overlayTrails", kOverlayTrails},
-                                    {"view.overlayJoints", kOverlayJoints},      {"view.overlayMass", kOverlayMass},
-                                    {"view.overlayContacts", kOverlayContacts},  {"view.overlayCollision", kOverlayCollision},
-                                    {"view.overlayWireframe", kOverlayWireframe}};
+constexpr OverlayRow kOverlays[] = {{"view.overlayGrid", kOverlayGrid},           {"view.overlayShadows", kOverlayShadows},
+                                    {"view.overlayNames", kOverlayNames},         {"view.overlayTrails", kOverlayTrails},
+                                    {"view.overlayJoints", kOverlayJoints},       {"view.overlayMass", kOverlayMass},
+                                    {"view.overlayContacts", kOverlayContacts},   {"view.overlayCollision", kOverlayCollision},
+                                    {"view.overlayWireframe", kOverlayWireframe}, {"view.overlayFrusta", kOverlayFrusta}};
+
+constexpr std::size_t kMostCameras = 8; // in a menu
 
 QString axisName(int axis) { return QString(QLatin1Char("XYZ"[axis])); }
 
@@ -64,6 +66,7 @@ void ViewportPanel::connectActions() {
     on("view.one", [this] { setViewCount(1); });
     on("view.two", [this] { setViewCount(2); });
     on("view.four", [this] { setViewCount(4); });
+    on("view.through", [this] { lookThroughSelected(); });
     on("view.frame", [this] { frameSelection(); });
     on("view.frameAll", [this] { frameAll(); });
     on("tool.snap", [this] { m_settings.setSnaps(m_actions.at("tool.snap").isChecked()); });
@@ -94,6 +97,24 @@ void ViewportPanel::connectOverlays() {
         m_session.wantContacts(m_settings.shows(kOverlayContacts));
         m_trails->setWanted(m_settings.shows(kOverlayTrails));
     });
+}
+
+void ViewportPanel::lookThrough(const std::string& path) {
+    const auto cameras = m_world->camerasOf(path);
+    if (!cameras.empty()) m_current->lookThrough(cameras.front()->path);
+}
+
+/// Again: the next camera of what is selected, or of all where nothing with a camera is.
+void ViewportPanel::lookThroughSelected() {
+    std::vector<const CameraModel*> cameras = m_world->camerasOf(m_selection.current());
+    if (cameras.empty())
+        for (const CameraModel& camera : m_world->cameras()) cameras.push_back(&camera);
+    if (cameras.empty()) {
+        Q_EMIT m_document.refused(tr("No robot here has a camera."));
+        return;
+    }
+    const auto at = std::ranges::find(cameras, m_current->throughCamera());
+    m_current->lookThrough((at == cameras.end() || at + 1 == cameras.end() ? cameras.front() : *(at + 1))->path);
 }
 
 void ViewportPanel::askAlign() {
@@ -155,6 +176,11 @@ void ViewportPanel::showMenu(View& view, const QPointF& at) {
         menu.addSeparator();
     }
     for (const char* id : {"view.frame", "view.frameAll"}) menu.addAction(&m_actions.at(id));
+    const std::vector<const CameraModel*> cameras = m_world->camerasOf(m_selection.current());
+    for (std::size_t i = 0; i < cameras.size() && i < kMostCameras; ++i)
+        connect(menu.addAction(tr("Look Through %1").arg(QString::fromStdString(cameras[i]->path))), &QAction::triggered, &view,
+                [&view, path = cameras[i]->path] { view.lookThrough(path); });
+    menu.addAction(&m_actions.at("view.savePicture"));
     menu.exec(view.mapToGlobal(at.toPoint()));
 }
 

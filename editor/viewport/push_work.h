@@ -21,6 +21,7 @@ public:
     void drag(const Pointer& pointer) override;
     void release(const Pointer& pointer) override;
     void cancel() override;
+    [[nodiscard]] bool takesKeys() const override { return false; } // who pushes may pause the run
     void paint(QPainter& painter) override;
 
 private:

@@ -57,6 +57,7 @@ void ShownWorld::look() {
     m_experiment = experiment;
     if (!experiment) experiment = std::make_shared<ExperimentSpec>();
     m_objects = std::make_shared<ObjectIndex>(experiment);
+    m_cameras = trundle::camerasOf(*experiment);
     const std::shared_ptr<const BodyPoses> now = runs ? m_session.poses() : nullptr;
     m_poses = now && now->size() == m_objects->poseCount() ? now : std::make_shared<BodyPoses>(startPoses(*experiment));
     if (m_render) {
@@ -111,6 +112,34 @@ std::vector<ObjectRef> ShownWorld::objectsOf(const std::string& path) const {
     for (const RobotSpec& robot : m_objects->experiment().robots)
         if (isMemberOf(robot.name, first)) add(robot.name, path.substr(dot));
     return objects;
+}
+
+const CameraModel* ShownWorld::camera(const std::string& path) const {
+    const auto it = std::ranges::find(m_cameras, path, &CameraModel::path);
+    return it == m_cameras.end() ? nullptr : &*it;
+}
+
+std::vector<const CameraModel*> ShownWorld::camerasOf(const std::string& path) const {
+    // "seeker.eye" and "RobotConfig.Seeker.eye": whose cameras, and which of them.
+    const auto upTo = [&path](std::size_t from) { return std::min(path.find('.', from), path.size()); };
+    const std::size_t first = upTo(0), second = upTo(std::min(first + 1, path.size()));
+    const std::string name = path.substr(0, first);
+    const bool byConfig = name == "RobotConfig";
+    const std::size_t end = byConfig ? second : first;
+    const std::string which = end < path.size() ? path.substr(end + 1) : std::string();
+    std::vector<const CameraModel*> found;
+    for (const CameraModel& camera : m_cameras) {
+        const auto robot = find(camera.robot);
+        const RobotSpec* spec = robot ? m_objects->robotOf(*robot) : nullptr;
+        if (!spec || !spec->config) continue;
+        if (byConfig ? first == path.size() || spec->config->name != path.substr(first + 1, second - first - 1)
+                     : camera.robot != name && !isMemberOf(camera.robot, name))
+            continue;
+        const std::size_t body = camera.body - m_objects->firstPose(robot->instance);
+        const bool onBody = body < spec->config->bodies.size() && spec->config->bodies[body].name == which;
+        if (which.empty() || onBody || camera.path == camera.robot + "/" + which) found.push_back(&camera);
+    }
+    return found;
 }
 
 bool ShownWorld::holds(const std::vector<std::string>& marks, const ObjectRef& object) const {

@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include "render/service.h"
+#include "scene/camera_model.h"
 #include "scene/object_index.h"
 #include "scene/ray_cast.h"
 
@@ -34,6 +35,11 @@ public:
     /// The objects that a path of the selection means: itself, the members of a Grid or Scatter, or one in each instance of a
     /// config.
     [[nodiscard]] std::vector<ObjectRef> objectsOf(const std::string& path) const;
+    /// Of its robots, in text order.
+    [[nodiscard]] const std::vector<CameraModel>& cameras() const { return m_cameras; }
+    [[nodiscard]] const CameraModel* camera(const std::string& path) const; ///< "robot0/eye"; null where there is none
+    /// The cameras that a path of the selection means, by themselves or as parts of what it names.
+    [[nodiscard]] std::vector<const CameraModel*> camerasOf(const std::string& path) const;
     /// Robots and statics without those hidden, and without endless floors.
     [[nodiscard]] const Bounds& bounds() const;
     /// What is seen along a ray, nearest first; what is locked only where asked for.
@@ -65,6 +71,7 @@ private:
     std::shared_ptr<const ExperimentSpec> m_experiment;
     std::shared_ptr<const ObjectIndex> m_objects;
     std::shared_ptr<const BodyPoses> m_poses;
+    std::vector<CameraModel> m_cameras;
     SceneId m_scene = SceneId::None;
     mutable std::optional<Bounds> m_bounds; // made when somebody asks
     bool m_running = false;

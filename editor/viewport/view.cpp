@@ -20,8 +20,9 @@
 namespace trundle {
 namespace {
 
-constexpr int kFrameMs = 16;   // no more than about 60 pictures a second
-constexpr int kSettleMs = 220; // after so long without a change the picture is drawn once more, finer
+constexpr int kFrameMs = 16; // no more than about 60 pictures a second
+constexpr int kSettleMs =
+    350; // after so long without a change, longer than between two keys, the picture is drawn once more, finer
 constexpr int kGlideMs = 160;
 
 std::array<std::uint8_t, 3> bytesOf(const QColor& colour) {
@@ -94,6 +95,7 @@ View::~View() {
 
 void View::setKind(ViewKind kind) {
     m_glide.stop();
+    leaveCamera();
     m_camera.setKind(kind);
     followSelection();
     Q_EMIT kindChanged();
@@ -107,8 +109,9 @@ void View::setCamera(const CameraView& view) {
 void View::changeCamera(const std::function<void(ViewCamera&)>& change) {
     const ViewKind before = m_camera.kind();
     m_glide.stop();
+    const bool left = leaveCamera();
     change(m_camera);
-    if (m_camera.kind() != before) Q_EMIT kindChanged();
+    if (left || m_camera.kind() != before) Q_EMIT kindChanged();
     redraw();
 }
 
@@ -116,6 +119,7 @@ void View::frame(const Bounds& bounds, bool gently) {
     ViewCamera there = m_camera;
     there.frame(bounds, width(), height());
     if (!gently || !isVisible() || m_frame.image.isNull()) return changeCamera([&](ViewCamera& camera) { camera = there; });
+    if (leaveCamera()) Q_EMIT kindChanged();
     m_glideFrom = m_camera;
     m_glideTo = there;
     m_gliding.start();
@@ -135,18 +139,23 @@ void View::glide() {
     redraw();
 }
 
-void View::followSelection() {
-    if (m_camera.kind() != ViewKind::Follow && m_camera.kind() != ViewKind::Chase) return;
+/// Nothing where the view follows none.
+std::optional<ObjectRef> View::followedRobot() const {
+    if (m_camera.kind() != ViewKind::Follow && m_camera.kind() != ViewKind::Chase) return std::nullopt;
     const ShownWorld& world = m_parts.world;
-    std::optional<ObjectRef> robot = world.find(m_parts.selection.current());
-    if (!robot || !world.objects()->robotOf(*robot)) {
-        if (world.objects()->experiment().robots.empty()) return;
-        robot = ObjectRef{ObjectKind::Robot, 0};
-    }
-    m_camera.follow(world.poseOf({ObjectKind::Robot, robot->instance}));
+    const std::optional<ObjectRef> selected = world.find(m_parts.selection.current());
+    if (selected && world.objects()->robotOf(*selected)) return ObjectRef{ObjectKind::Robot, selected->instance};
+    if (world.objects()->experiment().robots.empty()) return std::nullopt;
+    return ObjectRef{ObjectKind::Robot, 0};
+}
+
+void View::followSelection() {
+    followCamera();
+    if (const auto robot = followedRobot()) m_camera.follow(m_parts.world.poseOf(*robot));
 }
 
 CameraView View::cameraView() const {
+    if (const CameraModel* camera = throughCamera()) return throughView(*camera, *m_parts.world.poses());
     if (!m_camera.isParallel()) return m_camera.view();
     const Bounds all = m_parts.world.bounds();
     return m_camera.view(all.empty() ? 0 : (all.centre() - m_camera.middle()).norm() + all.radius());
@@ -222,11 +231,12 @@ PictureRequest View::request(bool fine) const {
     r.samples = fine || !m_software ? 4 : 1;
     r.yields = fine;
     r.mask = kMaskRobots | kMaskStatics | kMaskSky | kMaskGhosts;
-    if (settings.shows(kOverlayGrid)) r.mask |= kMaskFloor;
+    if (settings.shows(kOverlayGrid)) r.mask |= kMaskFloor | kMaskGuide;
     if (settings.shows(kOverlayCollision)) r.mask |= kMaskCollision;
     r.wireframe = settings.shows(kOverlayWireframe);
     if (settings.shows(kOverlayShadows) && !r.wireframe) r.mask |= fine || !m_software ? kMaskSoftShadows : kMaskShadows;
     r.hidden = m_parts.world.hiddenInScene();
+    if (const CameraModel* camera = throughCamera(); camera && !camera->seesSelf) r.hidden.push_back(camera->robot);
     for (const std::string& path : m_parts.selection.paths())
         for (const ObjectRef& object : m_parts.world.objectsOf(path))
             r.marks.selected.push_back(m_parts.world.objects()->pathOf(object, '/'));
@@ -311,6 +321,7 @@ void View::paintEvent(QPaintEvent*) {
     painter.drawImage(rect(), m_frame.image);
     painter.setRenderHint(QPainter::Antialiasing);
     paintOverlays(painter, *this);
+    paintThrough(painter);
     for (const auto& work : m_works) work->paint(painter);
     paintHints(painter);
     if (!m_failure.isEmpty()) paintMessage(painter, m_failure);

@@ -21,6 +21,7 @@ namespace trundle {
 
 class Document;
 class GizmoWork;
+class Measurement;
 class Navigation;
 class RenderService;
 class RunSession;
@@ -28,6 +29,7 @@ class Selection;
 class ShownWorld;
 class Trails;
 class ViewSettings;
+struct CameraModel;
 struct PictureRequest;
 
 /// What the views of a panel share. `render` may be null.
@@ -37,6 +39,7 @@ struct ViewParts {
     RunSession& session;
     ShownWorld& world;
     ViewSettings& settings;
+    Measurement& measurement;
     RenderService* render = nullptr;
     Trails* trails = nullptr;
 };
@@ -54,6 +57,13 @@ public:
     /// Shows a box from where the camera looks. `gently`: on the way there pictures in between are shown, for a moment.
     void frame(const Bounds& bounds, bool gently = true);
     void changeCamera(const std::function<void(ViewCamera&)>& change);
+    /// Looks through a robot's camera, "robot0/eye", and goes with it until the view is moved by itself. "": back to where it was.
+    void lookThrough(const std::string& camera);
+    [[nodiscard]] const CameraModel* throughCamera() const; ///< null where it looks through none
+    /// What is drawn in a picture of another size, without marks: all that the view shows is in it.
+    [[nodiscard]] PictureRequest still(std::uint32_t width, std::uint32_t height) const;
+    /// Where such a picture is taken from while bodies stand elsewhere; called with one moment after the other.
+    [[nodiscard]] std::function<CameraView(const BodyPoses&)> movingView(std::uint32_t width, std::uint32_t height) const;
 
     [[nodiscard]] CameraView cameraView() const;
     [[nodiscard]] ViewRay rayAt(const QPointF& at) const;
@@ -63,6 +73,7 @@ public:
     /// As the picture that is shown has it, which can be one behind.
     [[nodiscard]] std::optional<QPointF> shownPixelOf(const Vec3& point) const;
     [[nodiscard]] const BodyPoses& shownPoses() const;
+    [[nodiscard]] CameraView shownCamera() const { return m_frame.image.isNull() ? cameraView() : m_frame.camera; }
 
     /// The picture is out of date. Many calls make one request; none is made while the view is hidden.
     void redraw();
@@ -129,6 +140,11 @@ private:
     [[nodiscard]] bool mayAsk() const { return m_wanted && (!m_inFlight || m_fine) && isVisible(); }
     [[nodiscard]] PictureRequest request(bool fine) const;
     void followSelection();
+    [[nodiscard]] std::optional<ObjectRef> followedRobot() const;
+    void followCamera();
+    bool leaveCamera();
+    [[nodiscard]] CameraView throughView(const CameraModel& camera, const BodyPoses& poses) const;
+    void paintThrough(QPainter& painter) const;
     void settle();
     void glide();
     void cancelWork();
@@ -137,7 +153,8 @@ private:
     void paintHints(QPainter& painter) const;
 
     ViewParts m_parts;
-    ViewCamera m_camera, m_glideFrom, m_glideTo;
+    ViewCamera m_camera, m_glideFrom, m_glideTo, m_beforeThrough;
+    std::string m_through; // camera that it looks through
     std::shared_ptr<Inbox> m_inbox;
     std::vector<std::unique_ptr<MouseWork>> m_works;
     MouseWork* m_working = nullptr; // has the mouse

@@ -77,6 +77,7 @@ void View::cancelWork() {
 void View::keyPressEvent(QKeyEvent* event) {
     if (m_working && m_working->key(*event)) return event->accept();
     if (event->key() == Qt::Key_Escape && m_working) return cancelWork();
+    if (event->key() == Qt::Key_Escape && !m_through.empty()) return lookThrough({});
     for (const auto& work : m_works)
         if (work.get() != m_working && work->key(*event)) return event->accept();
     QWidget::keyPressEvent(event);
@@ -110,7 +111,7 @@ bool View::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = static_cast<QKeyEvent&>(*event);
         const bool arrows = key.key() >= Qt::Key_Left && key.key() <= Qt::Key_Down;
-        if (m_working || arrows || key.key() == Qt::Key_Escape) {
+        if ((m_working && m_working->takesKeys()) || arrows || key.key() == Qt::Key_Escape) {
             event->accept();
             return true;
         }

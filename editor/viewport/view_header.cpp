@@ -10,6 +10,7 @@
 #include <QWidgetAction>
 
 #include "editor/viewport/number_text.h"
+#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
 #include "editor/widgets/actions.h"
@@ -17,6 +18,8 @@
 
 namespace trundle {
 namespace {
+
+constexpr qsizetype kMostInMenu = 24;
 
 QDoubleSpinBox* stepBox(const QString& name, double value, const QString& suffix, int decimals) {
     auto* box = new QDoubleSpinBox;
@@ -61,6 +64,17 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
         if (kind == ViewKind::Top || kind == ViewKind::Follow) menu->addSeparator();
         connect(menu->addAction(viewKindName(kind)), &QAction::triggered, this, [this, kind] { m_view.setKind(kind); });
     }
+    auto* through = menu->addMenu(tr("Through Camera"));
+    through->setObjectName(QStringLiteral("throughMenu"));
+    connect(menu, &QMenu::aboutToShow, this, [this, through] {
+        through->clear();
+        for (const CameraModel& camera : m_view.parts().world.cameras()) {
+            if (through->actions().size() >= kMostInMenu) break;
+            connect(through->addAction(QString::fromStdString(camera.path)), &QAction::triggered, this,
+                    [this, path = camera.path] { m_view.lookThrough(path); });
+        }
+        through->menuAction()->setVisible(!through->isEmpty());
+    });
     m_button->setMenu(menu);
     connect(&view, &View::kindChanged, this, &ViewCorner::show);
     move(8, 8);
@@ -68,7 +82,7 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
 }
 
 void ViewCorner::show() {
-    m_button->setText(viewKindName(m_view.camera().kind()));
+    m_button->setText(m_view.throughCamera() ? tr("Camera") : viewKindName(m_view.camera().kind()));
     m_button->adjustSize();
     resize(m_button->size());
 }
@@ -109,7 +123,7 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
     auto* overlays = new QMenu(this);
     for (const char* id :
          {"view.overlayGrid", "view.overlayShadows", "view.overlayNames", "view.overlayTrails", "view.overlayJoints",
-          "view.overlayMass", "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"})
+          "view.overlayMass", "view.overlayFrusta", "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"})
         overlays->addAction(&actions.at(id));
 
     auto* counts = new QMenu(this);

@@ -18,6 +18,7 @@ enum Overlay : unsigned {
     kOverlayTrails = 1u << 6,
     kOverlayShadows = 1u << 7,
     kOverlayWireframe = 1u << 8,
+    kOverlayFrusta = 1u << 9, ///< what cameras see
 };
 
 /// How the views of one panel are worked with; the same for all of them.

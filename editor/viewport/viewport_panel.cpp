@@ -11,6 +11,7 @@
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
 #include "editor/viewport/held_objects.h"
+#include "editor/viewport/measure_work.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_header.h"
 #include "editor/widgets/actions.h"
@@ -27,9 +28,10 @@ constexpr double kLeastFramed = 0.1; // m
 ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSession& session, RenderService* render,
                              Actions& actions, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_session(session), m_actions(actions),
-      m_world(std::make_unique<ShownWorld>(document, session, render)), m_trails(std::make_unique<Trails>(*m_world)) {
+      m_measurement(std::make_unique<Measurement>()), m_world(std::make_unique<ShownWorld>(document, session, render)),
+      m_trails(std::make_unique<Trails>(*m_world)) {
     setObjectName(QStringLiteral("viewportPanel"));
-    m_parts.reset(new ViewParts{document, selection, session, *m_world, m_settings, render, m_trails.get()});
+    m_parts.reset(new ViewParts{document, selection, session, *m_world, m_settings, *m_measurement, render, m_trails.get()});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -17,7 +17,6 @@ class QPushButton;
 namespace trundle {
 
 class Actions;
-class ViewHeader;
 
 /// How a view stands, for the next time.
 struct ViewStand {
@@ -51,6 +50,8 @@ public:
     [[nodiscard]] bool isUpToDate() const;
     /// And as fine as it will be while all stands still: the time for a picture of the window.
     [[nodiscard]] bool isSettled() const;
+    /// The current view looks through the first camera that a path of the selection means.
+    void lookThrough(const std::string& path);
 
 public Q_SLOTS:
     void frameSelection();
@@ -70,6 +71,7 @@ private:
     void connectOverlays();
     void showBanner();
     void showMenu(View& view, const QPointF& at);
+    void lookThroughSelected();
     void askAlign();
     void askDistribute();
     void askArray();
@@ -82,6 +84,7 @@ private:
     RunSession& m_session;
     Actions& m_actions;
     ViewSettings m_settings;
+    std::unique_ptr<Measurement> m_measurement;
     std::unique_ptr<ShownWorld> m_world;
     std::unique_ptr<Trails> m_trails;
     std::unique_ptr<ViewParts> m_parts;

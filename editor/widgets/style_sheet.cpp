@@ -76,6 +76,7 @@ static const char* const kSheet =
     "QPushButton:default { border-color: @accent; }"
     "QPushButton:pressed { background: @line; }"
     "QPushButton:disabled { color: @disabled; }"
+    "QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }"
     "QScrollBar:vertical { background: transparent; width: 11px; margin: 0; }"
     "QScrollBar:horizontal { background: transparent; height: 11px; margin: 0; }"
     "QScrollBar::handle { background: @disabled; border-radius: 4px; min-height: 24px; min-width: 24px; margin: 2px; }"

@@ -138,7 +138,7 @@ private Q_SLOTS:
     void aReaderThatTalksNonsenseIsNotBelieved() {
         const QTemporaryDir folder;
         const std::string stub =
-            writeSample(folder.path(), "reader", "#!/bin/sh\nprintf 'TRMESH01\\377\\377\\377\\377\\377\\377\\377\\377'\n");
+            writeSample(folder.path(), "reader", "#!/bin/sh\nprintf 'TRMESH02\\377\\377\\377\\377\\377\\377\\377\\377'\n");
         QCOMPARE(::chmod(stub.c_str(), 0700), 0);
         AssetReader gullible(stub);
         expectError(gullible.mesh(writeSample(folder.path(), "a.obj", "v")), folder.filePath("a.obj"), "too many");

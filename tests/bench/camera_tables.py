@@ -26,12 +26,14 @@ def pictures(programs, options, results, page):
         ratio = min(run["product"][1] / run["bare"][1] for run in runs)
         rate = 1 / best["product"][1]
         lost = median([run["product"][2] / (run["product"][2] + run["tick"]) for run in runs])
-        rows.append([f"{width} x {height}", wanted, round(rate), round(1000 * best["product"][1], 2), round(1000 * best["bare"][1], 2), round(ratio, 2), round(1000 * median([run["tick"] for run in runs]), 2), round(100 * lost)])
+        rows.append([f"{width} x {height}", wanted, round(rate), round(1000 * best["product"][1], 2), round(1000 * best["bare"][1], 2), round(ratio, 2), round(1000 * median([run["tick"] for run in runs]), 2), round(100 * lost), round(100 * max(run["differing"] for run in runs), 1)])
         if rate < wanted:
             failed.append(f"cameras of {width} x {height}: {rate:.0f} pictures/s, {wanted} are wanted")
+        if rows[-1][-1] > 1:
+            failed.append(f"cameras of {width} x {height}: {rows[-1][-1]} % of the bytes are not those of the bare loop, which so draws something else")
         if ratio > RATIO:
             failed.append(f"cameras of {width} x {height}: {ratio:.2f} times the bare loop's time, at most {RATIO} is wanted")
-    header = ["picture", "wanted [1/s]", "pictures/s", "one picture [ms]", "bare OSG loop [ms]", "ratio", "one tick of 51 robots [ms]", "of the time, a picture in every tick [%]"]
+    header = ["picture", "wanted [1/s]", "pictures/s", "one picture [ms]", "bare OSG loop [ms]", "ratio", "one tick of 51 robots [ms]", "of the time, a picture in every tick [%]", "bytes unlike the bare loop's [%]"]
     report.write_csv(os.path.join(results, "cameras.csv"), header, rows)
     report.put(page, "cameras", report.markdown(header, rows))
     return failed

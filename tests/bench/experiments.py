@@ -129,6 +129,21 @@ def arc(angle, speed, turn_rate):
                   math.radians(abs(angle)) / turn_rate + speed + turn_rate / 4 + 1)
 
 
+def motes(count, seconds, period, least, medium):
+    """`count` motes 2 m apart that float in nothing; each sends once in `period` seconds and hears what is above `least` dBm."""
+    columns, rows = pattern(count)
+    return f"""Tick = 0.01   Duration = {seconds}   Gravity = 0,0,0
+#import robots/tmote_sky.sim
+#loadModule controllers/mote
+
+RadioMedium air {{ {medium} }}
+Grid motes {{
+  Config=TmoteSky  Count={columns},{rows}  Spacing=2  radio.MinReceivePower={least}
+  Mote brain {{ Power=-25 Period={period} }}
+}}
+"""
+
+
 def _drive(module, controller, seconds):
     return f"""Tick = 0.01   Duration = {seconds:.2f}
 #import robots/simple_robot.sim

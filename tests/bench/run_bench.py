@@ -166,6 +166,26 @@ def arcs(programs, options):
             if abs(int(row[0])) <= 360 and float(row[2]) == 0.3 and float(row[1]) == 0.3 and (abs(float(row[4])) > 0.02 or float(row[5]) > 0.1)]
 
 
+def radios(programs, options):
+    """What frames in the air cost: motes that float in nothing, each sending once a second, or never, to their neighbours or to all."""
+    rows, disturbed = [], "Mac=csma Collisions=true"
+    sides = {"silent": (1000, -72, ""), "neighbours": (1, -72, ""), "all": (1, -94, ""), "disturbed": (1, -94, disturbed)}
+    for count in [1, 10, 100] if options.quick else [1, 10, 100, 1000]:
+        progress(f"radios, {count} motes")
+        seconds = (2000 if count <= 10 else 200 if count <= 100 else 20) / (10 if options.quick else 1)
+        paths = {name: programs.write(f"motes_{name}_{count}", experiments.motes(count, seconds, *side)) for name, side in sides.items()}
+        values = interleaved(options.repetitions, {name: lambda path=path: programs.run(path)["real_time_factor"] for name, path in paths.items()})
+        cost = {name: 1e6 / max(value) for name, value in values.items()}  # us for each simulated second
+        row = [count, round(cost["silent"])]
+        for name in list(sides)[1:]:
+            row += [round(cost[name]), round((cost[name] - cost["silent"]) / count, 1) if count >= 100 else "-"]
+        rows.append(row)
+    header = ["motes", "silent [us/s]", "to neighbours [us/s]", "us per frame", "to all [us/s]", "us per frame", "with CSMA and collisions [us/s]", "us per frame"]
+    report.write_csv(os.path.join(RESULTS, "radios.csv"), header, rows)
+    report.put(PAGE, "radios", report.markdown(header, rows))
+    return []
+
+
 def windows(programs, options):
     """How fast the window answers."""
     return window_tables.measure(programs, options, RESULTS, PAGE)
@@ -176,7 +196,7 @@ def cameras(programs, options):
     return camera_tables.measure(programs, options, RESULTS, PAGE)
 
 
-SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "crowds": crowds}
+SECTIONS = {"straight": straight_lines, "arcs": arcs, "start": starting, "cameras": cameras, "window": windows, "speed": speed, "crowds": crowds, "radios": radios}
 
 
 def main():

@@ -67,6 +67,31 @@ struct Encoder {
     }
 };
 
+struct Camera {
+    double nearPlane = 0.05, farPlane = 100;
+    static void describe(Describe<Camera>& d) {
+        d.field("Near", &Camera::nearPlane, metres().above(0), "What is nearer is not seen.");
+        d.field("Far", &Camera::farPlane, metres().above(0), "What is farther is not seen.");
+    }
+};
+
+struct Radio {
+    std::string antenna = "isotropic";
+    double maxOutputPower = 0, minReceivePower = -94, maxReceivePower = 0;
+    int channel = 26, address = 0;
+    std::vector<double> powerLevels, transmitCurrent;
+    static void describe(Describe<Radio>& d) {
+        d.field("Antenna", &Radio::antenna, reference("AntennaPattern"), "How it looks.");
+        d.field("MaxOutputPower", &Radio::maxOutputPower, decibelMilliwatts().within(-100, 100), "At most.");
+        d.field("MinReceivePower", &Radio::minReceivePower, decibelMilliwatts().within(-200, 100), "At least.");
+        d.field("MaxReceivePower", &Radio::maxReceivePower, decibelMilliwatts().within(-200, 100), "Its RSSI ends here.");
+        d.field("Channel", &Radio::channel, number().within(0, 26), "Which.");
+        d.field("Address", &Radio::address, number().within(0, 65534), "Its own.");
+        d.field("PowerLevels", &Radio::powerLevels, decibelMilliwatts().within(-100, 100).counted(0, 1000), "It has.");
+        d.field("TransmitCurrent", &Radio::transmitCurrent, amperes().within(0, 100).counted(0, 1000), "For each.");
+    }
+};
+
 struct PoseLog {
     std::vector<std::string> robots;
     double interval = 0.1;
@@ -139,6 +164,8 @@ inline std::shared_ptr<const Registry> kinds() {
     good = registry->add(kindOf<Drive>("DifferentialDrive", Role::Device, {"RobotConfig"})).ok() && good;
     good = registry->add(kindOf<Touch>("TouchSensor", Role::Device, {"RobotConfig"})).ok() && good;
     good = registry->add(kindOf<Encoder>("Encoder", Role::Device, {"RobotConfig"})).ok() && good;
+    good = registry->add(kindOf<Camera>("Camera", Role::Device, {"RobotConfig"})).ok() && good;
+    good = registry->add(kindOf<Radio>("Transceiver", Role::Device, {"RobotConfig"})).ok() && good;
     good = registry->add(kindOf<PoseLog>("PoseLog", Role::Log, {""}, true)).ok() && good;
     assert(good);
     (void)good;

@@ -1,6 +1,7 @@
 // Pictures on surfaces, as a camera sees them.
 #include <QtTest>
 
+#include "base/mesh_look.h"
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
 
@@ -63,6 +64,28 @@ const Pose kFromWest{{-3, 0, 0}, Quat::Identity()}; // looks along x
 const Pose kFromSouth{{0, -3, 0}, rotationFromHpr({std::numbers::pi / 2, 0, 0})};
 const Pose kFromAbove{{0, 0, 3}, rotationFromHpr({std::numbers::pi / 2, std::numbers::pi / 2, 0})}; // its top is +y
 
+/// A square across the line of sight from the west, its upper half with the quarters on it, its lower half red.
+std::shared_ptr<ExperimentSpec> meshWithLook(std::uint32_t material) {
+    auto look = std::make_shared<MeshLook>();
+    look->materials.resize(2);
+    look->materials[0].picture = quarters();
+    look->materials[1].colour = {1, 0, 0};
+    look->material = {0, 0, 1, 1};
+    look->onPicture = {{{{0, 1}, {1, 1}, {1, 0}}}, {{{0, 1}, {1, 0}, {0, 0}}}, {}, {}};
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->points = {{0, 0.5, 0}, {0, -0.5, 0}, {0, -0.5, 0.5}, {0, 0.5, 0.5}, {0, 0.5, -0.5}, {0, -0.5, -0.5}};
+    mesh->triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 1}, {4, 1, 0}};
+    mesh->look = look;
+    auto experiment = pictured(GeomShape::Mesh, kFromWest);
+    auto geoms = *experiment->statics[0].geoms;
+    geoms[0].mesh = mesh;
+    geoms[0].material = material;
+    experiment->materials[1].picture = nullptr;
+    experiment->materials[1].colour = {0, 0, 1};
+    experiment->statics[0].geoms = std::make_shared<const std::vector<GeomSpec>>(geoms);
+    return experiment;
+}
+
 } // namespace
 
 class TexturesTest : public QObject {
@@ -80,6 +103,17 @@ private Q_SLOTS:
     void aFloorShowsItOnEveryMetre() {
         const Pose above{{0.5, 0.5, 3}, kFromAbove.rotation};
         QCOMPARE(seen(pictured(GeomShape::Plane, above), 45, 55), std::string("RGBW"));
+    }
+    // The square is 54 pixels wide and high about the middle.
+    void aMeshLooksAsItsFileSays() {
+        const Frame frame = captureAtStart(meshWithLook(0), "robot0/eye").value();
+        const auto at = [&](int x, int y) { return quarterOf(frame.pixels.data() + 3 * (y * 100 + x)); };
+        QCOMPARE((std::string{at(35, 32), at(65, 32), at(35, 44), at(65, 44), at(35, 60), at(65, 60)}), std::string("RGBWRR"));
+    }
+    void aMaterialOfTheTextComesFirst() {
+        const Frame frame = captureAtStart(meshWithLook(1), "robot0/eye").value();
+        for (const auto& [x, y] : {std::pair{35, 32}, {65, 44}, {35, 60}})
+            QCOMPARE(quarterOf(frame.pixels.data() + 3 * (y * 100 + x)), 'B');
     }
     void aPictureIsLitAsAColourIs() {
         auto experiment = pictured(GeomShape::Box, kFromWest);

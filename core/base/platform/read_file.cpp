@@ -23,9 +23,9 @@ const char* kindRefused(mode_t mode) {
     return "it is a device, not a file";
 }
 
-struct Descriptor {
+struct ReadFrom {
     int file;
-    ~Descriptor() {
+    ~ReadFrom() {
         if (file >= 0) ::close(file);
     }
 };
@@ -54,7 +54,7 @@ Result<std::string> readRegularFile(const std::string& path, std::uint64_t mostB
     if (path.find('\0') != std::string::npos) return failure(path, "its name holds a zero byte");
     // Looked at before opening, because opening a device can have effects; and after, because it may have been exchanged.
     if (const Result<FileStamp> before = regularFileStamp(path); !before) return before.error();
-    const Descriptor open{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)};
+    const ReadFrom open{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)};
     struct stat state {};
     if (open.file < 0 || ::fstat(open.file, &state) != 0) return failure(path, std::strerror(errno));
     if (const char* kind = kindRefused(state.st_mode)) return failure(path, kind);

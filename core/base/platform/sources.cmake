@@ -2,6 +2,7 @@
 set(BASE_PLATFORM_SOURCES
   platform/atomic_file.cpp
   platform/dynamic_library.cpp
+  platform/fed_process.cpp
   platform/limits.cpp
   platform/locked_file.cpp
   platform/memory.cpp

@@ -1,10 +1,12 @@
-// A mote of a sensor network. The target floods its number; every mote keeps the best way to it that it heard of in the newest flood, and
+// A mote of a sensor network. The target floods its number; every mote keeps the best way to it that it heard of in the newest floods, and
 // tells those around it: a pseudo-gradient towards the target (after Deshpande, Grant and Henderson, IEEE Systems Journal 8(1), 2014).
 #include <trundle/controller.h>
 
 #include "beacon.h"
 
 namespace {
+
+constexpr int kPatience = 3; ///< floods without a word by its own way, then it takes a worse one
 
 struct Mote : trundle::Controller {
     double period = 0.1, floodPeriod = 2, power = 0, goodRssi = -75;
@@ -46,9 +48,11 @@ private:
         const double hop = 10 + std::max(0.0, goodRssi - rssi);
         const double cost = beacon.cost + hop;
         if (cost >= Beacon::kUnknown || beacon.hops >= 254) return;
-        const auto ahead = static_cast<std::int16_t>(beacon.flood - known.flood); // the number runs over
-        if (known.knowsTarget() && ahead < 0) return;
-        if (known.knowsTarget() && ahead == 0 && cost >= known.cost) return;
+        if (known.knowsTarget()) {
+            const auto ahead = static_cast<std::int16_t>(beacon.flood - known.flood); // the number runs over
+            if (ahead < 0 || (ahead == 0 && cost >= known.cost)) return;
+            if (ahead < kPatience && cost > known.cost) return;
+        }
         known = {beacon.flood, static_cast<std::uint8_t>(beacon.hops + 1), static_cast<std::uint16_t>(cost)};
     }
 

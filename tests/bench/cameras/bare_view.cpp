@@ -17,7 +17,7 @@
 namespace trundle {
 namespace {
 
-constexpr double kReach = 400; // m, of the floor
+constexpr double kReach = 400, kReachInRadii = 60; // m, of the floor
 
 osg::ref_ptr<osg::Group> shapesOf(const std::vector<GeomSpec>& geoms, const ExperimentSpec& experiment, const Look& look,
                                   Pictures& pictures) {
@@ -80,11 +80,12 @@ struct BareView::Parts {
         Look::applyTo(state, uniforms);
         const Lighting lighting = lightingOf(experiment);
         lighting.applyTo(state);
-        uniforms.haze->set(static_cast<float>(kReach / 5));
+        const double reach = std::max(kReach, kReachInRadii * about.radius());
+        uniforms.haze->set(static_cast<float>(reach / 5));
         const std::vector<FloorPlane> floors = floorPlanes(experiment);
         for (unsigned i = 0; i < floors.size(); ++i) {
             uniforms.ground->set(static_cast<float>(floors[i].pose.position.z()));
-            root->addChild(makeFloorNode(floors[i], i, about, kReach, look, pictures, lighting));
+            root->addChild(makeFloorNode(floors[i], i, about, reach, look, pictures, lighting));
             root->addChild(makeSharpShadow(floors[i], i, solid, look, lighting));
         }
         root->addChild(makeSkyNode(look));

@@ -19,6 +19,7 @@ private Q_SLOTS:
     void anUndoneDeletionComesBackUnfolded();
     void onlyRowsThatDifferAreTold();
     void aBrokenTextStillHasATree();
+    void aRobotInItsOwnConfigHasAnEnd();
     void countsProblemsUpToTheGroups();
     void hidesAndLocksByTheIconsOfARow();
 };
@@ -191,6 +192,20 @@ void TreeTest::aBrokenTextStillHasATree() {
     }
     o.document.close();
     QCOMPARE(o.model().rowCount(), 0);
+}
+
+void TreeTest::aRobotInItsOwnConfigHasAnEnd() {
+    Outlined w; // as a brace in the wrong place makes it
+    QVERIFY(w.open("RobotConfig Rover { Body chassis { Box hull { Size=1,1,1 } }\nRobot robot0 { Config=Rover }\n}\n"
+                   "Robot robot1 { Config=Rover }\n"));
+    w.filter().setText(QStringLiteral("robot")); // unfolds all that leads to a match
+    std::size_t rows = 0;
+    const std::function<void(const QModelIndex&)> count = [&](const QModelIndex& parent) {
+        if (w.model().canFetchMore(parent)) w.model().fetchMore(parent);
+        for (int i = 0; i < w.model().rowCount(parent) && rows < 100; ++i, ++rows) count(w.model().index(i, 0, parent));
+    };
+    count({});
+    QVERIFY2(rows > 4 && rows < 20, qPrintable(QString::number(rows)));
 }
 
 void TreeTest::countsProblemsUpToTheGroups() {

@@ -97,7 +97,7 @@ class EveryKindTest : public QObject {
             tried = QStringLiteral("other.") + QString::fromStdString(p.choices.empty() ? "txt" : p.choices.front());
             desk.type(qPrintable(id), tried);
         } else {
-            for (const char* text : {"other", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3"}) {
+            for (const char* text : {"other", "1", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3"}) {
                 if (changed()) break;
                 tried += QLatin1String(text) + QLatin1Char('|');
                 desk.type(qPrintable(id), QLatin1String(text));

@@ -107,6 +107,29 @@ private Q_SLOTS:
         QCOMPARE(desk.document.history().entries().size(), entries);
     }
 
+    void aWrongValueOfTheTextIsSaidAtItsRow() {
+        PanelDesk desk;
+        QVERIFY(desk.open(
+            "Robot robot0 { Config=Rover Pos=0,0,0 HPR=fast }\nRobot robot1 { Config=Rover leftMotor.Resistance=-4 }\n"));
+        desk.selection.select("robot0");
+        const auto note = [&desk](const char* id) {
+            const auto* label = desk.row(id)->findChild<QLabel*>(QStringLiteral("note"));
+            return label->isVisible() ? label->text() : QString();
+        };
+        QVERIFY2(note("HPR").contains(QStringLiteral("three numbers")), qPrintable(note("HPR")));
+        QCOMPARE(note("Pos"), QString());
+        desk.picture("wrong");
+        QTest::mouseClick(desk.field("HPR"), Qt::LeftButton);
+        QVERIFY2(desk.help().contains(note("HPR").toHtmlEscaped()), qPrintable(desk.help()));
+        desk.type("HPR", QStringLiteral("0,0,90"));
+        QCOMPARE(note("HPR"), QString());
+        desk.document.undo();
+        QVERIFY(note("HPR").contains(QStringLiteral("three numbers")));
+        desk.selection.select("robot1");
+        const QString override = note("override.leftMotor.Resistance");
+        QVERIFY2(override.contains(QStringLiteral("-4")), qPrintable(override));
+    }
+
     void leavingAFieldEntersWhatWasTyped() {
         PanelDesk desk;
         QVERIFY(desk.open(kRobots));

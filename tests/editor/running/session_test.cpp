@@ -241,6 +241,10 @@ private Q_SLOTS:
         QVERIFY(kept.rotation.angularDistance(o.session.robotPose("robot0")->rotation) < 1e-5);
         o.document.undo();
         QVERIFY(!o.document.isModified());
+        QVERIFY(o.session.place("robot0", {{1.25, -0.5, -3.91e-5}, Quat::Identity()}));
+        o.session.keepPoses();
+        const std::string plain = *o.document.text(o.document.path());
+        QVERIFY2(plain.find("Pos=1.25, -0.5, -0.000039 ") != std::string::npos, plain.c_str()); // as people write it
     }
 
     void membersOfAGridHaveNoStartOfTheirOwn() {

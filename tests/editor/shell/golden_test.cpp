@@ -16,8 +16,6 @@
 #include <QProcess>
 #include <QSettings>
 #include <QtTest>
-#include <QtWidgets>
-#include <unistd.h>
 
 #include "editor/shell/main_window.h"
 #include "editor/widgets/theme.h"
@@ -58,7 +56,8 @@ qsizetype difference(const QImage& kept, const QImage& actual, QImage& shown) {
     for (int y = 0; y < actual.height(); ++y) {
         for (int x = 0; x < actual.width(); ++x) {
             const QRgb a = kept.pixel(x, y), b = actual.pixel(x, y);
-            const int far = std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+            const int far =
+                std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
             count += far > kNear;
             const int pale = 192 + qGray(b) / 4;
             shown.setPixel(x, y, far > kNear ? qRgb(220, 0, 0) : qRgb(pale, pale, pale));
@@ -114,7 +113,6 @@ private Q_SLOTS:
         QCOMPARE(difference(kept, actual, shown), 51);
         QCOMPARE(shown.pixel(50, 7), qRgb(220, 0, 0));
     }
-
 
     void theWindowLooksAsItDid_data() {
         QTest::addColumn<QString>("moment");
@@ -194,7 +192,7 @@ private:
 
     QImage picture() {
         if (QWidget* focus = m_window->focusWidget()) focus->clearFocus(); // no caret, and it is the same on every machine
-        int still = 0; // what a picture shows may still ask for another
+        int still = 0;                                                     // what a picture shows may still ask for another
         const bool settled = QTest::qWaitFor([&] { return (still = m_window->isSettled() ? still + 1 : 0) > 5; }, 60000);
         if (!settled) qWarning("the window did not come to rest");
         return m_window->grab().toImage().convertToFormat(QImage::Format_RGB888);
@@ -229,7 +227,8 @@ void leaveTheMachineOut() {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
     qputenv("LC_ALL", "C.UTF-8");
-    for (const char* wish : {"QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME", "QT_FONT_DPI", "QT_SCREEN_SCALE_FACTORS"}) qunsetenv(wish);
+    for (const char* wish : {"QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME", "QT_FONT_DPI", "QT_SCREEN_SCALE_FACTORS"})
+        qunsetenv(wish);
 }
 
 } // namespace

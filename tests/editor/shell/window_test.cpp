@@ -1,15 +1,12 @@
 // The whole window, with its real parts: open, move, undo, type, run, reset, save.
 
 #include <QApplication>
-#include <QDockWidget>
 #include <QFile>
-#include <QLabel>
-#include <QMenuBar>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <QtWidgets>
 
 #include "editor/shell/main_window.h"
 #include "editor/text/text_panel.h"
@@ -113,6 +110,41 @@ private Q_SLOTS:
                 QStringLiteral("%1 x %2").arg(m_window->minimumSizeHint().width()).arg(m_window->minimumSizeHint().height())));
     }
 
+    void aSmallScreenIsEnough_data() {
+        QTest::addColumn<QString>("layout");
+        QTest::newRow("to edit") << QStringLiteral("view.layoutEdit");
+        QTest::newRow("to run") << QStringLiteral("view.layoutRun");
+    }
+    void aSmallScreenIsEnough() {
+        QFETCH(QString, layout);
+        m_window->resize(1100, 700);
+        openMine();
+        m_window->actions().at(qPrintable(layout)).trigger();
+        m_window->selection().select("robot0");
+        QTRY_VERIFY(m_window->isSettled());
+        QCOMPARE(m_window->size(), QSize(1100, 700));
+        const QStringList cut = cutOff(*m_window);
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QLatin1Char('\n'))));
+    }
+
+    void aDockAmongTabsHasNoTitleOfItsOwn() {
+        openMine();
+        const auto dock = [this](const char* name) {
+            return m_window->findChild<QDockWidget*>(QStringLiteral("dock.") + QLatin1String(name));
+        };
+        QDockWidget *problems = dock("problems"), *console = dock("console"), *controllers = dock("controllers");
+        const auto titled = [](const QDockWidget* which) { return which->titleBarWidget() == nullptr; };
+        QTRY_VERIFY(!titled(problems) && !titled(console) && !titled(controllers)); // their tabs say their names
+        QVERIFY(titled(dock("scene")));
+        console->setFloating(true);
+        QTRY_VERIFY(titled(console));
+        QVERIFY(!titled(problems));
+        controllers->setFloating(true); // now the first is alone, though the others once had tabs beside it
+        QTRY_VERIFY(titled(controllers) && titled(problems));
+        console->setFloating(false);
+        QTRY_VERIFY(!titled(console) && !titled(problems));
+    }
+
     void aSampleOpensWithAClick() {
         QTest::mouseClick(m_window->findChild<QWidget*>(QStringLiteral("sample.linear_motion")), Qt::LeftButton);
         QTRY_VERIFY(m_window->document().isOpen());
@@ -179,6 +211,107 @@ private Q_SLOTS:
         QTRY_VERIFY(m_window->session().time() > 0);
     }
 
+    void deleteTakesObjectsAwayWhereObjectsAreSeen() {
+        openMine();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        const auto pressIn = [this](QWidget* place) {
+            m_window->selection().select("robot0");
+            place->setFocus();
+            QTest::keyClick(place, Qt::Key_Delete);
+            QTest::keyClick(place, Qt::Key_X, Qt::ControlModifier);
+        };
+        for (const auto& [dock, name] : {std::pair{"console", "consoleLines"}, {"history", "historyList"}}) {
+            m_window->findChild<QDockWidget*>(QStringLiteral("dock.") + QLatin1String(dock))->raise();
+            auto* list = m_window->findChild<QAbstractItemView*>(QLatin1String(name));
+            QTRY_VERIFY2(list && list->isVisible(), name);
+            pressIn(list);
+            QVERIFY2(text() == kExperiment, name);
+        }
+        for (QWidget* place : {static_cast<QWidget*>(m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"))),
+                               static_cast<QWidget*>(&m_window->viewport().current())}) {
+            pressIn(place);
+            QVERIFY(!text().contains("robot0 {"));
+            m_window->actions().at("edit.undo").trigger();
+            QCOMPARE(text(), kExperiment);
+        }
+    }
+
+    void aTextDroppedAnywhereIsOpened() {
+        QMimeData carried;
+        carried.setUrls({QUrl::fromLocalFile(path())});
+        const auto drop = [this, &carried](const QPointF& at) {
+            QDragEnterEvent enter(at.toPoint(), Qt::CopyAction | Qt::MoveAction, &carried, Qt::LeftButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(m_window->windowHandle(), &enter);
+            QDropEvent there(at, Qt::CopyAction | Qt::MoveAction, &carried, Qt::LeftButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(m_window->windowHandle(), &there);
+            return enter.isAccepted() && there.isAccepted();
+        };
+        const auto middleOf = [this](QWidget& panel) { return QPointF(panel.mapTo(m_window.get(), panel.rect().center())); };
+        QVERIFY(drop(QPointF(300, 300))); // on the Welcome page
+        QTRY_VERIFY(m_window->document().isOpen());
+        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        m_window->actions().at("file.save").trigger();
+        for (QWidget* panel : {static_cast<QWidget*>(&m_window->text()), static_cast<QWidget*>(&m_window->viewport())}) {
+            QSignalSpy opened(&m_window->document(), &Document::opened);
+            QVERIFY(drop(middleOf(*panel)));
+            QTRY_COMPARE(opened.size(), 1);
+            QVERIFY(text().contains("Pos=1,0,0")); // it is the text that is opened, nothing is written into one
+        }
+        QVERIFY(!m_window->isWindowModified());
+        carried.setUrls({QUrl::fromLocalFile(m_folder.path())});
+        QVERIFY(!drop(middleOf(m_window->viewport())));
+        m_window->document().close();
+    }
+
+    void whoPushesARobotCanPauseTheRun() {
+        openMine();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QTRY_VERIFY(m_window->isSettled());
+        RunSession& session = m_window->session();
+        View& view = m_window->viewport().current();
+        view.setFocus();
+        QTest::keyClick(&view, Qt::Key_F5);
+        QTRY_VERIFY(session.poses() && session.time() > 0.02);
+        const QPoint at = view.pixelOf(session.robotPose("robot0")->position + Vec3(0, 0, 0.1)).value().toPoint();
+        QTest::mousePress(&view, Qt::LeftButton, Qt::ControlModifier, at);
+        QMouseEvent move(QEvent::MouseMove, at + QPointF(30, 0), view.mapToGlobal(at + QPointF(30, 0)), Qt::NoButton,
+                         Qt::LeftButton, Qt::ControlModifier);
+        QCoreApplication::sendEvent(&view, &move);
+        QVERIFY(view.mouseIsBusy());
+        QTest::keyClick(&view, Qt::Key_F6);
+        QTRY_COMPARE(session.state(), RunState::Paused);
+        QVERIFY(view.mouseIsBusy());
+        QTest::keyClick(&view, Qt::Key_F5);
+        QTRY_COMPARE(session.state(), RunState::Running);
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::ControlModifier, at + QPoint(30, 0));
+        QVERIFY(!view.mouseIsBusy());
+    }
+
+    void theFindBarMovesNothing() {
+        openMine();
+        m_window->resize(1100, 700);
+        QTRY_VERIFY(m_window->isSettled());
+        auto* work = m_window->findChild<QSplitter*>(QStringLiteral("work"));
+        work->setSizes({10000, 1}); // the text as narrow as can be
+        const QList<int> before = work->sizes();
+        m_window->actions().at("edit.replace").trigger();
+        QTRY_VERIFY(m_window->findChild<QWidget*>(QStringLiteral("findBar"))->isVisible());
+        QCoreApplication::processEvents();
+        QCOMPARE(work->sizes(), before);
+        QCOMPARE(cutOff(*m_window->findChild<QWidget*>(QStringLiteral("findBar"))), QStringList());
+    }
+
+    void buttonsOfDialogsHaveWordsAlone() {
+        QDialogButtonBox box(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::Discard);
+        box.show();
+        for (const QAbstractButton* button : box.buttons()) QVERIFY2(button->icon().isNull(), qPrintable(button->text()));
+        QMessageBox question(QMessageBox::Question, {}, QStringLiteral("?"), QMessageBox::Save | QMessageBox::Discard);
+        question.show();
+        for (const QAbstractButton* button : question.buttons()) QVERIFY2(button->icon().isNull(), qPrintable(button->text()));
+    }
+
     void bothThemesAndBothLayouts() {
         openMine();
         m_window->actions().at("view.theme").trigger();
@@ -192,6 +325,45 @@ private Q_SLOTS:
     }
 
 private:
+    /// What does not show all of itself: what reaches out of where it stands, words in too little room, buttons of the window's own
+    /// bars that are folded away. What lies behind a tab is not looked at.
+    static QStringList cutOff(QWidget& window) {
+        QStringList found;
+        for (const QWidget* w : window.findChildren<QWidget*>()) {
+            const QWidget* parent = w->parentWidget();
+            if (!w->isVisible() || w->isWindow() || w->visibleRegion().isEmpty() || qobject_cast<const QLineEdit*>(parent))
+                continue;
+            const bool scrolls = parent->parentWidget() && qobject_cast<const QAbstractScrollArea*>(parent->parentWidget());
+            const auto* label = qobject_cast<const QLabel*>(w);
+            const auto* tool = qobject_cast<const QToolButton*>(w);
+            const auto* button = qobject_cast<const QAbstractButton*>(w);
+            const bool words = label ? !label->text().isEmpty()
+                                     : button && !button->text().isEmpty() &&
+                                           !(tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull());
+            QString why;
+            if (w->objectName() == QStringLiteral("qt_toolbar_ext_button")) {
+                if (parent->parentWidget() == &window) why = QStringLiteral("hides what did not fit");
+            } else if (!w->objectName().startsWith(QStringLiteral("qt_")) && !scrolls &&
+                       !parent->rect().adjusted(-2, -2, 2, 2).contains(w->geometry())) {
+                why = QStringLiteral("reaches out of its place");
+            } else if (words && w->width() < w->minimumSizeHint().width()) {
+                why = QStringLiteral("is narrower than its words");
+            }
+            if (why.isEmpty()) continue;
+            QString path;
+            for (const QWidget* at = w; at && at != &window; at = at->parentWidget())
+                path.prepend(QLatin1Char('/') +
+                             (at->objectName().isEmpty() ? QLatin1String(at->metaObject()->className()) : at->objectName()));
+            const QRect box = w->geometry();
+            found += QStringLiteral("%1 %2: %3,%4 %5 x %6")
+                         .arg(path, why)
+                         .arg(box.x())
+                         .arg(box.y())
+                         .arg(box.width())
+                         .arg(box.height());
+        }
+        return found;
+    }
     QString path() const { return m_folder.filePath(QStringLiteral("mine.sim")); }
     QByteArray text() const {
         m_window->text().flush();

@@ -190,6 +190,26 @@ private Q_SLOTS:
         }
     }
 
+    void whereThereIsNoFloorItsLinesAreThere() {
+        QVERIFY(m_window->open("#import robots/simple_robot.sim\nRobot robot0 { Config=SimpleRobot Pos=0,0,0 }\n"));
+        m_window->look({0, -2.5, 2.5}, {0, 0, 0});
+        QTRY_VERIFY(m_window->panel->isSettled());
+        const QImage with = m_window->view().picture();
+        m_window->trigger("view.overlayGrid");
+        QTRY_VERIFY(m_window->panel->isSettled());
+        const QImage without = m_window->view().picture();
+        // Along a metre of open ground ten lines are crossed, and the robot is the same.
+        int lines = 0;
+        const QPoint from = m_window->at({-0.55, -0.85, 0}), to = m_window->at({0.55, -0.85, 0});
+        for (int x = from.x(); x < to.x(); ++x) {
+            const auto dark = [&](int at) { return qGray(with.pixel(at, from.y())) < qGray(without.pixel(at, from.y())) - 3; };
+            lines += dark(x) && !dark(x - 1);
+        }
+        QCOMPARE(lines, 11);
+        const QPoint hull = m_window->at({0, 0, 0.16});
+        QCOMPARE(with.pixel(hull), without.pixel(hull));
+    }
+
     void withoutOpenGlAllButThePictureWorks() {
         ViewWindow window(nullptr);
         QVERIFY(window.open(kRoom));
@@ -210,6 +230,32 @@ private Q_SLOTS:
         QVERIFY(m_window->selection.empty());
         m_window->key(Qt::Key_Escape);
         QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void oneMeasuresFromOneViewToAnother() {
+        m_window->trigger("tool.measure");
+        m_window->panel->setViewCount(2);
+        QTRY_VERIFY(m_window->panel->isSettled());
+        View &first = m_window->panel->view(0), &second = m_window->panel->view(1);
+        const auto click = [](View& view, const Vec3& point) {
+            QTest::mouseClick(&view, Qt::LeftButton, {}, view.pixelOf(point).value().toPoint());
+        };
+        const auto drawn = [](View& view) {
+            const QImage image = view.grab().toImage().convertToFormat(QImage::Format_RGB32);
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) == qRgb(255, 208, 60);
+            return count;
+        };
+        QCOMPARE(drawn(first) + drawn(second), 0);
+        click(first, {0, 0, 0});
+        const int point = drawn(second);
+        QVERIFY(point > 0); // it shows there too
+        click(second, {0.2, 0.2, 0});
+        QVERIFY(drawn(second) > point);
+        QVERIFY(drawn(first) > point);
+        m_window->trigger("tool.select"); // nothing of it stays
+        QCOMPARE(drawn(first) + drawn(second), 0);
     }
 
 private:

@@ -1,0 +1,68 @@
+// Cameras, pictures and movies: what the window joins for them.
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "editor/cameras/cameras_panel.h"
+#include "editor/cameras/movie_dialog.h"
+#include "editor/cameras/picture_dialog.h"
+#include "editor/outline/outline_panel.h"
+#include "editor/shell/main_window.h"
+#include "editor/shell/status_line.h"
+#include "editor/viewport/viewport_panel.h"
+
+namespace trundle {
+
+/// Beside the experiment, named as it is; in the user's own folder where that cannot be written.
+QString MainWindow::pictureFile(const QString& ending) const {
+    const QFileInfo text(QString::fromStdString(m_document->path()));
+    const bool beside = !m_document->isNew() && QFileInfo(text.path()).isWritable();
+    return QDir(beside ? text.path() : QDir::homePath()).filePath(text.completeBaseName() + ending);
+}
+
+void MainWindow::connectCameras(Parts& parts, RenderService* render) {
+    connect(m_cameras, &CamerasPanel::said, m_status, &StatusLine::refuse);
+    connect(m_cameras, &CamerasPanel::lookThroughWanted, this, [this](const std::string& camera) {
+        showViewport(true);
+        m_viewport->current().lookThrough(camera);
+    });
+    connect(m_outline, &OutlinePanel::lookThroughWanted, this, [this](const std::string& path) {
+        showViewport(true);
+        m_viewport->lookThrough(path);
+    });
+    const auto needsGraphics = [this, render] {
+        if (!render) m_status->refuse(tr("Pictures need OpenGL, and none is to be had here."));
+        return render != nullptr;
+    };
+    connect(&m_actions->at("view.savePicture"), &QAction::triggered, this, [this, render, needsGraphics] {
+        if (!needsGraphics()) return;
+        View& view = m_viewport->current();
+        auto* dialog = new PictureDialog(
+            *render, [&view](std::uint32_t width, std::uint32_t height) { return view.still(width, height); }, view.size(),
+            pictureFile(QStringLiteral(".png")), this);
+        connect(dialog, &PictureDialog::written, this,
+                [this](const QString& path) { m_status->refuse(tr("Wrote %1").arg(path)); });
+        dialog->open();
+    });
+    connect(&m_actions->at("sim.record"), &QAction::triggered, this, [this, &parts, render, needsGraphics] {
+        if (!needsGraphics()) return;
+        if (auto* before = findChild<MovieDialog*>()) return before->raise(); // one movie at a time
+        View& view = m_viewport->current();
+        MovieOffer offer;
+        if (const QString why = m_session->refusal(); !why.isEmpty()) return m_status->refuse(why);
+        offer.text = m_document->loaded();
+        offer.run = m_session->snapshot() ? m_session->built() : nullptr;
+        offer.commands = m_session->commands();
+        offer.runTime = m_session->time();
+        offer.view = [&view](std::uint32_t width, std::uint32_t height) { return view.movingView(width, height); };
+        offer.shown = view.size();
+        offer.look = view.still(std::uint32_t(view.width()), std::uint32_t(view.height()));
+        offer.file = pictureFile(QStringLiteral(".mp4"));
+        auto* dialog = new MovieDialog(parts, *render, std::move(offer), this);
+        connect(dialog, &MovieDialog::recorded, this,
+                [this](const QString& path) { m_status->refuse(tr("Wrote %1").arg(path)); });
+        dialog->show();
+    });
+}
+
+} // namespace trundle

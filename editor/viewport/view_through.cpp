@@ -1,0 +1,110 @@
+// A view that looks through a robot's camera, and pictures of a view in other shapes than its own.
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include "editor/viewport/plate.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view.h"
+#include "render/service.h"
+#include "scene/camera_model.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kAhead = 2; // m, what the camera of a robot is taken to look at
+
+/// All that a picture of one shape shows, in another: more beside it or more above and below.
+CameraView reshaped(CameraView view, double from, double to) {
+    if (to <= from) return view;
+    view.fieldOfView = 2 * std::atan(std::tan(0.5 * view.fieldOfView) * to / from);
+    view.orthographicWidth *= to / from;
+    return view;
+}
+
+double aspectOf(const CameraModel& camera) { return double(camera.width) / std::max(1u, camera.height); }
+
+} // namespace
+
+const CameraModel* View::throughCamera() const { return m_through.empty() ? nullptr : m_parts.world.camera(m_through); }
+
+CameraView View::throughView(const CameraModel& camera, const BodyPoses& poses) const {
+    const CameraView view = viewOf(camera, camera.body < poses.size() ? poses[camera.body] : Pose{});
+    return reshaped(view, aspectOf(camera), double(std::max(1, width())) / std::max(1, height()));
+}
+
+void View::lookThrough(const std::string& camera) {
+    if (camera == m_through) return;
+    if (!camera.empty() && !m_parts.world.camera(camera)) return;
+    m_glide.stop();
+    if (m_through.empty()) m_beforeThrough = m_camera;
+    if (camera.empty()) m_camera = m_beforeThrough;
+    m_through = camera;
+    followCamera();
+    Q_EMIT kindChanged();
+    redraw();
+}
+
+/// The free camera goes along, so that whoever orbits goes on from there.
+void View::followCamera() {
+    if (m_through.empty()) return;
+    const CameraModel* camera = throughCamera();
+    if (!camera) {
+        m_through.clear();
+        m_camera = m_beforeThrough;
+        Q_EMIT kindChanged();
+        return;
+    }
+    CameraView view = throughView(*camera, *m_parts.world.poses());
+    view.target = view.eye + kAhead * (view.target - view.eye);
+    m_camera.setView(view);
+}
+
+bool View::leaveCamera() {
+    const bool was = !m_through.empty();
+    m_through.clear();
+    return was;
+}
+
+PictureRequest View::still(std::uint32_t width, std::uint32_t height) const {
+    PictureRequest r = request(true);
+    r.view = reshaped(*r.view, double(std::max(1, this->width())) / std::max(1, this->height()), double(width) / height);
+    r.width = width;
+    r.height = height;
+    r.marks = {};
+    r.yields = false;
+    return r;
+}
+
+std::function<CameraView(const BodyPoses&)> View::movingView(std::uint32_t width, std::uint32_t height) const {
+    const double from = double(std::max(1, this->width())) / std::max(1, this->height()), to = double(width) / height;
+    if (const CameraModel* camera = throughCamera())
+        return [camera = *camera, to](const BodyPoses& poses) {
+            return reshaped(viewOf(camera, camera.body < poses.size() ? poses[camera.body] : Pose{}), aspectOf(camera), to);
+        };
+    const auto robot = followedRobot();
+    if (!robot) return [view = reshaped(cameraView(), from, to)](const BodyPoses&) { return view; };
+    return [camera = m_camera, objects = m_parts.world.objects(), robot = *robot, from, to](const BodyPoses& poses) mutable {
+        if (poses.size() == objects->poseCount()) camera.follow(objects->poseOf(robot, poses));
+        return reshaped(camera.view(), from, to);
+    };
+}
+
+/// What the camera itself would not show is dimmed.
+void View::paintThrough(QPainter& painter) const {
+    const CameraModel* camera = throughCamera();
+    if (!camera) return;
+    const double aspect = aspectOf(*camera), high = std::min(double(height()), width() / aspect), wide = high * aspect;
+    const QRectF frame(0.5 * (width() - wide), 0.5 * (height() - high), wide, high);
+    QPainterPath rim;
+    rim.addRect(rect());
+    rim.addRect(frame);
+    painter.fillPath(rim, QColor(16, 18, 22, 120));
+    painter.setPen(QPen(QColor(245, 246, 248, 190), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(frame.adjusted(0.5, 0.5, -0.5, -0.5));
+    const QString words = tr("Through %1  •  Esc leaves").arg(QString::fromStdString(m_through));
+    paintPlate(painter, {0.5 * width(), 8 + 0.5 * (painter.fontMetrics().height() + 6)}, words);
+}
+
+} // namespace trundle

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""Draws the gallery: one picture of each shipped robot and arena, `resources/pictures/gallery/NAME.png`.
+
+`python3 resources/pictures/draw_gallery.py [BUILD]` after a build; BUILD is build/release where none is given. Each robot stands on a
+plain floor, each arena as it is; the pictures are those of `trundle-cli render`.
+"""
+
+import glob
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+SIZE = "640x360"
+# Of each robot: how far away (m) the eye is, and how high what it looks at. One that is not named is shown whole from farther away.
+ROBOTS = {"simple_robot": (0.85, 0.06), "camera_robot": (1.0, 0.12), "radio_robot": (1.05, 0.13), "evbot": (1.4, 0.19), "amr": (1.9, 0.18), "tmote_sky": (0.2, 0.01)}
+
+
+def text(folder, name, config):
+    if folder == "arenas":
+        return f"#import arenas/{name}.sim\nStatic it {{ Config={config} }}\n"
+    lines = ["#import arenas/open_floor.sim", f"#import robots/{name}.sim", "Static floor { Config=OpenFloor }", f"Robot it {{ Config={config} }}"]
+    if name in ROBOTS:
+        far, high = ROBOTS[name]
+        lines.append(f"View shown {{ Eye={0.66 * far:g},{-0.62 * far:g},{high + 0.42 * far:g} Target=0.01,0,{high:g} FieldOfView=40 }}")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    cli = os.path.join(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "release"), "bin", "trundle-cli")
+    os.makedirs(os.path.join(HERE, "gallery"), exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        for kind, word in (("robots", "RobotConfig"), ("arenas", "StaticConfig")):
+            for path in sorted(glob.glob(os.path.join(ROOT, "configs", kind, "*.sim"))):
+                name = os.path.splitext(os.path.basename(path))[0]
+                with open(path, encoding="utf-8") as file:
+                    configs = re.findall(rf"^{word} (\w+)", file.read(), re.MULTILINE)
+                if name == "open_floor" or not configs:
+                    continue  # nothing to see
+                experiment = os.path.join(folder, name + ".sim")
+                with open(experiment, "w", encoding="utf-8") as file:
+                    file.write(text(kind, name, configs[-1]))
+                picture = os.path.join(HERE, "gallery", name + ".png")
+                view = ["--view", "shown"] if name in ROBOTS else []
+                subprocess.run([cli, "render", experiment, "--size", SIZE, "-o", picture, *view], check=True)
+                print(picture)
+
+
+if __name__ == "__main__":
+    main()

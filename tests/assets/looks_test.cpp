@@ -1,0 +1,196 @@
+// How meshes look by their own files: colours, pictures, and where pictures may come from.
+#include <QBuffer>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <unistd.h>
+
+#include "assets/asset_reader.h"
+#include "base/mesh_look.h"
+#include "base/stand_in.h"
+#include "pictured_files.h"
+#include "sample_files.h"
+
+using namespace trundle;
+
+namespace {
+
+/// 2 x 2: red, green / blue, white.
+QByteArray fourColours() {
+    QImage picture(2, 2, QImage::Format_RGB32);
+    picture.setPixel(0, 0, qRgb(255, 0, 0));
+    picture.setPixel(1, 0, qRgb(0, 255, 0));
+    picture.setPixel(0, 1, qRgb(0, 0, 255));
+    picture.setPixel(1, 1, qRgb(255, 255, 255));
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, "PNG")) qFatal("no PNG");
+    return bytes;
+}
+
+/// A triangle whose corners lie at the lower left, the lower right and the upper left corner of its picture.
+QByteArray objWith(const QByteArray& materials) {
+    return "mtllib " + materials +
+           "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3\nv 0 0 5\nv 1 0 5\nv 0 1 5\n"
+           "usemtl steel\nf 4/1 5/2 6/3\n";
+}
+
+} // namespace
+
+class LooksTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(QDir(m_folder->path()).mkdir("meshes"));
+        m_reader = std::make_unique<AssetReader>(TRUNDLE_MESHREADER);
+        sample("paint.png", fourColours());
+        writeSample(m_folder->path(), "secret.png", fourColours());
+    }
+
+    void aMeshWithoutMaterialsHasNoLook() {
+        QVERIFY(!look("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        QVERIFY(!look("a.stl", binaryStl(1, {0, 0, 0, 1, 0, 0, 0, 1, 0})));
+        QVERIFY(!look("a.dae", collada("<node><instance_geometry url=\"#g\"/></node>")));
+        QVERIFY(!look("a.gltf", gltf("data:application/octet-stream;base64," + gltfBuffer().toBase64())));
+    }
+
+    void coloursComeFromAFileOfMaterials() {
+        sample("m.mtl", "newmtl paint\nKd 0.5 0.25 1\nd 0.5\nnewmtl steel\nKd 0.1 0.2 0.3\nKs 1 1 1\nNs 1000\nKe 0 0.5 0\n");
+        const auto look = this->look("a.obj", objWith("m.mtl"));
+        QVERIFY(look);
+        QCOMPARE(look->materials.size(), std::size_t(2));
+        QCOMPARE(look->material.size(), std::size_t(2));
+        const MeshMaterial &paint = look->materials[look->material[0]], &steel = look->materials[look->material[1]];
+        QCOMPARE(paint.colour, (std::array<float, 3>{0.5f, 0.25f, 1}));
+        QCOMPARE(paint.opacity, 0.5f);
+        QCOMPARE(steel.colour, (std::array<float, 3>{0.1f, 0.2f, 0.3f}));
+        QCOMPARE(steel.emission, (std::array<float, 3>{0, 0.5f, 0}));
+        QCOMPARE(steel.shininess, 1.f);
+        QVERIFY(look->onPicture.empty());
+        QVERIFY(look->complaints.empty());
+    }
+
+    // The same picture in the same place, whatever the format: the first corner is its lower left one.
+    void picturesLieWhereTheFileSays_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        const QByteArray data = "\"uri\":\"data:application/octet-stream;base64," + gltfNumbers().toBase64() + "\",";
+        QTest::newRow("OBJ") << "a.obj" << objWith("p.mtl");
+        QTest::newRow("COLLADA") << "a.dae" << daeWith("paint.png");
+        QTest::newRow("COLLADA, with a dot") << "a.dae" << daeWith("./paint.png");
+        QTest::newRow("COLLADA, from another machine") << "a.dae" << daeWith("file:///C:/Wood/paint.png");
+        QTest::newRow("glTF") << "a.gltf" << gltfWith(gltfImage("paint.png"), data, 60);
+        QTest::newRow("glTF, the picture in it")
+            << "a.gltf" << gltfWith(gltfImage("data:image/png;base64," + fourColours().toBase64()), data, 60);
+        QTest::newRow("GLB") << "a.glb" << glbWith(fourColours());
+    }
+    void picturesLieWhereTheFileSays() {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        sample("p.mtl", "newmtl paint\nmap_Kd paint.png\nnewmtl steel\nmap_Kd paint.png\n");
+        const auto look = this->look(name, bytes);
+        QVERIFY(look);
+        QVERIFY2(look->complaints.empty(), look->complaints.empty() ? "" : look->complaints[0].c_str());
+        const auto& picture = look->materials[look->material[0]].picture;
+        QVERIFY(picture);
+        QCOMPARE(picture->width, 2u);
+        QCOMPARE(picture->pixels, (std::vector<std::uint8_t>{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}));
+        QCOMPARE(look->onPicture[0], (std::array<std::array<float, 2>, 3>{{{0, 1}, {1, 1}, {0, 0}}}));
+        for (const MeshMaterial& m : look->materials) QVERIFY(m.picture == picture); // once, however often it is worn
+    }
+
+    void colourOfGltfIsLight() {
+        const auto look = this->look(
+            "a.gltf", gltfWith(gltfImage("paint.png"),
+                               "\"uri\":\"data:application/octet-stream;base64," + gltfNumbers().toBase64() + "\",", 60));
+        QVERIFY(look);
+        QCOMPARE(look->materials[0].colour, (std::array<float, 3>{0.5f, 0.5f, 0.5f}));
+        QCOMPARE(look->materials[0].shininess, 0.75f);
+    }
+
+    // The mesh is good; what of its look cannot be had is said, and a stand-in is worn.
+    void aPictureThatCannotBeHadIsSaid_data() {
+        QTest::addColumn<QByteArray>("written");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("missing") << QByteArray("none.png") << "not there";
+        QTest::newRow("no picture") << QByteArray("text.png") << "not a picture";
+        QTest::newRow("cut off") << QByteArray("short.png") << "shown";
+        QTest::newRow("empty") << QByteArray("empty.png") << "shown";
+        QTest::newRow("a folder") << QByteArray("folder.png") << "not there";
+        QTest::newRow("a device") << QByteArray("/dev/zero") << "outside";
+        QTest::newRow("out by dots") << QByteArray("../secret.png") << "outside";
+        QTest::newRow("out by many dots") << QByteArray("x/../../../../../../../../etc/hostname") << "outside";
+        QTest::newRow("out by its root") << QByteArray("/etc/passwd") << "outside";
+        QTest::newRow("out through a link") << QByteArray("link.png") << "outside";
+        QTest::newRow("out by backslashes") << QByteArray("..\\secret.png") << "outside";
+        QTest::newRow("another scheme") << QByteArray("http://example.org/wood.png") << "not there";
+        QTest::newRow("letters that are none") << QByteArray("\x01\x02 .png") << "not there";
+        QTest::newRow("a very long name") << QByteArray(900, 'a') << "not there";
+    }
+    void aPictureThatCannotBeHadIsSaid() {
+        QFETCH(QByteArray, written);
+        QFETCH(QString, word);
+        sample("text.png", "no picture at all");
+        sample("short.png", fourColours().left(50));
+        sample("empty.png", "");
+        QVERIFY(QDir(folder()).mkdir("folder.png"));
+        QCOMPARE(::symlink(qPrintable(m_folder->filePath("secret.png")), qPrintable(folder() + "/link.png")), 0);
+        sample("p.mtl", "newmtl paint\nmap_Kd " + written + "\nnewmtl steel\n");
+        const auto look = this->look("a.obj", objWith("p.mtl"));
+        QVERIFY(look);
+        QVERIFY(!look->complaints.empty());
+        const QString said = QString::fromStdString(look->complaints[0]);
+        QVERIFY2(said.contains(word), qPrintable(said));
+        QVERIFY2(!said.contains('\n') && said.size() <= 300, qPrintable(said));
+        const auto& worn = look->materials[look->material[0]].picture;
+        QVERIFY(worn);
+        QCOMPARE(worn->pixels, standInPicture()->pixels);
+    }
+
+    void aMissingFileOfMaterialsIsSaid() {
+        const auto look = this->look("a.obj", objWith("none.mtl"));
+        QVERIFY(look);
+        QCOMPARE(look->complaints, (std::vector<std::string>{"its file of materials, none.mtl, is not there"}));
+    }
+
+    void materialsOutsideTheFolderAreRefused() {
+        writeSample(m_folder->path(), "secret.mtl", "newmtl paint\nKd 1 0 0\n");
+        const auto mesh = m_reader->mesh(sample("a.obj", objWith("../secret.mtl")));
+        QVERIFY(!mesh.ok());
+        QVERIFY2(mesh.error().message.find("outside its folder") != std::string::npos, mesh.error().message.c_str());
+    }
+
+    void aThousandPicturesAreTooMany() {
+        QByteArray materials, faces = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
+        for (int i = 0; i < 1000; ++i) {
+            const QByteArray number = QByteArray::number(i);
+            sample("p" + QString::number(i) + ".png", fourColours());
+            materials += "newmtl m" + number + "\nmap_Kd p" + number + ".png\n";
+            faces += "usemtl m" + number + "\nf 1/1 2/1 3/1\n";
+        }
+        sample("m.mtl", materials);
+        const auto look = this->look("a.obj", faces);
+        QVERIFY(look);
+        QVERIFY(!look->complaints.empty() && look->complaints.size() <= 16);
+        QVERIFY2(look->complaints[0].find("one too many") != std::string::npos, look->complaints[0].c_str());
+    }
+
+private:
+    [[nodiscard]] QString folder() const { return m_folder->filePath("meshes"); }
+    std::string sample(const QString& name, const QByteArray& bytes) { return writeSample(folder(), name, bytes); }
+    /// Of a mesh that must be readable.
+    std::shared_ptr<const MeshLook> look(const QString& name, const QByteArray& bytes) {
+        const auto mesh = m_reader->mesh(sample(name, bytes));
+        if (!mesh.ok()) qFatal("%s", mesh.error().message.c_str());
+        return mesh.value()->look;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<AssetReader> m_reader;
+};
+
+QTEST_APPLESS_MAIN(LooksTest)
+#include "looks_test.moc"

@@ -1,0 +1,59 @@
+// Cameras give the same bytes in a window, with views and dock drawing beside the run, and without one.
+
+#include <QtTest>
+
+#include "editor/cameras/camera_window.h"
+
+using namespace trundle;
+
+namespace {
+
+QMap<QString, QByteArray> picturesIn(const QString& folder) {
+    QMap<QString, QByteArray> pictures;
+    for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.png"), QStringLiteral("*.jpg")})) {
+        QFile picture(file.filePath());
+        if (picture.open(QIODevice::ReadOnly)) pictures[file.fileName()] = picture.readAll();
+    }
+    return pictures;
+}
+
+} // namespace
+
+class CameraBytesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theWindowChangesNoPicture() {
+        const auto render = RenderService::startInBackground();
+        CameraWindow window(render.get());
+        QVERIFY(window.open(kTwoEyes + "Duration = 1\nFrameLog film { Camera=robot0/eye Interval=0.1 Format=png }\n"
+                                       "FrameLog depth { Camera=robot1/eye Interval=0.2 Format=png }\n"));
+        QVERIFY2(!window.document.loaded()->diagnostics.hasErrors(),
+                 window.document.loaded()->diagnostics.all().empty()
+                     ? ""
+                     : window.document.loaded()->diagnostics.all().front().message.c_str());
+        window.selection.select("robot0");
+        window.trigger("view.overlayFrusta");
+        window.view().lookThrough("robot0/eye");
+        QTRY_VERIFY(window.cameras.isSettled());
+        const int before = window.cameras.drawnCount();
+        window.session.setSpeed(0.5); // slow enough that many states of it are drawn
+        window.session.run();
+        QTRY_COMPARE_WITH_TIMEOUT(window.session.state(), RunState::Ended, 60000);
+        QVERIFY(!window.session.end()->failure);
+        QVERIFY(window.view().redraws() > 2);
+        QVERIFY(window.cameras.drawnCount() > before);
+        const auto seen = picturesIn(window.folder.filePath(QStringLiteral("logs/trial")));
+
+        const QString alone = window.folder.filePath(QStringLiteral("alone"));
+        const auto runner = window.headless(100, alone.toStdString());
+        QVERIFY(runner && runner->finish().ok());
+        const auto expected = picturesIn(alone);
+        QCOMPARE(expected.size(), 11 + 6);
+        QCOMPARE(seen.keys(), expected.keys());
+        for (auto it = expected.begin(); it != expected.end(); ++it) QVERIFY2(seen[it.key()] == it.value(), qPrintable(it.key()));
+        QVERIFY(expected.first() != expected[QStringLiteral("film_000010.png")]); // it drove
+    }
+};
+
+QTEST_MAIN(CameraBytesTest)
+#include "bytes_test.moc"

@@ -1,0 +1,54 @@
+#pragma once
+// The 3D views and the Cameras dock of one document and its run, as a window has them.
+
+#include "editor/cameras/cameras_panel.h"
+#include "editor/viewport/view_window.h"
+
+namespace trundle {
+
+struct CameraWindow : ViewWindow {
+    explicit CameraWindow(RenderService* render) : ViewWindow(render), cameras(document, session, render) {
+        cameras.resize(700, 300);
+        cameras.show();
+        (void)QTest::qWaitForWindowExposed(&cameras);
+        QObject::connect(&cameras, &CamerasPanel::said, [this](const QString& words) { said.push_back(words); });
+    }
+    [[nodiscard]] const CameraWall::Tile* tile(const std::string& camera) {
+        for (const CameraWall::Tile& tile : cameras.wall().tiles())
+            if (tile.camera == camera) return &tile;
+        return nullptr;
+    }
+    /// Runs so many ticks and stands; everything is drawn then.
+    [[nodiscard]] bool runTicks(std::uint64_t ticks) {
+        session.setSpeed(0);
+        session.runFor(double(ticks) * document.loaded()->experiment->settings.tick);
+        return QTest::qWaitFor([&] { return session.state() == RunState::Paused && session.snapshot()->tick == ticks; }, 60000) &&
+               QTest::qWaitFor([&] { return cameras.isSettled(); }, 20000);
+    }
+    /// The same run without a window.
+    [[nodiscard]] std::unique_ptr<Runner> headless(std::uint64_t ticks, const std::string& logs = {}) {
+        Diagnostics problems;
+        RunOptions options;
+        options.logFolder = logs;
+        std::unique_ptr<Runner> runner = parts->makeRunner(*document.loaded(), std::move(options), problems);
+        for (std::uint64_t i = 0; runner && i < ticks; ++i)
+            if (!runner->tick().ok()) return nullptr;
+        return runner;
+    }
+
+    CamerasPanel cameras;
+    std::vector<QString> said;
+};
+
+/// Two robots that see each other; one of them measures, with a noisy and bent lens.
+inline const QByteArray kTwoEyes = R"(Tick = 0.01   Seed = 5
+#import robots/camera_robot.sim
+#import arenas/colour_yard.sim
+#loadModule controllers/blob_follow
+Static yard { Config=ColourYard }
+Robot robot0 { Config=CameraRobot Pos=-1,0,0 BlobFollow brain { Speed=0.3 KeepEvery=0 } }
+Robot robot1 { Config=CameraRobot Pos=0.6,0.5,0 HPR=150,0,0
+  eye.Mode=depth eye.Noise=0.05 eye.Distortion=-0.2,0.02 eye.SeesSelf=false }
+)";
+
+} // namespace trundle

@@ -1,0 +1,212 @@
+// Movies and large pictures, as the window makes them.
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QtTest>
+
+#include "editor/cameras/camera_window.h"
+#include "editor/cameras/movie_dialog.h"
+#include "editor/cameras/picture_dialog.h"
+
+using namespace trundle;
+
+namespace {
+
+/// "width,height,rate,pictures"
+QByteArray factsOf(const QString& movie) {
+    QProcess probe;
+    probe.start(QStringLiteral("ffprobe"),
+                {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-count_frames"),
+                 QStringLiteral("-select_streams"), QStringLiteral("v:0"), QStringLiteral("-show_entries"),
+                 QStringLiteral("stream=width,height,r_frame_rate,nb_read_frames"), QStringLiteral("-of"),
+                 QStringLiteral("csv=p=0"), movie});
+    return probe.waitForFinished(60000) ? probe.readAllStandardOutput().trimmed() : QByteArray();
+}
+
+/// The raw pixels of the last picture.
+QByteArray lastPicture(const QString& movie, int bytes) {
+    QProcess reader;
+    reader.start(QStringLiteral("ffmpeg"),
+                 {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-i"), movie, QStringLiteral("-f"),
+                  QStringLiteral("rawvideo"), QStringLiteral("-pix_fmt"), QStringLiteral("rgb24"), QStringLiteral("-")});
+    return reader.waitForFinished(60000) ? reader.readAllStandardOutput().right(bytes) : QByteArray();
+}
+
+} // namespace
+
+class MovieTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() {
+        m_window = std::make_unique<CameraWindow>(m_render.get());
+        QVERIFY(m_window->open(kTwoEyes));
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aMovieHasExactlyItsPictures_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("camera");
+        QTest::newRow("MP4 of a camera") << "a.mp4" << true;
+        QTest::newRow("MP4 of the view") << "a.mp4" << false;
+        QTest::newRow("WebM of the view") << "a.webm" << false;
+    }
+    void aMovieHasExactlyItsPictures() {
+        QFETCH(QString, name);
+        QFETCH(bool, camera);
+        MovieJob job = jobFor(name);
+        if (camera) job.camera = "robot0/eye";
+        job.begin = 0.5;
+        job.end = 1.5;
+        job.framesPerSecond = 24;
+        QCOMPARE(job.frameCount(), 25u);
+        MovieRecorder recorder(*m_window->parts, *m_render);
+        QSignalSpy finished(&recorder, &MovieRecorder::finished);
+        recorder.start(job);
+        QVERIFY(finished.wait(60000));
+        QCOMPARE(finished.front().front().toString(), QString());
+        QCOMPARE(factsOf(m_window->folder.filePath(name)), QByteArray(camera ? "160,120,24/1,25" : "96,64,24/1,25"));
+        QCOMPARE(hiddenFiles(), QStringList());
+    }
+
+    void whatWasDoneByHandIsInIt() {
+        QVERIFY(m_window->runTicks(10));
+        m_window->session.place("robot1", {Vec3(-0.6, 0, 0), rotationFromHpr({3, 0, 0})});
+        m_window->session.runFor(0.1);
+        QTRY_VERIFY(m_window->session.state() == RunState::Paused && m_window->session.snapshot()->tick == 20);
+        QCOMPARE(m_window->session.commands().size(), std::size_t(1));
+        QByteArray ends[2];
+        for (const bool byHand : {false, true}) {
+            MovieJob job = jobFor(byHand ? QStringLiteral("hand.mp4") : QStringLiteral("alone.mp4"));
+            job.loaded = m_window->session.built();
+            job.camera = "robot0/eye"; // the other robot stands right before it now
+            job.end = 0.2;
+            if (byHand) job.commands = m_window->session.commands();
+            MovieRecorder recorder(*m_window->parts, *m_render);
+            QSignalSpy finished(&recorder, &MovieRecorder::finished);
+            recorder.start(job);
+            QVERIFY(finished.wait(60000));
+            ends[byHand] = lastPicture(QString::fromStdString(job.path), 160 * 120 * 3);
+            QCOMPARE(ends[byHand].size(), 160 * 120 * 3);
+        }
+        int changed = 0;
+        for (int i = 0; i < ends[0].size(); ++i) changed += std::abs(int(uchar(ends[0][i])) - int(uchar(ends[1][i]))) > 60;
+        QVERIFY2(changed > 2000, qPrintable(QString::number(changed)));
+    }
+
+    void aCancelledOneLeavesNothing() {
+        MovieJob job = jobFor(QStringLiteral("a.mp4"));
+        job.end = 1e5;
+        MovieRecorder recorder(*m_window->parts, *m_render);
+        QSignalSpy finished(&recorder, &MovieRecorder::finished), progressed(&recorder, &MovieRecorder::progressed);
+        recorder.start(job);
+        QVERIFY(progressed.wait(60000));
+        QVERIFY(progressed.wait(60000));
+        QVERIFY(recorder.isRecording());
+        recorder.cancel();
+        QVERIFY(finished.wait(60000));
+        QVERIFY(finished.front().at(1).toBool());
+        QVERIFY(!QFile::exists(m_window->folder.filePath(QStringLiteral("a.mp4"))));
+        QCOMPARE(hiddenFiles(), QStringList());
+    }
+
+    void aRecorderThatGoesTakesItsMovieAlong() {
+        {
+            MovieJob job = jobFor(QStringLiteral("a.mp4"));
+            job.end = 1e5;
+            MovieRecorder recorder(*m_window->parts, *m_render);
+            QSignalSpy progressed(&recorder, &MovieRecorder::progressed);
+            recorder.start(job);
+            QVERIFY(progressed.wait(60000));
+        }
+        QCOMPARE(hiddenFiles(), QStringList());
+    }
+
+    void whatFailsIsSaid() {
+        MovieJob job = jobFor(QStringLiteral("none/a.mp4"));
+        MovieRecorder recorder(*m_window->parts, *m_render);
+        QSignalSpy finished(&recorder, &MovieRecorder::finished);
+        recorder.start(job);
+        QVERIFY(finished.wait(60000));
+        QVERIFY(!finished.front().at(1).toBool());
+        QVERIFY2(finished.front().front().toString().contains(QStringLiteral("cannot be")),
+                 qPrintable(finished.front().front().toString()));
+    }
+
+    void theDialogAsksAndRecords() {
+        QVERIFY(m_window->runTicks(30));
+        MovieOffer offer;
+        offer.text = m_window->document.loaded();
+        offer.run = m_window->session.built();
+        offer.commands = m_window->session.commands();
+        offer.runTime = m_window->session.time();
+        offer.view = [this](std::uint32_t width, std::uint32_t height) { return m_window->view().movingView(width, height); };
+        offer.look = m_window->view().still(96, 64);
+        offer.file = m_window->folder.filePath(QStringLiteral("run.avi"));
+        auto* dialog = new MovieDialog(*m_window->parts, *m_render, offer, m_window->panel.get());
+        dialog->show();
+        auto* record = dialog->findChild<QPushButton*>(QStringLiteral("movieRecord"));
+        auto* sum = dialog->findChild<QLabel*>(QStringLiteral("movieSum"));
+        QVERIFY(!record->isEnabled());
+        QVERIFY(sum->text().contains(QStringLiteral(".webm")));
+        dialog->findChild<QLineEdit*>(QStringLiteral("movieFile"))->setText(m_window->folder.filePath(QStringLiteral("run.mp4")));
+        QVERIFY(record->isEnabled());
+        QCOMPARE(dialog->job().end, 0.3); // the run so far
+        QCOMPARE(dialog->job().loaded, m_window->session.built());
+        dialog->findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(96);
+        dialog->findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(64);
+        QVERIFY2(sum->text().contains(QStringLiteral("10 pictures")), qPrintable(sum->text()));
+        QSignalSpy recorded(dialog, &MovieDialog::recorded);
+        QTest::mouseClick(record, Qt::LeftButton);
+        QVERIFY(dialog->isRecording());
+        QVERIFY(recorded.wait(60000));
+        QCOMPARE(factsOf(m_window->folder.filePath(QStringLiteral("run.mp4"))), QByteArray("96,64,30/1,10"));
+        dialog->close();
+    }
+
+    void aViewIsSavedInEverySize_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<QString>("name");
+        QTest::newRow("4K") << QSize(3840, 2160) << "view.png";
+        QTest::newRow("small JPEG") << QSize(64, 200) << "view.jpg";
+    }
+    void aViewIsSavedInEverySize() {
+        QFETCH(QSize, size);
+        QFETCH(QString, name);
+        const auto still = [this](std::uint32_t width, std::uint32_t height) { return m_window->view().still(width, height); };
+        auto* dialog = new PictureDialog(*m_render, still, {900, 700}, m_window->folder.filePath(name), m_window->panel.get());
+        dialog->open();
+        dialog->findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(size.width());
+        dialog->findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(size.height());
+        QSignalSpy written(dialog, &PictureDialog::written);
+        dialog->save();
+        QVERIFY(written.wait(60000));
+        QCOMPARE(QImage(m_window->folder.filePath(name)).size(), size);
+    }
+
+private:
+    MovieJob jobFor(const QString& name) {
+        MovieJob job;
+        job.loaded = m_window->document.loaded();
+        job.look = m_window->view().still(96, 64);
+        job.look.samples = 1;
+        job.view = m_window->view().movingView(96, 64);
+        job.end = 0.5;
+        job.path = m_window->folder.filePath(name).toStdString();
+        return job;
+    }
+    /// What is left of movies that did not come to their end.
+    QStringList hiddenFiles() {
+        return QDir(m_window->folder.path()).entryList({QStringLiteral(".*.part.*")}, QDir::Files | QDir::Hidden);
+    }
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<CameraWindow> m_window;
+};
+
+QTEST_MAIN(MovieTest)
+#include "movie_test.moc"

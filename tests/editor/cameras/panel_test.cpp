@@ -1,0 +1,177 @@
+// The Cameras dock, looked at and worked with.
+
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QToolButton>
+#include <QtTest>
+
+#include "editor/cameras/camera_window.h"
+
+using namespace trundle;
+
+namespace {
+
+/// Which colours there are in a picture, more or less.
+int coloursIn(const QImage& image) {
+    QSet<QRgb> seen;
+    for (int y = 0; y < image.height(); y += 2)
+        for (int x = 0; x < image.width(); x += 2) seen.insert(image.pixel(x, y) & 0xf0f0f0);
+    return int(seen.size());
+}
+
+} // namespace
+
+class CamerasPanelTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() { m_window = std::make_unique<CameraWindow>(m_render.get()); }
+    void cleanup() { m_window.reset(); }
+
+    void withoutACameraItSaysWhatToDo() {
+        QVERIFY(m_window->open(kRoom));
+        auto* words = m_window->cameras.findChild<QLabel*>(QStringLiteral("camerasEmpty"));
+        QVERIFY(words->isVisible());
+        QVERIFY(words->text().contains(QStringLiteral("Insert")));
+        QVERIFY(m_window->open(kTwoEyes));
+        QVERIFY(!words->isVisible());
+    }
+
+    void beforeARunItShowsTheSceneAsItStands() {
+        QVERIFY(m_window->open(kTwoEyes));
+        QTRY_VERIFY(m_window->tile("robot0/eye") && m_window->tile("robot0/eye")->picture.frame);
+        QCOMPARE(m_window->tile("robot0/eye")->picture.image.size(), QSize(160, 120));
+        QVERIFY(coloursIn(m_window->tile("robot0/eye")->picture.image) > 8);
+        const QImage before = m_window->tile("robot0/eye")->picture.image;
+        // An edit is seen without a run.
+        QVERIFY(m_window->document.setValues(QStringLiteral("Turn"), {{"robot0.HPR", "40, 0, 0"}}).ok());
+        QTRY_VERIFY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image != before);
+        m_window->document.undo();
+        QTRY_VERIFY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image == before);
+    }
+
+    void inARunItShowsWhatTheControllersGet() {
+        QVERIFY(m_window->open(kTwoEyes));
+        for (const std::uint64_t ticks : {40u}) {
+            QVERIFY(m_window->runTicks(ticks));
+            const auto runner = m_window->headless(ticks);
+            QVERIFY(runner);
+            for (const char* camera : {"robot0/eye", "robot1/eye"}) {
+                const Result<const Frame*> expected = runner->cameras().capture(camera);
+                QVERIFY2(expected.ok(), camera);
+                const std::shared_ptr<const Frame> shown = m_window->tile(camera)->picture.frame;
+                QVERIFY2(shown && shown->tick == ticks, camera);
+                QVERIFY2(shown->pixels == expected.value()->pixels, camera);
+                QVERIFY2(shown->depth == expected.value()->depth, camera);
+            }
+        }
+        QVERIFY(!m_window->tile("robot1/eye")->picture.frame->depth.empty());
+    }
+
+    void theRunIsTheSameWithTheDockOpen() {
+        QVERIFY(m_window->open(kTwoEyes));
+        m_window->cameras.setMode(CameraMode::Segmentation);
+        QVERIFY(m_window->runTicks(300));
+        QVERIFY(m_window->cameras.drawnCount() > 2);
+        const auto runner = m_window->headless(300);
+        QVERIFY(runner);
+        QCOMPARE(*m_window->session.snapshot()->hash, runner->world().stateHash());
+    }
+
+    void onlyWhatIsSeenIsDrawn() {
+        QVERIFY(m_window->openSample("camera_swarm.sim"));
+        QTRY_VERIFY(m_window->cameras.isSettled());
+        QCOMPARE(m_window->cameras.wall().tiles().size(), std::size_t(4)); // of twenty, until somebody chooses
+        std::vector<std::string> all;
+        for (int i = 0; i < 20; ++i) all.push_back("swarm_" + std::to_string(i) + "/eye");
+        m_window->cameras.resize(340, 200);
+        m_window->cameras.setChosen(all);
+        QTRY_VERIFY(m_window->cameras.isSettled());
+        const std::size_t seen = m_window->cameras.wall().visibleTiles().size();
+        QVERIFY2(seen > 0 && seen < 12, qPrintable(QString::number(seen)));
+        std::size_t drawn = 0;
+        for (const CameraWall::Tile& tile : m_window->cameras.wall().tiles()) drawn += tile.picture.frame != nullptr;
+        QVERIFY2(drawn >= seen && drawn < 16, qPrintable(QString::number(drawn)));
+        // Hidden, none at all.
+        m_window->cameras.hide();
+        const int before = m_window->cameras.drawnCount();
+        m_window->session.setSpeed(0);
+        m_window->session.runFor(0.5);
+        QTRY_COMPARE_WITH_TIMEOUT(m_window->session.state(), RunState::Paused, 60000);
+        QCOMPARE(m_window->cameras.drawnCount(), before);
+        m_window->cameras.show();
+        QTRY_VERIFY(m_window->cameras.drawnCount() > before);
+    }
+
+    void aPictureAlsoTellsDistancesAndNames() {
+        QVERIFY(m_window->open(kTwoEyes));
+        QTRY_VERIFY(m_window->cameras.isSettled());
+        auto* mode = m_window->cameras.findChild<QComboBox*>(QStringLiteral("cameraMode"));
+        mode->setCurrentText(QStringLiteral("Segmentation"));
+        QTRY_VERIFY(m_window->cameras.isSettled());
+        const CameraWall::Tile* tile = m_window->tile("robot0/eye");
+        QCOMPARE(tile->picture.frame->objects.size(), std::size_t(160 * 120));
+        mode->setCurrentText(QStringLiteral("Depth"));
+        QTRY_VERIFY(m_window->cameras.isSettled() && !m_window->tile("robot0/eye")->picture.frame->depth.empty());
+        mode->setCurrentIndex(0); // as each camera sees
+        QTRY_VERIFY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.frame->depth.empty());
+        QVERIFY(!m_window->tile("robot1/eye")->picture.frame->depth.empty());
+    }
+
+    void thePictureCanBeSaved_data() {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("PNG") << "eye.png";
+        QTest::newRow("JPEG") << "eye.jpg";
+    }
+    void thePictureCanBeSaved() {
+        QFETCH(QString, name);
+        QVERIFY(m_window->open(kTwoEyes));
+        QTRY_VERIFY(m_window->cameras.isSettled());
+        m_window->cameras.wall().setCurrent("robot1/eye");
+        QVERIFY(m_window->cameras.findChild<QToolButton*>(QStringLiteral("cameraSave"))->isEnabled());
+        const QString path = m_window->folder.filePath(name);
+        m_window->cameras.savePicture(path);
+        QTRY_VERIFY(!m_window->said.empty());
+        QVERIFY2(m_window->said.front().startsWith(QStringLiteral("Wrote")), qPrintable(m_window->said.front()));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("camera = robot1/eye"));
+        QCOMPARE(QImage(path).size(), QSize(160, 120));
+        // Where it cannot be written, it says so.
+        m_window->said.clear();
+        m_window->cameras.savePicture(m_window->folder.filePath(QStringLiteral("none/") + name));
+        QTRY_VERIFY(!m_window->said.empty());
+        QVERIFY(!m_window->said.front().startsWith(QStringLiteral("Wrote")));
+    }
+
+    void whatIsTickedIsShown() {
+        QVERIFY(m_window->open(kTwoEyes));
+        auto* list = m_window->cameras.findChild<QListWidget*>(QStringLiteral("cameraList"));
+        QCOMPARE(list->count(), 2);
+        list->item(0)->setCheckState(Qt::Unchecked);
+        QCOMPARE(m_window->cameras.chosen(), std::vector<std::string>{"robot1/eye"});
+        QVERIFY(!m_window->tile("robot0/eye"));
+        // The choice outlives an edit.
+        QVERIFY(m_window->document.setValues(QStringLiteral("Move"), {{"robot0.Pos", "-1.2, 0, 0"}}).ok());
+        QCOMPARE(m_window->cameras.chosen(), std::vector<std::string>{"robot1/eye"});
+        list->item(1)->setCheckState(Qt::Unchecked);
+        auto* facts = m_window->cameras.findChild<QLabel*>(QStringLiteral("cameraFacts"));
+        QVERIFY(facts->text().contains(QStringLiteral("Tick")));
+    }
+
+    void withoutOpenGLItSaysSo() {
+        CameraWindow blind(nullptr);
+        QVERIFY(blind.open(kTwoEyes));
+        auto* words = blind.cameras.findChild<QLabel*>(QStringLiteral("camerasEmpty"));
+        QVERIFY(words->isVisible() && words->text().contains(QStringLiteral("OpenGL")));
+        QVERIFY(blind.cameras.isSettled());
+    }
+
+private:
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<CameraWindow> m_window;
+};
+
+QTEST_MAIN(CamerasPanelTest)
+#include "panel_test.moc"

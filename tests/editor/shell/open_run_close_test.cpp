@@ -1,0 +1,180 @@
+// Open, run, close, again and again: threads, descriptors and memory stay as they were. What is opened and run is gone each time
+// when it is closed; over 200 rounds (--long) no byte is left behind either.
+
+#include <algorithm>
+#include <cmath>
+
+#include <malloc.h>
+
+#include <QDir>
+#include <QFile>
+#include <QPixmapCache>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "editor/outline/library_panel.h"
+#include "editor/shell/main_window.h"
+#include "editor/viewport/viewport_panel.h"
+#include "editor/widgets/theme.h"
+#include "parts/parts.h"
+#include "render/service.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr int kWarmUp = 4; // rounds, until threads and descriptors are there that stay
+
+int countIn(const char* folder) {
+    return int(QDir(QLatin1String(folder)).entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot).size());
+}
+
+/// Bytes that the program holds from malloc, in all its arenas. Always 0 under a sanitizer, which tells of leaks itself.
+double bytesInUse() {
+    QPixmapCache::clear(); // Qt's own, of 10 MB at most
+    const struct mallinfo2 now = mallinfo2();
+    return double(now.uordblks) + double(now.hblkhd);
+}
+
+/// How much more there is each time: the median of the slopes between any two of the later half. Caches have filled in the first
+/// half, and a jump now and then is no leak.
+double growth(const std::vector<double>& values) {
+    std::vector<double> slopes;
+    for (std::size_t i = values.size() / 2; i < values.size(); ++i)
+        for (std::size_t j = i + 1; j < values.size(); ++j) slopes.push_back((values[j] - values[i]) / double(j - i));
+    if (slopes.empty()) return 0;
+    const auto middle = slopes.begin() + std::ptrdiff_t(slopes.size() / 2);
+    std::nth_element(slopes.begin(), middle, slopes.end());
+    return *middle;
+}
+
+} // namespace
+
+class OpenRunCloseTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        QSettings().clear();
+        applyTheme(*qApp, ThemeKind::Light);
+        m_parts = makeParts();
+        auto render = RenderService::start();
+        QVERIFY2(render.ok(), render.ok() ? "" : render.error().message.c_str());
+        m_render = std::move(render).value();
+        QFile sample(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/obstacle_detection.sim"));
+        QVERIFY(sample.open(QIODevice::ReadOnly));
+        QFile file(path());
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QVERIFY(file.write(sample.readAll()) > 0);
+    }
+    void init() {
+        m_texts.clear();
+        m_worlds.clear();
+        m_bytes.clear();
+    }
+
+    void aLeakIsToldFromACache() {
+        std::vector<double> cache, leak;
+        for (int round = 0; round < 200; ++round) {
+            const double noise = (round * 7919) % 20000, full = 5e6 * (1 - std::exp(-round / 15.0));
+            cache.push_back(full + noise + (round == 150 ? 1e6 : 0));
+            leak.push_back(full + noise + 10e3 * round);
+        }
+        QVERIFY2(std::abs(growth(cache)) < kMostInOneWindow, qPrintable(QString::number(growth(cache))));
+        QVERIFY2(growth(leak) > kMostInOneWindow, qPrintable(QString::number(growth(leak))));
+    }
+
+    /// As it is in daily use.
+    void inOneWindow() {
+        MainWindow window(*m_parts, m_render.get(), findLocations());
+        show(window);
+        QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 60000);
+        for (int round = 0; round < m_rounds; ++round) {
+            openAndRun(window, round);
+            window.actions().at("file.close").trigger();
+            QVERIFY(!window.document().isOpen());
+            enter(window);
+            if (failed(round)) return;
+        }
+        check(kMostInOneWindow);
+    }
+
+    void inNewWindows() {
+        for (int round = 0; round < m_rounds; ++round) {
+            {
+                MainWindow window(*m_parts, m_render.get(), findLocations());
+                show(window);
+                openAndRun(window, round);
+                QVERIFY(window.close());
+                enter(window);
+            }
+            if (failed(round)) return;
+            QTRY_VERIFY(QApplication::topLevelWidgets().isEmpty());
+        }
+        check(kMostInNewWindows);
+    }
+
+private:
+    /// Bytes a round. One button of a tab left behind is more than 8 kB with its style; a text or a world hundreds of kB, a window
+    /// millions. Below that Qt keeps something of each widget that had a style sheet, and what malloc keeps for threads moves.
+    static constexpr double kMostInOneWindow = 8e3, kMostInNewWindows = 30e3;
+
+    [[nodiscard]] QString path() const { return m_folder.filePath(QStringLiteral("obstacles.sim")); }
+
+    static void show(MainWindow& window) {
+        window.resize(1200, 800);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+    }
+    void openAndRun(MainWindow& window, int round) {
+        QVERIFY(window.open(path()));
+        QTRY_VERIFY(window.document().isOpen());
+        m_texts.push_back(window.document().loaded());
+        window.selection().select("robot0");
+        window.session().setSpeed(0);
+        window.actions().at("sim.run").trigger();
+        QTRY_VERIFY(window.session().snapshot() && window.session().snapshot()->tick > 20);
+        m_worlds.push_back(window.session().snapshot());
+        if (round % 3 == 1) window.actions().at("sim.reset").trigger();
+        if (round % 3 == 2) window.actions().at("sim.pause").trigger();
+        if (round % 2) QTRY_VERIFY(window.viewport().isUpToDate());
+    }
+    /// After each round: nothing of it lives on, but perhaps with the picture that was drawn last.
+    void enter(const MainWindow& window) {
+        QCOMPARE(const_cast<MainWindow&>(window).session().state(), RunState::Start);
+        const auto live = [](const auto& all) {
+            return std::ranges::count_if(all, [](const auto& one) { return !one.expired(); });
+        };
+        QTRY_VERIFY2(live(m_texts) <= 1, qPrintable(QString::number(live(m_texts))));
+        QTRY_VERIFY2(live(m_worlds) <= 1, qPrintable(QString::number(live(m_worlds))));
+        m_bytes.push_back(bytesInUse());
+        if (qEnvironmentVariableIsSet("TRUNDLE_VERBOSE")) qInfo("round %zu: %.0f bytes", m_bytes.size(), m_bytes.back());
+        if (int(m_bytes.size()) != kWarmUp) return;
+        m_threads = countIn("/proc/self/task");
+        m_descriptors = countIn("/proc/self/fd");
+    }
+    void check(double mostBytes) {
+        QTRY_VERIFY2(countIn("/proc/self/task") <= m_threads, qPrintable(QString::number(countIn("/proc/self/task"))));
+        QTRY_VERIFY2(countIn("/proc/self/fd") <= m_descriptors, qPrintable(QString::number(countIn("/proc/self/fd"))));
+        qInfo("%.0f bytes in use, %.0f more after each round", m_bytes.back(), growth(m_bytes));
+        if (m_isLong)
+            QVERIFY2(growth(m_bytes) < mostBytes, qPrintable(QString::number(growth(m_bytes)))); // caches are full by then
+    }
+    static bool failed(int round) {
+        if (QTest::currentTestFailed()) qWarning("in round %d", round);
+        return QTest::currentTestFailed();
+    }
+
+    const bool m_isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
+    const int m_rounds = m_isLong ? 200 : 8;
+    QTemporaryDir m_folder;
+    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<RenderService> m_render;
+    std::vector<std::weak_ptr<const Loaded>> m_texts;
+    std::vector<std::weak_ptr<const LiveSnapshot>> m_worlds;
+    std::vector<double> m_bytes;
+    int m_threads = 0, m_descriptors = 0;
+};
+
+QTEST_MAIN(OpenRunCloseTest)
+#include "open_run_close_test.moc"

@@ -1,0 +1,182 @@
+// A view that looks through a robot's camera, and the frusta of cameras.
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view_window.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kEye = R"(Tick = 0.01
+#import robots/camera_robot.sim
+#import arenas/medium_arena.sim
+Static arena { Config=MediumArena }
+Robot robot0 { Config=CameraRobot Pos=-0.5,0,0 }
+Grid other { Config=CameraRobot Count=2 Spacing=0.6 Pos=0.5,0.5,0 eye.SeesSelf=false }
+)";
+
+} // namespace
+
+class ThroughTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() {
+        m_window = std::make_unique<ViewWindow>(m_render.get());
+        QVERIFY(m_window->open(kEye));
+        m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
+    }
+    void cleanup() { m_window.reset(); }
+
+    void theViewTakesThePlaceOfTheCamera() {
+        View& view = m_window->view();
+        view.lookThrough("robot0/eye");
+        QVERIFY(view.throughCamera());
+        const Vec3 lens(-0.5 + 0.03, 0, 0.275);
+        QVERIFY((view.cameraView().eye - lens).norm() < 1e-9);
+        // All of the camera's picture is in the view: its corners fill the height or the width.
+        const CameraModel camera = *view.throughCamera();
+        const CameraView own = viewOf(camera, (*m_window->panel->world().poses())[camera.body]);
+        const ViewRay corner = rayThrough(own, camera.width, camera.height, 0, 0);
+        const QPointF at = view.pixelOf(corner.origin + corner.direction).value_or(QPointF(-1, -1));
+        const double high = std::min<double>(view.height(), view.width() * 0.75);
+        QVERIFY(std::abs(at.y() - 0.5 * (view.height() - high)) < 0.5);
+        QVERIFY(std::abs(at.x() - 0.5 * (view.width() - high / 0.75)) < 0.5);
+    }
+
+    void itGoesAlongWithTheRobot() {
+        View& view = m_window->view();
+        view.lookThrough("robot0/eye");
+        m_window->session.step();
+        QTRY_COMPARE(m_window->session.state(), RunState::Paused);
+        QVERIFY(m_window->session.place("robot0", {Vec3(0.4, -0.4, 0), rotationFromHpr({std::numbers::pi / 2, 0, 0})}));
+        QTRY_VERIFY((view.cameraView().eye - Vec3(0.4, -0.4 + 0.03, 0.275)).norm() < 1e-6);
+        m_window->session.reset();
+        QTRY_VERIFY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1e-6);
+    }
+
+    void escapeGoesBack() {
+        View& view = m_window->view();
+        const CameraView before = view.cameraView();
+        view.lookThrough("robot0/eye");
+        view.lookThrough("other_1/eye");
+        m_window->key(Qt::Key_Escape);
+        QVERIFY(!view.throughCamera());
+        QVERIFY((view.cameraView().eye - before.eye).norm() < 1e-9 && (view.cameraView().target - before.target).norm() < 1e-9);
+    }
+
+    void orbitGoesOnFromThere() {
+        View& view = m_window->view();
+        view.lookThrough("robot0/eye");
+        QTRY_VERIFY(view.isUpToDate());
+        m_window->drag({400, 400}, {410, 400}, Qt::MiddleButton);
+        QVERIFY(!view.throughCamera());
+        QVERIFY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1.5);
+    }
+
+    void aCameraThatGoesLetsGo() {
+        View& view = m_window->view();
+        const Vec3 before = view.cameraView().eye;
+        view.lookThrough("other_0/eye");
+        QVERIFY(view.throughCamera());
+        QVERIFY(m_window->open(kRoom));
+        QTRY_VERIFY(!view.throughCamera());
+        QVERIFY(std::isfinite(view.cameraView().eye.norm()));
+        view.lookThrough("robot0/eye"); // there is none here
+        QVERIFY(!view.throughCamera());
+        Q_UNUSED(before);
+    }
+
+    void theCommandTakesTheCamerasInTurn() {
+        m_window->selection.select("other");
+        m_window->trigger("view.through");
+        QCOMPARE(m_window->view().throughCamera()->path, std::string("other_0/eye"));
+        m_window->trigger("view.through");
+        QCOMPARE(m_window->view().throughCamera()->path, std::string("other_1/eye"));
+        m_window->selection.clear();
+        m_window->trigger("view.through");
+        QCOMPARE(m_window->view().throughCamera()->path, std::string("robot0/eye")); // all have their turn
+        m_window->view().lookThrough({});
+        QVERIFY(m_window->open(kRoom));
+        m_window->refusals.clear();
+        m_window->trigger("view.through");
+        QCOMPARE(m_window->refusals.size(), std::size_t(1));
+    }
+
+    void pathsMeanTheirCameras_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<int>("cameras");
+        QTest::newRow("robot") << "robot0" << 1;
+        QTest::newRow("camera") << "robot0.eye" << 1;
+        QTest::newRow("its body") << "robot0.chassis" << 1;
+        QTest::newRow("another body") << "robot0.leftWheel" << 0;
+        QTest::newRow("grid") << "other" << 2;
+        QTest::newRow("in a grid") << "other.eye" << 2;
+        QTest::newRow("member") << "other_1.eye" << 1;
+        QTest::newRow("config") << "RobotConfig.CameraRobot" << 3;
+        QTest::newRow("in a config") << "RobotConfig.CameraRobot.eye" << 3;
+        QTest::newRow("all configs") << "RobotConfig" << 0;
+        QTest::newRow("static") << "arena" << 0;
+        QTest::newRow("nothing") << "" << 0;
+    }
+    void pathsMeanTheirCameras() {
+        QFETCH(QString, path);
+        QFETCH(int, cameras);
+        QCOMPARE(int(m_window->panel->world().camerasOf(path.toStdString()).size()), cameras);
+    }
+
+    void frustaAreDrawnWhereTheyAre() {
+        View& view = m_window->view();
+        QTRY_VERIFY(view.isSettled());
+        // On the ray to the upper left corner of what the camera of robot0 sees.
+        const CameraModel camera = *m_window->panel->world().camera("robot0/eye");
+        const CameraView own = viewOf(camera, (*m_window->panel->world().poses())[camera.body]);
+        const ViewRay corner = rayThrough(own, camera.width, camera.height, 0, 0);
+        const QPoint at = m_window->at(corner.origin + 0.5 * corner.direction);
+        const QImage bare = view.grab().toImage();
+        QVERIFY(view.rect().contains(at));
+        m_window->trigger("view.overlayFrusta");
+        QTRY_VERIFY(view.isSettled());
+        QVERIFY(near(view.grab().toImage(), at) && !near(bare, at));
+        m_window->trigger("view.overlayFrusta");
+        QTRY_VERIFY(view.isSettled());
+        QVERIFY(!near(view.grab().toImage(), at));
+        m_window->selection.select("robot0.eye"); // that of what is selected is there always
+        QTRY_VERIFY(view.isSettled());
+        QVERIFY(view.grab().toImage().pixelColor(at) != bare.pixelColor(at));
+    }
+
+    void aStillShowsAllThatTheViewShows() {
+        View& view = m_window->view();
+        const PictureRequest wide = view.still(3840, 1000), high = view.still(500, 2000);
+        QCOMPARE(wide.width, 3840u);
+        const CameraView shown = view.cameraView();
+        for (const QPointF& corner : {QPointF(0, 0), QPointF(view.width(), view.height())}) {
+            const ViewRay ray = view.rayAt(corner);
+            for (const PictureRequest* still : {&wide, &high}) {
+                const auto at = project(*still->view, still->width, still->height, ray.origin + 3 * ray.direction);
+                QVERIFY(at && at->x > -0.5 && at->x < still->width + 0.5 && at->y > -0.5 && at->y < still->height + 0.5);
+            }
+        }
+        QVERIFY((wide.view->eye - shown.eye).norm() < 1e-12);
+    }
+
+private:
+    /// Whether the colour of frusta is there, on a pixel or beside it.
+    static bool near(const QImage& image, const QPoint& at) {
+        for (int y = -2; y <= 2; ++y)
+            for (int x = -2; x <= 2; ++x) {
+                const QColor c = image.pixelColor(at + QPoint(x, y));
+                if (std::abs(c.red() - 70) + std::abs(c.green() - 196) + std::abs(c.blue() - 222) < 60) return true;
+            }
+        return false;
+    }
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(ThroughTest)
+#include "through_test.moc"

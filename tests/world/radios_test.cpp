@@ -1,0 +1,115 @@
+// Antennas that are carried about: on a turret that turns on a tumbling robot, against the closed form.
+#include <QtTest>
+
+#include <random>
+
+#include "devices/builtin.h"
+#include "radio/medium.h"
+#include "world/fixtures.h"
+
+using namespace fixture;
+
+namespace {
+
+constexpr double kLight = 299792458.0;
+
+const TrundleKind* code(const std::string& kind) { return kind == "Row" ? Row::kind() : findBuiltInDevice(kind); }
+
+ResolvedValue vectorValue(const Vec3& v) { return {{PropertyType::Number, {v.x(), v.y(), v.z()}, {}}, {}, Origin::Config}; }
+
+/// How a robot carries its antenna.
+struct Carrier {
+    Vec3 hinge, axis, hingeToAntenna, turn; ///< in the base, but the last two in the turret; `turn` is HPR
+    std::string antenna;
+};
+
+std::shared_ptr<RobotConfigSpec> carrying(const Carrier& c) {
+    auto config = std::make_shared<RobotConfigSpec>();
+    const Vec3 base(0.3, 0.2, 0.1), turret(0.1, 0.1, 0.1);
+    config->bodies.push_back(body("base", {}, massOfBox(5, base), {box("hull", base)}));
+    config->bodies.push_back(body("turret", {c.hinge, Quat::Identity()}, massOfBox(0.2, turret), {}));
+    config->joints.push_back(joint("neck", JointType::Hinge, 0, 1, c.hinge, c.axis));
+    config->devices.push_back(row("motor", "neck"));
+    ComponentSpec radio;
+    radio.kind = "Transceiver";
+    radio.name = "radio";
+    radio.values["Body"] = textValue("turret");
+    radio.values["Pos"] = vectorValue(c.hingeToAntenna);
+    radio.values["HPR"] = vectorValue(c.turn);
+    radio.values["Antenna"] = textValue(c.antenna);
+    config->devices.push_back(radio);
+    return config;
+}
+
+/// Gain in dBi towards a direction, the antenna turned by `r`; written down again from the formulas.
+double gainTowards(const std::string& antenna, const Mat3& r, const Vec3& way) {
+    const Vec3 d = r.transpose() * way.normalized();
+    double power = 1;
+    if (antenna == "cosine") power = d.x() > 0 ? 6 * d.x() * d.x() : 0;
+    if (antenna == "dipole") power = 1.6409224 * std::pow(std::cos(kPi / 2 * d.z()), 2) / std::max(1e-12, 1 - d.z() * d.z());
+    if (antenna == "inverted_f") power = 1.5 * (0.7 * (1 - d.z() * d.z()) + 0.3 * (1 - d.y() * d.y()));
+    return power > 0 ? std::max(-30., 10 * std::log10(power)) : -30;
+}
+
+/// Where the antenna is, from the base's pose and the angle of the hinge alone.
+Pose antennaOf(World& world, const std::string& robot, const Carrier& c) {
+    const double* p = slot(world, robot + "/base/pose");
+    const Pose base{Vec3(p), Quat(p[3], p[4], p[5], p[6])};
+    const Quat turned(Eigen::AngleAxisd(value(world, robot + "/motor/position"), c.axis.normalized()));
+    return base * Pose{c.hinge, turned} * Pose{c.hingeToAntenna, rotationFromHpr(c.turn)};
+}
+
+} // namespace
+
+class RadiosTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hingedAntennasMatchTheClosedForm() {
+        std::mt19937_64 random(20261122);
+        const auto within = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
+        const auto vector = [&](double size) { return Vec3(within(size), within(size), within(size)); };
+        constexpr int kRobots = 10, kTicks = 100, kPause = 5; // 10 links x 100 moments
+        const char* antennas[] = {"cosine", "dipole", "inverted_f", "isotropic"};
+
+        Scene scene;
+        scene.spec->settings.gravity = Vec3::Zero();
+        std::vector<Carrier> carriers;
+        for (int i = 0; i < kRobots; ++i) {
+            carriers.push_back({vector(0.2), vector(1).normalized(), vector(0.3), vector(3), antennas[i % 4]});
+            scene.robot("r" + std::to_string(i), {Vec3(4. * i, within(3), within(3)), rotationFromHpr(vector(3))},
+                        carrying(carriers.back()));
+        }
+        Diagnostics diagnostics;
+        const auto world = scene.build(code, diagnostics);
+        QVERIFY2(world, diagnostics.all().empty() ? "" : diagnostics.all().front().message.c_str());
+        for (int i = 0; i < kRobots; ++i) command(*world, "r" + std::to_string(i) + "/motor", within(3) + 4, 0, 5);
+
+        const Medium& medium = *world->medium();
+        double worst = 0;
+        for (int moment = 0; moment < kTicks; ++moment) {
+            for (int tick = 0; tick < kPause; ++tick) QVERIFY(world->tick());
+            for (int i = 0; i < kRobots; ++i) {
+                const int j = (i + 1 + moment % 3) % kRobots;
+                const Pose from = antennaOf(*world, "r" + std::to_string(i), carriers[i]),
+                           to = antennaOf(*world, "r" + std::to_string(j), carriers[j]);
+                const Vec3 way = to.position - from.position;
+                const double expected = gainTowards(carriers[i].antenna, from.rotation.toRotationMatrix(), way) +
+                                        gainTowards(carriers[j].antenna, to.rotation.toRotationMatrix(), -way) -
+                                        20 * std::log10(4 * kPi * way.norm() * 2.45e9 / kLight);
+                const auto a = medium.find("r" + std::to_string(i) + "/radio"),
+                           b = medium.find("r" + std::to_string(j) + "/radio");
+                QVERIFY(a && b);
+                const double off = std::abs(medium.link(*a, *b).power - expected);
+                worst = std::max(worst, off);
+                QVERIFY2(off < 0.01, qPrintable(QString("moment %1, r%2 to r%3: %4 dB").arg(moment).arg(i).arg(j).arg(off)));
+            }
+        }
+        qInfo("1000 geometries, worst %.5f dB", worst);
+        // they did turn
+        for (int i = 0; i < kRobots; ++i) QVERIFY(std::abs(value(*world, "r" + std::to_string(i) + "/motor/position")) > 0.5);
+    }
+};
+
+QTEST_APPLESS_MAIN(RadiosTest)
+#include "radios_test.moc"
