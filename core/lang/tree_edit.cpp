@@ -182,7 +182,8 @@ TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string
         if (beside && beside != &items.back()) {
             const std::uint32_t end = behindComments(tree, beside->range.end);
             const std::uint32_t start = lineStart(bytes, beside->range.begin);
-            const std::string indent(bytes.substr(start, blanksAfter(bytes, start) - start));
+            const bool beginsLine = blanksAfter(bytes, start) == beside->range.begin;
+            const std::string indent = beginsLine ? std::string(bytes.substr(start, beside->range.begin - start)) : slot.indent;
             // Only where its line ends there: what stands behind on the line stays beside it.
             if (isLineEnd(bytes, blanksAfter(bytes, end))) return at(tree, end, end, style.lineEnd + indent + line);
         }

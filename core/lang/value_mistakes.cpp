@@ -115,6 +115,8 @@ void Parser::goesOn(Element& e, Value& v) {
         operandAt(1))
         return arithmetic(e, v);
     if (!adjacent()) return;
+    // `b+1` and `a*2` with names; `a-1` and `a/b` may be texts.
+    if (word && ((kind() == TokenKind::Star && operandAt(1)) || (text().starts_with('+') && !newLine()))) return arithmetic(e, v);
     if ((word && kind() == TokenKind::OpenParen) || (number && e.unit.empty() && kind() == TokenKind::Number))
         return arithmetic(e, v);
     if (!word && !number) return;
