@@ -41,6 +41,37 @@ def crowd(count, seconds, tick=0.01):
 """
 
 
+def small_crowd(count, seconds):
+    """`count` robots of the size and masses of the peer program's: 0.20 m x 0.15 m with two wheels under it and two sliders, one per
+    square metre of a walled square, with new speeds every second."""
+    columns, rows = pattern(count)
+    side = max(2.0, math.sqrt(count))
+    wheel = """  Body {0} {{ Pos=0, {1}, 0.04
+    Cylinder tyre {{ Radius=0.04 Length=0.02 HPR=0,0,90 Mass=0.1 Material=black Surface=rubber }} }}
+  Hinge {0}Axle {{ Parent=chassis Child={0} Axis=0,1,0 }}
+  RotaryMotor {0}Motor {{ Joint={0}Axle TorqueConstant=0.02 SpeedConstant=50 Resistance=2 GearRatio=30 MaxVoltage=12 }}
+"""
+    return f"""Tick = 0.01   Duration = {seconds}   Solver = exact
+#import common/materials.sim
+#import common/surfaces.sim
+#loadModule controllers/random_drive
+
+RobotConfig SmallRobot {{
+  Body chassis {{
+    Box hull     {{ Size=0.20,0.15,0.06  Pos=0,0,0.05  Mass=1.5  Material=lightgrey  Surface=wall }}
+    Sphere front {{ Radius=0.02  Pos=0.08,0,0.02   Mass=0.001  Material=darkgrey  Surface=slick }}
+    Sphere rear  {{ Radius=0.02  Pos=-0.08,0,0.02  Mass=0.001  Material=darkgrey  Surface=slick }}
+  }}
+{wheel.format("left", 0.065)}{wheel.format("right", -0.065)}
+  DifferentialDrive base {{ LeftMotor=leftMotor RightMotor=rightMotor WheelRadius=0.04 WheelSeparation=0.13 }}
+}}
+{_room(side, side)}Grid crowd {{
+  Config=SmallRobot  Count={columns},{rows}  Spacing={side / max(columns, rows):g}
+  RandomDrive brain {{ Speed=0.4 TurnRate=2.9 Period=1 }}
+}}
+"""
+
+
 def singles(count, config="SimpleRobot", further=""):
     """`count` robots, each a block of its own as a person edits them, one per square metre of a walled room; one is named middle."""
     columns, rows = pattern(count)
