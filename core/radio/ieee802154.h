@@ -14,6 +14,9 @@ inline constexpr std::uint32_t kAckBytes = 5;
 
 // Unslotted CSMA-CA (IEEE 802.15.4-2006, 7.5.1.4), us.
 inline constexpr std::int64_t kBackoffUnitUs = 320, kListenUs = 128, kTurnaroundUs = 192, kAckWaitUs = 864;
+// Between the frames of one sender: a long space behind more than 18 bytes (7.5.1.3, 6.4.1), us.
+inline constexpr std::int64_t kShortSpaceUs = 192, kLongSpaceUs = 640;
+inline constexpr std::uint32_t kMostBytesForShortSpace = 18;
 inline constexpr int kLeastExponent = 3, kMostExponent = 5, kMostBackoffs = 4, kMostRetries = 3;
 
 /// Bit error rate of O-QPSK with 16 spread symbols at a signal to noise ratio in dB (802.15.4-2006, E.4.1.8).

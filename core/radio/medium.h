@@ -141,6 +141,7 @@ private:
         Turn turn = Turn::Rest;
         int exponent = kLeastExponent, backoffs = 0, retries = 0;
         std::uint32_t attempt = 0;
+        std::int64_t restUntil = 0; ///< the space behind its last frame ends
         bool heardBusy = false;
         std::deque<Outgoing> acks; ///< to be sent
         std::int64_t energyUntil = 0;

@@ -1,5 +1,5 @@
 // Who may send when. Without a protocol a radio sends at once and asks nobody. CSMA-CA: unslotted, IEEE 802.15.4-2006, 7.5.1.4 and 7.5.6;
-// a packet for one address is acknowledged and repeated up to three times.
+// a packet for one address is acknowledged and repeated up to three times, and between two packets of one sender is a space.
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +48,7 @@ void Medium::backOff(RadioId id) {
     radio.turn = Turn::Backoff;
     const std::uint64_t bits = randomBits(m_settings.seed, radio.place.key, kBackoffSalt, radio.draws++);
     const auto units = static_cast<std::int64_t>(bits >> 32 & ((1u << radio.exponent) - 1));
-    schedule(m_now + units * kBackoffUnitUs, EventKind::ListenStart, id, 0);
+    schedule(std::max(m_now, radio.restUntil) + units * kBackoffUnitUs, EventKind::ListenStart, id, 0);
 }
 
 bool Medium::channelBusy(const Radio& radio) const {
@@ -116,6 +116,9 @@ void Medium::ackTimeout(RadioId id, std::uint32_t attempt) {
 /// Done with the first packet, one way or the other.
 void Medium::finish(RadioId id) {
     Radio& radio = m_radios[id];
+    const bool isSent = radio.turn != Turn::Listen;
+    const bool isShort = kFrameOverhead + radio.queue.front().bytes.size() <= kMostBytesForShortSpace;
+    if (isSent) radio.restUntil = m_now + (isShort ? kShortSpaceUs : kLongSpaceUs);
     radio.queue.pop_front();
     radio.turn = Turn::Rest;
     serve(id);
