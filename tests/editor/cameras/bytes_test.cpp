@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "editor/cameras/camera_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -34,14 +35,15 @@ private Q_SLOTS:
         window.selection.select("robot0");
         window.trigger("view.overlayFrusta");
         window.view().lookThrough("robot0/eye");
-        QTRY_VERIFY(window.cameras.isSettled());
+        EVENTUALLY(window.cameras.isSettled());
         const int before = window.cameras.drawnCount();
-        window.session.setSpeed(0.5); // slow enough that many states of it are drawn
+        window.session.setSpeed(0.1); // slow until pictures of it were drawn
         window.session.run();
-        QTRY_COMPARE_WITH_TIMEOUT(window.session.state(), RunState::Ended, 60000);
+        EVENTUALLY(window.cameras.drawnCount() > before && window.view().redraws() > 2);
+        QCOMPARE(window.session.state(), RunState::Running);
+        window.session.setSpeed(0);
+        EVENTUALLY_EQUAL(window.session.state(), RunState::Ended);
         QVERIFY(!window.session.end()->failure);
-        QVERIFY(window.view().redraws() > 2);
-        QVERIFY(window.cameras.drawnCount() > before);
         const auto seen = picturesIn(window.folder.filePath(QStringLiteral("logs/trial")));
 
         const QString alone = window.folder.filePath(QStringLiteral("alone"));

@@ -2,6 +2,7 @@
 
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -12,17 +13,17 @@ private Q_SLOTS:
     void init() {
         m_window = std::make_unique<ViewWindow>(m_render.get());
         QVERIFY(m_window->open(kRoom));
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
     }
     void cleanup() { m_window.reset(); }
 
     void oneEditIsOnePictureInEachView() {
         m_window->trigger("view.two");
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         const int first = m_window->panel->view(0).redraws(), second = m_window->panel->view(1).redraws();
         const int hidden = m_window->panel->view(2).redraws();
         QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         QCOMPARE(m_window->panel->view(0).redraws(), first + 1);
         QCOMPARE(m_window->panel->view(1).redraws(), second + 1);
         QCOMPARE(m_window->panel->view(2).redraws(), hidden);
@@ -32,13 +33,13 @@ private Q_SLOTS:
         const int before = m_window->view().redraws();
         for (int i = 0; i < 5; ++i) m_window->selection.select(i % 2 ? "robot0" : "robot1");
         for (int i = 0; i < 20; ++i) m_window->view().redraw();
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         QCOMPARE(m_window->view().redraws(), before + 1);
     }
 
     void whenAllStandsStillOneFinerPictureIsTheLast() {
         QTRY_COMPARE(m_window->view().refinements(), 1);
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         const int redraws = m_window->view().redraws();
         // Turns of the event loop that bring no event of ours.
         for (int i = 0; i < 200; ++i) QCoreApplication::processEvents();
@@ -48,18 +49,18 @@ private Q_SLOTS:
 
     void aFinerPictureKeepsNoNewOneWaiting() {
         m_window->panel->resize(1800, 1400); // so that it takes long
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         const int finer = m_window->view().refinements();
         while (m_window->view().refinements() == finer) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         const int before = m_window->view().redraws();
         QSignalSpy shown(&m_window->view(), &View::pictureShown);
         m_window->selection.select("robot0");
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         QCOMPARE(m_window->view().redraws(), before + 1);
         QVERIFY(shown.size() >= 1);
         QVERIFY(orange(m_window->view().picture()) > 100);
         QTRY_COMPARE(m_window->view().refinements(), finer + 2); // it comes later
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         QCOMPARE(shown.size(), 2); // the one that gave way was not
     }
 
@@ -70,30 +71,30 @@ private Q_SLOTS:
         for (int i = 0; i < 100; ++i) QCoreApplication::processEvents();
         QCOMPARE(m_window->view().redraws(), before);
         m_window->panel->show();
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         QCOMPARE(m_window->view().redraws(), before + 1);
     }
 
     void aSelectedRobotHasAnOutline() {
         const QImage plain = m_window->view().picture();
         m_window->selection.select("robot0");
-        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
         QCOMPARE(orange(plain), 0);
         m_window->selection.select("robot0.chassis.bumper");
-        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
         m_window->selection.select("RobotConfig.SimpleRobot.chassis"); // in both robots
-        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
         m_window->selection.select("arena.floor"); // has no end, so no outline
-        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
     }
 
     void hiddenThingsAreNotInThePicture() {
         m_window->selection.select("robot0");
-        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
         m_window->panel->setHidden({"robot0"});
-        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
         m_window->panel->setHidden({"robot0.chassis.hull", "arena"});
-        QTRY_VERIFY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
+        EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
     }
 
     void theWheelZoomsToTheCursor() {
@@ -133,11 +134,11 @@ private Q_SLOTS:
                                                            {"view.perspective", ViewKind::Perspective}}) {
             m_window->trigger(id);
             QCOMPARE(m_window->view().camera().kind(), kind);
-            QTRY_VERIFY(m_window->panel->isUpToDate());
+            EVENTUALLY(m_window->panel->isUpToDate());
         }
         m_window->trigger("view.four");
         for (int i = 0; i < 4; ++i) QVERIFY(m_window->panel->view(i).isVisible());
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         m_window->trigger("view.one");
         QVERIFY(!m_window->panel->view(3).isVisible());
     }
@@ -145,16 +146,16 @@ private Q_SLOTS:
     void framingShowsTheSelection() {
         m_window->selection.select("robot1");
         m_window->trigger("view.frame");
-        QTRY_VERIFY(m_window->view().rect().contains(m_window->at({0.5, 0.3, 0.05})));
-        QTRY_VERIFY(m_window->view().camera().distance() < 1.5);
+        EVENTUALLY(m_window->view().rect().contains(m_window->at({0.5, 0.3, 0.05})));
+        EVENTUALLY(m_window->view().camera().distance() < 1.5);
         m_window->trigger("view.frameAll");
-        QTRY_VERIFY(m_window->view().camera().distance() > 3);
+        EVENTUALLY(m_window->view().camera().distance() > 3);
     }
 
     void aBrokenThingStaysAsAGhost() {
         const QPointF hull = m_window->at({0.5, 0.3, 0.1});
         QTRY_COMPARE(m_window->view().refinements(), 1);
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         const QColor before = m_window->view().picture().pixelColor(hull.toPoint());
         // The second robot's config cannot be found any more.
         const std::string file = m_window->document.files().front();
@@ -163,13 +164,13 @@ private Q_SLOTS:
         QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, broken).ok());
         QCOMPARE(m_window->panel->world().objects()->experiment().robots.size(), std::size_t(1));
         QTRY_COMPARE(m_window->view().refinements(), 2);
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         const QColor ghost = m_window->view().picture().pixelColor(hull.toPoint());
         const std::string gone =
             QByteArray(kRoom).split('\n').mid(0, 5).join('\n').toStdString() + "\nRobot x { Config=Nothing }\n";
         QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, gone).ok());
         QTRY_COMPARE(m_window->view().refinements(), 3);
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         const QColor floor = m_window->view().picture().pixelColor(hull.toPoint());
         QVERIFY(ghost != before);
         QVERIFY(ghost != floor);
@@ -179,12 +180,12 @@ private Q_SLOTS:
         for (const char* id :
              {"view.overlayShadows", "view.overlayGrid", "view.overlayNames", "view.overlayTrails", "view.overlayJoints",
               "view.overlayMass", "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"}) {
-            QTRY_VERIFY(m_window->panel->isSettled());
+            EVENTUALLY(m_window->panel->isSettled());
             const QImage before = m_window->view().grab().toImage();
             const bool on = m_window->actions.at(id).isChecked();
             m_window->trigger(id);
             QCOMPARE(m_window->actions.at(id).isChecked(), !on);
-            QTRY_VERIFY(m_window->panel->isSettled());
+            EVENTUALLY(m_window->panel->isSettled());
             const bool needsRun = std::string(id) == "view.overlayTrails" || std::string(id) == "view.overlayContacts";
             if (!needsRun) QVERIFY2(m_window->view().grab().toImage() != before, id);
         }
@@ -193,10 +194,10 @@ private Q_SLOTS:
     void whereThereIsNoFloorItsLinesAreThere() {
         QVERIFY(m_window->open("#import robots/simple_robot.sim\nRobot robot0 { Config=SimpleRobot Pos=0,0,0 }\n"));
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         const QImage with = m_window->view().picture();
         m_window->trigger("view.overlayGrid");
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         const QImage without = m_window->view().picture();
         // Along a metre of open ground ten lines are crossed, and the robot is the same.
         int lines = 0;
@@ -222,7 +223,7 @@ private Q_SLOTS:
     void measuringShowsTheDistance() {
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
         m_window->trigger("tool.measure");
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         const QImage before = m_window->view().grab().toImage();
         m_window->click(m_window->at({-0.3, -0.8, 0}));
         m_window->click(m_window->at({0.7, -0.8, 0}));
@@ -235,7 +236,7 @@ private Q_SLOTS:
     void oneMeasuresFromOneViewToAnother() {
         m_window->trigger("tool.measure");
         m_window->panel->setViewCount(2);
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         View &first = m_window->panel->view(0), &second = m_window->panel->view(1);
         const auto click = [](View& view, const Vec3& point) {
             QTest::mouseClick(&view, Qt::LeftButton, {}, view.pixelOf(point).value().toPoint());
