@@ -101,13 +101,14 @@ void ScatterFields::describe(Describe<ScatterFields>& d) {
 }
 
 void LightFields::describe(Describe<LightFields>& d) {
-    d.help("A light: the sun, which replaces the one that everything has, or a lamp, which casts no shadows.");
+    d.help("A light: the sun, which replaces the one that everything has, or a lamp.");
     d.field("Mode", &LightFields::mode, oneOf("sun|lamp"), "The first sun counts, and up to eight lamps.");
     d.field("Pos", &LightFields::pos, position(), "Of a lamp.");
     d.field("Direction", &LightFields::direction, number().within(-1e6, 1e6), "Which way the sun shines.");
     d.field("ColorRGB", &LightFields::colour, number().within(0, 1), "Red, green and blue.");
     d.field("Intensity", &LightFields::intensity, number().within(0, 1e6), "Factor on its light; of a lamp, at 1 m.");
-    d.field("Shadows", &LightFields::shadows, flag(), "Whether the sun casts shadows on floors.");
+    d.field("Shadows", &LightFields::shadows, flag(),
+            "Whether it casts shadows on floors. Of the lamps that do, the first three count.");
 }
 
 void SkyFields::describe(Describe<SkyFields>& d) {

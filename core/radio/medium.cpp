@@ -4,18 +4,9 @@
 #include <cmath>
 
 #include "base/rng.h"
+#include "radio/radio_figures.h"
 
 namespace trundle {
-
-namespace {
-
-constexpr std::uint64_t kPowerSalt = 0x504f57, kReadingSalt = 0x524541, kClockSalt = 0x434c4f;
-
-double normalOf(std::uint64_t seed, std::uint64_t key, std::uint64_t salt) {
-    return toNormal(randomBits(seed, key, salt, 0), randomBits(seed, key, salt, 1));
-}
-
-} // namespace
 
 std::string_view fateName(Fate fate) {
     switch (fate) {
@@ -46,9 +37,10 @@ RadioId Medium::open(RadioDefinition definition) {
     radio.definition = std::move(definition);
     const RadioDefinition& d = radio.definition;
     radio.place = {id, fnv1a64(d.path), {}, d.antenna.get()};
-    radio.powerOffset = m_settings.offsets * normalOf(m_settings.seed, radio.place.key, kPowerSalt);
-    radio.readingOffset = m_settings.offsets * normalOf(m_settings.seed, radio.place.key, kReadingSalt);
-    radio.clockFactor = 1 + 1e-6 * m_settings.clockDrift * normalOf(m_settings.seed, radio.place.key, kClockSalt);
+    const RadioOffsets offsets = offsetsOf(m_settings, radio.place.key);
+    radio.powerOffset = offsets.power;
+    radio.readingOffset = offsets.reading;
+    radio.clockFactor = offsets.clockFactor;
     radio.current = d.receiveCurrent;
     radio.energyUntil = m_now;
     m_byPath.emplace(d.path, id);
@@ -113,17 +105,9 @@ std::shared_ptr<RadioTrace> Medium::trace() {
     return trace;
 }
 
-/// The strongest level that is not above what is wanted, and what this one radio makes of it.
+/// The nearest level, and what this one radio makes of it.
 double Medium::outputPower(const Radio& radio, double wanted) const {
-    const RadioDefinition& d = radio.definition;
-    double power = std::min(wanted, d.maxOutputPower);
-    if (!d.powerLevels.empty()) {
-        double best = *std::min_element(d.powerLevels.begin(), d.powerLevels.end());
-        for (const double level : d.powerLevels)
-            if (level <= power + 1e-9) best = std::max(best, level);
-        power = best;
-    }
-    return power + radio.powerOffset;
+    return outputLevel(radio.definition, wanted) + radio.powerOffset;
 }
 
 double Medium::sendCurrent(const Radio& radio, double power) const {
@@ -139,13 +123,6 @@ void Medium::setCurrent(Radio& radio, double current) {
     radio.counts.energy += radio.definition.supply * radio.current * (static_cast<double>(m_now - radio.energyUntil) * 1e-6);
     radio.energyUntil = m_now;
     radio.current = current;
-}
-
-double Medium::reading(const Radio& radio, double power) const {
-    const RadioDefinition& d = radio.definition;
-    double rssi = std::min(power + radio.readingOffset, d.maxReceivePower);
-    if (d.rssiStep > 0) rssi = std::round(rssi / d.rssiStep) * d.rssiStep;
-    return rssi;
 }
 
 } // namespace trundle

@@ -173,7 +173,6 @@ private:
     [[nodiscard]] Fate deliver(Radio& radio, const Frame& frame, const Reception& reception);
     void close(const Frame& frame, Reception& reception, Fate fate);
     void record(const Frame& frame, const Reception& reception, Fate fate);
-    [[nodiscard]] double reading(const Radio& radio, double power) const;
     [[nodiscard]] double outputPower(const Radio& radio, double wanted) const;
     void setCurrent(Radio& radio, double current);
     [[nodiscard]] double sendCurrent(const Radio& radio, double power) const;

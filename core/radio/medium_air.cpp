@@ -6,6 +6,7 @@
 
 #include "base/rng.h"
 #include "radio/medium.h"
+#include "radio/radio_figures.h"
 
 namespace trundle {
 
@@ -158,7 +159,7 @@ Fate Medium::deliver(Radio& radio, const Frame& frame, const Reception& receptio
         return Fate::BufferFull;
     }
     ++radio.counts.received;
-    radio.counts.lastRssi = reading(radio, reception.link.power);
+    radio.counts.lastRssi = rssiOf(radio.definition, reception.link.power + radio.readingOffset);
     radio.counts.lastLqi = linkQuality(reception.worstSinr);
     radio.inbox.push_back({static_cast<double>(m_now) * 1e-6 * radio.clockFactor, radio.counts.lastRssi, radio.counts.lastLqi,
                            from, to, frame.packet.sequence, frame.packet.bytes});
@@ -190,7 +191,7 @@ void Medium::record(const Frame& frame, const Reception& reception, Fate fate) {
                         static_cast<std::uint32_t>(frame.packet.bytes.size()),
                         frame.outputPower,
                         reception.link,
-                        reading(radio, reception.link.power),
+                        rssiOf(radio.definition, reception.link.power + radio.readingOffset),
                         sinr,
                         linkQuality(sinr),
                         fate};

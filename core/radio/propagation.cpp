@@ -4,9 +4,11 @@
 #include "radio/propagation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 
 #include "base/rng.h"
 
@@ -18,6 +20,55 @@ constexpr double kLight = 299792458.0;
 constexpr int kWaves = 32;
 constexpr double kMostSigmas = 4;
 constexpr std::uint64_t kShadowSalt = 0x5348414457ull;
+
+/// The cosines whose sum is the shadowing of one pair.
+class ShadowWaves {
+public:
+    ShadowWaves(std::uint64_t seed, std::uint64_t pair, double correlation)
+        : m_seed(seed), m_pair(pair), m_correlation(correlation) {
+        for (int number = 0; number < kWaves; ++number) {
+            std::uint64_t index = static_cast<std::uint64_t>(number) * 32;
+            const auto normal = [&] {
+                const double n =
+                    toNormal(randomBits(seed, pair, kShadowSalt, index), randomBits(seed, pair, kShadowSalt, index + 1));
+                index += 2;
+                return n;
+            };
+            Wave& wave = m_waves[static_cast<std::size_t>(number)];
+            wave.phase = 2 * std::numbers::pi * toUnit(randomBits(seed, pair, kShadowSalt, index++));
+            if (correlation > 0) {
+                for (std::size_t end = 0; end < 2; ++end) {
+                    wave.direction[end] = Vec3(normal(), normal(), normal());
+                    wave.length[end] = std::max(std::abs(normal()), 1e-9) * correlation;
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] bool belongTo(std::uint64_t seed, std::uint64_t pair, double correlation) const {
+        return seed == m_seed && pair == m_pair && correlation == m_correlation;
+    }
+    [[nodiscard]] double at(const Vec3& first, const Vec3& second) const {
+        double sum = 0;
+        for (const Wave& wave : m_waves) {
+            double phase = wave.phase;
+            if (m_correlation > 0)
+                phase = phase + wave.direction[0].dot(first) / wave.length[0] + wave.direction[1].dot(second) / wave.length[1];
+            sum += std::cos(phase);
+        }
+        return std::clamp(sum * std::sqrt(2.0 / kWaves), -kMostSigmas, kMostSigmas);
+    }
+
+private:
+    struct Wave {
+        double phase = 0;
+        std::array<Vec3, 2> direction;
+        std::array<double, 2> length{};
+    };
+    std::uint64_t m_seed, m_pair;
+    double m_correlation;
+    std::array<Wave, kWaves> m_waves;
+};
 
 } // namespace
 
@@ -47,25 +98,10 @@ double logDistanceLoss(double distance, double lambda, double exponent) {
 }
 
 double shadowing(std::uint64_t seed, std::uint64_t pair, const Vec3& first, const Vec3& second, double correlation) {
-    double sum = 0;
-    for (int wave = 0; wave < kWaves; ++wave) {
-        std::uint64_t index = static_cast<std::uint64_t>(wave) * 32;
-        const auto normal = [&] {
-            const double n = toNormal(randomBits(seed, pair, kShadowSalt, index), randomBits(seed, pair, kShadowSalt, index + 1));
-            index += 2;
-            return n;
-        };
-        double phase = 2 * std::numbers::pi * toUnit(randomBits(seed, pair, kShadowSalt, index++));
-        if (correlation > 0) {
-            for (const Vec3* end : {&first, &second}) {
-                const Vec3 direction(normal(), normal(), normal());
-                const double stretch = std::max(std::abs(normal()), 1e-9);
-                phase += direction.dot(*end) / (stretch * correlation);
-            }
-        }
-        sum += std::cos(phase);
-    }
-    return std::clamp(sum * std::sqrt(2.0 / kWaves), -kMostSigmas, kMostSigmas);
+    // Maps ask for one pair at thousands of places, and its waves are most of the work. Kept or not, they are the same.
+    thread_local std::optional<ShadowWaves> waves;
+    if (!waves || !waves->belongTo(seed, pair, correlation)) waves.emplace(seed, pair, correlation);
+    return waves->at(first, second);
 }
 
 } // namespace trundle

@@ -14,6 +14,7 @@
 #include "render/measured.h"
 #include "render/outline.h"
 #include "scene/masks.h"
+#include "scene/overlay.h"
 #include "scene/poses.h"
 #include "scene/scene_marks.h"
 #include "scene/view.h"
@@ -40,6 +41,7 @@ struct PictureRequest {
     SceneMarks marks;       ///< outlined; paths as "robot0/chassis/hull"
     OutlineStyle outline;
     std::vector<std::string> hidden; ///< left out, as the marks by path
+    SceneOverlay overlay;            ///< what kMaskOverlay shows
 };
 
 struct PickRequest {

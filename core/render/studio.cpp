@@ -124,6 +124,7 @@ Result<Image> Studio::draw(const PictureRequest& request) {
     Scene& scene = *set.value().stage->scene;
     scene.setMarks(request.marks);
     scene.setWireframe(request.wireframe);
+    scene.setOverlay(request.overlay);
     if (request.mask & kMaskCollision) scene.makeCollision(*set.value().stage->experiment);
     return set.value().target->draw(scene, set.value().view, request.mask, static_cast<unsigned>(++m_uses), request.outline);
 }

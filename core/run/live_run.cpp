@@ -12,6 +12,7 @@ LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared
     m_shared->running = options.startsRunning;
     m_shared->steps = options.startsRunning ? 0 : options.steps;
     m_shared->contacts = options.contacts;
+    m_shared->radio.want(options.radio);
     m_shared->changed = std::move(options.changed);
     m_shared->busySince = LiveClock::now();
     setSpeed(options.speed);
@@ -77,6 +78,8 @@ void LiveRun::wantContacts(bool wanted) {
     m_shared->contacts = wanted;
     m_shared->wishes.notify_all();
 }
+
+void LiveRun::wantRadio(bool wanted) { m_shared->radio.want(wanted); }
 
 namespace {
 
@@ -155,6 +158,8 @@ LiveLines LiveRun::takeLines() {
     taken.lines.assign(std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end()));
     return taken;
 }
+
+LiveRadio LiveRun::takeRadio() { return m_shared->radio.take(); }
 
 std::vector<Diagnostic> LiveRun::takeWarnings() {
     const std::scoped_lock guard(m_shared->lock);

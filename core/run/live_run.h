@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "run/live_radio.h"
 #include "run/runner.h"
 #include "signals/block.h"
 #include "signals/layout.h"
@@ -74,10 +75,10 @@ class LiveRun {
 public:
     struct Options {
         std::string logFolder;
-        double speed = 1;           ///< see setSpeed()
-        bool startsRunning = false; ///< runs as soon as it is built, else it is paused at tick 0
-        std::uint64_t steps = 0;    ///< ticks to take first of all, unless it runs anyway
-        bool contacts = false;
+        double speed = 1;                     ///< see setSpeed()
+        bool startsRunning = false;           ///< runs as soon as it is built, else it is paused at tick 0
+        std::uint64_t steps = 0;              ///< ticks to take first of all, unless it runs anyway
+        bool contacts = false, radio = false; ///< as by wantContacts(), wantRadio()
         /// Called on the run's thread when phase() changed or a step was done. Must not block.
         std::function<void()> changed;
         /// A run of the same logs that was told to stop: building waits for its end. One that does not end keeps its logs, and
@@ -99,6 +100,7 @@ public:
     void stop();                        ///< for good, after the tick it is in
     void setSpeed(double factor);       ///< simulated s per s; 0: as fast as possible
     void wantContacts(bool wanted);     ///< in snapshots from now on; a run that stands makes a new one
+    void wantRadio(bool wanted);        ///< what flies is kept from the next tick on
     /// For the coming tick. Of several before it that push one body, place one robot or write one signal, the last counts.
     void command(decltype(Command::what) what);
     /// Pushes before every tick from now on, until it is replaced or ended; each is a command of its own.
@@ -114,6 +116,7 @@ public:
     [[nodiscard]] std::shared_ptr<const SignalLayout> layout() const;
     [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const;
     [[nodiscard]] LiveLines takeLines();
+    [[nodiscard]] LiveRadio takeRadio();
     [[nodiscard]] std::vector<Diagnostic> takeWarnings(); ///< also those of building
     [[nodiscard]] std::optional<LiveEnd> end() const;
     /// As stamped by the runner.

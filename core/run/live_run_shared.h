@@ -38,6 +38,8 @@ struct LiveRun::Shared {
     std::vector<Command> stamped;
     std::optional<LiveClock::time_point> busySince;
 
+    RadioTap radio; ///< has a lock of its own
+
     /// Written by the runner.
     std::shared_ptr<std::atomic<std::uint32_t>> turn = std::make_shared<std::atomic<std::uint32_t>>(0);
 

@@ -4,6 +4,8 @@
 
 #include <trundle/abi.h>
 
+#include "radio/medium.h"
+
 namespace trundle {
 namespace {
 
@@ -85,6 +87,10 @@ void LiveThread::build(const RunnerMaker& maker) {
         return;
     }
     const World& world = m_runner->world();
+    if (Medium* medium = world.medium(); medium && medium->radioCount() > 0) {
+        m_medium = medium;
+        m_shared->radio.open(*medium);
+    }
     const SettingsSpec& settings = world.experiment().settings;
     m_ticks = settings.duration > 0 ? ticksFor(settings.duration, settings.tick) : 0;
     m_pace.restart(LiveClock::now());
@@ -164,7 +170,9 @@ bool LiveThread::tick() {
         m_runner->flushLogs();
         m_flushed = before;
     }
+    if (m_medium) m_shared->radio.beforeTick(*m_medium);
     const bool good = m_runner->tick().ok();
+    if (m_medium) m_shared->radio.afterTick(*m_medium);
     const LiveClock::time_point after = LiveClock::now();
     m_meter.ticked(after - before);
     m_pace.ticked();

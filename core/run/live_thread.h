@@ -42,6 +42,7 @@ private:
     std::chrono::milliseconds m_patience{0};
     std::string m_logFolder;
     std::unique_ptr<Runner> m_runner;
+    Medium* m_medium = nullptr;      ///< of its world; null without radios
     std::uint64_t m_ticks = 0;       ///< of the whole run; 0: until stopped
     LiveClock::time_point m_flushed; // when logs were
     LivePace m_pace;

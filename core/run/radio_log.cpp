@@ -7,6 +7,7 @@
 #include "run/log.h"
 #include "run/log_choice.h"
 #include "run/log_settings.h"
+#include "run/radio_rows.h"
 
 namespace trundle {
 namespace {
@@ -40,27 +41,11 @@ class RadioLog final : public Log {
 public:
     RadioLog(Medium& medium, RadioChoice robots) : m_medium(medium), m_robots(std::move(robots)), m_trace(medium.trace()) {}
 
-    void header(std::string& csv) const override {
-        CsvWriter out(csv);
-        for (const char* name : {"time [s]", "from", "to", "kind", "addressed to", "sequence", "bytes", "output power [dBm]",
-                                 "distance [m]", "send gain [dBi]", "receive gain [dBi]", "path loss [dB]", "shadowing [dB]",
-                                 "wall loss [dB]", "received power [dBm]", "RSSI [dBm]", "SINR [dB]", "LQI", "fate"})
-            out.cell(name);
-        out.endRow();
-    }
+    void header(std::string& csv) const override { addRadioHeader(csv); }
 
     void rows(const World&, double, std::string& csv) override {
-        CsvWriter out(csv);
-        for (const FrameRecord& r : m_trace->records) {
-            if (!m_robots.has(r.from) && !m_robots.has(r.to)) continue;
-            out.cell(r.time).cell(m_medium.radio(r.from).path).cell(m_medium.radio(r.to).path).cell(r.ack ? "ack" : "data");
-            if (r.address == kBroadcastAddress) out.cell("all");
-            else out.cell(r.address);
-            out.cell(r.sequence).cell(r.bytes).cell(rounded(r.outputPower)).cell(rounded(r.link.distance));
-            out.cell(rounded(r.link.sendGain)).cell(rounded(r.link.receiveGain)).cell(rounded(r.link.pathLoss));
-            out.cell(rounded(r.link.shadow)).cell(rounded(r.link.wallLoss)).cell(rounded(r.link.power));
-            out.cell(r.rssi).cell(rounded(r.sinr)).cell(r.lqi).cell(fateName(r.fate)).endRow();
-        }
+        for (const FrameRecord& r : m_trace->records)
+            if (m_robots.has(r.from) || m_robots.has(r.to)) addRadioRow(r, m_medium.radio(r.from), m_medium.radio(r.to), csv);
         m_trace->records.clear();
         m_trace->frames.clear();
     }

@@ -3,16 +3,29 @@
 #include <map>
 
 #include <osg/LOD>
+#include <osgUtil/CullVisitor>
 
 #include "base/mesh_look.h"
+#include "scene/osg_types.h"
 #include "scene/picture_map.h"
 #include "scene/shape_mesh.h"
 
 namespace trundle {
 namespace {
 
-constexpr float kFinePixels = 170, kCoarsePixels = 34; // size on screen (diameter) where another degree of detail takes over
-constexpr Fineness kFine{36, true}, kMiddle{18, true}, kCoarse{10, false};
+/// How finely something is cut that is so many pixels large on the screen (diameter) or smaller.
+struct Degree {
+    float pixels;
+    int segments;
+    bool bevel;
+};
+constexpr float kAnyPixels = 1e9f;
+constexpr std::array<Degree, 5> kDegrees{
+    {{kAnyPixels, 36, true}, {170, 18, true}, {64, 14, false}, {20, 8, false}, {8, 6, false}}};
+constexpr Fineness kFine{36, true}, kOutline{10, false};
+
+/// Told to what is below a ShadowTransform.
+struct Casting : osg::Referenced {};
 
 /// A drawable in the making.
 struct Batch {
@@ -134,6 +147,33 @@ public:
         return batch.points->empty() ? nullptr : batch.finish(state);
     }
 
+    /// What casts the shadow of everything; nothing where there is nothing.
+    [[nodiscard]] osg::ref_ptr<osg::Geometry> bare(Fineness fineness, const Look& look) const {
+        osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
+        osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+        osg::ref_ptr<GeomRanges> ranges = new GeomRanges;
+        bool closed = true;
+        for (const Piece& piece : m_all) {
+            if (!ranges->ranges.empty() && ranges->ranges.back().geom == piece.geom) continue; // a mesh of several materials
+            const GeomSpec& geom = m_geoms[piece.geom];
+            const auto first = static_cast<std::uint32_t>(points->size());
+            ranges->ranges.push_back({first, piece.geom});
+            closed = closed && isRound(geom);
+            const ShapeMesh mesh = bareShapeOf(geom, fineness);
+            for (const Eigen::Vector3f& point : mesh.points) points->push_back(toOsg(geom.pose * point.cast<double>()));
+            for (const std::uint32_t i : mesh.indices) triangles->push_back(first + i);
+        }
+        if (triangles->empty()) return nullptr;
+        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+        geometry->setUseDisplayList(false);
+        geometry->setUseVertexBufferObjects(true);
+        geometry->setVertexArray(points);
+        geometry->addPrimitiveSet(triangles);
+        geometry->setUserData(ranges);
+        if (!closed) geometry->setStateSet(look.openCasters);
+        return geometry;
+    }
+
     /// Each picture once, in the order of the geoms, and whether one can see through what it is on.
     [[nodiscard]] std::vector<std::pair<std::shared_ptr<const Raster>, bool>> pictures() const {
         std::vector<std::pair<std::shared_ptr<const Raster>, bool>> all;
@@ -199,16 +239,20 @@ private:
     std::map<std::uint32_t, std::vector<ShapeMesh>> m_meshes; // by geom, then by material
 };
 
-/// Three degrees of detail, where there is anything.
-template <class Make> void addDetail(osg::Group& group, Make make) {
+/// All degrees of detail, where there is anything.
+template <class Make> osg::ref_ptr<osg::LOD> detailOf(Make make) {
     const osg::ref_ptr<osg::Geometry> fine = make(kFine);
-    if (!fine) return;
+    if (!fine) return nullptr;
+    const double across = 2 * fine->getBound().radius();
     osg::ref_ptr<osg::LOD> detail = new osg::LOD;
     detail->setRangeMode(osg::LOD::PIXEL_SIZE_ON_SCREEN);
-    detail->addChild(fine, kFinePixels, 1e9f);
-    detail->addChild(make(kMiddle), kCoarsePixels, kFinePixels);
-    detail->addChild(make(kCoarse), 0, kCoarsePixels);
-    group.addChild(detail);
+    for (std::size_t i = 0; i < kDegrees.size(); ++i) {
+        const Degree& degree = kDegrees[i];
+        const float least = i + 1 < kDegrees.size() ? kDegrees[i + 1].pixels : 0;
+        detail->addChild(i == 0 ? fine : make({degree.segments, degree.bevel, across > 0 ? degree.pixels / across : 0}), least,
+                         degree.pixels);
+    }
+    return detail;
 }
 
 osg::ref_ptr<osg::Geometry> partOf(const osg::Geometry& whole, const std::function<bool(std::uint32_t)>& keep) {
@@ -230,6 +274,34 @@ osg::ref_ptr<osg::Geometry> partOf(const osg::Geometry& whole, const std::functi
 
 } // namespace
 
+void GeomNode::traverse(osg::NodeVisitor& visitor) {
+    if (!dynamic_cast<const Casting*>(visitor.getUserData())) return osg::Group::traverse(visitor);
+    if (caster) caster->accept(visitor);
+}
+
+void GeomNode::releaseGLObjects(osg::State* state) const {
+    osg::Group::releaseGLObjects(state);
+    if (caster) caster->releaseGLObjects(state);
+}
+
+void ShadowTransform::traverse(osg::NodeVisitor& visitor) {
+    static const osg::ref_ptr<Casting> casting = new Casting;
+    const osg::ref_ptr<osg::Referenced> before = visitor.getUserData();
+    visitor.setUserData(casting);
+    if (auto* cull = m_everywhere ? visitor.asCullVisitor() : nullptr) {
+        // Every transform below begins with the set of the projection; this one has begun.
+        osg::CullingSet& seen = cull->getProjectionCullingStack().back();
+        const osg::CullingSet::Mask mask = seen.getCullingMask();
+        seen.setCullingMask(osg::CullingSet::NO_CULLING);
+        cull->getCurrentCullingSet().setCullingMask(osg::CullingSet::NO_CULLING);
+        osg::MatrixTransform::traverse(visitor);
+        seen.setCullingMask(mask);
+    } else {
+        osg::MatrixTransform::traverse(visitor);
+    }
+    visitor.setUserData(before);
+}
+
 std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
     const auto after =
         std::upper_bound(ranges.begin(), ranges.end(), vertex, [](std::uint32_t v, const Range& r) { return v < r.firstVertex; });
@@ -238,38 +310,39 @@ std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
 
 osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
                                       const Look& look, Pictures& pictures) {
-    osg::ref_ptr<osg::Group> group = new osg::Group;
+    osg::ref_ptr<GeomNode> group = new GeomNode;
     osg::ref_ptr<GeomNames> names = new GeomNames;
     for (const GeomSpec& geom : geoms) names->names.push_back(geom.name);
     group->setUserData(names);
     const auto isClear = [](const MaterialSpec& m) { return m.opacity < 1; };
     Pieces pieces(geoms, materials);
-    const auto addWhole = [&](const osg::ref_ptr<osg::Geometry>& drawable) {
+    const auto addWhole = [&](const osg::ref_ptr<osg::Node>& drawable) {
         if (drawable) group->addChild(drawable);
     };
-    addDetail(*group, [&](Fineness fineness) {
+    addWhole(detailOf([&](Fineness fineness) {
         return pieces.merged(fineness, look.bodies,
                              [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && isRound(g); });
-    });
+    }));
     addWhole(pieces.merged(kFine, look.surfaces,
                            [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && !isRound(g); }));
     addWhole(pieces.merged(kFine, look.clear, [&](const GeomSpec&, const MaterialSpec& m) { return !m.picture && isClear(m); }));
     for (const auto& [picture, clearOnes] : pieces.pictures()) {
         const osg::ref_ptr<osg::StateSet> state = pictures.stateFor(picture, clearOnes, look);
         const auto wears = [&](const MaterialSpec& m) { return m.picture == picture && isClear(m) == clearOnes; };
-        addDetail(*group, [&](Fineness fineness) {
+        addWhole(detailOf([&](Fineness fineness) {
             return pieces.merged(fineness, state,
                                  [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && isRound(g); });
-        });
+        }));
         addWhole(pieces.merged(kFine, state, [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && !isRound(g); }));
     }
+    group->caster = detailOf([&](Fineness fineness) { return pieces.bare(fineness, look); });
     return group;
 }
 
 osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     Pieces pieces(geoms, {});
-    if (const auto lines = pieces.merged(kCoarse, nullptr, [](const GeomSpec&, const MaterialSpec&) { return true; }))
+    if (const auto lines = pieces.merged(kOutline, nullptr, [](const GeomSpec&, const MaterialSpec&) { return true; }))
         group->addChild(lines);
     return group;
 }
@@ -288,6 +361,10 @@ osg::ref_ptr<osg::Group> partOf(const osg::Group& geomNode, const std::function<
         osg::ref_ptr<osg::LOD> copy = new osg::LOD;
         copy->setRangeMode(detail->getRangeMode());
         copy->setRangeList(detail->getRangeList());
+        part = copy;
+    } else if (const auto* node = dynamic_cast<const GeomNode*>(&geomNode); node && node->caster) {
+        osg::ref_ptr<GeomNode> copy = new GeomNode;
+        copy->caster = partOf(*node->caster, keep);
         part = copy;
     } else {
         part = new osg::Group;

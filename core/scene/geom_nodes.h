@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn for a set of geoms that move as one: merged by the way they are drawn, in three degrees of detail.
+// What is drawn for a set of geoms that move as one: merged by the way they are drawn, in several degrees of detail.
 
 #include <cstdint>
 #include <functional>
@@ -12,6 +12,7 @@
 
 #include <osg/Geometry>
 #include <osg/Group>
+#include <osg/MatrixTransform>
 
 #include "model/experiment_spec.h"
 #include "scene/look.h"
@@ -31,6 +32,30 @@ struct GeomRanges : osg::Referenced {
 /// Remembered on a geom node: the names of its geoms.
 struct GeomNames : osg::Referenced {
     std::vector<std::string> names;
+};
+
+/// What lights up in a picture are its children; what casts their shadows is kept beside them, as a shadow shows an outline only.
+class GeomNode final : public osg::Group {
+public:
+    osg::ref_ptr<osg::Group> caster; ///< may be null
+
+    void traverse(osg::NodeVisitor& visitor) override;
+    void releaseGLObjects(osg::State* state) const override;
+};
+
+/// A transform below which geom nodes show what casts their shadows.
+class ShadowTransform final : public osg::MatrixTransform {
+public:
+    using osg::MatrixTransform::MatrixTransform;
+    /// What is out of sight casts one too.
+    void castEverywhere() {
+        m_everywhere = true;
+        setCullingActive(false);
+    }
+    void traverse(osg::NodeVisitor& visitor) override;
+
+private:
+    bool m_everywhere = false;
 };
 
 /// Shared by every body, in any robot, that has these geoms. Empty group where none is visible.

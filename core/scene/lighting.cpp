@@ -74,7 +74,7 @@ Lighting lightingOf(const ExperimentSpec& experiment) {
             lighting.groundLight *= ambient;
         } else if (spec.kind == "Light" && spec.text("Mode") == "lamp") {
             if (lighting.lamps.size() < kMostLamps)
-                lighting.lamps.push_back({tripleFrom(spec, "Pos", {0, 0, 2}), lightFrom(spec)});
+                lighting.lamps.push_back({tripleFrom(spec, "Pos", {0, 0, 2}), lightFrom(spec), spec.number("Shadows", 1) != 0});
         } else if (spec.kind == "Light" && !hasSun) {
             hasSun = true;
             osg::Vec3 away = tripleFrom(spec, "Direction", -lighting.sun);

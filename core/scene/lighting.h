@@ -15,6 +15,7 @@ inline constexpr std::size_t kMostLamps = 8; ///< more cost every pixel too much
 struct Lamp {
     osg::Vec3 place;
     osg::Vec3 light; ///< at a distance of 1 m
+    bool shadows = true;
 };
 
 /// Light is linear; the colours of the sky are as shown.
@@ -22,7 +23,7 @@ struct Lighting {
     osg::Vec3 sun; ///< towards it, unit
     osg::Vec3 sunLight{0.98f, 0.94f, 0.86f}, skyLight{0.36f, 0.395f, 0.45f}, groundLight{0.19f, 0.185f, 0.18f};
     osg::Vec3 horizon{0.815f, 0.865f, 0.905f}, zenith{0.265f, 0.480f, 0.765f};
-    bool shadows = true;
+    bool shadows = true; ///< of the sun
     std::vector<Lamp> lamps;
 
     Lighting();

@@ -25,10 +25,12 @@ osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const s
 } // namespace
 
 Look::Look()
-    : bodies(new osg::StateSet), surfaces(new osg::StateSet), clear(new osg::StateSet), sky(new osg::StateSet),
-      ghosts(new osg::StateSet), collision(new osg::StateSet), guide(new osg::StateSet),
+    : bodies(new osg::StateSet), surfaces(new osg::StateSet), clear(new osg::StateSet), openCasters(new osg::StateSet),
+      sky(new osg::StateSet), ghosts(new osg::StateSet), collision(new osg::StateSet), guide(new osg::StateSet),
+      tinted(new osg::StateSet), floorTint(new osg::StateSet),
       floor(program("floor", shaders::kFloorVertex, shaders::kGridLines + std::string(shaders::kFloorFragment))),
       shadow(program("shadow", shaders::kShadowVertex, shaders::kShadowFragment)),
+      lampShadow(program("lampShadow", shaders::kLampShadowVertex, shaders::kLampShadowFragment)),
       flat(program("flat", shaders::kFlatVertex, shaders::kFlatFragment)),
       data(program("data", shaders::kDataVertex, shaders::kDataFragment)),
       pictured(program("pictured", shaders::kBodyVertex, "#define PICTURED\n" + std::string(shaders::kBodyFragment))),
@@ -36,6 +38,7 @@ Look::Look()
     const osg::ref_ptr<osg::Program> body = program("body", shaders::kBodyVertex, shaders::kBodyFragment);
     for (osg::StateSet* set : {bodies.get(), surfaces.get(), clear.get()}) set->setAttributeAndModes(body);
     surfaces->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    openCasters->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
 
     clear->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
     clear->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
@@ -53,6 +56,16 @@ Look::Look()
     guide->setAttributeAndModes(new osg::PolygonOffset(1.f, 2.f)); // what lies on the ground is seen
     guide->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     guide->setRenderBinDetails(kDrawClear, "DepthSortedBin");
+
+    tinted->setAttributeAndModes(program("tinted", shaders::kTintedVertex, shaders::kTintedFragment));
+    tinted->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    tinted->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
+    tinted->setRenderBinDetails(kDrawClear, "DepthSortedBin");
+
+    floorTint->setAttributeAndModes(program("floorTint", shaders::kFloorVertex, shaders::kFloorTintFragment));
+    floorTint->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    floorTint->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false));
+    floorTint->setRenderBinDetails(kDrawFloorTint, "RenderBin");
 
     const unsigned force = osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON;
     ghosts->setAttributeAndModes(program("ghost", shaders::kBodyVertex, shaders::kGhostFragment), force);

@@ -15,7 +15,15 @@ inline constexpr unsigned kGlowUnit = 1;    ///< texture coordinates: emitted li
 inline constexpr unsigned kLayerUnit = 2;   ///< texture coordinates: number of the geom, which orders coplanar faces
 
 /// Order of drawing. Floors come after bodies so that hidden floor costs nothing, the sky after both.
-enum DrawOrder : int { kDrawBodies = 0, kDrawFloor = 1, kDrawShadows = 2, kDrawSky = 3, kDrawClear = 10, kDrawOver = 12 };
+enum DrawOrder : int {
+    kDrawBodies = 0,
+    kDrawFloor = 1,
+    kDrawShadows = 2,
+    kDrawSky = 3,
+    kDrawFloorTint = 5,
+    kDrawClear = 10,
+    kDrawOver = 12
+};
 
 /// Towards the sun of an experiment that names none, unit.
 [[nodiscard]] osg::Vec3 sunDirection();
@@ -35,14 +43,17 @@ public:
     /// For the whole scene: depth test, back faces culled, no fixed-function light.
     static void applyTo(osg::StateSet& root, const SceneUniforms& uniforms);
 
-    osg::ref_ptr<osg::StateSet> bodies;   ///< closed opaque shapes
-    osg::ref_ptr<osg::StateSet> surfaces; ///< meshes and height maps: both sides are drawn
-    osg::ref_ptr<osg::StateSet> clear;    ///< shapes that one can see through
+    osg::ref_ptr<osg::StateSet> bodies;      ///< closed opaque shapes
+    osg::ref_ptr<osg::StateSet> surfaces;    ///< meshes and height maps: both sides are drawn
+    osg::ref_ptr<osg::StateSet> clear;       ///< shapes that one can see through
+    osg::ref_ptr<osg::StateSet> openCasters; ///< of a shadow, where shapes are no closed ones: both sides cast it
     osg::ref_ptr<osg::StateSet> sky;
     osg::ref_ptr<osg::StateSet> ghosts;    ///< grey and translucent, whatever lies below says
     osg::ref_ptr<osg::StateSet> collision; ///< lines in one colour
     osg::ref_ptr<osg::StateSet> guide;     ///< lines of a floor, and nothing between them
-    osg::ref_ptr<osg::Program> floor, shadow, flat, data;
+    osg::ref_ptr<osg::StateSet> tinted;    ///< shapes of an overlay, translucent
+    osg::ref_ptr<osg::StateSet> floorTint; ///< a translucent picture on the floor; it says where in `pictureArea`
+    osg::ref_ptr<osg::Program> floor, shadow, lampShadow, flat, data;
     osg::ref_ptr<osg::Program> pictured, picturedFloor; ///< with a picture in place of a colour
 };
 

@@ -15,6 +15,7 @@ enum SceneMask : std::uint32_t {
     kMaskGhosts = 1u << 7,      ///< the last whole drawing of what the text no longer says
     kMaskData = 1u << 8,        ///< distances and numbers of objects in place of colours
     kMaskGuide = 1u << 9,       ///< the lines of a floor at z = 0 where there is none, for whoever builds there
+    kMaskOverlay = 1u << 10,    ///< what a window lays over the scene
 
     kMaskWorld = kMaskRobots | kMaskStatics | kMaskFloor | kMaskSky,
     kMaskSensor = kMaskWorld | kMaskShadows,

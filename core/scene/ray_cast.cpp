@@ -166,16 +166,15 @@ LocalHit hitShape(const LocalRay& ray, const GeomSpec& g) {
     return {};
 }
 
-} // namespace
-
-std::vector<RayHit> castRay(const ObjectIndex& objects, const BodyPoses& poses, const ViewRay& ray) {
-    std::vector<RayHit> hits;
+/// What the ray enters of the geoms that are wanted, in the order of the experiment.
+template <class Wanted, class Take>
+void meetAll(const ObjectIndex& objects, const BodyPoses& poses, const ViewRay& ray, const Wanted& wanted, const Take& take) {
     const auto meet = [&](ObjectRef ref, const std::vector<GeomSpec>& geoms, const Pose& owner) {
         const Pose inverse = owner.inverse();
         const Vec3 from = inverse * ray.origin, along = inverse.rotation * ray.direction;
         const std::vector<Ball>& balls = objects.ballsOf(geoms);
         for (std::uint32_t i = 0; i < geoms.size() && i < balls.size(); ++i) {
-            if (!geoms[i].visible || !(balls[i].radius >= 0)) continue;
+            if (!wanted(geoms[i]) || !(balls[i].radius >= 0)) continue;
             const Vec3 to = balls[i].centre - from;
             const double reach = balls[i].radius * (1 + 1e-9) + 1e-9, ahead = to.dot(along);
             if (to.squaredNorm() - ahead * ahead > reach * reach || ahead < -reach) continue;
@@ -183,20 +182,51 @@ std::vector<RayHit> castRay(const ObjectIndex& objects, const BodyPoses& poses, 
             const LocalHit hit = hitShape({local * from, local.rotation * along}, geoms[i]);
             if (!(hit.distance >= 0) || !std::isfinite(hit.distance)) continue;
             ref.geom = i;
-            hits.push_back({ref, ray.origin + hit.distance * ray.direction,
-                            owner.rotation * (geoms[i].pose.rotation * hit.normal), hit.distance});
+            take(ref, hit.distance, owner.rotation * (geoms[i].pose.rotation * hit.normal));
         }
     };
     const ExperimentSpec& e = objects.experiment();
     for (std::uint32_t r = 0; r < e.robots.size(); ++r) {
-        if (!e.robots[r].config) continue;
+        if (!e.robots[r].config || !wanted(r)) continue;
         for (std::uint32_t b = 0; b < e.robots[r].config->bodies.size(); ++b)
             meet({ObjectKind::Geom, r, b}, e.robots[r].config->bodies[b].geoms, objects.poseOf({ObjectKind::Body, r, b}, poses));
     }
     for (std::uint32_t s = 0; s < e.statics.size(); ++s)
         if (e.statics[s].geoms) meet({ObjectKind::StaticGeom, s}, *e.statics[s].geoms, e.statics[s].pose);
+}
+
+/// All that can be seen.
+struct Visible {
+    bool operator()(const GeomSpec& geom) const { return geom.visible; }
+    bool operator()(std::uint32_t) const { return true; }
+};
+
+/// All that collides, without two robots.
+struct Solid {
+    std::size_t robot, otherRobot;
+    bool operator()(const GeomSpec& geom) const { return geom.collide; }
+    bool operator()(std::uint32_t which) const { return which != robot && which != otherRobot; }
+};
+
+} // namespace
+
+std::vector<RayHit> castRay(const ObjectIndex& objects, const BodyPoses& poses, const ViewRay& ray) {
+    std::vector<RayHit> hits;
+    meetAll(objects, poses, ray, Visible{}, [&](const ObjectRef& geom, double distance, const Vec3& normal) {
+        hits.push_back({geom, ray.origin + distance * ray.direction, normal, distance});
+    });
     std::stable_sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) { return a.distance < b.distance; });
     return hits;
+}
+
+int solidsBetween(const ObjectIndex& objects, const BodyPoses& poses, const Vec3& from, const Vec3& to, std::size_t robot,
+                  std::size_t otherRobot) {
+    const double length = (to - from).norm();
+    if (!(length > 0)) return 0;
+    int solids = 0;
+    meetAll(objects, poses, {from, (to - from) / length}, Solid{robot, otherRobot},
+            [&](const ObjectRef&, double distance, const Vec3&) { solids += distance < length ? 1 : 0; });
+    return solids;
 }
 
 } // namespace trundle

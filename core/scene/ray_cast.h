@@ -18,4 +18,9 @@ struct RayHit {
 /// Where the ray enters each visible geom, nearest first. Planes are hit from both sides.
 [[nodiscard]] std::vector<RayHit> castRay(const ObjectIndex& objects, const BodyPoses& poses, const ViewRay& ray);
 
+/// Geoms that collide on the way between two points, each once, without those of two robots (by their numbers; others name none): what
+/// a world counts for WallLoss.
+[[nodiscard]] int solidsBetween(const ObjectIndex& objects, const BodyPoses& poses, const Vec3& from, const Vec3& to,
+                                std::size_t robot, std::size_t otherRobot);
+
 } // namespace trundle

@@ -33,10 +33,15 @@ Scene::Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store
     m_collision->setNodeMask(kMaskCollision);
     m_collision->setStateSet(m_store->look.collision);
     m_data->setNodeMask(kMaskData);
+    m_overlaidShapes->setNodeMask(kMaskOverlay);
+    m_overlaidShapes->setStateSet(m_store->look.tinted);
+    m_overlaidFloor->setNodeMask(kMaskOverlay);
     m_root->addChild(m_robots);
     m_root->addChild(m_statics);
     m_root->addChild(m_collision);
     m_root->addChild(m_data);
+    m_root->addChild(m_overlaidShapes);
+    m_root->addChild(m_overlaidFloor);
     addRobots(experiment);
     addStatics(experiment);
     if (ghosts) addGhosts(*ghosts);
@@ -120,12 +125,11 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
     casters->addChild(m_statics);
     const Lighting lighting = lightingOf(experiment);
     lighting.applyTo(*m_root->getOrCreateStateSet());
-    const osg::Vec3 sun = lighting.sun;
     for (unsigned i = 0; i < floors.size(); ++i) {
         const osg::ref_ptr<osg::Node> floor = makeFloorNode(floors[i], i, about, reach, look, m_store->pictures, lighting);
         floorGroup->addChild(floor);
         m_objects.try_emplace(floors[i].path, Object{floor->asGroup(), nullptr});
-        if (!lighting.shadows || i >= kShadowedFloors || floors[i].normal().dot(Vec3(sun.x(), sun.y(), sun.z())) < 0.2) continue;
+        if (i >= kShadowedFloors) continue;
         sharp->addChild(makeSharpShadow(floors[i], i, *casters, look, lighting));
         soft->addChild(makeSoftShadow(floors[i], i, *casters, look, lighting));
     }
@@ -167,7 +171,7 @@ void Scene::setPoses(const BodyPoses& poses) {
     if (poses.size() != m_bodies.size()) return;
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (isSane(poses[i])) m_bodies[i]->setMatrix(toOsg(poses[i]));
-    for (const auto* followers : {&m_markFollowers, &m_collisionFollowers})
+    for (const auto* followers : {&m_markFollowers, &m_collisionFollowers, &m_overlayFollowers})
         for (const Follower& follower : *followers) follower.node->setMatrix(follower.leader->getMatrix());
 }
 

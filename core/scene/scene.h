@@ -14,6 +14,7 @@
 #include "scene/bounds.h"
 #include "scene/look.h"
 #include "scene/masks.h"
+#include "scene/overlay.h"
 #include "scene/poses.h"
 #include "scene/scene_marks.h"
 #include "scene/shape_store.h"
@@ -46,6 +47,8 @@ public:
     void setMarks(const SceneMarks& marks);
     [[nodiscard]] osg::Group& marks() { return *m_marks; }
     void setWireframe(bool on);
+    /// What kMaskOverlay shows. Shapes in bodies that there are not are passed over.
+    void setOverlay(const SceneOverlay& overlay);
     /// Makes what kMaskCollision shows, once. The experiment is the one that the scene was made from.
     void makeCollision(const ExperimentSpec& experiment);
     /// Makes what kMaskData shows, once, of the same experiment.
@@ -90,12 +93,14 @@ private:
     std::shared_ptr<ShapeStore> m_store;
     SceneUniforms m_uniforms;
     osg::ref_ptr<osg::Group> m_root = new osg::Group, m_robots = new osg::Group, m_statics = new osg::Group,
-                             m_collision = new osg::Group, m_data = new osg::Group, m_marks = new osg::Group;
+                             m_collision = new osg::Group, m_data = new osg::Group, m_marks = new osg::Group,
+                             m_overlaidShapes = new osg::Group, m_overlaidFloor = new osg::Group;
     std::vector<osg::ref_ptr<osg::MatrixTransform>> m_bodies; // in the order of BodyPoses
     std::unordered_map<std::string, Object> m_objects;        // by path
-    std::vector<Follower> m_markFollowers, m_collisionFollowers;
+    std::vector<Follower> m_markFollowers, m_collisionFollowers, m_overlayFollowers;
     std::vector<DataFollower> m_dataFollowers;
     SceneMarks m_marked;
+    SceneOverlay m_overlaid;
     std::vector<std::string> m_hidden;
     bool m_wireframe = false;
     std::optional<double> m_floorHeight;

@@ -29,17 +29,21 @@ vec3 skyColour(vec3 d) { return mix(horizonColour, zenithColour, pow(clamp(d.z, 
 
 inline constexpr const char* kBodyVertex = R"(
 uniform mat4 osg_ViewMatrixInverse;
-out vec3 normalW, positionW, eyeW;
-out vec4 colour, glow;
+out vec3 normalW, positionW;
+// Of the material, which is the same at all corners of a triangle: how light adds up on it, and what it emits.
+flat out vec4 albedo, shine;
+flat out vec3 glow;
 out vec2 onPicture;
 void main() {
     onPicture = gl_MultiTexCoord0.xy;
     vec4 eye = gl_ModelViewMatrix * gl_Vertex;
     positionW = (osg_ViewMatrixInverse * eye).xyz;
-    normalW = mat3(osg_ViewMatrixInverse) * (gl_NormalMatrix * gl_Normal);
-    eyeW = osg_ViewMatrixInverse[3].xyz;
-    colour = gl_Color;
-    glow = gl_MultiTexCoord1;
+    normalW = mat3(osg_ViewMatrixInverse) * (mat3(gl_ModelViewMatrix) * gl_Normal); // nothing is stretched
+    albedo = vec4(gl_Color.rgb * gl_Color.rgb, gl_Color.a);
+    glow = gl_MultiTexCoord1.rgb * gl_MultiTexCoord1.rgb;
+    // A dull sheen for everything, stronger along the rim, and a highlight for what is polished; none for what shines itself.
+    float polish = gl_MultiTexCoord1.a, lit = 1.0 - min(dot(gl_MultiTexCoord1.rgb, vec3(1.0)), 1.0);
+    shine = vec4(lit * vec3(0.042 + 0.10 * polish, 0.10 + 0.5 * polish, mix(0.07, 0.85, polish)), mix(20.2, 158.7, polish));
     gl_Position = gl_ProjectionMatrix * eye;
     // Of faces in one plane the one in the higher layer wins, in every view.
     gl_Position.z -= mod(gl_MultiTexCoord2.x, 4.0) * 9.0e-7 * gl_Position.w;
@@ -68,8 +72,10 @@ void main() { fragment = vec4(depth, object, 0.0, 1.0); }
 
 inline constexpr const char* kBodyFragment = R"(
 uniform float groundHeight;
-in vec3 normalW, positionW, eyeW;
-in vec4 colour, glow;
+uniform mat4 osg_ViewMatrixInverse;
+in vec3 normalW, positionW;
+flat in vec4 albedo, shine;
+flat in vec3 glow;
 #ifdef PICTURED
 in vec2 onPicture;
 uniform sampler2D picture;
@@ -77,41 +83,64 @@ uniform sampler2D picture;
 out vec4 fragment;
 void main() {
     vec3 n = normalize(gl_FrontFacing ? normalW : -normalW);
-    vec3 v = normalize(eyeW - positionW);
-    float sun = max(dot(n, sunWay), 0.0);
+    vec3 v = normalize(osg_ViewMatrixInverse[3].xyz - positionW);
+    float toSun = dot(n, sunWay), toEye = dot(n, v), sun = max(toSun, 0.0);
     vec3 ambient = mix(groundLight, skyLight, 0.5 + 0.5 * n.z);
     // Near the ground less of the sky is seen.
-    ambient *= 1.0 - (0.62 - 0.38 * n.z) * 0.55 * exp(-max(positionW.z - groundHeight, 0.0) * 11.0);
-    vec3 shown = colour.rgb;
+    ambient *= 1.0 - (0.341 - 0.209 * n.z) * exp2(-15.87 * max(positionW.z - groundHeight, 0.0));
+    vec3 own = albedo.rgb;
 #ifdef PICTURED
-    shown = texture(picture, onPicture).rgb;
+    vec3 shown = texture(picture, onPicture).rgb;
+    own = shown * shown;
 #endif
-    vec3 albedo = shown * shown;
-    vec3 light = albedo * (ambient + sunLight * sun + lampsOn(positionW, n));
-    // A dull sheen for everything, a highlight for what is polished.
-    float lit = 1.0 - min(dot(glow.rgb, vec3(1.0)), 1.0);
-    float rim = 1.0 - max(dot(n, v), 0.0);
-    float sheen = ((0.042 + 0.10 * glow.a) + (0.10 + 0.5 * glow.a) * rim * rim * rim * rim) * min(1.0 + n.z, 1.0);
-    vec3 r = reflect(-v, n);
-    light += lit * sheen * mix(groundLight, horizonColour * horizonColour, smoothstep(-0.25, 0.35, r.z));
-    float exponent = mix(14.0, 110.0, glow.a);
-    float spot = pow(max(dot(n, normalize(sunWay + v)), 0.0), exponent) * sun;
-    light += lit * sunLight * spot * mix(0.07, 0.85, glow.a);
-    light += glow.rgb * glow.rgb;
-    fragment = vec4(sqrt(light), colour.a);
+    vec3 light = own * (ambient + sunLight * sun + lampsOn(positionW, n)) + glow;
+    // What is reflected: ground below, horizon above.
+    float rim = 1.0 - max(toEye, 0.0);
+    rim *= rim;
+    float sheen = (shine.x + shine.y * rim * rim) * min(1.0 + n.z, 1.0);
+    float up = clamp((2.0 * toEye * n.z - v.z) * 1.6667 + 0.41667, 0.0, 1.0);
+    light += sheen * mix(groundLight, horizonColour * horizonColour, up * up * (3.0 - 2.0 * up));
+    // The sun, by how far the normal is from the middle between its way and the eye's.
+    float spread = (toSun + toEye) * inversesqrt(max(2.0 + 2.0 * dot(sunWay, v), 1e-4));
+    light += sunLight * (shine.z * sun * exp2(shine.w * (spread - 1.0)));
+    fragment = vec4(sqrt(light), albedo.a);
 }
 )";
 
 /// The last whole drawing of what the text no longer says: grey, its rim clearer than its middle.
 inline constexpr const char* kGhostFragment = R"(
-uniform float groundHeight;
-in vec3 normalW, positionW, eyeW;
-in vec4 colour, glow;
+uniform mat4 osg_ViewMatrixInverse;
+in vec3 normalW, positionW;
 out vec4 fragment;
 void main() {
     vec3 n = normalize(gl_FrontFacing ? normalW : -normalW);
-    float rim = 1.0 - abs(dot(n, normalize(eyeW - positionW)));
+    float rim = 1.0 - abs(dot(n, normalize(osg_ViewMatrixInverse[3].xyz - positionW)));
     fragment = vec4(vec3(0.46 + 0.24 * n.z), 0.30 + 0.45 * rim * rim);
+}
+)";
+
+/// A shape of an overlay, its colours from corner to corner: clearest where one looks along it.
+inline constexpr const char* kTintedVertex = R"(
+uniform mat4 osg_ViewMatrixInverse;
+out vec3 normalW, positionW;
+out vec4 colour;
+void main() {
+    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
+    positionW = (osg_ViewMatrixInverse * eye).xyz;
+    normalW = mat3(osg_ViewMatrixInverse) * (mat3(gl_ModelViewMatrix) * gl_Normal);
+    colour = gl_Color;
+    gl_Position = gl_ProjectionMatrix * eye;
+}
+)";
+inline constexpr const char* kTintedFragment = R"(
+uniform mat4 osg_ViewMatrixInverse;
+in vec3 normalW, positionW;
+in vec4 colour;
+out vec4 fragment;
+void main() {
+    vec3 n = normalize(normalW);
+    float rim = 1.0 - abs(dot(n, normalize(osg_ViewMatrixInverse[3].xyz - positionW)));
+    fragment = vec4(colour.rgb * (0.86 + 0.14 * n.z), 0.40 + 0.45 * rim * rim);
 }
 )";
 

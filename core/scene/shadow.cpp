@@ -1,16 +1,18 @@
 // Planar shadows.
-// Needs: flat floors. Assumes: the sun is the only light that casts them. Method: every caster is drawn once more for each
-// layer, flattened onto the floor along a ray of light. The node's matrix flattens for culling; the program then puts the
-// vertices exactly onto the plane. The stencil keeps a layer from darkening one pixel twice, and from leaving its floor.
+// Needs: flat floors. Assumes: the sun and a few lamps cast them. Method: every caster is drawn once more for each layer,
+// flattened onto the floor along a ray of light. For the sun the node's matrix flattens, for culling; the program then puts
+// the vertices exactly onto the plane. The stencil keeps a layer from darkening one pixel twice, and from leaving its floor.
 
 #include <numbers>
 #include <osg/BlendFunc>
+#include <osg/CullFace>
 #include <osg/Depth>
 
 #include <osg/MatrixTransform>
 #include <osg/PolygonOffset>
 #include <osg/Stencil>
 
+#include "scene/geom_nodes.h"
 #include "scene/osg_types.h"
 #include "scene/surroundings.h"
 
@@ -22,6 +24,15 @@ constexpr double kSunRadius = 0.034;   // rad; larger than the real one: robots 
 constexpr float kContactDepth = 0.35f; // darkness right below things, where the sky is hidden
 constexpr float kNoTop = 1e9f;
 constexpr float kContactTop = 0.05f; // m; what is higher hides little of it
+
+constexpr double kLeastSlant = 0.2;         // cosine; flatter light casts shadows without end
+constexpr float kLeastLampHeight = 0.05f;   // m above the floor
+constexpr std::size_t kMostShadowLamps = 3; // each has a layer of its own
+
+float heightOf(const Lamp& lamp, const FloorPlane& floor) {
+    const Vec3 place(lamp.place.x(), lamp.place.y(), lamp.place.z());
+    return static_cast<float>(floor.normal().dot(place - floor.pose.position));
+}
 
 /// Flattens the world onto the plane along `light`: p - (1 - k) h light / (n . light).
 osg::Matrixd flattening(const Vec3& normal, const Vec3& point, const Vec3& light) {
@@ -38,21 +49,16 @@ osg::Matrixd flattening(const Vec3& normal, const Vec3& point, const Vec3& light
     return m;
 }
 
-osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light, float depth,
-                                  float top, osg::Group& casters, const Look& look) {
-    const Vec3 n = floor.normal(), p = floor.pose.position;
-    osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(flattening(n, p, light));
+/// What all layers have in common: drawn on their floor where it is seen, and once in each pixel.
+osg::ref_ptr<osg::Node> layerOf(const osg::ref_ptr<osg::MatrixTransform>& node, const FloorPlane& floor, unsigned index,
+                                unsigned layer, osg::Group& casters, const osg::ref_ptr<osg::Program>& program) {
+    const Vec3 n = floor.normal();
     node->addChild(&casters);
     osg::StateSet* state = node->getOrCreateStateSet();
     const unsigned force = osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON;
-    state->setAttributeAndModes(look.shadow, force);
-    state->addUniform(new osg::Uniform("shadowPlane", osg::Vec4(n.x(), n.y(), n.z(), n.dot(p))));
-    state->addUniform(new osg::Uniform("shadowHeightScale", static_cast<float>(kHeightScale)));
-    state->addUniform(new osg::Uniform("shadowDepth", depth));
-    state->addUniform(new osg::Uniform("shadowTop", top));
+    state->setAttributeAndModes(program, force);
+    state->addUniform(new osg::Uniform("shadowPlane", osg::Vec4(n.x(), n.y(), n.z(), n.dot(floor.pose.position))));
     state->setMode(GL_CLIP_PLANE0, force);
-    state->setMode(GL_CLIP_PLANE1, force);
-    state->setMode(GL_CULL_FACE, osg::StateAttribute::OVERRIDE | osg::StateAttribute::OFF);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false), force);
     state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), force);
     state->setAttributeAndModes(new osg::PolygonOffset(-0.5f, -4.f), force);
@@ -66,7 +72,52 @@ osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsig
     return node;
 }
 
+osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light, float depth,
+                                  float top, osg::Group& casters, const Look& look) {
+    osg::ref_ptr<osg::MatrixTransform> node = new ShadowTransform(flattening(floor.normal(), floor.pose.position, light));
+    osg::StateSet* state = node->getOrCreateStateSet();
+    state->addUniform(new osg::Uniform("shadowHeightScale", static_cast<float>(kHeightScale)));
+    state->addUniform(new osg::Uniform("shadowDepth", depth));
+    state->addUniform(new osg::Uniform("shadowTop", top));
+    if (top < kNoTop) {
+        // Where the light is hidden by what is low the lower sides of it count, else those towards the light.
+        state->setMode(GL_CLIP_PLANE1, osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON);
+        state->setAttributeAndModes(new osg::CullFace(osg::CullFace::FRONT));
+    }
+    return layerOf(node, floor, index, layer, casters, look.shadow);
+}
+
+/// A lamp's, which the program puts onto the floor: from the casters' own places, that may be far from it.
+osg::ref_ptr<osg::Node> makeLampLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Lamp& lamp,
+                                      const Lighting& lighting, osg::Group& casters, const Look& look) {
+    osg::ref_ptr<ShadowTransform> node = new ShadowTransform;
+    node->castEverywhere();
+    osg::StateSet* state = node->getOrCreateStateSet();
+    const Vec3 n = floor.normal();
+    const osg::Vec3 normal(n.x(), n.y(), n.z());
+    state->addUniform(new osg::Uniform("shadowLamp", lamp.place));
+    state->addUniform(new osg::Uniform("shadowLight", lamp.light));
+    state->addUniform(new osg::Uniform("lampHeight", heightOf(lamp, floor)));
+    state->addUniform(new osg::Uniform("floorLight", lighting.on(normal)));
+    state->addUniform(new osg::Uniform("floorNormal", normal));
+    for (const unsigned plane : {GL_CLIP_PLANE1, GL_CLIP_PLANE2})
+        state->setMode(plane, osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON);
+    return layerOf(node, floor, index, layer, casters, look.lampShadow);
+}
+
 Vec3 towardsSun(const Lighting& lighting) { return {lighting.sun.x(), lighting.sun.y(), lighting.sun.z()}; }
+
+bool sunCasts(const Lighting& lighting, const FloorPlane& floor) {
+    return lighting.shadows && floor.normal().dot(towardsSun(lighting)) >= kLeastSlant;
+}
+
+/// The first lamps that cast shadows onto a floor.
+std::vector<Lamp> castingLamps(const Lighting& lighting, const FloorPlane& floor) {
+    std::vector<Lamp> lamps;
+    for (const Lamp& lamp : lighting.lamps)
+        if (lamp.shadows && heightOf(lamp, floor) > kLeastLampHeight && lamps.size() < kMostShadowLamps) lamps.push_back(lamp);
+    return lamps;
+}
 
 /// Share of what is shown that a shadow takes away (the screen's curve is a square root).
 float fullDepth(const Lighting& lighting, const Vec3& n) {
@@ -77,22 +128,34 @@ float fullDepth(const Lighting& lighting, const Vec3& n) {
 
 osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
                                         const Lighting& lighting) {
-    return makeLayer(floor, index, 0, towardsSun(lighting), fullDepth(lighting, floor.normal()), kNoTop, casters, look);
+    osg::ref_ptr<osg::Group> layers = new osg::Group;
+    if (sunCasts(lighting, floor))
+        layers->addChild(
+            makeLayer(floor, index, 0, towardsSun(lighting), fullDepth(lighting, floor.normal()), kNoTop, casters, look));
+    unsigned layer = 1;
+    for (const Lamp& lamp : castingLamps(lighting, floor))
+        layers->addChild(makeLampLayer(floor, index, layer++, lamp, lighting, casters, look));
+    return layers;
 }
 
 osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
                                        const Lighting& lighting) {
-    constexpr unsigned kSunLayers = kMostShadowLayers - 1;
     osg::ref_ptr<osg::Group> layers = new osg::Group;
-    const Vec3 sun = towardsSun(lighting);
-    const Vec3 side = sun.cross(Vec3::UnitX()).normalized(), other = sun.cross(side);
-    const float each = 1 - std::pow(1 - fullDepth(lighting, floor.normal()), 1.f / kSunLayers);
-    for (unsigned i = 0; i < kSunLayers; ++i) {
-        const double turn = 2 * std::numbers::pi * i / kSunLayers + 0.3, reach = kSunRadius * (i % 2 ? 1.0 : 0.55);
-        const Vec3 light = (sun + reach * (std::cos(turn) * side + std::sin(turn) * other)).normalized();
-        if (floor.normal().dot(light) > 0.1) layers->addChild(makeLayer(floor, index, i, light, each, kNoTop, casters, look));
+    const std::vector<Lamp> lamps = castingLamps(lighting, floor);
+    const unsigned sunLayers = kMostShadowLayers - 1 - static_cast<unsigned>(lamps.size());
+    if (sunCasts(lighting, floor)) {
+        const Vec3 sun = towardsSun(lighting);
+        const Vec3 side = sun.cross(Vec3::UnitX()).normalized(), other = sun.cross(side);
+        const float each = 1 - std::pow(1 - fullDepth(lighting, floor.normal()), 1.f / static_cast<float>(sunLayers));
+        for (unsigned i = 0; i < sunLayers; ++i) {
+            const double turn = 2 * std::numbers::pi * i / sunLayers + 0.3, reach = kSunRadius * (i % 2 ? 1.0 : 0.55);
+            const Vec3 light = (sun + reach * (std::cos(turn) * side + std::sin(turn) * other)).normalized();
+            if (floor.normal().dot(light) > 0.1) layers->addChild(makeLayer(floor, index, i, light, each, kNoTop, casters, look));
+        }
+        layers->addChild(makeLayer(floor, index, sunLayers, floor.normal(), kContactDepth, kContactTop, casters, look));
     }
-    layers->addChild(makeLayer(floor, index, kSunLayers, floor.normal(), kContactDepth, kContactTop, casters, look));
+    unsigned layer = sunLayers + 1;
+    for (const Lamp& lamp : lamps) layers->addChild(makeLampLayer(floor, index, layer++, lamp, lighting, casters, look));
     return layers;
 }
 

@@ -14,6 +14,7 @@ constexpr float kBevelShare = 0.06f;     // of the shortest edge
 constexpr float kLargest = 1e5f;         // m, beyond it nothing sensible can be drawn
 constexpr float kPlaceholderSize = 0.1f; // m
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr int kLeastSegments = 4;
 
 std::uint32_t addPoint(ShapeMesh& mesh, const Vector3f& point, const Vector3f& normal) {
     mesh.points.push_back(point);
@@ -60,13 +61,20 @@ void addRings(ShapeMesh& mesh, const std::vector<Ring>& rings, int segments) {
 
 void addCap(ShapeMesh& mesh, double radius, double z, double up, int segments) {
     const Vector3f normal(0, 0, static_cast<float>(up));
-    const std::uint32_t middle = addPoint(mesh, Vector3f(0, 0, static_cast<float>(z)), normal);
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (int s = 0; s < segments; ++s) {
         const double a = kTurn * s / segments;
         addPoint(mesh, Eigen::Vector3d(radius * std::cos(a), radius * std::sin(a), z).cast<float>(), normal);
     }
     const auto n = static_cast<std::uint32_t>(segments);
-    for (std::uint32_t s = 0; s < n; ++s) addTriangle(mesh, middle, middle + 1 + s, middle + 1 + (s + 1) % n);
+    for (std::uint32_t s = 1; s + 1 < n; ++s) addTriangle(mesh, first, first + s, first + s + 1);
+}
+
+/// So many that the straight pieces leave the circle by half a pixel at most, and an even number of them.
+int segmentsOf(double radius, const Fineness& fineness) {
+    if (!(fineness.pixelsPerMetre > 0)) return fineness.segments;
+    const double needed = std::numbers::pi * std::sqrt(radius * fineness.pixelsPerMetre);
+    return std::min(fineness.segments, std::max(kLeastSegments, 2 * static_cast<int>(std::ceil(0.5 * std::min(needed, 1e3)))));
 }
 
 } // namespace
@@ -157,16 +165,15 @@ ShapeMesh shapeOf(const GeomSpec& geom, Fineness fineness) {
     const auto radius = static_cast<float>(geom.radius), length = static_cast<float>(geom.length);
     const Vector3f size = geom.size.cast<float>();
     const auto drawable = [](float value) { return value > 0 && value < kLargest; };
+    const int segments = segmentsOf(geom.radius, fineness);
     const bool drawableSize = drawable(size.x()) && drawable(size.y()) && drawable(size.z());
     if (isPlaceholder(geom)) return boxMesh(Vector3f::Constant(kPlaceholderSize), false);
     switch (geom.shape) {
     case GeomShape::Box: return drawableSize ? boxMesh(size, fineness.bevel) : ShapeMesh{};
-    case GeomShape::Sphere: return drawable(radius) ? sphereMesh(radius, fineness.segments) : ShapeMesh{};
-    case GeomShape::Cylinder:
-        return drawable(radius) && drawable(length) ? cylinderMesh(radius, length, fineness.segments) : ShapeMesh{};
+    case GeomShape::Sphere: return drawable(radius) ? sphereMesh(radius, segments) : ShapeMesh{};
+    case GeomShape::Cylinder: return drawable(radius) && drawable(length) ? cylinderMesh(radius, length, segments) : ShapeMesh{};
     case GeomShape::Capsule:
-        return drawable(radius) && length >= 0 && length < kLargest ? capsuleMesh(radius, length, fineness.segments)
-                                                                    : ShapeMesh{};
+        return drawable(radius) && length >= 0 && length < kLargest ? capsuleMesh(radius, length, segments) : ShapeMesh{};
     case GeomShape::Convex:
     case GeomShape::Mesh: return smoothedMesh(*geom.mesh);
     case GeomShape::Heightfield:
@@ -175,6 +182,13 @@ ShapeMesh shapeOf(const GeomSpec& geom, Fineness fineness) {
     case GeomShape::Plane: break;
     }
     return {};
+}
+
+ShapeMesh bareShapeOf(const GeomSpec& geom, Fineness fineness) {
+    const bool isMesh = geom.shape == GeomShape::Mesh || geom.shape == GeomShape::Convex;
+    if (isMesh && !isPlaceholder(geom)) return bareMesh(*geom.mesh);
+    fineness.bevel = false;
+    return bareMesh(shapeOf(geom, fineness));
 }
 
 } // namespace trundle

@@ -21,6 +21,8 @@ struct ShapeMesh {
 struct Fineness {
     int segments = 16;
     bool bevel = true;
+    /// Pixels to a metre where it is seen nearest. Shapes that are small there need fewer segments; 0: all have the same.
+    double pixelsPerMetre = 0;
 };
 
 [[nodiscard]] ShapeMesh boxMesh(const Eigen::Vector3f& size, bool bevel);
@@ -31,12 +33,17 @@ struct Fineness {
 [[nodiscard]] ShapeMesh capsuleMesh(float radius, float length, int segments);
 /// Corners are smooth where faces meet at less than the crease angle. Triangles that are no triangles are left out.
 [[nodiscard]] ShapeMesh smoothedMesh(const TriangleMesh& mesh);
+/// The same surface with one point at each place and no normals: all that a shadow shows of it.
+[[nodiscard]] ShapeMesh bareMesh(const TriangleMesh& mesh);
+[[nodiscard]] ShapeMesh bareMesh(const ShapeMesh& mesh);
 /// Black at z = 0, the top row at +y. Very large maps are drawn by every n-th sample.
 [[nodiscard]] ShapeMesh heightfieldMesh(const HeightMap& map, const Eigen::Vector3f& size);
 
 /// The shape of a geom; a small marker cube where its mesh or picture is missing; nothing for a Plane, which is drawn as a
 /// floor, and for sizes that cannot be drawn.
 [[nodiscard]] ShapeMesh shapeOf(const GeomSpec& geom, Fineness fineness);
+/// The same without edges that catch the light, as bareMesh().
+[[nodiscard]] ShapeMesh bareShapeOf(const GeomSpec& geom, Fineness fineness);
 /// True where the mesh or height map of the geom is missing.
 [[nodiscard]] bool isPlaceholder(const GeomSpec& geom);
 /// A mesh whose colours and pictures are those of its own file: the text names no material for it.

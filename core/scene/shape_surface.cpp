@@ -47,11 +47,11 @@ float angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 /// Points at the same place become one, so that normals run on over the seams of a file.
-std::vector<std::uint32_t> weld(const TriangleMesh& mesh, std::vector<Vector3f>& points) {
+template <class Points> std::vector<std::uint32_t> weld(const Points& all, std::vector<Vector3f>& points) {
     std::unordered_map<PointKey, std::uint32_t, PointHash> known;
     std::vector<std::uint32_t> welded;
-    welded.reserve(mesh.points.size());
-    for (const auto& p : mesh.points) {
+    welded.reserve(all.size());
+    for (const auto& p : all) {
         // + 0 turns a negative zero into a positive one.
         const PointKey key{{static_cast<float>(p[0]) + 0.f, static_cast<float>(p[1]) + 0.f, static_cast<float>(p[2]) + 0.f}};
         const auto [it, isNew] = known.try_emplace(key, static_cast<std::uint32_t>(points.size()));
@@ -84,7 +84,7 @@ std::vector<Face> facesOf(const TriangleMesh& mesh, const std::vector<std::uint3
 
 ShapeMesh smoothedMesh(const TriangleMesh& mesh) {
     std::vector<Vector3f> points;
-    const std::vector<std::uint32_t> welded = weld(mesh, points);
+    const std::vector<std::uint32_t> welded = weld(mesh.points, points);
     const std::vector<Face> faces = facesOf(mesh, welded, points);
 
     // The faces about each point, as one flat list.
@@ -113,6 +113,24 @@ ShapeMesh smoothedMesh(const TriangleMesh& mesh) {
             result.points.push_back(points[c]);
             result.normals.push_back(normal.norm() > 0 ? Vector3f(normal.normalized()) : face.normal);
         }
+    }
+    return result;
+}
+
+ShapeMesh bareMesh(const TriangleMesh& mesh) {
+    ShapeMesh result;
+    const std::vector<std::uint32_t> welded = weld(mesh.points, result.points);
+    for (const Face& face : facesOf(mesh, welded, result.points))
+        result.indices.insert(result.indices.end(), face.corners.begin(), face.corners.end());
+    return result;
+}
+
+ShapeMesh bareMesh(const ShapeMesh& mesh) {
+    ShapeMesh result;
+    const std::vector<std::uint32_t> welded = weld(mesh.points, result.points);
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const std::uint32_t a = welded[mesh.indices[i]], b = welded[mesh.indices[i + 1]], c = welded[mesh.indices[i + 2]];
+        if (a != b && b != c && c != a) result.indices.insert(result.indices.end(), {a, b, c});
     }
     return result;
 }

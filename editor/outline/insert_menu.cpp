@@ -58,7 +58,8 @@ void InsertMenu::attach(QMenu& menu) {
         for (QAction* action : menu.actions())
             if (!kept.contains(action)) {
                 menu.removeAction(action);
-                action->deleteLater();
+                QMenu* under = action->menu(); // its action goes with it
+                (under ? static_cast<QObject*>(under) : action)->deleteLater();
             }
         if (!kept.isEmpty()) menu.addSeparator();
         fill(menu);

@@ -6,6 +6,7 @@
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QItemSelection>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScopedValueRollback>
@@ -85,6 +86,7 @@ void OutlinePanel::build() {
     all->addLayout(top);
     all->addWidget(m_tree, 1);
     setTabOrder(m_filter, m_tree);
+    m_filter->installEventFilter(this);
 }
 
 void OutlinePanel::connectAll() {
@@ -177,6 +179,22 @@ void OutlinePanel::setFilter(const QString& text) {
     }
     showSelection();
     say();
+}
+
+bool OutlinePanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_filter && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Down || key == Qt::Key_Return || key == Qt::Key_Enter) return goToFirstFound(), true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void OutlinePanel::goToFirstFound() {
+    m_tree->setFocus();
+    if (m_filter->text().trimmed().isEmpty()) return;
+    for (QModelIndex at = m_model->index(0, 0); at.isValid(); at = m_tree->indexBelow(at))
+        if (const OutlineRow* row = m_model->rowAt(at); row && row->selectable && row->matches)
+            return m_tree->setCurrentIndex(at);
 }
 
 void OutlinePanel::setByFile(bool byFile) {

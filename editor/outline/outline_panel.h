@@ -37,6 +37,9 @@ public:
     /// What a right click on the selection shows; for the caller to show and delete.
     [[nodiscard]] QMenu* contextMenu();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 Q_SIGNALS:
     /// To a place in a text: absolute path of the file.
     void jumpTo(const std::string& file, const trundle::TextRange& range);
@@ -49,6 +52,7 @@ private:
     void showSelection();
     void takeSelection();
     void setFilter(const QString& text);
+    void goToFirstFound();
     void setByFile(bool byFile);
     void jumpFrom(const QModelIndex& index);
     void toggleMark(const QModelIndex& index);

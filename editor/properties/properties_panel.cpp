@@ -50,7 +50,9 @@ PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSe
     });
     connect(m_header, &ObjectHeader::jumpWanted, this, &PropertiesPanel::jump);
     connect(m_strip, &HelpStrip::jumpWanted, this, &PropertiesPanel::jump);
-    connect(&document, &Document::changed, this, &PropertiesPanel::refresh);
+    m_gone.setSingleShot(true);
+    connect(&m_gone, &QTimer::timeout, this, &PropertiesPanel::refresh);
+    connect(&document, &Document::changed, this, &PropertiesPanel::followDocument);
     connect(&selection, &Selection::changed, this, &PropertiesPanel::refresh);
     if (session) {
         connect(session, &RunSession::stateChanged, this, &PropertiesPanel::refresh);
@@ -82,7 +84,23 @@ void PropertiesPanel::dropRows() {
     body->deleteLater(); // an editor in it may be at work
 }
 
+/// An object whose name was typed is selected by its new one before the event loop comes round: till then its rows stay.
+void PropertiesPanel::followDocument() {
+    if (isVisible() && m_body && m_document.isOpen() && !isInUse() && m_selection.paths() == m_paths &&
+        objectsAt(m_document.loaded(), m_paths).empty())
+        m_gone.start();
+    else refresh();
+}
+
+/// Whether something is being typed into a row, or was and cannot be used.
+bool PropertiesPanel::isInUse() const {
+    const QWidget* focus = QApplication::focusWidget();
+    return (focus && m_body && m_body->isAncestorOf(focus)) ||
+           std::ranges::any_of(m_rows, [](const PropertyRow* row) { return !row->refusal().isEmpty(); });
+}
+
 void PropertiesPanel::refresh() {
+    m_gone.stop();
     if (!isVisible()) {
         m_stale = true;
         return;
@@ -93,13 +111,16 @@ void PropertiesPanel::refresh() {
         m_paths = m_selection.paths();
         m_asText.clear();
         m_current.clear();
-        dropRows(); // what is typed for one object is not for another
+        if (isInUse()) dropRows(); // what is typed for one object is not for another
     }
     const Objects objects = objectsAt(m_document.loaded(), m_paths);
+    std::vector<std::string> kinds;
+    for (const auto& object : objects) kinds.push_back(object->kind() ? object->kind()->name : std::string());
+    if (std::exchange(m_kinds, kinds) != kinds) dropRows();
     if (objects.empty()) return showNothing(tr("%1 has no properties here").arg(QString::fromStdString(m_selection.current())));
     const std::vector<Row> rows = rowsOf(objects, m_document, m_session);
     std::vector<Shape> shapes;
-    for (const Row& row : rows) shapes.push_back({row.id, row.section, kindOf(row)});
+    for (const Row& row : rows) shapes.push_back({row.id, row.section, kindOf(row), row.fieldCount()});
     m_nothing->hide();
     m_header->display(objects);
     if (shapes != m_shapes || !m_body) build(rows, shapes);

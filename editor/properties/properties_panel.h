@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <QTimer>
+
 #include <QWidget>
 
 #include "base/source_range.h"
@@ -47,9 +49,12 @@ private:
         std::string id;
         QString section;
         EditorKind kind;
+        std::size_t fields;
         bool operator==(const Shape&) const = default;
     };
     void refresh();
+    void followDocument();
+    [[nodiscard]] bool isInUse() const;
     void showNothing(const QString& why);
     void dropRows();
     void build(const std::vector<Row>& rows, const std::vector<Shape>& shapes);
@@ -74,6 +79,8 @@ private:
     std::vector<Shape> m_shapes;
     std::vector<PropertyRow*> m_rows;
     std::vector<std::string> m_paths; ///< selected, and shown now
+    std::vector<std::string> m_kinds; ///< of those
+    QTimer m_gone;                    ///< what is shown has gone, or has another name
     std::set<std::string> m_asText;   ///< rows that are edited as text
     std::set<QString> m_closed;       ///< sections folded by the user
     std::string m_current;            ///< row whose help is shown

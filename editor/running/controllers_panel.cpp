@@ -54,21 +54,17 @@ QToolButton* actionButton(QAction& action, const QString& text) {
     return made;
 }
 
-QWidget* titled(const QString& title, QTreeWidget* list, const QList<QWidget*>& tools) {
+/// The list's own header says what is in it: a title would take the room of the buttons.
+QWidget* withTools(QTreeWidget* list, const QList<QWidget*>& tools) {
     auto* box = new QWidget;
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     auto* row = new QHBoxLayout;
-    row->setContentsMargins(8, 3, 4, 3);
+    row->setContentsMargins(4, 3, 4, 3);
     row->setSpacing(2);
-    auto* label = new QLabel(title);
-    QFont bold = label->font();
-    bold.setWeight(QFont::DemiBold);
-    label->setFont(bold);
-    row->addWidget(label);
-    row->addStretch(1);
     for (QWidget* tool : tools) row->addWidget(tool);
+    row->addStretch(1);
     column->addLayout(row);
     column->addWidget(list, 1);
     return box;
@@ -94,8 +90,7 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
     halves->setChildrenCollapsible(false);
     halves->addWidget(makeModules());
     halves->addWidget(makeRobots());
-    halves->setStretchFactor(0, 3);
-    halves->setStretchFactor(1, 2);
+    for (int half : {0, 1}) halves->setStretchFactor(half, 1);
     column->addWidget(halves, 1);
 
     m_commands->setAsk([this](const QString& library, const QString& folder) { return askForTrust(library, folder, this); });
@@ -113,7 +108,7 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
 
 QWidget* ControllersPanel::makeModules() {
     m_modules = table("moduleList", {tr("Module"), tr("Kinds"), tr("SDK"), tr("Library")});
-    m_modules->setColumnWidth(0, 160);
+    m_modules->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_modules->setColumnWidth(1, 120);
     m_modules->setColumnWidth(2, 52);
     QToolButton* load = actionButton(m_actions.at("controllers.load"), tr("Load…"));
@@ -136,14 +131,14 @@ QWidget* ControllersPanel::makeModules() {
         const ModuleInfo* module = currentModule();
         if (module && module->range.known()) Q_EMIT jumpTo(m_document.files().at(module->range.file), module->range);
     });
-    return titled(tr("Modules"), m_modules, {m_trust, m_unload, reload, load});
+    return withTools(m_modules, {load, reload, m_unload, m_trust});
 }
 
 QWidget* ControllersPanel::makeRobots() {
     m_robots = table("robotControllers", {tr("Robot"), tr("Controller"), tr("State")});
     m_robots->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_robots->setColumnWidth(0, 120);
-    m_robots->setColumnWidth(1, 130);
+    m_robots->setColumnWidth(0, 90);
+    m_robots->setColumnWidth(1, 110);
     connect(m_robots, &QTreeWidget::itemSelectionChanged, this, [this] {
         std::vector<std::string> paths;
         for (const QTreeWidgetItem* item : m_robots->selectedItems())
@@ -154,9 +149,8 @@ QWidget* ControllersPanel::makeRobots() {
         m_choosing = false;
     });
     connect(m_robots, &QTreeWidget::itemActivated, this, [this] { assignTo(chosenRobots()); });
-    return titled(tr("Robots"), m_robots,
-                  {actionButton(m_actions.at("controllers.assign"), tr("Assign…")),
-                   actionButton(m_actions.at("controllers.remove"), tr("Remove"))});
+    return withTools(m_robots, {actionButton(m_actions.at("controllers.assign"), tr("Assign…")),
+                                actionButton(m_actions.at("controllers.remove"), tr("Remove"))});
 }
 
 void ControllersPanel::connectActions() {

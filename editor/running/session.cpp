@@ -160,6 +160,7 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     options.startsRunning = running;
     options.steps = steps;
     options.contacts = m_contacts;
+    options.radio = m_radio;
     options.changed = [bell = m_doorbell] { bell->ring(); };
     options.after = m_leaving.empty() ? nullptr : m_leaving.back().get();
     Parts* parts = &m_parts; // its makeRunner() uses nothing of it that a window's end could take away
@@ -241,6 +242,13 @@ void RunSession::wantContacts(bool wanted) {
     m_contacts = wanted;
     if (m_run) m_run->wantContacts(wanted);
 }
+
+void RunSession::wantRadio(bool wanted) {
+    m_radio = wanted;
+    if (m_run) m_run->wantRadio(wanted);
+}
+
+LiveRadio RunSession::takeRadio() { return m_run ? m_run->takeRadio() : LiveRadio(); }
 
 void RunSession::setState(RunState state) {
     if (state == RunState::Running) m_frames.start();

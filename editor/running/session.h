@@ -54,6 +54,9 @@ public:
     [[nodiscard]] std::shared_ptr<const SignalLayout> layout() const { return m_layout; }
     /// Contacts come with snapshot() from now on, also while paused.
     void wantContacts(bool wanted);
+    /// What flies between the radios is kept from now on, for takeRadio(); no longer.
+    void wantRadio(bool wanted);
+    [[nodiscard]] LiveRadio takeRadio(); ///< of the present run; nothing at Start
     /// How and why it ended; nothing before.
     [[nodiscard]] const std::optional<LiveEnd>& end() const { return m_end; }
     /// What building and running had to say since the last start, in built()'s texts.
@@ -146,7 +149,7 @@ private:
     bool m_toldHeldUp = false;
     RunState m_state = RunState::Start;
     double m_speed = 1;
-    bool m_contacts = false;
+    bool m_contacts = false, m_radio = false;
 
     std::unique_ptr<LiveRun> m_run;
     std::vector<std::unique_ptr<LiveRun>> m_leaving; // told to stop

@@ -38,7 +38,7 @@ static constexpr ActionRow kTable[] = {
     {"text.fold",      "|Edit/Text",  "Fold &All",               "",            "",               "Show only the first line of every block."},
     {"text.unfold",    "Edit/Text",   "U&nfold All",             "",            "",               "Show every line again."},
     {"edit.palette",   "|Edit",       "Command &Palette…",       "palette",     "Ctrl+Shift+P",   "Find any command by a few letters of its name."},
-    {"edit.preferences", "Edit",      "Pre&ferences…",           "preferences", "Ctrl+,",         "Theme, shortcuts and trusted folders."},
+    {"edit.preferences", "Edit",      "Pre&ferences…",           "preferences", "Ctrl+,",         "Shortcuts and trusted folders."},
 
     {"problems.next",  "|Edit/Problems", "&Next Problem",        "",            "F8",             "Go to the next problem in the texts."},
     {"problems.previous", "Edit/Problems", "&Previous Problem",  "",            "Shift+F8",       "Go to the problem before."},
@@ -64,6 +64,9 @@ static constexpr ActionRow kTable[] = {
     {"view.overlayJoints", "|View/Overlays", "&Joint Axes",      "",            "",               "Where joints are, and about what they turn.", true},
     {"view.overlayMass", "View/Overlays", "Centres of &Mass",    "",            "",               "Of each body, and of each robot as a whole.", true},
     {"view.overlayFrusta", "View/Overlays", "Camera &Frusta",    "",            "",               "What cameras see, from their near to their far plane; those selected are shown always.", true},
+    {"view.overlayLobes", "|View/Overlays", "&Antenna Lobes",    "",            "",               "How strongly each antenna sends and hears in each direction; of what is selected, or of all.", true},
+    {"view.overlayLinks", "View/Overlays", "Radio &Links",       "",            "",               "Which radios reach each other, and with how much to spare; of what is selected, or of all.", true},
+    {"view.overlayCoverage", "View/Overlays", "&Radio Coverage", "",            "",               "What arrives on the floor of what the selected radio sends.", true},
     {"view.overlayContacts", "View/Overlays", "&Contacts and Forces", "",       "",               "Where things touch in a run, and how hard.", true},
     {"view.overlayCollision", "View/Overlays", "C&ollision Shapes", "",         "",               "What collides, as lines.", true},
     {"view.overlayWireframe", "View/Overlays", "&Wireframe",     "",            "",               "Robots and statics as lines.", true},

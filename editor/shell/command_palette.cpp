@@ -96,6 +96,7 @@ void CommandPalette::fill(const QString& letters) {
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [score, i] : found) {
         const Command& command = m_commands[i];
+        if (!command.action) continue;
         auto* item = new QListWidgetItem(command.action->icon(), command.name, m_list);
         item->setData(kMenu, command.menu);
         item->setData(kKeys, command.action->shortcut().toString(QKeySequence::NativeText));
@@ -109,9 +110,9 @@ void CommandPalette::fill(const QString& letters) {
 void CommandPalette::trigger() {
     QListWidgetItem* item = m_list->currentItem();
     if (!item || !(item->flags() & Qt::ItemIsEnabled)) return;
-    QAction* action = m_commands[item->data(kIndex).toULongLong()].action;
+    const QPointer<QAction> action = m_commands[item->data(kIndex).toULongLong()].action;
     close();
-    action->trigger();
+    if (action) action->trigger();
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {

@@ -2,6 +2,7 @@
 #include <QDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPointer>
 
 #include "editor/widgets/actions.h"
 
@@ -26,7 +27,7 @@ private:
 
     struct Command {
         QString name, menu;
-        QAction* action;
+        QPointer<QAction> action; ///< those of a menu are made anew each time that it opens
     };
     std::vector<Command> m_commands;
     QLineEdit* m_search = new QLineEdit(this);

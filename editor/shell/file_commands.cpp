@@ -49,7 +49,27 @@ QMenu* FileCommands::makeRecentMenu() {
 bool FileCommands::open(const QString& path) {
     if (!mayLeave()) return false;
     m_document.openLater(path.toStdString());
+    showOpening(path);
     return true;
+}
+
+/// After half a second: what is waited for, and a way out. Whoever takes it has left what was open before.
+void FileCommands::showOpening(const QString& path) {
+    delete m_progress;
+    m_progress = new QProgressDialog(tr("Opening %1…").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 0, &m_window);
+    m_progress->setObjectName(QStringLiteral("opening"));
+    m_progress->setWindowTitle(tr("Opening"));
+    m_progress->setAttribute(Qt::WA_ShowWithoutActivating);
+    m_progress->setMinimumDuration(500);
+    m_progress->setValue(0); // from now on
+    connect(m_progress, &QProgressDialog::canceled, this, [this] {
+        if (m_document.isOpening()) m_document.close();
+    });
+    const auto done = [progress = m_progress] {
+        if (progress) progress->deleteLater();
+    };
+    connect(&m_document, &Document::opened, m_progress, done);
+    connect(&m_document, &Document::openFailed, m_progress, done);
 }
 
 void FileCommands::sayNotOpened(const QString& path, const QString& reason) {
@@ -89,9 +109,10 @@ bool FileCommands::saveAs() {
     m_flush();
     if (!m_document.isOpen()) return true;
     QString start = QString::fromStdString(m_document.path());
-    if (m_document.isNew() || m_document.isSample(m_document.path()))
-        start =
-            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QLatin1Char('/') + QFileInfo(start).fileName();
+    if (m_document.isNew() || m_document.isSample(m_document.path())) {
+        const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        start = (QFileInfo(documents).isDir() ? documents : QDir::homePath()) + QLatin1Char('/') + QFileInfo(start).fileName();
+    }
     QString path = QFileDialog::getSaveFileName(&m_window, tr("Save As"), start, tr(kFilter));
     if (path.isEmpty()) return false;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".sim");

@@ -3,6 +3,8 @@
 
 #include <QMenu>
 #include <QObject>
+#include <QPointer>
+#include <QProgressDialog>
 #include <QWidget>
 
 #include "editor/document/document.h"
@@ -32,6 +34,7 @@ private:
     void close();
     void newFrom(const char* templateName);
     void choose();
+    void showOpening(const QString& path);
     bool save();
     bool saveAs();
     void tell(const QString& title, const Status& status);
@@ -40,6 +43,7 @@ private:
     Document& m_document;
     QString m_configs;
     std::function<void()> m_flush = [] {};
+    QPointer<QProgressDialog> m_progress; ///< of what is being opened
 };
 
 } // namespace trundle

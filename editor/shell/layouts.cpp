@@ -7,7 +7,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kVersion = 2; // raised when docks come or go, so that old settings are not applied to a new window
+constexpr int kVersion = 3; // raised when docks come or go, so that old settings are not applied to a new window
 
 const QString kGuide = QStringLiteral("guide");
 
@@ -104,7 +104,8 @@ void Layouts::arrange(Layout layout) {
                                  {"problems", Qt::BottomDockWidgetArea, "", true},
                                  {"console", Qt::BottomDockWidgetArea, "problems", true},
                                  {"controllers", Qt::BottomDockWidgetArea, "console", true},
-                                 {"cameras", Qt::BottomDockWidgetArea, "controllers", false}};
+                                 {"cameras", Qt::BottomDockWidgetArea, "controllers", false},
+                                 {"radios", Qt::BottomDockWidgetArea, "cameras", false}};
     static const Place run[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
                                 {"library", Qt::LeftDockWidgetArea, "scene", false},
                                 {"properties", Qt::RightDockWidgetArea, "", true},
@@ -113,7 +114,8 @@ void Layouts::arrange(Layout layout) {
                                 {"console", Qt::BottomDockWidgetArea, "", true},
                                 {"problems", Qt::BottomDockWidgetArea, "console", true},
                                 {"controllers", Qt::BottomDockWidgetArea, "problems", true},
-                                {"cameras", Qt::BottomDockWidgetArea, "controllers", true}};
+                                {"cameras", Qt::BottomDockWidgetArea, "controllers", true},
+                                {"radios", Qt::BottomDockWidgetArea, "cameras", true}};
     for (QDockWidget* dock : m_docks) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);

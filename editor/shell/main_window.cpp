@@ -20,6 +20,7 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/problems/problems_panel.h"
 #include "editor/properties/properties_panel.h"
+#include "editor/radios/radios_panel.h"
 #include "editor/running/console_panel.h"
 #include "editor/running/controller_commands.h"
 #include "editor/running/controllers_panel.h"
@@ -107,6 +108,7 @@ void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations
     m_problems = new ProblemsPanel(*m_document, *m_selection);
     m_console = new ConsolePanel(*m_session);
     m_cameras = new CamerasPanel(*m_document, *m_session, render);
+    m_radios = new RadiosPanel(*m_document, *m_selection, *m_session);
     m_controllers = new ControllersPanel(*m_document, *m_selection, *m_session, *m_actions);
     m_help = new HelpPanel;
 }
@@ -121,6 +123,7 @@ void MainWindow::makeDocks() {
         {m_console, "console", tr("Console")},
         {m_controllers, "controllers", tr("Controllers")},
         {m_cameras, "cameras", tr("Cameras")},
+        {m_radios, "radios", tr("Radio")},
         {m_help, "guide", tr("Guide")}};
     for (const auto& [panel, name, title] : docks) {
         panel->setObjectName(QLatin1String(name));
@@ -194,6 +197,7 @@ void MainWindow::connectPanels() {
         m_viewport->setLocked({m_marks->locked().begin(), m_marks->locked().end()});
     });
     connect(m_text, &TextPanel::said, m_status, &StatusLine::refuse);
+    connect(m_radios, &RadiosPanel::said, m_status, &StatusLine::refuse);
     m_files->setFlush([this] { m_text->flush(); });
     m_text->installEventFilter(this);
     new FileDrop(*this, [this](const QString& path) { m_files->open(path); });

@@ -28,6 +28,7 @@ class ObjectEdits;
 class OutlinePanel;
 class ProblemsPanel;
 class PropertiesPanel;
+class RadiosPanel;
 class RenderService;
 class ObjectMarks;
 class StatusLine;
@@ -113,6 +114,7 @@ private:
     ProblemsPanel* m_problems = nullptr;
     ConsolePanel* m_console = nullptr;
     CamerasPanel* m_cameras = nullptr;
+    RadiosPanel* m_radios = nullptr;
     ControllersPanel* m_controllers = nullptr;
     HelpPanel* m_help = nullptr;
     TransportBar* m_transport = nullptr;

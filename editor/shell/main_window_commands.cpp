@@ -1,5 +1,7 @@
 // What the window's own commands do.
 
+#include <functional>
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
@@ -10,6 +12,7 @@
 #include "editor/outline/library_panel.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/outline_panel.h"
+#include "editor/radios/radios_panel.h"
 #include "editor/shell/command_palette.h"
 #include "editor/shell/file_commands.h"
 #include "editor/shell/main_window.h"
@@ -45,7 +48,8 @@ void MainWindow::useView(const QString& name) {
 }
 
 bool MainWindow::isSettled() const {
-    return !m_document->isOpening() && m_viewport->isSettled() && m_library->isSettled() && m_cameras->isSettled();
+    return !m_document->isOpening() && m_viewport->isSettled() && m_library->isSettled() && m_cameras->isSettled() &&
+           m_radios->isSettled();
 }
 
 void MainWindow::showPlace(const std::string& file, TextRange range) {
@@ -80,10 +84,14 @@ QList<QAction*> MainWindow::insertActions() {
     QList<QAction*> leaves;
     QMenu* insert = m_menus.at(QStringLiteral("Insert"));
     Q_EMIT insert->aboutToShow();
-    for (QAction* action : insert->findChildren<QAction*>())
-        if (!action->menu() && !action->isSeparator()) leaves.append(action);
-    for (QAction* action : insert->actions())
-        if (!action->menu() && !action->isSeparator() && !leaves.contains(action)) leaves.append(action);
+    // Along the menus, not their children: among those are what aboutToShow() has just taken out.
+    const std::function<void(const QMenu&)> collect = [&](const QMenu& menu) {
+        for (QAction* action : menu.actions()) {
+            if (action->menu()) collect(*action->menu());
+            else if (action->objectName().startsWith(QStringLiteral("insert."))) leaves.append(action);
+        }
+    };
+    collect(*insert);
     return leaves;
 }
 

@@ -69,9 +69,11 @@ QWidget* PreferencesDialog::makeShortcuts() {
                             !item->text(1).contains(text, Qt::CaseInsensitive));
         }
     });
-    connect(m_shortcuts, &QTreeWidget::currentItemChanged, this, [this, keys, chosen] {
+    const auto showKeys = [this, keys, chosen] {
         if (const char* id = chosen()) keys->setKeySequence(m_actions.at(id).shortcut());
-    });
+    };
+    connect(m_shortcuts, &QTreeWidget::currentItemChanged, this, showKeys);
+    showKeys();
     connect(set, &QPushButton::clicked, this, [this, keys, chosen] {
         if (const char* id = chosen()) setKeys(id, keys->keySequence());
     });
@@ -110,9 +112,11 @@ void PreferencesDialog::fillShortcuts() {
     m_shortcuts->clear();
     for (std::size_t i = 0; i < m_actions.table().size(); ++i) {
         const ActionRow& row = m_actions.table()[i];
-        QString menu = QLatin1String(row.menu);
-        auto* item = new QTreeWidgetItem(m_shortcuts, {plain(m_actions.at(row.id)), menu.remove(QLatin1Char('|')),
-                                                       m_actions.at(row.id).shortcut().toString(QKeySequence::NativeText)});
+        const QString menu = QString(QLatin1String(row.menu)).remove(QLatin1Char('|'));
+        const qsizetype under = menu.indexOf(QLatin1Char('/')); // "Robot" alone says little
+        const QString name = (under < 0 ? QString() : menu.mid(under + 1) + QStringLiteral(": ")) + plain(m_actions.at(row.id));
+        auto* item =
+            new QTreeWidgetItem(m_shortcuts, {name, menu, m_actions.at(row.id).shortcut().toString(QKeySequence::NativeText)});
         item->setData(0, Qt::UserRole, qulonglong(i));
         item->setToolTip(0, tr(row.help));
     }

@@ -1,5 +1,7 @@
 #include "editor/shell/welcome_page.h"
 
+#include <algorithm>
+
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QPainter>
@@ -9,6 +11,8 @@
 
 #include "editor/shell/recent_files.h"
 #include "editor/widgets/theme.h"
+#include "project/journal.h"
+#include "project/search.h"
 
 namespace trundle {
 namespace {
@@ -115,6 +119,12 @@ private:
     QList<QWidget*> m_cards;
 };
 
+/// Whether a window that ended badly has left edits of this file. Opening it asks about them.
+bool hasUnsavedWork(const QString& file) {
+    const std::string path = canonicalPath(file.toStdString());
+    return std::ranges::any_of(findRecoveries(projectFolderOf(path)), [&](const Recovery& r) { return r.head.opened == path; });
+}
+
 } // namespace
 
 WelcomePage::WelcomePage(const Actions& actions, const QString& configs, QWidget* parent) : QWidget(parent) {
@@ -195,7 +205,9 @@ void WelcomePage::refresh() {
     if (files.isEmpty()) return;
     m_recent->addWidget(heading(tr("Recent"), 15));
     for (const QString& file : files.mid(0, 8)) {
-        QPushButton* button = linkButton(QFileInfo(file).fileName());
+        const QString name = QFileInfo(file).fileName();
+        QPushButton* button = linkButton(hasUnsavedWork(file) ? tr("%1 – unsaved work").arg(name) : name);
+        button->setObjectName(QStringLiteral("recent.") + name);
         button->setToolTip(file);
         connect(button, &QPushButton::clicked, this, [this, file] { Q_EMIT openWanted(file); });
         m_recent->addWidget(button);

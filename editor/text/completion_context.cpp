@@ -178,6 +178,10 @@ private:
     }
 
     void number() {
+        if (m_context.before.ends_with('.')) { // no unit has a dot: `Pos=1,1,0 leftMotor.|`
+            m_context.where = Where::Statement;
+            return;
+        }
         const std::uint32_t end = token(0).range.end;
         const std::string_view between = m_text.substr(end, m_context.word.begin - end);
         const bool sameLine = between.find_first_of("\r\n") == std::string_view::npos;
@@ -192,7 +196,7 @@ private:
         std::vector<std::string> words;
         while (last() == TokenKind::Dot) {
             m_before.pop_back();
-            if (last() != TokenKind::Word) return;
+            if (last() != TokenKind::Word && last() != TokenKind::Unit) return; // behind a number a word is read as its unit
             words.emplace_back(slice(token(0).range));
             m_before.pop_back();
         }

@@ -131,11 +131,15 @@ void CompletionPopup::fitTo(const QPoint& place, int lineHeight) {
     // As high as the longest help of the list, so that nothing moves while one goes through it.
     const QFontMetrics metrics(m_help->font());
     const QRect room(0, 0, width - 2 * kHelpMargin - 2, kMostHelpLines * metrics.lineSpacing());
-    int high = 2 * metrics.lineSpacing();
+    int high = 0;
     for (const std::string& help : m_helps)
-        high = std::max(high, metrics.boundingRect(room, Qt::TextWordWrap, QString::fromStdString(help)).height());
-    m_help->setFixedHeight(std::min(high, room.height()) + 2 * kHelpMargin + 2);
-    resize(width, m_list->height() + m_help->height() + 2);
+        if (!help.empty())
+            high = std::max({high, 2 * metrics.lineSpacing(),
+                             metrics.boundingRect(room, Qt::TextWordWrap, QString::fromStdString(help)).height()});
+    m_help->setVisible(high > 0);
+    if (high > 0) high = std::min(high, room.height()) + 2 * kHelpMargin + 2;
+    m_help->setFixedHeight(high);
+    resize(width, m_list->height() + high + 2);
     QPoint at = window->mapFromGlobal(place);
     if (at.y() + height() > window->height() && at.y() - lineHeight - height() >= 0) at.ry() -= lineHeight + height();
     at.setX(std::clamp(at.x(), 0, std::max(0, window->width() - width)));

@@ -141,9 +141,12 @@ LineEdit newLine(std::string_view text, std::size_t anchor, std::size_t caret, s
     const std::size_t begin = lineBegin(text, from);
     std::string_view blanks = blanksAt(text, begin);
     blanks = blanks.substr(0, std::min(blanks.size(), from - begin));
-    std::size_t last = from;
-    while (last > begin && isBlank(text[last - 1])) --last;
-    const bool opens = last > begin && text[last - 1] == '{';
+    int depth = 0; // of the blocks that this line opens before the caret
+    for (const Token& token : Lexer(text.substr(begin, from - begin)).lex()) {
+        if (token.kind == TokenKind::OpenBrace) ++depth;
+        if (token.kind == TokenKind::CloseBrace && depth > 0) --depth;
+    }
+    const bool opens = depth > 0;
     std::string inserted(lineEnd);
     inserted += blanks;
     if (opens) inserted += step;

@@ -228,10 +228,8 @@ void TextPanel::connectPage(FilePage& page) {
     connect(&edit, &CodeEdit::menuAsked, this, [this, &page](const QPoint& pos) { showMenu(page, pos); });
     connect(&page, &FilePage::typed, this, &TextPanel::watchForOthers);
     connect(&page, &FilePage::flushed, this, [this] {
-        if (m_caretTimer.isActive()) { // the caret moved with what was typed: one picture for both
-            m_caretTimer.stop();
-            selectAtCaret();
-        }
+        m_caretTimer.stop(); // the caret moved with what was typed: one picture for both
+        selectAtCaret();
         const auto all = pages();
         if (!m_watching || std::any_of(all.begin(), all.end(), [](FilePage* p) { return p->pending(); })) return;
         m_watching = false;

@@ -2,69 +2,17 @@
 
 #include <set>
 
-#include <QPainter>
-
 #include "editor/document/selection.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
+#include "editor/viewport/world_pen.h"
 #include "scene/camera_model.h"
 
 namespace trundle {
 namespace {
 
 constexpr std::size_t kMostFrusta = 200, kMostUnasked = 4;
-const QColor kFrustum(70, 196, 222), kFrustumShade(10, 12, 16, 90);
-
-/// Draws lines of the world, also where they pass the eye or go far out of the picture.
-class WorldPen {
-public:
-    WorldPen(QPainter& painter, const View& view)
-        : m_painter(painter), m_view(view.shownCamera()), m_axes(cameraAxes(m_view)), m_width(std::max(1, view.width())),
-          m_height(std::max(1, view.height())) {}
-
-    void line(Vec3 a, Vec3 b, const QColor& colour, double width) const {
-        const double depthA = depthOf(a), depthB = depthOf(b);
-        if (depthA < kLeastDepth && depthB < kLeastDepth) return;
-        const Vec3 cut = a + (b - a) * ((kLeastDepth - depthA) / (depthB - depthA));
-        if (depthA < kLeastDepth) a = cut;
-        if (depthB < kLeastDepth) b = cut;
-        const auto from = project(m_view, m_width, m_height, a), to = project(m_view, m_width, m_height, b);
-        if (!from || !to) return;
-        QLineF shown(from->x, from->y, to->x, to->y);
-        if (!clip(shown)) return;
-        for (const auto& [ink, wide] : {std::pair(kFrustumShade, width + 1.6), {colour, width}}) {
-            m_painter.setPen(QPen(ink, wide, Qt::SolidLine, Qt::RoundCap));
-            m_painter.drawLine(shown);
-        }
-    }
-
-private:
-    static constexpr double kLeastDepth = 1e-3; // m
-
-    [[nodiscard]] double depthOf(const Vec3& point) const { return -m_axes.col(2).dot(point - m_view.eye); }
-    /// To the picture and a little around it (Liang and Barsky).
-    [[nodiscard]] bool clip(QLineF& line) const {
-        double from = 0, to = 1;
-        const double rim = 8;
-        const auto edge = [&](double along, double room) {
-            if (along == 0) return room >= 0;
-            const double at = room / along;
-            if (along < 0) from = std::max(from, at);
-            else to = std::min(to, at);
-            return from < to;
-        };
-        if (!edge(-line.dx(), line.x1() + rim) || !edge(line.dx(), m_width + rim - line.x1()) ||
-            !edge(-line.dy(), line.y1() + rim) || !edge(line.dy(), m_height + rim - line.y1()))
-            return false;
-        line = QLineF(line.pointAt(from), line.pointAt(to));
-        return true;
-    }
-
-    QPainter& m_painter;
-    CameraView m_view;
-    Mat3 m_axes;
-    std::uint32_t m_width, m_height;
-};
+const QColor kFrustum(70, 196, 222);
 
 void paintFrustum(const WorldPen& pen, const CameraModel& camera, const Pose& body, const QColor& colour, double width) {
     const Pose lens = body * camera.mounting;

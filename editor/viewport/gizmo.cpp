@@ -11,7 +11,7 @@ namespace trundle {
 namespace {
 
 constexpr double kLength = 84, kRing = 74, kPlaneFrom = 20, kPlaneTo = 36, kScreen = 7; // pixels
-constexpr double kLineReach = 7; // pixels from a line within which it is hit
+constexpr double kLineReach = 7; // pixels from a line, or the head at its end, within which it is hit
 constexpr double kFaceOn = 6;    // pixels by which an arrow along the line of sight counts as farther
 constexpr double kAlongSight = 0.97, kHandleEdgeOn = 0.13;
 constexpr int kRingSteps = 72;
@@ -127,7 +127,9 @@ Handle Gizmo::hit(const QPointF& at) const {
     Handle nearest;
     double best = 1e9;
     for (const Shape& shape : m_shapes) {
-        for (const QPolygonF& line : shape.lines) {
+        std::vector<QPolygonF> lines = shape.lines;
+        if (shape.handle.kind == Handle::Kind::Axis || shape.handle.kind == Handle::Kind::Size) lines.push_back(shape.face);
+        for (const QPolygonF& line : lines) {
             const double distance = distanceTo(line, at);
             // Of arrows over each other the one that points less along the line of sight is meant.
             const double score = distance + (shape.handle.kind == Handle::Kind::Axis

@@ -145,7 +145,7 @@ void GizmoWork::say() {
     m_view.update();
 }
 
-void GizmoWork::release(const Pointer&) {
+void GizmoWork::release(const Pointer& pointer) {
     if (m_pending) apply();
     m_pace.stop();
     m_view.parts().document.endMerge();
@@ -154,6 +154,7 @@ void GizmoWork::release(const Pointer&) {
     m_held.reset();
     m_view.setHint({});
     m_view.setHovered({}, {});
+    (void)hover(pointer); // what shines is what the next press takes
     m_view.update();
 }
 

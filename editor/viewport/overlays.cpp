@@ -8,6 +8,7 @@
 #include "editor/running/session.h"
 #include "editor/viewport/frusta.h"
 #include "editor/viewport/number_text.h"
+#include "editor/viewport/radio_legend.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/trails.h"
 #include "editor/viewport/view.h"
@@ -236,6 +237,7 @@ void paintOverlays(QPainter& painter, const View& view) {
     const ViewSettings& settings = view.parts().settings;
     if (settings.shows(kOverlayGrid)) paintSideGrid(painter, view);
     if (settings.shows(kOverlayTrails)) paintTrails(painter, view);
+    if (settings.shows(kOverlayLinks)) paintRadioLinks(painter, view);
     paintFrusta(painter, view, settings.shows(kOverlayFrusta));
     paintJoints(painter, view, settings.shows(kOverlayJoints));
     if (settings.shows(kOverlayMass)) paintMass(painter, view);
@@ -243,6 +245,7 @@ void paintOverlays(QPainter& painter, const View& view) {
     if (settings.shows(kOverlayNames)) paintNames(painter, view);
     if (settings.shows(kOverlayGrid)) paintScale(painter, view);
     paintAxes(painter, view);
+    paintRadioLegend(painter, view);
 }
 
 } // namespace trundle

@@ -47,7 +47,9 @@ constexpr OverlayRow kOverlays[] = {{"view.overlayGrid", kOverlayGrid},         
                                     {"view.overlayNames", kOverlayNames},         {"view.overlayTrails", kOverlayTrails},
                                     {"view.overlayJoints", kOverlayJoints},       {"view.overlayMass", kOverlayMass},
                                     {"view.overlayContacts", kOverlayContacts},   {"view.overlayCollision", kOverlayCollision},
-                                    {"view.overlayWireframe", kOverlayWireframe}, {"view.overlayFrusta", kOverlayFrusta}};
+                                    {"view.overlayWireframe", kOverlayWireframe}, {"view.overlayFrusta", kOverlayFrusta},
+                                    {"view.overlayLobes", kOverlayLobes},         {"view.overlayLinks", kOverlayLinks},
+                                    {"view.overlayCoverage", kOverlayCoverage}};
 
 constexpr std::size_t kMostCameras = 8; // in a menu
 

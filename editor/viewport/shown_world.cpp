@@ -120,26 +120,30 @@ const CameraModel* ShownWorld::camera(const std::string& path) const {
 }
 
 std::vector<const CameraModel*> ShownWorld::camerasOf(const std::string& path) const {
-    // "seeker.eye" and "RobotConfig.Seeker.eye": whose cameras, and which of them.
+    std::vector<const CameraModel*> found;
+    for (const CameraModel& camera : m_cameras)
+        if (isPartOf(path, camera.robot, camera.body, camera.path)) found.push_back(&camera);
+    return found;
+}
+
+bool ShownWorld::isPartOf(const std::string& path, const std::string& robot, std::size_t body,
+                          const std::string& component) const {
+    // "seeker.eye" and "RobotConfig.Seeker.eye": of whom, and which.
     const auto upTo = [&path](std::size_t from) { return std::min(path.find('.', from), path.size()); };
     const std::size_t first = upTo(0), second = upTo(std::min(first + 1, path.size()));
     const std::string name = path.substr(0, first);
     const bool byConfig = name == "RobotConfig";
     const std::size_t end = byConfig ? second : first;
     const std::string which = end < path.size() ? path.substr(end + 1) : std::string();
-    std::vector<const CameraModel*> found;
-    for (const CameraModel& camera : m_cameras) {
-        const auto robot = find(camera.robot);
-        const RobotSpec* spec = robot ? m_objects->robotOf(*robot) : nullptr;
-        if (!spec || !spec->config) continue;
-        if (byConfig ? first == path.size() || spec->config->name != path.substr(first + 1, second - first - 1)
-                     : camera.robot != name && !isMemberOf(camera.robot, name))
-            continue;
-        const std::size_t body = camera.body - m_objects->firstPose(robot->instance);
-        const bool onBody = body < spec->config->bodies.size() && spec->config->bodies[body].name == which;
-        if (which.empty() || onBody || camera.path == camera.robot + "/" + which) found.push_back(&camera);
-    }
-    return found;
+    const auto object = find(robot);
+    const RobotSpec* spec = object ? m_objects->robotOf(*object) : nullptr;
+    if (!spec || !spec->config) return false;
+    if (byConfig ? first == path.size() || spec->config->name != path.substr(first + 1, second - first - 1)
+                 : robot != name && !isMemberOf(robot, name))
+        return false;
+    if (which.empty() || component == robot + "/" + which) return true;
+    const std::size_t own = body - m_objects->firstPose(object->instance);
+    return own < spec->config->bodies.size() && spec->config->bodies[own].name == which;
 }
 
 bool ShownWorld::holds(const std::vector<std::string>& marks, const ObjectRef& object) const {

@@ -40,6 +40,9 @@ public:
     [[nodiscard]] const CameraModel* camera(const std::string& path) const; ///< "robot0/eye"; null where there is none
     /// The cameras that a path of the selection means, by themselves or as parts of what it names.
     [[nodiscard]] std::vector<const CameraModel*> camerasOf(const std::string& path) const;
+    /// Whether such a path means a component of a robot ("robot0/radio") that sits on a body (as BodyPoses count), or what it is part of.
+    [[nodiscard]] bool isPartOf(const std::string& path, const std::string& robot, std::size_t body,
+                                const std::string& component) const;
     /// Robots and statics without those hidden, and without endless floors.
     [[nodiscard]] const Bounds& bounds() const;
     /// What is seen along a ray, nearest first; what is locked only where asked for.

@@ -12,6 +12,7 @@
 #include "editor/viewport/navigation.h"
 #include "editor/viewport/overlays.h"
 #include "editor/viewport/push_work.h"
+#include "editor/viewport/radio_overlays.h"
 #include "editor/viewport/select_work.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_settings.h"
@@ -24,6 +25,7 @@ constexpr int kFrameMs = 16; // no more than about 60 pictures a second
 constexpr int kSettleMs =
     350; // after so long without a change, longer than between two keys, the picture is drawn once more, finer
 constexpr int kGlideMs = 160;
+constexpr int kLongMs = 500; // a first picture that takes longer says so
 
 std::array<std::uint8_t, 3> bytesOf(const QColor& colour) {
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};
@@ -85,6 +87,10 @@ View::View(const ViewParts& parts, ViewKind kind, QWidget* parent)
         followSelection();
         redraw();
     });
+    if (const RadioOverlays* radios = m_parts.radios) {
+        connect(radios, &RadioOverlays::sceneChanged, this, &View::redraw);
+        connect(radios, &RadioOverlays::linksChanged, this, qOverload<>(&QWidget::update));
+    }
     m_camera.setKind(kind);
 }
 
@@ -233,6 +239,10 @@ PictureRequest View::request(bool fine) const {
     r.mask = kMaskRobots | kMaskStatics | kMaskSky | kMaskGhosts;
     if (settings.shows(kOverlayGrid)) r.mask |= kMaskFloor | kMaskGuide;
     if (settings.shows(kOverlayCollision)) r.mask |= kMaskCollision;
+    if (m_parts.radios && (m_parts.radios->inScene().shapes || m_parts.radios->inScene().floor)) {
+        r.mask |= kMaskOverlay;
+        r.overlay = m_parts.radios->inScene();
+    }
     r.wireframe = settings.shows(kOverlayWireframe);
     if (settings.shows(kOverlayShadows) && !r.wireframe) r.mask |= fine || !m_software ? kMaskSoftShadows : kMaskShadows;
     r.hidden = m_parts.world.hiddenInScene();
@@ -260,6 +270,7 @@ void View::ask(bool fine) {
     m_fine = fine;
     m_sinceAsked.start();
     ++(fine ? m_refinements : m_redraws);
+    if (m_frame.image.isNull()) QTimer::singleShot(kLongMs, this, qOverload<>(&View::update)); // a large mesh takes its time
     PictureRequest wish = request(fine);
     Frame frame{{}, *wish.view, m_parts.world.objects(), m_parts.world.poses()};
     m_parts.render->draw(std::move(wish), [inbox = m_inbox, frame = std::move(frame), number = m_redraws + m_refinements,
@@ -316,6 +327,7 @@ void View::paintEvent(QPaintEvent*) {
     if (m_frame.image.isNull()) {
         painter.fillRect(rect(), palette().window());
         if (!m_failure.isEmpty()) paintMessage(painter, m_failure);
+        else if (m_inFlight && m_sinceAsked.elapsed() >= kLongMs) paintMessage(painter, tr("Drawing…"));
         return;
     }
     painter.drawImage(rect(), m_frame.image);
@@ -325,16 +337,17 @@ void View::paintEvent(QPaintEvent*) {
     for (const auto& work : m_works) work->paint(painter);
     paintHints(painter);
     if (!m_failure.isEmpty()) paintMessage(painter, m_failure);
-    if (m_isCurrent) {
+    if (m_isFramed) {
         painter.setPen(QPen(ink(Ink::Accent), 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
     }
 }
 
-void View::setCurrent(bool current) {
-    if (current == m_isCurrent) return;
+void View::setCurrent(bool current, bool framed) {
+    if (current == m_isCurrent && framed == m_isFramed) return;
     m_isCurrent = current;
+    m_isFramed = framed;
     update();
 }
 

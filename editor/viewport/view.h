@@ -23,6 +23,7 @@ class Document;
 class GizmoWork;
 class Measurement;
 class Navigation;
+class RadioOverlays;
 class RenderService;
 class RunSession;
 class Selection;
@@ -42,6 +43,7 @@ struct ViewParts {
     Measurement& measurement;
     RenderService* render = nullptr;
     Trails* trails = nullptr;
+    RadioOverlays* radios = nullptr;
 };
 
 class View final : public QWidget {
@@ -81,8 +83,9 @@ public:
     void setHovered(const std::string& path, const QString& hint);
     /// A line of words at the lower edge, while something is done; empty: none.
     void setHint(const QString& hint);
-    /// Framed as the one of several that keys and menus mean.
-    void setCurrent(bool current);
+    /// The one that keys and menus mean, framed where there are several. Legends stand in it.
+    void setCurrent(bool current, bool framed);
+    [[nodiscard]] bool isCurrent() const { return m_isCurrent; }
 
     /// Pictures asked for because something changed, and those asked for once more, finer, when all stood still.
     [[nodiscard]] int redraws() const { return m_redraws; }
@@ -90,6 +93,7 @@ public:
     [[nodiscard]] bool isUpToDate() const { return !m_wanted && !m_inFlight && !m_frame.image.isNull(); }
     [[nodiscard]] bool isSettled() const { return isUpToDate() && !m_settle.isActive() && !m_glide.isActive(); }
     [[nodiscard]] const QImage& picture() const { return m_frame.image; }
+    [[nodiscard]] const QPointF& cursorAt() const { return m_cursor; } ///< where the mouse was last
     [[nodiscard]] bool mouseIsBusy() const { return m_working != nullptr; }
     /// The work that has the mouse is done, although the button is still down.
     void endWork(const Pointer& pointer = {});
@@ -167,7 +171,8 @@ private:
     QPointF m_cursor, m_dropAt{-1, -1};
     QTimer m_pumpTimer, m_settle, m_glide;
     QElapsedTimer m_sinceAsked, m_gliding;
-    bool m_wanted = true, m_inFlight = false, m_fine = false, m_software = true, m_dropping = false, m_isCurrent = false;
+    bool m_wanted = true, m_inFlight = false, m_fine = false, m_software = true, m_dropping = false, m_isCurrent = false,
+         m_isFramed = false;
     int m_redraws = 0, m_refinements = 0; // together: the number of the picture asked for last
 };
 

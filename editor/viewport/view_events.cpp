@@ -8,6 +8,7 @@
 #include "editor/viewport/library_drop.h"
 #include "editor/viewport/navigation.h"
 #include "editor/viewport/plate.h"
+#include "editor/viewport/radio_overlays.h"
 #include "editor/viewport/view.h"
 #include "editor/widgets/theme.h"
 
@@ -49,6 +50,7 @@ void View::mouseMoveEvent(QMouseEvent* event) {
         else taken = work->hover(pointer);
     }
     if (!taken) setHovered({}, {});
+    if (m_parts.radios && !m_parts.radios->nodes().empty()) update(); // the legend says more where the pointer is
 }
 
 void View::mouseReleaseEvent(QMouseEvent* event) {
@@ -104,6 +106,7 @@ void View::leaveEvent(QEvent*) {
     if (m_working) return;
     for (const auto& work : m_works) work->leave();
     setHovered({}, {});
+    if (m_parts.radios && !m_parts.radios->nodes().empty()) update();
 }
 
 bool View::event(QEvent* event) {

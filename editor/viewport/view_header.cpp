@@ -123,7 +123,8 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
     auto* overlays = new QMenu(this);
     for (const char* id :
          {"view.overlayGrid", "view.overlayShadows", "view.overlayNames", "view.overlayTrails", "view.overlayJoints",
-          "view.overlayMass", "view.overlayFrusta", "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"})
+          "view.overlayMass", "view.overlayFrusta", "view.overlayLobes", "view.overlayLinks", "view.overlayCoverage",
+          "view.overlayContacts", "view.overlayCollision", "view.overlayWireframe"})
         overlays->addAction(&actions.at(id));
 
     auto* counts = new QMenu(this);

@@ -18,7 +18,10 @@ enum Overlay : unsigned {
     kOverlayTrails = 1u << 6,
     kOverlayShadows = 1u << 7,
     kOverlayWireframe = 1u << 8,
-    kOverlayFrusta = 1u << 9, ///< what cameras see
+    kOverlayFrusta = 1u << 9,    ///< what cameras see
+    kOverlayLobes = 1u << 10,    ///< of antennas
+    kOverlayLinks = 1u << 11,    ///< between radios
+    kOverlayCoverage = 1u << 12, ///< of a radio, on the floor
 };
 
 /// How the views of one panel are worked with; the same for all of them.

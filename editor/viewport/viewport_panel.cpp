@@ -12,6 +12,7 @@
 #include "editor/running/session.h"
 #include "editor/viewport/held_objects.h"
 #include "editor/viewport/measure_work.h"
+#include "editor/viewport/radio_overlays.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_header.h"
 #include "editor/widgets/actions.h"
@@ -29,9 +30,10 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
                              Actions& actions, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_session(session), m_actions(actions),
       m_measurement(std::make_unique<Measurement>()), m_world(std::make_unique<ShownWorld>(document, session, render)),
-      m_trails(std::make_unique<Trails>(*m_world)) {
+      m_trails(std::make_unique<Trails>(*m_world)), m_radios(std::make_unique<RadioOverlays>(*m_world, selection, m_settings)) {
     setObjectName(QStringLiteral("viewportPanel"));
-    m_parts.reset(new ViewParts{document, selection, session, *m_world, m_settings, *m_measurement, render, m_trails.get()});
+    m_parts.reset(new ViewParts{document, selection, session, *m_world, m_settings, *m_measurement, render, m_trails.get(),
+                                m_radios.get()});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -119,7 +121,7 @@ void ViewportPanel::setViewCount(int count) {
 
 void ViewportPanel::setCurrent(View& view) {
     m_current = &view;
-    for (View* each : m_views) each->setCurrent(m_shown > 1 && each == m_current);
+    for (View* each : m_views) each->setCurrent(each == m_current, m_shown > 1 && each == m_current);
 }
 
 void ViewportPanel::setKind(ViewKind kind) { m_current->setKind(kind); }
@@ -156,6 +158,7 @@ bool ViewportPanel::isUpToDate() const {
 }
 
 bool ViewportPanel::isSettled() const {
+    if (m_radios->isReckoning()) return false;
     return std::all_of(m_views.begin(), m_views.end(), [](const View* view) { return !view->isVisible() || view->isSettled(); });
 }
 
@@ -197,6 +200,10 @@ void ViewportPanel::showBanner() {
         text = held.refusal();
         m_inTheWay = held.layoutInTheWay();
         if (!m_inTheWay.empty()) button = tr("Replace by Single Instances");
+        if (text.isEmpty() && tool == Tool::Scale && !held.empty() && held.halfExtent().isZero())
+            text = m_world->isRunning()
+                       ? tr("Sizes change at the start of a run only.")
+                       : tr("%1 has no size of its own: choose a shape, by clicks at one place.").arg(held.title());
     }
     if (text.isEmpty() && m_session.state() == RunState::Paused && edits && m_world->isRunning() &&
         m_session.keepRefusal().isEmpty()) {

@@ -17,6 +17,7 @@ class QPushButton;
 namespace trundle {
 
 class Actions;
+class RadioOverlays;
 
 /// How a view stands, for the next time.
 struct ViewStand {
@@ -40,6 +41,7 @@ public:
     [[nodiscard]] View& current() { return *m_current; }
     [[nodiscard]] ViewSettings& settings() { return m_settings; }
     [[nodiscard]] ShownWorld& world() { return *m_world; }
+    [[nodiscard]] RadioOverlays& radios() { return *m_radios; }
     /// "perspective", "top", "chase" ...: the current view. False where there is none of that name.
     bool showView(const QString& name);
     /// Of all four, whether they are shown or not.
@@ -87,6 +89,7 @@ private:
     std::unique_ptr<Measurement> m_measurement;
     std::unique_ptr<ShownWorld> m_world;
     std::unique_ptr<Trails> m_trails;
+    std::unique_ptr<RadioOverlays> m_radios;
     std::unique_ptr<ViewParts> m_parts;
     std::vector<View*> m_views;
     View* m_current = nullptr;

@@ -24,7 +24,7 @@ struct NoMeshes final : MeshSource {
 
 } // namespace
 
-std::shared_ptr<const ExperimentSpec> readExperiment(const std::string& path) {
+std::shared_ptr<const Loaded> readProject(const std::string& path) {
     auto registry = std::make_shared<Registry>();
     addModelKinds(*registry);
     if (!addDeviceKinds(*registry)) return nullptr;
@@ -33,7 +33,12 @@ std::shared_ptr<const ExperimentSpec> readExperiment(const std::string& path) {
     ProjectOptions options;
     options.shippedConfigs = TRUNDLE_SOURCE_DIR "/configs";
     const auto loaded = Project(registry, modules, meshes, options).open(path);
-    return loaded.ok() ? loaded.value()->experiment : nullptr;
+    return loaded.ok() ? loaded.value() : nullptr;
+}
+
+std::shared_ptr<const ExperimentSpec> readExperiment(const std::string& path) {
+    const auto loaded = readProject(path);
+    return loaded ? loaded->experiment : nullptr;
 }
 
 } // namespace trundle

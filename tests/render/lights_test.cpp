@@ -1,6 +1,8 @@
 // Sun, lamps and sky of an experiment's text.
 #include <QtTest>
 
+#include <numbers>
+
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
 
@@ -16,8 +18,14 @@ ComponentSpec look(const std::string& kind, CameraValues values) {
     return spec;
 }
 
-/// A post on a floor, from above.
-std::shared_ptr<ExperimentSpec> post(std::vector<ComponentSpec> looks) {
+ComponentSpec lampAt(double x, double y, double z, CameraValues values = {}) {
+    values["Mode"] = word("lamp");
+    values["Pos"] = numbers({x, y, z});
+    return look("Light", std::move(values));
+}
+
+/// A post on a floor, from above: from -2.1 m to 2.1 m.
+std::shared_ptr<ExperimentSpec> post(std::vector<ComponentSpec> looks, const Vec3& place = {0, 0, 0.5}) {
     auto experiment = sampleExperiment({0, 1, false, 4});
     GeomSpec floor, box;
     floor.name = "floor";
@@ -25,7 +33,7 @@ std::shared_ptr<ExperimentSpec> post(std::vector<ComponentSpec> looks) {
     floor.material = 6;
     box.name = "post";
     box.size = {0.2, 0.2, 1};
-    box.pose.position = {0, 0, 0.5};
+    box.pose.position = place;
     StaticSpec fixed;
     fixed.name = "yard";
     fixed.geoms = std::make_shared<const std::vector<GeomSpec>>(std::vector{floor, box});
@@ -73,6 +81,65 @@ private Q_SLOTS:
         const double dark = floorAt(post({night}), 1, 1), bright = floorAt(post({night, lamp}), 1, 1);
         QVERIFY2(bright > 1.5 * dark, qPrintable(QStringLiteral("%1 and %2").arg(bright).arg(dark)));
         QVERIFY(floorAt(post({night, lamp}), -1, -1) < 0.7 * bright);
+    }
+    void aLampCastsShadowsAwayFromIt() {
+        const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
+        for (const double side : {1.0, -1.0}) {
+            const auto lit = post({night, lampAt(side, 0, 1.5, {{"Shadows", numbers({0})}})});
+            const auto cast = post({night, lampAt(side, 0, 1.5)});
+            // The post is 1 m high: its shadow is 3 m long.
+            for (const double x : {-0.5, -1.5}) {
+                const double dark = floorAt(cast, x * side, 0), bright = floorAt(lit, x * side, 0);
+                QVERIFY2(dark < 0.95 * bright, qPrintable(QStringLiteral("at %1: %2 and %3").arg(x).arg(dark).arg(bright)));
+                // As dark as with no lamp at all.
+                QVERIFY(std::abs(dark - floorAt(post({night}), x * side, 0)) < 2);
+            }
+            for (const Vec3& open : {Vec3(0.5 * side, 0, 0), Vec3(-0.5 * side, 0.6, 0), Vec3(0, -1, 0)})
+                QCOMPARE(floorAt(cast, open.x(), open.y()), floorAt(lit, open.x(), open.y()));
+        }
+    }
+    void aShadowOfALampReachesIntoThePicture() {
+        // Neither lamp nor post is seen.
+        const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
+        const Vec3 outside(2.6, 0, 0.5);
+        const double dark = floorAt(post({night, lampAt(3.6, 0, 1.5)}, outside), 1.8, 0);
+        const double bright = floorAt(post({night, lampAt(3.6, 0, 1.5, {{"Shadows", numbers({0})}})}, outside), 1.8, 0);
+        QVERIFY2(dark < 0.9 * bright, qPrintable(QStringLiteral("%1 and %2").arg(dark).arg(bright)));
+    }
+    void whatIsAboveALampOrPartOfItCastsNone() {
+        const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
+        const auto cast = [&](double height) { return floorAt(post({night, lampAt(0, 0, height)}, {0, 0, 1.5}), 0.6, 0.3); };
+        const auto lit = [&](double height) {
+            return floorAt(post({night, lampAt(0, 0, height, {{"Shadows", numbers({0})}})}, {0, 0, 1.5}), 0.6, 0.3);
+        };
+        QCOMPARE(cast(0.9), lit(0.9)); // the post hangs from 1 m up
+        auto ball = post({night, lampAt(1, 1, 1)});
+        GeomSpec bulb;
+        bulb.name = "bulb";
+        bulb.shape = GeomShape::Sphere;
+        bulb.radius = 0.08;
+        bulb.pose.position = {1, 1, 1};
+        std::vector<GeomSpec> geoms = *ball->statics[0].geoms;
+        geoms.push_back(bulb);
+        ball->statics[0].geoms = std::make_shared<const std::vector<GeomSpec>>(geoms);
+        QCOMPARE(floorAt(ball, 0.5, 1), floorAt(post({night, lampAt(1, 1, 1)}), 0.5, 1));
+    }
+    void threeLampsCastShadowsAndTheFourthDoesNot() {
+        const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
+        std::vector<ComponentSpec> looks{night};
+        for (int i = 0; i < 4; ++i) {
+            const double turn = i * std::numbers::pi / 2;
+            looks.push_back(lampAt(std::cos(turn), std::sin(turn), 1.5));
+        }
+        const auto cast = post(looks);
+        for (ComponentSpec& each : looks) each.values["Shadows"] = {numbers({0}), {}, Origin::Config};
+        const auto lit = post(looks);
+        for (int i = 0; i < 4; ++i) {
+            const double turn = i * std::numbers::pi / 2, x = -0.6 * std::cos(turn), y = -0.6 * std::sin(turn);
+            const double dark = floorAt(cast, x, y), bright = floorAt(lit, x, y);
+            QVERIFY2((dark < 0.99 * bright) == (i < 3),
+                     qPrintable(QStringLiteral("lamp %1: %2 and %3").arg(i).arg(dark).arg(bright)));
+        }
     }
     void ambientLightIsAFactor() {
         const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});

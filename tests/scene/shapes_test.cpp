@@ -2,6 +2,7 @@
 
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "scene/shape_mesh.h"
 
@@ -102,6 +103,36 @@ private Q_SLOTS:
             QVERIFY(shapeOf(g, {}).indices.empty());
         }
         QVERIFY(shapeOf(geomOf(GeomShape::Plane), {}).indices.empty());
+    }
+
+    void aBareShapeIsTheSameSurfaceWithOnePointAtEachPlace() {
+        for (const GeomShape shape : {GeomShape::Box, GeomShape::Sphere, GeomShape::Cylinder, GeomShape::Capsule}) {
+            const ShapeMesh bare = bareShapeOf(geomOf(shape), {12, true}), whole = shapeOf(geomOf(shape), {12, false});
+            QVERIFY(isClosed(bare));
+            QVERIFY(std::abs(volumeOf(bare) / volumeOf(whole) - 1) < 1e-5);
+            std::set<Place> places;
+            for (const Vector3f& point : bare.points) places.insert(placeOf(point));
+            QCOMPARE(places.size(), bare.points.size());
+            QVERIFY(bare.indices.size() <= whole.indices.size());
+        }
+        QCOMPARE(bareShapeOf(geomOf(GeomShape::Box), {12, true}).points.size(), std::size_t(8));
+    }
+    void whatIsSmallOnTheScreenHasFewerSegments() {
+        const auto segments = [](double radius, double pixelsPerMetre) {
+            GeomSpec g = geomOf(GeomShape::Cylinder);
+            g.radius = radius;
+            return bareShapeOf(g, {36, false, pixelsPerMetre}).points.size() / 2;
+        };
+        QCOMPARE(segments(0.05, 0), std::size_t(36)); // not known how small
+        QCOMPARE(segments(0.05, 1e6), std::size_t(36));
+        QCOMPARE(segments(0.05, 1), std::size_t(4));
+        std::size_t before = 4;
+        for (const double pixels : {20.0, 60.0, 200.0, 600.0}) { // to a metre
+            const std::size_t n = segments(0.05, pixels);
+            QVERIFY(n >= before && n % 2 == 0);
+            QVERIFY(0.05 * pixels * (1 - std::cos(std::numbers::pi / double(n))) <= 0.5 + 1e-9); // pixels off the circle
+            before = n;
+        }
     }
 
     void aMissingMeshIsMarked() {

@@ -19,13 +19,6 @@ StaticConfig Thing {
 Static thing { Config=Thing }
 )";
 
-std::string messages(const Loaded& loaded) {
-    std::string all;
-    for (const Diagnostic& d : loaded.diagnostics.all())
-        if (d.severity == Severity::Error) all += d.message + "\n";
-    return all;
-}
-
 } // namespace
 
 class CompanionsTest : public QObject {

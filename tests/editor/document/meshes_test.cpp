@@ -49,13 +49,6 @@ double highest(const Loaded& loaded) {
     return z;
 }
 
-std::string messages(const Loaded& loaded) {
-    std::string all;
-    for (const Diagnostic& d : loaded.diagnostics.all())
-        if (d.severity == Severity::Error) all += d.message + "\n";
-    return all;
-}
-
 } // namespace
 
 class MeshesTest : public QObject {

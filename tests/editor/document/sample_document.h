@@ -69,6 +69,14 @@ private:
 /// The message, "" where all went well.
 inline std::string why(const Status& status) { return status.ok() ? std::string() : status.error().message; }
 
+/// Of the errors in what was read, one a line.
+inline std::string messages(const Loaded& loaded) {
+    std::string all;
+    for (const Diagnostic& d : loaded.diagnostics.all())
+        if (d.severity == Severity::Error) all += d.message + "\n";
+    return all;
+}
+
 /// The text that a signal came with.
 inline std::string said(const QSignalSpy& spy, int which = 0) { return spy.at(which).at(0).toString().toStdString(); }
 inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }

@@ -16,6 +16,7 @@ private Q_SLOTS:
     void selectionElsewhereIsShownHere();
     void membersOfAGridAreShownAsTheGrid();
     void whatIsUnfoldedStaysSoThroughEdits();
+    void fromTheFilterOneGoesToWhatIsFound();
     void anUndoneDeletionComesBackUnfolded();
     void onlyRowsThatDifferAreTold();
     void aBrokenTextStillHasATree();
@@ -138,6 +139,14 @@ void TreeTest::whatIsUnfoldedStaysSoThroughEdits() {
     QVERIFY(!o.rows().contains(QStringLiteral("hull")));
     o.filter().clear();
     QVERIFY(o.tree().isExpanded(o.at("robot0.chassis")));
+}
+
+void TreeTest::fromTheFilterOneGoesToWhatIsFound() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.filter().setText(QStringLiteral("bumper"));
+    QTest::keyClick(&o.filter(), Qt::Key_Down);
+    QCOMPARE(o.selection.current(), std::string("robot0.chassis.bumper"));
 }
 
 void TreeTest::anUndoneDeletionComesBackUnfolded() {

@@ -19,15 +19,13 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/outline/outline_view.h"
 #include "editor/properties/value_field.h"
-#include "editor/shell/main_window.h"
+#include "editor/shell/window_parts.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/view_settings.h"
 #include "editor/viewport/viewport_panel.h"
-#include "editor/widgets/theme.h"
-#include "parts/parts.h"
-#include "render/service.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -47,11 +45,7 @@ Static arena { Config=Floor }
 Robot robot0 { Config=Rover Pos=0,0,0 }   // the first
 )";
 
-constexpr int kLookMs = 20;         // how often a condition is looked at that no signal tells of
-constexpr int kPatienceMs = 20'000; // longer than anything takes on a machine that has much else to do
-
-#define EVENTUALLY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kPatienceMs)
-#define EVENTUALLY_EQUAL(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kPatienceMs)
+constexpr int kLookMs = 20; // how often a condition is looked at that no signal tells of
 
 /// One call of xdotool: "mousemove 10 20 click 1".
 bool act(const QString& words) {
@@ -159,15 +153,11 @@ private Q_SLOTS:
     void initTestCase() {
         QCOMPARE(QGuiApplication::platformName(), QStringLiteral("xcb"));
         QGuiApplication::setQuitOnLastWindowClosed(false);
-        applyTheme(*qApp, ThemeKind::Light);
         m_manager.start(QStringLiteral("openbox"), {QStringLiteral("--sm-disable")});
         QVERIFY(m_manager.waitForStarted());
         // A window manager that is there answers; one that ran before leaves no place for ours, and does as well.
         EVENTUALLY(act(QStringLiteral("get_desktop")));
-        m_parts = makeParts();
-        auto render = RenderService::start();
-        QVERIFY2(render.ok(), render.ok() ? "" : render.error().message.c_str());
-        m_render = std::move(render).value();
+        m_parts.start();
     }
     void cleanupTestCase() {
         m_manager.terminate();
@@ -179,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(kExperiment);
         file.close();
-        if (!m_window) m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+        if (!m_window) m_window = m_parts.window();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kPatienceMs));
         EVENTUALLY(m_window->frameGeometry().top() < m_window->geometry().top()); // it has its frame, and stays where it is
@@ -363,8 +353,7 @@ private:
 
     QTemporaryDir m_folder;
     QProcess m_manager;
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<RenderService> m_render;
+    WindowParts m_parts;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -14,11 +14,9 @@
 #include <QtTest>
 
 #include "editor/outline/library_panel.h"
-#include "editor/shell/main_window.h"
+#include "editor/shell/window_parts.h"
 #include "editor/viewport/viewport_panel.h"
-#include "editor/widgets/theme.h"
-#include "parts/parts.h"
-#include "render/service.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -56,11 +54,7 @@ class OpenRunCloseTest : public QObject {
 private Q_SLOTS:
     void initTestCase() {
         QSettings().clear();
-        applyTheme(*qApp, ThemeKind::Light);
-        m_parts = makeParts();
-        auto render = RenderService::start();
-        QVERIFY2(render.ok(), render.ok() ? "" : render.error().message.c_str());
-        m_render = std::move(render).value();
+        m_parts.start();
         QFile sample(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/obstacle_detection.sim"));
         QVERIFY(sample.open(QIODevice::ReadOnly));
         QFile file(path());
@@ -86,9 +80,10 @@ private Q_SLOTS:
 
     /// As it is in daily use.
     void inOneWindow() {
-        MainWindow window(*m_parts, m_render.get(), findLocations());
+        const auto held = m_parts.window();
+        MainWindow& window = *held;
         show(window);
-        QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 60000);
+        EVENTUALLY(window.isSettled());
         for (int round = 0; round < m_rounds; ++round) {
             openAndRun(window, round);
             window.actions().at("file.close").trigger();
@@ -102,14 +97,15 @@ private Q_SLOTS:
     void inNewWindows() {
         for (int round = 0; round < m_rounds; ++round) {
             {
-                MainWindow window(*m_parts, m_render.get(), findLocations());
+                const auto held = m_parts.window();
+                MainWindow& window = *held;
                 show(window);
                 openAndRun(window, round);
                 QVERIFY(window.close());
                 enter(window);
             }
             if (failed(round)) return;
-            QTRY_VERIFY(QApplication::topLevelWidgets().isEmpty());
+            EVENTUALLY(QApplication::topLevelWidgets().isEmpty());
         }
         check(kMostInNewWindows);
     }
@@ -128,16 +124,16 @@ private:
     }
     void openAndRun(MainWindow& window, int round) {
         QVERIFY(window.open(path()));
-        QTRY_VERIFY(window.document().isOpen());
+        EVENTUALLY(window.document().isOpen());
         m_texts.push_back(window.document().loaded());
         window.selection().select("robot0");
         window.session().setSpeed(0);
         window.actions().at("sim.run").trigger();
-        QTRY_VERIFY(window.session().snapshot() && window.session().snapshot()->tick > 20);
+        EVENTUALLY(window.session().snapshot() && window.session().snapshot()->tick > 20);
         m_worlds.push_back(window.session().snapshot());
         if (round % 3 == 1) window.actions().at("sim.reset").trigger();
         if (round % 3 == 2) window.actions().at("sim.pause").trigger();
-        if (round % 2) QTRY_VERIFY(window.viewport().isUpToDate());
+        if (round % 2) EVENTUALLY(window.viewport().isUpToDate());
     }
     /// After each round: nothing of it lives on, but perhaps with the picture that was drawn last.
     void enter(const MainWindow& window) {
@@ -168,8 +164,7 @@ private:
     const bool m_isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
     const int m_rounds = m_isLong ? 200 : 8;
     QTemporaryDir m_folder;
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<RenderService> m_render;
+    WindowParts m_parts;
     std::vector<std::weak_ptr<const Loaded>> m_texts;
     std::vector<std::weak_ptr<const LiveSnapshot>> m_worlds;
     std::vector<double> m_bytes;

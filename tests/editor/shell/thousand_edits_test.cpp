@@ -13,14 +13,11 @@
 #include <QtTest>
 
 #include "editor/outline/library_panel.h"
-#include "editor/shell/main_window.h"
 #include "editor/shell/random_user.h"
+#include "editor/shell/window_parts.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
-#include "editor/widgets/theme.h"
-#include "parts/parts.h"
-#include "render/service.h"
 
 using namespace trundle;
 
@@ -47,11 +44,7 @@ class ThousandEditsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        applyTheme(*qApp, ThemeKind::Light);
-        m_parts = makeParts();
-        auto render = RenderService::start();
-        QVERIFY2(render.ok(), render.ok() ? "" : render.error().message.c_str());
-        m_render = std::move(render).value();
+        m_parts.start();
         // Whoever is told something reads it and goes on.
         connect(&m_reader, &QTimer::timeout, this, [] {
             if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) box->buttons().first()->click();
@@ -67,7 +60,7 @@ private Q_SLOTS:
             QVERIFY(sample.open(QIODevice::ReadOnly));
             write(name, sample.readAll());
         }
-        m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+        m_window = m_parts.window();
         m_window->show();
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
@@ -103,7 +96,9 @@ private Q_SLOTS:
         RandomUser user(*m_window, seed);
         for (m_step = 1; m_step <= edits; ++m_step) {
             user.step();
-            if (qEnvironmentVariableIsSet("TRUNDLE_VERBOSE")) qInfo("step %d: %s; %zu of %zu", m_step, user.doing(), document().history().position(), document().history().entries().size());
+            if (qEnvironmentVariableIsSet("TRUNDLE_VERBOSE"))
+                qInfo("step %d: %s; %zu of %zu", m_step, user.doing(), document().history().position(),
+                      document().history().entries().size());
             m_deed = QLatin1String(user.doing());
             QVERIFY2(user.trouble().isEmpty(), qPrintable(user.trouble()));
             check();
@@ -182,8 +177,7 @@ private:
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<RenderService> m_render;
+    WindowParts m_parts;
     std::unique_ptr<MainWindow> m_window;
     QTimer m_reader;
     std::set<std::string> m_known; // files that were ever part of the project

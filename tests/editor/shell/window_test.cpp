@@ -8,12 +8,9 @@
 #include <QtTest>
 #include <QtWidgets>
 
-#include "editor/shell/main_window.h"
+#include "editor/shell/window_parts.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
-#include "editor/widgets/theme.h"
-#include "parts/parts.h"
-#include "render/service.h"
 
 using namespace trundle;
 
@@ -34,13 +31,7 @@ const QByteArray kExperiment = "// mine\n"
 class WindowTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() {
-        applyTheme(*qApp, ThemeKind::Light);
-        m_parts = makeParts();
-        auto render = RenderService::start();
-        QVERIFY2(render.ok(), render.ok() ? "" : render.error().message.c_str());
-        m_render = std::move(render).value();
-    }
+    void initTestCase() { m_parts.start(); }
     void init() {
         QSettings().clear();
         QVERIFY(m_folder.isValid());
@@ -48,7 +39,7 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(kExperiment);
         file.close();
-        m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+        m_window = m_parts.window();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     }
@@ -98,7 +89,7 @@ private Q_SLOTS:
     void theWindowComesBackAsLargeAsItWas() {
         m_window->resize(1111, 777);
         QVERIFY(m_window->close());
-        m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+        m_window = m_parts.window();
         QCOMPARE(m_window->size(), QSize(1111, 777));
     }
 
@@ -108,6 +99,13 @@ private Q_SLOTS:
             m_window->minimumSizeHint().width() <= 1024 && m_window->minimumSizeHint().height() <= 700,
             qPrintable(
                 QStringLiteral("%1 x %2").arg(m_window->minimumSizeHint().width()).arg(m_window->minimumSizeHint().height())));
+    }
+
+    void aSmallScreenMayHaveItAll() {
+        m_window->resize(1024, 700);
+        openMine();
+        QTRY_VERIFY(m_window->isSettled());
+        QCOMPARE(m_window->size(), QSize(1024, 700));
     }
 
     void aSmallScreenIsEnough_data() {
@@ -376,8 +374,7 @@ private:
     }
 
     QTemporaryDir m_folder;
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<RenderService> m_render;
+    WindowParts m_parts;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -152,6 +152,10 @@ void CompletionTest::lists_data() {
     row("overrides", "#import parts.sim\nRobot r { Config=Rover | }", "leftMotor wheelRadius Pos", "Config hull");
     row("behind the dot of an override", "#import parts.sim\nRobot r { Config=Rover leftMotor.| }", "Resistance GearRatio",
         "Pos leftMotor");
+    row("an override behind a number", "#import parts.sim\nRobot r { Config=Rover Pos=1,1,0 leftMotor.| }",
+        "Resistance GearRatio", "Pos cm");
+    row("an override begun behind a number", "#import parts.sim\nRobot r { Config=Rover Pos=1,1,0 leftMotor.Res| }", "Resistance",
+        "Pos cm");
     row("value of an override", "#import parts.sim\nRobot r { Config=Rover chassis.hull.Material=| }", "steel red", "rubber");
     row("controllers of loaded modules", "#import parts.sim\n#loadModule controllers/linear_motion\nRobot r { Config=Rover | }",
         "LinearMotion", "BumpAndTurn");

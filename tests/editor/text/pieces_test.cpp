@@ -156,6 +156,9 @@ void PiecesTest::lineCommands_data() {
     row("down with CR LF", "down", "a|\r\nb", "b\r\na|");
     row("new line keeps the indent", "enter", "  a|b", "  a\n  |b");
     row("deeper after a brace", "enter", "Body b {|", "Body b {\n  |");
+    row("deeper in a block begun before", "enter", "Body b { Pos=1 |", "Body b { Pos=1 \n  |");
+    row("not behind a closed one", "enter", "Body b { Pos=1 }|", "Body b { Pos=1 }\n|");
+    row("nor a brace in a comment", "enter", "Tick=1 // {|", "Tick=1 // {\n|");
     row("the closing brace goes below", "enter", "  Body b {|}", "  Body b {\n    |\n  }");
     row("in place of the selection", "enter", "a[bc|d", "a\n|d");
     row("at the beginning", "enter", "|  a", "\n|a");

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
         for (const QString& name : argument(7).split(QLatin1Char(','))) window.trigger(("view." + name.toLatin1()).constData());
     QElapsedTimer time;
     time.start();
-    while (time.elapsed() < 2500) QApplication::processEvents(QEventLoop::AllEvents, 20);
+    while (time.elapsed() < 2500 || !window.panel->isSettled()) QApplication::processEvents(QEventLoop::AllEvents, 20);
     std::printf("%d redraws, %d refinements\n", window.view().redraws(), window.view().refinements());
     return window.panel->grab().save(QString::fromLocal8Bit(argv[2])) ? 0 : 1;
 }

@@ -160,6 +160,27 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Size=0.001, 0.4, 0.4"), m_window->text().constData());
     }
 
+    void anArrowIsTakenByItsTip() {
+        take("robot0", "tool.move");
+        const QPointF middle = *m_window->view().pixelOf({-0.5, 0, 0}), spot = *m_window->view().gizmo().spot(kMoveX);
+        const QPointF along = (spot - middle) / QLineF(middle, spot).length();
+        const QPointF tip = 2 * spot - middle - 11 * along; // where the line begins
+        for (const double beyond : {4.0, 12.0}) {
+            m_window->drag(tip + beyond * along, tip + 90 * along);
+            QCOMPARE(m_window->document.history().canUndo(), beyond < 7);
+            m_window->document.undo();
+            take("robot0", "tool.move");
+        }
+    }
+
+    void aRobotSaysThatItHasNoSize() {
+        take("robot0", "tool.scale");
+        const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
+        QVERIFY(banner->isVisible());
+        m_window->selection.select("robot0.chassis.hull");
+        QVERIFY(!banner->isVisible());
+    }
+
     void aMemberOfAGridOffersToBeReplaced() {
         open("#import robots/simple_robot.sim\nGrid swarm { Config=SimpleRobot Pos=0,0,0 Count=2 Spacing=1 }\n");
         take("swarm_1", "tool.move");

@@ -1,0 +1,63 @@
+#include "run/live_radio.h"
+
+#include "radio/medium.h"
+
+namespace trundle {
+namespace {
+
+/// Moves what came behind what waits. Returns how many of the oldest had to go for it.
+template <class T> std::uint64_t passOn(std::vector<T>& fresh, std::deque<T>& waiting) {
+    for (T& one : fresh) waiting.push_back(std::move(one));
+    fresh.clear();
+    const std::size_t over = waiting.size() > RadioTap::kMost ? waiting.size() - RadioTap::kMost : 0;
+    waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(over));
+    return over;
+}
+
+template <class T> std::vector<T> asVector(std::deque<T>& taken) {
+    return {std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end())};
+}
+
+} // namespace
+
+LiveRadio RadioTap::take() {
+    std::deque<FrameRecord> records;
+    std::deque<AirFrame> frames;
+    LiveRadio taken;
+    {
+        const std::scoped_lock guard(m_lock);
+        records.swap(m_records);
+        frames.swap(m_frames);
+        taken = m_counts;
+        taken.radios = m_radios;
+        m_counts.droppedRecords = m_counts.droppedFrames = 0;
+    }
+    taken.records = asVector(records);
+    taken.frames = asVector(frames);
+    return taken;
+}
+
+void RadioTap::open(const Medium& medium) {
+    auto radios = std::make_shared<std::vector<RadioDefinition>>();
+    for (RadioId id = 0; id < medium.radioCount(); ++id) radios->push_back(medium.radio(id));
+    const std::scoped_lock guard(m_lock);
+    m_radios = std::move(radios);
+}
+
+void RadioTap::beforeTick(Medium& medium) {
+    if (m_wanted == (m_trace != nullptr)) return;
+    if (m_trace) m_trace.reset();
+    else m_trace = medium.trace();
+}
+
+void RadioTap::afterTick(const Medium& medium) {
+    const std::scoped_lock guard(m_lock);
+    m_counts.expected = medium.expected();
+    m_counts.inTheAir = medium.inTheAir();
+    m_counts.fates = medium.fates();
+    if (!m_trace) return;
+    m_counts.droppedRecords += passOn(m_trace->records, m_records);
+    m_counts.droppedFrames += passOn(m_trace->frames, m_frames);
+}
+
+} // namespace trundle

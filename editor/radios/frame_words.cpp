@@ -1,0 +1,70 @@
+#include "editor/radios/frame_words.h"
+
+#include <QCoreApplication>
+
+#include "editor/widgets/theme.h"
+#include "radio/ieee802154.h"
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kBeforePayload = 9, kAfterPayload = kFrameOverhead - kBeforePayload, kBytesInLine = 16;
+
+QString tr(const char* text) { return QCoreApplication::translate("FrameWords", text); }
+
+} // namespace
+
+QColor inkOfMargin(double margin) { return ink(margin < 3 ? Ink::Error : margin < 10 ? Ink::Warning : Ink::Good); }
+
+QString decibelText(double value) { return QString::number(value, 'f', 1); }
+
+QString fateText(Fate fate) { return QString::fromUtf8(fateName(fate).data(), qsizetype(fateName(fate).size())); }
+
+QString reasonOf(const FrameRecord& frame, const RadioDefinition& receiver, const QString& addressee) {
+    switch (frame.fate) {
+    case Fate::Delivered: return {};
+    case Fate::NotForIt: return tr("it is for %1").arg(addressee);
+    case Fate::TooWeak:
+        return tr("%1 dBm is %2 dB below its MinReceivePower")
+            .arg(decibelText(frame.link.power), decibelText(receiver.minReceivePower - frame.link.power));
+    case Fate::Sending: return tr("it was sending itself, or about to");
+    case Fate::Busy: return tr("it was receiving another frame");
+    case Fate::Collision: return tr("another frame was too strong: SINR %1 dB").arg(decibelText(frame.sinr));
+    case Fate::BitErrors: return tr("noise: SINR %1 dB").arg(decibelText(frame.sinr));
+    case Fate::BufferFull: return tr("%1 packets waited unread, its BufferLimit").arg(receiver.bufferLimit);
+    case Fate::Duplicate: return tr("it came before; its acknowledgement was lost");
+    }
+    return {};
+}
+
+std::span<const std::uint8_t> payloadOf(const AirFrame& frame, bool ack) {
+    if (ack || frame.bytes.size() < kFrameOverhead) return {};
+    return std::span(frame.bytes).subspan(kBeforePayload, frame.bytes.size() - kBeforePayload - kAfterPayload);
+}
+
+QString hexOf(std::span<const std::uint8_t> bytes) {
+    return QString::fromLatin1(QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())).toHex());
+}
+
+QString asciiOf(std::span<const std::uint8_t> bytes) {
+    QString text;
+    for (const std::uint8_t byte : bytes) text += byte >= 0x20 && byte < 0x7f ? QChar(char16_t(byte)) : QChar(u'.');
+    return text;
+}
+
+QString dumpOf(std::span<const std::uint8_t> bytes) {
+    QString text;
+    for (std::size_t at = 0; at < bytes.size(); at += kBytesInLine) {
+        const auto line = bytes.subspan(at, std::min(kBytesInLine, bytes.size() - at));
+        QString hex = hexOf(line);
+        for (qsizetype i = hex.size() - 2; i > 0; i -= 2) hex.insert(i, u' ');
+        if (!text.isEmpty()) text += u'\n';
+        text += QStringLiteral("%1  %2  %3")
+                    .arg(qulonglong(at), 4, 16, QLatin1Char('0'))
+                    .arg(hex, -int(3 * std::min(kBytesInLine, bytes.size()) - 1))
+                    .arg(asciiOf(line));
+    }
+    return text;
+}
+
+} // namespace trundle

@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+
+#include <QWidget>
+
+#include "radio/radio_nodes.h"
+
+namespace trundle {
+
+/// The power of a link on its way from sender to receiver, as a line that each term lifts or drops, over the levels that count.
+class LevelDiagram final : public QWidget {
+public:
+    explicit LevelDiagram(QWidget* parent = nullptr);
+    struct Levels {
+        LinkReport report;
+        double sensitivity = 0, noiseFloor = 0; ///< dBm
+    };
+    void setLevels(const std::optional<Levels>& levels);
+    [[nodiscard]] QSize sizeHint() const override { return {360, 150}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {180, 90}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    std::optional<Levels> m_levels;
+};
+
+} // namespace trundle

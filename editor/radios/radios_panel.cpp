@@ -1,0 +1,227 @@
+#include "editor/radios/radios_panel.h"
+
+#include <algorithm>
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QTabBar>
+
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/radios/budget_page.h"
+#include "editor/radios/packets_page.h"
+#include "editor/running/session.h"
+#include "scene/radio_model.h"
+
+namespace trundle {
+namespace {
+
+constexpr int kPauseMs = 120; // about eight times a second
+constexpr int kRoomForOneRow = 720;
+
+} // namespace
+
+RadiosPanel::RadiosPanel(Document& document, Selection& selection, RunSession& session, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_session(session) {
+    setObjectName(QStringLiteral("RadiosPanel"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_pages = new QStackedWidget(this);
+    column->addWidget(m_pages);
+    m_empty = new QLabel;
+    m_empty->setObjectName(QStringLiteral("radiosEmpty"));
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_empty->setMargin(16);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(makeWork());
+
+    m_next.setSingleShot(true);
+    m_next.setInterval(kPauseMs);
+    connect(&m_next, &QTimer::timeout, this, &RadiosPanel::look);
+    connect(&document, &Document::opened, this, [this] {
+        m_packets->clear();
+        m_expected = 0;
+    });
+    connect(&document, &Document::changed, this, &RadiosPanel::outdate);
+    connect(&session, &RunSession::experimentChanged, this, &RadiosPanel::outdate);
+    connect(&session, &RunSession::stateChanged, this, &RadiosPanel::outdate);
+    connect(&session, &RunSession::advanced, this, &RadiosPanel::outdate);
+    connect(&selection, &Selection::changed, this, [this] {
+        m_chosen = false;
+        outdate();
+    });
+    follow();
+}
+
+QWidget* RadiosPanel::makeWork() {
+    auto* work = new QWidget;
+    m_packets = new PacketsPage;
+    m_budget = new BudgetPage;
+    m_budget->setLastPower([this](const QString& radio) { return m_packets->model().lastPower(radio); });
+    m_tabs = new QTabBar;
+    m_tabs->setObjectName(QStringLiteral("radioPages"));
+    m_tabs->setAccessibleName(tr("What is shown of the radios"));
+    m_tabs->setExpanding(false);
+    m_tabs->addTab(tr("Packets"));
+    m_tabs->addTab(tr("Link Budget"));
+    m_tools = new QStackedWidget;
+    m_tools->addWidget(m_packets->tools());
+    m_tools->addWidget(m_budget->tools());
+    m_tools->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_parts = new QStackedWidget;
+    m_parts->addWidget(m_packets);
+    m_parts->addWidget(m_budget);
+    m_top = new QBoxLayout(QBoxLayout::LeftToRight);
+    m_top->setContentsMargins(6, 3, 6, 3);
+    m_top->setSpacing(10);
+    m_top->addWidget(m_tabs);
+    m_top->addWidget(m_tools, 1);
+    auto* rows = new QVBoxLayout(work);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addLayout(m_top);
+    rows->addWidget(m_parts, 1);
+    connect(m_tabs, &QTabBar::currentChanged, this, [this](int page) {
+        m_tools->setCurrentIndex(page);
+        m_parts->setCurrentIndex(page);
+        m_budget->refresh();
+    });
+    connect(m_packets, &PacketsPage::budgetWanted, this, [this](const QString& from, const QString& to, double power) {
+        m_budget->choose(from, to, power);
+        showPage(Budget);
+    });
+    connect(m_packets, &PacketsPage::exportWanted, this, &RadiosPanel::askAndExport);
+    connect(m_packets, &PacketsPage::said, this, &RadiosPanel::said);
+    return work;
+}
+
+void RadiosPanel::showPage(Page page) { m_tabs->setCurrentIndex(page); }
+
+// ---- when ----
+
+bool RadiosPanel::isSeen() const { return isVisible() && !visibleRegion().isEmpty(); }
+
+void RadiosPanel::outdate() {
+    m_stale = true;
+    if (!m_next.isActive() && isSeen()) m_next.start();
+}
+
+void RadiosPanel::look() {
+    if (!m_stale || !isSeen()) return;
+    m_stale = false;
+    follow();
+}
+
+void RadiosPanel::showEvent(QShowEvent*) {
+    m_session.wantRadio(true);
+    outdate();
+}
+
+void RadiosPanel::hideEvent(QHideEvent*) { m_session.wantRadio(false); }
+
+void RadiosPanel::resizeEvent(QResizeEvent*) {
+    const bool narrow = width() < kRoomForOneRow;
+    m_top->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_top->setSpacing(narrow ? 2 : 10);
+}
+
+/// Come out from behind another tab.
+void RadiosPanel::paintEvent(QPaintEvent*) {
+    if (m_stale && !m_next.isActive()) m_next.start();
+}
+
+// ---- what ----
+
+void RadiosPanel::follow() {
+    const bool runs = m_session.experiment() && m_session.poses();
+    const std::shared_ptr<const ExperimentSpec> experiment = runs                  ? m_session.experiment()
+                                                             : m_document.isOpen() ? m_document.loaded()->experiment
+                                                                                   : nullptr;
+    if (experiment != m_experiment) useExperiment(experiment);
+    placeNodes();
+    fetchPackets();
+    followSelection();
+    m_budget->refresh();
+}
+
+void RadiosPanel::useExperiment(std::shared_ptr<const ExperimentSpec> experiment) {
+    m_experiment = std::move(experiment);
+    m_nodes = m_experiment ? std::make_shared<RadioNodes>(m_experiment->medium, radioNodesOf(*m_experiment)) : nullptr;
+    m_objects = m_experiment && m_experiment->medium.wallLoss > 0 ? std::make_shared<const ObjectIndex>(m_experiment) : nullptr;
+    std::vector<RadioDefinition> radios;
+    if (m_nodes)
+        for (const RadioNode& node : m_nodes->all()) radios.push_back(node.radio);
+    m_packets->setRadios(radios);
+    placeNodes();
+    m_budget->setNodes(m_nodes);
+    m_empty->setText(!m_experiment ? tr("Open an experiment to see its radios.")
+                                   : tr("No robot here has a radio. Select a body of a robot, then choose Insert ▸ Sensors and "
+                                        "Actuators ▸ Transceiver."));
+    m_pages->setCurrentIndex(radios.empty() ? 0 : 1);
+}
+
+void RadiosPanel::placeNodes() {
+    if (!m_nodes) return;
+    std::shared_ptr<const BodyPoses> poses = m_session.poses();
+    if (!poses || m_session.experiment() != m_experiment) poses = std::make_shared<const BodyPoses>(startPoses(*m_experiment));
+    if (m_objects) m_nodes->setWalls(wallsBetween(m_objects, poses, m_nodes->all()));
+    m_nodes->place(*poses);
+}
+
+void RadiosPanel::fetchPackets() {
+    if (m_session.snapshot()) {
+        LiveRadio fresh = m_session.takeRadio();
+        m_expected = fresh.expected;
+        if (fresh.radios && fresh.radios != m_runRadios) {
+            m_runRadios = fresh.radios;
+            if (m_runRadios->size() != m_nodes->all().size()) { // a module's devices have radios too
+                m_packets->setRadios(*m_runRadios);
+                m_pages->setCurrentIndex(1);
+            }
+        }
+        m_packets->add(std::move(fresh));
+    }
+    showHint();
+}
+
+void RadiosPanel::showHint() {
+    const RunState state = m_session.state();
+    if (state == RunState::Start) m_packets->setHint(tr("Run the experiment (F5): packets appear here as they fly."));
+    else if (state == RunState::Ended && m_expected > 0)
+        m_packets->setHint(tr("Packets are kept while this panel is open. Run again (F5) to see them."));
+    else if (m_expected > 0) m_packets->setHint(tr("Packets are kept while this panel is open. Those to come appear here."));
+    else m_packets->setHint(tr("No packet has flown yet."));
+}
+
+/// Two radios, or what carries them, are the ends of a link: the first one sends.
+void RadiosPanel::followSelection() {
+    if (!m_nodes || std::exchange(m_chosen, true)) return;
+    std::vector<QString> ends;
+    for (std::string path : m_selection.paths()) {
+        std::ranges::replace(path, '.', '/');
+        const auto& nodes = m_nodes->all();
+        auto it = std::ranges::find(nodes, path, [](const RadioNode& node) { return node.radio.path; });
+        if (it == nodes.end()) it = std::ranges::find(nodes, path.substr(0, path.find('/')), &RadioNode::robot);
+        if (it == nodes.end()) continue;
+        const QString end = QString::fromStdString(it->radio.path);
+        if (std::ranges::find(ends, end) == ends.end()) ends.push_back(end);
+    }
+    if (ends.size() >= 2) m_budget->choose(ends[ends.size() - 2], ends.back());
+}
+
+void RadiosPanel::askAndExport(const QString& ending) {
+    const QFileInfo text(m_document.isNew() ? QString() : QString::fromStdString(m_document.path()));
+    const QString name = text.completeBaseName().isEmpty() ? QStringLiteral("packets") : text.completeBaseName() + tr("_packets");
+    const QString folder = m_document.isNew() ? QString() : text.path() + u'/';
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export Packets"), folder + name + u'.' + ending,
+                                                      ending == QStringLiteral("pcap") ? tr("Captures (*.pcap)")
+                                                                                       : tr("Comma-separated values (*.csv)"));
+    if (!path.isEmpty()) m_packets->exportTo(path);
+}
+
+} // namespace trundle

@@ -1,0 +1,227 @@
+#include "editor/viewport/radio_overlays.h"
+
+#include <algorithm>
+#include <map>
+
+#include "editor/document/selection.h"
+#include "editor/viewport/antenna_lobes.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view_settings.h"
+#include "model/footprint.h"
+
+namespace trundle {
+namespace {
+
+constexpr unsigned kOfRadios = kOverlayLobes | kOverlayLinks | kOverlayCoverage;
+constexpr std::size_t kMostLobes = 300, kManyLobes = 20;
+constexpr int kFineSpokes = 64, kCoarseSpokes = 32;
+constexpr double kMoved = 1e-3, kTurned = 2e-3; // m, rad; what moves less changes no colour
+
+bool areNear(const std::vector<Pose>& a, const std::vector<Pose>& b) {
+    return std::ranges::equal(a, b, [](const Pose& p, const Pose& q) {
+        return (p.position - q.position).squaredNorm() < kMoved * kMoved && p.rotation.angularDistance(q.rotation) < kTurned;
+    });
+}
+
+bool areSame(const std::vector<RadioNode>& a, const std::vector<RadioNode>& b) {
+    return std::ranges::equal(a, b, [](const RadioNode& p, const RadioNode& q) { return p.radio.path == q.radio.path; });
+}
+
+} // namespace
+
+RadioOverlays::RadioOverlays(const ShownWorld& world, const Selection& selection, const ViewSettings& settings, QObject* parent)
+    : QObject(parent), m_world(world), m_selection(selection), m_settings(settings) {
+    connect(&world, &ShownWorld::replaced, this, &RadioOverlays::look);
+    connect(&world, &ShownWorld::posed, this, &RadioOverlays::follow);
+    connect(&world, &ShownWorld::marked, this, &RadioOverlays::makeLobes);
+    connect(&selection, &Selection::changed, this, &RadioOverlays::choose);
+    connect(&settings, &ViewSettings::changed, this, [this] {
+        unsigned shown = 0;
+        for (const Overlay overlay : {kOverlayLobes, kOverlayLinks, kOverlayCoverage})
+            if (m_settings.shows(overlay)) shown |= overlay;
+        if (shown == m_shown) return;
+        m_shown = shown;
+        look();
+    });
+}
+
+RadioOverlays::~RadioOverlays() { m_reckoner.reset(); }
+
+RadioReckoner& RadioOverlays::reckoner() {
+    if (m_reckoner) return *m_reckoner;
+    // Answers come on the reckoner's thread, which ends before this does.
+    const auto here = [this](auto&& take) { QMetaObject::invokeMethod(this, std::move(take), Qt::QueuedConnection); };
+    RadioReckoner::Answers answers;
+    answers.links = [this, here](std::uint64_t number, RadioLinks links) {
+        here([this, number, links = std::move(links)] { takeLinks(number, links); });
+    };
+    answers.coverage = [this, here](std::uint64_t number, CoverageMap map, bool last) {
+        here([this, number, map = std::make_shared<CoverageMap>(std::move(map)), last] {
+            takeCoverage(number, std::move(*map), last);
+        });
+    };
+    answers.coverageGivenUp = [this, here](std::uint64_t number) { here([this, number] { takeGivenUp(number); }); };
+    m_reckoner = std::make_unique<RadioReckoner>(std::move(answers));
+    return *m_reckoner;
+}
+
+/// Another experiment, or other things to be shown of it.
+void RadioOverlays::look() {
+    if (m_reckoner) m_reckoner->forget();
+    m_oldest = m_number + 1;
+    m_linksAwaited = m_coverageAwaited = false;
+    m_linkPoses.clear();
+    m_coveragePoses.clear();
+    m_wanted.reset();
+    const auto before =
+        std::exchange(m_nodes, std::make_shared<const std::vector<RadioNode>>(
+                                   m_shown ? radioNodesOf(m_world.objects()->experiment()) : std::vector<RadioNode>()));
+    // While one drags something through the text, what was there is shown until there is something newer.
+    if (!(m_shown & kOverlayLinks) || !areSame(*before, *m_nodes)) dropLinks();
+    if (!(m_shown & kOverlayCoverage) || (m_coverage && !nodeAt(m_coverage->coverage.transmitter))) dropCoverage();
+    choose();
+}
+
+void RadioOverlays::choose() {
+    if (!m_shown) {
+        m_selected.clear();
+        return makeLobes();
+    }
+    std::vector<bool> selected(m_nodes->size(), false);
+    for (const std::string& path : m_selection.paths())
+        for (std::size_t i = 0; i < m_nodes->size(); ++i) {
+            const RadioNode& node = (*m_nodes)[i];
+            selected[i] = selected[i] || m_world.isPartOf(path, node.robot, node.body, node.radio.path);
+        }
+    const auto first = std::find(selected.begin(), selected.end(), true);
+    if (first != selected.end()) m_transmitter = (*m_nodes)[std::size_t(first - selected.begin())].radio.path;
+    else selected.clear();
+    if (selected != m_selected) m_linkPoses.clear();
+    m_selected = std::move(selected);
+    makeLobes();
+    follow();
+}
+
+void RadioOverlays::follow() {
+    wantLinks();
+    wantCoverage();
+}
+
+std::optional<std::size_t> RadioOverlays::nodeAt(const std::string& path) const {
+    const auto it = std::ranges::find(*m_nodes, path, [](const RadioNode& node) { return node.radio.path; });
+    return it == m_nodes->end() ? std::nullopt : std::optional(std::size_t(it - m_nodes->begin()));
+}
+
+RadioPlaces RadioOverlays::places() const { return {m_world.objects(), m_world.poses(), m_nodes}; }
+
+std::vector<Pose> RadioOverlays::posesBehind(std::optional<std::size_t> transmitter) const {
+    if (m_world.objects()->experiment().medium.wallLoss > 0) return *m_world.poses(); // whatever moves may stand between
+    std::vector<Pose> antennas = antennasOf(places());
+    return transmitter ? std::vector<Pose>{antennas[*transmitter]} : antennas;
+}
+
+/// How far a robot with an antenna reaches from its middle, m; whatever way it faces.
+double RadioOverlays::largestRobot() const {
+    std::map<const RobotConfigSpec*, double> radii;
+    double largest = 0;
+    for (const RadioNode& node : *m_nodes) {
+        const auto object = m_world.find(node.robot);
+        const RobotSpec* robot = object ? m_world.objects()->robotOf(*object) : nullptr;
+        if (!robot || !robot->config) continue;
+        const auto [radius, isNew] = radii.try_emplace(robot->config.get());
+        if (isNew) radius->second = discOf(*robot->config).radius;
+        largest = std::max(largest, radius->second);
+    }
+    return largest > 0 ? largest : 0.1;
+}
+
+void RadioOverlays::makeLobes() {
+    const bool had = m_inScene.shapes != nullptr;
+    m_inScene.shapes = nullptr;
+    m_lobeUnit = 0;
+    if ((m_shown & kOverlayLobes) && !m_nodes->empty()) {
+        m_lobeUnit = lobeUnitBeside(largestRobot());
+        const std::size_t many = m_selected.empty() ? m_nodes->size() : std::size_t(std::ranges::count(m_selected, true));
+        std::map<const AntennaPattern*, std::shared_ptr<const TintedMesh>> meshes;
+        auto shapes = std::make_shared<std::vector<TintedShape>>();
+        for (std::size_t i = 0; i < m_nodes->size() && shapes->size() < kMostLobes; ++i) {
+            const RadioNode& node = (*m_nodes)[i];
+            const auto robot = m_world.find(node.robot);
+            if ((!m_selected.empty() && !m_selected[i]) || (robot && m_world.isHidden(*robot))) continue;
+            auto& mesh = meshes[node.radio.antenna.get()];
+            const AntennaPattern isotropic;
+            if (!mesh)
+                mesh = lobeMesh(node.radio.antenna ? *node.radio.antenna : isotropic, m_lobeUnit,
+                                many > kManyLobes ? kCoarseSpokes : kFineSpokes);
+            shapes->push_back({mesh, node.body, node.mounting});
+        }
+        m_inScene.shapes = std::move(shapes);
+    }
+    if (had || m_inScene.shapes) Q_EMIT sceneChanged();
+}
+
+void RadioOverlays::wantLinks() {
+    if (!(m_shown & kOverlayLinks) || m_nodes->empty()) return;
+    std::vector<Pose> poses = posesBehind({});
+    if (!m_linkPoses.empty() && areNear(poses, m_linkPoses)) return;
+    m_linkPoses = std::move(poses);
+    m_linkNumber = ++m_number;
+    m_linksAwaited = true;
+    reckoner().wantLinks(m_linkNumber, places(), m_selected);
+}
+
+void RadioOverlays::wantCoverage() {
+    if (!(m_shown & kOverlayCoverage) || m_nodes->empty()) return;
+    CoverageWish wish;
+    wish.places = places();
+    wish.transmitter = nodeAt(m_transmitter).value_or(0);
+    const bool same = m_wanted && m_wanted->transmitter == wish.transmitter;
+    // The receiver stays what it is while things move.
+    wish.receiver = same ? m_wanted->receiver : typicalReceiver(wish.places, wish.transmitter);
+    wish.ground = groundAround(m_world.bounds(), m_wanted ? m_wanted->ground : Ground());
+    if (wish.ground.empty()) return;
+    std::vector<Pose> poses = posesBehind(wish.transmitter);
+    if (same && wish.ground == m_wanted->ground && areNear(poses, m_coveragePoses)) return;
+    m_coveragePoses = std::move(poses);
+    m_wanted = wish;
+    m_coverageNumber = ++m_number;
+    m_coverageAwaited = true;
+    reckoner().wantCoverage(m_coverageNumber, std::move(wish));
+}
+
+void RadioOverlays::takeLinks(std::uint64_t number, RadioLinks links) {
+    if (number < m_oldest) return;
+    m_links = std::move(links);
+    m_linksAwaited = number != m_linkNumber;
+    Q_EMIT linksChanged();
+}
+
+void RadioOverlays::takeCoverage(std::uint64_t number, CoverageMap map, bool last) {
+    if (number < m_oldest) return;
+    m_inScene.floor = map.picture;
+    m_coverage = std::move(map);
+    m_coverageAwaited = !last || number != m_coverageNumber;
+    Q_EMIT sceneChanged();
+}
+
+void RadioOverlays::takeGivenUp(std::uint64_t number) {
+    ++m_givenUp;
+    if (number < m_oldest || number != m_coverageNumber) return;
+    m_coverageAwaited = false;
+    Q_EMIT linksChanged();
+}
+
+void RadioOverlays::dropLinks() {
+    if (!m_links) return;
+    m_links.reset();
+    Q_EMIT linksChanged();
+}
+
+void RadioOverlays::dropCoverage() {
+    if (!m_coverage) return;
+    m_coverage.reset();
+    m_inScene.floor = nullptr;
+    Q_EMIT sceneChanged();
+}
+
+} // namespace trundle

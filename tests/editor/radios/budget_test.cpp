@@ -1,0 +1,198 @@
+// The link budget of the Radio dock against frames of the run, the run's own links, and what theory says.
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSpinBox>
+#include <QTabBar>
+#include <QToolButton>
+
+#include "editor/radios/radio_window.h"
+
+using namespace trundle;
+
+namespace {
+
+double sumOf(const LinkReport& r) {
+    return r.outputPower + r.link.sendGain + r.link.receiveGain - r.link.pathLoss - r.link.shadow - r.link.wallLoss;
+}
+
+/// A box between two of the radios.
+const QByteArray kWall = R"(
+StaticConfig Slab { Box slab { Size=0.1,1,1 Pos=0,0,0.5 } Box post { Size=0.1,0.1,1 Pos=0.3,0,0.5 Collide=false } }
+Static slab { Config=Slab Pos=2,0,0 }
+)";
+
+} // namespace
+
+class RadioBudgetTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<RadioWindow> m_window;
+    BudgetPage& budget() { return m_window->panel.budget(); }
+    const LinkReport& report() { return *budget().report(); }
+    void choose(const std::vector<std::string>& paths) {
+        m_window->selection.set(paths);
+        QVERIFY(m_window->settled());
+    }
+
+private Q_SLOTS:
+    void init() {
+        m_window = std::make_unique<RadioWindow>();
+        m_window->panel.showPage(RadiosPanel::Budget);
+    }
+    void cleanup() { m_window.reset(); }
+
+    void choosingTwoMotesFillsIt() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->settled());
+        QVERIFY(budget().report().has_value());
+        choose({"motes_2", "target.board.batteries"});
+        QCOMPARE(budget().from(), QStringLiteral("motes_2/radio"));
+        QCOMPARE(budget().to(), QStringLiteral("target/radio"));
+        choose({"floor"}); // no radio: nothing changes
+        QCOMPARE(budget().from(), QStringLiteral("motes_2/radio"));
+        // What is chosen by hand stays through edits, until two others are selected.
+        auto* to = m_window->find<QComboBox>("budgetTo");
+        to->setFocus();
+        QTest::keyClicks(to, QStringLiteral("deaf"));
+        QVERIFY(m_window->document.setValues(QStringLiteral("Move"), {{"deaf.Pos", "0, 4, 0"}}).ok());
+        QVERIFY(m_window->settled());
+        QCOMPARE(budget().to(), QStringLiteral("deaf/radio"));
+        m_window->document.undo();
+        QVERIFY(m_window->settled());
+        choose({"motes_2", "target"});
+        QVERIFY(std::abs(report().link.distance - (m_window->headless(0).runner->world().medium()->link(3, 0).distance)) < 1e-9);
+    }
+
+    void itIsWhatAFrameInTheRunFinds_data() {
+        QTest::addColumn<QByteArray>("medium");
+        QTest::newRow("ideal") << QByteArray("Model=ideal");
+        QTest::newRow("two rays") << QByteArray("Model=two_ray");
+        QTest::newRow("all of it") << QByteArray(
+            "Model=log_distance Exponent=2.7 Shadowing=4 WallLoss=6 Offsets=1.5 NoiseFloor=-90");
+    }
+    void itIsWhatAFrameInTheRunFinds() {
+        QFETCH(QByteArray, medium);
+        QVERIFY(m_window->open(QByteArray(kMotes).replace("Collisions=true", medium) + kWall));
+        QVERIFY(m_window->runTo(100));
+        const FrameModel& model = m_window->model();
+        QVERIFY(model.rowCount() > 100);
+        QSet<QString> pairs;
+        bool walled = false;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const FrameRecord& r = model.record(row);
+            const QString from = QString::fromStdString(model.radios()[r.from].path),
+                          to = QString::fromStdString(model.radios()[r.to].path);
+            if (pairs.contains(from + to)) continue;
+            pairs << from + to;
+            budget().choose(from, to, r.outputPower);
+            const QByteArray who = (from + u' ' + to).toUtf8();
+            QVERIFY2(std::abs(report().outputPower - r.outputPower) < 1e-9, who);
+            QVERIFY2(std::abs(report().link.power - r.link.power) < 0.01, who); // they settled by some micrometres meanwhile
+            QVERIFY2(std::abs(sumOf(report()) - report().link.power) < 1e-9, who);
+            QVERIFY2(std::abs(report().rssi - r.rssi) <= 1 &&
+                         (report().rssi == r.rssi || std::abs(std::remainder(report().link.power, 1)) > 0.48),
+                     who);
+            QVERIFY2(std::abs(report().link.wallLoss - r.link.wallLoss) < 1e-9, who);
+            QVERIFY2((report().margin < 0) == (r.fate == Fate::TooWeak), who);
+            walled = walled || r.link.wallLoss > 0;
+            // and that is what is to be read
+            const QString shown = m_window->find<QLabel>("budgetTerm6")->text();
+            QCOMPARE(shown, QStringLiteral("%1 dBm").arg(report().link.power, 0, 'f', 1));
+        }
+        QVERIFY(pairs.size() > 40);
+        QCOMPARE(walled, medium.contains("WallLoss"));
+    }
+
+    void beforeARunItIsThatOfTheStart() {
+        QVERIFY(m_window->open(QByteArray(kMotes).replace("Collisions=true", "WallLoss=5") + kWall));
+        QVERIFY(m_window->settled());
+        const auto run = m_window->headless(0);
+        const Medium& medium = *run.runner->world().medium();
+        for (RadioId from = 0; from < medium.radioCount(); ++from)
+            for (RadioId to = 0; to < medium.radioCount(); ++to) {
+                if (from == to) continue;
+                budget().choose(QString::fromStdString(medium.radio(from).path), QString::fromStdString(medium.radio(to).path),
+                                0.);
+                const LinkBudget expected = medium.link(from, to);
+                QVERIFY(std::abs(report().link.power - expected.power) < 1e-9);
+                QCOMPARE(report().link.wallLoss, expected.wallLoss);
+                QCOMPARE(report().margin, report().link.power + 94);
+            }
+        // An edit is seen without a run.
+        budget().choose(QStringLiteral("target/radio"), QStringLiteral("deaf/radio"));
+        const double before = report().link.distance;
+        QVERIFY(m_window->document.setValues(QStringLiteral("Move"), {{"deaf.Pos", "0, 30, 0"}}).ok());
+        QTRY_VERIFY(std::abs(report().link.distance - before) > 20);
+    }
+
+    void itLivesWithTheRun() {
+        QVERIFY(m_window->open(R"(Tick = 0.01
+#import robots/radio_robot.sim
+#import robots/tmote_sky.sim
+#import arenas/open_floor.sim
+#loadModule controllers/network_navigator
+Static floor { Config=OpenFloor }
+Robot robot0 { Config=RadioRobot BearingSweep brain { TurnRate=0.5 } }
+Robot mote { Config=TmoteSky Pos=3,0,0 }
+)"));
+        QVERIFY(m_window->settled());
+        choose({"mote", "robot0"});
+        const LinkReport start = report();
+        QVERIFY(m_window->runTo(300)); // it turned by some 80 degrees
+        QVERIFY(std::abs(report().link.receiveGain - start.link.receiveGain) > 3);
+        QVERIFY(std::abs(report().link.sendGain - start.link.sendGain) < 3);
+        const auto run = m_window->headless(300);
+        const Medium& medium = *run.runner->world().medium();
+        const LinkBudget expected = medium.link(*medium.find("mote/radio"), *medium.find("robot0/radio"));
+        budget().setPower(0);
+        QVERIFY(std::abs(report().link.power - expected.power) < 1e-6);
+        m_window->session.reset();
+        QTRY_VERIFY(std::abs(report().link.receiveGain - start.link.receiveGain) < 1e-9);
+    }
+
+    void swapPowerAndPayload() {
+        QVERIFY(m_window->open(QByteArray(kMotes).replace("Collisions=true", "PacketErrors=true NoiseFloor=-80")));
+        QVERIFY(m_window->settled());
+        choose({"target", "motes_5"});
+        const LinkReport there = report();
+        QTest::mouseClick(m_window->find<QToolButton>("budgetSwap"), Qt::LeftButton);
+        QCOMPARE(budget().from(), QStringLiteral("motes_5/radio"));
+        QCOMPARE(report().link.power, there.link.power); // Friis, to the last bit
+        QCOMPARE(report().link.sendGain, there.link.receiveGain);
+
+        auto* levels = m_window->find<QComboBox>("budgetLevel");
+        QVERIFY(levels->isVisible());
+        QCOMPARE(levels->count(), 8);
+        levels->setFocus();
+        QTest::keyClick(levels, Qt::Key_End);
+        QCOMPARE(budget().power(), -25.);
+        QVERIFY(std::abs(report().link.power - (there.link.power - 25)) < 1e-9);
+        QCOMPARE(m_window->find<QLabel>("budgetTerm0")->text(), QStringLiteral("-25.0 dBm"));
+
+        auto* payload = m_window->find<QSpinBox>("budgetPayload");
+        payload->setValue(116);
+        const double many = report().packetLoss;
+        QVERIFY(many > 0 && many < 1);
+        payload->setFocus();
+        QTest::keyClick(payload, Qt::Key_Down);
+        QVERIFY(report().packetLoss < many);
+    }
+
+    void otherChannelsAreSaid() {
+        QVERIFY(m_window->open(
+            QByteArray(kMotes).replace("Robot deaf { Config=TmoteSky", "Robot deaf { Config=TmoteSky radio.Channel=11")));
+        QVERIFY(m_window->settled());
+        auto* words = m_window->find<QLabel>("budgetWords");
+        choose({"target", "motes_0"});
+        QVERIFY(!words->isVisible());
+        choose({"target", "deaf"});
+        QVERIFY(words->isVisible() && words->text().contains(QStringLiteral("channel 26")));
+        QVERIFY(m_window->open("Tick = 0.01\n#import robots/tmote_sky.sim\nRobot alone { Config=TmoteSky }\n"));
+        QVERIFY(m_window->settled());
+        QVERIFY(words->text().contains(QStringLiteral("alone")) && !budget().report());
+    }
+};
+
+QTEST_MAIN(RadioBudgetTest)
+#include "budget_test.moc"

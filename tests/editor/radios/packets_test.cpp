@@ -1,0 +1,278 @@
+// The packets of the Radio dock, looked at and worked with.
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QScrollBar>
+#include <QTabBar>
+#include <QTableView>
+#include <QToolButton>
+
+#include "editor/radios/radio_window.h"
+
+using namespace trundle;
+
+class RadioPacketsTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<RadioWindow> m_window;
+
+    QString cell(int row, FrameModel::Column column) { return m_window->model().index(row, column).data().toString(); }
+    int rows() { return m_window->model().rowCount(); }
+    /// Of all that is kept.
+    template <class Is> int count(const Is& is) {
+        const FrameFilter before = m_window->model().filter();
+        m_window->model().setFilter({});
+        int n = 0;
+        for (int row = 0; row < rows(); ++row) n += is(m_window->model().record(row));
+        m_window->model().setFilter(before);
+        return n;
+    }
+    void clickRow(int row, bool twice = false) {
+        auto* view = m_window->find<QTableView>("radioFrames");
+        view->scrollTo(m_window->model().index(row, 0));
+        const QPoint at = view->visualRect(m_window->model().index(row, 1)).center();
+        QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, at);
+        if (twice) QTest::mouseDClick(view->viewport(), Qt::LeftButton, {}, at);
+    }
+
+private Q_SLOTS:
+    void init() { m_window = std::make_unique<RadioWindow>(); }
+    void cleanup() { m_window.reset(); }
+
+    void withoutARadioItSaysWhatToDo() {
+        QVERIFY(m_window->open(kStandingRobot));
+        QVERIFY(m_window->settled());
+        auto* words = m_window->find<QLabel>("radiosEmpty");
+        QVERIFY(words->isVisible());
+        QVERIFY(words->text().contains(QStringLiteral("▸ Transceiver")));
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->settled());
+        QVERIFY(!words->isVisible());
+        auto* hint = m_window->find<QLabel>("radioHint");
+        QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("F5")));
+        QVERIFY(!m_window->find<QToolButton>("radioExport")->isEnabled());
+    }
+
+    void everySampleWithRadiosHasPackets_data() {
+        QTest::addColumn<int>("ticks");
+        QTest::newRow("sensor_network_amr.sim") << 300;
+        QTest::newRow("directional_antenna.sim") << 300;
+        QTest::newRow("network_navigation.sim") << 300;
+        QTest::newRow("turn_angle.sim") << 300;
+    }
+    void everySampleWithRadiosHasPackets() {
+        QFETCH(int, ticks);
+        const QString sample =
+            QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/") + QLatin1String(QTest::currentDataTag());
+        QVERIFY(m_window->document.open(sample.toStdString()).ok());
+        QVERIFY(m_window->runTo(std::uint64_t(ticks)));
+        QVERIFY(rows() > 10);
+        QVERIFY(m_window->panel.budget().report().has_value());
+    }
+
+    void aRowSaysAllOfAFrame() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->runTo(100));
+        const auto expected = m_window->headless(100).trace->records;
+        QCOMPARE(std::size_t(rows()), expected.size());
+        QSet<QString> reasons;
+        for (int row = 0; row < rows(); ++row) {
+            const FrameRecord& r = expected[std::size_t(row)];
+            QCOMPARE(cell(row, FrameModel::Time), QString::number(r.time, 'f', 6));
+            QCOMPARE(cell(row, FrameModel::From) + u'/' + QStringLiteral("radio"),
+                     QString::fromStdString(m_window->model().radios()[r.from].path));
+            QCOMPARE(cell(row, FrameModel::For), QStringLiteral("all"));
+            QCOMPARE(cell(row, FrameModel::Channel), QStringLiteral("26"));
+            QCOMPARE(cell(row, FrameModel::Rssi), QString::number(r.rssi));
+            QCOMPARE(cell(row, FrameModel::Lqi), QString::number(r.lqi));
+            QCOMPARE(cell(row, FrameModel::Margin), QString::number(r.link.power + 94, 'f', 1));
+            QCOMPARE(cell(row, FrameModel::Outcome), QString::fromUtf8(fateName(r.fate).data()));
+            QCOMPARE(cell(row, FrameModel::Reason).isEmpty(), r.fate == Fate::Delivered);
+            reasons << cell(row, FrameModel::Outcome);
+        }
+        QVERIFY(reasons.contains(QStringLiteral("too weak")) && reasons.contains(QStringLiteral("buffer full")));
+        QCOMPARE(m_window->find<QLabel>("radioCounts")->text(), QStringLiteral("%L1 packets").arg(rows()));
+    }
+
+    void theFatesAddUpAndFilter() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->runTo(100));
+        const auto numberIn = [](const QString& text) {
+            QString digits;
+            for (const QChar c : text)
+                if (c.isDigit()) digits += c;
+            return digits.toInt();
+        };
+        int sum = numberIn(m_window->find<QLabel>("radioInTheAir")->isVisible() ? m_window->find<QLabel>("radioInTheAir")->text()
+                                                                                : QString());
+        for (std::size_t i = 0; i < kFates; ++i) {
+            auto* button = m_window->panel.findChild<QToolButton*>(QStringLiteral("radioFate%1").arg(i));
+            if (button->isVisible()) sum += numberIn(button->text());
+        }
+        QVERIFY(sum > 0);
+        QCOMPARE(sum, numberIn(m_window->find<QLabel>("radioSum")->text()));
+
+        const int all = rows(), weak = count([](const FrameRecord&r) { return r.fate == Fate::TooWeak; }),
+                  full = count([](const FrameRecord&r) { return r.fate == Fate::BufferFull; });
+        QVERIFY(weak > 0 && full > 0);
+        auto* tooWeak = m_window->panel.findChild<QToolButton*>(QStringLiteral("radioFate%1").arg(int(Fate::TooWeak)));
+        auto* bufferFull = m_window->panel.findChild<QToolButton*>(QStringLiteral("radioFate%1").arg(int(Fate::BufferFull)));
+        QTest::mouseClick(tooWeak, Qt::LeftButton);
+        QCOMPARE(rows(), weak);
+        QTest::mouseClick(bufferFull, Qt::LeftButton);
+        QCOMPARE(rows(), weak + full);
+        QVERIFY(m_window->find<QLabel>("radioCounts")->text().contains(QStringLiteral(" of ")));
+        QVERIFY(m_window->runTo(150)); // those that come are filtered too
+        QCOMPARE(rows(), count([](const FrameRecord& r) { return r.fate == Fate::TooWeak || r.fate == Fate::BufferFull; }));
+        QTest::mouseClick(tooWeak, Qt::LeftButton);
+        QTest::mouseClick(bufferFull, Qt::LeftButton);
+        QVERIFY(rows() > all);
+    }
+
+    void itFiltersByRadioAndText() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->runTo(100));
+        const int all = rows();
+        auto *from = m_window->find<QComboBox>("radioFrom"), *to = m_window->find<QComboBox>("radioTo");
+        QCOMPARE(from->count(), 10);
+        from->setFocus();
+        QTest::keyClicks(from, QStringLiteral("target"));
+        QCOMPARE(from->currentText(), QStringLiteral("target"));
+        const auto pathOf = [&](RadioId id) { return m_window->model().radios()[id].path; };
+        QCOMPARE(rows(), count([&](const FrameRecord& r) { return pathOf(r.from) == "target/radio"; }));
+        QVERIFY(rows() > 0 && rows() < all);
+        QTest::keyClicks(to, QStringLiteral("deaf"));
+        QCOMPARE(rows(),
+                 count([&](const FrameRecord& r) { return pathOf(r.from) == "target/radio" && pathOf(r.to) == "deaf/radio"; }));
+        QVERIFY(rows() > 0);
+        QTest::keyClick(from, Qt::Key_Home);
+        QTest::keyClick(to, Qt::Key_Home);
+        QCOMPARE(rows(), all);
+
+        auto* search = m_window->find<QLineEdit>("radioSearch");
+        QTest::mouseClick(search, Qt::LeftButton);
+        QTest::keyClicks(search, QStringLiteral("motes_4"));
+        QCOMPARE(rows(), count([&](const FrameRecord& r) {
+                     return pathOf(r.from) == "motes_4/radio" || pathOf(r.to) == "motes_4/radio";
+                 }));
+        QVERIFY(rows() > 0 && rows() < all);
+        search->clear();
+        const auto payload = [&](const FrameRecord& r) {
+            const AirFrame* frame = m_window->model().airFrame(r);
+            return frame ? QByteArray(reinterpret_cast<const char*>(frame->bytes.data()) + 9, qsizetype(r.bytes)) : QByteArray();
+        };
+        const QByteArray told = payload(m_window->model().record(all - 1));
+        QVERIFY(told.startsWith('\xb1')); // a mote's beacon
+        QTest::keyClicks(search, QString::fromLatin1(told.toHex(' ')));
+        QCOMPARE(rows(), count([&](const FrameRecord& r) { return payload(r).contains(told); }));
+        QVERIFY(rows() > 0 && rows() < all);
+        search->clear();
+        QTest::keyClicks(search, QStringLiteral("nobody"));
+        QCOMPARE(rows(), 0);
+        QVERIFY(m_window->find<QLabel>("radioHint")->isVisible());
+        search->clear();
+        QCOMPARE(rows(), all);
+    }
+
+    void aPacketShowsItsBytes() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->runTo(100));
+        auto* bytes = m_window->find<QPlainTextEdit>("radioBytes");
+        QVERIFY(!bytes->isVisible());
+        const int row = rows() / 2;
+        clickRow(row);
+        const FrameRecord& r = m_window->model().record(row);
+        const AirFrame* frame = m_window->model().airFrame(r);
+        QVERIFY(frame);
+        QVERIFY(bytes->isVisible());
+        const QByteArray payload(reinterpret_cast<const char*>(frame->bytes.data()) + 9, qsizetype(r.bytes));
+        QVERIFY2(bytes->toPlainText().contains(QString::fromLatin1(payload.toHex(' '))), qPrintable(bytes->toPlainText()));
+        QVERIFY(m_window->find<QLabel>("radioFacts")->text().contains(QString::fromUtf8(fateName(r.fate).data())));
+        // Copied, it is the row of the log.
+        auto* view = m_window->find<QTableView>("radioFrames");
+        QTest::keySequence(view, QKeySequence::Copy);
+        const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 2);
+        QCOMPARE(QString::fromStdString(m_window->model().csv()).split(u'\n')[row + 1], lines[1]);
+        QTest::keyClick(view, Qt::Key_Escape);
+        QVERIFY(!bytes->isVisible());
+    }
+
+    void whatCannotBeWrittenIsSaid() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->runTo(20));
+        m_window->panel.packets().exportTo(m_window->folder.filePath(QStringLiteral("nowhere/packets.csv")));
+        QCOMPARE(m_window->said.size(), std::size_t(1));
+        QVERIFY(m_window->said.front().contains(QStringLiteral("could not be written")));
+    }
+
+    void aDoubleClickOpensItsLink() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->runTo(100));
+        auto* from = m_window->find<QComboBox>("radioFrom");
+        from->setFocus();
+        QTest::keyClicks(from, QStringLiteral("target"));
+        clickRow(0, true);
+        QCOMPARE(m_window->find<QTabBar>("radioPages")->currentIndex(), int(RadiosPanel::Budget));
+        QCOMPARE(m_window->panel.budget().from(), QStringLiteral("target/radio"));
+        QCOMPARE(m_window->panel.budget().power(), -3.);
+    }
+
+    void itFollowsTheEndUntilOneScrollsUp() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->runTo(100));
+        QScrollBar* bar = m_window->find<QTableView>("radioFrames")->verticalScrollBar();
+        QTRY_VERIFY(bar->maximum() > 50);
+        QCOMPARE(bar->value(), bar->maximum());
+        auto* view = m_window->find<QTableView>("radioFrames");
+        QWheelEvent up(QPointF(50, 50), view->viewport()->mapToGlobal(QPointF(50, 50)), {}, {0, 1200}, Qt::NoButton, {},
+                       Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(view->viewport(), &up);
+        const int read = bar->value();
+        QVERIFY(read < bar->maximum());
+        const int maximum = bar->maximum();
+        QVERIFY(m_window->runTo(150));
+        QTRY_VERIFY(bar->maximum() > maximum);
+        QCOMPARE(bar->value(), read);
+        view->setFocus();
+        QTest::keyClick(view, Qt::Key_End, Qt::ControlModifier);
+        QCOMPARE(bar->value(), bar->maximum());
+        const int further = bar->maximum();
+        QVERIFY(m_window->runTo(190));
+        QTRY_VERIFY(bar->maximum() > further);
+        QCOMPARE(bar->value(), bar->maximum());
+    }
+
+    void theOldestGoAndItSaysSo() {
+        QVERIFY(m_window->open(kMotes));
+        QVERIFY(m_window->runTo(100));
+        FrameModel& model = m_window->model();
+        const std::size_t before = model.frameCount();
+        const FrameRecord one = model.record(0);
+        LiveRadio many;
+        many.records.assign(FrameModel::kMostFrames - 10, one);
+        for (std::size_t i = 0; i < many.records.size(); ++i) many.records[i].time = 10 + double(i);
+        m_window->panel.packets().add(many);
+        QCOMPARE(model.frameCount(), FrameModel::kMostFrames);
+        QCOMPARE(model.forgotten(), std::uint64_t(before - 10));
+        QCOMPARE(rows(), int(FrameModel::kMostFrames));
+        auto* counts = m_window->find<QLabel>("radioCounts");
+        QCOMPARE(counts->text(), QStringLiteral("newest 20,000 packets"));
+        QVERIFY(counts->toolTip().startsWith(QStringLiteral("%L1 older ones are gone").arg(before - 10)));
+        many.droppedRecords = 7; // nobody had fetched them in time
+        many.records.assign(2 * FrameModel::kMostFrames, one);
+        m_window->panel.packets().add(many);
+        QCOMPARE(model.frameCount(), FrameModel::kMostFrames);
+        QCOMPARE(model.forgotten(), std::uint64_t(before - 10 + 7 + 2 * FrameModel::kMostFrames));
+        QTest::mouseClick(m_window->find<QToolButton>("radioClear"), Qt::LeftButton);
+        QCOMPARE(rows(), 0);
+    }
+};
+
+QTEST_MAIN(RadioPacketsTest)
+#include "packets_test.moc"

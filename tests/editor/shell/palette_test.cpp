@@ -1,0 +1,65 @@
+// The command palette of the real window: what it lists is there, and is listed once.
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSettings>
+#include <QtTest>
+
+#include "editor/shell/window_parts.h"
+
+using namespace trundle;
+
+class PaletteTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts.start(); }
+    void init() {
+        QSettings().clear();
+        m_window = m_parts.window();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(m_window->open(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/linear_motion.sim")));
+        QTRY_VERIFY(m_window->document().isOpen());
+    }
+    void cleanup() { m_window.reset(); }
+
+    void whatTheInsertMenuHoldsIsFoundOnce() {
+        m_window->selection().select("robot0");
+        QCOMPARE(found("Insert BumpAndTurn"), QStringList()); // its module is not loaded
+        QCOMPARE(found("Insert PoseLog"), QStringList{QStringLiteral("Insert PoseLog")});
+        QCOMPARE(found("Insert PoseLog"), QStringList{QStringLiteral("Insert PoseLog")}); // also the second time
+    }
+
+    void whatIsChosenIsInserted() {
+        m_window->selection().clear();
+        QLineEdit& search = open();
+        QTest::keyClicks(&search, QStringLiteral("Insert PoseLog"));
+        QTest::keyClick(&search, Qt::Key_Return);
+        QCOMPARE(m_window->document().history().entries().size(), 1u);
+        QCOMPARE(m_window->document().history().entries()[0].name, QStringLiteral("Add PoseLog"));
+    }
+
+private:
+    /// As it is when a person begins to type: what the menu took out is gone by then.
+    QLineEdit& open() {
+        m_window->actions().at("edit.palette").trigger();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return *m_window->findChild<QLineEdit*>(QStringLiteral("paletteSearch"));
+    }
+    QStringList found(const char* typed) {
+        QLineEdit& search = open();
+        QTest::keyClicks(&search, QLatin1String(typed));
+        QStringList names;
+        const auto* list = m_window->findChild<QListWidget*>(QStringLiteral("paletteList"));
+        for (int row = 0; row < list->count(); ++row) names << list->item(row)->text();
+        search.window()->close();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return names;
+    }
+
+    WindowParts m_parts;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(PaletteTest)
+#include "palette_test.moc"

@@ -1,0 +1,102 @@
+// What a key in the text costs the window, in counts: one reading, one picture, no row of a list made anew.
+
+#include <QAbstractItemModel>
+#include <QFile>
+#include <QLabel>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTreeView>
+#include <QtTest>
+
+#include "editor/shell/window_parts.h"
+#include "editor/text/code_edit.h"
+#include "editor/text/file_page.h"
+#include "editor/text/text_panel.h"
+#include "editor/viewport/view.h"
+#include "editor/viewport/viewport_panel.h"
+
+using namespace trundle;
+
+namespace {
+
+constexpr int kPatienceMs = 60000; // the Library draws its pictures meanwhile
+
+const QByteArray kText = "Tick = 0.01\n"
+                         "#import robots/simple_robot.sim\n"
+                         "Robot front { Config=SimpleRobot Pos=1,0,0 }\n"
+                         "Robot middle { Config=SimpleRobot Pos=0.0,0,0 }\n"
+                         "Robot back { Config=SimpleRobot Pos=-1,0,0 }\n";
+
+} // namespace
+
+class TypingTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts.start(); }
+    void init() {
+        QSettings().clear();
+        const QString path = m_folder.filePath(QStringLiteral("mine.sim"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(kText);
+        file.close();
+        m_window = m_parts.window();
+        m_window->resize(1200, 800);
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(m_window->open(path));
+        QTRY_VERIFY(m_window->document().isOpen());
+        QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
+    }
+    void cleanup() { m_window.reset(); }
+
+    void aKey_data() {
+        QTest::addColumn<QByteArray>("behind"); // where the caret stands
+        QTest::addColumn<char>("letter");
+        QTest::addColumn<std::string>("selected");
+        QTest::addColumn<int>("selections");
+        QTest::newRow("a letter of a name") << QByteArray("Robot middle") << 'x' << std::string("middlex") << 1;
+        QTest::newRow("a digit of a place") << QByteArray("Pos=0.0") << '5' << std::string("middle") << 0;
+        QTest::newRow("a blank") << QByteArray("Robot middle") << ' ' << std::string("middle") << 0;
+    }
+    void aKey() {
+        QFETCH(QByteArray, behind);
+        QFETCH(char, letter);
+        QFETCH(std::string, selected);
+        QFETCH(int, selections);
+        CodeEdit& edit = m_window->text().page()->edit();
+        const auto at = std::uint32_t(kText.indexOf(behind) + behind.size());
+        edit.setFocus();
+        edit.setSelection({at, at});
+        m_window->selection().select("middle");
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->isSettled(), kPatienceMs);
+        View& view = m_window->viewport().current();
+        auto* tree = m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"));
+        const QPointer<QWidget> row = m_window->findChild<QWidget*>(QStringLiteral("row.Pos"));
+        QVERIFY(row && row->isVisible());
+        const int pictures = view.redraws(), finer = view.refinements();
+
+        QSignalSpy changed(&m_window->document(), &Document::changed), selection(&m_window->selection(), &Selection::changed),
+            reset(tree->model(), &QAbstractItemModel::modelReset), inserted(tree->model(), &QAbstractItemModel::rowsInserted),
+            removed(tree->model(), &QAbstractItemModel::rowsRemoved);
+        QTest::keyClick(&edit, letter);
+        QTRY_COMPARE(changed.size(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->isSettled(), kPatienceMs); // also the finer picture, that nothing comes after
+        QCOMPARE(m_window->selection().current(), selected);
+        QCOMPARE(changed.size(), 1);
+        QCOMPARE(selection.size(), selections);
+        QCOMPARE(reset.size() + inserted.size() + removed.size(), 0);
+        QVERIFY2(row && row == m_window->findChild<QWidget*>(QStringLiteral("row.Pos")), "the rows were made anew");
+        QCOMPARE(view.redraws() - pictures, 1);
+        QCOMPARE(view.refinements() - finer, 1);
+    }
+
+private:
+    QTemporaryDir m_folder;
+    WindowParts m_parts;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(TypingTest)
+#include "typing_test.moc"

@@ -1,0 +1,116 @@
+// The Welcome page: what a crash has left is said where one comes back to it.
+
+#include <atomic>
+
+#include <QAbstractButton>
+#include <QDialog>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "editor/shell/recent_files.h"
+#include "editor/shell/window_parts.h"
+#include "project/journal.h"
+#include "project/search.h"
+
+using namespace trundle;
+
+namespace {
+
+const char* const kText = "Tick = 0.01\n";
+
+/// Reads a text when it is let go on.
+class SlowParts final : public Parts {
+public:
+    explicit SlowParts(Parts& parts) : m_parts(parts) {}
+    std::shared_ptr<const Registry> builtIn() const override { return m_parts.builtIn(); }
+    std::vector<Kind> moduleKinds(const OpenOptions& options) const override { return m_parts.moduleKinds(options); }
+    const Locations& locations() const override { return m_parts.locations(); }
+    Result<std::shared_ptr<const Loaded>> open(const std::string& path, const OpenOptions& options) override {
+        hold.wait(true);
+        auto loaded = m_parts.open(path, options);
+        if (path.ends_with("mine.sim")) ++opened;
+        return loaded;
+    }
+    std::unique_ptr<Runner> makeRunner(const Loaded& loaded, RunOptions options, Diagnostics& diagnostics) override {
+        return m_parts.makeRunner(loaded, std::move(options), diagnostics);
+    }
+    std::atomic<bool> hold = false;
+    std::atomic<int> opened = 0;
+
+private:
+    Parts& m_parts;
+};
+
+} // namespace
+
+class WelcomeTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts.start(); }
+    void init() { QSettings().clear(); }
+    void cleanup() { m_window.reset(); }
+
+    void unsavedWorkIsSaidUntilItIsBroughtBack() {
+        QTemporaryDir folder;
+        const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
+        write(path, kText);
+        addRecentFile(path);
+        {
+            Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}}); // by a window that was killed
+            QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
+        }
+        m_window = m_parts.window();
+        m_window->show();
+        const auto recent = [this] { return m_window->findChild<QAbstractButton*>(QStringLiteral("recent.mine.sim")); };
+        QVERIFY(recent());
+        QCOMPARE(recent()->text(), QStringLiteral("mine.sim – unsaved work"));
+        QTest::mouseClick(recent(), Qt::LeftButton);
+        QTRY_VERIFY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
+        QTest::mouseClick(m_window->findChild<QAbstractButton*>(QStringLiteral("bringBack")), Qt::LeftButton);
+        QCOMPARE(QByteArray::fromStdString(*m_window->document().text(path.toStdString())), QByteArray(kText) + "Duration = 3\n");
+        m_window->actions().at("file.save").trigger();
+        m_window->actions().at("file.close").trigger();
+        QCOMPARE(recent()->text(), QStringLiteral("mine.sim"));
+    }
+
+    void whatTakesLongToOpenSaysSoAndCanBeLeft() {
+        QTemporaryDir folder;
+        const QString text = folder.filePath(QStringLiteral("mine.sim"));
+        write(text, kText);
+        SlowParts slow(*m_parts.parts);
+        m_window = std::make_unique<MainWindow>(slow, m_parts.render.get(), findLocations());
+        m_window->show();
+        slow.hold = true;
+        QVERIFY(m_window->open(text));
+        const QPointer<QDialog> progress = m_window->findChild<QDialog*>(QStringLiteral("opening"));
+        QVERIFY(progress && !progress->isVisible());
+        QTRY_VERIFY(progress->isVisible());
+        QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
+        QVERIFY(!m_window->document().isOpening());
+        QTRY_VERIFY(!progress);
+        slow.hold = false;
+        slow.hold.notify_all();
+        QTRY_VERIFY(slow.opened == 1);
+        QCoreApplication::processEvents();
+        QVERIFY(!m_window->document().isOpen()); // what was read meanwhile is not wanted any more
+        QVERIFY(m_window->open(text));
+        QTRY_VERIFY(m_window->document().isOpen());
+        QTRY_VERIFY(!m_window->findChild<QDialog*>(QStringLiteral("opening")));
+        m_window.reset();
+    }
+
+private:
+    static void write(const QString& path, const QByteArray& text) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(text), text.size());
+    }
+
+    WindowParts m_parts;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(WelcomeTest)
+#include "welcome_test.moc"

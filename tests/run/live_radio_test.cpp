@@ -1,0 +1,67 @@
+// What a live run gives out of its air: all of it while somebody wants it, in order, and no more than is good.
+
+#include <QtTest>
+
+#include "radio/air.h"
+#include "run/live_radio.h"
+
+using namespace air;
+
+class LiveRadioTest : public QObject {
+    Q_OBJECT
+
+    static void tick(RadioTap& tap, Medium& medium, int number) {
+        tap.beforeTick(medium);
+        (void)send(medium, 0, 4);
+        medium.advance((number + 1) * 10000);
+        tap.afterTick(medium);
+    }
+
+private Q_SLOTS:
+    void itKeepsWhileSomebodyWantsIt() {
+        Medium medium{MediumSettings()};
+        open(medium, "a/radio", Vec3::Zero());
+        open(medium, "b/radio", Vec3(1, 0, 0));
+        RadioTap tap;
+        QVERIFY(!tap.take().radios);
+        tap.open(medium);
+        QCOMPARE(tap.take().radios->at(1).path, std::string("b/radio"));
+        tick(tap, medium, 0);
+        LiveRadio taken = tap.take();
+        QVERIFY(taken.records.empty() && taken.frames.empty());
+        QCOMPARE(taken.expected, std::uint64_t(1)); // counted all the same
+        tap.want(true);
+        for (int i = 1; i < 4; ++i) tick(tap, medium, i);
+        taken = tap.take();
+        QCOMPARE(taken.records.size(), std::size_t(3));
+        QCOMPARE(taken.frames.size(), std::size_t(3));
+        for (std::size_t i = 0; i < 3; ++i) QCOMPARE(taken.records[i].time, 0.01 * double(i + 1));
+        QCOMPARE(taken.expected, std::uint64_t(4));
+        QCOMPARE(taken.fates[std::size_t(Fate::Delivered)], std::uint64_t(4));
+        QVERIFY(tap.take().records.empty());
+        tap.want(false);
+        tick(tap, medium, 4);
+        QVERIFY(tap.take().records.empty());
+    }
+
+    void theOldestGoFirst() {
+        Medium medium{MediumSettings()};
+        open(medium, "a/radio", Vec3::Zero());
+        open(medium, "b/radio", Vec3(1, 0, 0));
+        RadioTap tap;
+        tap.open(medium);
+        tap.want(true);
+        const int ticks = int(RadioTap::kMost) + 5;
+        for (int i = 0; i < ticks; ++i) tick(tap, medium, i);
+        LiveRadio taken = tap.take();
+        QCOMPARE(taken.records.size(), RadioTap::kMost);
+        QCOMPARE(taken.frames.size(), RadioTap::kMost);
+        QCOMPARE(taken.droppedRecords, std::uint64_t(5));
+        QCOMPARE(taken.droppedFrames, std::uint64_t(5));
+        QCOMPARE(taken.records.front().time, 0.05);
+        QCOMPARE(tap.take().droppedRecords, std::uint64_t(0));
+    }
+};
+
+QTEST_GUILESS_MAIN(LiveRadioTest)
+#include "live_radio_test.moc"

@@ -1,0 +1,119 @@
+// How much is drawn for a picture: draws and triangles, which is what pictures take their time for where there is no graphics card.
+#include <QtTest>
+
+#include <numbers>
+
+#include <osgUtil/SceneView>
+#include <osgUtil/Statistics>
+
+#include "render/sample_experiment.h"
+#include "scene/osg_types.h"
+#include "scene/scene.h"
+
+using namespace trundle;
+
+namespace {
+
+struct Drawn {
+    unsigned draws = 0, triangles = 0;
+};
+
+/// What a picture with this mask takes; nothing is drawn, so it needs no OpenGL.
+Drawn drawnOf(Scene& scene, const CameraView& view, int width, int height, std::uint32_t mask) {
+    osg::ref_ptr<osgUtil::SceneView> drawing = new osgUtil::SceneView;
+    drawing->setDefaults(osgUtil::SceneView::NO_SCENEVIEW_LIGHT);
+    drawing->setState(new osg::State);
+    drawing->setFrameStamp(new osg::FrameStamp);
+    drawing->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+    drawing->getCamera()->setViewport(0, 0, width, height);
+    const double half = 0.05 * std::tan(0.5 * view.fieldOfView), aspect = double(height) / width;
+    drawing->getCamera()->setProjectionMatrixAsFrustum(-half, half, -half * aspect, half * aspect, 0.05, 100);
+    drawing->getCamera()->setViewMatrixAsLookAt(toOsg(view.eye), toOsg(view.target), toOsg(view.up));
+    drawing->setSceneData(&scene.root());
+    drawing->setCullMask(mask);
+    drawing->cull();
+    osgUtil::Statistics counts;
+    drawing->getStats(counts);
+    Drawn drawn{static_cast<unsigned>(counts.numDrawables), 0};
+    for (const auto& [mode, number] : counts.getPrimitiveCountMap())
+        if (mode == GL_TRIANGLES) drawn.triangles += number;
+    return drawn;
+}
+
+/// 49 robots, all in view of a camera beside them.
+CameraView aboveTheCrowd() {
+    CameraView view;
+    view.eye = {-6.4, 0, 3.3};
+    view.target = {0, 0, 0};
+    view.fieldOfView = 60 * std::numbers::pi / 180;
+    return view;
+}
+
+} // namespace
+
+class DrawnTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void smallThingsHaveFewTriangles_data() {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<unsigned>("most"); // triangles of a robot with its wheels
+        QTest::newRow("64") << 64 << 40u;   // two boxes and a ball of eight; wheels less than two pixels large are left out
+        QTest::newRow("320") << 320 << 90u;
+        QTest::newRow("640") << 640 << 120u;
+        QTest::newRow("1920") << 1920 << 400u;
+    }
+    void smallThingsHaveFewTriangles() {
+        QFETCH(int, width);
+        QFETCH(unsigned, most);
+        Scene scene(*sampleExperiment({49, 0.7, false, 4}));
+        const Drawn drawn = drawnOf(scene, aboveTheCrowd(), width, width * 3 / 4, kMaskRobots);
+        QVERIFY(drawn.draws >= 49 && drawn.draws <= 3 * 49);
+        QVERIFY2(drawn.triangles >= 24 * 49 && drawn.triangles <= most * 49, qPrintable(QString::number(drawn.triangles / 49.0)));
+    }
+
+    void aShadowIsOneDrawOfABodyAndNoMoreThanItsOutline() {
+        Scene scene(*sampleExperiment({49, 0.7, true, 6}));
+        for (const int width : {64, 320, 640, 1920}) {
+            const auto count = [&](std::uint32_t mask) { return drawnOf(scene, aboveTheCrowd(), width, width * 3 / 4, mask); };
+            const Drawn bodies = count(kMaskRobots | kMaskStatics), both = count(kMaskRobots | kMaskStatics | kMaskShadows);
+            QCOMPARE(both.draws, 2 * bodies.draws);
+            QVERIFY2(both.triangles - bodies.triangles <= bodies.triangles, qPrintable(QString::number(width)));
+        }
+    }
+
+    void whatWearsManyPicturesCastsOneShadow() {
+        auto experiment = sampleExperiment({0, 1, true, 4});
+        const auto picture = [] {
+            auto raster = std::make_shared<Raster>();
+            raster->width = raster->height = 1;
+            raster->pixels = {255, 0, 0};
+            return raster;
+        };
+        std::vector<GeomSpec> geoms;
+        for (int i = 0; i < 5; ++i) {
+            GeomSpec box;
+            box.name = "box" + std::to_string(i);
+            box.size = {0.1, 0.1, 0.1};
+            box.pose.position = {0.2 * i, 0, 0.05};
+            box.material = static_cast<std::uint32_t>(experiment->materials.size());
+            experiment->materials.emplace_back().picture = picture();
+            geoms.push_back(box);
+        }
+        StaticSpec row;
+        row.name = "row";
+        row.geoms = std::make_shared<const std::vector<GeomSpec>>(geoms);
+        experiment->statics.push_back(row);
+        Scene scene(*experiment);
+        scene.setHidden({"arena"});
+        QCOMPARE(drawnOf(scene, aboveTheCrowd(), 640, 480, kMaskStatics).draws, 5u);
+        const Drawn both = drawnOf(scene, aboveTheCrowd(), 640, 480, kMaskStatics | kMaskShadows);
+        QCOMPARE(both.draws, 6u);
+        // What of it is hidden casts none.
+        scene.setHidden({"arena", "row/box1", "row/box2"});
+        const Drawn fewer = drawnOf(scene, aboveTheCrowd(), 640, 480, kMaskStatics | kMaskShadows);
+        QCOMPARE(fewer.triangles, both.triangles * 3 / 5);
+    }
+};
+
+QTEST_APPLESS_MAIN(DrawnTest)
+#include "drawn_test.moc"
