@@ -15,6 +15,7 @@
 #include "editor/radios/frame_model.h"
 #include "editor/radios/frame_words.h"
 #include "editor/radios/level_diagram.h"
+#include "editor/widgets/controls.h"
 #include "editor/widgets/theme.h"
 #include "radio/ieee802154.h"
 
@@ -22,17 +23,6 @@ namespace trundle {
 namespace {
 
 constexpr int kRoomForDiagram = 700, kRoomForTwo = 560;
-
-QComboBox* choiceOf(const char* name, const QString& accessible, QWidget* parent) {
-    auto* made = new QComboBox(parent);
-    made->setObjectName(QLatin1String(name));
-    made->setAccessibleName(accessible);
-    made->setToolTip(accessible);
-    made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    made->setMinimumContentsLength(12);
-    made->setMaxVisibleItems(24);
-    return made;
-}
 
 QString withUnit(double value, const QString& unit) { return QStringLiteral("%1 %2").arg(decibelText(value), unit); }
 
@@ -144,15 +134,15 @@ void BudgetPage::makeTools() {
     auto* row = new QHBoxLayout(m_tools);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    m_from = choiceOf("budgetFrom", tr("The sender"), m_tools);
-    m_to = choiceOf("budgetTo", tr("The receiver"), m_tools);
+    m_from = makeNarrowChoice("budgetFrom", tr("The sender"), 12, m_tools);
+    m_to = makeNarrowChoice("budgetTo", tr("The receiver"), 12, m_tools);
     m_swap = new QToolButton(m_tools);
     m_swap->setObjectName(QStringLiteral("budgetSwap"));
     m_swap->setText(QStringLiteral("⇄"));
     m_swap->setToolTip(tr("Swap sender and receiver"));
     m_swap->setAccessibleName(m_swap->toolTip());
     m_swap->setAutoRaise(true);
-    m_levels = choiceOf("budgetLevel", tr("Output power: one of the sender's PowerLevels"), m_tools);
+    m_levels = makeNarrowChoice("budgetLevel", tr("Output power: one of the sender's PowerLevels"), 12, m_tools);
     m_levels->setMinimumContentsLength(8);
     m_anyPower = new QDoubleSpinBox(m_tools);
     m_anyPower->setObjectName(QStringLiteral("budgetPower"));

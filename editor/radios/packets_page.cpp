@@ -19,23 +19,13 @@
 
 #include "editor/radios/fate_bar.h"
 #include "editor/radios/frame_words.h"
+#include "editor/widgets/controls.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
 namespace {
 
 constexpr int kRoomForDetails = 560, kRoomForFrames = 90;
-
-QComboBox* nodeChoice(const char* name, const QString& accessible, QWidget* parent) {
-    auto* made = new QComboBox(parent);
-    made->setObjectName(QLatin1String(name));
-    made->setAccessibleName(accessible);
-    made->setToolTip(accessible);
-    made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    made->setMinimumContentsLength(11);
-    made->setMaxVisibleItems(24);
-    return made;
-}
 
 void fillNodes(QComboBox& choice, const QString& any, const std::vector<RadioDefinition>& radios) {
     const QString chosen = choice.currentData().toString();
@@ -73,8 +63,8 @@ void PacketsPage::makeTools() {
     auto* row = new QHBoxLayout(m_tools);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    m_from = nodeChoice("radioFrom", tr("Only packets from this radio"), m_tools);
-    m_to = nodeChoice("radioTo", tr("Only packets at this radio"), m_tools);
+    m_from = makeNarrowChoice("radioFrom", tr("Only packets from this radio"), 11, m_tools);
+    m_to = makeNarrowChoice("radioTo", tr("Only packets at this radio"), 11, m_tools);
     setRadios({});
     m_search = new QLineEdit(m_tools);
     m_search->setObjectName(QStringLiteral("radioSearch"));
@@ -118,21 +108,8 @@ void PacketsPage::makeTools() {
 }
 
 void PacketsPage::makeView() {
-    m_view = new QTableView;
-    m_view->setObjectName(QStringLiteral("radioFrames"));
+    m_view = makeLineTable("radioFrames", m_model, font());
     m_view->setAccessibleName(tr("Packets"));
-    m_view->setModel(m_model);
-    m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_view->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
-    m_view->setShowGrid(false);
-    m_view->setWordWrap(false);
-    m_view->setTabKeyNavigation(false);
-    m_view->verticalHeader()->hide();
-    m_view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_view->verticalHeader()->setDefaultSectionSize(QFontMetrics(m_view->font()).height() + 4);
-    m_view->horizontalHeader()->setStretchLastSection(true);
-    m_view->horizontalHeader()->setHighlightSections(false);
     const QFontMetrics metrics(m_view->font());
     const auto widthOf = [&](const char* text) { return metrics.horizontalAdvance(QLatin1String(text)) + 16; };
     const std::pair<int, const char*> widths[] = {

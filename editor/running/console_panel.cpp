@@ -16,6 +16,7 @@
 
 #include "editor/running/console_model.h"
 #include "editor/running/session.h"
+#include "editor/widgets/controls.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -82,21 +83,7 @@ QWidget* ConsolePanel::makeTools() {
 }
 
 void ConsolePanel::makeView() {
-    m_view = new QTableView(this);
-    m_view->setObjectName(QStringLiteral("consoleLines"));
-    m_view->setModel(m_model);
-    m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_view->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
-    m_view->setShowGrid(false);
-    m_view->setWordWrap(false);
-    m_view->setTabKeyNavigation(false);
-    m_view->setFont(monospaceFont());
-    m_view->verticalHeader()->hide();
-    m_view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_view->verticalHeader()->setDefaultSectionSize(QFontMetrics(monospaceFont()).height() + 3);
-    m_view->horizontalHeader()->setStretchLastSection(true);
-    m_view->horizontalHeader()->setHighlightSections(false);
+    m_view = makeLineTable("consoleLines", m_model, monospaceFont(), this);
     m_view->setColumnWidth(ConsoleModel::Time, 86);
     m_view->setColumnWidth(ConsoleModel::Who, 150);
     m_view->installEventFilter(this);
