@@ -56,6 +56,9 @@ void RadioTap::afterTick(const Medium& medium) {
     m_counts.inTheAir = medium.inTheAir();
     m_counts.fates = medium.fates();
     if (!m_trace) return;
+    if (m_records.size() + m_trace->records.size() > kFlood)
+        m_counts.droppedRecords +=
+            std::erase_if(m_trace->records, [](const FrameRecord& record) { return record.fate == Fate::TooWeak; });
     m_counts.droppedRecords += passOn(m_trace->records, m_records);
     m_counts.droppedFrames += passOn(m_trace->frames, m_frames);
 }

@@ -30,6 +30,8 @@ struct LiveRadio {
 class RadioTap {
 public:
     static constexpr std::size_t kMost = 20'000; ///< records, and frames, that wait to be fetched
+    /// Where more than this many wait, what was too weak for its receiver is left out: in a large network it is nearly everything.
+    static constexpr std::size_t kFlood = kMost / 10;
 
     // --- who watches ---
     void want(bool wanted) { m_wanted = wanted; } ///< from the next tick on

@@ -207,7 +207,7 @@ void PacketsPage::showCounts() {
     m_counts->setText(all == 0       ? QString()
                       : shown == all ? tr("%1 packets").arg(kept)
                                      : tr("%L1 of %2 packets").arg(shown).arg(kept));
-    m_counts->setToolTip(gone == 0 ? QString() : tr("%L1 older ones are gone: no more are kept.").arg(gone));
+    m_counts->setToolTip(gone == 0 ? QString() : tr("%L1 others are gone: the oldest, and in a flood those that were too weak.").arg(gone));
     m_export->setEnabled(all > 0);
     m_clear->setEnabled(all > 0);
     m_hint->setText(all == 0 ? m_hintWords : tr("None of %L1 packets is as you want it.").arg(all));

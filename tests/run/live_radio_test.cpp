@@ -61,6 +61,29 @@ private Q_SLOTS:
         QCOMPARE(taken.records.front().time, 0.05);
         QCOMPARE(tap.take().droppedRecords, std::uint64_t(0));
     }
+
+    void inAFloodTheTooWeakGo() {
+        Medium medium{MediumSettings()};
+        open(medium, "a/radio", Vec3::Zero());
+        open(medium, "b/radio", Vec3(1, 0, 0));
+        for (int i = 0; i < 9; ++i) {
+            RadioDefinition deaf = radioNamed("deaf" + std::to_string(i));
+            deaf.minReceivePower = 10;
+            open(medium, deaf, Vec3(2, i, 0));
+        }
+        RadioTap tap;
+        tap.open(medium);
+        tap.want(true);
+        constexpr int kTicks = 1000; // ten records each, nine of them too weak
+        for (int i = 0; i < kTicks; ++i) tick(tap, medium, i);
+        const LiveRadio taken = tap.take();
+        const auto kept = std::ranges::count(taken.records, Fate::Delivered, &FrameRecord::fate) +
+                          std::ranges::count(taken.records, Fate::BufferFull, &FrameRecord::fate);
+        QCOMPARE(kept, kTicks);
+        QCOMPARE(taken.records.size() + taken.droppedRecords, std::uint64_t(10 * kTicks));
+        QVERIFY(taken.records.size() < RadioTap::kFlood + kTicks);
+        QCOMPARE(taken.fates[std::size_t(Fate::TooWeak)], std::uint64_t(9 * kTicks)); // counted all the same
+    }
 };
 
 QTEST_GUILESS_MAIN(LiveRadioTest)

@@ -263,7 +263,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), int(FrameModel::kMostFrames));
         auto* counts = m_window->find<QLabel>("radioCounts");
         QCOMPARE(counts->text(), QStringLiteral("newest 20,000 packets"));
-        QVERIFY(counts->toolTip().startsWith(QStringLiteral("%L1 older ones are gone").arg(before - 10)));
+        QVERIFY(counts->toolTip().startsWith(QStringLiteral("%L1 others are gone").arg(before - 10)));
         many.droppedRecords = 7; // nobody had fetched them in time
         many.records.assign(2 * FrameModel::kMostFrames, one);
         m_window->panel.packets().add(many);
