@@ -30,4 +30,17 @@ CLI::Option* addSetOption(CLI::App& command, OpenOptions& options) {
         ->allow_extra_args(false);
 }
 
+void addLookOption(CLI::App& command, LookChoice& look) {
+    command
+        .add_option_function<std::string>(
+            "--look",
+            [&look](const std::string& name) {
+                look = name == "rich" ? LookChoice::Rich : name == "fast" ? LookChoice::Fast : LookChoice::Automatic;
+            },
+            "How pictures look: fast, rich (shadows on things too, dark corners, smooth edges) or automatic, which is rich on a "
+            "graphics card. What a robot's camera sees is automatic, whatever is said here")
+        ->type_name("LOOK")
+        ->check(CLI::IsMember({"automatic", "fast", "rich"}).description(""));
+}
+
 } // namespace trundle

@@ -20,6 +20,7 @@ struct RenderArguments {
     std::string file, output, camera, view, size = "1280x720";
     double at = 0;
     std::vector<double> eye, target;
+    LookChoice look = LookChoice::Automatic;
     double fieldOfView = 50; // degrees
 };
 
@@ -75,6 +76,9 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     printDiagnostics(loaded.diagnostics.all(), loaded.sources);
     job.experiment = loaded.experiment.get();
     job.outputPath = arguments.output.c_str();
+    job.look = arguments.look;
+    const std::function<void(const std::string&)> warn = printProblem;
+    job.warn = &warn;
     if (!arguments.camera.empty()) job.camera = arguments.camera.c_str();
     if (!arguments.view.empty()) job.view = arguments.view.c_str();
     setView(arguments, job);
@@ -126,6 +130,7 @@ void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
         ->type_name("DEG")
         ->check(CLI::Range(1.0, 179.0))
         ->capture_default_str();
+    addLookOption(*command, a.look);
     addSetOption(*command, a.open);
     addOpenOptions(*command, a.open);
     command->footer(kRenderExamples);

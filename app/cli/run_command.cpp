@@ -17,6 +17,7 @@
 #include "cli/run_loop.h"
 #include "cli/run_report.h"
 #include "lang/render.h"
+#include "parts/frame_library.h"
 
 namespace trundle {
 namespace {
@@ -28,6 +29,7 @@ struct RunArguments {
     OpenOptions open;
     std::string file, logDir, movieSize = "1280x720";
     MovieWish movie;
+    LookChoice look = LookChoice::Automatic;
     std::optional<double> duration;
     std::optional<std::uint64_t> seed;
     bool realtime = false, hash = false, json = false, quiet = false;
@@ -154,6 +156,13 @@ RunOptions RunCommand::runOptions() {
         if (m_progress) m_progress->line(lines);
         else std::fputs(lines.c_str(), stderr);
     };
+    options.pictures = [this](const ExperimentSpec& experiment, const SignalLayout& layout) {
+        return openFrameSource(m_parts.locations().modules, experiment, layout,
+                               {m_arguments.look, [this](const std::string& line) {
+                                    if (m_progress) m_progress->line("warning: " + line + "\n");
+                                    else printProblem(line);
+                                }});
+    };
     return options;
 }
 
@@ -272,6 +281,7 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
         ->type_name("N")
         ->check(CLI::Range(0.01, 1000.0))
         ->capture_default_str();
+    addLookOption(*command, a.look);
     command->add_flag("--realtime", a.realtime, "No faster than real time");
     command->add_flag("--hash", a.hash, "End with `state-hash <16 hex digits> tick <n>`");
     command->add_flag("--json", a.json, "One JSON object instead of the summary");

@@ -12,8 +12,20 @@
 #include "trundle/options.h"
 #include "trundle/picture_taker.h"
 
+namespace {
+
+QtMessageHandler g_report = nullptr; // Qt's own
+
+/// Without a screen Qt says with each window what it cannot do there; whoever takes pictures so has nothing of that.
+void report(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+    if (!message.startsWith(QStringLiteral("This plugin does not support"))) g_report(type, context, message);
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
     using namespace trundle;
+    g_report = qInstallMessageHandler(report);
     QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("Trundle"));

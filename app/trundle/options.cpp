@@ -47,6 +47,7 @@ WindowOptions readOptions(const QCoreApplication& application) {
           QStringLiteral("PATH")},
          {QStringLiteral("layout"), QStringLiteral("Docks for edit or run."), QStringLiteral("NAME")},
          {QStringLiteral("theme"), QStringLiteral("light or dark."), QStringLiteral("NAME")},
+         {QStringLiteral("look"), QStringLiteral("automatic, fast or rich: how 3D views are drawn."), QStringLiteral("NAME")},
          {QStringLiteral("size"), QStringLiteral("Size of the window in logical pixels."), QStringLiteral("WxH")},
          {QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window to OUT.png once all is drawn."),
           QStringLiteral("OUT")},
@@ -73,6 +74,8 @@ WindowOptions readOptions(const QCoreApplication& application) {
     if (const QString theme = oneOf(parser, QStringLiteral("theme"), {QStringLiteral("light"), QStringLiteral("dark")});
         !theme.isEmpty())
         options.theme = theme == QStringLiteral("dark") ? ThemeKind::Dark : ThemeKind::Light;
+    options.look =
+        oneOf(parser, QStringLiteral("look"), {QStringLiteral("automatic"), QStringLiteral("fast"), QStringLiteral("rich")});
     if (parser.isSet(QStringLiteral("size"))) options.size = sizeFrom(parser.value(QStringLiteral("size")));
     options.screenshot = parser.value(QStringLiteral("screenshot"));
     options.quit = parser.isSet(QStringLiteral("quit"));

@@ -19,6 +19,7 @@ struct WindowOptions {
     QStringList select;           ///< paths of objects
     std::optional<Layout> layout;
     std::optional<ThemeKind> theme;
+    QString look; ///< automatic, fast, rich
     QSize size;
     QString screenshot; ///< where to; .png
     bool quit = false;

@@ -1,10 +1,12 @@
 #include "trundle/picture_taker.h"
 
 #include <cstdio>
-#include <cstdlib>
 
 #include <QApplication>
 #include <QFileInfo>
+
+#include "editor/widgets/actions.h"
+#include "project/object_place.h"
 
 namespace trundle {
 
@@ -12,11 +14,12 @@ static constexpr double kPatienceS = 5; // with a controller that does not come 
 
 PictureTaker::PictureTaker(MainWindow& window, const WindowOptions& options) : m_window(window), m_options(options) {
     m_look.setInterval(10);
-    if (m_options.quit) // nobody is there to read a message in the window
-        connect(&m_window.document(), &Document::openFailed, this, [](const QString& path, const QString& reason) {
-            std::fprintf(stderr, "trundle: %s: %s\n", qPrintable(path), qPrintable(reason));
-            std::exit(2);
+    if (m_options.quit) { // nobody is there to read a message in the window
+        disconnect(&m_window.document(), &Document::openFailed, nullptr, nullptr);
+        connect(&m_window.document(), &Document::openFailed, this, [this](const QString& path, const QString& reason) {
+            refuse(reason.contains(path) ? reason : QStringLiteral("%1: %2").arg(path, reason));
         });
+    }
     connect(&m_look, &QTimer::timeout, this, &PictureTaker::next);
     m_look.start();
 }
@@ -25,18 +28,21 @@ void PictureTaker::next() {
     switch (m_stage) {
     case Stage::Open:
         if (m_options.layout) m_window.setLayout(*m_options.layout);
+        if (!m_options.look.isEmpty())
+            m_window.actions()
+                .at(m_options.look == QStringLiteral("rich")   ? "view.lookRich"
+                    : m_options.look == QStringLiteral("fast") ? "view.lookFast"
+                                                               : "view.lookAutomatic")
+                .trigger();
         if (!m_options.open.isEmpty()) m_window.open(QFileInfo(m_options.open).absoluteFilePath());
         m_stage = Stage::Opening;
         break;
-    case Stage::Opening: {
+    case Stage::Opening:
         if (m_window.document().isOpening()) return;
-        std::vector<std::string> paths;
-        for (const QString& path : m_options.select) paths.push_back(path.toStdString());
-        if (!paths.empty()) m_window.selection().set(paths);
+        if (!select()) return;
         m_window.useView(m_options.view);
         m_stage = m_options.runFor && m_window.document().isOpen() ? Stage::Run : Stage::Draw;
         break;
-    }
     case Stage::Run:
         m_window.session().runFor(*m_options.runFor);
         m_stage = Stage::Running;
@@ -58,6 +64,27 @@ void PictureTaker::next() {
         if (m_options.quit) QApplication::exit(m_code);
         break;
     }
+}
+
+/// Instead of a picture. The window goes as it always does, so that nobody waits for what it held.
+void PictureTaker::refuse(const QString& reason) {
+    std::fprintf(stderr, "trundle: %s\n", qPrintable(reason));
+    m_code = 2;
+    m_stage = Stage::Done;
+}
+
+bool PictureTaker::select() {
+    std::vector<std::string> paths;
+    const std::shared_ptr<const Loaded> loaded = m_window.document().loaded();
+    for (const QString& path : m_options.select) {
+        paths.push_back(path.toStdString());
+        if (m_options.quit && (!loaded || !placeOf(*loaded, paths.back()))) {
+            refuse(QStringLiteral("there is no %1 to select").arg(path));
+            return false;
+        }
+    }
+    if (!paths.empty()) m_window.selection().set(paths);
+    return true;
 }
 
 bool PictureTaker::runDone() const {

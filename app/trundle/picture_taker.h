@@ -15,6 +15,8 @@ public:
 
 private:
     void next();
+    [[nodiscard]] bool select();
+    void refuse(const QString& reason);
     void take();
     [[nodiscard]] bool runDone() const;
     [[nodiscard]] bool isStuck() const;

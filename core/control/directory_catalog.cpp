@@ -166,6 +166,17 @@ Result<std::string> DirectoryCatalog::locate(const std::string& written, const s
                                            "; tried " + joined(tried)};
 }
 
+std::string DirectoryCatalog::moduleWith(const std::string& kind) {
+    if (!m_offered) {
+        m_offered.emplace();
+        for (const std::string& name : m_folders.program.empty() ? std::vector<std::string>() : modulesIn(m_folders.program))
+            if (const Result<ModuleListing> module = find(name, m_folders.program))
+                for (const Kind& offered : module.value().kinds) m_offered->emplace(offered.name, name);
+    }
+    const auto it = m_offered->find(kind);
+    return it == m_offered->end() ? std::string() : it->second;
+}
+
 Result<ModuleListing> DirectoryCatalog::find(const std::string& written, const std::string& folder) {
     if (endsLike(written, ".py"))
         return Error{Code::PythonModule, "the module " + written + " is Python; Python modules come later"};

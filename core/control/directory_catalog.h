@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +20,13 @@ class DirectoryCatalog final : public ModuleCatalog {
 public:
     explicit DirectoryCatalog(CatalogFolders folders);
     [[nodiscard]] Result<ModuleListing> find(const std::string& written, const std::string& folder) override;
+    [[nodiscard]] std::string moduleWith(const std::string& kind) override;
 
 private:
     [[nodiscard]] bool isTrusted(const std::string& folder) const;
     [[nodiscard]] Result<std::string> locate(const std::string& written, const std::string& folder) const;
     CatalogFolders m_folders;
+    std::optional<std::map<std::string, std::string>> m_offered; // module by kind, once somebody asked
 };
 
 /// `d/n` of a #loadModule as file names to try, in order: d/libn.so d/n.so libn.so n.so. Takes `\` for `/` and drops .dll and .so.

@@ -1,12 +1,11 @@
 #include "parts/frame_library.h"
 
 #include "base/platform/dynamic_library.h"
-#include "render/render_entry.h"
 
 namespace trundle {
 namespace {
 
-using MakeSource = FrameSource*(const ExperimentSpec*, const SignalLayout*, std::size_t);
+using MakeSource = FrameSource*(const ExperimentSpec*, const SignalLayout*, const FrameSourceWish*, std::size_t);
 
 /// Keeps the library for as long as its code is needed.
 class LoadedSource final : public FrameSource {
@@ -33,11 +32,11 @@ private:
 } // namespace
 
 Result<std::unique_ptr<FrameSource>> openFrameSource(const std::string& folder, const ExperimentSpec& experiment,
-                                                     const SignalLayout& layout) {
+                                                     const SignalLayout& layout, const FrameSourceWish& wish) {
     Result<DynamicLibrary> library = DynamicLibrary::open(folder + "/" TRUNDLE_RENDER_LIBRARY);
     if (!library) return Error{Code::NoGraphics, "pictures cannot be drawn: " + library.error().message};
     auto* const make = library.value().function<MakeSource>("trundle_frame_source");
-    std::unique_ptr<FrameSource> source(make ? make(&experiment, &layout, sizeof(RenderJob)) : nullptr);
+    std::unique_ptr<FrameSource> source(make ? make(&experiment, &layout, &wish, sizeof(RenderJob)) : nullptr);
     if (!source)
         return Error{Code::NoGraphics, "pictures cannot be drawn: " + library.value().path() + " is not this program's library"};
     library.value().keepLoaded(); // what drivers left behind in threads may still point into it

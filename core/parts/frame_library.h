@@ -3,6 +3,7 @@
 #include <string>
 
 #include "model/experiment_spec.h"
+#include "render/render_entry.h"
 #include "signals/frame.h"
 #include "signals/layout.h"
 
@@ -10,6 +11,6 @@ namespace trundle {
 
 /// Opens the library of pictures in the folder of modules. Experiment and layout outlive what it gives.
 [[nodiscard]] Result<std::unique_ptr<FrameSource>> openFrameSource(const std::string& folder, const ExperimentSpec& experiment,
-                                                                   const SignalLayout& layout);
+                                                                   const SignalLayout& layout, const FrameSourceWish& wish = {});
 
 } // namespace trundle

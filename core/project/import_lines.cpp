@@ -1,8 +1,10 @@
 #include "project/import_lines.h"
 
+#include <filesystem>
 #include <set>
 
 #include "lang/edit_style.h"
+#include "project/search.h"
 
 namespace trundle {
 
@@ -44,6 +46,18 @@ Result<Directive> read(std::string_view text) {
 bool isFile(const std::string& absolute, const std::string& written) {
     return absolute == written || (absolute.size() > written.size() && absolute.ends_with(written) &&
                                    absolute[absolute.size() - written.size() - 1] == '/');
+}
+
+/// As the author would write it: a file that comes with the program, or lies in the project, needs no absolute path.
+std::string asWritten(const Loaded& loaded, FileId file, const std::string& path) {
+    namespace fs = std::filesystem;
+    if (!fs::path(path).is_absolute()) return path;
+    const std::string shown = shownInProject(path, loaded.projectFolder);
+    for (const fs::path& folder : {fs::path(loaded.paths[file]).parent_path(), fs::path(loaded.projectFolder)}) {
+        std::error_code none;
+        if (fs::exists(folder / shown, none) && canonicalPath((folder / shown).string()) != path) return path; // another one
+    }
+    return shown;
 }
 
 class Lines {
@@ -135,8 +149,9 @@ Result<std::vector<TextEdit>> editsForImports(const Loaded& loaded, FileId file,
         if (!d.ok()) return d.error();
         const auto& [module, path] = d.value();
         if (lines.has(d.value()) || !done.emplace(module, path).second) continue;
-        const bool quoted = path.find("//") != std::string::npos || path.find("/*") != std::string::npos;
-        texts[module] += std::string(module ? kModule : kImport) + " " + (quoted ? "\"" + path + "\"" : path) + lines.lineEnd();
+        const std::string words = module ? path : asWritten(loaded, file, path);
+        const bool quoted = words.find("//") != std::string::npos || words.find("/*") != std::string::npos;
+        texts[module] += std::string(module ? kModule : kImport) + " " + (quoted ? "\"" + words + "\"" : words) + lines.lineEnd();
     }
     std::vector<TextEdit> edits;
     for (const bool module : {false, true})

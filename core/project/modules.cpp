@@ -3,6 +3,7 @@
 #include <set>
 
 #include "model/model_kinds.h"
+#include "project/import_lines.h"
 
 namespace trundle {
 
@@ -45,6 +46,20 @@ FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatal
         }
     }
     return found;
+}
+
+void offerModules(const Loaded& loaded, ModuleCatalog& catalog, std::vector<Diagnostic>& diagnostics) {
+    for (Diagnostic& d : diagnostics) {
+        if (d.code != Code::UnknownKind || d.range.file >= loaded.trees.size()) continue;
+        const std::string kind(loaded.outline->texts().slice(d.range)), module = catalog.moduleWith(kind);
+        if (module.empty()) continue;
+        const std::string line = "#loadModule " + module;
+        Result<std::vector<TextEdit>> edits = editsForImports(loaded, d.range.file, {line});
+        if (!edits || edits.value().empty()) continue;
+        d.message = kind + " is a kind of the module " + module + ", which is not loaded";
+        d.suggestions.clear();
+        d.fixes = {{line, std::move(edits).value()}};
+    }
 }
 
 } // namespace trundle

@@ -53,8 +53,7 @@ std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
 }
 
 /// In the order of the text, each message once: a config resolved for several instances repeats itself.
-Diagnostics tidied(const Diagnostics& diagnostics) {
-    std::vector<Diagnostic> all = diagnostics.all();
+Diagnostics tidied(std::vector<Diagnostic> all) {
     std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.range.file, a.range.range.begin) < std::pair(b.range.file, b.range.range.begin);
     });
@@ -167,7 +166,9 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     loaded->sets = std::move(sets.targets);
     loaded->outline = std::move(outline);
     loaded->experiment = std::move(experiment);
-    loaded->diagnostics = tidied(diagnostics);
+    std::vector<Diagnostic> said = diagnostics.all();
+    offerModules(*loaded, m_catalog, said);
+    loaded->diagnostics = tidied(std::move(said));
     return std::shared_ptr<const Loaded>(std::move(loaded));
 }
 

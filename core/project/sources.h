@@ -24,6 +24,8 @@ public:
     virtual ~ModuleCatalog() = default;
     /// `written` is the path of a #loadModule, `folder` the importing file's. Fails with the paths tried, or with "not trusted".
     [[nodiscard]] virtual Result<ModuleListing> find(const std::string& written, const std::string& folder) = 0;
+    /// How a #loadModule names a module that comes with the program and brings this kind; "" where there is none.
+    [[nodiscard]] virtual std::string moduleWith(const std::string& /*kind*/) { return {}; }
 };
 
 class MeshSource {

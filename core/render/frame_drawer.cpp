@@ -6,8 +6,9 @@
 
 namespace trundle {
 
-FrameDrawer::FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, const SignalLayout& layout)
-    : m_experiment(std::move(experiment)), m_reader(*m_experiment, layout), m_objects(objectNames(*m_experiment)) {
+FrameDrawer::FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, const SignalLayout& layout, FrameSourceWish wish)
+    : m_experiment(std::move(experiment)), m_reader(*m_experiment, layout), m_objects(objectNames(*m_experiment)),
+      m_wish(std::move(wish)) {
     for (CameraModel& model : camerasOf(*m_experiment)) {
         std::optional<LensMap> lens = lensMapOf(model);
         std::string path = model.path;
@@ -27,9 +28,17 @@ FrameDrawer::~FrameDrawer() {
 void FrameDrawer::start() {
     if (!m_service) {
         m_own = RenderService::startInBackground();
+        m_own->setLook(m_wish.look);
         m_service = m_own.get();
     }
     if (m_scene == SceneId::None) m_scene = m_service->addScene(m_experiment);
+}
+
+Result<Image> FrameDrawer::drawn(PictureRequest request) {
+    Result<Image> image = m_service->draw(std::move(request)).get();
+    if (m_own && m_wish.warn)
+        if (const std::string notice = m_own->takeNotice(); !notice.empty()) m_wish.warn(notice);
+    return image;
 }
 
 Result<FrameDrawer::Camera*> FrameDrawer::cameraAt(const std::string& path) {
@@ -72,7 +81,7 @@ Result<Frame> FrameDrawer::capture(const std::string& path, const FrameMoment& m
 
     Frame frame;
     if (model.mode == CameraMode::Colour || model.mode == CameraMode::Grey) {
-        const Result<Image> image = m_service->draw(std::move(request)).get();
+        const Result<Image> image = drawn(std::move(request));
         if (!image) return image.error();
         frame = developed(model, lens, image.value());
     } else {
@@ -110,7 +119,7 @@ Result<Frame> FrameDrawer::picture(PictureRequest request, const FrameMoment& mo
     frame.height = request.height;
     frame.tick = moment.tick;
     frame.time = moment.time;
-    Result<Image> image = m_service->draw(std::move(request)).get();
+    Result<Image> image = drawn(std::move(request));
     if (!image) return image.error();
     frame.pixels = std::move(std::move(image).value().pixels);
     return frame;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "render/develop.h"
+#include "render/render_entry.h"
 #include "render/service.h"
 #include "scene/camera_model.h"
 #include "signals/frame.h"
@@ -21,7 +22,7 @@ struct FrameMoment {
 class FrameDrawer final : public FrameSource {
 public:
     /// `layout` is that of all blocks to come. Keeps the experiment.
-    FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, const SignalLayout& layout);
+    FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, const SignalLayout& layout, FrameSourceWish wish = {});
     /// The same for moments alone, with a service that is there already and outlives this.
     FrameDrawer(std::shared_ptr<const ExperimentSpec> experiment, RenderService& service);
     ~FrameDrawer() override;
@@ -46,11 +47,13 @@ private:
     [[nodiscard]] Result<Camera*> cameraAt(const std::string& path);
     [[nodiscard]] FrameMoment momentOf(const SignalBlock& block) const;
     void start();
+    [[nodiscard]] Result<Image> drawn(PictureRequest request);
 
     std::shared_ptr<const ExperimentSpec> m_experiment;
     PoseReader m_reader;
     std::map<std::string, Camera> m_cameras;
     std::vector<std::string> m_objects;
+    FrameSourceWish m_wish; // of its own service
     std::unique_ptr<RenderService> m_own;
     RenderService* m_service = nullptr;
     SceneId m_scene = SceneId::None;

@@ -20,7 +20,8 @@ Status renderNamed(const RenderJob& job) {
     const SignalLayout noLayout;
     const SignalBlock noBlock(noLayout); // everything then stands where it starts
     const bool started = job.layout && job.block;
-    FrameDrawer drawer(borrowed(job.experiment), started ? *job.layout : noLayout);
+    FrameDrawer drawer(borrowed(job.experiment), started ? *job.layout : noLayout,
+                       {job.look, job.warn ? *job.warn : std::function<void(const std::string&)>()});
     const SignalBlock& block = started ? *job.block : noBlock;
     const Result<Frame> frame =
         job.camera ? drawer.capture(job.camera, block) : drawer.view(job.view, job.width, job.height, block);
@@ -36,6 +37,7 @@ Status renderOnce(const RenderJob& job) {
     Result<std::unique_ptr<RenderService>> service = RenderService::start();
     if (!service) return service.error();
 
+    service.value()->setLook(job.look);
     PictureRequest request;
     request.scene = service.value()->addScene(borrowed(job.experiment));
     request.width = job.width;
@@ -54,6 +56,7 @@ Status renderOnce(const RenderJob& job) {
         request.poses = std::move(poses);
     }
     const Result<Image> image = service.value()->draw(std::move(request)).get();
+    if (const std::string notice = service.value()->takeNotice(); job.warn && !notice.empty()) (*job.warn)(notice);
     return image ? saveImage(image.value(), job.outputPath) : Status(image.error());
 }
 
@@ -61,11 +64,12 @@ Status renderOnce(const RenderJob& job) {
 } // namespace trundle
 
 extern "C" trundle::FrameSource* trundle_frame_source(const trundle::ExperimentSpec* experiment,
-                                                      const trundle::SignalLayout* layout, std::size_t build) {
+                                                      const trundle::SignalLayout* layout, const trundle::FrameSourceWish* wish,
+                                                      std::size_t build) {
     using namespace trundle;
-    if (!experiment || !layout || build != sizeof(RenderJob)) return nullptr;
+    if (!experiment || !layout || !wish || build != sizeof(RenderJob)) return nullptr;
     try {
-        return new FrameDrawer(borrowed(experiment), *layout);
+        return new FrameDrawer(borrowed(experiment), *layout, *wish);
     } catch (const std::exception&) { return nullptr; }
 }
 

@@ -4,6 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
+
+#include "render/look_choice.h"
 
 namespace trundle {
 
@@ -21,11 +25,19 @@ struct RenderJob {
     double eye[3] = {0, 0, 0}, target[3] = {0, 0, 0}, up[3] = {0, 0, 1}; ///< m, world
     double fieldOfView = 0;                                              ///< rad, horizontal; 0: the default
     std::uint32_t width = 1280, height = 720;                            ///< up to 4096
-    const char* view = nullptr;       ///< a View of the text; what the other fields say of the view does not matter then
-    const char* camera = nullptr;     ///< "robot0/eye": what that camera gives, in its own size; the view does not matter then
-    const char* outputPath = nullptr; ///< .png, .jpg or .jpeg
-    char* error = nullptr;            ///< one line, ends with NUL; may be null
+    const char* view = nullptr;   ///< a View of the text; what the other fields say of the view does not matter then
+    const char* camera = nullptr; ///< "robot0/eye": what that camera gives, in its own size; the view does not matter then
+    LookChoice look = LookChoice::Automatic; ///< not of what a camera gives
+    const char* outputPath = nullptr;        ///< .png, .jpg or .jpeg
+    char* error = nullptr;                   ///< one line, ends with NUL; may be null
     std::size_t errorSize = 0;
+    const std::function<void(const std::string&)>* warn = nullptr; ///< told, in a line, what a person should know of the picture
+};
+
+/// How pictures of a run look, and who is told where that cannot be.
+struct FrameSourceWish {
+    LookChoice look = LookChoice::Automatic; ///< of views; not of what cameras see
+    std::function<void(const std::string&)> warn;
 };
 
 } // namespace trundle
@@ -41,5 +53,6 @@ TRUNDLE_RENDER_EXPORT int trundle_render_experiment(const trundle::RenderJob* jo
 /// What the cameras of an experiment see; experiment and layout outlive it. To be deleted by the caller, before the library is
 /// closed. nullptr where `build` is not sizeof(RenderJob), as another build's may be.
 TRUNDLE_RENDER_EXPORT trundle::FrameSource* trundle_frame_source(const trundle::ExperimentSpec* experiment,
-                                                                 const trundle::SignalLayout* layout, std::size_t build);
+                                                                 const trundle::SignalLayout* layout,
+                                                                 const trundle::FrameSourceWish* wish, std::size_t build);
 }

@@ -57,7 +57,8 @@ struct RenderService::Thread {
     std::optional<Error> failed; // no context: nothing will ever be drawn
     std::uint64_t lastScene = 0;
     std::string renderer;
-    bool software = true;
+    std::atomic<LookChoice> look = LookChoice::Automatic;
+    std::string notice; // nobody has been told yet
     std::promise<Status> promise;
     std::shared_future<Status> opened = promise.get_future().share();
     std::thread thread;
@@ -94,6 +95,15 @@ struct RenderService::Thread {
         if (replaced && replaced->refuse) replaced->refuse(*why);
     }
 
+    [[nodiscard]] Result<Image> draw(Studio& studio, const PictureRequest& request) {
+        Result<Image> image = studio.draw(request, request.capture ? LookChoice::Automatic : look.load());
+        if (std::string told = studio.takeNotice(); !told.empty()) {
+            const std::lock_guard lock(mutex);
+            notice = std::move(told);
+        }
+        return image;
+    }
+
     void refuseAll(const Error& why) {
         std::deque<Job> left;
         {
@@ -117,7 +127,6 @@ struct RenderService::Thread {
         }
         studio.value()->endEarlyOn(enough);
         renderer = studio.value()->context().renderer();
-        software = studio.value()->context().isSoftware();
         promise.set_value({});
         std::unique_lock lock(mutex);
         while (true) {
@@ -190,7 +199,8 @@ void RenderService::draw(PictureRequest request, ImageDone done) {
     const std::uint64_t stream = request.stream;
     const Rank rank = request.capture ? Rank::Capture : Rank::View;
     const bool yields = request.yields;
-    Job job = jobFor<Image>([request = std::move(request)](Studio& studio) { return studio.draw(request); }, std::move(done));
+    Job job = jobFor<Image>(
+        [request = std::move(request), t = m_thread.get()](Studio& studio) { return t->draw(studio, request); }, std::move(done));
     job.stream = stream;
     job.rank = rank;
     job.yields = yields;
@@ -234,7 +244,14 @@ const std::string& RenderService::renderer() const {
 
 bool RenderService::isSoftware() const {
     m_thread->opened.wait();
-    return m_thread->software;
+    return isSoftwareRenderer(m_thread->renderer);
+}
+
+void RenderService::setLook(LookChoice look) { m_thread->look = look; }
+
+std::string RenderService::takeNotice() {
+    const std::lock_guard lock(m_thread->mutex);
+    return std::exchange(m_thread->notice, {});
 }
 
 } // namespace trundle

@@ -11,6 +11,7 @@
 
 #include "model/experiment_spec.h"
 #include "render/image.h"
+#include "render/look_choice.h"
 #include "render/measured.h"
 #include "render/outline.h"
 #include "scene/masks.h"
@@ -31,7 +32,8 @@ struct PictureRequest {
     std::optional<CameraView> view;           ///< none: the default view of the scene
     std::uint32_t width = 1280, height = 720; ///< 1 .. kMostPixels
     std::uint32_t mask = kMaskStill;
-    int samples = 4;                        ///< for each pixel; 1: fast and jagged
+    /// For each pixel; 1: jagged, and in the fast look, but for a capture, for which 4 are taken where it is rich.
+    int samples = 4;
     std::shared_ptr<const BodyPoses> poses; ///< none: start poses
     std::uint64_t stream = 0;               ///< not 0: a newer request of the same stream takes the place of one that still waits
     bool capture = false;                   ///< a simulated camera waits for it: it goes before all views
@@ -78,6 +80,11 @@ public:
     [[nodiscard]] SceneId addScene(std::shared_ptr<const ExperimentSpec> experiment,
                                    std::shared_ptr<const ExperimentSpec> ghosts = nullptr);
     void removeScene(SceneId scene);
+
+    /// Of all pictures from now on but captures: theirs is Automatic, so that what a simulated camera sees is the same in all programs.
+    void setLook(LookChoice look);
+    /// A line for a person about the look of what was drawn, each once; mostly empty.
+    [[nodiscard]] std::string takeNotice();
 
     [[nodiscard]] std::future<Result<Image>> draw(PictureRequest request);
     void draw(PictureRequest request, ImageDone done);

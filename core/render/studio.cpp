@@ -1,5 +1,7 @@
 #include "render/studio.h"
 
+#include <bit>
+
 #include <osg/GLObjects>
 #include <osg/Notify>
 
@@ -9,6 +11,8 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kMostTargets = 8;
+constexpr int kRichSamples = 4;
+constexpr std::uint32_t kLeastSunPixels = 512, kMostSunPixels = 4096, kMostSunPixelsInSoftware = 2048; // along each side
 
 /// OSG talks to standard error of its own accord; nobody below the program prints.
 struct Silence : osg::NotifyHandler {
@@ -37,13 +41,14 @@ Studio::~Studio() {
     for (auto& [id, stage] : m_stages) stage.scene->root().releaseGLObjects(m_context->getState());
     m_shapes->releaseGlObjects(m_context->getState());
     m_targets.clear();
+    m_suns.clear();
     m_stages.clear();
     m_shapes.reset();
     m_context->release();
     m_context = nullptr;
 }
 
-void Studio::endEarlyOn(bool& enough) { m_context->getState()->setAbortRenderingPtr(&enough); }
+void Studio::endEarlyOn(bool& enough) { m_context->endEarlyOn(enough); }
 
 void Studio::add(SceneId id, std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<const ExperimentSpec> ghosts) {
     Stage stage;
@@ -82,6 +87,7 @@ Result<Target*> Studio::target(TargetShape shape) {
     if (m_targets.size() >= kMostTargets) {
         m_targets.erase(std::min_element(m_targets.begin(), m_targets.end(),
                                          [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; }));
+        osg::flushAllDeletedGLObjects(m_context->getState()->getContextID()); // its maps
     }
     Result<std::unique_ptr<Target>> made = Target::create(*m_context, shape);
     if (!made) return made.error();
@@ -90,7 +96,7 @@ Result<Target*> Studio::target(TargetShape shape) {
     return kept.target.get();
 }
 
-Result<Studio::Set> Studio::prepare(const PictureRequest& request, bool data) {
+Result<Studio::Set> Studio::prepare(const PictureRequest& request, bool data, bool rich) {
     if (request.width < 1 || request.height < 1 || request.width > kMostPixels || request.height > kMostPixels) {
         return refused("a picture has 1 to " + std::to_string(kMostPixels) + " pixels along each side, not " +
                        std::to_string(request.width) + " x " + std::to_string(request.height));
@@ -102,31 +108,81 @@ Result<Studio::Set> Studio::prepare(const PictureRequest& request, bool data) {
                                 : defaultView(*stage.value()->experiment, request.poses ? *request.poses : stage.value()->start,
                                               request.width, request.height);
     if (!isUsable(view)) return refused("no picture can be taken from this view");
-    const int samples = data ? 1 : std::clamp(request.samples, 1, m_mostSamples);
-    const Result<Target*> target = this->target({request.width, request.height, samples, data});
+    const int wanted = rich && request.capture ? std::max(request.samples, kRichSamples) : request.samples;
+    const int samples = data ? 1 : std::clamp(wanted, 1, m_mostSamples);
+    const Result<Target*> target = this->target({request.width, request.height, samples, data, rich});
     if (!target) return target.error();
     stage.value()->scene->setHidden(request.hidden);
     return Set{stage.value(), target.value(), view};
 }
 
 Result<Measured> Studio::measure(const PictureRequest& request) {
-    const Result<Set> set = prepare(request, true);
+    const Result<Set> set = prepare(request, true, false);
     if (!set) return set.error();
     Scene& scene = *set.value().stage->scene;
     scene.makeData(*set.value().stage->experiment);
     scene.followData();
-    return set.value().target->measure(scene, set.value().view, static_cast<unsigned>(++m_uses));
+    Result<Measured> measured = set.value().target->measure(scene, set.value().view, static_cast<unsigned>(++m_uses));
+    if (const Status whole = programs(); !whole) return whole.error();
+    return measured;
 }
 
-Result<Image> Studio::draw(const PictureRequest& request) {
-    const Result<Set> set = prepare(request, false);
+Status Studio::programs() const {
+    const std::string failure = m_shapes->look.takeFailure();
+    return failure.empty() ? Status() : refused(failure);
+}
+
+Result<Image> Studio::draw(const PictureRequest& request, LookChoice look) {
+    const bool quick = request.samples <= 1 && !request.capture; // a view that moves where the processor draws it
+    if (quick || m_isRichBroken || !isRich(look, m_egl->renderer())) return drawOnce(request, false);
+    Result<Image> rich = drawOnce(request, true);
+    if (rich || rich.error().message.empty()) return rich; // none: it gave way
+    Result<Image> fast = drawOnce(request, false);
+    if (fast && !std::exchange(m_isNoticed, true))
+        m_notice = "the rich look is not to be had here, so pictures have the fast one: " + rich.error().message;
+    return fast;
+}
+
+Result<SunMap*> Studio::sunMap(std::uint32_t width, std::uint32_t height) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    const std::uint32_t allowed = std::min<std::uint32_t>(
+        isSoftwareRenderer(m_egl->renderer()) ? kMostSunPixelsInSoftware : kMostSunPixels, static_cast<std::uint32_t>(most));
+    const std::uint32_t pixels = std::min(allowed, std::max(kLeastSunPixels, std::bit_ceil(2 * std::max(width, height))));
+    std::unique_ptr<SunMap>& sun = m_suns[pixels];
+    if (!sun) {
+        Result<std::unique_ptr<SunMap>> made = SunMap::create(*m_context, pixels);
+        if (!made) return made.error();
+        sun = std::move(made).value();
+    }
+    return sun.get();
+}
+
+Result<Image> Studio::drawOnce(const PictureRequest& request, bool rich) {
+    if (rich && m_mostSamples < kRichSamples)
+        return refused("OpenGL has no " + std::to_string(kRichSamples) + " samples for a pixel");
+    const Result<Set> set = prepare(request, false, rich);
     if (!set) return set.error();
     Scene& scene = *set.value().stage->scene;
     scene.setMarks(request.marks);
     scene.setWireframe(request.wireframe);
     scene.setOverlay(request.overlay);
     if (request.mask & kMaskCollision) scene.makeCollision(*set.value().stage->experiment);
-    return set.value().target->draw(scene, set.value().view, request.mask, static_cast<unsigned>(++m_uses), request.outline);
+    const Result<SunMap*> sun = rich ? sunMap(request.width, request.height) : Result<SunMap*>(nullptr);
+    if (!sun) return sun.error();
+    Target::Shot shot;
+    shot.view = set.value().view;
+    shot.mask = request.mask;
+    shot.outline = request.outline;
+    shot.sun = sun.value();
+    shot.lines = request.wireframe;
+    shot.number = static_cast<unsigned>(++m_uses);
+    Result<Image> image = set.value().target->draw(scene, shot);
+    if (const Status whole = programs(); !whole) {
+        m_isRichBroken = m_isRichBroken || rich;
+        return whole.error();
+    }
+    return image;
 }
 
 Result<std::vector<Picked>> Studio::pick(const PickRequest& request) {

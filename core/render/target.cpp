@@ -12,26 +12,16 @@ osg::GLExtensions& gl(GraphicsContext& context) { return *context.getState()->ge
 
 } // namespace
 
-Target::Target(GraphicsContext& context, TargetShape shape) : m_context(context), m_shape(shape), m_view(new osgUtil::SceneView) {
-    m_view->setDefaults(osgUtil::SceneView::NO_SCENEVIEW_LIGHT | osgUtil::SceneView::CLEAR_GLOBAL_STATESET |
-                        osgUtil::SceneView::APPLY_GLOBAL_DEFAULTS);
-    m_view->setState(context.getState());
-    m_view->setFrameStamp(new osg::FrameStamp);
-    osg::Camera* camera = m_view->getCamera();
-    camera->setGraphicsContext(&context);
-    camera->setDrawBuffer(GL_COLOR_ATTACHMENT0);
-    camera->setReadBuffer(GL_COLOR_ATTACHMENT0);
-    camera->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    camera->setClearColor(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
-    camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    m_view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR); // the view does not ask its camera
-    camera->setViewport(0, 0, int(shape.width), int(shape.height));
-    m_view->init();
-}
+Target::Target(GraphicsContext& context, TargetShape shape)
+    : m_context(context), m_shape(shape), m_view(context, shape.width, shape.height, shape.rich ? kRichDetail : 1) {}
 
 Result<std::unique_ptr<Target>> Target::create(GraphicsContext& context, TargetShape shape) {
     std::unique_ptr<Target> target(new Target(context, shape));
     if (const Status made = target->makeBuffers(); !made) return made.error();
+    if (!shape.rich) return target;
+    Result<std::unique_ptr<SkyMap>> sky = SkyMap::create(context, shape.width, shape.height);
+    if (!sky) return sky.error();
+    target->m_sky = std::move(sky).value();
     return target;
 }
 
@@ -70,8 +60,6 @@ Target::~Target() {
         if (*frame) ext.glDeleteFramebuffers(1, frame);
     for (const GLuint* buffer : {&m_colour, &m_depth, &m_resolvedColour})
         if (*buffer) ext.glDeleteRenderbuffers(1, buffer);
-    m_view->releaseGLObjects(m_context.getState());
-    m_view->getCamera()->setGraphicsContext(nullptr);
 }
 
 void Target::aim(const Scene& scene, const CameraView& view) {
@@ -84,7 +72,7 @@ void Target::aim(const Scene& scene, const CameraView& view) {
     const double nearPlane = view.nearPlane > 0 ? view.nearPlane : chosenNear();
     const double farPlane = std::max(view.farPlane > 0 ? view.farPlane : kFar, 1.001 * nearPlane);
     const double aspect = double(m_shape.height) / m_shape.width;
-    osg::Camera* camera = m_view->getCamera();
+    osg::Camera* camera = &m_view.camera();
     if (view.orthographicWidth > 0) {
         const double half = 0.5 * view.orthographicWidth;
         camera->setProjectionMatrixAsOrtho(-half, half, -half * aspect, half * aspect, nearPlane, farPlane);
@@ -100,45 +88,37 @@ void Target::aim(const Scene& scene, const CameraView& view) {
     camera->setViewMatrix(osg::Matrixd::inverse(world));
 }
 
-void Target::pass(osg::Group& root, std::uint32_t mask, const osg::Vec4& background) {
-    m_view->setSceneData(&root);
-    m_view->setCullMask(mask);
-    m_view->getCamera()->setClearColor(background);
-    m_context.setDefaultFboId(m_frame);
-    gl(m_context).glBindFramebuffer(GL_FRAMEBUFFER_EXT, m_frame);
-    m_view->cull();
-    m_view->draw();
+/// Draws the maps of the rich look. Gives the mask of what is left to be drawn.
+std::uint32_t Target::light(Scene& scene, const Shot& shot) {
+    const std::uint32_t shadows = kMaskShadows | kMaskSoftShadows;
+    m_lit->removeDefine("SUN_MAP");
+    m_lit->removeDefine("SKY_MAP");
+    if (!shot.lines) m_sky->draw(scene, m_view.camera(), shot.mask, shot.number, *m_lit);
+    if (!shot.sun || !(shot.mask & shadows)) return shot.mask;
+    shot.sun->draw(scene, shot.view, m_shape.width, m_shape.height, shot.mask, shot.number, *m_lit);
+    return (shot.mask & ~shadows) | kMaskLampShadows;
 }
 
-Result<Image> Target::draw(Scene& scene, const CameraView& view, std::uint32_t mask, unsigned frame,
-                           const OutlineStyle& outline) {
-    const_cast<osg::FrameStamp*>(m_view->getFrameStamp())->setFrameNumber(frame);
-    aim(scene, view);
-    pass(scene.root(), mask, {0.5f, 0.5f, 0.5f, 1});
-    const auto endedEarly = [&] {
-        const bool ended = m_context.getState()->getAbortRendering();
-        if (ended) m_view->setSceneData(nullptr);
-        return ended;
-    };
-    if (endedEarly()) return Error{Code::PictureFailed, {}};
+Result<Image> Target::draw(Scene& scene, const Shot& shot) {
+    aim(scene, shot.view);
+    const std::uint32_t mask = m_sky ? light(scene, shot) : shot.mask;
+    m_view.draw({m_frame, scene.root(), mask, {0.5f, 0.5f, 0.5f, 1}, m_sky ? m_lit.get() : nullptr, shot.number});
+    if (m_context.endedEarly()) return Error{Code::PictureFailed, {}};
     Image image{m_shape.width, m_shape.height, readBack<std::uint8_t>(GL_RGB, GL_UNSIGNED_BYTE, 3)};
     if (scene.marks().getBound().valid()) {
-        pass(scene.marks(), ~0u, {0, 0, 0, 0});
-        if (endedEarly()) return Error{Code::PictureFailed, {}}; // it would be the picture of nothing selected
-        drawOutlines(image, readBack<std::uint8_t>(GL_RGBA, GL_UNSIGNED_BYTE, 4), outline);
+        m_view.draw({m_frame, scene.marks(), ~0u, {0, 0, 0, 0}, nullptr, shot.number});
+        if (m_context.endedEarly()) return Error{Code::PictureFailed, {}}; // it would be the picture of nothing selected
+        drawOutlines(image, readBack<std::uint8_t>(GL_RGBA, GL_UNSIGNED_BYTE, 4), shot.outline);
     }
-    m_view->setSceneData(nullptr);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         return Error{Code::PictureFailed, "OpenGL reports error " + std::to_string(error)};
     return image;
 }
 
 Result<Measured> Target::measure(Scene& scene, const CameraView& view, unsigned frame) {
-    const_cast<osg::FrameStamp*>(m_view->getFrameStamp())->setFrameNumber(frame);
     aim(scene, view);
-    pass(scene.root(), kMaskData, {0, 0, 0, 0});
+    m_view.draw({m_frame, scene.root(), kMaskData, {0, 0, 0, 0}, nullptr, frame});
     const std::vector<float> values = readBack<float>(GL_RGBA, GL_FLOAT, 4);
-    m_view->setSceneData(nullptr);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         return Error{Code::PictureFailed, "OpenGL reports error " + std::to_string(error)};
     Measured measured{m_shape.width, m_shape.height, {}, {}};

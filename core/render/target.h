@@ -3,12 +3,11 @@
 
 #include <memory>
 
-#include <osgUtil/SceneView>
-
-#include "render/graphics_context.h"
+#include "render/drawing_view.h"
 #include "render/image.h"
 #include "render/measured.h"
 #include "render/outline.h"
+#include "render/rich_maps.h"
 #include "scene/scene.h"
 
 namespace trundle {
@@ -18,6 +17,7 @@ struct TargetShape {
     std::uint32_t width = 0, height = 0;
     int samples = 1;   ///< per pixel
     bool data = false; ///< numbers in place of colours
+    bool rich = false; ///< the look
     auto operator<=>(const TargetShape&) const = default;
 };
 
@@ -29,9 +29,17 @@ public:
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
 
+    /// What a picture shows of a scene.
+    struct Shot {
+        CameraView view;
+        std::uint32_t mask = 0;
+        OutlineStyle outline;
+        SunMap* sun = nullptr; ///< of a rich target
+        bool lines = false;    ///< in place of faces, which leave no sky open
+        unsigned number = 0;
+    };
     /// Marked objects get an outline, in front of whatever hides them.
-    [[nodiscard]] Result<Image> draw(Scene& scene, const CameraView& view, std::uint32_t mask, unsigned frame,
-                                     const OutlineStyle& outline = {});
+    [[nodiscard]] Result<Image> draw(Scene& scene, const Shot& shot);
     /// Of a target for data, and of a scene with it.
     [[nodiscard]] Result<Measured> measure(Scene& scene, const CameraView& view, unsigned frame);
 
@@ -39,13 +47,15 @@ private:
     Target(GraphicsContext& context, TargetShape shape);
     [[nodiscard]] Status makeBuffers();
     void aim(const Scene& scene, const CameraView& view);
-    void pass(osg::Group& root, std::uint32_t mask, const osg::Vec4& background);
+    [[nodiscard]] std::uint32_t light(Scene& scene, const Shot& shot);
     /// Rows from the top, each pixel of so many values.
     template <class Value> [[nodiscard]] std::vector<Value> readBack(GLenum format, GLenum type, std::size_t values);
 
     GraphicsContext& m_context;
     TargetShape m_shape;
-    osg::ref_ptr<osgUtil::SceneView> m_view;
+    DrawingView m_view;
+    std::unique_ptr<SkyMap> m_sky; // of a rich one
+    osg::ref_ptr<osg::StateSet> m_lit = new osg::StateSet;
     // Drawn into; then, where it has several samples for each pixel, resolved into the second.
     GLuint m_frame = 0, m_colour = 0, m_depth = 0, m_resolvedFrame = 0, m_resolvedColour = 0;
 };

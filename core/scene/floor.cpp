@@ -104,7 +104,7 @@ osg::ref_ptr<osg::Node> makeGuideNode(const Bounds& about, double reach, const L
     return quad;
 }
 
-osg::ref_ptr<osg::Node> makeSkyNode(const Look& look) {
+osg::ref_ptr<osg::Node> makeWholeNode() {
     osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
     points->push_back(osg::Vec3(-1, -1, 0));
     points->push_back(osg::Vec3(3, -1, 0));
@@ -114,12 +114,17 @@ osg::ref_ptr<osg::Node> makeSkyNode(const Look& look) {
     triangle->setUseVertexBufferObjects(true);
     triangle->setVertexArray(points);
     triangle->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
-    triangle->setStateSet(look.sky);
     // It fills the picture from any place, so it has no place of its own.
     triangle->setCullingActive(false);
     triangle->setComputeBoundingBoxCallback(new NoBounds);
-    triangle->setName("sky");
     return triangle;
+}
+
+osg::ref_ptr<osg::Node> makeSkyNode(const Look& look) {
+    const osg::ref_ptr<osg::Node> sky = makeWholeNode();
+    sky->setStateSet(look.sky);
+    sky->setName("sky");
+    return sky;
 }
 
 } // namespace trundle

@@ -6,6 +6,7 @@
 #include <osgUtil/CullVisitor>
 
 #include "base/mesh_look.h"
+#include "scene/masks.h"
 #include "scene/osg_types.h"
 #include "scene/picture_map.h"
 #include "scene/shape_mesh.h"
@@ -316,8 +317,10 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
     group->setUserData(names);
     const auto isClear = [](const MaterialSpec& m) { return m.opacity < 1; };
     Pieces pieces(geoms, materials);
-    const auto addWhole = [&](const osg::ref_ptr<osg::Node>& drawable) {
-        if (drawable) group->addChild(drawable);
+    const auto addWhole = [&](const osg::ref_ptr<osg::Node>& drawable, bool clear = false) {
+        if (!drawable) return;
+        if (clear) drawable->setNodeMask(~unsigned(kMaskSolid | kMaskFloor)); // the two are asked for together
+        group->addChild(drawable);
     };
     addWhole(detailOf([&](Fineness fineness) {
         return pieces.merged(fineness, look.bodies,
@@ -325,15 +328,18 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
     }));
     addWhole(pieces.merged(kFine, look.surfaces,
                            [&](const GeomSpec& g, const MaterialSpec& m) { return !m.picture && !isClear(m) && !isRound(g); }));
-    addWhole(pieces.merged(kFine, look.clear, [&](const GeomSpec&, const MaterialSpec& m) { return !m.picture && isClear(m); }));
+    addWhole(pieces.merged(kFine, look.clear, [&](const GeomSpec&, const MaterialSpec& m) { return !m.picture && isClear(m); }),
+             true);
     for (const auto& [picture, clearOnes] : pieces.pictures()) {
         const osg::ref_ptr<osg::StateSet> state = pictures.stateFor(picture, clearOnes, look);
         const auto wears = [&](const MaterialSpec& m) { return m.picture == picture && isClear(m) == clearOnes; };
         addWhole(detailOf([&](Fineness fineness) {
-            return pieces.merged(fineness, state,
-                                 [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && isRound(g); });
-        }));
-        addWhole(pieces.merged(kFine, state, [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && !isRound(g); }));
+                     return pieces.merged(fineness, state,
+                                          [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && isRound(g); });
+                 }),
+                 clearOnes);
+        addWhole(pieces.merged(kFine, state, [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && !isRound(g); }),
+                 clearOnes);
     }
     group->caster = detailOf([&](Fineness fineness) { return pieces.bare(fineness, look); });
     return group;
@@ -370,6 +376,7 @@ osg::ref_ptr<osg::Group> partOf(const osg::Group& geomNode, const std::function<
         part = new osg::Group;
     }
     part->setUserData(const_cast<osg::Referenced*>(geomNode.getUserData()));
+    part->setNodeMask(geomNode.getNodeMask());
     for (unsigned i = 0; i < geomNode.getNumChildren(); ++i) {
         const osg::Node* child = geomNode.getChild(i);
         if (const auto* geometry = dynamic_cast<const osg::Geometry*>(child)) {

@@ -60,7 +60,9 @@ std::shared_ptr<const ExperimentSpec> ghostsOf(const ExperimentSpec& now, const 
         StaticSpec ghost = old;
         const auto* geoms = it == statics.end() ? nullptr : it->second->geoms.get();
         if (it != statics.end()) ghost.pose = it->second->pose;
-        std::vector<GeomSpec> rest = lost(geoms, *old.geoms, old.name, isWritten);
+        // Of one that is lost as a whole no path leads to its parts: it may be its config's name that is misspelt.
+        std::vector<GeomSpec> rest = geoms ? lost(geoms, *old.geoms, old.name, isWritten)
+                                           : lost(nullptr, *old.geoms, old.name, [](const auto&) { return true; });
         if (rest.empty()) continue;
         ghost.geoms = std::make_shared<const std::vector<GeomSpec>>(std::move(rest));
         ghosts->statics.push_back(std::move(ghost));

@@ -6,20 +6,16 @@
 #include <osg/PolygonMode>
 #include <osg/PolygonOffset>
 
+#include "scene/floor_shaders.h"
+#include "scene/rich_shaders.h"
 #include "scene/shaders.h"
 #include "scene/surroundings_shaders.h"
 
 namespace trundle {
 namespace {
 
-std::string withHeader(const std::string& source) { return "#version 130\n" + std::string(shaders::kLight) + source; }
-
-osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const std::string& fragment) {
-    osg::ref_ptr<osg::Program> result = new osg::Program;
-    result->setName(name);
-    result->addShader(new osg::Shader(osg::Shader::VERTEX, "#version 130\n" + std::string(vertex)));
-    result->addShader(new osg::Shader(osg::Shader::FRAGMENT, withHeader(fragment)));
-    return result;
+std::string withHeader(const std::string& source) {
+    return "#version 130\n" + std::string(shaders::kLight) + shaders::kRichLight + source;
 }
 
 } // namespace
@@ -27,14 +23,17 @@ osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const s
 Look::Look()
     : bodies(new osg::StateSet), surfaces(new osg::StateSet), clear(new osg::StateSet), openCasters(new osg::StateSet),
       sky(new osg::StateSet), ghosts(new osg::StateSet), collision(new osg::StateSet), guide(new osg::StateSet),
-      tinted(new osg::StateSet), floorTint(new osg::StateSet),
-      floor(program("floor", shaders::kFloorVertex, shaders::kGridLines + std::string(shaders::kFloorFragment))),
+      tinted(new osg::StateSet), floorTint(new osg::StateSet), sunCasters(new osg::StateSet), faces(new osg::StateSet),
+      opened(new osg::StateSet), smoothed(new osg::StateSet),
+      floor(program("floor", shaders::kFloorVertex,
+                    shaders::kFloorLight + std::string(shaders::kGridLines) + shaders::kFloorFragment)),
       shadow(program("shadow", shaders::kShadowVertex, shaders::kShadowFragment)),
       lampShadow(program("lampShadow", shaders::kLampShadowVertex, shaders::kLampShadowFragment)),
       flat(program("flat", shaders::kFlatVertex, shaders::kFlatFragment)),
       data(program("data", shaders::kDataVertex, shaders::kDataFragment)),
       pictured(program("pictured", shaders::kBodyVertex, "#define PICTURED\n" + std::string(shaders::kBodyFragment))),
-      picturedFloor(program("picturedFloor", shaders::kFloorVertex, shaders::kPicturedFloorFragment)) {
+      picturedFloor(
+          program("picturedFloor", shaders::kFloorVertex, shaders::kFloorLight + std::string(shaders::kPicturedFloorFragment))) {
     const osg::ref_ptr<osg::Program> body = program("body", shaders::kBodyVertex, shaders::kBodyFragment);
     for (osg::StateSet* set : {bodies.get(), surfaces.get(), clear.get()}) set->setAttributeAndModes(body);
     surfaces->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
@@ -80,6 +79,33 @@ Look::Look()
     collision->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, false), force);
     collision->setMode(GL_CULL_FACE, osg::StateAttribute::OVERRIDE | osg::StateAttribute::OFF);
     collision->setRenderBinDetails(kDrawOver, "RenderBin", osg::StateSet::OVERRIDE_RENDERBIN_DETAILS);
+
+    sunCasters->setAttributeAndModes(program("sunCasters", shaders::kSunVertex, shaders::kSunFragment), force);
+    sunCasters->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, true), force);
+    sunCasters->setMode(GL_BLEND, osg::StateAttribute::OVERRIDE | osg::StateAttribute::OFF);
+    faces->setAttributeAndModes(program("faces", shaders::kFaceVertex, shaders::kFaceFragment), force);
+    opened->setAttributeAndModes(program("opened", shaders::kWholeVertex, shaders::kOpenFragment));
+    smoothed->setAttributeAndModes(program("smoothed", shaders::kWholeVertex, shaders::kSmoothFragment));
+    for (osg::StateSet* set : {opened.get(), smoothed.get()}) {
+        set->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+        set->setMode(GL_DEPTH_TEST, osg::StateAttribute::OFF);
+    }
+}
+
+osg::ref_ptr<osg::Program> Look::program(const char* name, const char* vertex, const std::string& fragment) {
+    osg::ref_ptr<CheckedProgram> result = new CheckedProgram;
+    result->setName(name);
+    result->addShader(new osg::Shader(osg::Shader::VERTEX, "#version 130\n" + std::string(vertex)));
+    result->addShader(new osg::Shader(osg::Shader::FRAGMENT, withHeader(fragment)));
+    m_programs.push_back(result);
+    return result;
+}
+
+std::string Look::takeFailure() const {
+    std::string first;
+    for (const auto& each : m_programs)
+        if (std::string failure = each->takeFailure(); first.empty()) first = std::move(failure);
+    return first;
 }
 
 void Look::applyTo(osg::StateSet& root, const SceneUniforms& uniforms) {

@@ -2,10 +2,14 @@
 // How everything is lit: the sun, the sky's light, and the small programs that draw bodies, floor, sky and shadows. One for
 // all scenes of a context, so that a program is compiled once; what differs between scenes is in their own uniforms.
 
-#include <osg/Program>
+#include <string>
+#include <vector>
+
 #include <osg/StateSet>
 #include <osg/Uniform>
 #include <osg/Vec3>
+
+#include "scene/checked_program.h"
 
 namespace trundle {
 
@@ -42,17 +46,27 @@ public:
 
     /// For the whole scene: depth test, back faces culled, no fixed-function light.
     static void applyTo(osg::StateSet& root, const SceneUniforms& uniforms);
+    /// Why what was drawn since the last call is wrong: a program that the driver does not take. Empty: it is not.
+    [[nodiscard]] std::string takeFailure() const;
 
+private:
+    std::vector<osg::ref_ptr<CheckedProgram>> m_programs; // all; made before those below
+    [[nodiscard]] osg::ref_ptr<osg::Program> program(const char* name, const char* vertex, const std::string& fragment);
+
+public:
     osg::ref_ptr<osg::StateSet> bodies;      ///< closed opaque shapes
     osg::ref_ptr<osg::StateSet> surfaces;    ///< meshes and height maps: both sides are drawn
     osg::ref_ptr<osg::StateSet> clear;       ///< shapes that one can see through
     osg::ref_ptr<osg::StateSet> openCasters; ///< of a shadow, where shapes are no closed ones: both sides cast it
     osg::ref_ptr<osg::StateSet> sky;
-    osg::ref_ptr<osg::StateSet> ghosts;    ///< grey and translucent, whatever lies below says
-    osg::ref_ptr<osg::StateSet> collision; ///< lines in one colour
-    osg::ref_ptr<osg::StateSet> guide;     ///< lines of a floor, and nothing between them
-    osg::ref_ptr<osg::StateSet> tinted;    ///< shapes of an overlay, translucent
-    osg::ref_ptr<osg::StateSet> floorTint; ///< a translucent picture on the floor; it says where in `pictureArea`
+    osg::ref_ptr<osg::StateSet> ghosts;           ///< grey and translucent, whatever lies below says
+    osg::ref_ptr<osg::StateSet> collision;        ///< lines in one colour
+    osg::ref_ptr<osg::StateSet> guide;            ///< lines of a floor, and nothing between them
+    osg::ref_ptr<osg::StateSet> tinted;           ///< shapes of an overlay, translucent
+    osg::ref_ptr<osg::StateSet> floorTint;        ///< a translucent picture on the floor; it says where in `pictureArea`
+    osg::ref_ptr<osg::StateSet> sunCasters;       ///< the passes of the rich look: distances from the sun,
+    osg::ref_ptr<osg::StateSet> faces;            ///< what is seen of each thing,
+    osg::ref_ptr<osg::StateSet> opened, smoothed; ///< and how open to the sky that is
     osg::ref_ptr<osg::Program> floor, shadow, lampShadow, flat, data;
     osg::ref_ptr<osg::Program> pictured, picturedFloor; ///< with a picture in place of a colour
 };

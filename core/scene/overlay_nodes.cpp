@@ -1,6 +1,7 @@
 #include <cstring>
 #include <map>
 
+#include <osg/Geometry>
 #include <osg/Texture2D>
 
 #include "scene/osg_types.h"

@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include <osg/ComputeBoundsVisitor>
+
 #include "scene/osg_types.h"
 #include "scene/surroundings.h"
 
@@ -28,8 +30,8 @@ bool isSane(const Pose& pose) {
 Scene::Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store, const ExperimentSpec* ghosts)
     : m_store(store ? std::move(store) : std::make_shared<ShapeStore>()) {
     Look::applyTo(*m_root->getOrCreateStateSet(), m_uniforms);
-    m_robots->setNodeMask(kMaskRobots);
-    m_statics->setNodeMask(kMaskStatics);
+    m_robots->setNodeMask(kMaskRobots | kMaskSolid);
+    m_statics->setNodeMask(kMaskStatics | kMaskSolid);
     m_collision->setNodeMask(kMaskCollision);
     m_collision->setStateSet(m_store->look.collision);
     m_data->setNodeMask(kMaskData);
@@ -119,12 +121,14 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
     }
 
     const Look& look = m_store->look;
-    osg::ref_ptr<osg::Group> floorGroup = new osg::Group, sharp = new osg::Group, soft = new osg::Group;
+    osg::ref_ptr<osg::Group> floorGroup = new osg::Group, sharp = new osg::Group, soft = new osg::Group, lamps = new osg::Group;
     osg::ref_ptr<osg::Group> casters = new osg::Group;
     casters->addChild(m_robots);
     casters->addChild(m_statics);
     const Lighting lighting = lightingOf(experiment);
     lighting.applyTo(*m_root->getOrCreateStateSet());
+    m_sun = Vec3(lighting.sun.x(), lighting.sun.y(), lighting.sun.z()).normalized();
+    m_sunCasts = lighting.shadows && lighting.sunLight.length2() > 0;
     for (unsigned i = 0; i < floors.size(); ++i) {
         const osg::ref_ptr<osg::Node> floor = makeFloorNode(floors[i], i, about, reach, look, m_store->pictures, lighting);
         floorGroup->addChild(floor);
@@ -132,6 +136,7 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
         if (i >= kShadowedFloors) continue;
         sharp->addChild(makeSharpShadow(floors[i], i, *casters, look, lighting));
         soft->addChild(makeSoftShadow(floors[i], i, *casters, look, lighting));
+        lamps->addChild(makeLampShadows(floors[i], i, *casters, look, lighting));
     }
     if (floors.empty()) {
         const osg::ref_ptr<osg::Node> guide = makeGuideNode(about, reach, look);
@@ -142,10 +147,35 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
     floorGroup->setNodeMask(kMaskFloor);
     sharp->setNodeMask(kMaskShadows);
     soft->setNodeMask(kMaskSoftShadows);
+    lamps->setNodeMask(kMaskShadows | kMaskSoftShadows | kMaskLampShadows);
     sky->setNodeMask(kMaskSky);
-    for (osg::Node* node :
-         {static_cast<osg::Node*>(floorGroup), static_cast<osg::Node*>(sharp), static_cast<osg::Node*>(soft), sky.get()})
-        m_root->addChild(node);
+    for (const osg::ref_ptr<osg::Group>& group : {floorGroup, sharp, soft, lamps}) m_root->addChild(group);
+    m_root->addChild(sky);
+}
+
+std::vector<Bounds> Scene::sunCasters() const {
+    std::vector<Bounds> boxes;
+    if (!m_sunCasts) return boxes;
+    for (const auto& [path, object] : m_objects) {
+        const auto* place = object.shapes ? dynamic_cast<const osg::MatrixTransform*>(object.node.get()) : nullptr;
+        if (!place) continue;
+        auto [own, isNew] = m_boxes.try_emplace(object.shapes.get());
+        if (isNew) {
+            osg::ComputeBoundsVisitor visitor;
+            visitor.setTraversalMask(kMaskRobots | kMaskStatics);
+            object.shapes->accept(visitor);
+            if (const osg::BoundingBox& box = visitor.getBoundingBox(); box.valid())
+                own->second = {Vec3(box.xMin(), box.yMin(), box.zMin()), Vec3(box.xMax(), box.yMax(), box.zMax())};
+        }
+        Bounds world;
+        for (int i = 0; i < 8 && !own->second.empty(); ++i) {
+            const Vec3 corner = own->second.corner(i);
+            const osg::Vec3d at = osg::Vec3d(corner.x(), corner.y(), corner.z()) * place->getMatrix();
+            world.add(Vec3(at.x(), at.y(), at.z()));
+        }
+        if (!world.empty()) boxes.push_back(world);
+    }
+    return boxes;
 }
 
 void Scene::makeCollision(const ExperimentSpec& experiment) {

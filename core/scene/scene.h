@@ -62,6 +62,9 @@ public:
     [[nodiscard]] std::optional<SceneHit> pick(const ViewRay& ray, std::uint32_t mask = kMaskRobots | kMaskStatics) const;
     /// Everything along the ray, nearest first, each geom once.
     [[nodiscard]] std::vector<SceneHit> pickAll(const ViewRay& ray, std::uint32_t mask = kMaskRobots | kMaskStatics) const;
+    /// Boxes in the world around what the sun shines on; none where it casts no shadows.
+    [[nodiscard]] std::vector<Bounds> sunCasters() const;
+    [[nodiscard]] const Vec3& sun() const { return m_sun; } ///< towards it, unit
     /// Height of the level floor, where there is one.
     [[nodiscard]] std::optional<double> floorHeight() const { return m_floorHeight; }
     [[nodiscard]] const ShapeStore& store() const { return *m_store; }
@@ -104,6 +107,9 @@ private:
     std::vector<std::string> m_hidden;
     bool m_wireframe = false;
     std::optional<double> m_floorHeight;
+    Vec3 m_sun = Vec3::UnitZ();
+    bool m_sunCasts = false;
+    mutable std::unordered_map<const osg::Group*, Bounds> m_boxes; // around the shapes of objects, in their own frames
 };
 
 } // namespace trundle

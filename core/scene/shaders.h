@@ -7,7 +7,7 @@ namespace trundle::shaders {
 /// What Lighting tells. The programs are made for one number of lamps: in software a loop that could be entered costs every
 /// pixel twice the time, also where it is not.
 inline constexpr const char* kLight = R"(
-#pragma import_defines(LAMPS)
+#pragma import_defines(LAMPS, SUN_MAP, SKY_MAP)
 uniform vec3 sunWay, sunLight, skyLight, groundLight, horizonColour, zenithColour;
 #ifdef LAMPS
 uniform vec3 lampPlace[LAMPS], lampLight[LAMPS];
@@ -86,8 +86,15 @@ void main() {
     vec3 v = normalize(osg_ViewMatrixInverse[3].xyz - positionW);
     float toSun = dot(n, sunWay), toEye = dot(n, v), sun = max(toSun, 0.0);
     vec3 ambient = mix(groundLight, skyLight, 0.5 + 0.5 * n.z);
+#ifdef SKY_MAP
+    ambient *= skySeen(positionW);
+#else
     // Near the ground less of the sky is seen.
     ambient *= 1.0 - (0.341 - 0.209 * n.z) * exp2(-15.87 * max(positionW.z - groundHeight, 0.0));
+#endif
+#ifdef SUN_MAP
+    sun *= sunSeen(positionW, n);
+#endif
     vec3 own = albedo.rgb;
 #ifdef PICTURED
     vec3 shown = texture(picture, onPicture).rgb;
@@ -115,7 +122,7 @@ out vec4 fragment;
 void main() {
     vec3 n = normalize(gl_FrontFacing ? normalW : -normalW);
     float rim = 1.0 - abs(dot(n, normalize(osg_ViewMatrixInverse[3].xyz - positionW)));
-    fragment = vec4(vec3(0.46 + 0.24 * n.z), 0.30 + 0.45 * rim * rim);
+    fragment = vec4(vec3(0.60 + 0.32 * n.z), 0.55 + 0.40 * rim * rim); // apart from a grey floor too
 }
 )";
 

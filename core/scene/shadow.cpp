@@ -119,6 +119,9 @@ std::vector<Lamp> castingLamps(const Lighting& lighting, const FloorPlane& floor
     return lamps;
 }
 
+/// Theirs are the last of the layers.
+unsigned firstLampLayer(const std::vector<Lamp>& lamps) { return kMostShadowLayers - static_cast<unsigned>(lamps.size()); }
+
 /// Share of what is shown that a shadow takes away (the screen's curve is a square root).
 float fullDepth(const Lighting& lighting, const Vec3& n) {
     return 1 - std::sqrt(1 - lighting.sunShare(osg::Vec3(n.x(), n.y(), n.z())));
@@ -132,17 +135,13 @@ osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index,
     if (sunCasts(lighting, floor))
         layers->addChild(
             makeLayer(floor, index, 0, towardsSun(lighting), fullDepth(lighting, floor.normal()), kNoTop, casters, look));
-    unsigned layer = 1;
-    for (const Lamp& lamp : castingLamps(lighting, floor))
-        layers->addChild(makeLampLayer(floor, index, layer++, lamp, lighting, casters, look));
     return layers;
 }
 
 osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
                                        const Lighting& lighting) {
     osg::ref_ptr<osg::Group> layers = new osg::Group;
-    const std::vector<Lamp> lamps = castingLamps(lighting, floor);
-    const unsigned sunLayers = kMostShadowLayers - 1 - static_cast<unsigned>(lamps.size());
+    const unsigned sunLayers = firstLampLayer(castingLamps(lighting, floor)) - 1;
     if (sunCasts(lighting, floor)) {
         const Vec3 sun = towardsSun(lighting);
         const Vec3 side = sun.cross(Vec3::UnitX()).normalized(), other = sun.cross(side);
@@ -154,7 +153,14 @@ osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, 
         }
         layers->addChild(makeLayer(floor, index, sunLayers, floor.normal(), kContactDepth, kContactTop, casters, look));
     }
-    unsigned layer = sunLayers + 1;
+    return layers;
+}
+
+osg::ref_ptr<osg::Node> makeLampShadows(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
+                                        const Lighting& lighting) {
+    osg::ref_ptr<osg::Group> layers = new osg::Group;
+    const std::vector<Lamp> lamps = castingLamps(lighting, floor);
+    unsigned layer = firstLampLayer(lamps);
     for (const Lamp& lamp : lamps) layers->addChild(makeLampLayer(floor, index, layer++, lamp, lighting, casters, look));
     return layers;
 }

@@ -35,10 +35,15 @@ struct FloorPlane {
 /// The lines of a floor at z = 0, as large as one.
 [[nodiscard]] osg::ref_ptr<osg::Node> makeGuideNode(const Bounds& about, double reach, const Look& look);
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSkyNode(const Look& look);
-/// `casters` flattened onto the floor: one sharp shadow, and one of several layers that is soft. Drawn only on that floor.
+/// One triangle over the whole picture.
+[[nodiscard]] osg::ref_ptr<osg::Node> makeWholeNode();
+/// `casters` flattened onto the floor: one sharp shadow of the sun, and one of several layers that is soft; and those of lamps. Drawn
+/// only on that floor.
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters,
                                                       const Look& look, const Lighting& lighting);
 [[nodiscard]] osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters,
                                                      const Look& look, const Lighting& lighting);
+[[nodiscard]] osg::ref_ptr<osg::Node> makeLampShadows(const FloorPlane& floor, unsigned index, osg::Group& casters,
+                                                      const Look& look, const Lighting& lighting);
 
 } // namespace trundle

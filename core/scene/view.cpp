@@ -50,7 +50,7 @@ ViewRay rayThrough(const CameraView& view, std::uint32_t width, std::uint32_t he
 
 CameraView viewOf(const Bounds& bounds, std::uint32_t width, std::uint32_t height) {
     Bounds box = bounds;
-    if (box.empty()) box.add(Vec3::Zero());
+    if (box.empty()) box = {Vec3(-1, -1, 0), Vec3(1, 1, 0.5)}; // a bare floor: room for what comes
     if (box.radius() < 0.05) box.grow(0.05);
     CameraView view;
     view.fieldOfView = 45 * std::numbers::pi / 180;

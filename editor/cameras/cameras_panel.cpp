@@ -4,7 +4,6 @@
 
 #include <QComboBox>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -18,6 +17,7 @@
 
 #include "editor/document/document.h"
 #include "editor/running/session.h"
+#include "editor/widgets/save_question.h"
 #include "editor/widgets/theme.h"
 #include "scene/scene.h"
 
@@ -333,7 +333,7 @@ void CamerasPanel::askAndSave() {
     name += QStringLiteral("_%1s.png").arg(picture.frame->time, 0, 'f', 2);
     const QString folder = m_document.isNew() ? QString() : QFileInfo(QString::fromStdString(m_document.path())).path() + u'/';
     const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save Picture"), folder + name, tr("Pictures (*.png *.jpg *.jpeg)"));
+        askWhereToSave(this, tr("Save Picture"), folder + name, tr("Pictures (*.png *.jpg *.jpeg)"), QStringLiteral("png"));
     if (!path.isEmpty()) m_painter->save(experiment, picture, path);
 }
 

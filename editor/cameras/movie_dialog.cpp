@@ -4,7 +4,6 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -15,6 +14,7 @@
 
 #include "base/platform/fed_process.h"
 #include "editor/cameras/size_choice.h"
+#include "editor/widgets/save_question.h"
 #include "scene/camera_model.h"
 #include "scene/framing.h"
 
@@ -194,8 +194,8 @@ void MovieDialog::showSum() {
 }
 
 void MovieDialog::browse() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Record Movie"), m_file->text(), tr("Movies (*.mp4 *.webm)"),
-                                                      nullptr, QFileDialog::DontConfirmOverwrite);
+    const QString path = askWhereToSave(this, tr("Record Movie"), m_file->text(), tr("Movies (*.mp4 *.webm)"),
+                                        QStringLiteral("mp4"), QFileDialog::DontConfirmOverwrite);
     if (!path.isEmpty()) m_file->setText(QDir::toNativeSeparators(path));
 }
 

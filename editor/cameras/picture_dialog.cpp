@@ -4,7 +4,6 @@
 
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -13,6 +12,7 @@
 #include <QPushButton>
 
 #include "editor/cameras/size_choice.h"
+#include "editor/widgets/save_question.h"
 #include "render/image.h"
 
 namespace trundle {
@@ -79,9 +79,8 @@ void PictureDialog::showReady() {
 }
 
 void PictureDialog::browse() {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save Picture"), m_file->text(), tr("Pictures (*.png *.jpg *.jpeg)"), nullptr,
-                                     QFileDialog::DontConfirmOverwrite);
+    const QString path = askWhereToSave(this, tr("Save Picture"), m_file->text(), tr("Pictures (*.png *.jpg *.jpeg)"),
+                                        QStringLiteral("png"), QFileDialog::DontConfirmOverwrite);
     if (!path.isEmpty()) m_file->setText(QDir::toNativeSeparators(path));
 }
 

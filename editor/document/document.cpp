@@ -55,6 +55,12 @@ void Document::openLater(const std::string& path) {
     });
 }
 
+void Document::cancelOpening() {
+    ++m_state->openings;
+    m_opening.clear();
+    lookAtDisk(); // that was put off
+}
+
 Status Document::openNew(const std::string& name, const std::string& text) {
     if (name.empty() || name.find('/') != std::string::npos) return Error{Code::Internal, "a new text needs a plain file name"};
     const std::string path = canonicalPath(userStateFolder() + "/new/" + name);

@@ -48,6 +48,7 @@ public:
     /// refused. A later open, new or close takes its place.
     void openLater(const std::string& path);
     [[nodiscard]] bool isOpening() const { return !m_opening.empty(); }
+    void cancelOpening(); ///< what is open stays so
     /// A new text that no file holds yet, shown under `name`. It counts as modified once it differs from `text`.
     [[nodiscard]] Status openNew(const std::string& name, const std::string& text);
     void close();

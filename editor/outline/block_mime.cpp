@@ -32,37 +32,49 @@ std::string lineOf(const Tree& tree, const Item& item) {
     return "line " + std::to_string(tree.source().position(item.range.begin).line);
 }
 
-void addFileOf(const Part* part, std::set<FileId>& files) {
-    if (part && part->file != kNoFile && part->file != 0) files.insert(part->file);
+/// What the words of a part's values name, and the modules that bring its kinds.
+struct Needs {
+    std::set<FileId> files;
+    std::set<std::string> modules;
+    std::vector<const Part*> own; ///< of the opened file, which nobody imports
+};
+
+void collect(const Loaded& loaded, const Part& part, Needs& needs);
+
+void need(const Loaded& loaded, const Part* part, Needs& needs) {
+    if (!part || part->file == kNoFile) return;
+    if (part->file != 0) {
+        needs.files.insert(part->file);
+    } else if (std::find(needs.own.begin(), needs.own.end(), part) == needs.own.end()) {
+        needs.own.push_back(part);
+        collect(loaded, *part, needs);
+    }
 }
 
-/// The files that define what the words of a part's values name.
-void collect(const Loaded& loaded, const Part& part, std::set<FileId>& files) {
+void collect(const Loaded& loaded, const Part& part, Needs& needs) {
+    for (const ModuleSpec& module : loaded.experiment->modules)
+        if (part.kind && !module.library.empty() && part.kind->module == module.library)
+            needs.modules.insert("#loadModule " + module.written);
     for (const PlacedAssignment& a : part.assignments.all())
         for (const Element& e : a.value->elements) {
-            if (a.key == "Config") addFileOf(loaded.outline->configs.find(e.text), files);
-            if (a.key == "Material") addFileOf(loaded.outline->materials.find(e.text), files);
-            if (a.key == "Surface") addFileOf(loaded.outline->surfaces.find(e.text), files);
+            if (a.key == "Config") need(loaded, loaded.outline->configs.find(e.text), needs);
+            if (a.key == "Material") need(loaded, loaded.outline->materials.find(e.text), needs);
+            if (a.key == "Surface") need(loaded, loaded.outline->surfaces.find(e.text), needs);
         }
-    for (const Part& inner : part.parts) collect(loaded, inner, files);
+    for (const Part& inner : part.parts) collect(loaded, inner, needs);
 }
 
-std::vector<std::string> importsFor(const Loaded& loaded, const std::vector<std::string>& paths) {
-    std::set<FileId> files;
-    for (const std::string& path : paths)
-        if (const auto place = placeOf(loaded, path); place && place->part) collect(loaded, *place->part, files);
-    std::vector<std::string> imports;
-    for (const FileId file : files)
-        if (!loaded.paths[file].empty()) imports.push_back(loaded.paths[file]);
-    return imports;
-}
-
-QByteArray jsonOf(const std::string& kind, const std::string& text, const std::vector<std::string>& imports) {
-    QJsonArray files;
+QByteArray jsonOf(const std::string& kind, const std::string& text, const std::vector<std::string>& imports,
+                  const std::vector<NeededBlock>& needs) {
+    QJsonArray files, blocks;
     for (const std::string& file : imports) files.append(QString::fromStdString(file));
+    for (const NeededBlock& block : needs)
+        blocks.append(QJsonObject{{QStringLiteral("path"), QString::fromStdString(block.path)},
+                                  {QStringLiteral("text"), QString::fromStdString(block.text)}});
     const QJsonObject object{{QStringLiteral("kind"), QString::fromStdString(kind)},
                              {QStringLiteral("text"), QString::fromStdString(text)},
-                             {QStringLiteral("imports"), files}};
+                             {QStringLiteral("imports"), files},
+                             {QStringLiteral("needs"), blocks}};
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
 
@@ -73,7 +85,7 @@ Result<Blocks> blocksFrom(const std::string& text) {
         return notBlocks("there is no text to insert");
     const auto tree = parse(std::make_shared<const SourceText>("clipboard", text), 0);
     if (const std::string error = firstError(*tree); !error.empty()) return notBlocks("this text cannot be inserted: " + error);
-    Blocks blocks{text, {}, {}, {}};
+    Blocks blocks{text, {}, {}, {}, {}};
     for (const Item& item : tree->items()) {
         if (const auto* block = item.as<BlockItem>()) {
             blocks.kinds.push_back(block->type.text);
@@ -91,16 +103,28 @@ QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths) {
     const std::string text = textOf(loaded, paths);
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
-    const std::vector<std::string> imports = importsFor(loaded, paths);
+    Needs needs;
+    for (const std::string& path : paths)
+        if (const auto place = placeOf(loaded, path); place && place->part) collect(loaded, *place->part, needs);
+    std::vector<std::string> imports(needs.modules.begin(), needs.modules.end());
+    for (const FileId file : needs.files)
+        if (!loaded.paths[file].empty()) imports.push_back(loaded.paths[file]);
+    std::vector<NeededBlock> own;
+    std::reverse(needs.own.begin(), needs.own.end()); // what is named stands before what names it
+    for (const Part* part : needs.own)
+        if (const std::string path = part->kind->name + "." + part->name;
+            std::find(paths.begin(), paths.end(), path) == paths.end())
+            own.push_back({path, textOf(loaded, {path})});
     const Kind* kind = paths.empty() ? nullptr : kindAt(loaded, paths.front());
-    if (!imports.empty()) mime->setData(QLatin1String(kLibraryMime), jsonOf(kind ? kind->name : "", text, imports));
+    if (!imports.empty() || !own.empty())
+        mime->setData(QLatin1String(kLibraryMime), jsonOf(kind ? kind->name : "", text, imports, own));
     return mime;
 }
 
 QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports) {
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
-    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, text, imports));
+    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, text, imports, {}));
     return mime;
 }
 
@@ -112,19 +136,17 @@ Result<Blocks> blocksIn(const QMimeData& mime) {
         Blocks all = std::move(blocks).value();
         for (const QJsonValue& file : object.value(QStringLiteral("imports")).toArray())
             all.imports.push_back(file.toString().toStdString());
+        for (const QJsonValue& value : object.value(QStringLiteral("needs")).toArray()) {
+            const QJsonObject block = value.toObject();
+            all.needs.push_back({block.value(QStringLiteral("path")).toString().toStdString(),
+                                 block.value(QStringLiteral("text")).toString().toStdString()});
+        }
         return all;
     }
     if (!mime.hasText()) return notBlocks("there is no text to insert");
     const QString text = mime.text();
     if (text.size() > kMostText) return notBlocks("this text is too long to be inserted");
     return blocksFrom(text.toStdString());
-}
-
-std::vector<std::string> pathsIn(const QMimeData& mime) {
-    std::vector<std::string> paths;
-    for (const QByteArray& line : mime.data(QLatin1String(kObjectsMime)).split('\n'))
-        if (!line.isEmpty()) paths.push_back(line.toStdString());
-    return paths;
 }
 
 } // namespace trundle

@@ -14,27 +14,30 @@ class QMimeData;
 namespace trundle {
 
 inline constexpr const char* kLibraryMime = "application/x-trundle-library"; ///< JSON {"kind", "text", "imports"}
-inline constexpr const char* kObjectsMime = "application/x-trundle-objects"; ///< dotted paths, a line each: of this window
+
+/// A config, material or surface that blocks name. It goes in with them where nothing of that name is there.
+struct NeededBlock {
+    std::string path, text; ///< "RobotConfig.Rover"
+};
 
 /// Blocks to be inserted.
 struct Blocks {
     std::string text;                 ///< as given, with its #import and #loadModule lines
     std::vector<std::string> kinds;   ///< of the blocks, in order
     std::vector<std::string> names;   ///< as written; "" where a block has none
-    std::vector<std::string> imports; ///< further files that they need: "robots/simple_robot.sim"
+    std::vector<std::string> imports; ///< further files that they need: "robots/simple_robot.sim", "#loadModule ..."
+    std::vector<NeededBlock> needs;   ///< that no file but the one they come from has
 };
 
 /// Reads a text that somebody pasted: blocks, with the directives that they need. Fails with the reason, in words for people,
 /// where it is something else.
 [[nodiscard]] Result<Blocks> blocksFrom(const std::string& text);
 
-/// Text for other editors, and the files that hold the configs, materials and surfaces that it uses for other windows of ours.
+/// Text for other editors; for other windows of ours also what it names: the files that hold that, or its blocks.
 [[nodiscard]] QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths);
 [[nodiscard]] QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports);
 
 /// What a drop or a paste brings. Fails where it brings nothing of the kind.
 [[nodiscard]] Result<Blocks> blocksIn(const QMimeData& mime);
-/// Dotted paths of a drag that began in a tree; empty where it did not.
-[[nodiscard]] std::vector<std::string> pathsIn(const QMimeData& mime);
 
 } // namespace trundle

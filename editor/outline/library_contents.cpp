@@ -1,6 +1,7 @@
 // What the Library holds: found in folders by a thread of its own, and known from the kinds and from what is open.
 
 #include <algorithm>
+#include <filesystem>
 
 #include <QFileInfo>
 
@@ -39,6 +40,11 @@ void LibraryPanel::readFolders() {
     const std::string project = open ? canonicalPath(m_document.loaded()->projectFolder) : std::string();
     const std::string opened = open ? canonicalPath(m_document.loaded()->paths[0]) : std::string();
     m_readOf = lastWritten();
+    m_ownPictures.clear();
+    if (open)
+        for (const Part* config : m_document.loaded()->outline->configs.all())
+            if (config->file == 0 && config->block && config->block->name)
+                m_ownPictures.emplace(config->name, pictureOfConfig(*m_document.loaded()->trees[0], *config->block));
     ++m_reading;
     m_pool.start(
         [this, reading = ++m_readings, project, opened, configs = m_configs, resources = m_resources, modules = m_modules] {
@@ -88,6 +94,8 @@ std::vector<LibraryItem> LibraryPanel::ownConfigs() const {
         item.kind = robot ? "Robot" : "Static";
         item.text =
             item.kind + " " + (robot ? "robot0" : nameFor(config->name)) + " { Config=" + config->name + " Pos=0,0,0 HPR=0,0,0 }";
+        if (const auto picture = m_ownPictures.find(config->name); picture != m_ownPictures.end()) item.picture = picture->second;
+        item.folder = std::filesystem::path(m_document.loaded()->paths[0]).parent_path().string();
         items.push_back(std::move(item));
     }
     return items;

@@ -160,6 +160,18 @@ std::string nameFor(const std::string& config) {
     return name;
 }
 
+std::string pictureOfConfig(const Tree& tree, const BlockItem& config) {
+    static const std::set<std::string> kNeeded{"Material", "Surface", "RobotConfig", "StaticConfig"};
+    std::string text;
+    for (const Item& item : tree.items()) {
+        const auto* block = item.as<BlockItem>();
+        if (item.as<ImportItem>() || item.as<ParamItem>() || (block && kNeeded.contains(block->type.text)))
+            text += std::string(tree.source().slice(item.range)) + "\n";
+    }
+    const std::string kind = config.type.text == "RobotConfig" ? "Robot" : "Static";
+    return text + kind + " shown { Config=" + config.name->text + " }" + (holdsPlane(config) ? "" : kPictureFloor);
+}
+
 std::vector<LibraryItem> configItems(const LibraryFolder& folder, const std::string& except) {
     std::vector<LibraryItem> items;
     for (const std::string& file : textsBelow(folder.path, kMostDeep)) {

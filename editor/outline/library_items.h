@@ -6,6 +6,9 @@
 
 namespace trundle {
 
+class Tree;
+struct BlockItem;
+
 /// A folder of texts, and the start of the paths under which an #import finds them: "robots/" for configs/robots.
 struct LibraryFolder {
     std::string path, imports;
@@ -20,6 +23,9 @@ struct LibraryFolder {
 [[nodiscard]] std::vector<LibraryItem> kindItems(const std::vector<const Kind*>& kinds);
 /// Controllers and devices of modules that lie in the program's folder, with the #loadModule that they need.
 [[nodiscard]] std::vector<LibraryItem> moduleItems(const std::vector<Kind>& kinds, const std::string& moduleFolder);
+
+/// An experiment that shows a config of a text that is open, with what of the text it may need and nothing else.
+[[nodiscard]] std::string pictureOfConfig(const Tree& tree, const BlockItem& config);
 
 /// "SimpleRobot" as a name for one of it: "simpleRobot".
 [[nodiscard]] std::string nameFor(const std::string& config);

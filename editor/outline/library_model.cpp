@@ -30,8 +30,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     const LibraryItem& item = m_items[std::size_t(index.row())];
     switch (role) {
     case Qt::DisplayRole: return item.title;
-    case Qt::ToolTipRole:
-    case Qt::StatusTipRole: return item.help.isEmpty() ? item.title : item.title + QLatin1Char('\n') + item.help;
+    case Qt::ToolTipRole: return item.help.isEmpty() ? item.title : item.title + QLatin1Char('\n') + item.help;
+    case Qt::StatusTipRole: return item.help.isEmpty() ? item.title : item.title + QStringLiteral(": ") + item.help;
     case Qt::AccessibleDescriptionRole:
     case HelpRole: return item.help;
     case SectionRole: return int(item.section);

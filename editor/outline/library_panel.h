@@ -1,7 +1,9 @@
 #pragma once
 // The Library dock: robots, arenas, objects, parts and kinds to be dragged into views and tree, with pictures.
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <QDateTime>
@@ -70,7 +72,8 @@ private:
     std::vector<Section> m_sections;
     QLineEdit* m_search = nullptr;
     QToolButton* m_asList = nullptr;
-    std::vector<LibraryItem> m_found; ///< in files
+    std::vector<LibraryItem> m_found;                 ///< in files
+    std::map<std::string, std::string> m_ownPictures; ///< of configs of the opened file, as they were when folders were read last
     std::vector<Kind> m_moduleKinds;
     std::shared_ptr<const Registry> m_registry; ///< of the kinds that are shown
     std::vector<std::string> m_ownNames;        ///< of configs of the opened file that are shown

@@ -119,8 +119,20 @@ Status ObjectEdits::paste(const std::string& place) {
 
 Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const QString& name) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
-    return m_document.carryOut(name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name,
-                               planInsert(*m_document.loaded(), place, blocks.text, blocks.imports));
+    const Loaded& loaded = *m_document.loaded();
+    std::string needed;
+    std::ptrdiff_t count = 0;
+    for (const NeededBlock& block : blocks.needs) {
+        if (const auto there = placeOf(loaded, block.path); there && there->part) continue;
+        needed += block.text + "\n";
+        ++count;
+    }
+    Result<EditPlan> plan = planInsert(loaded, place, needed + blocks.text, blocks.imports);
+    if (plan) { // what was asked for is selected
+        std::vector<std::string>& selects = plan.value().selects;
+        selects.erase(selects.begin(), selects.begin() + std::min(count, std::ptrdiff_t(selects.size())));
+    }
+    return m_document.carryOut(name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name, plan);
 }
 
 Status ObjectEdits::insertFrom(const QMimeData& mime, const std::string& place) {

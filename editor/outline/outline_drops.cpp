@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QCoreApplication>
 #include <QMimeData>
 
 #include "editor/outline/block_mime.h"
@@ -11,6 +12,25 @@
 #include "editor/outline/placing.h"
 
 namespace trundle {
+namespace {
+
+constexpr const char* kObjectsMime = "application/x-trundle-objects"; // whose objects, then their dotted paths, a line each
+
+QByteArray ownerLine(const OutlineModel& model) {
+    return QByteArray::number(QCoreApplication::applicationPid()) + ' ' + QByteArray::number(quintptr(&model), 16);
+}
+
+/// Of a drag that began in this tree. Another window may have objects of the same names; its own are text here.
+std::vector<std::string> pathsIn(const QMimeData& mime, const OutlineModel& model) {
+    std::vector<std::string> paths;
+    QByteArrayList lines = mime.data(QLatin1String(kObjectsMime)).split('\n');
+    if (lines.takeFirst() != ownerLine(model)) return paths;
+    for (const QByteArray& line : lines)
+        if (!line.isEmpty()) paths.push_back(line.toStdString());
+    return paths;
+}
+
+} // namespace
 
 /// `parent`: path of the block that a drop goes into, `before`: the object in it that it goes in front of, "" the end.
 struct OutlineModel::DropPlace {
@@ -41,7 +61,7 @@ QMimeData* OutlineModel::mimeData(const QModelIndexList& indexes) const {
             paths.push_back(row->path);
     if (paths.empty() || !m_rows) return nullptr;
     QMimeData* mime = mimeOf(*m_rows->loaded(), paths);
-    QByteArray lines;
+    QByteArray lines = ownerLine(*this) + '\n';
     for (const std::string& path : paths) lines += QByteArray::fromStdString(path) + '\n';
     mime->setData(QLatin1String(kObjectsMime), lines);
     return mime;
@@ -51,7 +71,7 @@ bool OutlineModel::canDropMimeData(const QMimeData* mime, Qt::DropAction, int ro
     const DropPlace place = dropPlace(row, parent);
     if (!place.known || !mime) return false;
     const Loaded& loaded = *m_rows->loaded();
-    const std::vector<std::string> paths = pathsIn(*mime);
+    const std::vector<std::string> paths = pathsIn(*mime, *this);
     if (paths.empty()) return mime->hasFormat(QLatin1String(kLibraryMime)) || mime->hasText();
     const Kind* into = kindAt(loaded, place.parent);
     return std::all_of(paths.begin(), paths.end(), [&](const std::string& path) {
@@ -64,7 +84,7 @@ bool OutlineModel::dropMimeData(const QMimeData* mime, Qt::DropAction action, in
     if (action == Qt::IgnoreAction) return true;
     if (!mime || !canDropMimeData(mime, action, row, column, parent)) return false;
     const DropPlace place = dropPlace(row, parent);
-    const std::vector<std::string> paths = pathsIn(*mime);
+    const std::vector<std::string> paths = pathsIn(*mime, *this);
     if (!paths.empty() && action == Qt::MoveAction) return m_edits.move(paths, place.parent, place.before).ok();
     return m_edits.insertFrom(*mime, place.parent).ok();
 }

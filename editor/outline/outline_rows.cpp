@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "project/object_place.h"
+#include "project/search.h"
 
 namespace trundle {
 namespace {
@@ -165,7 +166,8 @@ OutlineRow OutlineRows::fileRow(FileId file) const {
     row.type = OutlineRow::Type::File;
     row.file = file;
     row.key = m_loaded->paths[file];
-    const std::string& shown = m_loaded->sources[file].text->path();
+    const std::string shown = row.key.empty() ? m_loaded->sources[file].text->path()
+                                              : shownInProject(row.key, m_loaded->projectFolder); // "robots/amr.sim"
     row.name = fileName(shown);
     row.detail = shown.substr(0, shown.size() - row.name.size());
     if (!row.detail.empty()) row.detail.pop_back();

@@ -1,7 +1,10 @@
 #include "editor/outline/outline_view.h"
 
+#include <QDrag>
+#include <QDragMoveEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -127,6 +130,48 @@ void OutlineView::keyPressEvent(QKeyEvent* event) {
     else if (plain && event->key() == Qt::Key_F2) Q_EMIT renameWanted();
     else QTreeView::keyPressEvent(event);
 }
+
+/// With a label beside the pointer: a picture of the rows would hide the line that says where they go.
+void OutlineView::startDrag(Qt::DropActions actions) {
+    const QModelIndexList rows = selectionModel()->selectedRows();
+    QMimeData* mime = rows.isEmpty() ? nullptr : m_model.mimeData(rows);
+    if (!mime) return;
+    const QString words = rows.size() == 1 ? rows.front().data().toString() : tr("%1 objects").arg(rows.size());
+    const QRect box(0, 0, fontMetrics().horizontalAdvance(words) + 16, fontMetrics().height() + 6);
+    QPixmap label(box.size() * devicePixelRatioF());
+    label.setDevicePixelRatio(devicePixelRatioF());
+    label.fill(palette().color(QPalette::Highlight));
+    QPainter painter(&label);
+    painter.setFont(font());
+    painter.setPen(palette().color(QPalette::HighlightedText));
+    painter.drawText(box, Qt::AlignCenter, words);
+    painter.end();
+    auto* drag = new QDrag(this);
+    drag->setMimeData(mime);
+    drag->setPixmap(label);
+    drag->setHotSpot({-16, -12});
+    drag->exec(actions, defaultDropAction());
+}
+
+/// On a row that cannot hold what is dragged, the place before or behind it is meant.
+template <class Event> void OutlineView::takeAsMeant(Event& event, void (OutlineView::*take)(Event*)) {
+    QPoint at = event.position().toPoint();
+    const QModelIndex row = indexAt(at);
+    if (row.isValid() && !m_model.canDropMimeData(event.mimeData(), event.dropAction(), -1, -1, row)) {
+        const QRect box = visualRect(row), next = visualRect(row.sibling(row.row() + 1, OutlineModel::NameColumn));
+        const bool behindParts = isExpanded(row.siblingAtColumn(OutlineModel::NameColumn)) && viewport()->rect().contains(next);
+        at.setY(at.y() < box.center().y() ? box.top() : behindParts ? next.top() : box.bottom());
+    }
+    Event meant(at, event.possibleActions(), event.mimeData(), event.buttons(), event.modifiers());
+    meant.setDropAction(event.dropAction());
+    (this->*take)(&meant);
+    event.setDropAction(meant.dropAction());
+    event.setAccepted(meant.isAccepted());
+}
+
+void OutlineView::dragMoveEvent(QDragMoveEvent* event) { takeAsMeant(*event, &OutlineView::moveInTree); }
+
+void OutlineView::dropEvent(QDropEvent* event) { takeAsMeant(*event, &OutlineView::dropInTree); }
 
 void OutlineView::paintEvent(QPaintEvent* event) {
     QTreeView::paintEvent(event);

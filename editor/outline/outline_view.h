@@ -33,11 +33,17 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void startDrag(Qt::DropActions actions) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     void unfoldBelow(const QModelIndex& parent, int& budget);
     void remember(const QModelIndex& index, bool open);
     void rekey(const std::string& from, const std::string& to);
+    template <class Event> void takeAsMeant(Event& event, void (OutlineView::*take)(Event*));
+    void moveInTree(QDragMoveEvent* event) { QTreeView::dragMoveEvent(event); }
+    void dropInTree(QDropEvent* event) { QTreeView::dropEvent(event); }
     [[nodiscard]] bool onMark(QMouseEvent* event, QModelIndex& index) const;
 
     OutlineModel& m_model;

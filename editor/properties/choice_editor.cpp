@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 
 #include "editor/properties/quiet_wheel.h"
 #include "editor/properties/value_text.h"
@@ -16,6 +17,7 @@ ChoiceEditor::ChoiceEditor(QWidget* parent) : RowEditor(parent), m_box(new QComb
     layout->addWidget(m_box);
     m_box->setObjectName(QStringLiteral("field"));
     m_box->setMinimumWidth(60);
+    m_box->setItemDelegate(new QStyledItemDelegate(m_box)); // that of the box would draw the list as faint as itself
     setFocusProxy(m_box);
     quietWheel(*m_box);
     connect(m_box, &QComboBox::activated, this, [this](int index) {

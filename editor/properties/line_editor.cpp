@@ -41,7 +41,7 @@ QString lineText(const Row& row) {
 
 std::string typedText(const Row& row, const QString& typed) {
     const std::string text = typed.toStdString();
-    if (!isWords(row.property())) return tidied(text);
+    if (!isWords(row.property())) return withArithmetic(tidied(text), false);
     if (row.property()->maxCount > 1) return listOfWords(tidied(text));
     const bool quoted = isQuoted(row.first());
     const bool asText = row.property()->type == PropertyType::Text;

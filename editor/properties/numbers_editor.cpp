@@ -117,7 +117,7 @@ void NumbersEditor::showField(std::size_t i) {
 }
 
 void NumbersEditor::enter(std::size_t i, const QString& typed) {
-    const std::string text = tidied(typed.toStdString());
+    const std::string text = withArithmetic(tidied(typed.toStdString()), true);
     ValueField* field = m_fields[i];
     if (text.empty()) {
         const bool last = i + 1 >= m_row.first().elements.size();

@@ -92,7 +92,8 @@ void ObjectHeader::showOne(const ObjectValues& object) {
     const Kind* kind = object.kind();
     const Part* part = object.part();
     const bool experiment = !part;
-    m_help = kind ? text(kind->help) : tr("This kind is not known: the module that brings it could not be read.");
+    m_help =
+        kind ? text(kind->help) : tr("This kind is not known: the module that brings it is not loaded, or could not be read.");
     m_name->setReadOnly(experiment);
     m_name->setFocusPolicy(experiment ? Qt::NoFocus : Qt::StrongFocus);
     m_name->setFaint(part && !part->block->name);

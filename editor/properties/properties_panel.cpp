@@ -117,7 +117,7 @@ void PropertiesPanel::refresh() {
     std::vector<std::string> kinds;
     for (const auto& object : objects) kinds.push_back(object->kind() ? object->kind()->name : std::string());
     if (std::exchange(m_kinds, kinds) != kinds) dropRows();
-    if (objects.empty()) return showNothing(tr("%1 has no properties here").arg(QString::fromStdString(m_selection.current())));
+    if (objects.empty()) return showNothing(tr("%1 is not there now").arg(QString::fromStdString(m_selection.current())));
     const std::vector<Row> rows = rowsOf(objects, m_document, m_session);
     std::vector<Shape> shapes;
     for (const Row& row : rows) shapes.push_back({row.id, row.section, kindOf(row), row.fieldCount()});

@@ -77,6 +77,14 @@ std::string tidied(std::string text) {
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
+std::string withArithmetic(const std::string& text, bool onlyNumbers) {
+    const Result<std::vector<Element>> read = readElements(text);
+    const bool isWord = read && read.value().size() == 1 && read.value()[0].kind == Element::Kind::Word;
+    const std::string formula = "$(" + text + ")";
+    const bool arithmetic = !read || (onlyNumbers && isWord && text.find_first_of("+-*/") != std::string::npos);
+    return arithmetic && readElements(formula) ? formula : text;
+}
+
 std::string wordOrQuoted(const std::string& text, bool quoted) {
     const bool asTyped = text.starts_with("$") || (text.size() > 1 && text.starts_with("\"") && text.ends_with("\""));
     if (asTyped && readElements(text)) return text;

@@ -15,6 +15,9 @@ namespace trundle {
 [[nodiscard]] Result<std::vector<Element>> readElements(const std::string& text);
 /// Without blanks at the ends, and with U+2212 (pasted from papers) as a minus.
 [[nodiscard]] std::string tidied(std::string text);
+/// Arithmetic as the language wants it, "$(0.25/2)" for "0.25/2"; everything else as it is.
+/// Where only numbers stand "wheelRadius/2" is none of the words that may hold a slash.
+[[nodiscard]] std::string withArithmetic(const std::string& text, bool onlyNumbers);
 /// A text, file or name as an element: a word where the language takes it as one, else in quotes. `$...` and what is in quotes
 /// already stay as typed.
 [[nodiscard]] std::string wordOrQuoted(const std::string& text, bool quoted);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,6 +13,7 @@
 #include "editor/radios/budget_page.h"
 #include "editor/radios/packets_page.h"
 #include "editor/running/session.h"
+#include "editor/widgets/save_question.h"
 #include "scene/radio_model.h"
 
 namespace trundle {
@@ -218,9 +218,9 @@ void RadiosPanel::askAndExport(const QString& ending) {
     const QFileInfo text(m_document.isNew() ? QString() : QString::fromStdString(m_document.path()));
     const QString name = text.completeBaseName().isEmpty() ? QStringLiteral("packets") : text.completeBaseName() + tr("_packets");
     const QString folder = m_document.isNew() ? QString() : text.path() + u'/';
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export Packets"), folder + name + u'.' + ending,
-                                                      ending == QStringLiteral("pcap") ? tr("Captures (*.pcap)")
-                                                                                       : tr("Comma-separated values (*.csv)"));
+    const QString path =
+        askWhereToSave(this, tr("Export Packets"), folder + name + u'.' + ending,
+                       ending == QStringLiteral("pcap") ? tr("Captures (*.pcap)") : tr("Comma-separated values (*.csv)"), ending);
     if (!path.isEmpty()) m_packets->exportTo(path);
 }
 

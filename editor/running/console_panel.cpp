@@ -97,23 +97,20 @@ void ConsolePanel::makeView() {
         menu.exec(m_view->viewport()->mapToGlobal(at));
     });
 
-    // Whether to follow is decided by where one was before the lines came.
-    connect(m_model, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] { m_follows = isAtEnd(); });
+    // Whoever looks at the end goes on looking at it, also where the panel gets lower.
+    QScrollBar* const bar = m_view->verticalScrollBar();
+    connect(bar, &QScrollBar::valueChanged, this, [this, bar](int value) { m_follows = value >= bar->maximum(); });
+    connect(bar, &QScrollBar::rangeChanged, this, [this, bar] {
+        if (m_follows) bar->setValue(bar->maximum());
+    });
     connect(m_model, &QAbstractItemModel::rowsInserted, this, &ConsolePanel::follow);
-    connect(m_model, &QAbstractItemModel::rowsAboutToBeRemoved, this, [this] { m_follows = isAtEnd(); });
-    connect(m_model, &QAbstractItemModel::rowsRemoved, this, [this](const QModelIndex&, int first, int last) {
-        QScrollBar* bar = m_view->verticalScrollBar();
+    connect(m_model, &QAbstractItemModel::rowsRemoved, this, [this, bar](const QModelIndex&, int first, int last) {
         if (!m_follows) bar->setValue(bar->value() - (last - first + 1)); // what one reads stays where it is
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
         m_follows = true;
         follow();
     });
-}
-
-bool ConsolePanel::isAtEnd() const {
-    const QScrollBar* bar = m_view->verticalScrollBar();
-    return bar->value() >= bar->maximum();
 }
 
 void ConsolePanel::follow() {

@@ -31,7 +31,6 @@ private:
     void showRobots();
     void applyFilter();
     void showCounts();
-    [[nodiscard]] bool isAtEnd() const;
     void follow();
 
     ConsoleModel* m_model;

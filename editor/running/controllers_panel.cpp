@@ -113,7 +113,7 @@ QWidget* ControllersPanel::makeModules() {
     m_modules->setColumnWidth(2, 52);
     QToolButton* load = actionButton(m_actions.at("controllers.load"), tr("Load…"));
     load->setObjectName(QStringLiteral("moduleLoad"));
-    m_recent = new QMenu(load);
+    m_recent = new QMenu(tr("Load R&ecent"), load);
     load->setMenu(m_recent);
     load->setPopupMode(QToolButton::MenuButtonPopup);
     connect(m_recent, &QMenu::aboutToShow, this, &ControllersPanel::showRecent);
@@ -137,8 +137,8 @@ QWidget* ControllersPanel::makeModules() {
 QWidget* ControllersPanel::makeRobots() {
     m_robots = table("robotControllers", {tr("Robot"), tr("Controller"), tr("State")});
     m_robots->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_robots->setColumnWidth(0, 90);
-    m_robots->setColumnWidth(1, 110);
+    for (const int column : {0, 1}) m_robots->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    m_robots->header()->setResizeContentsPrecision(0); // of a swarm those that are seen
     connect(m_robots, &QTreeWidget::itemSelectionChanged, this, [this] {
         std::vector<std::string> paths;
         for (const QTreeWidgetItem* item : m_robots->selectedItems())

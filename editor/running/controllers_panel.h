@@ -25,6 +25,8 @@ public:
     ControllersPanel(Document& document, Selection& selection, RunSession& session, Actions& actions, QWidget* parent = nullptr);
 
     [[nodiscard]] ControllerCommands& commands() { return *m_commands; }
+    /// Those loaded lately, each an action that loads it.
+    [[nodiscard]] QMenu* recentMenu() const { return m_recent; }
     /// Asks which controller the robots shall have, then assigns it.
     void assignTo(const std::vector<std::string>& robots);
 

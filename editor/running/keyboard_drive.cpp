@@ -59,9 +59,9 @@ void KeyboardDrive::steer() {
     const auto along = [this](int forward, int back) { return int(m_down.contains(forward)) - int(m_down.contains(back)); };
     const double scale = m_fast ? 2 : 1;
     const std::string selected = m_selection.current();
-    std::string robot = selected.substr(0, selected.find('.'));
     const auto experiment = m_session.experiment();
-    if (robot.empty() && experiment && experiment->robots.size() == 1) robot = experiment->robots.front().name;
+    const bool onlyOne = experiment && experiment->robots.size() == 1; // no other can be meant, whatever is selected
+    const std::string robot = onlyOne ? experiment->robots.front().name : selected.substr(0, selected.find('.'));
     if (!m_session.drive(robot, scale * kSpeed * along(Qt::Key_Up, Qt::Key_Down),
                          scale * kTurnRate * along(Qt::Key_Left, Qt::Key_Right)))
         m_down.clear();

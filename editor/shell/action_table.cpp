@@ -46,7 +46,7 @@ static constexpr ActionRow kTable[] = {
 
     {"view.frame",     "View",        "&Frame Selection",        "frame",       "F",              "Show the selected objects, filling the view."},
     {"view.frameAll",  "View",        "Frame &All",              "home",        "Shift+F",        "Show the whole experiment."},
-    {"view.perspective", "|View/Camera", "&Perspective",         "perspective", "5",              "A camera that one can walk around with."},
+    {"view.perspective", "|View/Camera", "&Perspective",         "perspective", "5",              "A camera to go around with; with the right button held, W A S D, Q and E fly."},
     {"view.parallel",  "View/Camera", "P&arallel",               "",            "6",              "The same camera without perspective."},
     {"view.top",       "View/Camera", "&Top",                    "",            "7",              "From above, without perspective."},
     {"view.front",     "View/Camera", "&Front",                  "",            "1",              "From the front, without perspective."},
@@ -70,6 +70,9 @@ static constexpr ActionRow kTable[] = {
     {"view.overlayContacts", "View/Overlays", "&Contacts and Forces", "",       "",               "Where things touch in a run, and how hard.", true},
     {"view.overlayCollision", "View/Overlays", "C&ollision Shapes", "",         "",               "What collides, as lines.", true},
     {"view.overlayWireframe", "View/Overlays", "&Wireframe",     "",            "",               "Robots and statics as lines.", true},
+    {"view.lookAutomatic", "View/Look", "&Automatic",            "",            "",               "Rich on a graphics card, fast without one.", true},
+    {"view.lookFast",  "View/Look",   "&Fast",                   "",            "",               "Shadows on floors alone: for machines without a graphics card.", true},
+    {"view.lookRich",  "View/Look",   "&Rich",                   "",            "",               "Shadows on everything, dark corners and smooth edges; without a graphics card once a view stands still.", true},
     {"view.savePicture", "|View",     "Save Pict&ure…",          "",            "",               "Write what the 3D view shows to a file, up to 4K."},
     {"view.text",      "|View",       "Show &Text",              "view-text",   "Ctrl+T",         "Show the text beside the 3D view.", true},
     {"view.viewport",  "View",        "Show &3D View",           "",            "",               "Show the 3D view beside the text.", true},

@@ -40,7 +40,7 @@ public:
 
 } // namespace
 
-CommandPalette::CommandPalette(const Actions& actions, QList<QAction*> more, QWidget* parent) : QDialog(parent, Qt::Popup) {
+CommandPalette::CommandPalette(const Actions& actions, std::vector<Command> more, QWidget* parent) : QDialog(parent, Qt::Popup) {
     setObjectName(QStringLiteral("commandPalette"));
     for (const ActionRow& row : actions.table()) {
         QAction& action = actions.at(row.id);
@@ -51,8 +51,7 @@ CommandPalette::CommandPalette(const Actions& actions, QList<QAction*> more, QWi
             name = menu.mid(under + 1) + QStringLiteral(": ") + name;
         m_commands.push_back({name, menu, &action});
     }
-    for (QAction* action : more)
-        m_commands.push_back({tr("Insert %1").arg(action->text().remove(QLatin1Char('&'))), tr("Insert"), action});
+    m_commands.insert(m_commands.end(), more.begin(), more.end());
 
     m_search->setObjectName(QStringLiteral("paletteSearch"));
     m_search->setPlaceholderText(tr("Type a command"));
@@ -61,10 +60,15 @@ CommandPalette::CommandPalette(const Actions& actions, QList<QAction*> more, QWi
     m_list->setItemDelegate(new CommandDelegate(m_list));
     m_list->setUniformItemSizes(true);
     m_list->setFocusPolicy(Qt::NoFocus);
+    m_none->setText(tr("No command is called so"));
+    m_none->setForegroundRole(QPalette::PlaceholderText);
+    m_none->setAlignment(Qt::AlignCenter);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(m_search);
     layout->addWidget(m_list);
+    // Nothing else says where it ends: a popup has no frame of its own.
+    setStyleSheet(QStringLiteral("#commandPalette { border: 1px solid %1; }").arg(ink(Ink::Faint).name()));
     resize(560, 380);
     if (parent) move(parent->mapToGlobal(QPoint((parent->width() - width()) / 2, 70)));
     connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::fill);
@@ -105,6 +109,8 @@ void CommandPalette::fill(const QString& letters) {
         if (!command.action->isEnabled()) item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
     }
     if (m_list->count()) m_list->setCurrentRow(0);
+    m_none->setVisible(m_list->count() == 0);
+    m_none->setGeometry(m_list->rect());
 }
 
 void CommandPalette::trigger() {

@@ -4,10 +4,12 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QStandardPaths>
 
 #include "editor/shell/recent_files.h"
 #include "editor/widgets/resources.h"
+#include "editor/widgets/save_question.h"
 
 namespace trundle {
 namespace {
@@ -53,7 +55,7 @@ bool FileCommands::open(const QString& path) {
     return true;
 }
 
-/// After half a second: what is waited for, and a way out. Whoever takes it has left what was open before.
+/// After half a second: what is waited for, and a way back to what was open before.
 void FileCommands::showOpening(const QString& path) {
     delete m_progress;
     m_progress = new QProgressDialog(tr("Opening %1…").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 0, &m_window);
@@ -63,7 +65,8 @@ void FileCommands::showOpening(const QString& path) {
     m_progress->setMinimumDuration(500);
     m_progress->setValue(0); // from now on
     connect(m_progress, &QProgressDialog::canceled, this, [this] {
-        if (m_document.isOpening()) m_document.close();
+        m_document.cancelOpening();
+        m_progress->deleteLater();
     });
     const auto done = [progress = m_progress] {
         if (progress) progress->deleteLater();
@@ -84,9 +87,38 @@ void FileCommands::newFrom(const char* templateName) {
         tell(tr("The template is missing"), Error{Code::FileUnreadable, file.errorString().toStdString()});
         return;
     }
-    const QString name = tr("untitled %1").arg(QLatin1String(templateName)).replace(QLatin1Char(' '), QLatin1Char('_'));
+    makeNew(QLatin1String(templateName), file.readAll());
+}
+
+void FileCommands::makeNew(const QString& subject, const QByteArray& text) {
+    const QString name = tr("untitled %1").arg(subject).replace(QLatin1Char(' '), QLatin1Char('_'));
     tell(tr("The template could not be opened"),
-         m_document.openNew((name + QStringLiteral(".sim")).toStdString(), file.readAll().toStdString()));
+         m_document.openNew((name + QStringLiteral(".sim")).toStdString(), text.toStdString()));
+}
+
+void FileCommands::tryOut(const QString& path) {
+    static const QRegularExpression config(QStringLiteral("^(Robot|Static)Config\\s+(\\w+)"),
+                                           QRegularExpression::MultilineOption);
+    QFile file(path);
+    QRegularExpressionMatch plan;
+    if (file.open(QIODevice::ReadOnly))
+        for (auto at = config.globalMatch(QString::fromUtf8(file.readAll())); at.hasNext();)
+            plan = at.next(); // the last uses the others
+    if (!plan.hasMatch()) {
+        open(path);
+        return;
+    }
+    if (!mayLeave()) return;
+    const bool robot = plan.captured(1) == QStringLiteral("Robot");
+    const QString text = QStringLiteral(
+        "// %1, to look at and to drive: Run, then Drive with the Keyboard. Its plan is in the file imported for it.\n"
+        "Tick = 0.01\n#import %2\n#import %3\n\nStatic arena { Config=%4 Pos=0,0,0 }\n"
+        "Robot robot0 { Config=%5 Pos=0,0,0 HPR=0,0,0 }\n");
+    const QString own = QDir(m_configs).relativeFilePath(path), name = plan.captured(2);
+    makeNew(QFileInfo(path).completeBaseName(),
+            (robot ? text.arg(name, QStringLiteral("arenas/open_floor.sim"), own, QStringLiteral("OpenFloor"), name)
+                   : text.arg(name, own, QStringLiteral("robots/simple_robot.sim"), name, QStringLiteral("SimpleRobot")))
+                .toUtf8());
 }
 
 void FileCommands::choose() {
@@ -113,9 +145,8 @@ bool FileCommands::saveAs() {
         const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
         start = (QFileInfo(documents).isDir() ? documents : QDir::homePath()) + QLatin1Char('/') + QFileInfo(start).fileName();
     }
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save As"), start, tr(kFilter));
+    const QString path = askWhereToSave(&m_window, tr("Save As"), start, tr(kFilter), QStringLiteral("sim"));
     if (path.isEmpty()) return false;
-    if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".sim");
     const Status status = m_document.saveAs(path.toStdString());
     tell(tr("Not saved"), status);
     if (status.ok()) addRecentFile(path);

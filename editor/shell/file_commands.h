@@ -20,6 +20,9 @@ public:
 
     /// Begins to open a file, after asking about unsaved changes. False where it did not come to that.
     bool open(const QString& path);
+    /// A new experiment with a robot or an arena that came with the program, so that it is seen and can be driven: a plan alone
+    /// stands nowhere.
+    void tryOut(const QString& path);
     /// True where nothing is unsaved any more, or the user lets it go.
     [[nodiscard]] bool mayLeave();
     /// A menu of files opened lately.
@@ -33,6 +36,7 @@ public Q_SLOTS:
 private:
     void close();
     void newFrom(const char* templateName);
+    void makeNew(const QString& subject, const QByteArray& text);
     void choose();
     void showOpening(const QString& path);
     bool save();

@@ -1,9 +1,13 @@
 #include "editor/shell/help_panel.h"
 
+#include <algorithm>
+
 #include <QEvent>
 #include <QFile>
+#include <QImageReader>
 #include <QTextBlock>
 #include <QTextDocument>
+#include <QTextTable>
 
 #include "editor/widgets/resources.h"
 #include "editor/widgets/theme.h"
@@ -14,19 +18,47 @@ HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent) {
     setObjectName(QStringLiteral("guide"));
     setOpenExternalLinks(true);
     document()->setDocumentMargin(14);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // one that comes and goes would change the pictures' size
     connect(this, &QTextBrowser::sourceChanged, this, &HelpPanel::setType);
     setSource(QUrl::fromLocalFile(resourcePath(QStringLiteral("guide/index.md"))), QTextDocument::MarkdownResource);
 }
 
+/// Those of Markdown have a white double frame, and a first row also where nothing is in it.
+static void setTable(QTextTable& table) {
+    QTextTableFormat format = table.format();
+    format.setBorderCollapse(true);
+    format.setBorder(1);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setBorderBrush(ink(Ink::Line));
+    format.setCellPadding(4);
+    format.setCellSpacing(0);
+    format.setTopMargin(6);
+    format.setBottomMargin(10);
+    table.setFormat(format);
+    bool empty = table.rows() > 1;
+    for (int column = 0; column < table.columns(); ++column) {
+        const QTextTableCell cell = table.cellAt(0, column);
+        empty = empty && cell.firstCursorPosition() == cell.lastCursorPosition();
+    }
+    if (empty) table.removeRows(0, 1);
+}
+
 /// Markdown comes without room between its paragraphs, and in fonts that are not the window's.
 void HelpPanel::setType() {
+    QTextCursor all(document());
+    all.beginEditBlock(); // laid out once, not after each piece
+    for (QTextFrame* frame : document()->rootFrame()->childFrames())
+        if (auto* table = qobject_cast<QTextTable*>(frame)) setTable(*table);
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
         QTextCursor cursor(block);
         QTextBlockFormat room = block.blockFormat();
         const bool heading = room.headingLevel() > 0;
-        room.setLineHeight(heading ? 100 : 120, QTextBlockFormat::ProportionalHeight);
-        room.setTopMargin(heading && block.position() > 0 ? 14 : 2);
-        room.setBottomMargin(block.textList() ? 2 : 6);
+        const auto isCode = [](const QTextBlock& b) { return b.isValid() && b.blockFormat().nonBreakableLines(); };
+        const bool code = isCode(block), inTable = cursor.currentTable() != nullptr;
+        const bool picture = block.text().contains(QChar::ObjectReplacementCharacter); // of its height there is no fifth to add
+        room.setLineHeight(heading || picture ? 100 : 120, QTextBlockFormat::ProportionalHeight);
+        room.setTopMargin(heading && block.position() > 0 ? 14 : code || inTable ? 0 : 2);
+        room.setBottomMargin(inTable || (code && isCode(block.next())) ? 0 : block.textList() ? 2 : 6);
         cursor.setBlockFormat(room);
         std::vector<QTextFragment> parts;
         for (auto part = block.begin(); !part.atEnd(); ++part) parts.push_back(part.fragment());
@@ -40,6 +72,39 @@ void HelpPanel::setType() {
             cursor.mergeCharFormat(own);
         }
     }
+    fitPictures();
+    all.endEditBlock();
+}
+
+/// As wide as they are, where there is room for that.
+void HelpPanel::fitPictures() {
+    const int room = std::max(120, viewport()->width() - 2 * int(document()->documentMargin()));
+    QTextCursor all(document());
+    all.beginEditBlock();
+    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+        std::vector<QTextFragment> pictures;
+        for (auto part = block.begin(); !part.atEnd(); ++part)
+            if (part.fragment().charFormat().isImageFormat()) pictures.push_back(part.fragment());
+        for (const QTextFragment& part : pictures) {
+            QTextImageFormat format = part.charFormat().toImageFormat();
+            const QSize size = QImageReader(source().resolved(QUrl(format.name())).toLocalFile()).size();
+            if (size.isEmpty()) continue;
+            QTextCursor cursor(block);
+            const int width = std::min(size.width(), cursor.currentTable() ? room / 2 - 12 : room);
+            if (format.width() == width) continue;
+            format.setWidth(width);
+            format.setHeight(double(size.height()) * width / size.width());
+            cursor.setPosition(part.position());
+            cursor.setPosition(part.position() + part.length(), QTextCursor::KeepAnchor);
+            cursor.setCharFormat(format);
+        }
+    }
+    all.endEditBlock();
+}
+
+void HelpPanel::resizeEvent(QResizeEvent* event) {
+    QTextBrowser::resizeEvent(event);
+    fitPictures();
 }
 
 QVariant HelpPanel::loadResource(int type, const QUrl& name) {

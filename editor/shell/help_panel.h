@@ -11,8 +11,10 @@ public:
 
 private:
     void setType();
+    void fitPictures();
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     QVariant loadResource(int type, const QUrl& name) override;
     void changeEvent(QEvent* event) override;
 };

@@ -42,6 +42,12 @@ QDockWidget* Layouts::add(QWidget* panel, const QString& title) {
         if (shown) dock->raise();
     });
     m_menu->addAction(action);
+    const QString name = panel->objectName();
+    auto* show = new QAction(tr("Show %1").arg(title), this);
+    show->setObjectName(QStringLiteral("show.") + name);
+    show->setEnabled(name == kGuide);
+    connect(show, &QAction::triggered, this, [this, name] { raise(name); });
+    m_raising.append(show);
     return dock;
 }
 
@@ -70,6 +76,7 @@ void Layouts::setShown(bool shown) {
     if (!shown) save();
     m_shown = shown;
     m_menu->setEnabled(shown);
+    for (QAction* action : m_raising) action->setEnabled(shown || action->objectName().endsWith(kGuide));
     const QDockWidget* guide = m_docks.value(kGuide);
     const bool reading = guide && !guide->isHidden();
     if (shown) restore();

@@ -30,6 +30,8 @@ public:
     void raise(const QString& name);
     /// Shows and hides each dock; of no use while setShown() keeps them away.
     [[nodiscard]] QMenu* menu() const { return m_menu; }
+    /// "Show Console" ...: each brings a dock to the front, for who looks for it by its name.
+    [[nodiscard]] QList<QAction*> raising() const { return m_raising; }
 
 private:
     void arrange(Layout layout);
@@ -40,6 +42,7 @@ private:
     QMainWindow& m_window;
     QMenu* m_menu;
     QMap<QString, QDockWidget*> m_docks;
+    QList<QAction*> m_raising;
     Layout m_layout = Layout::Edit;
     bool m_shown = false;
 };

@@ -47,6 +47,18 @@ std::vector<DiffLine> diffLines(std::string_view before, std::string_view after,
     return lines;
 }
 
+std::vector<DiffLine> inShort(std::vector<DiffLine> lines) {
+    constexpr std::size_t kMost = 12;
+    constexpr qsizetype kWide = 80;
+    if (lines.size() > kMost) {
+        lines.resize(kMost);
+        lines.push_back({DiffLine::Kind::Gap, {}});
+    }
+    for (DiffLine& line : lines)
+        if (line.text.size() > kWide) line.text = line.text.left(kWide) + QStringLiteral("…");
+    return lines;
+}
+
 QString diffAsHtml(const std::vector<DiffLine>& lines) {
     using Kind = DiffLine::Kind;
     QString html = QStringLiteral("<pre style=\"margin:0; font-family:'%1'\">").arg(monospaceFont().family());

@@ -14,7 +14,9 @@ struct DiffLine {
 
 /// What turns `before` into `after`, with `context` unchanged lines around each change.
 [[nodiscard]] std::vector<DiffLine> diffLines(std::string_view before, std::string_view after, int context = 2);
-/// For a QTextBrowser, in the colours of the theme.
+/// The first lines of them, cut to what has room in a question.
+[[nodiscard]] std::vector<DiffLine> inShort(std::vector<DiffLine> lines);
+/// For a QTextBrowser or a label, in the colours of the theme.
 [[nodiscard]] QString diffAsHtml(const std::vector<DiffLine>& lines);
 
 } // namespace trundle

@@ -48,7 +48,7 @@ namespace {
 /// Whether a command means nothing on the Welcome page. Undo, the run and the controllers look after theirs themselves.
 bool needsDocument(std::string_view id) {
     for (const char* other : {"file.new", "file.open", "file.quit", "edit.undo", "edit.redo", "edit.palette", "edit.preferences",
-                              "view.theme", "sim.", "controllers.", "help."})
+                              "view.theme", "view.look", "sim.", "controllers.", "help."})
         if (id.starts_with(other)) return id == "file.openSample" || id == "sim.record";
     return true;
 }
@@ -182,6 +182,9 @@ void MainWindow::connectPanels() {
         m_selection->select(body);
     });
     connect(m_welcome, &WelcomePage::openWanted, m_files, &FileCommands::open);
+    connect(m_welcome, &WelcomePage::tryWanted, m_files, &FileCommands::tryOut);
+    connect(m_problems, &ProblemsPanel::countsChanged, m_status, &StatusLine::setProblems);
+    m_status->setProblems(m_problems->errors(), m_problems->warnings());
     connect(m_status, &StatusLine::problemsWanted, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
     connect(m_outline, &OutlinePanel::jumpTo, this, &MainWindow::showPlace);
     const auto go = [this](const std::string& file, const SourceRange& range) { showPlace(file, range.range); };
@@ -207,6 +210,7 @@ void MainWindow::connectActions() {
     const auto on = [this](const char* id, auto what) { connect(&m_actions->at(id), &QAction::triggered, this, what); };
     m_menus = buildMenus(*menuBar(), *m_actions);
     m_menus.at(QStringLiteral("File"))->insertMenu(&m_actions->at("file.openSample"), m_files->makeRecentMenu());
+    m_menus.at(QStringLiteral("Controllers"))->insertMenu(&m_actions->at("controllers.assign"), m_controllers->recentMenu());
     m_menus.at(QStringLiteral("View"))->insertMenu(m_menus.at(QStringLiteral("View/Layout"))->menuAction(), m_layouts->menu());
     (new InsertMenu(*m_document, *m_selection, *m_edits, this))->attach(*m_menus.at(QStringLiteral("Insert")));
     on("file.quit", [this] { close(); });
@@ -244,6 +248,9 @@ void MainWindow::connectActions() {
         if (!drives) return;
         m_viewport->current().setFocus(); // in a text the arrows move the caret
         m_status->refuse(tr("The arrow keys steer the selected robot while it runs, with Shift twice as fast."));
+    });
+    on("sim.run", [this] { // the arrows are meant for the robot now, not for the row that was edited last
+        if (m_actions->at("sim.drive").isChecked()) m_viewport->current().setFocus();
     });
     connect(m_document, &Document::historyChanged, this, &MainWindow::showUndo);
     showUndo();

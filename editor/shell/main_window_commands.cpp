@@ -15,6 +15,7 @@
 #include "editor/radios/radios_panel.h"
 #include "editor/shell/command_palette.h"
 #include "editor/shell/file_commands.h"
+#include "editor/shell/line_diff.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/recovery_dialog.h"
 #include "editor/shell/window_memory.h"
@@ -137,13 +138,19 @@ void MainWindow::showReadOnly(const QString& holder) {
 }
 
 void MainWindow::askAboutDisk(const QString& file) {
+    const auto mineNow = m_document->text(file.toStdString()), theirs = m_document->diskChanges()[file.toStdString()];
+    if (!mineNow || !theirs) return;
+    for (auto* asked : findChildren<QMessageBox*>(QStringLiteral("diskQuestion")))
+        if (asked->property("file") == file) delete asked; // it was written once more meanwhile
     auto* question = new QMessageBox(QMessageBox::Question, tr("Changed on disk"),
                                      tr("Another program wrote %1 while it had edits here, and both touch the same lines.")
                                          .arg(QString::fromStdString(m_document->shown(file.toStdString()))),
                                      QMessageBox::NoButton, this);
     question->setObjectName(QStringLiteral("diskQuestion"));
+    question->setProperty("file", file);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(tr("Taking theirs can be undone."));
+    question->setInformativeText(tr("Theirs would change this here; it can be undone.") +
+                                 diffAsHtml(inShort(diffLines(*mineNow, *theirs, 1))));
     const auto* mine = question->addButton(tr("Keep Mine"), QMessageBox::RejectRole);
     question->addButton(tr("Take Theirs"), QMessageBox::AcceptRole);
     connect(question, &QMessageBox::buttonClicked, this, [this, file, mine](QAbstractButton* button) {
@@ -153,7 +160,11 @@ void MainWindow::askAboutDisk(const QString& file) {
 }
 
 void MainWindow::openPalette() {
-    auto* palette = new CommandPalette(*m_actions, insertActions(), this);
+    std::vector<CommandPalette::Command> more;
+    for (QAction* action : insertActions())
+        more.push_back({tr("Insert %1").arg(action->text().remove(QLatin1Char('&'))), tr("Insert"), action});
+    for (QAction* action : m_layouts->raising()) more.push_back({action->text(), tr("View"), action});
+    auto* palette = new CommandPalette(*m_actions, std::move(more), this);
     palette->setAttribute(Qt::WA_DeleteOnClose);
     palette->show();
 }

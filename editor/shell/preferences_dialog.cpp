@@ -1,5 +1,8 @@
 #include "editor/shell/preferences_dialog.h"
 
+#include <algorithm>
+#include <array>
+
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QKeySequenceEdit>
@@ -16,7 +19,14 @@ namespace {
 
 const QString kTrusted = QStringLiteral("trustedFolders");
 
-QString plain(const QAction& action) { return action.text().remove(QLatin1Char('&')).remove(QStringLiteral("…")); }
+QString menuOf(const ActionRow& row) { return QString(QLatin1String(row.menu)).remove(QLatin1Char('|')); }
+
+/// As the table has it, since an action's own text may say more ("Undo Move robot0"); with its submenu, since "Robot" alone says little.
+QString nameOf(const ActionRow& row) {
+    const QString menu = menuOf(row), name = PreferencesDialog::tr(row.text).remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+    const qsizetype under = menu.indexOf(QLatin1Char('/'));
+    return under < 0 ? name : menu.mid(under + 1) + QStringLiteral(": ") + name;
+}
 
 } // namespace
 
@@ -32,14 +42,16 @@ PreferencesDialog::PreferencesDialog(Actions& actions, QWidget* parent) : QDialo
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(tabs);
     layout->addWidget(buttons);
+    for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false); // Enter in a field does nothing
+    m_filter->setFocus();
 }
 
 QWidget* PreferencesDialog::makeShortcuts() {
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
-    auto* filter = new QLineEdit;
-    filter->setPlaceholderText(tr("Filter"));
-    filter->setClearButtonEnabled(true);
+    m_filter->setObjectName(QStringLiteral("shortcutFilter"));
+    m_filter->setPlaceholderText(tr("Filter"));
+    m_filter->setClearButtonEnabled(true);
     m_shortcuts->setObjectName(QStringLiteral("shortcuts"));
     m_shortcuts->setHeaderLabels({tr("Command"), tr("Menu"), tr("Shortcut")});
     m_shortcuts->setRootIsDecorated(false);
@@ -54,7 +66,7 @@ QWidget* PreferencesDialog::makeShortcuts() {
     row->addWidget(keys, 1);
     row->addWidget(set);
     row->addWidget(reset);
-    layout->addWidget(filter);
+    layout->addWidget(m_filter);
     layout->addWidget(m_shortcuts, 1);
     layout->addLayout(row);
     fillShortcuts();
@@ -62,13 +74,7 @@ QWidget* PreferencesDialog::makeShortcuts() {
         const QTreeWidgetItem* item = m_shortcuts->currentItem();
         return item ? m_actions.table()[item->data(0, Qt::UserRole).toULongLong()].id : nullptr;
     };
-    connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
-        for (int i = 0; i < m_shortcuts->topLevelItemCount(); ++i) {
-            QTreeWidgetItem* item = m_shortcuts->topLevelItem(i);
-            item->setHidden(!item->text(0).contains(text, Qt::CaseInsensitive) &&
-                            !item->text(1).contains(text, Qt::CaseInsensitive));
-        }
-    });
+    connect(m_filter, &QLineEdit::textChanged, this, &PreferencesDialog::narrow);
     const auto showKeys = [this, keys, chosen] {
         if (const char* id = chosen()) keys->setKeySequence(m_actions.at(id).shortcut());
     };
@@ -96,10 +102,10 @@ QString PreferencesDialog::ownerOf(const Actions& actions, const QKeySequence& k
 void PreferencesDialog::setKeys(const char* id, const QKeySequence& keys) {
     if (const QString owner = ownerOf(m_actions, keys, id); !owner.isEmpty()) {
         const QByteArray other = owner.toLatin1();
-        const auto answer =
-            QMessageBox::question(this, tr("Keys in use"),
-                                  tr("%1 is the shortcut of “%2”. Take it from there?")
-                                      .arg(keys.toString(QKeySequence::NativeText), plain(m_actions.at(other.constData()))));
+        const auto row = std::ranges::find_if(m_actions.table(), [&](const ActionRow& r) { return other == r.id; });
+        const auto answer = QMessageBox::question(
+            this, tr("Keys in use"),
+            tr("%1 is the shortcut of “%2”. Take it from there?").arg(keys.toString(QKeySequence::NativeText), nameOf(*row)));
         if (answer != QMessageBox::Yes) return;
         m_actions.setShortcut(other.constData(), {});
     }
@@ -112,15 +118,24 @@ void PreferencesDialog::fillShortcuts() {
     m_shortcuts->clear();
     for (std::size_t i = 0; i < m_actions.table().size(); ++i) {
         const ActionRow& row = m_actions.table()[i];
-        const QString menu = QString(QLatin1String(row.menu)).remove(QLatin1Char('|'));
-        const qsizetype under = menu.indexOf(QLatin1Char('/')); // "Robot" alone says little
-        const QString name = (under < 0 ? QString() : menu.mid(under + 1) + QStringLiteral(": ")) + plain(m_actions.at(row.id));
-        auto* item =
-            new QTreeWidgetItem(m_shortcuts, {name, menu, m_actions.at(row.id).shortcut().toString(QKeySequence::NativeText)});
+        const QString keys = m_actions.at(row.id).shortcut().toString(QKeySequence::NativeText);
+        auto* item = new QTreeWidgetItem(m_shortcuts, {nameOf(row), menuOf(row), keys});
         item->setData(0, Qt::UserRole, qulonglong(i));
         item->setToolTip(0, tr(row.help));
     }
     m_shortcuts->setCurrentItem(m_shortcuts->topLevelItem(std::max(0, current)));
+    narrow();
+}
+
+void PreferencesDialog::narrow() {
+    const QString words = m_filter->text();
+    for (int i = 0; i < m_shortcuts->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* item = m_shortcuts->topLevelItem(i);
+        const bool fits = std::ranges::any_of(std::array{0, 1, 2}, [&](int column) { // keys too: who has Ctrl+D?
+            return item->text(column).contains(words, Qt::CaseInsensitive);
+        });
+        item->setHidden(!fits);
+    }
 }
 
 QWidget* PreferencesDialog::makeTrust() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <QDialog>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QTreeWidget>
 
@@ -20,9 +21,11 @@ private:
     QWidget* makeShortcuts();
     QWidget* makeTrust();
     void fillShortcuts();
+    void narrow();
     void setKeys(const char* id, const QKeySequence& keys);
 
     Actions& m_actions;
+    QLineEdit* m_filter = new QLineEdit;
     QTreeWidget* m_shortcuts = new QTreeWidget;
     QListWidget* m_folders = new QListWidget;
 };

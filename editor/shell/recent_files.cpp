@@ -29,6 +29,9 @@ QList<Sample> sampleExperiments(const QString& configs) {
         {"arc_motion", "Arc motion", "A full circle at a commanded speed and turn rate."},
         {"obstacle_detection", "Obstacle detection", "Bump, back off, turn, go on: a walled arena."},
         {"swarm", "Swarm", "A hundred robots, each on a random walk of its own."},
+        {"blob_follow", "Blob follow", "Looks around with a camera, drives to the red ball."},
+        {"directional_antenna", "Directional antenna", "Turns once, finds three motes by how strong they are."},
+        {"sensor_network_amr", "Sensor network", "A carrier follows nine motes to the one it cannot hear."},
         {"thesis_figure_3_4", "Figure 3.4", "The example of the thesis that began it all, word for word."},
     };
     QList<Sample> found;

@@ -51,9 +51,10 @@ void StatusLine::refresh() {
     m_saved->setText(m_document.isNew() ? painted(tr("not saved yet"), Ink::Warning)
                      : modified         ? painted(tr("modified"), Ink::Warning)
                                         : painted(tr("saved"), Ink::Faint));
-    std::size_t errors = 0, others = 0;
-    for (const Diagnostic& d : m_document.loaded()->diagnostics.all()) ++(d.severity == Severity::Error ? errors : others);
-    const int count = int(errors + others);
+}
+
+void StatusLine::setProblems(int errors, int warnings) {
+    const int count = errors + warnings;
     m_problems->setText(
         count == 0 ? painted(tr("no problems"), Ink::Faint)
                    : painted(count == 1 ? tr("1 problem") : tr("%1 problems").arg(count), errors ? Ink::Error : Ink::Warning));

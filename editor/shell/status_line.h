@@ -14,6 +14,8 @@ public:
 
     void setRunText(const QString& text) { m_run->setText(text); }
     void refuse(const QString& reason);
+    /// Of the texts and of the run, as the Problems panel lists them.
+    void setProblems(int errors, int warnings);
 
 Q_SIGNALS:
     void problemsWanted();

@@ -174,13 +174,16 @@ QWidget* WelcomePage::makeSamples(const QString& configs) {
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 10, 0, 0);
     layout->setSpacing(12);
-    for (const auto& [title, samples] :
-         {std::pair(tr("Samples"), sampleExperiments(configs)), std::pair(tr("Robots and arenas"), sampleParts(configs))}) {
+    for (const auto& [title, samples, wanted] :
+         {std::tuple(tr("Samples"), sampleExperiments(configs), &WelcomePage::openWanted),
+          std::tuple(tr("Robots and arenas"), sampleParts(configs), &WelcomePage::tryWanted)}) {
         layout->addWidget(heading(title, 15));
         auto* flow = new CardFlow;
         for (const Sample& sample : samples) {
             auto* card = new SampleCard(sample, flow);
-            connect(card, &QAbstractButton::clicked, this, [this, path = sample.path] { Q_EMIT openWanted(path); });
+            connect(card, &QAbstractButton::clicked, this, [this, path = sample.path, wanted = wanted] {
+                Q_EMIT(this->*wanted)(path);
+            });
             flow->add(card);
         }
         layout->addWidget(flow);

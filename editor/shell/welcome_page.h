@@ -17,6 +17,7 @@ public:
 
 Q_SIGNALS:
     void openWanted(const QString& path);
+    void tryWanted(const QString& path); ///< a robot or an arena
 
 private:
     QWidget* makeStart(const Actions& actions);

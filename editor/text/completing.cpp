@@ -19,11 +19,24 @@ bool callsForList(std::string_view inserted) {
                                     inserted == "#" || inserted == "/");
 }
 
+/// Of a block with its name chosen, to be typed: from there to behind "Config = ", or to where its first line goes.
+std::string afterName(const Completion& chosen) {
+    if (chosen.select >= chosen.caret) return {};
+    const std::string rest = chosen.insert.substr(chosen.caret);
+    std::size_t end = rest.find('=');
+    for (const char sign : {'\n', '{'})
+        if (end == std::string::npos) end = rest.find(sign);
+    if (end == std::string::npos) return {};
+    for (++end; end < rest.size() && isBlank(rest[end]);) ++end;
+    return rest.substr(0, end);
+}
+
 } // namespace
 
 Completing::Completing(Document& document, std::function<FileFolders()> folders, QWidget* owner)
     : QObject(owner), m_document(document), m_folders(std::move(folders)), m_popup(new CompletionPopup(owner)) {
     connect(m_popup, &CompletionPopup::clicked, this, &Completing::accept);
+    connect(m_popup, &CompletionPopup::left, this, &Completing::close);
     connect(m_popup, &QObject::destroyed, this, [this] { m_popup = nullptr; });
 }
 
@@ -36,8 +49,12 @@ void Completing::watch(FilePage& page) {
     page.edit().installEventFilter(this);
     connect(&page.edit(), &CodeEdit::edited, this,
             [this, &page](std::size_t, std::string_view, std::string_view inserted) { onEdited(page, inserted); });
-    connect(&page.edit(), &CodeEdit::caretMovedByHand, this, [this, &page] { narrow(page); });
+    connect(&page.edit(), &CodeEdit::caretMovedByHand, this, [this, &page] {
+        m_brought.clear();
+        narrow(page);
+    });
     connect(&page.edit(), &CodeEdit::left, this, &Completing::close);
+    connect(&page, &FilePage::brought, this, &Completing::close); // undone: it was for another text
     connect(&page, &FilePage::flushed, this, [this, &page] {
         if (std::exchange(m_wanted, false) && page.edit().hasFocus()) list(page, m_asked && isShown(), false);
     });
@@ -53,6 +70,7 @@ void Completing::close() {
 
 void Completing::onEdited(FilePage&, std::string_view inserted) {
     if (m_accepting) return;
+    m_brought.clear();
     if (callsForList(inserted)) m_wanted = true;
     else if (!(inserted.size() == 1 && isIdent(inserted[0])) && !(isShown() && inserted.empty())) close();
 }
@@ -115,6 +133,10 @@ void Completing::accept() {
         page.edit().setSelection(
             {word.begin + static_cast<std::uint32_t>(chosen.select), word.begin + static_cast<std::uint32_t>(chosen.caret)});
     m_accepting = false;
+    const std::string_view whole = std::string_view(chosen.insert).substr(0, chosen.caret);
+    m_brought = chosen.select < chosen.caret ? QString() : QString::fromUtf8(whole.substr(whole.find_last_not_of(" =.") + 1));
+    m_afterName = afterName(chosen);
+    m_namedIn = &page;
     page.edit().setFocus();
     m_wanted = chosen.goesOn; // once the document has it
     page.endWord();
@@ -135,10 +157,34 @@ bool Completing::takesKey(const QKeyEvent& event) {
     }
 }
 
+/// Tab or Enter behind the name of a new block: on to what it still needs.
+bool Completing::goesOn(const QKeyEvent& event) {
+    const bool key = event.key() == Qt::Key_Tab || event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    if (!key || event.modifiers() & ~Qt::KeypadModifier || m_afterName.empty() || !m_namedIn) return false;
+    FilePage& page = *m_namedIn;
+    const std::string passed = std::exchange(m_afterName, {});
+    const std::uint32_t caret = page.edit().selection().end;
+    if (!page.edit().hasFocus() || page.edit().bytes().compare(caret, passed.size(), passed) != 0) return false;
+    const auto place = static_cast<std::uint32_t>(caret + passed.size());
+    page.edit().setSelection({place, place});
+    list(page, false, true);
+    return true;
+}
+
+/// Whoever is used to typing the "." or " = " behind a name types it although the choice brought it: it is not wanted twice.
+bool Completing::isThereAlready(const QString& typed) {
+    const qsizetype at = typed.size() == 1 ? m_brought.indexOf(typed) : -1;
+    if (at < 0) return false;
+    m_brought.remove(0, at + 1);
+    return true;
+}
+
 bool Completing::eventFilter(QObject* watched, QEvent* event) {
     if (isShown() && event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
         event->accept();
     if (isShown() && event->type() == QEvent::KeyPress && takesKey(*static_cast<QKeyEvent*>(event))) return true;
+    if (event->type() == QEvent::KeyPress && goesOn(*static_cast<QKeyEvent*>(event))) return true;
+    if (event->type() == QEvent::KeyPress && isThereAlready(static_cast<QKeyEvent*>(event)->text())) return true;
     return QObject::eventFilter(watched, event);
 }
 

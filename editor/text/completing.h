@@ -39,6 +39,8 @@ private:
     void show(FilePage& page);
     void accept();
     [[nodiscard]] bool takesKey(const QKeyEvent& event);
+    [[nodiscard]] bool isThereAlready(const QString& typed);
+    [[nodiscard]] bool goesOn(const QKeyEvent& event);
     [[nodiscard]] std::string typed(FilePage& page) const;
 
     Document& m_document;
@@ -50,6 +52,9 @@ private:
     std::uint32_t m_behind = 0;             ///< bytes of the word that stand behind the caret
     bool m_wanted = false;                  ///< what was typed calls for the list once the document has it
     bool m_asked = false;
+    QString m_brought;            ///< signs that the last choice put before the caret, while nothing else was typed
+    QPointer<FilePage> m_namedIn; ///< where a block came whose name is being typed
+    std::string m_afterName;      ///< what stands between that name and the first place to fill in behind it; empty: nothing is
     bool m_accepting = false;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <QGuiApplication>
+#include <QApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
@@ -160,6 +160,24 @@ void CompletionPopup::step(int by) {
     if (by == 1 && next >= count) next = 0;
     if (by == -1 && next < 0) next = count - 1;
     m_list->setCurrentItem(m_list->topLevelItem(std::clamp(next, 0, count - 1)));
+}
+
+void CompletionPopup::showEvent(QShowEvent* event) {
+    QFrame::showEvent(event);
+    qApp->installEventFilter(this);
+}
+
+void CompletionPopup::hideEvent(QHideEvent* event) {
+    QFrame::hideEvent(event);
+    qApp->removeEventFilter(this);
+}
+
+bool CompletionPopup::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::NonClientAreaMouseButtonPress) {
+        const auto* widget = qobject_cast<QWidget*>(watched); // the window of the screen hears of it first
+        if (widget && widget != this && !isAncestorOf(widget)) Q_EMIT left();
+    }
+    return QFrame::eventFilter(watched, event);
 }
 
 void CompletionPopup::showHelp() {

@@ -25,6 +25,12 @@ public:
 
 Q_SIGNALS:
     void clicked();
+    void left(); ///< somebody pressed the mouse elsewhere
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void showHelp();

@@ -56,7 +56,6 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     m_files->setMenu(new QMenu(m_files));
     m_tabs->setCornerWidget(m_files);
     m_bar = new FindBar(this);
-    m_finding = new Finding(m_document, *this, *m_bar);
     auto* split = new QSplitter(Qt::Vertical, this);
     split->setObjectName(QStringLiteral("textSplit"));
     split->setChildrenCollapsible(false);
@@ -81,6 +80,7 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     connect(m_uses, &ResultsList::chosen, this, &TextPanel::reveal);
     connect(&m_document, &Document::opened, this, &TextPanel::onOpened);
     connect(&m_document, &Document::changed, this, &TextPanel::onChanged);
+    m_finding = new Finding(m_document, *this, *m_bar); // hears of a change behind the pages: it marks what they show then
     connect(&m_document, &Document::modifiedChanged, this, &TextPanel::showTitles);
     connect(&m_selection, &Selection::changed, this, &TextPanel::onSelectionChanged);
     addCommands();

@@ -11,7 +11,8 @@
 
 namespace trundle {
 
-ArrayDialog::ArrayDialog(const Vec3& spacing, const QString& gridRefusal, QWidget* parent) : QDialog(parent) {
+ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& gridRefusal, QWidget* parent)
+    : QDialog(parent), m_originals(originals) {
     setObjectName(QStringLiteral("arrayDialog"));
     setWindowTitle(tr("Array Copy"));
     auto* grid = new QGridLayout;
@@ -76,9 +77,10 @@ void ArrayDialog::say() {
     m_count[2]->setEnabled(!m_asGrid->isChecked());
     m_spacing[2]->setEnabled(!m_asGrid->isChecked());
     const ArrayCopy wanted = copy();
-    const int total = wanted.count[0] * wanted.count[1] * wanted.count[2];
-    m_summary->setText(wanted.asGrid ? tr("A Grid of %1 × %2 robots").arg(wanted.count[0]).arg(wanted.count[1])
-                                     : tr("%n in all, with the original", nullptr, total));
+    const int total = wanted.count[0] * wanted.count[1] * wanted.count[2] * m_originals;
+    m_summary->setText(wanted.asGrid      ? tr("A Grid of %1 × %2 robots").arg(wanted.count[0]).arg(wanted.count[1])
+                       : m_originals == 1 ? tr("%1 in all, with the original").arg(total)
+                                          : tr("%1 in all, with the %2 originals").arg(total).arg(m_originals));
 }
 
 } // namespace trundle

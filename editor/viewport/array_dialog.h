@@ -14,14 +14,15 @@ namespace trundle {
 class ArrayDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// `gridRefusal`: why a Grid cannot be made; empty: it is offered.
-    ArrayDialog(const Vec3& spacing, const QString& gridRefusal, QWidget* parent = nullptr);
+    /// `originals`: how many objects are copied. `gridRefusal`: why a Grid cannot be made; empty: it is offered.
+    ArrayDialog(const Vec3& spacing, int originals, const QString& gridRefusal, QWidget* parent = nullptr);
 
     [[nodiscard]] ArrayCopy copy() const;
 
 private:
     void say();
 
+    const int m_originals;
     std::array<QSpinBox*, 3> m_count{};
     std::array<QDoubleSpinBox*, 3> m_spacing{};
     QCheckBox* m_asGrid = nullptr;

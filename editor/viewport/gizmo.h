@@ -1,12 +1,14 @@
 #pragma once
 // The handles by which objects are moved, turned and sized: where they are on the screen, how they look, which one a point hits.
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include <QColor>
 #include <QPolygonF>
+#include <QString>
 
 #include "editor/viewport/view_settings.h"
 #include "scene/view.h"
@@ -24,13 +26,20 @@ struct Handle {
     explicit operator bool() const { return kind != Kind::None; }
 };
 
+/// A length of a shape as its text has it: "Radius", "Size x".
+struct SizeName {
+    QString name;
+    double ofHalf = 2; ///< how much larger it is than half the extent
+};
+
 /// Where a gizmo stands.
 struct GizmoPlace {
     Vec3 origin = Vec3::Zero();
-    Mat3 axes = Mat3::Identity(); ///< columns, unit, right-handed
-    Vec3 half = Vec3::Zero();     ///< half the extent of what is sized; 0: cannot be sized along that axis
-    double metresPerPixel = 0.01; ///< at the origin
-    Vec3 forward = Vec3::UnitY(); ///< of the camera, at the origin
+    Mat3 axes = Mat3::Identity();  ///< columns, unit, right-handed
+    Vec3 half = Vec3::Zero();      ///< half the extent of what is sized; 0: cannot be sized along that axis
+    std::array<SizeName, 3> sizes; ///< along each axis that can be sized
+    double metresPerPixel = 0.01;  ///< at the origin
+    Vec3 forward = Vec3::UnitY();  ///< of the camera, at the origin
 };
 
 using Projector = std::function<std::optional<QPointF>(const Vec3&)>;

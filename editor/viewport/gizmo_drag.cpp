@@ -1,10 +1,12 @@
 #include "editor/viewport/gizmo_drag.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include <QKeyEvent>
 
+#include "base/units.h"
 #include "editor/viewport/number_text.h"
 
 namespace trundle {
@@ -65,7 +67,8 @@ void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, do
     for (int k = 0; k < 3; ++k) {
         const bool along =
             m_handle.kind == Handle::Kind::Screen || (m_handle.kind == Handle::Kind::Plane) != (k == m_handle.axis);
-        m_amount[k] = along ? snapped(by[k], moveStep) : 0;
+        const double size = m_handle.kind == Handle::Kind::Size ? m_place.sizes[k].ofHalf : 1;
+        m_amount[k] = along ? snapped(size * by[k], moveStep) / size : 0;
     }
 }
 
@@ -76,23 +79,28 @@ bool GizmoDrag::type(int key, const QString& text) {
     }
     if (text.size() != 1 || m_typed.size() > 24) return false;
     const char c = text[0].toLatin1();
-    if ((c < '0' || c > '9') && c != '.' && c != '-' && c != ',') return false;
+    const bool inUnit = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == ' ';
+    if ((c < '0' || c > '9') && c != '.' && c != '-' && c != ',' && (m_typed.empty() || !inUnit)) return false;
     m_typed += c;
     return true;
 }
 
-/// The numbers typed so far go to the handle's axes in their order.
+/// The numbers typed so far go to the handle's axes in their order. Nothing while a unit is not typed out.
 std::optional<Vec3> GizmoDrag::typedNumbers() const {
     if (m_typed.empty()) return std::nullopt;
     Vec3 values = Vec3::Zero();
     const char* at = m_typed.data();
     const char* end = at + m_typed.size();
     for (int k = 0; k < 3 && at < end; ++k) {
-        const auto read = std::from_chars(at, end, values[k], std::chars_format::fixed);
-        if (read.ec != std::errc() && read.ptr == at) values[k] = 0;
-        at = read.ptr == at ? at + 1 : read.ptr;
-        while (at < end && *at != ',') ++at;
-        ++at;
+        at = std::from_chars(at, end, values[k], std::chars_format::fixed).ptr;
+        const char* next = std::find(at, end, ',');
+        std::string unit(at, next);
+        std::erase(unit, ' ');
+        at = next == end ? end : next + 1;
+        if (unit.empty()) continue;
+        const auto value = convertUnit(values[k], unit, m_handle.kind == Handle::Kind::Ring ? "deg" : "m");
+        if (!value) return std::nullopt;
+        values[k] = *value;
     }
     return values;
 }
@@ -110,6 +118,10 @@ Vec3 GizmoDrag::amount() const {
         return amount;
     }
     amount[m_handle.axis] = typed->x();
+    if (m_handle.kind != Handle::Kind::Size) return amount;
+    // The size itself is typed, as a row has it.
+    if (typed->x() <= 0) return m_amount;
+    amount[m_handle.axis] = typed->x() / m_place.sizes[m_handle.axis].ofHalf - m_place.half[m_handle.axis];
     return amount;
 }
 
@@ -131,6 +143,10 @@ QString GizmoDrag::readOut() const {
     QString text;
     if (m_handle.kind == Handle::Kind::Ring) {
         text = QStringLiteral("%1  %2°").arg(QLatin1String(kNames[m_handle.axis]), number(degrees(), 0.01));
+    } else if (m_handle.kind == Handle::Kind::Size) {
+        const SizeName& size = m_place.sizes[m_handle.axis];
+        const double now = size.ofHalf * (m_place.half[m_handle.axis] + amount()[m_handle.axis]);
+        text = QStringLiteral("%1  %2 m").arg(size.name, number(std::max(0.0, now), 1e-4));
     } else {
         const Vec3 by = amount();
         for (int k = 0; k < 3; ++k) {

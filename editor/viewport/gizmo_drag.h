@@ -13,17 +13,17 @@ public:
 
     /// The mouse is there now. Steps in m and degrees; 0: no steps.
     void to(const ViewRay& ray, const QPointF& pixel, double moveStep, double turnStep);
-    /// Keys typed while dragging: digits, point, minus, comma, Backspace. True where they were used.
+    /// Keys typed while dragging: numbers, with their unit or without, commas between them, Backspace. True where they were used.
     bool type(int key, const QString& text);
     [[nodiscard]] const std::string& typed() const { return m_typed; }
 
     [[nodiscard]] const Handle& handle() const { return m_handle; }
-    /// m along the axes of the gizmo (Axis, Plane, Screen, Size).
+    /// m along the axes of the gizmo (Axis, Plane, Screen), or by which half the extent grows (Size).
     [[nodiscard]] Vec3 amount() const;
     [[nodiscard]] double degrees() const; ///< of a Ring
     /// Of the world: what stood at p stands at motion * p. Not for Size.
     [[nodiscard]] Pose motion() const;
-    /// "X 0.35 m", "45°".
+    /// "X 0.35 m", "45°", "Radius 0.1 m".
     [[nodiscard]] QString readOut() const;
 
 private:

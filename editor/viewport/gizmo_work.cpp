@@ -62,6 +62,7 @@ std::optional<GizmoPlace> GizmoWork::place() {
     place.origin = held->pivot().position;
     if (tool == Tool::Scale) {
         place.half = held->halfExtent();
+        place.sizes = held->sizeNames();
         if (place.half.isZero()) return std::nullopt;
     }
     const ViewCamera& camera = m_view.camera();
@@ -141,7 +142,8 @@ void GizmoWork::apply() {
 
 void GizmoWork::say() {
     m_view.setHovered({}, m_drag->readOut());
-    m_view.setHint(tr("Type a number for an exact value · Enter ends · Esc takes back · Ctrl or Shift switches snapping"));
+    m_view.setHint(
+        tr("Type an exact value, with a unit or without · Enter ends · Esc takes back · Ctrl or Shift switches snapping"));
     m_view.update();
 }
 

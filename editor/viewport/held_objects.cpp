@@ -197,6 +197,20 @@ Vec3 HeldObjects::halfExtent() const {
     }
 }
 
+std::array<SizeName, 3> HeldObjects::sizeNames() const {
+    const auto& object = m_items.back().object;
+    const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
+    const QString size = QStringLiteral("Size "), radius = QStringLiteral("Radius"), length = QStringLiteral("Length");
+    switch (geom ? geom->shape : GeomShape::Plane) {
+    case GeomShape::Box: return {{{size + u'x'}, {size + u'y'}, {size + u'z'}}};
+    case GeomShape::Heightfield: return {{{size + u'x'}, {size + u'y'}, {size + u'z', 1}}};
+    case GeomShape::Sphere: return {{{radius, 1}, {radius, 1}, {radius, 1}}};
+    case GeomShape::Cylinder:
+    case GeomShape::Capsule: return {{{radius, 1}, {radius, 1}, {length}}};
+    default: return {};
+    }
+}
+
 Status HeldObjects::resize(const Vec3& growth, const QString& name, const std::string& mergeKey, Fineness fineness) {
     std::vector<ValueEdit> edits;
     const auto set = [&](const Item& item, const char* key, std::span<const double> before, std::span<const double> after) {

@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "editor/document/document.h"
+#include "editor/viewport/gizmo.h"
 #include "scene/object_index.h"
 
 namespace trundle {
@@ -47,6 +48,7 @@ public:
     /// Lengths of the pivot object that can be dragged: a box has three, a ball one, a cylinder radius and length; else none.
     /// Half the extent along each of its own axes; 0: not there.
     [[nodiscard]] Vec3 halfExtent() const;
+    [[nodiscard]] std::array<SizeName, 3> sizeNames() const; ///< of those lengths
     /// Grows the shapes by so much on each side, along their own axes.
     Status resize(const Vec3& growth, const QString& name, const std::string& mergeKey, Fineness fineness);
 

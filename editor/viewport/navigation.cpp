@@ -39,6 +39,8 @@ bool Navigation::press(const Pointer& pointer) {
 
 void Navigation::drag(const Pointer& pointer) {
     if (!m_moved && (pointer.at - m_start).manhattanLength() < kClick) return;
+    if (!m_moved && m_button == Qt::RightButton) // nobody finds flying by himself
+        m_view.setHint(tr("Drag goes round · Shift and drag shifts · W A S D, Q and E fly, the wheel sets how fast"));
     m_moved = true;
     const QPointF by = pointer.at - m_last;
     m_last = pointer.at;
@@ -52,12 +54,14 @@ void Navigation::drag(const Pointer& pointer) {
 void Navigation::release(const Pointer& pointer) {
     const bool click = !m_moved && !m_flown && m_button == Qt::RightButton && pointer.button == Qt::RightButton;
     m_mode = Mode::None;
+    m_view.setHint({});
     stopFlying();
     if (click) Q_EMIT m_view.menuWanted(pointer.at);
 }
 
 void Navigation::cancel() {
     m_mode = Mode::None;
+    m_view.setHint({});
     stopFlying();
 }
 

@@ -13,6 +13,7 @@
 #include "editor/viewport/view_header.h"
 #include "editor/viewport/viewport_panel.h"
 #include "editor/widgets/actions.h"
+#include "render/service.h"
 
 namespace trundle {
 namespace {
@@ -51,6 +52,13 @@ constexpr OverlayRow kOverlays[] = {{"view.overlayGrid", kOverlayGrid},         
                                     {"view.overlayLobes", kOverlayLobes},         {"view.overlayLinks", kOverlayLinks},
                                     {"view.overlayCoverage", kOverlayCoverage}};
 
+struct LookRow {
+    const char* id;
+    LookChoice look;
+};
+constexpr LookRow kLooks[] = {
+    {"view.lookAutomatic", LookChoice::Automatic}, {"view.lookFast", LookChoice::Fast}, {"view.lookRich", LookChoice::Rich}};
+
 constexpr std::size_t kMostCameras = 8; // in a menu
 
 QString axisName(int axis) { return QString(QLatin1Char("XYZ"[axis])); }
@@ -65,6 +73,11 @@ void ViewportPanel::connectActions() {
             showTools();
         });
     for (const KindRow& row : kKinds) on(row.id, [this, kind = row.kind] { setKind(kind); });
+    for (const LookRow& row : kLooks)
+        on(row.id, [this, look = row.look] {
+            m_settings.setLook(look);
+            showTools();
+        });
     on("view.one", [this] { setViewCount(1); });
     on("view.two", [this] { setViewCount(2); });
     on("view.four", [this] { setViewCount(4); });
@@ -89,12 +102,18 @@ void ViewportPanel::showTools() {
     for (const ToolRow& row : kTools) m_actions.at(row.id).setChecked(m_settings.tool() == row.tool);
     m_actions.at("tool.snap").setChecked(m_settings.snaps());
     for (const OverlayRow& row : kOverlays) m_actions.at(row.id).setChecked(m_settings.shows(row.overlay));
+    for (const LookRow& row : kLooks) m_actions.at(row.id).setChecked(m_settings.look() == row.look);
 }
 
 void ViewportPanel::connectOverlays() {
     for (const OverlayRow& row : kOverlays)
         connect(&m_actions.at(row.id), &QAction::triggered, this,
                 [this, overlay = row.overlay](bool on) { m_settings.show(overlay, on); });
+    const auto tellLook = [this] {
+        if (m_parts->render) m_parts->render->setLook(m_settings.look());
+    };
+    tellLook();
+    connect(&m_settings, &ViewSettings::changed, this, tellLook);
     connect(&m_settings, &ViewSettings::changed, this, [this] {
         m_session.wantContacts(m_settings.shows(kOverlayContacts));
         m_trails->setWanted(m_settings.shows(kOverlayTrails));
@@ -155,7 +174,7 @@ void ViewportPanel::askArray() {
         // Half as much again as the object is large, in round numbers.
         if (!box.empty()) spacing = (10 * 1.5 * box.size()).array().ceil() / 10;
     }
-    ArrayDialog dialog(spacing, gridRefusal(*m_parts), this);
+    ArrayDialog dialog(spacing, int(m_selection.paths().size()), gridRefusal(*m_parts), this);
     if (dialog.exec() == QDialog::Accepted) copyInRows(*m_parts, dialog.copy());
 }
 

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QPointer>
 
+#include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
 #include "editor/viewport/gizmo_work.h"
@@ -285,11 +286,13 @@ void View::ask(bool fine) {
             failure = QString::fromStdString(result.error().message);
         }
         const bool software = render->isSoftware();
+        const QString notice = QString::fromStdString(render->takeNotice());
         const std::lock_guard lock(inbox->mutex);
         if (!inbox->view) return;
         QMetaObject::invokeMethod(
             inbox->view,
-            [view = inbox->view, number, image, failure, frame, software] {
+            [view = inbox->view, number, image, failure, frame, software, notice] {
+                if (!notice.isEmpty()) Q_EMIT view->m_parts.document.notice(notice);
                 view->take(number, image, failure, frame, software);
             },
             Qt::QueuedConnection);

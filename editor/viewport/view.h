@@ -83,6 +83,7 @@ public:
     void setHovered(const std::string& path, const QString& hint);
     /// A line of words at the lower edge, while something is done; empty: none.
     void setHint(const QString& hint);
+    [[nodiscard]] const QString& hint() const { return m_hint; }
     /// The one that keys and menus mean, framed where there are several. Legends stand in it.
     void setCurrent(bool current, bool framed);
     [[nodiscard]] bool isCurrent() const { return m_isCurrent; }

@@ -97,7 +97,7 @@ void ViewCamera::fly(const Vec3& way) {
 
 void ViewCamera::frame(const Bounds& bounds, double width, double height) {
     Bounds box = bounds;
-    if (box.empty()) box.add(Vec3::Zero());
+    if (box.empty()) box = {Vec3(-1, -1, 0), Vec3(1, 1, 0.5)}; // a bare floor: room for what comes
     if (box.radius() < 0.05) box.grow(0.05);
     Mat3 axes;
     axes << right(), upward(), -forward();

@@ -13,6 +13,7 @@ void ViewSettings::keepBetweenStarts() {
     };
     m_snaps = kept.value(QStringLiteral("views/snaps"), m_snaps).toBool();
     m_axes = AxesOf(std::clamp(kept.value(QStringLiteral("views/axes"), int(m_axes)).toInt(), 0, int(AxesOf::Local)));
+    m_look = LookChoice(std::clamp(kept.value(QStringLiteral("views/look"), int(m_look)).toInt(), 0, int(LookChoice::Rich)));
     m_overlays = kept.value(QStringLiteral("views/overlays"), m_overlays).toUInt();
     setSteps(number("moveStep", m_moveStep), number("turnStep", m_turnStep));
     Q_EMIT changed();
@@ -20,6 +21,7 @@ void ViewSettings::keepBetweenStarts() {
         QSettings settings;
         settings.setValue(QStringLiteral("views/snaps"), m_snaps);
         settings.setValue(QStringLiteral("views/axes"), int(m_axes));
+        settings.setValue(QStringLiteral("views/look"), int(m_look));
         settings.setValue(QStringLiteral("views/overlays"), m_overlays);
         settings.setValue(QStringLiteral("views/moveStep"), m_moveStep);
         settings.setValue(QStringLiteral("views/turnStep"), m_turnStep);

@@ -1,6 +1,8 @@
 #pragma once
 #include <QObject>
 
+#include "render/look_choice.h"
+
 namespace trundle {
 
 enum class Tool { Select, Move, Rotate, Scale, Measure };
@@ -35,11 +37,13 @@ public:
     [[nodiscard]] bool snaps() const { return m_snaps; }
     [[nodiscard]] double moveStep() const { return m_moveStep; } ///< m
     [[nodiscard]] double turnStep() const { return m_turnStep; } ///< degrees
+    [[nodiscard]] LookChoice look() const { return m_look; }
     [[nodiscard]] bool shows(Overlay overlay) const { return (m_overlays & overlay) != 0; }
 
     void setTool(Tool tool) { set(m_tool, tool); }
     void setAxes(AxesOf axes) { set(m_axes, axes); }
     void setSnaps(bool snaps) { set(m_snaps, snaps); }
+    void setLook(LookChoice look) { set(m_look, look); }
     /// Only steps above 0 are taken.
     void setSteps(double moveM, double turnDegrees);
     /// As they were in the last window of this user; from now on every change is kept for the next. Not the tool.
@@ -57,6 +61,7 @@ private:
     }
     Tool m_tool = Tool::Select;
     AxesOf m_axes = AxesOf::World;
+    LookChoice m_look = LookChoice::Automatic;
     bool m_snaps = true;
     double m_moveStep = 0.05, m_turnStep = 15;
     unsigned m_overlays = kOverlayGrid | kOverlayShadows;

@@ -65,8 +65,13 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     setViewCount(1);
 
     // Framed once, when there is something to be seen of it.
-    connect(&m_document, &Document::opened, this, [this] { m_toBeFramed = true; });
-    connect(m_world.get(), &ShownWorld::replaced, this, [this] {
+    connect(&m_document, &Document::opened, this, [this] {
+        m_toBeFramed = true;
+        for (View* view : m_views) // the robot that it went with is gone
+            if (view->camera().kind() == ViewKind::Follow || view->camera().kind() == ViewKind::Chase)
+                view->setKind(ViewKind::Perspective);
+    });
+    connect(&m_document, &Document::changed, this, [this] { // comes behind opened(); the world may be another one before that
         if (!m_toBeFramed || m_world->objects()->instances().empty()) return;
         m_toBeFramed = false;
         m_frameWhenShown = !isVisible();
@@ -75,6 +80,7 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     if (!m_world->objects()->instances().empty()) m_toBeFramed = false, m_frameWhenShown = true;
     for (const auto& signal : {&ShownWorld::replaced, &ShownWorld::posed})
         connect(m_world.get(), signal, this, &ViewportPanel::showBanner);
+    connect(m_world.get(), &ShownWorld::posed, this, &ViewportPanel::keepDrivenInSight);
     connect(&m_selection, &Selection::changed, this, &ViewportPanel::showBanner);
     connect(&m_session, &RunSession::stateChanged, this, &ViewportPanel::showBanner);
     connect(&m_settings, &ViewSettings::changed, this, &ViewportPanel::showBanner);
@@ -122,6 +128,16 @@ void ViewportPanel::setViewCount(int count) {
 void ViewportPanel::setCurrent(View& view) {
     m_current = &view;
     for (View* each : m_views) each->setCurrent(each == m_current, m_shown > 1 && each == m_current);
+}
+
+/// Whoever steers by the keyboard has no hand free for the view: it goes along where the robot would leave it.
+void ViewportPanel::keepDrivenInSight() {
+    const std::string robot = m_session.driven();
+    const std::optional<Pose> pose = robot.empty() ? std::nullopt : m_session.robotPose(robot);
+    if (!pose || !m_current->isVisible() || m_current->camera().kind() != ViewKind::Perspective || m_current->throughCamera())
+        return;
+    const std::optional<QPointF> at = m_current->pixelOf(pose->position);
+    if (!at || !m_current->rect().contains(at->toPoint())) setKind(ViewKind::Follow);
 }
 
 void ViewportPanel::setKind(ViewKind kind) { m_current->setKind(kind); }

@@ -77,6 +77,7 @@ private:
     void askAlign();
     void askDistribute();
     void askArray();
+    void keepDrivenInSight();
     void setCurrent(View& view);
     void setKind(ViewKind kind);
     void showTools();

@@ -60,6 +60,7 @@ static const char* const kSheet =
     "min-height: 18px; selection-background-color: @accent; }"
     "QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border-color: @accent; }"
     "QLineEdit:disabled, QComboBox:disabled { color: @disabled; }"
+    "QComboBox QAbstractItemView { color: @text; selection-color: @onaccent; }" // also where the box itself is faint
     "QComboBox::drop-down { border: none; width: 20px; }"
     "QComboBox::down-arrow { image: url(\"@icons/colour-chevron-down.svg\"); width: 12px; height: 12px; }"
     "QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: 16px; }"

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws the gallery: one picture of each shipped robot and arena, `resources/pictures/gallery/NAME.png`.
+"""Draws the gallery: one picture of each shipped robot and arena, `resources/pictures/gallery/NAME.png`, and of the samples with
+cameras and radios, `resources/pictures/samples/NAME.png`.
 
 `python3 resources/pictures/draw_gallery.py [BUILD]` after a build; BUILD is build/release where none is given. Each robot stands on a
 plain floor, each arena as it is; the pictures are those of `trundle-cli render`.
@@ -17,6 +18,12 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 SIZE = "640x360"
 # Of each robot: how far away (m) the eye is, and how high what it looks at. One that is not named is shown whole from farther away.
 ROBOTS = {"simple_robot": (0.85, 0.06), "camera_robot": (1.0, 0.12), "radio_robot": (1.05, 0.13), "evbot": (1.4, 0.19), "amr": (1.9, 0.18), "tmote_sky": (0.2, 0.01)}
+# Of each sample: after how many seconds, from where and what is in the middle (m).
+SAMPLES = {
+    "blob_follow": ("4", "-2.7,-2.3,1.1", "-0.1,0.55,0.05"),
+    "directional_antenna": ("1.2", "-0.75,-1.35,0.75", "0.4,0.45,0.08"),
+    "sensor_network_amr": ("1", "-7.3,-6.4,1.6", "-4.4,-3.5,0.2"),
+}
 
 
 def text(folder, name, config):
@@ -47,6 +54,11 @@ def main():
                 view = ["--view", "shown"] if name in ROBOTS else []
                 subprocess.run([cli, "render", experiment, "--size", SIZE, "-o", picture, *view], check=True)
                 print(picture)
+    for name, (seconds, eye, target) in SAMPLES.items():
+        picture = os.path.join(HERE, "samples", name + ".png")
+        place = ["--at", seconds, "--eye=" + eye, "--target=" + target]
+        subprocess.run([cli, "render", os.path.join(ROOT, "configs", "experiments", name + ".sim"), "--size", SIZE, "-o", picture, *place], check=True)
+        print(picture)
 
 
 if __name__ == "__main__":

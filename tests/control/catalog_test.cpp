@@ -113,6 +113,16 @@ private Q_SLOTS:
         QCOMPARE(message.contains("did you mean"), !meant.isEmpty());
     }
 
+    void knowsWhichModuleBringsAKind() {
+        put("program/controllers/libgood.so", true);
+        put("mine/libother.so", true);
+        DirectoryCatalog catalog({{path("mine")}, path("program"), {}, false});
+        const std::string kind = catalog.find("controllers/good", path("experiments")).value().kinds.at(0).name;
+        QCOMPARE(catalog.moduleWith(kind), "controllers/good");
+        QCOMPARE(catalog.moduleWith("NoSuchKind"), "");
+        QCOMPARE(DirectoryCatalog({{path("mine")}, "", {}, false}).moduleWith(kind), ""); // nobody's folder is searched for it
+    }
+
     void pythonComesLater() {
         QDir().mkpath(m_folder->filePath("experiments"));
         QFile file(m_folder->filePath("experiments/brain.py"));

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include "lang/tree_edit.h"
 #include "model/provenance.h"
 #include "sample_project.h"
 
@@ -267,6 +268,23 @@ Static arena { Config=Arena }
         const auto loaded =
             desk.open(scene("#loadModule Controllers/walker.dll\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"));
         SAYS(loaded, "");
+    }
+
+    /// Who pastes a robot has its controller's kind, not the line that brings it.
+    void aKindOfAModuleThatIsNotLoaded() {
+        Desk desk;
+        desk.write("crew.sim", scene("#loadModule walker\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"
+                                     "Robot robot1 { Config=Rover Prowler brain { } }\n"));
+        const auto loaded = desk.open("#import crew.sim\nRobot robot2 { Config=Rover Prowler brain { } }\n");
+        QCOMPARE(sample::messages(*loaded), "E301 Prowler is a kind of the module controllers/prowler, which is not loaded\n"
+                                            "E301 Prowler is a kind of the module controllers/prowler, which is not loaded\n");
+        // Each in the file that uses it, behind what that file loads already.
+        const auto& said = loaded->diagnostics.all();
+        QCOMPARE(said[0].fixes.at(0).title, "#loadModule controllers/prowler");
+        QCOMPARE(said[0].fixes[0].edits.at(0).range.file, said[0].range.file);
+        desk.write("crew.sim", applyEdits(loaded->trees[1]->source().bytes(), said[1].fixes.at(0).edits).value());
+        const auto mended = desk.openFile(desk.folder() + "/main.sim");
+        SAYS(mended, "");
     }
 
     void everyGeomAndJoint() {

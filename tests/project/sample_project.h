@@ -121,10 +121,12 @@ public:
     Result<ModuleListing> find(const std::string& written, const std::string&) override {
         if (written == "walker" || written == "Controllers/walker.dll") return listing("/modules/libwalker.so", {"Walker"});
         if (written == "other_walker") return listing("/modules/libother.so", {"Walker"});
+        if (written == "controllers/prowler") return listing("/modules/controllers/libprowler.so", {"Prowler"});
         if (written == "mystery") return ModuleListing{"/modules/libmystery.so", false, {}};
         if (written == "untrusted") return Error{Code::ModuleNotTrusted, "the folder of untrusted is not trusted"};
         return Error{Code::ModuleNotFound, written + " is not found; tried /modules/lib" + written + ".so"};
     }
+    std::string moduleWith(const std::string& kind) override { return kind == "Prowler" ? "controllers/prowler" : ""; }
 
 private:
     static ModuleListing listing(std::string library, const std::vector<std::string>& names) {

@@ -1,5 +1,5 @@
 // Draws a sample or an experiment into a file: draw_sample WHAT OUT [eye x y z target x y z fov]. With TIMES in the environment it says
-// how long pictures take, the best of ROUNDS times 5; only those whose names hold what TIMES is.
+// how long pictures take, the best of ROUNDS times 5; only those whose names hold what TIMES is. LOOK is rich or fast.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     if (!experiment) return std::fprintf(stderr, "no experiment %s\n", argv[1]), 2;
     auto service = RenderService::start();
     if (!service) return std::fprintf(stderr, "%s\n", service.error().message.c_str()), 1;
+    if (const char* look = std::getenv("LOOK")) service.value()->setLook(*look == 'r' ? LookChoice::Rich : LookChoice::Fast);
     PictureRequest request;
     request.scene = service.value()->addScene(experiment);
     if (argc >= 10) {

@@ -40,6 +40,19 @@ private Q_SLOTS:
         QVERIFY(picture != draw({}));
     }
 
+    void theLookIsTheOneAskedFor() {
+        std::string told;
+        const std::function<void(const std::string&)> warn = [&](const std::string& line) { told += line; };
+        RenderJob job;
+        job.warn = &warn;
+        job.look = LookChoice::Fast;
+        const QByteArray fast = draw(job);
+        job.look = LookChoice::Rich;
+        const QByteArray rich = draw(job);
+        QVERIFY(!fast.isEmpty() && !rich.isEmpty() && fast != rich);
+        QCOMPARE(told, std::string());
+    }
+
     void posesComeFromSignals() {
         SignalLayout layout;
         layout.beginRobot("robot0");

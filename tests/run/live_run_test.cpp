@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "eventually.h"
 #include "run/experiment_runner.h"
 #include "run/fake_world.h"
 #include "run/live_run.h"
@@ -119,7 +120,7 @@ private Q_SLOTS:
 
     void standsBuiltAtTheStart() {
         LiveRun run(maker(), fast());
-        QTRY_COMPARE(run.phase(), LivePhase::Paused);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Paused);
         QCOMPARE(tickOf(run), 0u);
         QVERIFY(run.layout()->find("robot0/pose"));
         QVERIFY(!run.end());
@@ -132,7 +133,7 @@ private Q_SLOTS:
         options.startsRunning = true;
         options.logFolder = m_folder.filePath("ends").toStdString();
         LiveRun run(maker(), options);
-        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
         QVERIFY(!run.end()->failure);
         QCOMPARE(run.end()->time, 2.0);
         QCOMPARE(tickOf(run), 200u);
@@ -146,23 +147,23 @@ private Q_SLOTS:
     void takesSingleTicks() {
         LiveRun run(maker(), fast());
         run.step(); // asked for while it is still built
-        QTRY_COMPARE(tickOf(run), 1u);
+        EVENTUALLY_EQUAL(tickOf(run), 1u);
         run.step(3);
-        QTRY_COMPARE(tickOf(run), 4u);
+        EVENTUALLY_EQUAL(tickOf(run), 4u);
         QCOMPARE(run.phase(), LivePhase::Paused);
     }
 
     void pausesAndGoesOn() {
         LiveRun run(maker(), fast());
         run.run();
-        QTRY_VERIFY(tickOf(run) > 10);
+        EVENTUALLY(tickOf(run) > 10);
         run.pause();
-        QTRY_COMPARE(run.phase(), LivePhase::Paused);
-        QTRY_VERIFY(run.snapshot()->hash.has_value()); // the newest tick is shown once it stands
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Paused);
+        EVENTUALLY(run.snapshot()->hash.has_value()); // the newest tick is shown once it stands
         const std::uint64_t there = tickOf(run);
         QCOMPARE(run.snapshot()->realTimeFactor, 0.0);
         run.run();
-        QTRY_VERIFY(tickOf(run) > there);
+        EVENTUALLY(tickOf(run) > there);
     }
 
     void aSlowRunCanBeHurriedAndStopped() {
@@ -170,9 +171,9 @@ private Q_SLOTS:
         slow.speed = 0.001; // a tick takes ten seconds
         slow.startsRunning = true;
         LiveRun run(maker(), slow);
-        QTRY_COMPARE(run.phase(), LivePhase::Running);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Running);
         run.setSpeed(0);
-        QTRY_VERIFY(tickOf(run) > 100);
+        EVENTUALLY(tickOf(run) > 100);
         run.setSpeed(0.001);
         run.stop(); // and does not wait for the next tick
         QVERIFY(run.waitUntilGone(5s));
@@ -182,13 +183,13 @@ private Q_SLOTS:
     void commandsAreStampedWithTheTickTheyCameBefore() {
         LiveRun run(maker(), fast());
         run.step(2);
-        QTRY_COMPARE(tickOf(run), 2u);
+        EVENTUALLY_EQUAL(tickOf(run), 2u);
         run.command(PlaceCommand{"robot0", {{1, 0, 0}, Quat::Identity()}});
         run.command(PlaceCommand{"robot1", {{5, 0, 0}, Quat::Identity()}});
         run.command(PlaceCommand{"robot0", {{2, 0, 0}, Quat::Identity()}}); // a drag goes on: only the last place counts
         run.command(SignalCommand{"robot0/base/linearVelocity", 0.5});
         run.step();
-        QTRY_COMPARE(tickOf(run), 3u);
+        EVENTUALLY_EQUAL(tickOf(run), 3u);
         const std::vector<Command> commands = run.commands();
         QCOMPARE(commands.size(), 3u);
         for (const Command& command : commands) QCOMPARE(command.tick, 2u);
@@ -202,10 +203,10 @@ private Q_SLOTS:
         LiveRun run(maker(), fast());
         run.keepPushing(PushCommand{"robot0/chassis", {1, 0, 0}, {0, 0, 0}});
         run.step(3);
-        QTRY_COMPARE(tickOf(run), 3u);
+        EVENTUALLY_EQUAL(tickOf(run), 3u);
         run.keepPushing(std::nullopt);
         run.step(2);
-        QTRY_COMPARE(tickOf(run), 5u);
+        EVENTUALLY_EQUAL(tickOf(run), 5u);
         const std::vector<Command> commands = run.commands();
         QCOMPARE(commands.size(), 3u);
         QCOMPARE(commands[2].tick, 2u);
@@ -215,13 +216,13 @@ private Q_SLOTS:
         m_lines = 1;
         LiveRun run(maker(), fast());
         run.step();
-        QTRY_COMPARE(tickOf(run), 1u);
+        EVENTUALLY_EQUAL(tickOf(run), 1u);
         run.command(HoldCommand{"robot0", true});
         run.step(2);
-        QTRY_COMPARE(tickOf(run), 3u);
+        EVENTUALLY_EQUAL(tickOf(run), 3u);
         run.command(HoldCommand{"robot0", false});
         run.step();
-        QTRY_COMPARE(tickOf(run), 4u);
+        EVENTUALLY_EQUAL(tickOf(run), 4u);
         const LiveLines lines = run.takeLines();
         QCOMPARE(lines.lines.size(), 2u);
         QCOMPARE(lines.lines[0].text, std::string("tick 0"));
@@ -234,7 +235,7 @@ private Q_SLOTS:
         run.command(PropertyCommand{"nobody/motor", "Resistance", {PropertyType::Number, {3}, {}}});
         run.command(SurfaceCommand{{"rubber", 0.8, 0, 0, 0, {}, {}}});
         run.step();
-        QTRY_COMPARE(tickOf(run), 1u);
+        EVENTUALLY_EQUAL(tickOf(run), 1u);
         const LiveLines lines = run.takeLines();
         QCOMPARE(lines.lines.size(), 2u);
         QCOMPARE(lines.lines[0].text, std::string("Speed = 0.500000"));
@@ -246,7 +247,7 @@ private Q_SLOTS:
         m_lines = 50;
         LiveRun run(maker(), fast());
         run.step(500); // 25,000 lines, room for 10,000
-        QTRY_COMPARE(tickOf(run), 500u);
+        EVENTUALLY_EQUAL(tickOf(run), 500u);
         const LiveLines taken = run.takeLines();
         QCOMPARE(taken.lines.size(), 10'000u);
         QCOMPARE(taken.dropped, 15'000u);
@@ -259,11 +260,11 @@ private Q_SLOTS:
     void contactsComeWhenTheyAreWanted() {
         LiveRun run(maker(), fast());
         run.step();
-        QTRY_COMPARE(tickOf(run), 1u);
+        EVENTUALLY_EQUAL(tickOf(run), 1u);
         QVERIFY(!run.snapshot()->contacts);
         QCOMPARE(run.snapshot()->contactCount, 1u);
         run.wantContacts(true); // also of the tick that is over
-        QTRY_VERIFY(run.snapshot()->contacts);
+        EVENTUALLY(run.snapshot()->contacts);
         QCOMPARE(tickOf(run), 1u);
         QCOMPARE(run.snapshot()->contacts->at(0).second, std::string("arena/north"));
     }
@@ -273,7 +274,7 @@ private Q_SLOTS:
         LiveRun::Options options = fast();
         options.startsRunning = true;
         LiveRun run(maker(), options);
-        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
         QCOMPARE(run.end()->failure->code, Code::BlowUp);
         QCOMPARE(run.end()->body, std::string("robot0/chassis"));
         QCOMPARE(run.end()->time, 0.07);
@@ -285,7 +286,7 @@ private Q_SLOTS:
         LiveRun::Options options = fast();
         options.startsRunning = true;
         LiveRun run(maker(), options);
-        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
         QCOMPARE(run.end()->failure->code, Code::ControllerFailed);
         QVERIFY(run.end()->body.empty());
         run.run(); // nothing goes on from here, and nothing breaks
@@ -303,7 +304,7 @@ private Q_SLOTS:
                 return nullptr;
             },
             fast());
-        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
         QCOMPARE(run.end()->problems.size(), 2u);
         QCOMPARE(run.end()->failure->code, Code::KindNotLoaded);
         QVERIFY(!run.layout());
@@ -312,7 +313,7 @@ private Q_SLOTS:
 
     void whatIsThrownBecomesAnEnd() {
         LiveRun run([](RunOptions, Diagnostics&) -> std::unique_ptr<Runner> { throw std::runtime_error("out of luck"); }, fast());
-        QTRY_COMPARE(run.phase(), LivePhase::Ended);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
         QVERIFY(run.end()->failure->message.find("out of luck") != std::string::npos);
         QVERIFY(run.waitUntilGone(10s));
     }
@@ -324,7 +325,7 @@ private Q_SLOTS:
         options.startsRunning = true;
         options.logFolder = m_folder.filePath("blocked").toStdString();
         auto run = std::make_unique<LiveRun>(maker(), options);
-        QTRY_COMPARE(m_door.waiting.load(), 1);
+        EVENTUALLY_EQUAL(m_door.waiting.load(), 1);
         QVERIFY(run->busyS() > 0);
         run->stop();
         QVERIFY(!run->waitUntilGone(1ms));
@@ -334,7 +335,7 @@ private Q_SLOTS:
         options.patience = 1ms;
         options.startsRunning = false;
         LiveRun next(maker(), options);
-        QTRY_COMPARE(next.phase(), LivePhase::Paused);
+        EVENTUALLY_EQUAL(next.phase(), LivePhase::Paused);
         QVERIFY(next.takeLines().lines.at(0).text.find("writes no logs") != std::string::npos);
 
         run.reset(); // comes back at once
@@ -342,7 +343,7 @@ private Q_SLOTS:
         m_door.set(true);
         next.stop();
         QVERIFY(next.waitUntilGone(10s));
-        QTRY_VERIFY(threadCount() <= threads + 1); // the one left behind found its own end
+        EVENTUALLY(threadCount() <= threads + 1); // the one left behind found its own end
     }
 
     void theNextRunWaitsForTheLogsOfTheFormer() {
@@ -351,7 +352,7 @@ private Q_SLOTS:
         options.startsRunning = true;
         options.logFolder = m_folder.filePath("waits").toStdString();
         LiveRun first(maker(), options);
-        QTRY_COMPARE(m_door.waiting.load(), 1);
+        EVENTUALLY_EQUAL(m_door.waiting.load(), 1);
         first.stop();
         options.after = &first;
         options.patience = 60s;
@@ -359,7 +360,7 @@ private Q_SLOTS:
         LiveRun second(maker(), options);
         QCOMPARE(second.phase(), LivePhase::Building);
         m_door.set(true);
-        QTRY_COMPARE(second.phase(), LivePhase::Paused);
+        EVENTUALLY_EQUAL(second.phase(), LivePhase::Paused);
         QVERIFY(first.gone());
         QVERIFY(second.takeLines().lines.empty());
     }
@@ -369,16 +370,16 @@ private Q_SLOTS:
         LiveRun::Options options = fast();
         options.changed = [&told] { ++told; };
         LiveRun run(maker(), options);
-        QTRY_COMPARE(told.load(), 1); // built
+        EVENTUALLY_EQUAL(told.load(), 1); // built
         run.step();
-        QTRY_COMPARE(told.load(), 2);
+        EVENTUALLY_EQUAL(told.load(), 2);
         run.run();
-        QTRY_COMPARE(told.load(), 3);
+        EVENTUALLY_EQUAL(told.load(), 3);
         run.pause();
-        QTRY_COMPARE(told.load(), 4);
+        EVENTUALLY_EQUAL(told.load(), 4);
         run.stop();
         QVERIFY(run.waitUntilGone(10s));
-        QTRY_COMPARE(told.load(), 6); // its end, and that its thread is through
+        EVENTUALLY_EQUAL(told.load(), 6); // its end, and that its thread is through
     }
 
     void leavesNoThreadAndNoDescriptor() {
@@ -389,10 +390,10 @@ private Q_SLOTS:
             options.startsRunning = true;
             options.logFolder = m_folder.filePath("rounds").toStdString();
             LiveRun run(maker(), options);
-            if (i % 3) QTRY_VERIFY(tickOf(run) > 0);
+            if (i % 3) EVENTUALLY(tickOf(run) > 0);
         }
-        QTRY_COMPARE(threadCount(), threads);
-        QTRY_COMPARE(descriptorCount(), descriptors);
+        EVENTUALLY_EQUAL(threadCount(), threads);
+        EVENTUALLY_EQUAL(descriptorCount(), descriptors);
     }
 };
 

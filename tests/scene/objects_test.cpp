@@ -130,6 +130,13 @@ private Q_SLOTS:
         const auto hulls = ghostsOf(*less, *before, written);
         QVERIFY(hulls && hulls->robots.size() == 3 && hulls->robots[0].config->bodies.size() == 1);
         QCOMPARE(hulls->robots[2].config->bodies[0].geoms[0].name, std::string("hull"));
+        // Where an arena's config is misspelt, no path leads to its walls any more.
+        auto open = std::make_shared<ExperimentSpec>(*before);
+        QVERIFY(!open->statics.empty());
+        const std::string arena = open->statics[0].name;
+        open->statics.clear();
+        const auto walls = ghostsOf(*open, *before, [&](const std::string& path) { return path == arena; });
+        QVERIFY(walls && walls->statics.size() == 1 && !walls->statics[0].geoms->empty());
     }
 };
 

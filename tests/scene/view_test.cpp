@@ -130,7 +130,14 @@ private Q_SLOTS:
         QVERIFY2(widest > 0.8, "the scene is small in its own picture");
     }
 
-    void nothingAtAllCanBeFramed() { QVERIFY(isUsable(viewOf(Bounds{}, 640, 480))); }
+    void nothingAtAllIsFramedWithRoomForARobot() {
+        const CameraView view = viewOf(Bounds{}, 640, 480);
+        QVERIFY(isUsable(view));
+        for (const Vec3& p : {Vec3(0.7, 0, 0), Vec3(0, -0.7, 0.3)}) {
+            const auto at = project(view, 640, 480, p);
+            QVERIFY(at && at->x > 0 && at->x < 640 && at->y > 0 && at->y < 480);
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(ViewTest)

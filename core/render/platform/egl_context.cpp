@@ -140,10 +140,4 @@ EglContext::~EglContext() {
     eglReleaseThread();
 }
 
-bool EglContext::isSoftware() const {
-    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR"})
-        if (m_renderer.find(name) != std::string::npos) return true;
-    return false;
-}
-
 } // namespace trundle

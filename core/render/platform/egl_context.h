@@ -20,8 +20,6 @@ public:
 
     [[nodiscard]] const std::string& version() const { return m_version; }   ///< GL_VERSION
     [[nodiscard]] const std::string& renderer() const { return m_renderer; } ///< GL_RENDERER
-    /// llvmpipe and its like: every pixel costs processor time.
-    [[nodiscard]] bool isSoftware() const;
 
 private:
     EglContext() = default;

@@ -12,6 +12,7 @@
 #include "editor/cameras/camera_window.h"
 #include "editor/cameras/movie_dialog.h"
 #include "editor/cameras/picture_dialog.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -78,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(m_window->runTicks(10));
         m_window->session.place("robot1", {Vec3(-0.6, 0, 0), rotationFromHpr({3, 0, 0})});
         m_window->session.runFor(0.1);
-        QTRY_VERIFY(m_window->session.state() == RunState::Paused && m_window->session.snapshot()->tick == 20);
+        EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->session.snapshot()->tick == 20);
         QCOMPARE(m_window->session.commands().size(), std::size_t(1));
         QByteArray ends[2];
         for (const bool byHand : {false, true}) {

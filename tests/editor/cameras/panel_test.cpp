@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "editor/cameras/camera_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -40,15 +41,15 @@ private Q_SLOTS:
 
     void beforeARunItShowsTheSceneAsItStands() {
         QVERIFY(m_window->open(kTwoEyes));
-        QTRY_VERIFY(m_window->tile("robot0/eye") && m_window->tile("robot0/eye")->picture.frame);
+        EVENTUALLY(m_window->tile("robot0/eye") && m_window->tile("robot0/eye")->picture.frame);
         QCOMPARE(m_window->tile("robot0/eye")->picture.image.size(), QSize(160, 120));
         QVERIFY(coloursIn(m_window->tile("robot0/eye")->picture.image) > 8);
         const QImage before = m_window->tile("robot0/eye")->picture.image;
         // An edit is seen without a run.
         QVERIFY(m_window->document.setValues(QStringLiteral("Turn"), {{"robot0.HPR", "40, 0, 0"}}).ok());
-        QTRY_VERIFY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image != before);
+        EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image != before);
         m_window->document.undo();
-        QTRY_VERIFY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image == before);
+        EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image == before);
     }
 
     void inARunItShowsWhatTheControllersGet() {
@@ -81,13 +82,13 @@ private Q_SLOTS:
 
     void onlyWhatIsSeenIsDrawn() {
         QVERIFY(m_window->openSample("camera_swarm.sim"));
-        QTRY_VERIFY(m_window->cameras.isSettled());
+        EVENTUALLY(m_window->cameras.isSettled());
         QCOMPARE(m_window->cameras.wall().tiles().size(), std::size_t(4)); // of twenty, until somebody chooses
         std::vector<std::string> all;
         for (int i = 0; i < 20; ++i) all.push_back("swarm_" + std::to_string(i) + "/eye");
         m_window->cameras.resize(340, 200);
         m_window->cameras.setChosen(all);
-        QTRY_VERIFY(m_window->cameras.isSettled());
+        EVENTUALLY(m_window->cameras.isSettled());
         const std::size_t seen = m_window->cameras.wall().visibleTiles().size();
         QVERIFY2(seen > 0 && seen < 12, qPrintable(QString::number(seen)));
         std::size_t drawn = 0;
@@ -101,21 +102,21 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(m_window->session.state(), RunState::Paused, 60000);
         QCOMPARE(m_window->cameras.drawnCount(), before);
         m_window->cameras.show();
-        QTRY_VERIFY(m_window->cameras.drawnCount() > before);
+        EVENTUALLY(m_window->cameras.drawnCount() > before);
     }
 
     void aPictureAlsoTellsDistancesAndNames() {
         QVERIFY(m_window->open(kTwoEyes));
-        QTRY_VERIFY(m_window->cameras.isSettled());
+        EVENTUALLY(m_window->cameras.isSettled());
         auto* mode = m_window->cameras.findChild<QComboBox*>(QStringLiteral("cameraMode"));
         mode->setCurrentText(QStringLiteral("Segmentation"));
-        QTRY_VERIFY(m_window->cameras.isSettled());
+        EVENTUALLY(m_window->cameras.isSettled());
         const CameraWall::Tile* tile = m_window->tile("robot0/eye");
         QCOMPARE(tile->picture.frame->objects.size(), std::size_t(160 * 120));
         mode->setCurrentText(QStringLiteral("Depth"));
-        QTRY_VERIFY(m_window->cameras.isSettled() && !m_window->tile("robot0/eye")->picture.frame->depth.empty());
+        EVENTUALLY(m_window->cameras.isSettled() && !m_window->tile("robot0/eye")->picture.frame->depth.empty());
         mode->setCurrentIndex(0); // as each camera sees
-        QTRY_VERIFY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.frame->depth.empty());
+        EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.frame->depth.empty());
         QVERIFY(!m_window->tile("robot1/eye")->picture.frame->depth.empty());
     }
 
@@ -127,12 +128,12 @@ private Q_SLOTS:
     void thePictureCanBeSaved() {
         QFETCH(QString, name);
         QVERIFY(m_window->open(kTwoEyes));
-        QTRY_VERIFY(m_window->cameras.isSettled());
+        EVENTUALLY(m_window->cameras.isSettled());
         m_window->cameras.wall().setCurrent("robot1/eye");
         QVERIFY(m_window->cameras.findChild<QToolButton*>(QStringLiteral("cameraSave"))->isEnabled());
         const QString path = m_window->folder.filePath(name);
         m_window->cameras.savePicture(path);
-        QTRY_VERIFY(!m_window->said.empty());
+        EVENTUALLY(!m_window->said.empty());
         QVERIFY2(m_window->said.front().startsWith(QStringLiteral("Wrote")), qPrintable(m_window->said.front()));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -141,7 +142,7 @@ private Q_SLOTS:
         // Where it cannot be written, it says so.
         m_window->said.clear();
         m_window->cameras.savePicture(m_window->folder.filePath(QStringLiteral("none/") + name));
-        QTRY_VERIFY(!m_window->said.empty());
+        EVENTUALLY(!m_window->said.empty());
         QVERIFY(!m_window->said.front().startsWith(QStringLiteral("Wrote")));
     }
 

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "eventually.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -71,7 +72,7 @@ private Q_SLOTS:
         QCOMPARE(why(d.saveAs(target)), "");
         QVERIFY(!fs::exists(m_desk->path("configs/parts")));
         QVERIFY2(holds(bytesOf(target), "File=\"things/parts/thing.obj\""), bytesOf(target).c_str());
-        QTRY_VERIFY(!d.loaded()->pending);
+        EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
     }
 
@@ -81,7 +82,7 @@ private Q_SLOTS:
         QVERIFY(d.open(main).ok());
         QCOMPARE(why(d.saveAs(m_desk->path("far/main2.sim"))), "");
         QVERIFY(fs::exists(m_desk->path("far/things/parts/thing.obj")));
-        QTRY_VERIFY(!d.loaded()->pending);
+        EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
     }
 

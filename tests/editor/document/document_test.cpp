@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "eventually.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -256,17 +257,33 @@ private Q_SLOTS:
         d.openLater(m_desk->main);
         QVERIFY(d.isOpening());
         QVERIFY(!d.isOpen());
-        QTRY_COMPARE(opened.count(), 1);
+        EVENTUALLY_EQUAL(opened.count(), 1);
         QVERIFY(d.isOpen());
         QVERIFY(!d.isOpening());
 
         d.openLater(m_desk->path("none.sim"));
         QVERIFY(!d.setValues(u"Set"_qs, {{"Tick", "1 ms"}}).ok()); // it would be lost
         d.undo();
-        QTRY_COMPARE(failed.count(), 1);
+        EVENTUALLY_EQUAL(failed.count(), 1);
         QVERIFY(holds(failed[0][1].toString().toStdString(), "does not exist"));
         QCOMPARE(d.path(), m_desk->main);
         QCOMPARE(why(d.setValues(u"Set"_qs, {{"Tick", "1 ms"}})), "");
+    }
+
+    void anOpeningThatIsCancelledLeavesWhatIsOpen() {
+        Document& d = *m_document;
+        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "1 ms"}}).ok());
+        QSignalSpy opened(&d, &Document::opened), failed(&d, &Document::openFailed);
+        d.openLater(m_desk->robot);
+        d.cancelOpening();
+        QVERIFY(!d.isOpening());
+        d.undo(); // edits do not wait any more
+        QVERIFY(!d.isModified());
+        d.openLater(m_desk->path("none.sim")); // read behind the first
+        EVENTUALLY_EQUAL(failed.count(), 1);
+        QCOMPARE(opened.count(), 0);
+        QCOMPARE(d.path(), m_desk->main);
     }
 
     void theNewestOpeningWins() {
@@ -274,14 +291,14 @@ private Q_SLOTS:
         QSignalSpy opened(&d, &Document::opened);
         d.openLater(m_desk->main);
         d.openLater(m_desk->robot);
-        QTRY_VERIFY(!d.isOpening());
+        EVENTUALLY(!d.isOpening());
         QCOMPARE(d.path(), m_desk->robot);
         d.openLater(m_desk->main);
         QVERIFY(d.open(m_desk->robot).ok());
         d.openLater(m_desk->main);
         d.close();
         QTest::qWait(0);
-        QTRY_VERIFY(!d.isOpening());
+        EVENTUALLY(!d.isOpening());
         QVERIFY(!d.isOpen());
         d.openLater(m_desk->main);
         m_document.reset(); // while the thread may still read

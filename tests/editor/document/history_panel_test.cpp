@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "editor/document/history_panel.h"
+#include "eventually.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -56,7 +57,7 @@ private Q_SLOTS:
         d.openLater(desk.robot); // edits have to wait, undoing too
         list->setCurrentRow(0);
         QCOMPARE(list->currentRow(), 1);
-        QTRY_COMPARE(d.path(), desk.robot);
+        EVENTUALLY_EQUAL(d.path(), desk.robot);
         QCOMPARE(names(*list), "Opened");
     }
 

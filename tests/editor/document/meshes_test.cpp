@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "eventually.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -82,7 +83,7 @@ private Q_SLOTS:
         QVERIFY(d.open(m_desk->main).ok());
         QCOMPARE(why(d.replaceText(u"Type"_qs, m_desk->main, withMesh("cube.obj"))), "");
         QVERIFY(d.loaded()->pending);
-        QTRY_VERIFY(!d.loaded()->pending);
+        EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         const TriangleMesh* mesh = meshOf(*d.loaded());
         QVERIFY(mesh);
@@ -120,10 +121,10 @@ private Q_SLOTS:
         Document d(*m_parts);
         QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
         QCOMPARE(why(d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "other.obj"}})), "");
-        QTRY_VERIFY(!d.loaded()->pending);
+        EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         QCOMPARE(why(d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "broken.obj"}})), "");
-        QTRY_VERIFY(!d.loaded()->pending);
+        EVENTUALLY(!d.loaded()->pending);
         QVERIFY(holds(messages(*d.loaded()), "broken.obj"));
         QVERIFY(!d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "missing.obj"}}).ok());
     }
@@ -136,14 +137,14 @@ private Q_SLOTS:
         std::string higher = kCube;
         for (std::size_t at = 0; (at = higher.find(" 1\nv", at)) != std::string::npos;) higher.replace(at, 2, " 3");
         m_desk->write("configs/cube.obj", higher);
-        QTRY_COMPARE(highest(*d.loaded()), 3.0);
+        EVENTUALLY_EQUAL(highest(*d.loaded()), 3.0);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         QVERIFY(!d.isModified());
         QVERIFY(d.history().entries().empty());
         // replaced by rename, as most programs save
         m_desk->write("configs/new.obj", kCube);
         std::filesystem::rename(m_desk->path("configs/new.obj"), m_desk->path("configs/cube.obj"));
-        QTRY_COMPARE(highest(*d.loaded()), 1.0);
+        EVENTUALLY_EQUAL(highest(*d.loaded()), 1.0);
         QVERIFY(!d.isModified());
     }
 
@@ -151,9 +152,9 @@ private Q_SLOTS:
         Document d(*m_parts);
         QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
         std::filesystem::remove(m_desk->path("configs/cube.obj"));
-        QTRY_VERIFY(holds(messages(*d.loaded()), "cube.obj"));
+        EVENTUALLY(holds(messages(*d.loaded()), "cube.obj"));
         m_desk->write("configs/cube.obj", kCube);
-        QTRY_VERIFY(messages(*d.loaded()).empty());
+        EVENTUALLY(messages(*d.loaded()).empty());
         QVERIFY(meshOf(*d.loaded()));
     }
 
@@ -173,7 +174,7 @@ private Q_SLOTS:
         };
         const double before = top();
         m_desk->write("configs/hill.pgm", picture("100"));
-        QTRY_VERIFY(top() > 0 && top() < before);
+        EVENTUALLY(top() > 0 && top() < before);
     }
 
     void anImportThatComesIsReadIn() {
@@ -181,7 +182,7 @@ private Q_SLOTS:
         QVERIFY(d.open(m_desk->write("configs/waits.sim", "#import later.sim\n")).ok());
         QVERIFY(holds(messages(*d.loaded()), "later.sim"));
         m_desk->write("configs/later.sim", "Tick = 0.02\n");
-        QTRY_COMPARE(d.loaded()->experiment->settings.tick, 0.02);
+        EVENTUALLY_EQUAL(d.loaded()->experiment->settings.tick, 0.02);
         QVERIFY(messages(*d.loaded()).empty());
     }
 
@@ -192,7 +193,7 @@ private Q_SLOTS:
         d.close();
         QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
         QVERIFY(d.replaceText(u"Type"_qs, d.path(), withMesh("cube.obj") + "// more\n").ok());
-        QTRY_VERIFY(!d.loaded()->pending);
+        EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
     }
 

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "eventually.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -28,11 +29,11 @@ private Q_SLOTS:
         QCOMPARE(why(d.save()), "");
         QVERIFY(!fs::exists(m_desk->path("configs/.trundle/journal")));
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.03"}}).ok());
-        QTRY_VERIFY(fs::exists(m_desk->path("configs/.trundle/journal")));
+        EVENTUALLY(fs::exists(m_desk->path("configs/.trundle/journal")));
         d.undo();
-        QTRY_VERIFY(!fs::exists(m_desk->path("configs/.trundle/journal"))); // nothing is unsaved
+        EVENTUALLY(!fs::exists(m_desk->path("configs/.trundle/journal"))); // nothing is unsaved
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.04"}}).ok());
-        QTRY_VERIFY(fs::exists(m_desk->path("configs/.trundle/journal")));
+        EVENTUALLY(fs::exists(m_desk->path("configs/.trundle/journal")));
         d.close(); // whoever closes has been asked
         QVERIFY(!fs::exists(m_desk->path("configs/.trundle")));
     }
@@ -109,7 +110,7 @@ private Q_SLOTS:
             QVERIFY(lost.openNew("untitled.sim", "Tick = 1 ms\n").ok());
             QVERIFY(lost.setValues(u"Set"_qs, {{"Tick", "2 ms"}}).ok());
             const std::string state = m_desk->path("state");
-            QTRY_VERIFY(!journalsBelow(state).empty());
+            EVENTUALLY(!journalsBelow(state).empty());
             const std::string journal = journalsBelow(state)[0];
             m_kept = bytesOf(journal);
             m_journal = journal;
@@ -143,7 +144,7 @@ private Q_SLOTS:
         // what the first one saves is shown
         QVERIFY(first.setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "7"}}).ok());
         QCOMPARE(why(first.save()), "");
-        QTRY_COMPARE(*second.text(m_desk->robot), *first.text(m_desk->robot));
+        EVENTUALLY_EQUAL(*second.text(m_desk->robot), *first.text(m_desk->robot));
         second.editAnyway();
         QVERIFY(!second.isReadOnly());
         QCOMPARE(why(second.replaceText(u"Type"_qs, m_desk->robot, "x")), "");

@@ -2,6 +2,7 @@
 
 #include <QTest>
 
+#include "eventually.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -156,16 +157,16 @@ private Q_SLOTS:
     void aChangeOnDiskIsTakenIn() {
         Document& d = *m_document;
         m_desk->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
-        QTRY_COMPARE(d.loaded()->experiment->settings.seed, 5u);
+        EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 5u);
         QVERIFY(!d.isModified());
         QCOMPARE(d.history().entries().size(), 1u);
         QCOMPARE(d.history().entries()[0].name, u"Changed on disk"_qs);
         // replaced by rename, as most programs save
         m_desk->write("configs/new", std::string("Seed = 6\n") + kMain);
         fs::rename(m_desk->path("configs/new"), m_desk->main);
-        QTRY_COMPARE(d.loaded()->experiment->settings.seed, 6u);
+        EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 6u);
         m_desk->write("configs/main.sim", std::string("Seed = 7\n") + kMain);
-        QTRY_COMPARE(d.loaded()->experiment->settings.seed, 7u);
+        EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 7u);
         d.undo();
         QVERIFY(d.isModified());
     }
@@ -174,7 +175,7 @@ private Q_SLOTS:
         Document& d = *m_document;
         set("robot1.Pos", "5,0,0");
         m_desk->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
-        QTRY_COMPARE(d.loaded()->experiment->settings.seed, 5u);
+        EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 5u);
         QCOMPARE(d.loaded()->experiment->robots[1].pose.position, Vec3(5, 0, 0));
         QVERIFY(d.isModified());
         QCOMPARE(why(d.save()), "");
@@ -198,7 +199,7 @@ private Q_SLOTS:
         std::string theirs = kMain;
         theirs.replace(theirs.find("0.01"), 4, "0.03");
         m_desk->write("configs/main.sim", theirs);
-        QTRY_COMPARE(asked.count(), 1);
+        EVENTUALLY_EQUAL(asked.count(), 1);
         QCOMPARE(said(asked), m_desk->main);
         QCOMPARE(d.loaded()->experiment->settings.tick, 0.02);
         QCOMPARE(*d.diskChanges().at(m_desk->main), theirs);
@@ -219,9 +220,9 @@ private Q_SLOTS:
         QSignalSpy asked(&d, &Document::diskChanged);
         set("Tick", "0.02");
         m_desk->write("configs/main.sim", "Tick = 0.03\n");
-        QTRY_COMPARE(asked.count(), 1);
+        EVENTUALLY_EQUAL(asked.count(), 1);
         m_desk->write("configs/main.sim", kMain);
-        QTRY_VERIFY(d.diskChanges().empty());
+        EVENTUALLY(d.diskChanges().empty());
         QCOMPARE(why(d.save()), "");
     }
 
@@ -253,7 +254,7 @@ private Q_SLOTS:
         Document& d = *m_document;
         QSignalSpy notice(&d, &Document::notice);
         fs::remove(m_desk->robot);
-        QTRY_VERIFY(d.isModified());
+        EVENTUALLY(d.isModified());
         QCOMPARE(notice.count(), 1);
         set("Tick", "0.02");
         QVERIFY(!d.loaded()->diagnostics.hasErrors()); // its text is still here
@@ -261,9 +262,9 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(m_desk->robot), kRover);
         QVERIFY(!d.isModified());
         fs::remove(m_desk->robot);
-        QTRY_VERIFY(d.isModified());
+        EVENTUALLY(d.isModified());
         m_desk->write("configs/robots/rover.sim", kRover);
-        QTRY_VERIFY(!d.isModified());
+        EVENTUALLY(!d.isModified());
     }
 
     void ourOwnSavesAreNoNews() {

@@ -1,6 +1,8 @@
 // Editing in the scene tree: names, deletion, clipboard, order.
 
 #include <QClipboard>
+#include <QDir>
+#include <QDropEvent>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QMessageBox>
@@ -25,6 +27,10 @@ private Q_SLOTS:
     void whatIsNoBlockIsRefusedWithTheReason();
     void duplicatesStandClearOfTheirOriginals();
     void aDropPutsRowsInAnotherOrder();
+    void aDropOnARowThatCannotHoldItGoesBesideIt();
+    void whatIsDraggedFromAnotherWindowIsCopied();
+    void aPasteFromAnotherProjectImportsAsItsAuthorWould();
+    void aPasteFromAnotherProjectBringsWhatItNames();
     void aDropMovesAGeomToAnotherBody();
     void aDropThatDoesNotFitIsNotTaken();
     void theMenuOfAGridWritesItOut();
@@ -227,6 +233,90 @@ void EditsTest::aDropPutsRowsInAnotherOrder() {
     QCOMPARE(o.errors(), QString());
     o.document.undo();
     QCOMPARE(o.text(), kRovers);
+}
+
+void EditsTest::aDropOnARowThatCannotHoldItGoesBesideIt() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.tree().reveal(o.at("robot0"));
+    const QRect first = o.tree().visualRect(o.at("robot0"));
+    const std::unique_ptr<QMimeData> mime(o.model().mimeData({o.at("robot1")}));
+    const auto dropAt = [&](int y) {
+        const QPoint at(first.center().x(), y);
+        QDragEnterEvent enter(at, Qt::MoveAction | Qt::CopyAction, mime.get(), Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(o.tree().viewport(), &enter);
+        QDragMoveEvent move(at, Qt::MoveAction | Qt::CopyAction, mime.get(), Qt::LeftButton, Qt::NoModifier);
+        move.setDropAction(Qt::MoveAction);
+        QCoreApplication::sendEvent(o.tree().viewport(), &move);
+        QVERIFY(move.isAccepted());
+        QDropEvent drop(at, Qt::MoveAction | Qt::CopyAction, mime.get(), Qt::LeftButton, Qt::NoModifier);
+        drop.setDropAction(Qt::MoveAction);
+        QCoreApplication::sendEvent(o.tree().viewport(), &drop);
+        QVERIFY(drop.isAccepted());
+    };
+    dropAt(first.center().y() - 2);
+    QCOMPARE(o.at("robot1").row(), 0);
+    dropAt(o.tree().visualRect(o.at("robot0")).center().y() + 2);
+    QCOMPARE(o.at("robot1").row(), 1);
+    QCOMPARE(o.errors(), QString());
+}
+
+void EditsTest::whatIsDraggedFromAnotherWindowIsCopied() {
+    Outlined o, other; // both have a robot1
+    QVERIFY(o.open(kRovers));
+    QVERIFY(other.open(kRovers));
+    const std::unique_ptr<QMimeData> mime(other.model().mimeData({other.at("robot1")}));
+    QVERIFY(o.model().dropMimeData(mime.get(), Qt::MoveAction, 0, 0, o.at("robot0").parent()));
+    QCOMPARE(o.document.loaded()->experiment->robots.size(), std::size_t(3));
+    QCOMPARE(o.errors(), QString());
+    o.document.undo();
+    QCOMPARE(o.text(), kRovers);
+}
+
+void EditsTest::aPasteFromAnotherProjectImportsAsItsAuthorWould() {
+    Outlined from, to;
+    QVERIFY(from.open("#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot Pos=0,0,0 }\n"));
+    QVERIFY(to.open("Tick = 0.01\n"));
+    QVERIFY(from.edits.copy({"r"}).ok());
+    QVERIFY(to.edits.paste({}).ok());
+    QVERIFY2(to.text().contains("#import robots/simple_robot.sim\n"), to.text());
+    QCOMPARE(to.errors(), QString());
+    to.document.undo();
+    // Here that path means another file.
+    QVERIFY(QDir(to.folder.path()).mkpath(QStringLiteral("robots")));
+    QVERIFY(to.write("robots/simple_robot.sim", "RobotConfig Other { }\n"));
+    QVERIFY(to.edits.paste({}).ok());
+    QVERIFY2(to.text().contains("#import /"), to.text());
+    QCOMPARE(to.errors(), QString());
+}
+
+void EditsTest::aPasteFromAnotherProjectBringsWhatItNames() {
+    Outlined from, to;
+    QVERIFY(from.open(
+        "#loadModule controllers/linear_motion\n" + kRovers +
+        "Material brick { ColorRGB=1,0,0 }\nRobotConfig Sled { Body b { Box x { Size=1,1,1 Material=brick Mass=1 } } }\n"
+        "StaticConfig Yard { Box wall { Size=1,1,1 Material=brick } }\n"
+        "Robot sled { Config=Sled Pos=3,0,0 LinearMotion brain { Distance=1 Speed=0.1 } }\n"));
+    QVERIFY(to.open("Tick = 0.01\n"));
+    QVERIFY(from.edits.copy({"sled"}).ok());
+    QVERIFY(!QGuiApplication::clipboard()->text().contains(QStringLiteral("RobotConfig"))); // another editor gets what was copied
+    QVERIFY(to.edits.paste({}).ok());
+    QCOMPARE(to.errors(), QString());
+    QCOMPARE(to.document.loaded()->experiment->robots.size(), std::size_t(1));
+    QVERIFY(to.text().contains("#loadModule controllers/linear_motion"));
+    QVERIFY2(to.text().contains("Material brick") && to.text().indexOf("Material brick") < to.text().indexOf("RobotConfig"),
+             to.text());
+    QCOMPARE(to.selected(), QStringLiteral("sled"));
+    QVERIFY(to.edits.paste({}).ok());
+    QCOMPARE(to.text().count("RobotConfig Sled"), 1);
+    to.document.undo();
+    to.document.undo();
+    QCOMPARE(to.text(), QByteArray("Tick = 0.01\n"));
+    QVERIFY(from.edits.copy({"StaticConfig.Yard.wall"}).ok()); // where no module has to be found first
+    QVERIFY(to.edits.insertKind(*to.document.loaded()->registry->find("StaticConfig"), {}).ok());
+    QVERIFY(to.edits.paste(to.selection.current()).ok());
+    QVERIFY2(to.text().contains("Material brick"), to.text());
+    QCOMPARE(to.errors(), QString());
 }
 
 void EditsTest::aDropMovesAGeomToAnotherBody() {

@@ -12,6 +12,7 @@
 #include "editor/outline/library_model.h"
 #include "editor/outline/library_panel.h"
 #include "editor/outline/library_view.h"
+#include "eventually.h"
 #include "outlined.h"
 #include "parts/locations.h"
 #include "render/service.h"
@@ -97,7 +98,7 @@ void LibraryTest::robotsAndArenasGoIn() {
     s.library.insert(item);
     s.library.insert(item); // another one under another name
     QCOMPARE(s.refusals, QStringList());
-    QTRY_COMPARE(s.errors(), QString()); // once the pictures on it are read
+    EVENTUALLY_EQUAL(s.errors(), QString()); // once the pictures on it are read
     const ExperimentSpec& experiment = *s.document.loaded()->experiment;
     QCOMPARE(experiment.robots.size() + experiment.statics.size(), std::size_t(2));
     QCOMPARE(s.text().count("#import"), 1);
@@ -250,6 +251,17 @@ void LibraryTest::drawsPictures() {
     }
     QVERIFY(s.row(LibrarySection::Robots, "SimpleRobot").data(LibraryModel::PictureRole).isValid());
     QVERIFY(s.row(LibrarySection::RobotParts, "Driven wheel").data(LibraryModel::PictureRole).isValid());
+
+    // What is described in the opened file is shown in its own material, with its own values, and without what stands there.
+    QVERIFY(s.open("Param side = 0.4\nMaterial signal { ColorRGB=1,0,0 }\nRobot far { Config=Cube Pos=90,0,0 }\n"
+                   "RobotConfig Cube { Body b { Box x { Size=$side,$side,$side Pos=0,0,0.2 Mass=1 Material=signal } } }\n"));
+    QVERIFY(s.filled());
+    QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
+    const QImage cube =
+        s.row(LibrarySection::Robots, "Cube").data(LibraryModel::PictureRole).value<QPixmap>().toImage().scaled(64, 44);
+    QVERIFY(!cube.isNull());
+    const QColor middle = cube.pixelColor(32, 22);
+    QVERIFY2(middle.red() > 2 * middle.blue(), qPrintable(middle.name()));
 }
 
 void LibraryTest::saysWhatToDoFirst() {

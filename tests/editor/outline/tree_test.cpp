@@ -53,10 +53,15 @@ void TreeTest::showsFilesWithTheirBlocks() {
     o.tree().expand(main);
     QCOMPARE(o.rows(main), QStringLiteral("linear_motion\narena\nrobot0\npath\n"));
     QVERIFY(o.at("RobotConfig.SimpleRobot.leftAxle").isValid());
-    QCOMPARE(o.at("RobotConfig.SimpleRobot").parent().data().toString(), QStringLiteral("simple_robot.sim"));
+    const QModelIndex imported = o.at("RobotConfig.SimpleRobot").parent();
+    QCOMPARE(imported.data().toString(), QStringLiteral("simple_robot.sim"));
+    QCOMPARE(imported.data(OutlineModel::DetailRole).toString(), QStringLiteral("robots"));
     o.selection.select("robot0.chassis.hull"); // a robot is made of what its config's file says
     QCOMPARE(o.marked(), QStringLiteral("RobotConfig.SimpleRobot.chassis.hull"));
     QCOMPARE(o.selected(), QStringLiteral("robot0.chassis.hull"));
+    // A project of one's own, too, says what is imported from the program as the import says it.
+    QVERIFY(o.open("#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot }\n"));
+    QCOMPARE(o.at("RobotConfig.SimpleRobot").parent().data(OutlineModel::DetailRole).toString(), QStringLiteral("robots"));
 }
 
 void TreeTest::makesChildrenOnlyWhenTheyAreLookedAt() {

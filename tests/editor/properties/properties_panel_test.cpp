@@ -81,6 +81,11 @@ private Q_SLOTS:
         const std::string before = desk.rover();
         desk.type("Radius", QStringLiteral("$(wheelRadius*2)"));
         QCOMPARE(desk.rover(), replaced(before, "Radius=$wheelRadius", "Radius=$(wheelRadius*2)"));
+        desk.type("Radius", QStringLiteral(" wheelRadius/2 ")); // nobody types the brackets
+        QCOMPARE(desk.rover(), replaced(before, "Radius=$wheelRadius", "Radius=$(wheelRadius/2)"));
+        desk.selection.select("robot1");
+        desk.type("param.wheelRadius", QStringLiteral("0.04+0.02")); // of a Param too
+        QVERIFY2(desk.text().find("wheelRadius=$(0.04+0.02)") != std::string::npos, desk.text().c_str());
     }
 
     void aRefusedValueStaysRedAndTheTextStays() {

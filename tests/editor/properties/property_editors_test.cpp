@@ -1,3 +1,4 @@
+#include "eventually.h"
 #include "panel_desk.h"
 
 #include <QAbstractItemView>
@@ -105,7 +106,7 @@ private Q_SLOTS:
         desk.document.undo();
         QCOMPARE(desk.rover(), before);
         QTest::mouseClick(swatch, Qt::LeftButton);
-        QTRY_VERIFY(desk.panel.findChildren<QColorDialog*>().size() >= 1);
+        EVENTUALLY(desk.panel.findChildren<QColorDialog*>().size() >= 1);
         dialog = desk.panel.findChildren<QColorDialog*>().back();
         dialog->setCurrentColor(Qt::black);
         dialog->reject();
@@ -117,6 +118,16 @@ private Q_SLOTS:
         QVERIFY(desk.open(kRobots));
         auto* solver = desk.field<QComboBox>("Solver");
         QVERIFY(solver);
+        // A default is faint in its row; in the list one has to read the words, also on the accent colour.
+        solver->showPopup();
+        EVENTUALLY(solver->view()->isVisible());
+        const QAbstractItemView& list = *solver->view();
+        const QImage chosen = list.viewport()->grab(list.visualRect(list.currentIndex())).toImage();
+        int white = 0;
+        for (int y = 0; y < chosen.height(); ++y)
+            for (int x = 0; x < chosen.width(); ++x) white += qGray(chosen.pixel(x, y)) > 235;
+        QVERIFY2(white > 5, "the chosen word cannot be read");
+        solver->hidePopup();
         solver->setFocus();
         QTest::keyClick(solver, Qt::Key_Down);
         QVERIFY(desk.text().find("Solver = exact") != std::string::npos);
@@ -185,7 +196,7 @@ private Q_SLOTS:
         field->selectAll();
         QTest::keyClicks(field, QStringLiteral("right"));
         auto* list = field->completer()->popup();
-        QTRY_VERIFY(list->isVisible());
+        EVENTUALLY(list->isVisible());
         QTest::keyClick(list, Qt::Key_Down);
         QTest::keyClick(list, Qt::Key_Return);
         QVERIFY2(desk.rover().find("RotaryMotor leftMotor { Joint=rightAxle") != std::string::npos, desk.rover().c_str());

@@ -10,6 +10,7 @@
 #include "editor/document/selection.h"
 #include "editor/properties/properties_panel.h"
 #include "editor/running/session.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -51,12 +52,12 @@ private Q_SLOTS:
         desk.selection.select("crate");
         QVERIFY(!desk.note("Pos")->isVisible());
         desk.session.step();
-        QTRY_COMPARE(desk.session.state(), RunState::Paused);
-        QTRY_VERIFY(desk.note("Pos")->isVisible());
+        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
+        EVENTUALLY(desk.note("Pos")->isVisible());
         QVERIFY2(desk.note("Pos")->text().startsWith(QStringLiteral("now 0.000, 0.000, ")), qPrintable(desk.note("Pos")->text()));
         QVERIFY(!desk.note("Config")->isVisible());
         desk.session.reset();
-        QTRY_VERIFY(!desk.note("Pos")->isVisible());
+        EVENTUALLY(!desk.note("Pos")->isVisible());
     }
 
     void aLongNoteMakesTheRowsNoWider() {
@@ -64,9 +65,9 @@ private Q_SLOTS:
         desk.panel.resize(300, 600);
         desk.selection.select("crate");
         desk.session.step();
-        QTRY_COMPARE(desk.session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
         QVERIFY(desk.document.setValues(QStringLiteral("Set Pos"), {{"crate.Pos", "-12.5,-12.5,20"}}).ok());
-        QTRY_VERIFY(desk.note("Pos")->text().contains(QStringLiteral("after reset")));
+        EVENTUALLY(desk.note("Pos")->text().contains(QStringLiteral("after reset")));
         const auto* area = desk.panel.findChild<QScrollArea*>();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         QVERIFY(area->widget()->width() <= area->viewport()->width());
@@ -76,14 +77,14 @@ private Q_SLOTS:
     void whatWaitsForAResetSaysSo() {
         RunningDesk desk;
         desk.session.step();
-        QTRY_COMPARE(desk.session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
         QVERIFY(!desk.note("Tick")->isVisible());
         QVERIFY(desk.document.setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
-        QTRY_VERIFY(desk.note("Tick")->isVisible());
+        EVENTUALLY(desk.note("Tick")->isVisible());
         QCOMPARE(desk.note("Tick")->text(), QStringLiteral("after reset"));
         QVERIFY(!desk.note("Duration")->isVisible());
         desk.session.reset();
-        QTRY_VERIFY(!desk.note("Tick")->isVisible());
+        EVENTUALLY(!desk.note("Tick")->isVisible());
     }
 };
 

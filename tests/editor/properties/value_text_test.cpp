@@ -68,6 +68,18 @@ private Q_SLOTS:
             QVERIFY2(readElements(text).ok(), text);
     }
 
+    void arithmeticGetsItsBrackets() {
+        const auto with = [](const char* text, bool onlyNumbers) {
+            return QString::fromStdString(withArithmetic(text, onlyNumbers));
+        };
+        QCOMPARE(with("0.25/2", true), QStringLiteral("$(0.25/2)"));
+        QCOMPARE(with("0.1+0.2", false), QStringLiteral("$(0.1+0.2)"));
+        QCOMPARE(with("track/2", true), QStringLiteral("$(track/2)"));
+        for (const char* asItIs : {"3", "-3", "12 cm", "1e-3", "$track", "$(track/2)", "abc", "1,2", "3 }", "3 // c", ""})
+            QCOMPARE(with(asItIs, true), QString::fromLatin1(asItIs));
+        QCOMPARE(with("pictures/deck.png", false), QStringLiteral("pictures/deck.png"));
+    }
+
     void numbers() {
         QCOMPARE(plainNumber(0.1), std::string("0.1"));
         QCOMPARE(plainNumber(-0.0), std::string("0"));

@@ -1,6 +1,7 @@
 // The dock changes no bit of a run, and exports the bytes that the run's own logs hold.
 
 #include "editor/radios/radio_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -96,7 +97,7 @@ private Q_SLOTS:
         QVERIFY(window.panel.isVisible());
         QCOMPARE(window.model().frameCount(), std::size_t(0)); // nobody looks: nothing is drawn
         window.panel.move(0, 0);
-        QTRY_COMPARE(window.model().frameCount(), window.headless(70).trace->records.size());
+        EVENTUALLY_EQUAL(window.model().frameCount(), window.headless(70).trace->records.size());
         window.panel.setParent(nullptr);
     }
 };

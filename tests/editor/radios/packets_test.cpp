@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "editor/radios/radio_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -227,7 +228,7 @@ private Q_SLOTS:
         QVERIFY(m_window->open(kMotes));
         QVERIFY(m_window->runTo(100));
         QScrollBar* bar = m_window->find<QTableView>("radioFrames")->verticalScrollBar();
-        QTRY_VERIFY(bar->maximum() > 50);
+        EVENTUALLY(bar->maximum() > 50);
         QCOMPARE(bar->value(), bar->maximum());
         auto* view = m_window->find<QTableView>("radioFrames");
         QWheelEvent up(QPointF(50, 50), view->viewport()->mapToGlobal(QPointF(50, 50)), {}, {0, 1200}, Qt::NoButton, {},
@@ -237,14 +238,14 @@ private Q_SLOTS:
         QVERIFY(read < bar->maximum());
         const int maximum = bar->maximum();
         QVERIFY(m_window->runTo(150));
-        QTRY_VERIFY(bar->maximum() > maximum);
+        EVENTUALLY(bar->maximum() > maximum);
         QCOMPARE(bar->value(), read);
         view->setFocus();
         QTest::keyClick(view, Qt::Key_End, Qt::ControlModifier);
         QCOMPARE(bar->value(), bar->maximum());
         const int further = bar->maximum();
         QVERIFY(m_window->runTo(190));
-        QTRY_VERIFY(bar->maximum() > further);
+        EVENTUALLY(bar->maximum() > further);
         QCOMPARE(bar->value(), bar->maximum());
     }
 

@@ -5,6 +5,7 @@
 #include <trundle/abi.h>
 
 #include "editor/running/opened_session.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -32,22 +33,22 @@ private Q_SLOTS:
         QVERIFY(!s.poses());
         s.run();
         QCOMPARE(s.state(), RunState::Building);
-        QTRY_COMPARE(s.state(), RunState::Running);
-        QTRY_VERIFY(s.time() > 0.5);
+        EVENTUALLY_EQUAL(s.state(), RunState::Running);
+        EVENTUALLY(s.time() > 0.5);
         s.pause();
-        QTRY_COMPARE(s.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         const std::uint64_t there = o.tick();
         s.step();
-        QTRY_COMPARE(o.tick(), there + 1);
+        EVENTUALLY_EQUAL(o.tick(), there + 1);
         QCOMPARE(s.state(), RunState::Paused);
         s.run();
-        QTRY_VERIFY(o.tick() > there + 100);
+        EVENTUALLY(o.tick() > there + 100);
         s.reset();
         QCOMPARE(s.state(), RunState::Start);
         QCOMPARE(s.time(), 0.0);
         QVERIFY(!s.poses());
         s.step(); // from the start: one tick, then it stands
-        QTRY_COMPARE(s.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         QCOMPARE(o.tick(), 1u);
         QCOMPARE(s.poses()->size(), 3u);
     }
@@ -108,19 +109,19 @@ private Q_SLOTS:
         LiveRun run(maker, options);
         const auto tick = [&] { return run.snapshot() ? run.snapshot()->tick : 0; };
         run.run();
-        QTRY_VERIFY(tick() > 50); // from here on the moments are those of this machine
+        EVENTUALLY(tick() > 50); // from here on the moments are those of this machine
         run.keepPushing(PushCommand{"robot0/chassis", {0, 0.5, 0}, {0, 0, 0.1}});
         run.command(PropertyCommand{"robot0/leftMotor", "Resistance", {PropertyType::Number, {4}, {}}});
         run.command(PropertyCommand{"robot0/brain", "Speed", {PropertyType::Number, {0.1}, {}}});
         const std::uint64_t changed = tick();
-        QTRY_VERIFY(tick() > changed + 100);
+        EVENTUALLY(tick() > changed + 100);
         run.keepPushing(std::nullopt);
         run.command(PlaceCommand{"robot0", {{0.3, 0.2, 0}, Quat::Identity()}});
         run.command(HoldCommand{"robot0", true});
         const std::uint64_t held = tick();
         QTRY_VERIFY2(tick() > held + 100, run.end() && run.end()->failure ? run.end()->failure->message.c_str() : "slow");
         run.pause();
-        QTRY_VERIFY(run.snapshot() && run.snapshot()->hash);
+        EVENTUALLY(run.snapshot() && run.snapshot()->hash);
         for (const LiveLine& line : run.takeLines().lines) QVERIFY2(line.severity != TRUNDLE_ERROR, line.text.c_str());
 
         const auto again = [&](const std::vector<Command>& commands, std::uint64_t ticks) {
@@ -154,7 +155,7 @@ private Q_SLOTS:
         QVERIFY(o.document.replaceText(QStringLiteral("Mend"), o.document.path(), kStandingRobot.toStdString()).ok());
         QVERIFY(o.session.refusal().isEmpty());
         o.session.step();
-        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
     }
 
     void aRobotThatBlowsUpStopsTheRunAndSaysWhere() {
@@ -162,11 +163,11 @@ private Q_SLOTS:
         QVERIFY(o.open(kStandingRobot));
         QSignalSpy ended(&o.session, &RunSession::ended);
         o.session.step();
-        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
         QVERIFY(o.session.push("robot0/chassis", {0, 0, 9e8}, {0, 0, 0}));
         o.session.setSpeed(0);
         o.session.run();
-        QTRY_COMPARE(o.session.state(), RunState::Ended);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QCOMPARE(ended.size(), 1);
         QVERIFY(o.session.end()->failure);
         QVERIFY(!o.session.end()->body.empty());
@@ -183,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(o.openSample("swarm.sim"));
         o.session.setSpeed(0);
         o.session.run();
-        QTRY_COMPARE(o.session.state(), RunState::Running);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
         int turns = 0; // of the event loop while the run makes 200 ticks
         QTimer idle;
         connect(&idle, &QTimer::timeout, this, [&] { ++turns; });
@@ -197,7 +198,7 @@ private Q_SLOTS:
         QVERIFY(o.openSample("obstacle_detection.sim"));
         o.session.setSpeed(0);
         o.session.run();
-        QTRY_VERIFY(o.session.time() > 1);
+        EVENTUALLY(o.session.time() > 1);
         o.session.reset();
         QVERIFY(!o.document.isModified());
         QCOMPARE(o.document.history().entries().size(), 0u);
@@ -207,11 +208,11 @@ private Q_SLOTS:
         OpenedSession o;
         QVERIFY(o.open(kStandingRobot));
         o.session.run();
-        QTRY_COMPARE(o.session.state(), RunState::Running);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
         QVERIFY(o.open(kStandingRobot, "other.sim"));
         QCOMPARE(o.session.state(), RunState::Start);
         o.session.run();
-        QTRY_COMPARE(o.session.state(), RunState::Running);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
         o.document.close();
         QCOMPARE(o.session.state(), RunState::Start);
         QVERIFY(!o.session.refusal().isEmpty());
@@ -222,12 +223,12 @@ private Q_SLOTS:
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("Robot robot0", "// the one\nRobot robot0")));
         QVERIFY(!o.session.keepRefusal().isEmpty()); // nothing ran
         o.session.step();
-        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
         QVERIFY(o.session.place("robot0", {{1.25, -0.5, 0}, Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()))}));
         QCOMPARE(o.session.robotPose("robot0")->position.x(), 1.25); // shown before the tick that does it
         QVERIFY((o.session.poses()->at(0).position - Vec3(1.25, -0.5, 0)).norm() < 0.2);
         o.session.step();
-        QTRY_COMPARE(o.tick(), 2u);
+        EVENTUALLY_EQUAL(o.tick(), 2u);
         QVERIFY(std::abs(o.session.robotPose("robot0")->position.x() - 1.25) < 1e-3);
         QCOMPARE(o.session.keepRefusal(), QString());
         o.session.keepPoses();
@@ -253,7 +254,7 @@ private Q_SLOTS:
                            .replace("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }",
                                     "Grid swarm { Config=SimpleRobot Count=2 Spacing=1 }")));
         o.session.step();
-        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
         QVERIFY(o.session.place("swarm_1", {{2, 0, 0}, Quat::Identity()}));
         QVERIFY(o.session.keepRefusal().contains(QStringLiteral("Replace swarm by single instances")));
         QSignalSpy refused(&o.session, &RunSession::refused);
@@ -271,20 +272,20 @@ private Q_SLOTS:
         s.setSpeed(0);
         QVERIFY(!s.drive("robot0", 0.2, 0)); // not before it runs
         s.step();
-        QTRY_COMPARE(s.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         QVERIFY(!s.drive("arena", 0.2, 0));
         QVERIFY(s.drive("robot0", 0.2, 0));
         const auto speed = [&] { return s.snapshot()->block->slots()[s.layout()->find("robot0/base/linearVelocity")->offset]; };
         const std::uint64_t from = o.tick();
         for (std::uint64_t i = 1; i <= 30; ++i) {
             s.step();
-            QTRY_COMPARE(o.tick(), from + i);
+            EVENTUALLY_EQUAL(o.tick(), from + i);
             QCOMPARE(speed(), 0.2); // a turn of the controller would have changed it
         }
         s.stopDriving();
         QVERIFY(s.driven().empty());
         for (int i = 0; i < 10; ++i) s.step();
-        QTRY_COMPARE(o.tick(), from + 40);
+        EVENTUALLY_EQUAL(o.tick(), from + 40);
         QVERIFY(speed() != 0.2);
     }
 
@@ -293,7 +294,7 @@ private Q_SLOTS:
         QVERIFY(o.open(kStandingRobot));
         RunSession& s = o.session;
         s.step();
-        QTRY_COMPARE(s.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         const auto resistance = [&] { return s.experiment()->robots[0].config->devices[0].number("Resistance"); };
         QCOMPARE(resistance(), 2.0);
 
@@ -325,7 +326,7 @@ private Q_SLOTS:
         QVERIFY(o.open(kStandingRobot));
         RunSession& s = o.session;
         s.step();
-        QTRY_COMPARE(s.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         const std::string more = kStandingRobot.toStdString() + "Robot robot1 { Config=SimpleRobot Pos=1,1,0 }\n";
         QVERIFY(o.document.replaceText(QStringLiteral("Add"), o.document.path(), more).ok());
         QCOMPARE(s.waitingForReset(), std::vector<std::string>{"robot1"});
@@ -345,12 +346,12 @@ Robot crate { Config=Block Pos=0,0,0 }
         QVERIFY(o.open(text));
         QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
         o.session.step();
-        QTRY_COMPARE(o.session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
         const auto pushed = [&] {
             o.session.push("crate/block", {4, 0, 0}, {0, 0, 0.02});
             const std::uint64_t until = o.tick() + 50;
             for (int i = 0; i < 50; ++i) o.session.step();
-            [&] { QTRY_COMPARE(o.tick(), until); }();
+            [&] { EVENTUALLY_EQUAL(o.tick(), until); }();
             return o.session.robotPose("crate")->position.x();
         };
         const double held = pushed();
@@ -371,7 +372,7 @@ Robot crate { Config=Block Pos=0,0,0 }
             for (const LiveLine& line : more) lines.push_back(line.text);
         });
         o.session.run();
-        QTRY_COMPARE(ended.size(), 1);
+        EVENTUALLY_EQUAL(ended.size(), 1);
         QCOMPARE(o.session.state(), RunState::Start);
         QCOMPARE(o.session.problems().size(), 1u);
         QCOMPARE(lines.size(), 1u);
@@ -387,7 +388,7 @@ Robot crate { Config=Block Pos=0,0,0 }
                 QVERIFY(o.openSample("linear_motion.sim"));
                 o.session.setSpeed(0);
                 o.session.run();
-                if (i % 4) QTRY_VERIFY(o.tick() > 5);
+                if (i % 4) EVENTUALLY(o.tick() > 5);
                 if (i % 3) o.session.reset();
             }
             if (i == 0) { // what Qt and libraries keep for good is there by now
@@ -396,8 +397,8 @@ Robot crate { Config=Block Pos=0,0,0 }
                 descriptors = countIn("/proc/self/fd");
             }
         }
-        QTRY_VERIFY(countIn("/proc/self/task") <= threads);
-        QTRY_VERIFY(countIn("/proc/self/fd") <= descriptors);
+        EVENTUALLY(countIn("/proc/self/task") <= threads);
+        EVENTUALLY(countIn("/proc/self/fd") <= descriptors);
     }
 };
 

@@ -12,6 +12,7 @@
 #include "editor/running/speeds.h"
 #include "editor/running/transport_bar.h"
 #include "editor/widgets/actions.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -49,14 +50,14 @@ private Q_SLOTS:
         QCOMPARE(label(bar, "transportState"), QStringLiteral("At start"));
         QVERIFY(!actions.at("sim.reset").isEnabled());
         click("transportRun");
-        QTRY_COMPARE(label(bar, "transportState"), QStringLiteral("Running"));
-        QTRY_VERIFY(o.session.time() > 0.1);
-        QTRY_VERIFY(label(bar, "transportFactor").endsWith(u'×'));
+        EVENTUALLY_EQUAL(label(bar, "transportState"), QStringLiteral("Running"));
+        EVENTUALLY(o.session.time() > 0.1);
+        EVENTUALLY(label(bar, "transportFactor").endsWith(u'×'));
         click("transportRun"); // the same button
-        QTRY_COMPARE(label(bar, "transportState"), QStringLiteral("Paused"));
+        EVENTUALLY_EQUAL(label(bar, "transportState"), QStringLiteral("Paused"));
         const double there = o.session.time();
         click("transportStep");
-        QTRY_COMPARE(label(bar, "transportTime"), timeText(there + 0.01));
+        EVENTUALLY_EQUAL(label(bar, "transportTime"), timeText(there + 0.01));
         click("transportReset");
         QCOMPARE(label(bar, "transportState"), QStringLiteral("At start"));
         QCOMPARE(label(bar, "transportTime"), QStringLiteral("t = 0.00 s"));
@@ -112,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(status.text().isEmpty());
         o.session.step();
         o.session.step();
-        QTRY_COMPARE(o.tick(), 2u);
+        EVENTUALLY_EQUAL(o.tick(), 2u);
         QVERIFY2(status.text().contains(QStringLiteral("1 robot  •  3 contacts")), qPrintable(status.text()));
         QVERIFY(o.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
         QVERIFY(status.text().contains(QStringLiteral("wait for Reset")));
@@ -146,16 +147,22 @@ private Q_SLOTS:
         selection.select("robot0.chassis");
         o.session.setSpeed(2); // as fast as possible it would be at a wall before the next key
         o.session.run();
-        QTRY_COMPARE(o.session.state(), RunState::Running);
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
         QTest::keyPress(view, Qt::Key_Up);
         QCOMPARE(o.session.driven(), std::string("robot0"));
-        QTRY_VERIFY(o.session.robotPose("robot0")->position.x() > 0.2);
+        EVENTUALLY(o.session.robotPose("robot0")->position.x() > 0.2);
         QTest::keyPress(view, Qt::Key_Left);
-        QTRY_VERIFY(std::abs(o.session.robotPose("robot0")->position.y()) > 0.05);
+        EVENTUALLY(std::abs(o.session.robotPose("robot0")->position.y()) > 0.05);
         QTest::keyRelease(view, Qt::Key_Left);
         QCOMPARE(o.session.driven(), std::string("robot0"));
         QTest::keyRelease(view, Qt::Key_Up);
         QCOMPARE(o.session.driven(), std::string());
+
+        // Where there is one robot alone, no other can be meant.
+        selection.select("arena");
+        QTest::keyPress(view, Qt::Key_Down);
+        QCOMPARE(o.session.driven(), std::string("robot0"));
+        QTest::keyRelease(view, Qt::Key_Down);
 
         // A field that one types into keeps its arrows, and going there lets go of the robot.
         QTest::keyPress(view, Qt::Key_Up);

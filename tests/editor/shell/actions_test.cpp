@@ -72,6 +72,28 @@ private Q_SLOTS:
         QVERIFY(!palette.isVisible());
     }
 
+    void preferencesNameCommandsAsTheTableDoes() {
+        Actions actions(actionTable());
+        actions.at("edit.undo").setText(QStringLiteral("&Undo Move robot0"));
+        PreferencesDialog dialog(actions, nullptr);
+        const auto* list = dialog.findChild<QTreeWidget*>(QStringLiteral("shortcuts"));
+        QCOMPARE(list->findItems(QStringLiteral("Undo"), Qt::MatchExactly).size(), 1);
+        dialog.show();
+        auto* filter = dialog.findChild<QLineEdit*>(QStringLiteral("shortcutFilter"));
+        QTest::keyClicks(filter, QStringLiteral("undo"));
+        QTest::keyClick(filter, Qt::Key_Return); // neither closes nor changes keys
+        QVERIFY(dialog.isVisible());
+        const auto shown = [list] {
+            int count = 0;
+            for (int i = 0; i < list->topLevelItemCount(); ++i) count += !list->topLevelItem(i)->isHidden();
+            return count;
+        };
+        QCOMPARE(shown(), 1);
+        filter->setText(QStringLiteral("ctrl+d"));
+        QCOMPARE(shown(), 1);
+        QCOMPARE(actions.at("edit.undo").shortcut(), QKeySequence(QStringLiteral("Ctrl+Z")));
+    }
+
     void aShortcutIsKeptAndGivenBack() {
         {
             Actions actions(actionTable());

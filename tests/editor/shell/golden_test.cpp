@@ -19,6 +19,7 @@
 
 #include "editor/shell/main_window.h"
 #include "editor/widgets/theme.h"
+#include "eventually.h"
 #include "parts/parts.h"
 #include "render/service.h"
 
@@ -169,7 +170,7 @@ private:
         RunSession& session = m_window->session();
         for (int tenth = 1; tenth <= 71; ++tenth) { // in steps, so that the trail has its points at the same times
             session.runFor(0.1);
-            QTRY_VERIFY(session.state() == RunState::Paused && session.time() > 0.1 * tenth - 1e-9);
+            EVENTUALLY(session.state() == RunState::Paused && session.time() > 0.1 * tenth - 1e-9);
         }
         act("view.frame");
         auto* status = m_window->findChild<QLabel*>(QStringLiteral("status.run"));
@@ -186,7 +187,7 @@ private:
 
     void open(const QString& file) {
         QVERIFY(m_window->open(path(file)));
-        QTRY_VERIFY(m_window->document().isOpen());
+        EVENTUALLY(m_window->document().isOpen());
     }
     void act(const char* id) { m_window->actions().at(id).trigger(); }
 

@@ -1,11 +1,13 @@
 // The command palette of the real window: what it lists is there, and is listed once.
 
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSettings>
 #include <QtTest>
 
 #include "editor/shell/window_parts.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -19,7 +21,7 @@ private Q_SLOTS:
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         QVERIFY(m_window->open(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/linear_motion.sim")));
-        QTRY_VERIFY(m_window->document().isOpen());
+        EVENTUALLY(m_window->document().isOpen());
     }
     void cleanup() { m_window.reset(); }
 
@@ -28,6 +30,14 @@ private Q_SLOTS:
         QCOMPARE(found("Insert BumpAndTurn"), QStringList()); // its module is not loaded
         QCOMPARE(found("Insert PoseLog"), QStringList{QStringLiteral("Insert PoseLog")});
         QCOMPARE(found("Insert PoseLog"), QStringList{QStringLiteral("Insert PoseLog")}); // also the second time
+    }
+
+    void panelsAreFoundByTheirNames() {
+        QCOMPARE(found("radio show"), QStringList{QStringLiteral("Show Radio")});
+        QLineEdit& search = open();
+        QTest::keyClicks(&search, QStringLiteral("Show Radio"));
+        QTest::keyClick(&search, Qt::Key_Return);
+        QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("dock.radios"))->isVisible());
     }
 
     void whatIsChosenIsInserted() {

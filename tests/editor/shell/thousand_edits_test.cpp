@@ -18,6 +18,7 @@
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -65,9 +66,9 @@ private Q_SLOTS:
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         QVERIFY(m_window->open(path("mine.sim")));
-        QTRY_VERIFY(document().isOpen());
+        EVENTUALLY(document().isOpen());
         QVERIFY(!document().loaded()->diagnostics.hasErrors());
-        QTRY_VERIFY(!m_window->findChild<LibraryPanel*>()->isReading());
+        EVENTUALLY(!m_window->findChild<LibraryPanel*>()->isReading());
         m_window->session().setSpeed(0);
         m_known.clear();
     }

@@ -14,12 +14,11 @@
 #include "editor/text/text_panel.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/viewport_panel.h"
+#include "eventually.h"
 
 using namespace trundle;
 
 namespace {
-
-constexpr int kPatienceMs = 60000; // the Library draws its pictures meanwhile
 
 const QByteArray kText = "Tick = 0.01\n"
                          "#import robots/simple_robot.sim\n"
@@ -46,7 +45,7 @@ private Q_SLOTS:
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         QVERIFY(m_window->open(path));
-        QTRY_VERIFY(m_window->document().isOpen());
+        EVENTUALLY(m_window->document().isOpen());
         QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
     }
     void cleanup() { m_window.reset(); }
@@ -70,7 +69,7 @@ private Q_SLOTS:
         edit.setFocus();
         edit.setSelection({at, at});
         m_window->selection().select("middle");
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->isSettled(), kPatienceMs);
+        EVENTUALLY(m_window->isSettled());
         View& view = m_window->viewport().current();
         auto* tree = m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"));
         const QPointer<QWidget> row = m_window->findChild<QWidget*>(QStringLiteral("row.Pos"));
@@ -81,8 +80,8 @@ private Q_SLOTS:
             reset(tree->model(), &QAbstractItemModel::modelReset), inserted(tree->model(), &QAbstractItemModel::rowsInserted),
             removed(tree->model(), &QAbstractItemModel::rowsRemoved);
         QTest::keyClick(&edit, letter);
-        QTRY_COMPARE(changed.size(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->isSettled(), kPatienceMs); // also the finer picture, that nothing comes after
+        EVENTUALLY_EQUAL(changed.size(), 1);
+        EVENTUALLY(m_window->isSettled()); // also the finer picture, that nothing comes after
         QCOMPARE(m_window->selection().current(), selected);
         QCOMPARE(changed.size(), 1);
         QCOMPARE(selection.size(), selections);

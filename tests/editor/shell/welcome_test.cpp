@@ -11,6 +11,7 @@
 
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_parts.h"
+#include "eventually.h"
 #include "project/journal.h"
 #include "project/search.h"
 
@@ -67,7 +68,7 @@ private Q_SLOTS:
         QVERIFY(recent());
         QCOMPARE(recent()->text(), QStringLiteral("mine.sim – unsaved work"));
         QTest::mouseClick(recent(), Qt::LeftButton);
-        QTRY_VERIFY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
+        EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
         QTest::mouseClick(m_window->findChild<QAbstractButton*>(QStringLiteral("bringBack")), Qt::LeftButton);
         QCOMPARE(QByteArray::fromStdString(*m_window->document().text(path.toStdString())), QByteArray(kText) + "Duration = 3\n");
         m_window->actions().at("file.save").trigger();
@@ -75,29 +76,48 @@ private Q_SLOTS:
         QCOMPARE(recent()->text(), QStringLiteral("mine.sim"));
     }
 
+    /// Of a plan alone nothing is seen and nothing runs.
+    void robotsAndArenasStandInAnExperiment() {
+        const QString configs = QString::fromStdString(findLocations().configs);
+        m_window = m_parts.window();
+        for (const Sample& sample : sampleParts(configs)) {
+            const QString card = QStringLiteral("sample.") + QFileInfo(sample.path).completeBaseName();
+            m_window->findChild<QAbstractButton*>(card)->click();
+            const auto loaded = m_window->document().loaded();
+            QVERIFY2(loaded && m_window->document().isNew(), qPrintable(card));
+            QVERIFY2(!loaded->diagnostics.hasErrors(), qPrintable(card));
+            QCOMPARE(loaded->experiment->robots.size(), 1u);
+            QCOMPARE(loaded->experiment->statics.size(), 1u);
+            QVERIFY(!m_window->document().isModified());
+        }
+    }
+
     void whatTakesLongToOpenSaysSoAndCanBeLeft() {
         QTemporaryDir folder;
-        const QString text = folder.filePath(QStringLiteral("mine.sim"));
+        const QString text = folder.filePath(QStringLiteral("mine.sim")), other = folder.filePath(QStringLiteral("other.sim"));
         write(text, kText);
+        write(other, kText);
         SlowParts slow(*m_parts.parts);
         m_window = std::make_unique<MainWindow>(slow, m_parts.render.get(), findLocations());
         m_window->show();
+        QVERIFY(m_window->open(other));
+        EVENTUALLY(m_window->document().isOpen());
         slow.hold = true;
         QVERIFY(m_window->open(text));
         const QPointer<QDialog> progress = m_window->findChild<QDialog*>(QStringLiteral("opening"));
         QVERIFY(progress && !progress->isVisible());
-        QTRY_VERIFY(progress->isVisible());
+        EVENTUALLY(progress->isVisible());
         QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
         QVERIFY(!m_window->document().isOpening());
-        QTRY_VERIFY(!progress);
+        EVENTUALLY(!progress);
         slow.hold = false;
         slow.hold.notify_all();
-        QTRY_VERIFY(slow.opened == 1);
+        EVENTUALLY(slow.opened == 1);
         QCoreApplication::processEvents();
-        QVERIFY(!m_window->document().isOpen()); // what was read meanwhile is not wanted any more
+        QVERIFY(m_window->document().path().ends_with("other.sim")); // what was read meanwhile is not wanted any more
         QVERIFY(m_window->open(text));
-        QTRY_VERIFY(m_window->document().isOpen());
-        QTRY_VERIFY(!m_window->findChild<QDialog*>(QStringLiteral("opening")));
+        EVENTUALLY(m_window->document().path().ends_with("mine.sim"));
+        EVENTUALLY(!m_window->findChild<QDialog*>(QStringLiteral("opening")));
         m_window.reset();
     }
 

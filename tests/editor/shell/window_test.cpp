@@ -8,9 +8,11 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include "editor/shell/recent_files.h"
 #include "editor/shell/window_parts.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -48,6 +50,11 @@ private Q_SLOTS:
     void aNewWindowShowsTheWelcomePage() {
         QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("welcome"))->isVisible());
         QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("sample.linear_motion"))->isVisible());
+        const QString configs = QString::fromStdString(findLocations().configs);
+        for (const Sample& sample : sampleExperiments(configs) + sampleParts(configs))
+            QVERIFY2(!QImage(sample.picture).isNull(), qPrintable(sample.picture));
+        for (const char* subject : {"sample.blob_follow", "sample.sensor_network_amr", "sample.directional_antenna"})
+            QVERIFY2(m_window->findChild<QWidget*>(QLatin1String(subject)), subject);
     }
 
     void onTheWelcomePageEveryCommandDoesNoHarm() {
@@ -68,7 +75,7 @@ private Q_SLOTS:
         QVERIFY(guide->isVisible());
         QVERIFY(!m_window->findChild<QDockWidget*>(QStringLiteral("dock.scene"))->isVisible());
         openMine();
-        QTRY_VERIFY(guide->isVisible());
+        EVENTUALLY(guide->isVisible());
         QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("dock.scene"))->isVisible());
         m_window->actions().at("file.openSample").trigger();
         QVERIFY(!m_window->document().isOpen());
@@ -104,7 +111,7 @@ private Q_SLOTS:
     void aSmallScreenMayHaveItAll() {
         m_window->resize(1024, 700);
         openMine();
-        QTRY_VERIFY(m_window->isSettled());
+        EVENTUALLY(m_window->isSettled());
         QCOMPARE(m_window->size(), QSize(1024, 700));
     }
 
@@ -119,7 +126,7 @@ private Q_SLOTS:
         openMine();
         m_window->actions().at(qPrintable(layout)).trigger();
         m_window->selection().select("robot0");
-        QTRY_VERIFY(m_window->isSettled());
+        EVENTUALLY(m_window->isSettled());
         QCOMPARE(m_window->size(), QSize(1100, 700));
         const QStringList cut = cutOff(*m_window);
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QLatin1Char('\n'))));
@@ -132,32 +139,32 @@ private Q_SLOTS:
         };
         QDockWidget *problems = dock("problems"), *console = dock("console"), *controllers = dock("controllers");
         const auto titled = [](const QDockWidget* which) { return which->titleBarWidget() == nullptr; };
-        QTRY_VERIFY(!titled(problems) && !titled(console) && !titled(controllers)); // their tabs say their names
+        EVENTUALLY(!titled(problems) && !titled(console) && !titled(controllers)); // their tabs say their names
         QVERIFY(titled(dock("scene")));
         console->setFloating(true);
-        QTRY_VERIFY(titled(console));
+        EVENTUALLY(titled(console));
         QVERIFY(!titled(problems));
         controllers->setFloating(true); // now the first is alone, though the others once had tabs beside it
-        QTRY_VERIFY(titled(controllers) && titled(problems));
+        EVENTUALLY(titled(controllers) && titled(problems));
         console->setFloating(false);
-        QTRY_VERIFY(!titled(console) && !titled(problems));
+        EVENTUALLY(!titled(console) && !titled(problems));
     }
 
     void aSampleOpensWithAClick() {
         QTest::mouseClick(m_window->findChild<QWidget*>(QStringLiteral("sample.linear_motion")), Qt::LeftButton);
-        QTRY_VERIFY(m_window->document().isOpen());
-        QTRY_VERIFY(m_window->isSettled());
+        EVENTUALLY(m_window->document().isOpen());
+        EVENTUALLY(m_window->isSettled());
         QVERIFY(!m_window->findChild<QWidget*>(QStringLiteral("welcome"))->isVisible());
         QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("dock.scene"))->isVisible());
     }
 
     void aNewExperimentRunsBeforeItIsSaved() {
         m_window->actions().at("file.newExperiment").trigger();
-        QTRY_VERIFY(m_window->document().isOpen());
+        EVENTUALLY(m_window->document().isOpen());
         QVERIFY(m_window->document().isNew());
         QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
         m_window->session().runFor(0.1);
-        QTRY_VERIFY(m_window->session().time() > 0.0999);
+        EVENTUALLY(m_window->session().time() > 0.0999);
         m_window->actions().at("sim.reset").trigger();
         QCOMPARE(m_window->session().state(), RunState::Start);
     }
@@ -184,13 +191,26 @@ private Q_SLOTS:
     void aRunLeavesTheTextsAlone() {
         openMine();
         m_window->actions().at("sim.run").trigger();
-        QTRY_VERIFY(m_window->session().time() > 0.05);
+        EVENTUALLY(m_window->session().time() > 0.05);
         m_window->actions().at("sim.pause").trigger();
-        QTRY_COMPARE(m_window->session().state(), RunState::Paused);
+        EVENTUALLY_EQUAL(m_window->session().state(), RunState::Paused);
         QCOMPARE(text(), kExperiment);
         QVERIFY(!m_window->document().history().canUndo());
         m_window->actions().at("sim.reset").trigger();
-        QTRY_COMPARE(m_window->session().state(), RunState::Start);
+        EVENTUALLY_EQUAL(m_window->session().state(), RunState::Start);
+    }
+
+    /// After a value was typed the arrow keys would change that value.
+    void whoRunsToDriveHasTheKeyboardInTheView() {
+        openMine();
+        m_window->actions().at("sim.drive").trigger();
+        m_window->selection().select("robot0");
+        auto* row = m_window->findChild<QDockWidget*>(QStringLiteral("dock.properties"))->findChild<QLineEdit*>();
+        QVERIFY(row);
+        row->setFocus();
+        m_window->actions().at("sim.run").trigger();
+        QVERIFY(m_window->viewport().current().hasFocus());
+        m_window->actions().at("sim.reset").trigger();
     }
 
     void aTextWithErrorsOpensAndIsNotRun() {
@@ -206,7 +226,7 @@ private Q_SLOTS:
         m_window->actions().at("edit.undo").trigger();
         QCOMPARE(text(), kExperiment);
         m_window->actions().at("sim.step").trigger();
-        QTRY_VERIFY(m_window->session().time() > 0);
+        EVENTUALLY(m_window->session().time() > 0);
     }
 
     void deleteTakesObjectsAwayWhereObjectsAreSeen() {
@@ -235,6 +255,25 @@ private Q_SLOTS:
         }
     }
 
+    void whatAnotherProgramWroteIsShownBeforeOneChooses() {
+        openMine();
+        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QFile file(path());
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray(kExperiment).replace("Pos=-1,0,0", "Pos=7,0,0"));
+        file.close();
+        m_window->document().lookAtDisk();
+        auto* question = m_window->findChild<QMessageBox*>(QStringLiteral("diskQuestion"));
+        QVERIFY(question && question->isVisible());
+        for (const char* line : {"- ", "Pos=1,0,0", "+ ", "Pos=7,0,0"})
+            QVERIFY2(question->informativeText().contains(QLatin1String(line)), line);
+        for (QAbstractButton* button : question->buttons())
+            if (question->buttonRole(button) == QMessageBox::AcceptRole) button->click();
+        QVERIFY(text().contains("Pos=7,0,0"));
+        m_window->actions().at("edit.undo").trigger();
+        QVERIFY(text().contains("Pos=1,0,0"));
+    }
+
     void aTextDroppedAnywhereIsOpened() {
         QMimeData carried;
         carried.setUrls({QUrl::fromLocalFile(path())});
@@ -247,13 +286,13 @@ private Q_SLOTS:
         };
         const auto middleOf = [this](QWidget& panel) { return QPointF(panel.mapTo(m_window.get(), panel.rect().center())); };
         QVERIFY(drop(QPointF(300, 300))); // on the Welcome page
-        QTRY_VERIFY(m_window->document().isOpen());
+        EVENTUALLY(m_window->document().isOpen());
         QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         m_window->actions().at("file.save").trigger();
         for (QWidget* panel : {static_cast<QWidget*>(&m_window->text()), static_cast<QWidget*>(&m_window->viewport())}) {
             QSignalSpy opened(&m_window->document(), &Document::opened);
             QVERIFY(drop(middleOf(*panel)));
-            QTRY_COMPARE(opened.size(), 1);
+            EVENTUALLY_EQUAL(opened.size(), 1);
             QVERIFY(text().contains("Pos=1,0,0")); // it is the text that is opened, nothing is written into one
         }
         QVERIFY(!m_window->isWindowModified());
@@ -266,12 +305,12 @@ private Q_SLOTS:
         openMine();
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        QTRY_VERIFY(m_window->isSettled());
+        EVENTUALLY(m_window->isSettled());
         RunSession& session = m_window->session();
         View& view = m_window->viewport().current();
         view.setFocus();
         QTest::keyClick(&view, Qt::Key_F5);
-        QTRY_VERIFY(session.poses() && session.time() > 0.02);
+        EVENTUALLY(session.poses() && session.time() > 0.02);
         const QPoint at = view.pixelOf(session.robotPose("robot0")->position + Vec3(0, 0, 0.1)).value().toPoint();
         QTest::mousePress(&view, Qt::LeftButton, Qt::ControlModifier, at);
         QMouseEvent move(QEvent::MouseMove, at + QPointF(30, 0), view.mapToGlobal(at + QPointF(30, 0)), Qt::NoButton,
@@ -279,10 +318,10 @@ private Q_SLOTS:
         QCoreApplication::sendEvent(&view, &move);
         QVERIFY(view.mouseIsBusy());
         QTest::keyClick(&view, Qt::Key_F6);
-        QTRY_COMPARE(session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(session.state(), RunState::Paused);
         QVERIFY(view.mouseIsBusy());
         QTest::keyClick(&view, Qt::Key_F5);
-        QTRY_COMPARE(session.state(), RunState::Running);
+        EVENTUALLY_EQUAL(session.state(), RunState::Running);
         QTest::mouseRelease(&view, Qt::LeftButton, Qt::ControlModifier, at + QPoint(30, 0));
         QVERIFY(!view.mouseIsBusy());
     }
@@ -290,12 +329,12 @@ private Q_SLOTS:
     void theFindBarMovesNothing() {
         openMine();
         m_window->resize(1100, 700);
-        QTRY_VERIFY(m_window->isSettled());
+        EVENTUALLY(m_window->isSettled());
         auto* work = m_window->findChild<QSplitter*>(QStringLiteral("work"));
         work->setSizes({10000, 1}); // the text as narrow as can be
         const QList<int> before = work->sizes();
         m_window->actions().at("edit.replace").trigger();
-        QTRY_VERIFY(m_window->findChild<QWidget*>(QStringLiteral("findBar"))->isVisible());
+        EVENTUALLY(m_window->findChild<QWidget*>(QStringLiteral("findBar"))->isVisible());
         QCoreApplication::processEvents();
         QCOMPARE(work->sizes(), before);
         QCOMPARE(cutOff(*m_window->findChild<QWidget*>(QStringLiteral("findBar"))), QStringList());
@@ -369,7 +408,7 @@ private:
     }
     void openMine() {
         QVERIFY(m_window->open(path()));
-        QTRY_VERIFY(m_window->document().isOpen());
+        EVENTUALLY(m_window->document().isOpen());
         QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
     }
 

@@ -11,6 +11,7 @@
 #include "editor/text/hover.h"
 #include "editor/text/navigation.h"
 #include "editor/text/text_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 using trundle::test::TextWindow;
@@ -54,8 +55,11 @@ class HelpTest final : public QObject {
 private Q_SLOTS:
     void completesWhileTyping();
     void completionIsOneEntry();
+    void aSignThatTheChoiceBroughtIsNotDoubled();
+    void behindItsNameABlockIsGoneOnWith();
     void enterAfterAWholeWordIsANewLine();
     void escapeClosesTheList();
+    void theListGoesWithWhatItWasFor();
     void valuesFollowAKey();
     void fixesByAltEnter();
     void problemsAreMarked();
@@ -76,14 +80,14 @@ void HelpTest::completesWhileTyping() {
     Window w;
     w.caretAt("Robot one");
     w.keys("Dur");
-    QTRY_VERIFY(w.listShown());
+    EVENTUALLY(w.listShown());
     auto* list = w.child<QTreeWidget>("completionList");
     QCOMPARE(list->topLevelItem(0)->text(0), QStringLiteral("Duration"));
     QVERIFY(!w.child<QLabel>("completionHelp")->text().isEmpty());
     w.key(Qt::Key_Return);
     QVERIFY(!w.listShown());
     w.keys("9 ");
-    QTRY_VERIFY(w.text().contains("Duration = 9 Robot one"));
+    EVENTUALLY(w.text().contains("Duration = 9 Robot one"));
 }
 
 void HelpTest::completionIsOneEntry() {
@@ -102,16 +106,75 @@ void HelpTest::completionIsOneEntry() {
     QCOMPARE(w.shown(), QByteArray(kDrive));
 }
 
+void HelpTest::aSignThatTheChoiceBroughtIsNotDoubled() {
+    Window w;
+    w.caretAt("Robot one");
+    w.keys("Dur");
+    EVENTUALLY(w.listShown());
+    w.key(Qt::Key_Return);
+    w.keys("= 9 ");
+    w.panel.flush();
+    QVERIFY2(w.text().contains("Duration = 9 Robot one"), w.text());
+    w.caretAt("size=0.2");
+    w.keys("bo");
+    EVENTUALLY(w.listShown());
+    w.key(Qt::Key_Tab);
+    w.keys(".");
+    w.panel.flush();
+    QVERIFY2(w.text().contains("body.size=0.2"), w.text());
+    w.keys("."); // a second one was meant, whatever for
+    w.panel.flush();
+    QVERIFY2(w.text().contains("body..size=0.2"), w.text());
+}
+
+void HelpTest::behindItsNameABlockIsGoneOnWith() {
+    Window w;
+    w.key(Qt::Key_End, Qt::ControlModifier);
+    w.keys("Rob");
+    EVENTUALLY(w.listShown());
+    w.key(Qt::Key_Tab);
+    QCOMPARE(w.selected(), QByteArray("robot"));
+    w.keys("three");
+    w.key(Qt::Key_Tab);
+    EVENTUALLY(w.listShown()); // what fits there
+    w.key(Qt::Key_Return);
+    w.panel.flush();
+    QVERIFY2(w.text().contains("Robot three {\n  Config = Ball\n}"), w.text());
+    // What needs nothing: its first line.
+    w.key(Qt::Key_End, Qt::ControlModifier);
+    w.key(Qt::Key_Return);
+    w.keys("StaticC");
+    EVENTUALLY(w.listShown());
+    w.key(Qt::Key_Return);
+    w.key(Qt::Key_Return); // the name is good as it is
+    w.keys("Box");
+    w.panel.flush();
+    QVERIFY2(w.text().contains("StaticConfig staticConfig {\n  Box\n}"), w.text());
+}
+
 void HelpTest::enterAfterAWholeWordIsANewLine() {
     Window w;
     w.caretAt("Config=Ball body", 11);
     w.key(Qt::Key_Backspace);
     w.keys("l");
-    QTRY_VERIFY(!w.page().pending());
+    EVENTUALLY(!w.page().pending());
     QVERIFY(!w.listShown()); // Ball is typed out
     w.key(Qt::Key_Return);
     w.panel.flush();
     QVERIFY(w.text().contains("Config=Ball\n"));
+}
+
+void HelpTest::theListGoesWithWhatItWasFor() {
+    Window w;
+    w.caretAt("Robot one");
+    w.keys("Mat");
+    EVENTUALLY(w.listShown());
+    w.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!w.listShown());
+    w.keys("Mat");
+    EVENTUALLY(w.listShown());
+    QTest::mouseClick(w.panel.findChild<QWidget*>(QStringLiteral("textFiles"))->parentWidget(), Qt::LeftButton); // takes no focus
+    QVERIFY(!w.listShown());
 }
 
 void HelpTest::escapeClosesTheList() {
@@ -123,18 +186,18 @@ void HelpTest::escapeClosesTheList() {
     QVERIFY(!w.listShown());
     w.key(Qt::Key_Space, Qt::ControlModifier);
     w.key(Qt::Key_Left);
-    QTRY_VERIFY(!w.listShown());
+    EVENTUALLY(!w.listShown());
 }
 
 void HelpTest::valuesFollowAKey() {
     Window w;
     w.caretAt("Robot one");
     w.keys("Solv");
-    QTRY_VERIFY(w.listShown());
+    EVENTUALLY(w.listShown());
     w.key(Qt::Key_Return);
-    QTRY_VERIFY(w.listShown()); // its choices
+    EVENTUALLY(w.listShown()); // its choices
     w.keys("ex");
-    QTRY_COMPARE(w.child<QTreeWidget>("completionList")->topLevelItem(0)->text(0), QStringLiteral("exact"));
+    EVENTUALLY_EQUAL(w.child<QTreeWidget>("completionList")->topLevelItem(0)->text(0), QStringLiteral("exact"));
     w.key(Qt::Key_Return);
     w.panel.flush();
     QVERIFY(w.text().contains("Solver = exactRobot"));
@@ -144,7 +207,7 @@ void HelpTest::fixesByAltEnter() {
     Window w;
     w.caretAt("Tick");
     w.key(Qt::Key_Delete);
-    QTRY_VERIFY(!w.page().problems().empty());
+    EVENTUALLY(!w.page().problems().empty());
     w.key(Qt::Key_Return, Qt::AltModifier);
     auto* menu = w.panel.findChild<QMenu*>(QStringLiteral("fixMenu"));
     QVERIFY(menu && menu->isVisible());
@@ -166,7 +229,7 @@ void HelpTest::problemsAreMarked() {
     QVERIFY(!squiggle(at));
     w.caretAt("Config=Ball size", 11);
     w.keys("s");
-    QTRY_VERIFY(squiggle(at));
+    EVENTUALLY(squiggle(at));
     QVERIFY(!squiggle(at - 8));
     w.caretAt("Tick");
     w.keys("// more before it");
@@ -264,7 +327,7 @@ void HelpTest::findsInAllFiles() {
     w.caretAt("Tick");
     w.key(Qt::Key_F, Qt::ControlModifier);
     auto* find = w.child<QLineEdit>("findText");
-    QTRY_VERIFY(find->hasFocus());
+    EVENTUALLY(find->hasFocus());
     QTest::keyClicks(find, QStringLiteral("ball"));
     QCOMPARE(w.selected(), QByteArray("Ball"));
     QCOMPARE(w.child<QLabel>("findSaid")->text(), QStringLiteral("1 of 3"));
@@ -299,6 +362,12 @@ void HelpTest::replacesAllAsOneEntry() {
     w.document.undo();
     QCOMPARE(w.text(), QByteArray(kDrive));
     QCOMPARE(w.text(w.parts), QByteArray(kParts));
+    // What was found is marked where it stands again.
+    const auto marked = [&w](qsizetype at) {
+        return w.edit().SendScintilla(QsciScintillaBase::SCI_INDICATORVALUEAT, 11UL, static_cast<long>(at)) != 0;
+    };
+    const qsizetype found = w.shown().indexOf("Ball");
+    QVERIFY(!marked(found - 1) && marked(found) && marked(found + 3) && !marked(found + 4));
 }
 
 void HelpTest::replacesOneByOne() {

@@ -100,12 +100,13 @@ private Q_SLOTS:
     }
 
     void theDialogSaysWhatItWillDo() {
-        ArrayDialog dialog({0.5, 0.5, 0.3}, {});
+        ArrayDialog dialog({0.5, 0.5, 0.3}, 3, {});
         dialog.findChild<QSpinBox*>(QStringLiteral("countX"))->setValue(4);
         dialog.findChild<QSpinBox*>(QStringLiteral("countY"))->setValue(2);
         QCOMPARE(dialog.copy().count, (std::array<int, 3>{4, 2, 1}));
         QVERIFY((dialog.copy().spacing - Vec3(0.5, 0.5, 0.3)).norm() < 1e-9);
         QVERIFY(!dialog.copy().asGrid);
+        QCOMPARE(dialog.findChild<QLabel*>(QStringLiteral("summary"))->text(), QStringLiteral("24 in all, with the 3 originals"));
     }
 
 private:

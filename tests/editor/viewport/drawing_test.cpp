@@ -38,7 +38,7 @@ private Q_SLOTS:
     }
 
     void whenAllStandsStillOneFinerPictureIsTheLast() {
-        QTRY_COMPARE(m_window->view().refinements(), 1);
+        EVENTUALLY_EQUAL(m_window->view().refinements(), 1);
         EVENTUALLY(m_window->panel->isUpToDate());
         const int redraws = m_window->view().redraws();
         // Turns of the event loop that bring no event of ours.
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->view().redraws(), before + 1);
         QVERIFY(shown.size() >= 1);
         QVERIFY(orange(m_window->view().picture()) > 100);
-        QTRY_COMPARE(m_window->view().refinements(), finer + 2); // it comes later
+        EVENTUALLY_EQUAL(m_window->view().refinements(), finer + 2); // it comes later
         EVENTUALLY(m_window->panel->isSettled());
         QCOMPARE(shown.size(), 2); // the one that gave way was not
     }
@@ -123,6 +123,14 @@ private Q_SLOTS:
         QVERIFY(QLineF(*m_window->view().pixelOf(under), to).length() < 0.01);
     }
 
+    void whoTurnsTheViewIsToldOfFlying() {
+        m_window->press({500, 420}, Qt::RightButton);
+        m_window->move({520, 420}, {}, Qt::RightButton);
+        QVERIFY2(m_window->view().hint().contains(QStringLiteral("W A S D")), qPrintable(m_window->view().hint()));
+        m_window->release({520, 420}, Qt::RightButton);
+        QCOMPARE(m_window->view().hint(), QString());
+    }
+
     void axisViewsAndLayoutsFollowTheirActions() {
         for (const auto& [id, kind] :
              std::vector<std::pair<const char*, ViewKind>>{{"view.top", ViewKind::Top},
@@ -154,7 +162,7 @@ private Q_SLOTS:
 
     void aBrokenThingStaysAsAGhost() {
         const QPointF hull = m_window->at({0.5, 0.3, 0.1});
-        QTRY_COMPARE(m_window->view().refinements(), 1);
+        EVENTUALLY_EQUAL(m_window->view().refinements(), 1);
         EVENTUALLY(m_window->panel->isUpToDate());
         const QColor before = m_window->view().picture().pixelColor(hull.toPoint());
         // The second robot's config cannot be found any more.
@@ -163,13 +171,13 @@ private Q_SLOTS:
             QByteArray(kRoom).replace("robot1 { Config=SimpleRobot", "robot1 { Config=Nothing").toStdString();
         QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, broken).ok());
         QCOMPARE(m_window->panel->world().objects()->experiment().robots.size(), std::size_t(1));
-        QTRY_COMPARE(m_window->view().refinements(), 2);
+        EVENTUALLY_EQUAL(m_window->view().refinements(), 2);
         EVENTUALLY(m_window->panel->isUpToDate());
         const QColor ghost = m_window->view().picture().pixelColor(hull.toPoint());
         const std::string gone =
             QByteArray(kRoom).split('\n').mid(0, 5).join('\n').toStdString() + "\nRobot x { Config=Nothing }\n";
         QVERIFY(m_window->document.replaceText(QStringLiteral("typing"), file, gone).ok());
-        QTRY_COMPARE(m_window->view().refinements(), 3);
+        EVENTUALLY_EQUAL(m_window->view().refinements(), 3);
         EVENTUALLY(m_window->panel->isUpToDate());
         const QColor floor = m_window->view().picture().pixelColor(hull.toPoint());
         QVERIFY(ghost != before);
@@ -189,6 +197,25 @@ private Q_SLOTS:
             const bool needsRun = std::string(id) == "view.overlayTrails" || std::string(id) == "view.overlayContacts";
             if (!needsRun) QVERIFY2(m_window->view().grab().toImage() != before, id);
         }
+    }
+
+    void anotherLookIsTakenUpAtOnce() {
+        const auto chosen = [this](const char* id) { return m_window->actions.at(id).isChecked(); };
+        EVENTUALLY(m_window->panel->isSettled());
+        const QImage fast = m_window->view().picture();
+        QVERIFY(chosen("view.lookAutomatic") && !chosen("view.lookRich"));
+        m_window->trigger("view.lookRich");
+        QVERIFY(!chosen("view.lookAutomatic") && chosen("view.lookRich"));
+        EVENTUALLY(m_window->panel->isSettled());
+        const QImage rich = m_window->view().picture();
+        m_window->trigger("view.lookFast");
+        QVERIFY(!chosen("view.lookRich") && chosen("view.lookFast"));
+        EVENTUALLY(m_window->panel->isSettled());
+        QVERIFY(rich != m_window->view().picture());
+        if (m_render->isSoftware()) QVERIFY(fast == m_window->view().picture());
+        m_window->trigger("view.lookAutomatic");
+        EVENTUALLY(m_window->panel->isSettled());
+        QVERIFY(fast == m_window->view().picture());
     }
 
     void whereThereIsNoFloorItsLinesAreThere() {

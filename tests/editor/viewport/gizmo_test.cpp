@@ -104,6 +104,36 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
     }
 
+    void aTypedNumberMayCarryItsUnit() {
+        take("robot0", "tool.move");
+        const QPointF from = *m_window->view().gizmo().spot(kMoveX);
+        m_window->press(from);
+        m_window->move(from + QPointF(30, 4), {}, Qt::LeftButton);
+        m_window->type(QStringLiteral("25 c"));
+        QVERIFY2(!m_window->text().contains("Pos=24.5"), m_window->text().constData()); // not metres
+        m_window->type(QStringLiteral("m"));
+        m_window->key(Qt::Key_Return);
+        QVERIFY2(m_window->text().contains("Pos=-0.25,0,0"), m_window->text().constData());
+        m_window->release(from);
+    }
+
+    void aTypedSizeIsTheSize() {
+        open("StaticConfig Yard {\n  Cylinder drum { Radius=0.2 Length=0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard }\n");
+        take("StaticConfig.Yard.drum", "tool.scale");
+        const auto type = [&](int axis, const char* typed) {
+            const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Size, axis});
+            m_window->press(from);
+            m_window->move(from + QPointF(12, 12), {}, Qt::LeftButton);
+            m_window->type(QString::fromLatin1(typed));
+            m_window->key(Qt::Key_Return);
+            m_window->release(from);
+        };
+        type(2, "0.5");
+        QVERIFY2(m_window->text().contains("Radius=0.2 Length=0.5 "), m_window->text().constData());
+        type(0, "12 cm");
+        QVERIFY2(m_window->text().contains("Radius=0.12 Length=0.5 "), m_window->text().constData());
+    }
+
     void severalObjectsMoveTogether() {
         m_window->selection.set({"robot0", "robot1"});
         m_window->trigger("tool.move");

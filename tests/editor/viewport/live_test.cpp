@@ -3,6 +3,7 @@
 #include "editor/viewport/gizmo_work.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -21,7 +22,7 @@ private Q_SLOTS:
         step();
         QVERIFY(m_window->panel->world().isRunning());
         m_window->session.reset();
-        QTRY_VERIFY(!m_window->panel->world().isRunning());
+        EVENTUALLY(!m_window->panel->world().isRunning());
         QVERIFY(((*m_window->panel->world().poses())[0].position - Vec3(-0.5, 0, 0)).norm() < 1e-12);
     }
 
@@ -37,7 +38,7 @@ private Q_SLOTS:
         QVERIFY(m_window->session.robotPose("robot0")->position.x() > -0.4);
         // It can be kept.
         auto* keep = m_window->panel->findChild<QWidget*>(QStringLiteral("bannerButton"));
-        QTRY_VERIFY(keep->isVisible());
+        EVENTUALLY(keep->isVisible());
         QTest::mouseClick(keep, Qt::LeftButton);
         QVERIFY(m_window->text() != kRoom);
         m_window->document.undo();
@@ -67,11 +68,11 @@ private Q_SLOTS:
 
     void ctrlAndADragPushesABody() {
         m_window->session.run();
-        QTRY_VERIFY(m_window->panel->world().isRunning());
+        EVENTUALLY(m_window->panel->world().isRunning());
         const QPointF hull = m_window->at({-0.5, 0, 0.13});
         m_window->press(hull, Qt::LeftButton, Qt::ControlModifier);
         m_window->move(hull + QPointF(150, 0), Qt::ControlModifier, Qt::LeftButton);
-        QTRY_VERIFY(m_window->session.robotPose("robot0")->position.x() > -0.45);
+        EVENTUALLY(m_window->session.robotPose("robot0")->position.x() > -0.45);
         m_window->release(hull + QPointF(150, 0), Qt::LeftButton, Qt::ControlModifier);
         QVERIFY(m_window->selection.empty());
         // A click without a drag is a click.
@@ -86,25 +87,49 @@ private Q_SLOTS:
         m_window->trigger("view.follow");
         const QPointF before = *m_window->view().pixelOf(m_window->session.robotPose("robot1")->position);
         QVERIFY(m_window->session.place("robot1", {Vec3(-1, -1, 0), Quat::Identity()}));
-        QTRY_VERIFY((m_window->session.robotPose("robot1")->position - Vec3(-1, -1, 0)).norm() < 1e-3);
+        EVENTUALLY((m_window->session.robotPose("robot1")->position - Vec3(-1, -1, 0)).norm() < 1e-3);
         QVERIFY(QLineF(*m_window->view().pixelOf(m_window->session.robotPose("robot1")->position), before).length() < 1);
+    }
+
+    void aDrivenRobotStaysInThePicture() {
+        m_window->session.run();
+        EVENTUALLY(m_window->panel->world().isRunning());
+        QVERIFY(m_window->session.drive("robot1", 0.3, 0));
+        EVENTUALLY(m_window->session.robotPose("robot1")->position.x() > 0.6);
+        QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective); // it is seen, so nothing moves
+        m_window->session.stopDriving();
+        m_window->look({-0.5, -0.6, 0.4}, {-0.5, 0, 0});
+        m_window->selection.select("robot0");
+        QVERIFY(m_window->session.drive("robot0", 0.6, 0));
+        EVENTUALLY_EQUAL(m_window->view().camera().kind(), ViewKind::Follow);
+        QVERIFY(m_window->view().rect().contains(m_window->at(m_window->session.robotPose("robot0")->position)));
+        QVERIFY(m_window->open(kRoom)); // whom it followed is gone
+        QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective);
+    }
+
+    void whatIsOpenedDuringARunIsFramed() {
+        step();
+        m_window->look({50, 50, 50}, {60, 60, 60});
+        QVERIFY(m_window->open(kRoom));
+        EVENTUALLY(m_window->view().pixelOf({-0.5, 0, 0}));
+        EVENTUALLY(m_window->view().rect().contains(m_window->view().pixelOf({-0.5, 0, 0})->toPoint()));
     }
 
     void contactsAndTrailsAreDrawn() {
         m_window->trigger("view.overlayContacts");
         m_window->trigger("view.overlayTrails");
         step();
-        QTRY_VERIFY(m_window->session.snapshot() && m_window->session.snapshot()->contacts);
+        EVENTUALLY(m_window->session.snapshot() && m_window->session.snapshot()->contacts);
         QVERIFY(!m_window->session.snapshot()->contacts->empty());
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         QVERIFY(!m_window->view().grab().isNull());
     }
 
 private:
     void step() {
         m_window->session.step();
-        QTRY_COMPARE(m_window->session.state(), RunState::Paused);
-        QTRY_VERIFY(m_window->session.poses() != nullptr);
+        EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
+        EVENTUALLY(m_window->session.poses() != nullptr);
     }
     std::unique_ptr<RenderService> m_render;
     std::unique_ptr<ViewWindow> m_window;

@@ -12,6 +12,7 @@
 #include "editor/viewport/radio_overlays.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -98,7 +99,7 @@ private Q_SLOTS:
     void aLobeTurnsWithItsBody() {
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote radio.Antenna=beam }\n"));
         m_window->look({0, -0.6, 0.6}, {0, 0, 0.1});
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         const QImage bare = m_window->view().picture();
         m_window->trigger("view.overlayLobes");
         step();
@@ -108,12 +109,12 @@ private Q_SLOTS:
         for (const double heading : {0.0, 90.0, 180.0}) {
             const double angle = heading * std::numbers::pi / 180;
             QVERIFY(m_window->session.place("a", {Vec3::Zero(), rotationFromHpr({angle, 0, 0})}));
-            QTRY_VERIFY(m_window->panel->isUpToDate());
-            QTRY_VERIFY(differs(bare, {ahead * std::cos(angle), ahead * std::sin(angle), 0.1}));
+            EVENTUALLY(m_window->panel->isUpToDate());
+            EVENTUALLY(differs(bare, {ahead * std::cos(angle), ahead * std::sin(angle), 0.1}));
             QVERIFY(!differs(bare, {-ahead * std::cos(angle), -ahead * std::sin(angle), 0.1}));
         }
         m_window->trigger("view.overlayLobes");
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         QVERIFY(!m_window->panel->radios().inScene().shapes);
         QVERIFY(!differs(bare, {-ahead, 0, 0.1}));
     }
@@ -206,23 +207,23 @@ Robot a { Config=Turret }
     void linksAreDrawnAndFollow() {
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote Pos=-0.4,0,0 }\nRobot b { Config=Mote Pos=0.4,0,0 }\n"));
         m_window->look({0, -1.5, 1.5}, {0, 0, 0.1});
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         const QPoint middle = m_window->at({0, 0, 0.1});
         QVERIFY(!shows(middle, marginColour(kSafeMargin)));
         m_window->trigger("view.overlayLinks");
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         QVERIFY(shows(middle, marginColour(kSafeMargin)));
         // The text moves it: 4 dB are left.
         const double far = std::pow(10, (friis(1) + 46) / 20) - 0.4;
         const std::string place = QByteArray::number(far, 'f', 6).toStdString() + ",0,0";
         QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"b.Pos", place}}).ok());
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         QVERIFY(shows(middle, marginColour(kSlimMargin)));
         // A run moves it: out of reach.
         step();
         QVERIFY(m_window->session.place("b", {Vec3(9, 0, 0), Quat::Identity()}));
-        QTRY_VERIFY(m_window->panel->radios().links() && m_window->panel->radios().links()->links.empty());
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->radios().links() && m_window->panel->radios().links()->links.empty());
+        EVENTUALLY(m_window->panel->isUpToDate());
         QVERIFY(!shows(middle, marginColour(kSlimMargin)));
         m_window->trigger("view.overlayLinks");
         QVERIFY(!m_window->panel->radios().links());
@@ -300,10 +301,10 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
     void coverageLiesOnTheFloor() {
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote }\nRobot b { Config=Mote Pos=2,0,0 }\n"));
         m_window->look({0.5, -2.5, 2.5}, {0.5, 0, 0});
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         const QImage bare = m_window->view().picture();
         m_window->trigger("view.overlayCoverage");
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         const RadioOverlays& radios = m_window->panel->radios();
         QCOMPARE(radios.coverage()->coverage.transmitter, std::string("a/radio"));
         QVERIFY(differs(bare, {0.6, 0.3, 0}));
@@ -315,13 +316,13 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         const auto red = [&](double x) { return m_window->view().picture().pixelColor(m_window->at({x, 0.15, 0})).red(); };
         QVERIFY(red(0.15) > red(0.7));
         m_window->selection.select("b");
-        QTRY_VERIFY(radios.coverage()->coverage.transmitter == "b/radio" && m_window->panel->isUpToDate());
+        EVENTUALLY(radios.coverage()->coverage.transmitter == "b/radio" && m_window->panel->isUpToDate());
         m_window->selection.clear(); // the one selected last stays
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         QCOMPARE(radios.coverage()->coverage.transmitter, std::string("b/radio"));
         m_window->trigger("view.overlayCoverage");
         QVERIFY(!radios.coverage() && !radios.inScene().floor);
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         QVERIFY(!differs(bare, {0.6, 0.3, 0}));
     }
 
@@ -330,13 +331,13 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         m_window->trigger("view.overlayCoverage");
         m_window->trigger("view.overlayLinks");
         step();
-        QTRY_VERIFY(!m_window->panel->radios().isReckoning());
+        EVENTUALLY(!m_window->panel->radios().isReckoning());
         const int before = m_window->panel->radios().wishes();
         m_window->session.runFor(0.3);
-        QTRY_VERIFY(m_window->session.time() > 0.29 && m_window->session.state() == RunState::Paused);
+        EVENTUALLY(m_window->session.time() > 0.29 && m_window->session.state() == RunState::Paused);
         QCOMPARE(m_window->panel->radios().wishes(), before);
         QVERIFY(m_window->session.place("b", {Vec3(1, 0, 0), Quat::Identity()})); // not the one that sends
-        QTRY_COMPARE(m_window->panel->radios().wishes(), before + 1);
+        EVENTUALLY_EQUAL(m_window->panel->radios().wishes(), before + 1);
     }
 
     void theThreadGivesUpWhatIsForgotten() {
@@ -356,7 +357,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         RadioReckoner reckoner(answers);
         forgetful = &reckoner;
         reckoner.wantCoverage(1, wish);
-        QTRY_COMPARE(givenUp.load(), 1);
+        EVENTUALLY_EQUAL(givenUp.load(), 1);
         QCOMPARE(coarse.load(), 1);
         QCOMPARE(fine.load(), 0);
         QVERIFY(caller != QThread::currentThread());
@@ -375,9 +376,9 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
             QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"a.Pos", "1,0,0"}}).ok());
         });
         m_window->trigger("view.overlayCoverage");
-        QTRY_VERIFY(edited);
-        QTRY_COMPARE(radios.coveragesGivenUp(), 1);
-        QTRY_VERIFY(!radios.isReckoning());
+        EVENTUALLY(edited);
+        EVENTUALLY_EQUAL(radios.coveragesGivenUp(), 1);
+        EVENTUALLY(!radios.isReckoning());
         const Coverage& now = radios.coverage()->coverage;
         QVERIFY(std::max(now.columns, now.rows) == 192u);
         // About the place where it is now the power is highest.
@@ -389,17 +390,17 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
     void offDrawsAndReckonsNothing() {
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote }\nRobot b { Config=Mote Pos=1,0,0 }\n"));
         m_window->look({0.5, -2, 2}, {0.5, 0, 0});
-        QTRY_VERIFY(m_window->panel->isSettled());
+        EVENTUALLY(m_window->panel->isSettled());
         const RadioOverlays& radios = m_window->panel->radios();
         const QImage before = m_window->view().grab().toImage();
         QCOMPARE(radios.wishes(), 0);
         QVERIFY(radios.nodes().empty() && !radios.inScene().shapes && !radios.inScene().floor);
         for (const char* id : {"view.overlayLobes", "view.overlayLinks", "view.overlayCoverage"}) {
             m_window->trigger(id);
-            QTRY_VERIFY(m_window->panel->isSettled());
+            EVENTUALLY(m_window->panel->isSettled());
             QVERIFY2(m_window->view().grab().toImage() != before, id);
             m_window->trigger(id);
-            QTRY_VERIFY(m_window->panel->isSettled());
+            EVENTUALLY(m_window->panel->isSettled());
             QCOMPARE(m_window->view().grab().toImage(), before);
         }
     }
@@ -415,8 +416,8 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
             if (looked)
                 for (const char* id : {"view.overlayLobes", "view.overlayLinks", "view.overlayCoverage"}) m_window->trigger(id);
             m_window->session.runFor(0.5);
-            QTRY_VERIFY(m_window->session.state() == RunState::Paused && m_window->session.time() > 0.49);
-            QTRY_VERIFY(m_window->session.snapshot()->hash);
+            EVENTUALLY(m_window->session.state() == RunState::Paused && m_window->session.time() > 0.49);
+            EVENTUALLY(m_window->session.snapshot()->hash);
             hashes.push_back(*m_window->session.snapshot()->hash);
         }
         QCOMPARE(hashes[0], hashes[1]);
@@ -425,7 +426,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
 private:
     void step() {
         m_window->session.step();
-        QTRY_COMPARE(m_window->session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
     }
     /// Whether a place in the world looks other than it did.
     bool differs(const QImage& before, const Vec3& place) {

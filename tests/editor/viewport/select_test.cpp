@@ -2,6 +2,7 @@
 
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -114,14 +115,14 @@ private Q_SLOTS:
 
     void theCursorNamesWhatItWouldSelect() {
         m_window->move(m_window->at({-0.5, 0, 0.14}));
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         const int before = m_window->view().redraws();
         m_window->move(m_window->at({-0.49, 0, 0.14})); // the same robot
         m_window->move(m_window->at({-0.48, 0, 0.14}));
-        QTRY_VERIFY(m_window->panel->isUpToDate());
+        EVENTUALLY(m_window->panel->isUpToDate());
         QCOMPARE(m_window->view().redraws(), before);
         m_window->move(m_window->at({0.5, 0.3, 0.14}));
-        QTRY_COMPARE(m_window->view().redraws(), before + 1);
+        EVENTUALLY_EQUAL(m_window->view().redraws(), before + 1);
     }
 
     void membersOfAGridAreSelectedByTheirName() {

@@ -5,6 +5,7 @@
 
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -51,11 +52,11 @@ private Q_SLOTS:
         View& view = m_window->view();
         view.lookThrough("robot0/eye");
         m_window->session.step();
-        QTRY_COMPARE(m_window->session.state(), RunState::Paused);
+        EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
         QVERIFY(m_window->session.place("robot0", {Vec3(0.4, -0.4, 0), rotationFromHpr({std::numbers::pi / 2, 0, 0})}));
-        QTRY_VERIFY((view.cameraView().eye - Vec3(0.4, -0.4 + 0.03, 0.275)).norm() < 1e-6);
+        EVENTUALLY((view.cameraView().eye - Vec3(0.4, -0.4 + 0.03, 0.275)).norm() < 1e-6);
         m_window->session.reset();
-        QTRY_VERIFY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1e-6);
+        EVENTUALLY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1e-6);
     }
 
     void escapeGoesBack() {
@@ -71,7 +72,7 @@ private Q_SLOTS:
     void orbitGoesOnFromThere() {
         View& view = m_window->view();
         view.lookThrough("robot0/eye");
-        QTRY_VERIFY(view.isUpToDate());
+        EVENTUALLY(view.isUpToDate());
         m_window->drag({400, 400}, {410, 400}, Qt::MiddleButton);
         QVERIFY(!view.throughCamera());
         QVERIFY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1.5);
@@ -83,7 +84,7 @@ private Q_SLOTS:
         view.lookThrough("other_0/eye");
         QVERIFY(view.throughCamera());
         QVERIFY(m_window->open(kRoom));
-        QTRY_VERIFY(!view.throughCamera());
+        EVENTUALLY(!view.throughCamera());
         QVERIFY(std::isfinite(view.cameraView().eye.norm()));
         view.lookThrough("robot0/eye"); // there is none here
         QVERIFY(!view.throughCamera());
@@ -130,7 +131,7 @@ private Q_SLOTS:
 
     void frustaAreDrawnWhereTheyAre() {
         View& view = m_window->view();
-        QTRY_VERIFY(view.isSettled());
+        EVENTUALLY(view.isSettled());
         // On the ray to the upper left corner of what the camera of robot0 sees.
         const CameraModel camera = *m_window->panel->world().camera("robot0/eye");
         const CameraView own = viewOf(camera, (*m_window->panel->world().poses())[camera.body]);
@@ -139,13 +140,13 @@ private Q_SLOTS:
         const QImage bare = view.grab().toImage();
         QVERIFY(view.rect().contains(at));
         m_window->trigger("view.overlayFrusta");
-        QTRY_VERIFY(view.isSettled());
+        EVENTUALLY(view.isSettled());
         QVERIFY(near(view.grab().toImage(), at) && !near(bare, at));
         m_window->trigger("view.overlayFrusta");
-        QTRY_VERIFY(view.isSettled());
+        EVENTUALLY(view.isSettled());
         QVERIFY(!near(view.grab().toImage(), at));
         m_window->selection.select("robot0.eye"); // that of what is selected is there always
-        QTRY_VERIFY(view.isSettled());
+        EVENTUALLY(view.isSettled());
         QVERIFY(view.grab().toImage().pixelColor(at) != bare.pixelColor(at));
     }
 

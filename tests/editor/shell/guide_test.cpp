@@ -1,0 +1,85 @@
+// The guide as the Guide dock shows it: every link leads to a page, every picture is there, tables are whole.
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextTable>
+#include <QtTest>
+
+#include "editor/shell/help_panel.h"
+#include "editor/widgets/resources.h"
+#include "editor/widgets/theme.h"
+
+using namespace trundle;
+
+class GuideTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        applyTheme(*qApp, ThemeKind::Light);
+        QVERIFY(!pages().isEmpty());
+    }
+
+    void linksLeadSomewhere() {
+        static const QRegularExpression link(QStringLiteral(R"((!?)\[[^\]]*\]\(([^)#]+)[^)]*\))"));
+        for (const QString& page : pages()) {
+            QFile file(m_folder.filePath(page));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString text = QString::fromUtf8(file.readAll());
+            for (auto at = link.globalMatch(text); at.hasNext();) {
+                const QRegularExpressionMatch found = at.next();
+                const QString target = found.captured(2);
+                if (target.startsWith(QStringLiteral("http"))) continue;
+                QVERIFY2(m_folder.exists(target), qPrintable(page + QStringLiteral(": ") + target));
+                if (!found.captured(1).isEmpty()) QVERIFY2(!QImage(m_folder.filePath(target)).isNull(), qPrintable(target));
+            }
+        }
+    }
+
+    void tablesHaveNoEmptyHeads() {
+        HelpPanel panel;
+        int tables = 0;
+        for (const QString& page : pages()) {
+            panel.setSource(QUrl::fromLocalFile(m_folder.filePath(page)), QTextDocument::MarkdownResource);
+            QVERIFY2(!panel.toPlainText().startsWith(QStringLiteral("Not found")), qPrintable(page));
+            for (QTextFrame* frame : panel.document()->rootFrame()->childFrames()) {
+                auto* table = qobject_cast<QTextTable*>(frame);
+                if (!table) continue;
+                ++tables;
+                QString head;
+                for (int column = 0; column < table->columns(); ++column)
+                    head += table->cellAt(0, column).firstCursorPosition().block().text();
+                QVERIFY2(!head.isEmpty(), qPrintable(page));
+                QVERIFY(table->format().borderCollapse());
+            }
+        }
+        QVERIFY(tables > 3);
+    }
+
+    void picturesAreNoWiderThanTheDock() {
+        HelpPanel panel;
+        panel.resize(340, 600);
+        panel.show();
+        int pictures = 0;
+        for (const QString& page : pages()) {
+            panel.setSource(QUrl::fromLocalFile(m_folder.filePath(page)), QTextDocument::MarkdownResource);
+            for (QTextBlock block = panel.document()->begin(); block.isValid(); block = block.next())
+                for (auto part = block.begin(); !part.atEnd(); ++part) {
+                    if (!part.fragment().charFormat().isImageFormat()) continue;
+                    ++pictures;
+                    const double width = part.fragment().charFormat().toImageFormat().width();
+                    QVERIFY2(width > 0 && width < panel.viewport()->width(), qPrintable(page));
+                }
+        }
+        QVERIFY(pictures > 3);
+    }
+
+private:
+    [[nodiscard]] QStringList pages() const { return m_folder.entryList({QStringLiteral("*.md")}, QDir::Files); }
+    QDir m_folder{resourcePath(QStringLiteral("guide"))};
+};
+
+QTEST_MAIN(GuideTest)
+#include "guide_test.moc"

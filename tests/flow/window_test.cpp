@@ -1,0 +1,54 @@
+// The window's program as documentation and checks call it: with options, without a screen.
+
+#include <QtEndian>
+
+#include "flow/cli.h"
+
+class WindowProgramTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8()); } // Qt says so where there is none
+
+    void takesAPicture() {
+        const QString picture = m_folder.filePath(QStringLiteral("driven.png"));
+        const Outcome outcome =
+            call({"--open", configPath("experiments/arc_motion.sim"), "--run-for", "0.5", "--select", "robot0.chassis", "--view",
+                  "follow", "--layout", "run", "--theme", "dark", "--size", "1000x700", "--screenshot", picture, "--quit"});
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        QVERIFY2(outcome.err.isEmpty(), shown(outcome));
+        const QByteArray png = contentOf(picture);
+        QVERIFY(png.startsWith("\x89PNG") && png.size() > 1000);
+        QCOMPARE(qFromBigEndian<quint32>(png.constData() + 16), 1000u);
+        QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
+    }
+
+    void saysWhyThereIsNone_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("reason");
+        const QString sample = configPath("experiments/arc_motion.sim");
+        QTest::newRow("no file") << QStringList{"--open", "/nowhere/a.sim"} << QByteArray("/nowhere/a.sim does not exist");
+        QTest::newRow("no object") << QStringList{"--open", sample, "--select", "robot7"} << QByteArray("no robot7");
+        QTest::newRow("no view") << QStringList{"--open", sample, "--view", "upside"} << QByteArray("perspective");
+        QTest::newRow("no time") << QStringList{"--open", sample, "--run-for", "soon"} << QByteArray("seconds");
+        QTest::newRow("no size") << QStringList{"--size", "10x10"} << QByteArray("320x240");
+    }
+    void saysWhyThereIsNone() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, reason);
+        const QString picture = m_folder.filePath(QStringLiteral("none.png"));
+        const Outcome outcome = call(arguments + QStringList{"--screenshot", picture, "--quit"});
+        QVERIFY2(outcome.code == 2, shown(outcome));
+        QVERIFY2(outcome.err.startsWith("trundle: ") && outcome.err.contains(reason), shown(outcome));
+        QCOMPARE(outcome.err.count('\n'), 1);
+        QVERIFY(!QFile::exists(picture));
+    }
+
+private:
+    static Outcome call(const QStringList& arguments) {
+        return callProgram(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), arguments);
+    }
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(WindowProgramTest)
+#include "window_test.moc"
