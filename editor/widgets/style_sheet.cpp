@@ -19,6 +19,7 @@ static const char* const kSheet =
     "QMenu::icon:checked { background: @checked; border: 1px solid @accent; border-radius: 4px; }"
     "QMenu::indicator { width: 14px; height: 14px; left: 7px; }"
     "QMenu::indicator:checked { image: url(\"@icons/colour-check.svg\"); }"
+    "QMenu::indicator:checked:selected { image: url(\"@icons/colour-check-on.svg\"); }"
     "QMenu::item:selected { background: @accent; color: @onaccent; }"
     "QMenu::item:disabled { color: @disabled; background: transparent; }"
     "QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }"
