@@ -98,7 +98,7 @@ MeshMaterial LookCollector::read(const aiMaterial& material) {
 std::shared_ptr<const Raster> LookCollector::pictureOf(const std::string& written, const std::string& material) {
     const auto [entry, fresh] = m_pictures.try_emplace(written);
     if (!fresh) return entry->second;
-    const auto standIn = [&](const std::string& why) {
+    const auto standIn = [&, entry = entry](const std::string& why) {
         complain("the picture " + printable(written) + " of its material " + printable(material) + " " + why);
         return entry->second = standInPicture();
     };

@@ -78,6 +78,7 @@ struct SettingsSpec {
     SolverChoice solver = SolverChoice::Auto;
     SourceRange solverRange; ///< of its value; unknown where the text says nothing
     int iterations = 20;
+    double errorReduction = 0.8; ///< of joints, in a tick
     std::string isolation = "none", title, description;
 };
 

@@ -46,6 +46,7 @@ SettingsSpec resolveSettings(ResolveContext& context) {
     s.solver = f.solver == "exact" ? SolverChoice::Exact : f.solver == "quick" ? SolverChoice::Quick : SolverChoice::Auto;
     s.solverRange = record.rangeOf("Solver", {});
     s.iterations = f.iterations;
+    s.errorReduction = f.errorReduction;
     s.isolation = f.isolation;
     s.title = f.title;
     s.description = f.description;

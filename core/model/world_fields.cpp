@@ -33,6 +33,8 @@ void SettingsFields::describe(Describe<SettingsFields>& d) {
     d.field("Solver", &SettingsFields::solver, oneOf("auto|exact|quick"),
             "Exact, quick, or chosen by the size of the largest cluster of contacts.");
     d.field("Iterations", &SettingsFields::iterations, whole(1, 10000), "Iterations of the quick solver.");
+    d.field("ErrorReduction", &SettingsFields::errorReduction, number().within(0.05, 0.95),
+            "Share of what a joint gapes that one tick closes (ODE's ERP). Less makes joints softer.");
     d.field("Isolation", &SettingsFields::isolation, oneOf("none|module|robot"), "Which controllers share a process.");
     d.field("Title", &SettingsFields::title, text(), "Name of the experiment.");
     d.field("Description", &SettingsFields::description, text(), "What the experiment is about.");

@@ -19,6 +19,7 @@ struct SettingsFields {
     Triple gravity{0, 0, -9.81};
     std::string solver = "auto";
     int iterations = 20;
+    double errorReduction = 0.8;
     std::string isolation = "none", title, description;
     static void describe(Describe<SettingsFields>& d);
 };

@@ -90,26 +90,26 @@ AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch
         }
         return e;
     };
-    lookup.mesh = [=, &search, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {
+    lookup.mesh = [=, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {
         Result<std::string> path = find(written, file);
         if (!path.ok()) return missing(path.error(), written, folder(file));
         Result<std::shared_ptr<const TriangleMesh>> mesh = meshes.mesh(path.value());
         if (!mesh.ok()) return mesh.error();
         return FoundAsset<TriangleMesh>{path.value(), mesh.value()};
     };
-    lookup.heightMap = [=, &search, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<HeightMap>> {
+    lookup.heightMap = [=, &meshes](const std::string& written, FileId file) -> Result<FoundAsset<HeightMap>> {
         Result<std::string> path = find(written, file);
         if (!path.ok()) return missing(path.error(), written, folder(file));
         Result<std::shared_ptr<const HeightMap>> map = meshes.heightMap(path.value());
         if (!map.ok()) return map.error();
         return FoundAsset<HeightMap>{path.value(), map.value()};
     };
-    lookup.table = [=, &search](const std::string& written, FileId file) -> Result<std::string> {
+    lookup.table = [=](const std::string& written, FileId file) -> Result<std::string> {
         Result<std::string> path = find(written, file);
         if (!path.ok()) return Error{Code::FileUnreadable, missing(path.error(), written, folder(file)).message};
         return readTable(path.value());
     };
-    lookup.texture = [=, &search](const std::string& written, FileId file) -> Result<std::string> {
+    lookup.texture = [=](const std::string& written, FileId file) -> Result<std::string> {
         static const std::string endings[] = {"jpg", "jpeg", "png"};
         Result<std::string> path = find(written, file, endings);
         if (path.ok()) return path;

@@ -332,7 +332,9 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
              true);
     for (const auto& [picture, clearOnes] : pieces.pictures()) {
         const osg::ref_ptr<osg::StateSet> state = pictures.stateFor(picture, clearOnes, look);
-        const auto wears = [&](const MaterialSpec& m) { return m.picture == picture && isClear(m) == clearOnes; };
+        const auto wears = [&, picture = picture, clearOnes = clearOnes](const MaterialSpec& m) {
+            return m.picture == picture && isClear(m) == clearOnes;
+        };
         addWhole(detailOf([&](Fineness fineness) {
                      return pieces.merged(fineness, state,
                                           [&](const GeomSpec& g, const MaterialSpec& m) { return wears(m) && isRound(g); });

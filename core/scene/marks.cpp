@@ -91,8 +91,9 @@ void Scene::setHidden(const std::vector<std::string>& paths) {
         maskFloors(path, 0);
     }
     for (const auto& [owner, geoms] : left) {
-        show(*owner,
-             partOf(*owner->shapes, [&](std::uint32_t g) { return std::find(geoms.begin(), geoms.end(), g) == geoms.end(); }));
+        show(*owner, partOf(*owner->shapes, [&, geoms = geoms](std::uint32_t g) {
+            return std::find(geoms.begin(), geoms.end(), g) == geoms.end();
+        }));
     }
 }
 

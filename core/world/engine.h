@@ -44,6 +44,7 @@ struct EngineSettings {
     std::uint64_t seed = 1;
     SolverChoice solver = SolverChoice::Auto;
     int iterations = 20;
+    double errorReduction = 0.8; ///< the share of what a joint gapes that one step closes (ODE's ERP)
     std::vector<SurfaceSpec> surfaces;
 };
 

@@ -52,6 +52,7 @@ private:
         need(s.gravity.allFinite() && s.gravity.norm() <= 1e4, Code::OutOfRange, {},
              "Gravity must be finite and at most 10000 m/s^2");
         need(s.iterations >= 1 && s.iterations <= 100000, Code::OutOfRange, {}, "Iterations must be from 1 to 100000");
+        need(isIn(s.errorReduction, 0.05, 0.95), Code::OutOfRange, {}, "ErrorReduction must be from 0.05 to 0.95");
         need(!m_experiment.surfaces.empty(), Code::Internal, {}, "there is no default surface");
     }
 

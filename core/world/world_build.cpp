@@ -35,7 +35,7 @@ bool BuiltWorld::build(const DeviceCode& devices, Diagnostics& diagnostics) {
     const auto failed = [&] { return diagnostics.errorCount() > before; };
     if (!isBuildable(*m_experiment, diagnostics)) return false;
     const SettingsSpec& s = m_experiment->settings;
-    auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, m_experiment->surfaces});
+    auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, m_experiment->surfaces});
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return false;

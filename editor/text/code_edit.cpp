@@ -117,7 +117,7 @@ TextRange CodeEdit::selection() const {
     return {offset(SendScintilla(SCI_GETSELECTIONSTART)), offset(SendScintilla(SCI_GETSELECTIONEND))};
 }
 
-void CodeEdit::setSelection(TextRange range, bool scroll) {
+void CodeEdit::select(TextRange range, bool scroll) {
     const QScopedValueRollback<bool> own(m_own, true);
     SendScintilla(SCI_SETEMPTYSELECTION, static_cast<unsigned long>(position(range.end)));
     SendScintilla(SCI_SETANCHOR, static_cast<unsigned long>(position(range.begin)));

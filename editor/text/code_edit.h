@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] std::uint32_t caret() const;
     [[nodiscard]] TextRange selection() const;
-    void setSelection(TextRange range, bool scroll = true);        ///< caret at its end; unfolds what hides it
+    void select(TextRange range, bool scroll = true);              ///< caret at its end; unfolds what hides it
     void scrollTo(TextRange range);                                ///< as little as needed, caret untouched
     [[nodiscard]] std::uint32_t offsetAt(const QPoint& pos) const; ///< of the viewport; kNowhere where no text is
     [[nodiscard]] QPoint placeOf(std::uint32_t offset) const;      ///< below its line, in the viewport

@@ -130,7 +130,7 @@ void Completing::accept() {
     page.endWord(tr("Complete %1").arg(QString::fromStdString(chosen.label)));
     page.edit().type(word, chosen.insert, word.begin + static_cast<std::uint32_t>(chosen.caret));
     if (chosen.select < chosen.caret)
-        page.edit().setSelection(
+        page.edit().select(
             {word.begin + static_cast<std::uint32_t>(chosen.select), word.begin + static_cast<std::uint32_t>(chosen.caret)});
     m_accepting = false;
     const std::string_view whole = std::string_view(chosen.insert).substr(0, chosen.caret);
@@ -166,7 +166,7 @@ bool Completing::goesOn(const QKeyEvent& event) {
     const std::uint32_t caret = page.edit().selection().end;
     if (!page.edit().hasFocus() || page.edit().bytes().compare(caret, passed.size(), passed) != 0) return false;
     const auto place = static_cast<std::uint32_t>(caret + passed.size());
-    page.edit().setSelection({place, place});
+    page.edit().select({place, place});
     list(page, false, true);
     return true;
 }

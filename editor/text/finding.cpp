@@ -149,7 +149,7 @@ void Finding::replaceOne() {
     const FileId file = page->id();
     if (file == kNoFile || !m_document.edit(tr("Replace"), {{file, {{{file, found.match.range}, text}}}})) return;
     const auto end = found.match.range.begin + static_cast<std::uint32_t>(text.size());
-    page->edit().setSelection({end, end});
+    page->edit().select({end, end});
     step(+1);
 }
 

@@ -236,7 +236,7 @@ void TextPanel::connectPage(FilePage& page) {
         qApp->removeEventFilter(this);
     });
     connect(&page, &FilePage::brought, this, [this, &edit](std::uint32_t end) {
-        if (m_stepping && edit.hasFocus()) edit.setSelection({end, end}); // undo leads back to what it changed
+        if (m_stepping && edit.hasFocus()) edit.select({end, end}); // undo leads back to what it changed
     });
     connect(&edit, &CodeEdit::caretMovedByHand, this, [this] { m_caretTimer.start(); });
 }
@@ -332,7 +332,7 @@ void TextPanel::reveal(const std::string& file, TextRange range, bool focus) {
     FilePage* page = openFile(file);
     if (!page) return;
     page->endWord();
-    page->edit().setSelection(range);
+    page->edit().select(range);
     if (focus) page->setFocus();
 }
 

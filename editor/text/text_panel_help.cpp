@@ -159,7 +159,7 @@ void TextPanel::formatText() {
     const std::size_t signs = signsBefore(before, page->edit().caret());
     if (!m_document.replaceText(tr("Format"), page->file(), format(tree))) return;
     const auto caret = static_cast<std::uint32_t>(placeBehind(page->edit().bytes(), signs));
-    page->edit().setSelection({caret, caret});
+    page->edit().select({caret, caret});
 }
 
 void TextPanel::showMenu(FilePage& page, const QPoint& globalPos) {

@@ -106,6 +106,8 @@ const std::vector<Nasty>& nasties() {
         {"NaN tick", [](auto& e, auto&, auto&) { e.settings.tick = kNan; }, true},
         {"NaN gravity", [](auto& e, auto&, auto&) { e.settings.gravity.z() = kNan; }, true},
         {"no iterations", [](auto& e, auto&, auto&) { e.settings.iterations = 0; }, true},
+        {"joints that never close", [](auto& e, auto&, auto&) { e.settings.errorReduction = 0; }, true},
+        {"joints that overshoot", [](auto& e, auto&, auto&) { e.settings.errorReduction = 2; }, true},
         {"NaN friction", [](auto& e, auto&, auto&) { e.surfaces[1].friction = kNan; }, true},
         {"restitution 2", [](auto& e, auto&, auto&) { e.surfaces[1].restitution = 2; }, true},
         {"no surface 99", [](auto&, auto& c, auto&) { c.bodies[0].geoms[0].surface = 99; }, true},

@@ -23,7 +23,7 @@ OdeEngine::OdeEngine(const EngineSettings& settings) : m_settings(settings) {
     m_contactGroup = dJointGroupCreate(0);
     dWorldSetGravity(m_world, settings.gravity.x(), settings.gravity.y(), settings.gravity.z());
     dWorldSetCFM(m_world, kWorldCfm); // before any joint: joints copy these at birth
-    dWorldSetERP(m_world, kWorldErp);
+    dWorldSetERP(m_world, settings.errorReduction);
     dWorldSetContactMaxCorrectingVel(m_world, kCorrectingSpeed);
     dWorldSetContactSurfaceLayer(m_world, 0);
     dWorldSetQuickStepNumIterations(m_world, settings.iterations);

@@ -70,7 +70,7 @@ void OdeEngine::tendSuspension(Joint& joint, double h) {
     const double give = std::max(h * joint.stiffness + joint.damping, 1e-9);
     double erp = h * joint.stiffness / give, cfm = 1 / give;
     if (joint.travel > 0 && std::abs(slide) > joint.travel) {
-        erp = kWorldErp * (std::abs(slide) - joint.travel) / std::abs(slide);
+        erp = m_settings.errorReduction * (std::abs(slide) - joint.travel) / std::abs(slide);
         cfm = kWorldCfm;
     }
     dJointSetHinge2Param(joint.id, dParamSuspensionERP, erp);

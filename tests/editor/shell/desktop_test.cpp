@@ -91,7 +91,7 @@ private:
 /// A drag runs an event loop of its own, so this too looks by a timer.
 class Carrier final : public QObject {
 public:
-    Carrier(QWidget& target, const QPoint& place) : m_target(target), m_place(place), m_screen(target.mapToGlobal(place)) {
+    Carrier(QWidget& target, const QPoint& place) : m_place(place), m_screen(target.mapToGlobal(place)) {
         target.installEventFilter(this);
         connect(&m_timer, &QTimer::timeout, this, &Carrier::go);
         m_timer.start(kLookMs);
@@ -113,7 +113,6 @@ private:
         m_far = !m_far;
         (void)pointTo(m_far ? m_screen + QPoint(7, 7) : m_screen);
     }
-    QWidget& m_target;
     const QPoint m_place, m_screen;
     QTimer m_timer;
     bool m_far = false, m_there = false, m_done = false;

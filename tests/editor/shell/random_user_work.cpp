@@ -85,7 +85,7 @@ void RandomUser::caretSomewhere() {
     CodeEdit& edit = panel.page()->edit();
     const auto at = static_cast<std::uint32_t>(below(edit.bytes().size() + 1));
     edit.setFocus();
-    edit.setSelection({at, at});
+    edit.select({at, at});
 }
 
 /// A broken text ends what can be done elsewhere, so most are mended, as people do.
@@ -127,7 +127,7 @@ void RandomUser::deleteText() {
     const std::size_t size = edit.bytes().size();
     if (size > 0 && below(2)) {
         const auto from = static_cast<std::uint32_t>(below(size));
-        edit.setSelection({from, std::min(static_cast<std::uint32_t>(size), from + static_cast<std::uint32_t>(below(30)))});
+        edit.select({from, std::min(static_cast<std::uint32_t>(size), from + static_cast<std::uint32_t>(below(30)))});
     }
     QTest::keyClick(&edit, below(2) ? Qt::Key_Delete : Qt::Key_Backspace);
     mendText();

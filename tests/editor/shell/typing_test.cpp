@@ -67,7 +67,7 @@ private Q_SLOTS:
         CodeEdit& edit = m_window->text().page()->edit();
         const auto at = std::uint32_t(kText.indexOf(behind) + behind.size());
         edit.setFocus();
-        edit.setSelection({at, at});
+        edit.select({at, at});
         m_window->selection().select("middle");
         EVENTUALLY(m_window->isSettled());
         View& view = m_window->viewport().current();

@@ -289,7 +289,7 @@ void PanelTest::anythingTypedComesBack() {
         case 11: EVENTUALLY(!w.page().pending()); break;
         case 12: {
             const auto at = static_cast<std::uint32_t>(random() % static_cast<std::size_t>(w.shown().size() + 1));
-            w.edit().setSelection({at, at});
+            w.edit().select({at, at});
             break;
         }
         case 13: w.keys("Mass = 2 "); break;
@@ -335,7 +335,7 @@ void PanelTest::inputMethods() {
 void PanelTest::deleteTakesWhatIsSelected() {
     TextWindow w;
     w.open(w.write("drive.sim", "Tick = 1\n"));
-    w.edit().setSelection({0, 7});
+    w.edit().select({0, 7});
     QVERIFY(w.panel.hasKeyboard());
     QVERIFY(w.panel.carryOut("edit.delete"));
     w.key(Qt::Key_Delete);

@@ -76,7 +76,7 @@ struct TextWindow {
     /// Puts the caret before the first such text.
     void caretAt(const char* words, int plus = 0) {
         const auto at = static_cast<std::uint32_t>(shown().indexOf(words) + plus);
-        edit().setSelection({at, at});
+        edit().select({at, at});
         page().endWord();
     }
     void keys(const char* text) {
