@@ -42,7 +42,8 @@ int main(int argc, char** argv) {
     const std::unique_ptr<Parts> parts = makeParts();
     const std::unique_ptr<RenderService> render = RenderService::startInBackground();
     MainWindow window(*parts, render.get(), findLocations());
-    if (options.screenshot.isEmpty()) window.rememberViews(); // a picture is the same whoever takes it
+    if (options.screenshot.isEmpty()) window.rememberViews();
+    else window.leaveNoTrace(); // and a picture is the same whoever takes it
     if (options.size.isValid()) window.resize(options.size);
     window.show();
     PictureTaker taker(window, options); // does what the options ask for, once the window stands

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <trundle/abi.h>
+
 #include "assets/asset_reader.h"
 #include "base/platform/read_file.h"
 #include "control/directory_catalog.h"
@@ -133,12 +135,18 @@ std::unique_ptr<Runner> JoinedParts::makeRunner(const Loaded& loaded, RunOptions
     const BackendFactory backends = [&store](const RobotSpec& robot, const SettingsSpec& settings) {
         return makeInProcessBackend(robot, settings, store);
     };
+    const auto world = std::make_shared<const World*>(nullptr); // once there is one
     if (!options.pictures) {
-        options.pictures = [folder = m_locations.modules](const ExperimentSpec& experiment, const SignalLayout& layout) {
-            return openFrameSource(folder, experiment, layout);
+        const auto warn = [world, console = options.console](const std::string& line) {
+            if (console) console(*world ? (*world)->time() : 0, {}, TRUNDLE_WARNING, line);
+        };
+        options.pictures = [folder = m_locations.modules, warn](const ExperimentSpec& experiment, const SignalLayout& layout) {
+            return openFrameSource(folder, experiment, layout, {LookChoice::Automatic, warn});
         };
     }
-    return Runner::create(loaded.experiment, devices, backends, std::move(options), diagnostics);
+    std::unique_ptr<Runner> runner = Runner::create(loaded.experiment, devices, backends, std::move(options), diagnostics);
+    if (runner) *world = &runner->world();
+    return runner;
 }
 
 } // namespace

@@ -31,6 +31,8 @@ Result<PastedBlocks> PastedBlocks::read(const Registry& registry, const std::str
     for (const Item& item : pasted.m_tree->items()) {
         const auto* block = item.as<BlockItem>();
         if (block) pasted.entries.push_back({&item, block, registry.find(block->type.text), nullptr, {}});
+        else if (const auto* param = item.as<ParamItem>())
+            pasted.params.emplace(param->name.text, pasted.m_tree->source().slice(item.range));
         else if (item.as<ImportItem>() || item.as<ModuleItem>())
             pasted.directives.emplace_back(pasted.m_tree->source().slice(item.range));
         else

@@ -25,7 +25,8 @@ public:
     [[nodiscard]] static Result<PastedBlocks> read(const Registry& registry, const std::string& text);
 
     std::vector<Entry> entries;
-    std::vector<std::string> directives; ///< "#import robots/rover.sim"
+    std::map<std::string, std::string> params; ///< of the top level: name to "Param side = 3"
+    std::vector<std::string> directives;       ///< "#import robots/rover.sim"
 
     /// The entry's text under its name, where what it says of other entries that got another name is changed as well.
     [[nodiscard]] std::string textOf(const Loaded& loaded, const Entry& entry) const;

@@ -85,6 +85,7 @@ std::string PastedBlocks::missingIn(const Loaded& loaded, const Entry& entry, co
 std::string PastedBlocks::missing(const Loaded& loaded, const Entry& entry, const std::vector<const Part*>& round) const {
     Seen seen;
     for (const PlacedParam& p : loaded.outline->params) seen.params.insert(p.name->text);
+    for (const auto& [name, text] : params) seen.params.insert(name);
     for (const Part* part : round) {
         for (const PlacedParam& p : part->params) seen.params.insert(p.name->text);
         if (part->is(Role::Config)) seen.config = part;

@@ -47,6 +47,8 @@ public:
             if (Status status = settle(entry); !status.ok()) return status.error();
         }
         std::vector<std::string> selects;
+        for (const auto& [name, text] : m_blocks.params)
+            if (!isParam(name)) m_sheet.addItem(FileId{0}, nullptr, text);
         for (std::size_t i = 0; i < m_blocks.entries.size(); ++i) {
             const PastedBlocks::Entry& entry = m_blocks.entries[i];
             const FileId file = entry.target ? entry.target->file : FileId{0};
@@ -60,6 +62,11 @@ public:
     }
 
 private:
+    bool isParam(const std::string& name) const {
+        const auto& params = m_loaded.outline->params;
+        return std::any_of(params.begin(), params.end(), [&](const PlacedParam& p) { return p.name->text == name; });
+    }
+
     Status settle(PastedBlocks::Entry& entry) {
         Result<Target> target = targetFor(entry);
         if (!target.ok()) return target.error();

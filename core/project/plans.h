@@ -37,7 +37,7 @@ struct EditPlan {
 [[nodiscard]] Result<EditPlan> planDuplicate(const Loaded& loaded, const std::vector<std::string>& paths, const Vec3& offset);
 /// Adds blocks given as text below `parent` ("" is the top level of the opened file), named anew where a name is taken, and
 /// imports what they use where `imports` names the files ("robots/simple_robot.sim") or whole directives ("#loadModule walker").
-/// "robot0" as a parent means its config for parts of robots. Fails where the text names what is not there.
+/// "robot0" as a parent means its config for parts of robots; Params go in where none has the name. Fails where a name is missing.
 [[nodiscard]] Result<EditPlan> planInsert(const Loaded& loaded, const std::string& parent, const std::string& text,
                                           const std::vector<std::string>& imports = {});
 /// Gives each of these Robots, Grids or Scatters the controller that `text` describes, in place of one that it has.

@@ -52,7 +52,7 @@ private:
     [[nodiscard]] Status savePicture(const std::string& camera, const std::string& fileName);
     [[nodiscard]] Status savePicture(const PictureWish& wish, const std::string& fileName);
     [[nodiscard]] Status writePicture(const Result<std::string>& bytes, const std::string& fileName);
-    void warnOfGraphics(const Error& error);
+    void warnOfPictures(const Error& error);
     void say(const std::string& who, int severity, const std::string& text);
     void tellDropped();
     void warnOfCluster();
@@ -82,7 +82,7 @@ private:
     Schedule m_tellsDropped; // once a second
     std::string m_rows;
     std::size_t m_pictures = 0; // saved
-    bool m_toldCluster = false, m_toldGraphics = false;
+    bool m_toldCluster = false, m_toldNoPictures = false, m_toldLostPicture = false;
     bool m_finished = false;
 };
 

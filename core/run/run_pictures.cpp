@@ -9,21 +9,24 @@ constexpr std::size_t kMostPictures = 100'000; // saved in one run
 
 } // namespace
 
-/// The run goes on, and says so once.
-void ExperimentRunner::warnOfGraphics(const Error& error) {
-    if (error.code != Code::NoGraphics || std::exchange(m_toldGraphics, true)) return;
-    m_warnings.push_back({Severity::Warning, error.code, "cameras take no pictures: " + error.message, {}, {}, {}, {}});
+/// The run goes on, and says so once: that there are none, and that one failed.
+void ExperimentRunner::warnOfPictures(const Error& error) {
+    const bool none = error.code == Code::NoGraphics;
+    if (!none && error.code != Code::PictureFailed) return;
+    if (std::exchange(none ? m_toldNoPictures : m_toldLostPicture, true)) return;
+    const char* const what = none ? "cameras take no pictures: " : "a picture could not be taken: ";
+    m_warnings.push_back({Severity::Warning, error.code, what + error.message, {}, {}, {}, {}});
 }
 
 void ExperimentRunner::addCameras(ControllerOutlet& outlet, const std::string& robot) {
     outlet.capture = [this, robot](const std::string& camera) -> Result<const Frame*> {
         Result<const Frame*> frame = m_cameras.capture(robot + "/" + camera);
-        if (!frame) warnOfGraphics(frame.error());
+        if (!frame) warnOfPictures(frame.error());
         return frame;
     };
     outlet.savePicture = [this, robot](const std::string& camera, const std::string& fileName) {
         Status saved = savePicture(robot + "/" + camera, fileName);
-        if (!saved) warnOfGraphics(saved.error());
+        if (!saved) warnOfPictures(saved.error());
         return saved;
     };
     outlet.objectName = [this](std::uint32_t object) { return m_cameras.objectName(object); };
@@ -37,7 +40,7 @@ Status ExperimentRunner::savePicture(const PictureWish& wish, const std::string&
     const Status saved = wish.camera.empty()
                              ? writePicture(m_cameras.viewFile(wish.view, wish.width, wish.height, fileName), fileName)
                              : savePicture(wish.camera, fileName);
-    if (!saved) warnOfGraphics(saved.error());
+    if (!saved) warnOfPictures(saved.error());
     return saved;
 }
 

@@ -38,7 +38,9 @@ void Scene::makeData(const ExperimentSpec& experiment) {
         const Object* whole = find(owner);
         const unsigned first = std::exchange(next, next + static_cast<unsigned>(geoms));
         if (!leader || !whole || !object->shapes) return;
-        m_dataFollowers.push_back({addDataNode(*object->shapes, first), leader, whole->node});
+        const osg::ref_ptr<osg::MatrixTransform> node = addDataNode(*object->shapes, first);
+        if (leader->getNumChildren() > 1) node->addChild(leader->getChild(1)); // its speck
+        m_dataFollowers.push_back({node, leader, whole->node});
     };
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;

@@ -275,8 +275,10 @@ osg::ref_ptr<osg::Geometry> partOf(const osg::Geometry& whole, const std::functi
 
 } // namespace
 
+bool castsShadows(const osg::NodeVisitor& visitor) { return dynamic_cast<const Casting*>(visitor.getUserData()); }
+
 void GeomNode::traverse(osg::NodeVisitor& visitor) {
-    if (!dynamic_cast<const Casting*>(visitor.getUserData())) return osg::Group::traverse(visitor);
+    if (!castsShadows(visitor)) return osg::Group::traverse(visitor);
     if (caster) caster->accept(visitor);
 }
 

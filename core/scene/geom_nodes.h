@@ -43,6 +43,9 @@ public:
     void releaseGLObjects(osg::State* state) const override;
 };
 
+/// Whether what is drawn now are shadows, below a ShadowTransform.
+[[nodiscard]] bool castsShadows(const osg::NodeVisitor& visitor);
+
 /// A transform below which geom nodes show what casts their shadows.
 class ShadowTransform final : public osg::MatrixTransform {
 public:

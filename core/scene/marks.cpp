@@ -69,8 +69,7 @@ void Scene::setHidden(const std::vector<std::string>& paths) {
     if (paths == m_hidden) return;
     const auto show = [](const Object& object, osg::Group* shapes) {
         if (!object.shapes) return;
-        object.node->removeChildren(0, object.node->getNumChildren());
-        object.node->addChild(shapes);
+        if (object.node->getNumChildren() > 0) object.node->setChild(0, shapes);
     };
     // Floors of a static are nodes of their own.
     const auto maskFloors = [&](const std::string& owner, unsigned mask) {

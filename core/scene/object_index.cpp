@@ -13,6 +13,15 @@ std::vector<std::string_view> wordsOf(std::string_view path) {
     return words;
 }
 
+/// Words of which the first names an instance, which may be called by the path of its config ("RobotConfig.Rover").
+std::vector<std::string_view> wordsFrom(std::string_view path) {
+    std::vector<std::string_view> words = wordsOf(path);
+    if (words.size() < 2 || (words[0] != "RobotConfig" && words[0] != "StaticConfig")) return words;
+    words[1] = path.substr(0, words[0].size() + 1 + words[1].size());
+    words.erase(words.begin());
+    return words;
+}
+
 template <class T> std::optional<std::uint32_t> named(const std::vector<T>& parts, std::string_view name) {
     const auto it = std::find_if(parts.begin(), parts.end(), [&](const T& part) { return part.name == name; });
     if (it == parts.end()) return std::nullopt;
@@ -50,7 +59,7 @@ const std::vector<Ball>& ObjectIndex::ballsOf(const std::vector<GeomSpec>& geoms
 }
 
 std::optional<ObjectRef> ObjectIndex::find(std::string_view path) const {
-    const std::vector<std::string_view> words = wordsOf(path);
+    const std::vector<std::string_view> words = wordsFrom(path);
     if (const auto it = m_statics.find(words[0]); it != m_statics.end()) {
         if (words.size() == 1) return ObjectRef{ObjectKind::Static, it->second};
         const auto& geoms = m_experiment->statics[it->second].geoms;

@@ -3,6 +3,7 @@
 #include <osg/ComputeBoundsVisitor>
 
 #include "scene/osg_types.h"
+#include "scene/speck.h"
 #include "scene/surroundings.h"
 
 namespace trundle {
@@ -19,6 +20,14 @@ Bounds boundsOf(const osg::Node& node) {
         bounds.grow(sphere.radius());
     }
     return bounds;
+}
+
+/// The number of the largest one, whose speck stands for the whole; behind the last where there is nothing to see.
+std::size_t largestOf(const std::vector<osg::ref_ptr<osg::Group>>& shapes) {
+    const auto radius = [](const osg::ref_ptr<osg::Group>& each) { return each->getBound().radius(); };
+    const auto largest =
+        std::max_element(shapes.begin(), shapes.end(), [&](const auto& a, const auto& b) { return radius(a) < radius(b); });
+    return std::size_t(largest - shapes.begin());
 }
 
 bool isSane(const Pose& pose) {
@@ -52,13 +61,20 @@ Scene::Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store
 
 void Scene::addRobots(const ExperimentSpec& experiment) {
     // Robots of one config share all geometry: only where they stand is their own.
-    std::unordered_map<const RobotConfigSpec*, std::vector<osg::ref_ptr<osg::Group>>> known;
+    struct Known {
+        std::vector<osg::ref_ptr<osg::Group>> shapes;
+        std::size_t largest = 0;
+        osg::ref_ptr<osg::Node> speck;
+    };
+    std::unordered_map<const RobotConfigSpec*, Known> known;
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
         auto [entry, isNew] = known.try_emplace(robot.config.get());
+        auto& [shapes, largest, speck] = entry->second;
         if (isNew) {
-            for (const BodySpec& body : robot.config->bodies)
-                entry->second.push_back(m_store->nodeOf(body.geoms, experiment.materials));
+            for (const BodySpec& body : robot.config->bodies) shapes.push_back(m_store->nodeOf(body.geoms, experiment.materials));
+            largest = largestOf(shapes);
+            if (largest < shapes.size()) speck = makeSpeck(*shapes[largest], m_store->look);
         }
         osg::ref_ptr<osg::Group> node = new osg::Group;
         node->setName(robot.name);
@@ -66,10 +82,11 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
             osg::ref_ptr<osg::MatrixTransform> body = new osg::MatrixTransform;
             body->setName(robot.config->bodies[i].name);
             body->setDataVariance(osg::Object::DYNAMIC);
-            if (entry->second[i]->getNumChildren() > 0) body->addChild(entry->second[i]);
+            if (shapes[i]->getNumChildren() > 0) body->addChild(shapes[i]);
+            if (i == largest && speck) body->addChild(speck);
             node->addChild(body);
             m_bodies.push_back(body);
-            m_objects.try_emplace(robot.name + "/" + body->getName(), Object{body, entry->second[i]});
+            m_objects.try_emplace(robot.name + "/" + body->getName(), Object{body, shapes[i]});
         }
         m_robots->addChild(node);
         m_objects.try_emplace(robot.name, Object{node, nullptr});
@@ -78,16 +95,21 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
 }
 
 void Scene::addStatics(const ExperimentSpec& experiment) {
-    std::unordered_map<const std::vector<GeomSpec>*, osg::ref_ptr<osg::Group>> known;
+    std::unordered_map<const std::vector<GeomSpec>*, std::pair<osg::ref_ptr<osg::Group>, osg::ref_ptr<osg::Node>>> known;
     for (const StaticSpec& fixed : experiment.statics) {
         if (!fixed.geoms || !isSane(fixed.pose)) continue;
         auto [entry, isNew] = known.try_emplace(fixed.geoms.get());
-        if (isNew) entry->second = m_store->nodeOf(*fixed.geoms, experiment.materials);
+        auto& [shapes, speck] = entry->second;
+        if (isNew) {
+            shapes = m_store->nodeOf(*fixed.geoms, experiment.materials);
+            speck = makeSpeck(*shapes, m_store->look);
+        }
         osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(toOsg(fixed.pose));
         node->setName(fixed.name);
-        node->addChild(entry->second);
+        node->addChild(shapes);
+        if (speck) node->addChild(speck);
         m_statics->addChild(node);
-        m_objects.try_emplace(fixed.name, Object{node, entry->second});
+        m_objects.try_emplace(fixed.name, Object{node, shapes});
     }
 }
 

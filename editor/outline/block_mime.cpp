@@ -10,6 +10,7 @@
 
 #include "editor/outline/placing.h"
 #include "lang/tree.h"
+#include "project/mentions.h"
 #include "project/plans.h"
 #include "project/search.h"
 
@@ -64,17 +65,43 @@ void collect(const Loaded& loaded, const Part& part, Needs& needs) {
     for (const Part& inner : part.parts) collect(loaded, inner, needs);
 }
 
+/// The Params of the top level that stretches of the texts take, and those that they are made from. Not those of files that are
+/// imported anyway.
+std::vector<std::string> paramsIn(const Loaded& loaded, std::vector<SourceRange> where, const std::set<FileId>& imported) {
+    const std::vector<Mention> mentions = mentionsIn(loaded);
+    std::vector<std::string> texts;
+    std::set<const ParamItem*> taken;
+    for (std::size_t i = 0; i < where.size(); ++i) { // grows on the way
+        for (const Mention& m : mentions) {
+            const SourceRange round = where[i];
+            const bool inside =
+                m.name.file == round.file && round.range.begin <= m.name.range.begin && m.name.range.end <= round.range.end;
+            if (!m.param || !inside) continue;
+            const auto global = std::ranges::find(loaded.outline->params, &m.param->name, &PlacedParam::name);
+            if (global == loaded.outline->params.end() || imported.contains(global->file)) continue;
+            if (!taken.insert(m.param).second) continue;
+            const SourceRange value{global->file, m.param->value.range};
+            where.push_back(value);
+            texts.push_back("Param " + m.param->name.text + " = " + std::string(loaded.sources.slice(value)));
+        }
+    }
+    std::ranges::reverse(texts); // what is made from others stands behind them
+    return texts;
+}
+
 QByteArray jsonOf(const std::string& kind, const std::string& text, const std::vector<std::string>& imports,
-                  const std::vector<NeededBlock>& needs) {
-    QJsonArray files, blocks;
+                  const std::vector<NeededBlock>& needs, const std::vector<std::string>& params) {
+    QJsonArray files, blocks, names;
     for (const std::string& file : imports) files.append(QString::fromStdString(file));
+    for (const std::string& param : params) names.append(QString::fromStdString(param));
     for (const NeededBlock& block : needs)
         blocks.append(QJsonObject{{QStringLiteral("path"), QString::fromStdString(block.path)},
                                   {QStringLiteral("text"), QString::fromStdString(block.text)}});
     const QJsonObject object{{QStringLiteral("kind"), QString::fromStdString(kind)},
                              {QStringLiteral("text"), QString::fromStdString(text)},
                              {QStringLiteral("imports"), files},
-                             {QStringLiteral("needs"), blocks}};
+                             {QStringLiteral("needs"), blocks},
+                             {QStringLiteral("params"), names}};
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
 
@@ -85,7 +112,7 @@ Result<Blocks> blocksFrom(const std::string& text) {
         return notBlocks("there is no text to insert");
     const auto tree = parse(std::make_shared<const SourceText>("clipboard", text), 0);
     if (const std::string error = firstError(*tree); !error.empty()) return notBlocks("this text cannot be inserted: " + error);
-    Blocks blocks{text, {}, {}, {}, {}};
+    Blocks blocks{text, {}, {}, {}, {}, {}};
     for (const Item& item : tree->items()) {
         if (const auto* block = item.as<BlockItem>()) {
             blocks.kinds.push_back(block->type.text);
@@ -104,8 +131,12 @@ QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths) {
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
     Needs needs;
+    std::vector<SourceRange> taken;
     for (const std::string& path : paths)
-        if (const auto place = placeOf(loaded, path); place && place->part) collect(loaded, *place->part, needs);
+        if (const auto place = placeOf(loaded, path); place && place->part) {
+            collect(loaded, *place->part, needs);
+            taken.push_back(place->part->range);
+        }
     std::vector<std::string> imports(needs.modules.begin(), needs.modules.end());
     for (const FileId file : needs.files)
         if (!loaded.paths[file].empty()) imports.push_back(loaded.paths[file]);
@@ -115,16 +146,18 @@ QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths) {
         if (const std::string path = part->kind->name + "." + part->name;
             std::find(paths.begin(), paths.end(), path) == paths.end())
             own.push_back({path, textOf(loaded, {path})});
+    for (const Part* part : needs.own) taken.push_back(part->range);
+    const std::vector<std::string> params = paramsIn(loaded, std::move(taken), needs.files);
     const Kind* kind = paths.empty() ? nullptr : kindAt(loaded, paths.front());
-    if (!imports.empty() || !own.empty())
-        mime->setData(QLatin1String(kLibraryMime), jsonOf(kind ? kind->name : "", text, imports, own));
+    if (!imports.empty() || !own.empty() || !params.empty())
+        mime->setData(QLatin1String(kLibraryMime), jsonOf(kind ? kind->name : "", text, imports, own, params));
     return mime;
 }
 
 QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports) {
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
-    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, text, imports, {}));
+    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, text, imports, {}, {}));
     return mime;
 }
 
@@ -136,6 +169,8 @@ Result<Blocks> blocksIn(const QMimeData& mime) {
         Blocks all = std::move(blocks).value();
         for (const QJsonValue& file : object.value(QStringLiteral("imports")).toArray())
             all.imports.push_back(file.toString().toStdString());
+        for (const QJsonValue& param : object.value(QStringLiteral("params")).toArray())
+            all.params.push_back(param.toString().toStdString());
         for (const QJsonValue& value : object.value(QStringLiteral("needs")).toArray()) {
             const QJsonObject block = value.toObject();
             all.needs.push_back({block.value(QStringLiteral("path")).toString().toStdString(),

@@ -27,6 +27,7 @@ struct Blocks {
     std::vector<std::string> names;   ///< as written; "" where a block has none
     std::vector<std::string> imports; ///< further files that they need: "robots/simple_robot.sim", "#loadModule ..."
     std::vector<NeededBlock> needs;   ///< that no file but the one they come from has
+    std::vector<std::string> params;  ///< of its top level, "Param side = 3": they go in where there is none of that name
 };
 
 /// Reads a text that somebody pasted: blocks, with the directives that they need. Fails with the reason, in words for people,

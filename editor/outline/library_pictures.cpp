@@ -6,7 +6,7 @@
 
 namespace trundle {
 
-static constexpr std::uint32_t kWidth = 256, kHeight = 176;
+static constexpr std::uint32_t kWidth = 280, kHeight = 132; // as a cell of the Library, so that nothing of it is cut off
 
 LibraryPictures::LibraryPictures(Parts& parts, RenderService* render, QObject* parent)
     : QObject(parent), m_parts(parts), m_render(render) {

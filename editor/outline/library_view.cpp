@@ -14,7 +14,7 @@ namespace trundle {
 namespace {
 
 constexpr int kCell = 90, kCellHeight = 84, kRow = 44, kPad = 4, kIconSize = 28;
-constexpr QSize kListPicture(54, 37);
+constexpr QSize kListPicture(72, 34);
 
 } // namespace
 
@@ -151,7 +151,7 @@ void LibraryList::startDrag(Qt::DropActions) {
     const QVariant picture = index.data(LibraryModel::PictureRole);
     const qreal ratio = devicePixelRatioF();
     QPixmap shown = picture.isValid()
-                        ? picture.value<QPixmap>().scaled(QSize(96, 66) * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+                        ? picture.value<QPixmap>().scaled(QSize(112, 53) * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation)
                         : drawnIcon(index.data(LibraryModel::IconRole).toString(), 32, ratio);
     shown.setDevicePixelRatio(ratio);
     drag->setPixmap(shown);

@@ -121,6 +121,7 @@ Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const Loaded& loaded = *m_document.loaded();
     std::string needed;
+    for (const std::string& param : blocks.params) needed += param + "\n"; // planInsert() leaves out what is there
     std::ptrdiff_t count = 0;
     for (const NeededBlock& block : blocks.needs) {
         if (const auto there = placeOf(loaded, block.path); there && there->part) continue;

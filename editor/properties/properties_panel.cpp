@@ -84,11 +84,12 @@ void PropertiesPanel::dropRows() {
     body->deleteLater(); // an editor in it may be at work
 }
 
-/// An object whose name was typed is selected by its new one before the event loop comes round: till then its rows stay.
+/// An object whose name was typed is selected by its new one before the event loop comes round: till then its rows stay. Those of
+/// an experiment that is opened come by themselves, after all that the others have to do at once.
 void PropertiesPanel::followDocument() {
-    if (isVisible() && m_body && m_document.isOpen() && !isInUse() && m_selection.paths() == m_paths &&
-        objectsAt(m_document.loaded(), m_paths).empty())
-        m_gone.start();
+    if (!isVisible() || !m_document.isOpen()) return refresh();
+    const bool gone = m_body && !isInUse() && m_selection.paths() == m_paths && objectsAt(m_document.loaded(), m_paths).empty();
+    if (gone || !m_body) m_gone.start();
     else refresh();
 }
 
@@ -113,11 +114,11 @@ void PropertiesPanel::refresh() {
         m_current.clear();
         if (isInUse()) dropRows(); // what is typed for one object is not for another
     }
-    const Objects objects = objectsAt(m_document.loaded(), m_paths);
+    Objects objects = objectsAt(m_document.loaded(), m_paths);
+    if (objects.empty()) objects = objectsAt(m_document.loaded(), {}); // an undo took them away: nothing is selected any more
     std::vector<std::string> kinds;
     for (const auto& object : objects) kinds.push_back(object->kind() ? object->kind()->name : std::string());
     if (std::exchange(m_kinds, kinds) != kinds) dropRows();
-    if (objects.empty()) return showNothing(tr("%1 is not there now").arg(QString::fromStdString(m_selection.current())));
     const std::vector<Row> rows = rowsOf(objects, m_document, m_session);
     std::vector<Shape> shapes;
     for (const Row& row : rows) shapes.push_back({row.id, row.section, kindOf(row), row.fieldCount()});

@@ -80,7 +80,7 @@ private:
     std::vector<PropertyRow*> m_rows;
     std::vector<std::string> m_paths; ///< selected, and shown now
     std::vector<std::string> m_kinds; ///< of those
-    QTimer m_gone;                    ///< what is shown has gone, or has another name
+    QTimer m_gone;                    ///< what is shown has gone, or has another name, or nothing is shown yet
     std::set<std::string> m_asText;   ///< rows that are edited as text
     std::set<QString> m_closed;       ///< sections folded by the user
     std::string m_current;            ///< row whose help is shown

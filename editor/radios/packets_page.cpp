@@ -1,5 +1,7 @@
 #include "editor/radios/packets_page.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -54,6 +56,7 @@ PacketsPage::PacketsPage(QWidget* parent) : QWidget(parent), m_model(new FrameMo
     column->addWidget(m_fates);
     column->addWidget(halves, 1);
     connect(m_fates, &FateBar::chosenChanged, this, &PacketsPage::applyFilter);
+    m_tools->installEventFilter(this);
     showCounts();
     showDetails();
 }
@@ -203,15 +206,32 @@ void PacketsPage::applyFilter() {
 void PacketsPage::showCounts() {
     const auto all = qulonglong(m_model->frameCount()), shown = qulonglong(m_model->rowCount());
     const auto gone = qulonglong(m_model->forgotten());
-    const QString kept = gone > 0 ? tr("newest %L1").arg(all) : QStringLiteral("%L1").arg(all);
-    m_counts->setText(all == 0       ? QString()
-                      : shown == all ? tr("%1 packets").arg(kept)
-                                     : tr("%L1 of %2 packets").arg(shown).arg(kept));
-    m_counts->setToolTip(gone == 0 ? QString() : tr("%L1 others are gone: the oldest, and in a flood those that were too weak.").arg(gone));
+    const QString number = QStringLiteral("%L1").arg(all), kept = gone > 0 ? tr("newest %1").arg(number) : number;
+    const bool whole = shown == all;
+    m_countWords.clear();
+    if (all > 0 && whole) m_countWords = {tr("%1 packets").arg(kept), kept, number};
+    if (all > 0 && !whole)
+        m_countWords = {tr("%L1 of %2 packets").arg(shown).arg(kept), tr("%L1 of %2").arg(shown).arg(kept),
+                        tr("%L1 of %2").arg(shown).arg(number)};
+    m_counts->setToolTip(gone == 0 ? QString()
+                                   : tr("%L1 others are gone: the oldest, and in a flood those that were too weak.").arg(gone));
+    fitCounts();
     m_export->setEnabled(all > 0);
     m_clear->setEnabled(all > 0);
     m_hint->setText(all == 0 ? m_hintWords : tr("None of %L1 packets is as you want it.").arg(all));
     m_hint->setVisible(shown == 0);
+}
+
+/// In the most words that there is room for beside the other tools.
+void PacketsPage::fitCounts() {
+    int room = m_tools->width();
+    for (const QWidget* tool : {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_search),
+                                static_cast<QWidget*>(m_export), static_cast<QWidget*>(m_clear)})
+        room -= std::max(tool->minimumWidth(), tool->minimumSizeHint().width()) + m_tools->layout()->spacing();
+    const auto fits = [&](const QString& words) { return m_counts->fontMetrics().horizontalAdvance(words) <= room; };
+    const auto words = std::ranges::find_if(m_countWords, fits);
+    m_counts->setVisible(words != m_countWords.end());
+    m_counts->setText(words != m_countWords.end() ? *words : QString());
 }
 
 /// Of the packet chosen last; the table has all the room while there is none, and in a narrow dock.
@@ -276,6 +296,7 @@ void PacketsPage::exportTo(const QString& path) {
 
 /// The window's own Copy and Select All are of objects; here they are of packets.
 bool PacketsPage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_tools && event->type() == QEvent::Resize) fitCounts();
     if (watched == m_view->viewport() && event->type() == QEvent::Resize) m_hint->setGeometry(m_view->viewport()->rect());
     if (watched == m_view && (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)) {
         auto* key = static_cast<QKeyEvent*>(event);
@@ -302,7 +323,6 @@ void PacketsPage::fitFates() {
 
 void PacketsPage::resizeEvent(QResizeEvent*) {
     fitFates();
-    m_counts->setVisible(width() >= kRoomForDetails);
     m_export->setToolButtonStyle(width() >= kRoomForDetails ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     showDetails();
 }

@@ -49,6 +49,7 @@ private:
     QWidget* makeDetails();
     void applyFilter();
     void showCounts();
+    void fitCounts();
     void fitFates();
     void showDetails();
     void showMenu(const QPoint& at);
@@ -64,7 +65,8 @@ private:
     QTableView* m_view = nullptr;
     QPlainTextEdit* m_bytes = nullptr;
     QString m_hintWords;
-    bool m_follows = true; ///< the end
+    QStringList m_countWords; ///< how many packets there are, in ever fewer words
+    bool m_follows = true;    ///< the end
 };
 
 } // namespace trundle

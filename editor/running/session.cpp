@@ -9,6 +9,7 @@
 
 #include <trundle/abi.h>
 
+#include "editor/document/described.h"
 #include "editor/running/live_edits.h"
 #include "editor/running/pose_overlay.h"
 #include "run/runner.h"
@@ -19,6 +20,17 @@ namespace {
 constexpr int kFrameMs = 16, kWatchMs = 250;
 constexpr double kRemarkablyLongS = 1;
 constexpr std::chrono::milliseconds kLastWait(2000);
+
+/// A robot or an arena by itself has no world to run in.
+QString nothingToRun(const Document& document) {
+    QStringList names;
+    for (const Part* config : describedAlone(*document.loaded())) names.append(QString::fromStdString(config->name));
+    if (names.isEmpty()) return {};
+    const QString why = RunSession::tr("There is nothing to run: this file describes %1 and places nothing. To run it, import "
+                                       "the file in an experiment and drag it in from the Library.")
+                            .arg(names.join(QStringLiteral(", ")));
+    return document.isSample(document.path()) ? why + RunSession::tr(" Its card on the Welcome page does that.") : why;
+}
 
 } // namespace
 
@@ -119,7 +131,7 @@ QString RunSession::refusal() const {
         ++errors;
         if (!first) first = &d;
     }
-    if (errors == 0) return {};
+    if (errors == 0) return nothingToRun(m_document);
     QString why = QString::fromStdString(first->message);
     if (first->code == Code::ModuleNotTrusted) // what the command line would do is of no use here
         return tr("%1 To run it, trust the folder in the Controllers panel.")

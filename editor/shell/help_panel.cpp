@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QFile>
 #include <QImageReader>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextTable>
@@ -19,6 +20,9 @@ HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent) {
     setOpenExternalLinks(true);
     document()->setDocumentMargin(14);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // one that comes and goes would change the pictures' size
+    QScrollBar* bar = verticalScrollBar();
+    bar->setEnabled(false); // and empty, while there is nothing to scroll
+    connect(bar, &QScrollBar::rangeChanged, bar, [bar](int least, int most) { bar->setEnabled(most > least); });
     connect(this, &QTextBrowser::sourceChanged, this, &HelpPanel::setType);
     setSource(QUrl::fromLocalFile(resourcePath(QStringLiteral("guide/index.md"))), QTextDocument::MarkdownResource);
 }

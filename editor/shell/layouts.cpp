@@ -63,7 +63,7 @@ void Layouts::resetCurrent() {
 }
 
 void Layouts::save() const {
-    if (m_shown) QSettings().setValue(settingOf(m_layout), m_window.saveState(kVersion));
+    if (m_shown && m_leavesTraces) QSettings().setValue(settingOf(m_layout), m_window.saveState(kVersion));
 }
 
 void Layouts::restore() {

@@ -23,6 +23,7 @@ public:
     void use(Layout layout);
     void resetCurrent();
     void save() const;
+    void leaveNoTrace() { m_leavesTraces = false; } ///< save() does nothing from now on
     [[nodiscard]] Layout current() const { return m_layout; }
     /// The docks as they were last, or all away, as at first and on the Welcome page.
     void setShown(bool shown);
@@ -44,7 +45,7 @@ private:
     QMap<QString, QDockWidget*> m_docks;
     QList<QAction*> m_raising;
     Layout m_layout = Layout::Edit;
-    bool m_shown = false;
+    bool m_shown = false, m_leavesTraces = true;
 };
 
 } // namespace trundle

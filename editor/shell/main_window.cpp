@@ -262,7 +262,7 @@ void MainWindow::showDocument() {
     m_layouts->setShown(open);
     for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->setVisible(open);
     statusBar()->setVisible(open);
-    if (open && !m_document->isNew()) addRecentFile(QString::fromStdString(m_document->path()));
+    if (open && m_leavesTraces && !m_document->isNew()) addRecentFile(QString::fromStdString(m_document->path()));
     if (!open) m_welcome->refresh();
     for (const ActionRow& row : m_actions->table())
         if (needsDocument(row.id)) m_actions->at(row.id).setEnabled(open);

@@ -63,6 +63,8 @@ public:
     [[nodiscard]] bool isSettled() const;
     /// Hidden and locked objects, cameras, overlays and snap steps are those of the last time, and are kept for the next.
     void rememberViews();
+    /// Neither recent files nor the size and docks of this window are kept for the next one.
+    void leaveNoTrace();
     /// Keeps for the next start what is kept, and lets go of the project. The window is done then.
     void putAway();
 
@@ -120,6 +122,7 @@ private:
     TransportBar* m_transport = nullptr;
     StatusLine* m_status = nullptr;
     WindowMemory* m_memory = nullptr;
+    bool m_leavesTraces = true;
     std::map<QString, QMenu*> m_menus;
 };
 

@@ -217,9 +217,14 @@ void MainWindow::rememberViews() {
     m_viewport->settings().keepBetweenStarts();
 }
 
+void MainWindow::leaveNoTrace() {
+    m_leavesTraces = false;
+    m_layouts->leaveNoTrace();
+}
+
 void MainWindow::putAway() {
     m_layouts->save();
-    QSettings().setValue(QStringLiteral("windowGeometry"), saveGeometry());
+    if (m_leavesTraces) QSettings().setValue(QStringLiteral("windowGeometry"), saveGeometry());
     m_document->close();
 }
 

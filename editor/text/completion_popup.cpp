@@ -83,7 +83,7 @@ CompletionPopup::CompletionPopup(QWidget* owner)
     m_help->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_help->setForegroundRole(QPalette::PlaceholderText);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(1, 1, 1, 1);
+    layout->setContentsMargins(0, 0, 0, 0); // the border keeps its own
     layout->setSpacing(0);
     layout->addWidget(m_list, 1);
     layout->addWidget(m_help);

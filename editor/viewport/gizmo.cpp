@@ -41,7 +41,9 @@ Gizmo::Gizmo(Tool tool, const GizmoPlace& place, const Projector& project) : m_p
     }
     for (int axis = 0; axis < 3; ++axis) {
         if (tool == Tool::Move) addArrow(axis);
-        if (tool == Tool::Scale) addSize(axis);
+        if (tool != Tool::Scale) continue;
+        if (place.sizes[axis].hasTwoSides()) addSize(axis, -1);
+        addSize(axis, 1);
     }
     if (tool == Tool::Move) addScreen();
 }
@@ -111,14 +113,14 @@ void Gizmo::addRing(int axis) {
     m_shapes.push_back(std::move(shape));
 }
 
-void Gizmo::addSize(int axis) {
+void Gizmo::addSize(int axis, int side) {
     if (m_place.half[axis] <= 0) return;
-    const Vec3 along = m_place.axes.col(axis);
+    const Vec3 along = side * m_place.axes.col(axis);
     if (std::abs(along.dot(m_place.forward)) > kAlongSight) return;
     const auto from = m_project(m_place.origin),
                to = m_project(m_place.origin + (m_place.half[axis] + 26 * m_place.metresPerPixel) * along);
     if (!from || !to || QLineF(*from, *to).length() < 8) return;
-    m_shapes.push_back({{Handle::Kind::Size, axis}, axisColour(axis), {QPolygonF{*from, *to}}, {}, square(*to, 5.5), *to});
+    m_shapes.push_back({{Handle::Kind::Size, axis, side}, axisColour(axis), {QPolygonF{*from, *to}}, {}, square(*to, 5.5), *to});
 }
 
 Handle Gizmo::hit(const QPointF& at) const {

@@ -22,6 +22,7 @@ struct Handle {
     enum class Kind { None, Axis, Plane, Screen, Ring, Size };
     Kind kind = Kind::None;
     int axis = 0; ///< 0 x, 1 y, 2 z
+    int side = 1; ///< of Size: where the axis points, or -1: the other one
     bool operator==(const Handle&) const = default;
     explicit operator bool() const { return kind != Kind::None; }
 };
@@ -30,6 +31,8 @@ struct Handle {
 struct SizeName {
     QString name;
     double ofHalf = 2; ///< how much larger it is than half the extent
+    /// From side to side, so that one side may stay where it is; not a radius, and no height above a base.
+    [[nodiscard]] bool hasTwoSides() const { return ofHalf == 2; }
 };
 
 /// Where a gizmo stands.
@@ -67,7 +70,7 @@ private:
     void addPlane(int axis);
     void addScreen();
     void addRing(int axis);
-    void addSize(int axis);
+    void addSize(int axis, int side);
 
     GizmoPlace m_place;
     Projector m_project;

@@ -51,7 +51,8 @@ double GizmoDrag::angleOf(const Vec3& point) const {
     return std::atan2(out.dot(m_place.axes.col((m_handle.axis + 2) % 3)), out.dot(m_place.axes.col((m_handle.axis + 1) % 3)));
 }
 
-void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, double turnStep) {
+void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, double turnStep, bool aboutCentre) {
+    m_aboutCentre = aboutCentre;
     if (m_handle.kind == Handle::Kind::Ring) {
         if (m_edgeOn) {
             m_turned = kRadPerPixel * (pixel.x() - m_startPixel.x());
@@ -68,7 +69,9 @@ void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, do
         const bool along =
             m_handle.kind == Handle::Kind::Screen || (m_handle.kind == Handle::Kind::Plane) != (k == m_handle.axis);
         const double size = m_handle.kind == Handle::Kind::Size ? m_place.sizes[k].ofHalf : 1;
-        m_amount[k] = along ? snapped(size * by[k], moveStep) / size : 0;
+        const double outward = m_handle.kind == Handle::Kind::Size ? m_handle.side : 1;
+        const double share = isOneSided() ? 0.5 : 1; // the side goes with the mouse, the middle half as far
+        m_amount[k] = along ? snapped(size * outward * share * by[k], moveStep) / size : 0;
     }
 }
 
@@ -130,7 +133,13 @@ double GizmoDrag::degrees() const {
     return typed ? typed->x() : m_degrees;
 }
 
+bool GizmoDrag::isOneSided() const {
+    return m_handle.kind == Handle::Kind::Size && !m_aboutCentre && m_place.sizes[m_handle.axis].hasTwoSides();
+}
+
 Pose GizmoDrag::motion() const {
+    if (m_handle.kind == Handle::Kind::Size)
+        return {isOneSided() ? Vec3(m_handle.side * (m_place.axes * amount())) : Vec3::Zero(), Quat::Identity()};
     if (m_handle.kind != Handle::Kind::Ring) return {m_place.axes * amount(), Quat::Identity()};
     const Vec3 axis = m_place.axes.col(m_handle.axis);
     const Quat turn(Eigen::AngleAxisd(degrees() * std::numbers::pi / 180, axis));

@@ -75,8 +75,7 @@ std::optional<GizmoPlace> GizmoWork::place() {
 std::optional<Gizmo> GizmoWork::gizmo(bool asShown) {
     std::optional<GizmoPlace> at = place();
     if (!at) return std::nullopt;
-    if (m_drag && m_drag->handle().kind != Handle::Kind::Size && m_drag->handle().kind != Handle::Kind::Ring)
-        at->origin = m_drag->motion() * m_startPlace.origin;
+    if (m_drag && m_drag->handle().kind != Handle::Kind::Ring) at->origin = m_drag->motion() * m_startPlace.origin;
     if (m_drag && m_drag->handle().kind == Handle::Kind::Size) at->half += m_drag->amount();
     return Gizmo(m_view.parts().settings.tool(), *at,
                  [this, asShown](const Vec3& p) { return asShown ? m_view.shownPixelOf(p) : m_view.pixelOf(p); });
@@ -113,7 +112,8 @@ void GizmoWork::drag(const Pointer& pointer) {
     const ViewSettings& settings = m_view.parts().settings;
     const bool toggled = pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
     const bool snaps = settings.snaps() != toggled;
-    m_drag->to(m_view.rayAt(pointer.at), pointer.at, snaps ? settings.moveStep() : 0, snaps ? settings.turnStep() : 0);
+    m_drag->to(m_view.rayAt(pointer.at), pointer.at, snaps ? settings.moveStep() : 0, snaps ? settings.turnStep() : 0,
+               pointer.modifiers.testFlag(Qt::AltModifier));
     m_pending = true;
     if (!m_pace.isActive()) apply();
     say();
@@ -131,9 +131,10 @@ void GizmoWork::apply() {
     cost.start();
     const bool toggled = m_pointer.modifiers & (Qt::ControlModifier | Qt::ShiftModifier);
     const Fineness fine = fineness(!m_drag->typed().empty() || m_view.parts().settings.snaps() != toggled);
-    const Status done = m_drag->handle().kind == Handle::Kind::Size
-                            ? m_dragged->resize(m_drag->amount(), m_name, m_mergeKey, fine)
-                            : m_dragged->move(m_drag->motion(), m_name, m_mergeKey, fine);
+    const Status done =
+        m_drag->handle().kind == Handle::Kind::Size
+            ? m_dragged->resize(m_drag->amount(), m_drag->isOneSided() ? m_drag->handle().side : 0, m_name, m_mergeKey, fine)
+            : m_dragged->move(m_drag->motion(), m_name, m_mergeKey, fine);
     if (!done) m_view.setHint(QString::fromStdString(done.error().message));
     // In a large experiment an edit takes its time: the window stays awake between two.
     m_pace.start(std::max(kLeastPaceMs, int(cost.elapsed())));
@@ -142,8 +143,12 @@ void GizmoWork::apply() {
 
 void GizmoWork::say() {
     m_view.setHovered({}, m_drag->readOut());
-    m_view.setHint(
-        tr("Type an exact value, with a unit or without · Enter ends · Esc takes back · Ctrl or Shift switches snapping"));
+    QString hint =
+        tr("Type an exact value, with a unit or without · Enter ends · Esc takes back · Ctrl or Shift switches snapping");
+    const Handle& handle = m_drag->handle();
+    if (handle.kind == Handle::Kind::Size && m_startPlace.sizes[handle.axis].hasTwoSides())
+        hint += tr(" · Alt keeps the middle in place");
+    m_view.setHint(hint);
     m_view.update();
 }
 

@@ -211,7 +211,13 @@ std::array<SizeName, 3> HeldObjects::sizeNames() const {
     }
 }
 
-Status HeldObjects::resize(const Vec3& growth, const QString& name, const std::string& mergeKey, Fineness fineness) {
+void HeldObjects::follow(Item& item, const Vec3& before, const Vec3& after, int side, std::vector<ValueEdit>& edits) const {
+    Pose local = item.local;
+    local.position += item.local.rotation * (0.5 * side * (after - before));
+    for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
+}
+
+Status HeldObjects::resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, Fineness fineness) {
     std::vector<ValueEdit> edits;
     const auto set = [&](const Item& item, const char* key, std::span<const double> before, std::span<const double> after) {
         const std::string path = item.path + "." + key;
@@ -219,21 +225,30 @@ Status HeldObjects::resize(const Vec3& growth, const QString& name, const std::s
         if (isNew) text->second = textOf(path);
         edits.push_back({path, withNumbers(text->second, before, after, "m", fineness.lengthM)});
     };
-    const auto grown = [](double value, double by) { return std::max(kLeastLength, value + by); };
-    for (const Item& item : m_items) {
+    // As it will be written: the Pos goes by what the text says.
+    const auto grown = [&](double value, double by) {
+        const double to = std::max(kLeastLength, value + by);
+        return by == 0 ? value : std::max(kLeastLength, fineness.lengthM * std::round(to / fineness.lengthM));
+    };
+    for (Item& item : m_items) {
         const GeomSpec* geom = item.object ? m_objects->geomOf(*item.object) : nullptr;
         if (!geom) continue;
         const double radius = geom->radius, length = geom->length;
         const double across = std::abs(growth.x()) > std::abs(growth.y()) ? growth.x() : growth.y();
         switch (geom->shape) {
-        case GeomShape::Box:
-        case GeomShape::Heightfield: {
+        case GeomShape::Box: {
             Vec3 size = geom->size;
-            for (int k = 0; k < 3; ++k) {
-                const bool oneSided = geom->shape == GeomShape::Heightfield && k == 2;
-                if (growth[k] != 0) size[k] = grown(size[k], (oneSided ? 1 : 2) * growth[k]);
-            }
+            for (int k = 0; k < 3; ++k) size[k] = grown(size[k], 2 * growth[k]);
             set(item, "Size", arrayOf(geom->size), arrayOf(size));
+            follow(item, geom->size, size, side, edits);
+            break;
+        }
+        case GeomShape::Heightfield: { // its Pos is in the middle of its base
+            Vec3 size = geom->size;
+            for (int k = 0; k < 3; ++k) size[k] = grown(size[k], (k == 2 ? 1 : 2) * growth[k]);
+            set(item, "Size", arrayOf(geom->size), arrayOf(size));
+            const Vec3 base(1, 1, 0);
+            follow(item, geom->size.cwiseProduct(base), size.cwiseProduct(base), side, edits);
             break;
         }
         case GeomShape::Sphere: {
@@ -246,6 +261,7 @@ Status HeldObjects::resize(const Vec3& growth, const QString& name, const std::s
             const double wide = grown(radius, across), far = grown(length, 2 * growth.z());
             if (across != 0 || m_sizeTexts.contains(item.path + ".Radius")) set(item, "Radius", {&radius, 1}, {&wide, 1});
             if (growth.z() != 0 || m_sizeTexts.contains(item.path + ".Length")) set(item, "Length", {&length, 1}, {&far, 1});
+            follow(item, {0, 0, length}, {0, 0, far}, side, edits);
             break;
         }
         default: break;

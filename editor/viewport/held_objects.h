@@ -49,8 +49,9 @@ public:
     /// Half the extent along each of its own axes; 0: not there.
     [[nodiscard]] Vec3 halfExtent() const;
     [[nodiscard]] std::array<SizeName, 3> sizeNames() const; ///< of those lengths
-    /// Grows the shapes by so much on each side, along their own axes.
-    Status resize(const Vec3& growth, const QString& name, const std::string& mergeKey, Fineness fineness);
+    /// Grows the shapes by twice so much from side to side, radii and heights by so much, along their own axes. `side` says which
+    /// side goes: 1 where the axis points, -1 the other one, 0 both. The Pos follows, so that the other one stays.
+    Status resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, Fineness fineness);
 
     [[nodiscard]] bool movesWorld() const { return m_running; }
 
@@ -65,6 +66,8 @@ private:
     void take(const std::string& path);
     void takeLayout(const std::string& path);
     [[nodiscard]] std::string textOf(const std::string& property) const;
+    /// Lengths from side to side became others: the edit of the Pos that keeps the other side.
+    void follow(Item& item, const Vec3& before, const Vec3& after, int side, std::vector<ValueEdit>& edits) const;
     [[nodiscard]] std::vector<ValueEdit> editsOf(Item& item, const Pose& local, Fineness fineness) const;
     Status carryOut(const std::vector<ValueEdit>& edits, const QString& name, const std::string& mergeKey);
 

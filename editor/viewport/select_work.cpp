@@ -15,6 +15,7 @@ namespace {
 constexpr double kTremble = 4; // pixels before a press becomes a drag
 
 QString kindOf(const ShownWorld& world, const std::string& path) {
+    if (path.find('.') != std::string::npos) return {}; // of a part, or of a config, which says it by itself
     const auto object = world.find(path);
     if (const RobotSpec* robot = object ? world.objects()->robotOf(*object) : nullptr;
         robot && robot->config && object->kind == ObjectKind::Robot)

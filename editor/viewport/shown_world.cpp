@@ -25,7 +25,7 @@ bool hasBrokenSyntax(const Loaded& loaded) {
 } // namespace
 
 ShownWorld::ShownWorld(Document& document, RunSession& session, RenderService* render, QObject* parent)
-    : QObject(parent), m_document(document), m_session(session), m_render(render) {
+    : QObject(parent), m_document(document), m_session(session), m_render(render), m_stage(session.parts()) {
     connect(&m_document, &Document::changed, this, &ShownWorld::look);
     connect(&m_session, &RunSession::experimentChanged, this, &ShownWorld::look);
     connect(&m_session, &RunSession::stateChanged, this, &ShownWorld::look);
@@ -41,9 +41,7 @@ ShownWorld::~ShownWorld() {
 
 void ShownWorld::look() {
     const bool runs = m_session.experiment() && m_session.poses();
-    std::shared_ptr<const ExperimentSpec> experiment = runs                  ? m_session.experiment()
-                                                       : m_document.isOpen() ? m_document.loaded()->experiment
-                                                                             : nullptr;
+    std::shared_ptr<const ExperimentSpec> experiment = runs ? m_session.experiment() : m_stage.show(m_document);
     if (experiment == m_experiment) {
         if (runs == m_running) return lookAtPoses();
         m_running = runs;
@@ -79,11 +77,11 @@ void ShownWorld::lookAtPoses() {
 }
 
 std::shared_ptr<const ExperimentSpec> ShownWorld::ghosts() const {
-    if (!m_document.isOpen() || !m_document.lastGood() || !m_document.loaded()->diagnostics.hasErrors()) return nullptr;
+    const std::shared_ptr<const ExperimentSpec> good = m_document.isOpen() ? m_stage.lastGood(m_document) : nullptr;
+    if (!good || !m_document.loaded()->diagnostics.hasErrors()) return nullptr;
     const Loaded& now = *m_document.loaded();
     const bool broken = hasBrokenSyntax(now);
-    return ghostsOf(*now.experiment, *m_document.lastGood()->experiment,
-                    [&](const std::string& path) { return broken || placeOf(now, path).has_value(); });
+    return ghostsOf(*m_experiment, *good, [&](const std::string& path) { return broken || placeOf(now, path).has_value(); });
 }
 
 std::vector<ObjectRef> ShownWorld::objectsOf(const std::string& path) const {

@@ -1,5 +1,6 @@
 #pragma once
-// What all views show: the document's experiment at its start, or the one that runs, where it stands now.
+// What all views show: the document's experiment at its start, or the one that runs, where it stands now. Of a text that places
+// nothing, what it describes.
 
 #include <memory>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include <QObject>
 
+#include "editor/viewport/stage.h"
 #include "render/service.h"
 #include "scene/camera_model.h"
 #include "scene/object_index.h"
@@ -71,6 +73,7 @@ private:
     Document& m_document;
     RunSession& m_session;
     RenderService* m_render;
+    Stage m_stage;
     std::shared_ptr<const ExperimentSpec> m_experiment;
     std::shared_ptr<const ObjectIndex> m_objects;
     std::shared_ptr<const BodyPoses> m_poses;

@@ -83,6 +83,7 @@ View::View(const ViewParts& parts, ViewKind kind, QWidget* parent)
     });
     connect(&m_parts.world, &ShownWorld::marked, this, &View::redraw);
     connect(&m_parts.settings, &ViewSettings::changed, this, &View::redraw);
+    connect(&m_parts.settings, &ViewSettings::changed, this, qOverload<>(&View::update)); // handles need no other picture
     connect(&m_parts.selection, &Selection::changed, this, [this] {
         if (m_camera.kind() == ViewKind::Follow || m_camera.kind() == ViewKind::Chase) m_camera.setKind(m_camera.kind());
         followSelection();

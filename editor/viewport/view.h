@@ -156,6 +156,7 @@ private:
     [[nodiscard]] Pointer pointerOf(const QMouseEvent& event) const;
     void paintMessage(QPainter& painter, const QString& text) const;
     void paintHints(QPainter& painter) const;
+    bool takesDrop(QDropEvent& event) const;
 
     ViewParts m_parts;
     ViewCamera m_camera, m_glideFrom, m_glideTo, m_beforeThrough;
@@ -172,8 +173,8 @@ private:
     QPointF m_cursor, m_dropAt{-1, -1};
     QTimer m_pumpTimer, m_settle, m_glide;
     QElapsedTimer m_sinceAsked, m_gliding;
-    bool m_wanted = true, m_inFlight = false, m_fine = false, m_software = true, m_dropping = false, m_isCurrent = false,
-         m_isFramed = false;
+    bool m_wanted = true, m_inFlight = false, m_fine = false, m_software = true, m_dropping = false, m_dropMoves = false,
+         m_isCurrent = false, m_isFramed = false;
     int m_redraws = 0, m_refinements = 0; // together: the number of the picture asked for last
 };
 

@@ -7,8 +7,10 @@
 
 #include "editor/viewport/library_drop.h"
 #include "editor/viewport/navigation.h"
+#include "editor/viewport/object_drop.h"
 #include "editor/viewport/plate.h"
 #include "editor/viewport/radio_overlays.h"
+#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/widgets/theme.h"
 
@@ -127,16 +129,24 @@ void View::resizeEvent(QResizeEvent*) { redraw(); }
 void View::showEvent(QShowEvent*) { redraw(); }
 
 void View::dragEnterEvent(QDragEnterEvent* event) {
-    if (!canDrop(*event->mimeData())) return;
-    event->acceptProposedAction();
-    m_dropping = true;
+    m_dropMoves = canMoveHere(*this, *event->mimeData());
+    m_dropping = takesDrop(*event);
 }
 
 void View::dragMoveEvent(QDragMoveEvent* event) {
     if (!m_dropping) return;
     m_dropAt = event->position();
-    event->acceptProposedAction();
+    m_dropping = takesDrop(*event);
     update();
+}
+
+/// Objects of this window are moved, with Ctrl copied; all else is a copy. The pointer shows which.
+bool View::takesDrop(QDropEvent& event) const {
+    if (!m_dropMoves && !canDrop(*event.mimeData())) return false;
+    const bool copies = event.modifiers() & Qt::ControlModifier && !m_parts.world.isRunning();
+    event.setDropAction(m_dropMoves && !copies ? Qt::MoveAction : Qt::CopyAction);
+    event.accept();
+    return true;
 }
 
 void View::dragLeaveEvent(QDragLeaveEvent*) {
@@ -147,9 +157,10 @@ void View::dragLeaveEvent(QDragLeaveEvent*) {
 void View::dropEvent(QDropEvent* event) {
     m_dropping = false;
     update();
-    if (!canDrop(*event->mimeData())) return;
-    event->acceptProposedAction();
-    dropBlocks(*this, *event->mimeData(), event->position());
+    if (!takesDrop(*event)) return;
+    if (event->dropAction() == Qt::MoveAction) moveHere(*this, event->position());
+    else if (m_dropMoves) copyHere(*this, event->position());
+    else dropBlocks(*this, *event->mimeData(), event->position());
 }
 
 void View::paintMessage(QPainter& painter, const QString& text) const {

@@ -103,7 +103,9 @@ void View::paintThrough(QPainter& painter) const {
     painter.setPen(QPen(QColor(245, 246, 248, 190), 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(frame.adjusted(0.5, 0.5, -0.5, -0.5));
-    const QString words = tr("Through %1  •  Esc leaves").arg(QString::fromStdString(m_through));
+    const bool bends = camera->k1 != 0 || camera->k2 != 0;
+    const QString words = (bends ? tr("Through %1, without its Distortion  •  Esc leaves") : tr("Through %1  •  Esc leaves"))
+                              .arg(QString::fromStdString(m_through));
     paintPlate(painter, {0.5 * width(), 8 + 0.5 * (painter.fontMetrics().height() + 6)}, words);
 }
 

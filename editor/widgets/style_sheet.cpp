@@ -83,6 +83,7 @@ static const char* const kSheet =
     "QScrollBar:horizontal { background: transparent; height: 11px; margin: 0; }"
     "QScrollBar::handle { background: @disabled; border-radius: 4px; min-height: 24px; min-width: 24px; margin: 2px; }"
     "QScrollBar::handle:hover { background: @faint; }"
+    "QScrollBar::handle:disabled { background: transparent; }"
     "QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }"
     "QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }"
     "QSplitter::handle { background: @line; }"

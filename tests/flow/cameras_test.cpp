@@ -14,6 +14,17 @@ QPair<double, double> lastPlace(const QString& path) {
     return cells.size() > 3 ? qMakePair(cells[2].toDouble(), cells[3].toDouble()) : qMakePair(1e9, 1e9);
 }
 
+/// A line for each picture of a movie, with what its pixels come to.
+QList<QByteArray> picturesOf(const QString& movie) {
+    QProcess reader;
+    reader.start("ffmpeg", {"-v", "error", "-i", movie, "-map", "0:v", "-f", "framemd5", "-"});
+    QList<QByteArray> pictures;
+    if (!reader.waitForFinished(60000)) return pictures;
+    for (const QByteArray& line : reader.readAllStandardOutput().split('\n'))
+        if (!line.isEmpty() && !line.startsWith('#')) pictures.append(line);
+    return pictures;
+}
+
 Outcome cliWith(const QProcessEnvironment& environment, const QStringList& arguments) {
     QProcess process;
     process.setProcessEnvironment(environment);
@@ -109,6 +120,18 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains("cannot see, stays where it is: no OpenGL to draw with"), shown(run));
     }
 
+    void aPictureThatCannotBeTakenIsToldOnce() {
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("film.sim"), contentOf(kExperiment) +
+                                                           "View inside { Eye=0,0,1 Target=0,0,1 }\n"
+                                                           "FrameLog film { View=inside Size=64,48 Interval=0.1 }\n"));
+        const Outcome run = cli({"run", folder.filePath("film.sim"), "--duration", "0.3", "--log-dir", folder.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        QVERIFY2(run.err.count("warning E511: a picture could not be taken: no picture can be taken from this view") == 1,
+                 shown(run));
+        QCOMPARE(contentOf(folder.filePath("film.csv")), QByteArray("time [s],picture\n0,\n0.1,\n0.2,\n0.3,\n"));
+    }
+
     void aMovieWithoutItsProgramIsRefusedBeforeTheRun() {
         QTemporaryDir folder;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -137,6 +160,23 @@ private Q_SLOTS:
                                 "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", movie});
         QVERIFY(probe.waitForFinished(60000));
         QCOMPARE(probe.readAllStandardOutput().trimmed(), QByteArray("160,120,24/1,25")); // t = 0 and t = 1 too
+    }
+
+    void twoMoviesAreTheSame_data() { aMovieHasExactlyItsPictures_data(); }
+    void twoMoviesAreTheSame() {
+        QFETCH(QString, ending);
+        QTemporaryDir folder;
+        QList<QByteArray> pictures[2];
+        for (QList<QByteArray>& each : pictures) {
+            const QString movie = folder.filePath("a." + ending);
+            const Outcome run = cli({"run", kExperiment, "--duration", "1", "--movie", movie, "--camera", "seeker_0/eye", "--fps",
+                                     "10", "--log-dir", folder.path()});
+            QVERIFY2(run.code == 0, shown(run));
+            each = picturesOf(movie);
+            QCOMPARE(each.size(), 11);
+            QVERIFY(each.first().split(',').last() != each.last().split(',').last()); // it drove
+        }
+        QCOMPARE(pictures[0], pictures[1]);
     }
 };
 

@@ -22,6 +22,22 @@ private Q_SLOTS:
         QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
     }
 
+    /// Who makes pictures for a manual finds neither their files among those opened last nor the window as large as they were.
+    void aPictureLeavesNoTrace() {
+        const QString home = m_folder.filePath(QStringLiteral("home"));
+        qputenv("XDG_CONFIG_HOME", home.toUtf8());
+        const QString picture = m_folder.filePath(QStringLiteral("still.png"));
+        const Outcome outcome =
+            call({"--open", configPath("experiments/arc_motion.sim"), "--size", "640x480", "--screenshot", picture, "--quit"});
+        qunsetenv("XDG_CONFIG_HOME");
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        QFile kept(home + QStringLiteral("/Trundle/Trundle.conf"));
+        if (!kept.open(QIODevice::ReadOnly)) return;
+        const QByteArray settings = kept.readAll();
+        QVERIFY2(!settings.contains("arc_motion") && !settings.contains("layouts") && !settings.contains("windowGeometry"),
+                 settings);
+    }
+
     void saysWhyThereIsNone_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("reason");

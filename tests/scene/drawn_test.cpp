@@ -15,7 +15,7 @@ using namespace trundle;
 namespace {
 
 struct Drawn {
-    unsigned draws = 0, triangles = 0;
+    unsigned draws = 0, triangles = 0, points = 0;
 };
 
 /// What a picture with this mask takes; nothing is drawn, so it needs no OpenGL.
@@ -27,16 +27,18 @@ Drawn drawnOf(Scene& scene, const CameraView& view, int width, int height, std::
     drawing->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
     drawing->getCamera()->setViewport(0, 0, width, height);
     const double half = 0.05 * std::tan(0.5 * view.fieldOfView), aspect = double(height) / width;
-    drawing->getCamera()->setProjectionMatrixAsFrustum(-half, half, -half * aspect, half * aspect, 0.05, 100);
+    drawing->getCamera()->setProjectionMatrixAsFrustum(-half, half, -half * aspect, half * aspect, 0.05, 10000);
     drawing->getCamera()->setViewMatrixAsLookAt(toOsg(view.eye), toOsg(view.target), toOsg(view.up));
     drawing->setSceneData(&scene.root());
     drawing->setCullMask(mask);
     drawing->cull();
     osgUtil::Statistics counts;
     drawing->getStats(counts);
-    Drawn drawn{static_cast<unsigned>(counts.numDrawables), 0};
-    for (const auto& [mode, number] : counts.getPrimitiveCountMap())
+    Drawn drawn{static_cast<unsigned>(counts.numDrawables)};
+    for (const auto& [mode, number] : counts.getPrimitiveCountMap()) {
         if (mode == GL_TRIANGLES) drawn.triangles += number;
+        if (mode == GL_POINTS) drawn.points += number;
+    }
     return drawn;
 }
 
@@ -71,12 +73,36 @@ private Q_SLOTS:
         QVERIFY2(drawn.triangles >= 24 * 49 && drawn.triangles <= most * 49, qPrintable(QString::number(drawn.triangles / 49.0)));
     }
 
+    /// However far away it is; and a point casts no shadow.
+    void whatIsTooSmallForItsTrianglesIsAPoint() {
+        const auto experiment = sampleExperiment({49, 0.7, true, 6});
+        Scene scene(*experiment);
+        scene.setHidden({"arena"});
+        CameraView view = aboveTheCrowd();
+        QCOMPARE(drawnOf(scene, view, 640, 480, kMaskRobots).points, 0u);
+        for (const double factor : {20., 200.}) {
+            view.eye = factor * aboveTheCrowd().eye;
+            const Drawn far = drawnOf(scene, view, 160, 120, kMaskRobots | kMaskShadows);
+            QCOMPARE(far.points, 49u);
+            QCOMPARE(far.draws, 49u);
+            QCOMPARE(far.triangles, 0u);
+        }
+        // Nor is it there where the thing is hidden, and it comes back with it.
+        scene.makeData(*experiment);
+        scene.setHidden({"arena", "robot3"});
+        scene.followData();
+        for (const std::uint32_t mask : {kMaskRobots, kMaskData}) QCOMPARE(drawnOf(scene, view, 160, 120, mask).points, 48u);
+        scene.setHidden({"arena", "robot3/chassis/hull"});
+        scene.setHidden({"arena"});
+        QCOMPARE(drawnOf(scene, view, 160, 120, kMaskRobots).points, 49u);
+    }
+
     void aShadowIsOneDrawOfABodyAndNoMoreThanItsOutline() {
         Scene scene(*sampleExperiment({49, 0.7, true, 6}));
         for (const int width : {64, 320, 640, 1920}) {
             const auto count = [&](std::uint32_t mask) { return drawnOf(scene, aboveTheCrowd(), width, width * 3 / 4, mask); };
             const Drawn bodies = count(kMaskRobots | kMaskStatics), both = count(kMaskRobots | kMaskStatics | kMaskShadows);
-            QCOMPARE(both.draws, 2 * bodies.draws);
+            QCOMPARE(both.draws, 2 * bodies.draws - bodies.points);
             QVERIFY2(both.triangles - bodies.triangles <= bodies.triangles, qPrintable(QString::number(width)));
         }
     }

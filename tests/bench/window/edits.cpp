@@ -39,7 +39,7 @@ void putCaretBehind(BenchWindow& w, std::string_view text) {
     const std::string bytes = w.text().bytes();
     const auto at = std::uint32_t(bytes.find(text) + text.size());
     w.text().setFocus();
-    w.text().setSelection({at, at});
+    w.text().select({at, at});
     w.wait(200);
     w.untilSettled();
 }

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void whatIsDraggedFromAnotherWindowIsCopied();
     void aPasteFromAnotherProjectImportsAsItsAuthorWould();
     void aPasteFromAnotherProjectBringsWhatItNames();
+    void aPasteBringsTheParamsItTakes();
     void aDropMovesAGeomToAnotherBody();
     void aDropThatDoesNotFitIsNotTaken();
     void theMenuOfAGridWritesItOut();
@@ -317,6 +318,34 @@ void EditsTest::aPasteFromAnotherProjectBringsWhatItNames() {
     QVERIFY(to.edits.paste(to.selection.current()).ok());
     QVERIFY2(to.text().contains("Material brick"), to.text());
     QCOMPARE(to.errors(), QString());
+}
+
+void EditsTest::aPasteBringsTheParamsItTakes() {
+    Outlined from, bare, other;
+    QVERIFY(from.open("Param wall = 0.05   // of all\nParam side = $(40*wall)\nParam high = 9\nParam idle = 1\n"
+                      "StaticConfig Yard {\n  Param high = 0.3\n  Box north { Size=$side,$wall,$high Pos=0,$(side/2),0.15 }\n}\n"
+                      "Static yard { Config=Yard }\n"));
+    QVERIFY(from.edits.copy({"StaticConfig.Yard"}).ok());
+    QVERIFY(bare.open("Tick = 0.01\n"));
+    QVERIFY(bare.edits.paste({}).ok());
+    QCOMPARE(bare.errors(), QString());
+    QVERIFY2(bare.text().contains("Param wall = 0.05\n") && bare.text().contains("Param side = $(40*wall)\n"), bare.text());
+    QVERIFY2(!bare.text().contains("idle") && !bare.text().contains("Param high = 9"), bare.text()); // not used, its own
+    QCOMPARE(bare.selected(), QStringLiteral("StaticConfig.Yard"));
+    QCOMPARE(bare.document.history().entries().size(), std::size_t(1));
+    bare.document.undo();
+    QCOMPARE(bare.text(), QByteArray("Tick = 0.01\n"));
+
+    // One of the name that is there stays and serves. What is named on the way brings its Params too.
+    QVERIFY(other.open("Param wall = 0.1\n"));
+    QVERIFY(from.edits.copy({"yard"}).ok());
+    QVERIFY(other.edits.paste({}).ok());
+    QCOMPARE(other.errors(), QString());
+    QVERIFY2(other.text().startsWith("Param wall = 0.1\n") && other.text().count("Param wall") == 1, other.text());
+    QCOMPARE(other.document.loaded()->experiment->statics.at(0).geoms->at(0).size.x(), 4.0);
+    QVERIFY(other.edits.paste({}).ok()); // once is enough
+    QCOMPARE(other.text().count("Param side"), 1);
+    QCOMPARE(other.errors(), QString());
 }
 
 void EditsTest::aDropMovesAGeomToAnotherBody() {

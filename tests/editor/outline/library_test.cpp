@@ -238,11 +238,17 @@ void LibraryTest::drawsPictures() {
     Shelf s(render.value().get());
     QVERIFY(s.filled());
     QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
+    s.library.resize(280, 600); // as in the window: a picture fills its cell above the title, and nothing of it is cut off
+    const LibraryList& robots = s.list(LibrarySection::Robots);
+    QTRY_COMPARE(robots.gridSize().width(), (robots.viewport()->width() - 1) / 2);
+    const double room =
+        double(robots.gridSize().width() - 8) / (robots.gridSize().height() - 8 - robots.fontMetrics().height() - 3);
     for (int i = 0; i < s.library.model().rowCount(); ++i) {
         const LibraryItem& item = s.library.model().items()[std::size_t(i)];
         if (item.picture.empty()) continue;
         const QPixmap picture = s.library.model().index(i).data(LibraryModel::PictureRole).value<QPixmap>();
         QVERIFY2(!picture.isNull(), qPrintable(item.title));
+        QVERIFY2(std::abs(double(picture.width()) / picture.height() - room) < 0.2, qPrintable(item.title));
         std::set<QRgb> colours; // something stands there
         const QImage image = picture.toImage().scaled(64, 44);
         for (int y = 0; y < image.height(); ++y)

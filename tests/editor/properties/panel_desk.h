@@ -110,7 +110,8 @@ struct PanelDesk {
     /// The rover in a file of its own, and this text as the experiment.
     bool open(const std::string& text) {
         write("rover.sim", kRoverFile);
-        return document.open(write("main.sim", "#import rover.sim\n" + text)).ok();
+        return document.open(write("main.sim", "#import rover.sim\n" + text)).ok() &&
+               QTest::qWaitFor([this] { return !panel.isVisible() || panel.findChild<QWidget*>(QStringLiteral("rows")); });
     }
     std::string text(std::size_t file = 0) const { return *document.text(document.files().at(file)); }
     std::string rover() const { return text(1); }

@@ -51,6 +51,23 @@ private Q_SLOTS:
         QCOMPARE(desk.shown("Tick"), QStringLiteral("0.01"));
     }
 
+    void theExperimentWhenAnUndoTookTheObjectAway() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        QVERIFY(desk.document
+                    .carryOut(QStringLiteral("Add"), planInsert(*desk.document.loaded(), {}, "Robot robot2 { Config=Rover }"))
+                    .ok());
+        QCOMPARE(desk.selection.current(), std::string("robot2"));
+        QVERIFY(desk.row("Pos"));
+        desk.document.undo();
+        QTRY_COMPARE(desk.shown("Tick"), QStringLiteral("0.01"));
+        QVERIFY(!desk.row("Pos"));
+        QVERIFY(!desk.panel.findChild<QLabel*>(QStringLiteral("nothing"))->isVisible());
+        QCOMPARE(desk.panel.findChild<QLineEdit*>(QStringLiteral("objectName"))->text(), QStringLiteral("Experiment"));
+        desk.document.redo(); // it is selected still
+        QTRY_VERIFY(desk.row("Pos"));
+    }
+
     void oneNumberOfAVectorChangesAlone() {
         PanelDesk desk;
         QVERIFY(desk.open(kRobots));
@@ -383,9 +400,8 @@ private Q_SLOTS:
         desk.selection.select("r");
         QVERIFY(desk.row("Config"));
         desk.selection.select("robot0.nobody.at.all");
-        QVERIFY(!desk.row("Tick")); // not the experiment's rows in its place
-        desk.selection.clear();
-        QVERIFY(desk.row("Tick"));
+        QVERIFY(desk.row("Tick")); // as where nothing is selected, and says so
+        QCOMPARE(desk.panel.findChild<QLineEdit*>(QStringLiteral("objectName"))->text(), QStringLiteral("Experiment"));
     }
 
     void membersOfAGridAreEditedTogether() {

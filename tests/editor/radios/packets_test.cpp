@@ -265,6 +265,15 @@ private Q_SLOTS:
         auto* counts = m_window->find<QLabel>("radioCounts");
         QCOMPARE(counts->text(), QStringLiteral("newest 20,000 packets"));
         QVERIFY(counts->toolTip().startsWith(QStringLiteral("%L1 others are gone").arg(before - 10)));
+        QStringList seen;
+        for (int width = 1000; width >= 300; width -= 10) { // whatever the room: nothing of it is cut off
+            m_window->panel.resize(width, 320);
+            QTRY_VERIFY2(!counts->isVisible() || counts->width() >= counts->sizeHint().width(),
+                         qPrintable(QString::number(width)));
+            if (seen.isEmpty() || seen.back() != counts->text()) seen.push_back(counts->text());
+        }
+        QVERIFY2(seen.contains(QStringLiteral("newest 20,000")), qPrintable(seen.join(u'|')));
+        m_window->panel.resize(1000, 320);
         many.droppedRecords = 7; // nobody had fetched them in time
         many.records.assign(2 * FrameModel::kMostFrames, one);
         m_window->panel.packets().add(many);

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QImage>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QTextTable>
 #include <QtTest>
@@ -36,6 +37,15 @@ private Q_SLOTS:
                 if (!found.captured(1).isEmpty()) QVERIFY2(!QImage(m_folder.filePath(target)).isNull(), qPrintable(target));
             }
         }
+    }
+
+    void whereNothingIsToScrollTheBarIsEmpty() {
+        HelpPanel panel;
+        panel.resize(400, 3000);
+        panel.show();
+        QTRY_VERIFY(!panel.verticalScrollBar()->isEnabled());
+        panel.resize(400, 200);
+        QTRY_VERIFY(panel.verticalScrollBar()->isEnabled());
     }
 
     void tablesHaveNoEmptyHeads() {

@@ -84,6 +84,9 @@ void HelpTest::completesWhileTyping() {
     auto* list = w.child<QTreeWidget>("completionList");
     QCOMPARE(list->topLevelItem(0)->text(0), QStringLiteral("Duration"));
     QVERIFY(!w.child<QLabel>("completionHelp")->text().isEmpty());
+    const QWidget* popup = w.child("completionPopup"); // its border is seen all round
+    for (const QWidget* part : {static_cast<QWidget*>(list), w.child("completionHelp")})
+        QVERIFY(popup->rect().adjusted(1, 1, -1, -1).contains(part->geometry()));
     w.key(Qt::Key_Return);
     QVERIFY(!w.listShown());
     w.keys("9 ");

@@ -60,6 +60,50 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
     }
 
+    // ---- rows of the scene tree ----
+
+    void aRowOfTheTreeMovesItsObject() {
+        m_window->selection.select("robot0");
+        QCOMPARE(dropRows({"robot0"}, {0.2, -0.7, 0}), Qt::MoveAction);
+        QVERIFY2(m_window->text().contains("Robot robot0 { Config=SimpleRobot Pos=0.2,-0.7,0 HPR=0,0,0 } // the first"),
+                 m_window->text().constData());
+        QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(2));
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRoom);
+    }
+
+    void severalRowsKeepTheirPlacesBesideEachOther() {
+        m_window->selection.set({"robot1", "robot0"});
+        QCOMPARE(dropRows({"robot0", "robot1"}, {0.2, -0.7, 0}), Qt::MoveAction);
+        QVERIFY2(m_window->text().contains("Pos=0.2,-0.7,0 "), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("Pos=1.2,-0.4,0 "), m_window->text().constData());
+    }
+
+    void withCtrlItIsACopy() {
+        m_window->selection.select("robot0");
+        QCOMPARE(dropRows({"robot0"}, {0.2, -0.7, 0}, Qt::ControlModifier), Qt::CopyAction);
+        QVERIFY2(m_window->text().contains("Pos=-0.5,0,0"), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("Pos=0.2,-0.7,0"), m_window->text().constData());
+        QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(3));
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+    }
+
+    void whatCannotBeMovedIsSaid() {
+        QVERIFY(m_window->open(QByteArray(kRoom).replace("Robot robot1 {", "Grid robot1 { Count=2,1 Spacing=1,1")));
+        const QByteArray before = m_window->text();
+        m_window->selection.select("robot1_0");
+        QCOMPARE(dropRows({"robot1_0"}, {0.2, -0.7, 0}), Qt::MoveAction);
+        QCOMPARE(m_window->text(), before);
+        QCOMPARE(m_window->refusals.size(), std::size_t(1));
+    }
+
+    void rowsOfAnotherProgramAreCopies() {
+        m_window->selection.select("robot0");
+        QCOMPARE(dropRows({"robot0"}, {0.2, -0.7, 0}, {}, "1 "), Qt::CopyAction);
+        QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(3));
+    }
+
     void rubbishIsNotTaken_data() {
         QTest::addColumn<QByteArray>("json");
         QTest::newRow("empty") << QByteArray();
@@ -79,6 +123,24 @@ private Q_SLOTS:
     }
 
 private:
+    Qt::DropAction dropRows(const QByteArrayList& paths, const Vec3& where, Qt::KeyboardModifiers modifiers = {},
+                            const QByteArray& program = QByteArray::number(QCoreApplication::applicationPid()) + ' ') {
+        QMimeData data;
+        data.setData(QStringLiteral("application/x-trundle-objects"), program + "1f\n" + paths.join('\n') + '\n');
+        data.setData(QStringLiteral("application/x-trundle-library"),
+                     R"({"kind":"Robot","text":"Robot robot0 { Config=SimpleRobot Pos=0,0,0 }","imports":[]})");
+        const QPoint at = m_window->at(where);
+        const Qt::DropActions all = Qt::MoveAction | Qt::CopyAction;
+        QDragEnterEvent enter(at, all, &data, Qt::LeftButton, modifiers);
+        QCoreApplication::sendEvent(&m_window->view(), &enter);
+        QDragMoveEvent move(at, all, &data, Qt::LeftButton, modifiers);
+        QCoreApplication::sendEvent(&m_window->view(), &move);
+        QDropEvent event(at, all, &data, Qt::LeftButton, modifiers);
+        QCoreApplication::sendEvent(&m_window->view(), &event);
+        return enter.isAccepted() && enter.dropAction() == event.dropAction() && event.isAccepted() ? move.dropAction()
+                                                                                                    : Qt::IgnoreAction;
+    }
+
     void drop(const char* kind, const char* text, const QStringList& imports, const Vec3& where) {
         QMimeData data;
         const QJsonObject json{{QStringLiteral("kind"), QLatin1String(kind)},

@@ -184,10 +184,72 @@ private Q_SLOTS:
         const Handle side{Handle::Kind::Size, 0};
         QVERIFY(m_window->view().gizmo().spot(side));
         dragBy(side, {0.1, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
-        QVERIFY2(m_window->text().contains("Size=0.6, 0.4, 0.4  Pos=0,0,0.2"), m_window->text().constData());
-        // To nothing and beyond: it stays a shape.
+        QVERIFY2(m_window->text().contains("Size=0.5, 0.4, 0.4  Pos=0.05,0,0.2"), m_window->text().constData());
+        // To nothing and beyond: it stays a shape, at the side that stays.
         dragBy(side, {-9, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
-        QVERIFY2(m_window->text().contains("Size=0.001, 0.4, 0.4"), m_window->text().constData());
+        QVERIFY2(m_window->text().contains("Size=0.001, 0.4, 0.4  Pos=-0.1995,0,0.2"), m_window->text().constData());
+    }
+
+    void aWallGrowsUpFromTheFloor() {
+        const QByteArray walled =
+            "Param high = 0.3\nStaticConfig Yard {\n  Box wall { Size=40 cm, 0.2, $high  Pos=$(high-0.3), 0, "
+            "$(high/2) }\n}\nStatic yard { Config=Yard }\n";
+        open(walled);
+        take("StaticConfig.Yard.wall", "tool.scale");
+        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {0, 0, 0.15});
+        QVERIFY2(m_window->text().contains("Size=40 cm, 0.2, 0.5  Pos=$(high-0.3), 0, 0.25 }"), m_window->text().constData());
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), walled);
+        // The handle at the other end moves the other side.
+        take("StaticConfig.Yard.wall", "tool.scale");
+        dragBy({Handle::Kind::Size, 0, -1}, {-0.1, 0, 0}, Qt::NoModifier, {0, 0, 0.15});
+        QVERIFY2(m_window->text().contains("Size=50 cm, 0.2, $high  Pos=-0.05, 0, $(high/2) }"), m_window->text().constData());
+    }
+
+    void withoutStepsTheOtherSideStaysExactly() {
+        open("StaticConfig Yard {\n  Box wall { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard }\n");
+        take("StaticConfig.Yard.wall", "tool.scale");
+        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.1234567}, Qt::ControlModifier, {0, 0, 0.2});
+        const GeomSpec& wall = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
+        QVERIFY(wall.size.z() > 0.5 && wall.size.z() < 0.55);
+        QVERIFY2(std::abs(wall.pose.position.z() - 0.5 * wall.size.z()) < 1e-12, m_window->text().constData());
+    }
+
+    void withAltTheMiddleStays() {
+        open("StaticConfig Yard {\n  Box crate { Size=0.4, 0.4, 0.4  Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard }\n");
+        take("StaticConfig.Yard.crate", "tool.scale");
+        const Vec3 middle(0, 0, 0.2);
+        const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Size, 0});
+        const QPointF way = *m_window->view().pixelOf(middle + Vec3(0.1, 0, 0)) - *m_window->view().pixelOf(middle);
+        m_window->press(from);
+        m_window->move(from + way, {}, Qt::LeftButton);
+        QVERIFY2(!m_window->text().contains("Pos=0,0,0.2"), m_window->text().constData());
+        m_window->move(from + way, Qt::AltModifier, Qt::LeftButton);
+        QTRY_VERIFY2(m_window->text().contains("Size=0.6, 0.4, 0.4  Pos=0,0,0.2"), m_window->text().constData());
+        m_window->release(from + way, Qt::LeftButton, Qt::AltModifier);
+        QVERIFY2(m_window->text().contains("Size=0.6, 0.4, 0.4  Pos=0,0,0.2"), m_window->text().constData());
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+    }
+
+    void aTurnedShapeGrowsAlongItsOwnAxis() {
+        open("StaticConfig Yard {\n  Cylinder post { Radius=0.1 Length=0.4  Pos=0.2,0,0.3  HPR=90,90,0 }\n}\n"
+             "Static yard { Config=Yard Pos=0,0,0 HPR=0,0,0 }\n");
+        take("StaticConfig.Yard.post", "tool.scale");
+        const GeomSpec before = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
+        const Vec3 axis = before.pose.rotation * Vec3::UnitZ();
+        const Handle along{Handle::Kind::Size, 2};
+        QVERIFY(std::abs(axis.z()) < 1e-9); // it lies
+        dragBy(along, 0.2 * axis, Qt::NoModifier, {0.2, 0, 0.3});
+        const GeomSpec& after = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
+        QCOMPARE(after.length, 0.6);
+        QCOMPARE(after.radius, 0.1);
+        QVERIFY((after.pose.position - 0.3 * axis - (before.pose.position - 0.2 * axis)).norm() < 1e-6);
+        // A radius has no other side.
+        dragBy({Handle::Kind::Size, 0}, 0.1 * (before.pose.rotation * Vec3::UnitX()), Qt::NoModifier, after.pose.position);
+        const GeomSpec& wide = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
+        QCOMPARE(wide.radius, 0.2);
+        QCOMPARE(wide.pose.position, after.pose.position);
     }
 
     void anArrowIsTakenByItsTip() {

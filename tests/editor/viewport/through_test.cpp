@@ -48,6 +48,24 @@ private Q_SLOTS:
         QVERIFY(std::abs(at.x() - 0.5 * (view.width() - high / 0.75)) < 0.5);
     }
 
+    /// The view is drawn straight, and says so.
+    void aBentLensIsNamed() {
+        View& view = m_window->view();
+        const auto seen = [&](const QByteArray& text) {
+            if (!m_window->open(text)) return QImage();
+            view.lookThrough("robot0/eye");
+            return QTest::qWaitFor([&] { return view.throughCamera() && view.isSettled(); }, 20000) ? view.grab().toImage()
+                                                                                                    : QImage();
+        };
+        const QImage straight = seen(kEye);
+        const QImage bent = seen(QByteArray(kEye).replace("Pos=-0.5,0,0", "Pos=-0.5,0,0 eye.Distortion=-0.2,0.02"));
+        QVERIFY(view.throughCamera()->k1 != 0);
+        const int words = 48; // the height that they need at the top
+        QVERIFY(!straight.isNull() && straight.copy(0, 0, view.width(), words) != bent.copy(0, 0, view.width(), words));
+        const QRect below(0, words, view.width(), view.height() - words);
+        QCOMPARE(bent.copy(below), straight.copy(below));
+    }
+
     void itGoesAlongWithTheRobot() {
         View& view = m_window->view();
         view.lookThrough("robot0/eye");

@@ -1,0 +1,85 @@
+#include "editor/viewport/object_drop.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QMimeData>
+
+#include "editor/document/selection.h"
+#include "editor/viewport/held_objects.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view.h"
+#include "editor/viewport/view_settings.h"
+#include "project/plans.h"
+
+namespace trundle {
+namespace {
+
+const QString kRowsMime = QStringLiteral("application/x-trundle-objects"); // which tree of which program, then paths, a line each
+constexpr double kFreeStep = 0.01, kLevel = 0.002; // m: where nothing snaps; what stands so near to the floor stands on it
+
+/// Where a ray falls, what is moved left out.
+Vec3 groundUnder(const View& view, const QPointF& at, const std::vector<ObjectRef>& moved) {
+    const ShownWorld& world = view.parts().world;
+    const ViewRay ray = view.rayAt(at);
+    for (const RayHit& hit : world.hitsAlong(ray, true)) {
+        std::optional<ObjectRef> object = hit.geom;
+        while (object && std::find(moved.begin(), moved.end(), *object) == moved.end())
+            object = world.objects()->ownerOf(*object);
+        if (!object) return hit.point;
+    }
+    const double down = -ray.origin.z() / ray.direction.z();
+    if (std::isfinite(down) && down > 0) return ray.origin + down * ray.direction;
+    return view.pointUnder(at);
+}
+
+/// From where the object selected last stands to where it is to stand.
+Vec3 wayTo(const View& view, const QPointF& at, const HeldObjects& held) {
+    const ViewParts& parts = view.parts();
+    std::vector<ObjectRef> moved;
+    const std::vector<std::string> paths = held.paths();
+    for (const std::string& path : paths)
+        for (const ObjectRef& object : parts.world.objectsOf(path)) moved.push_back(object);
+    const Vec3 ground = groundUnder(view, at, moved), from = held.pivot().position;
+    const Bounds box = held.boundsOf(paths.size() - 1);
+    const double step = parts.settings.snaps() ? parts.settings.moveStep() : kFreeStep;
+    Vec3 way(0, 0, ground.z() - (box.empty() ? from.z() : box.low.z()));
+    for (int k = 0; k < 2; ++k) way[k] = step * std::round(ground[k] / step) - from[k];
+    if (std::abs(way.z()) < kLevel) way.z() = 0; // its exact number stays
+    return way;
+}
+
+void refuse(const View& view, const HeldObjects& held) { Q_EMIT view.parts().document.refused(held.refusal()); }
+
+QString trObject(const char* text) { return QCoreApplication::translate("ObjectDrop", text); }
+
+} // namespace
+
+bool canMoveHere(const View& view, const QMimeData& data) {
+    const QByteArrayList lines = data.data(kRowsMime).split('\n');
+    if (!lines.front().startsWith(QByteArray::number(QCoreApplication::applicationPid()) + ' ')) return false;
+    const std::vector<std::string>& selected = view.parts().selection.paths();
+    const auto isSelected = [&](const QByteArray& path) {
+        return path.isEmpty() || std::find(selected.begin(), selected.end(), path.toStdString()) != selected.end();
+    };
+    if (!std::all_of(lines.begin() + 1, lines.end(), isSelected)) return false;
+    const HeldObjects held(view.parts());
+    return !held.empty() || !held.refusal().isEmpty();
+}
+
+void moveHere(View& view, const QPointF& at) {
+    HeldObjects held(view.parts());
+    if (held.empty()) return refuse(view, held);
+    const std::vector<Vec3> offsets(held.paths().size(), wayTo(view, at, held));
+    (void)held.moveEach(offsets, trObject("Move %1").arg(held.title()));
+}
+
+void copyHere(View& view, const QPointF& at) {
+    const HeldObjects held(view.parts());
+    if (held.empty()) return refuse(view, held);
+    Document& document = view.parts().document;
+    const Vec3 inFrame = held.pivotFrame().rotation.conjugate() * wayTo(view, at, held);
+    (void)document.carryOut(trObject("Copy %1").arg(held.title()), planDuplicate(*document.loaded(), held.paths(), inFrame));
+}
+
+} // namespace trundle

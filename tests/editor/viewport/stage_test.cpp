@@ -1,0 +1,132 @@
+// Files that only describe a robot or an arena: they are seen, taken hold of and edited where they are, and there is nothing to run.
+#include <QtTest>
+
+#include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/shown_world.h"
+#include "editor/viewport/view_window.h"
+#include "project/plans.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kRover = R"(// A rover.
+RobotConfig Rover {
+  Param high = 0.2
+  Body chassis { Box hull { Size=0.4,0.4,$high Pos=0,0,0.1 Mass=2 } Box mast { Size=0.05,0.05,0.4 Pos=0,0,0.4 Mass=1 } }
+}
+)";
+const QByteArray kYard = "StaticConfig Yard {\n  Box wall { Size=0.4,0.4,0.4 Pos=0,0,0.2 }\n}\n";
+
+} // namespace
+
+class StageTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() { m_window = std::make_unique<ViewWindow>(m_render.get()); }
+    void cleanup() { m_window.reset(); }
+
+    void clicksGoIntoTheConfig() {
+        open(kRover);
+        QCOMPARE(selectedAt({0, 0, 0.5}), std::string("RobotConfig.Rover"));
+        QCOMPARE(selectedAt({0, 0, 0.5}), std::string("RobotConfig.Rover.chassis"));
+        QCOMPARE(selectedAt({0, 0, 0.5}), std::string("RobotConfig.Rover.chassis.mast"));
+        QCOMPARE(m_window->text(), kRover);
+        QVERIFY(!m_window->document.isModified());
+    }
+
+    void whatIsDraggedChangesInTheConfig() {
+        open(kRover);
+        m_window->selection.select("RobotConfig.Rover.chassis.mast");
+        m_window->trigger("tool.move");
+        const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Axis, 0});
+        m_window->press(from);
+        m_window->type(QStringLiteral("0.1"));
+        m_window->key(Qt::Key_Return);
+        m_window->release(from);
+        QCOMPARE(m_window->text(), QByteArray(kRover).replace("Pos=0,0,0.4", "Pos=0.1,0,0.4"));
+        QCOMPARE(selectedAt({0.1, 0, 0.5}), std::string("RobotConfig.Rover")); // drawn where it is now
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), kRover);
+    }
+
+    void aMistakeTakesAwayOnlyWhatItIsIn() {
+        open(kRover);
+        const ShownWorld& world = m_window->view().parts().world;
+        QVERIFY(world.find("RobotConfig.Rover.chassis.hull"));
+        const QByteArray wrong = QByteArray(kRover).replace("Box hull", "Bxo hull");
+        QVERIFY(m_window->document.replaceText({}, m_window->document.files()[0], wrong.toStdString()).ok());
+        QVERIFY(world.find("RobotConfig.Rover.chassis.mast") && !world.find("RobotConfig.Rover.chassis.hull"));
+        m_window->document.undo();
+        QVERIFY(world.find("RobotConfig.Rover.chassis.hull"));
+    }
+
+    void severalStandSideBySide() {
+        open(kRover + kYard);
+        QCOMPARE(selectedAt({0, 0, 0.5}), std::string("RobotConfig.Rover"));
+        const auto yard = m_window->view().parts().world.find("StaticConfig.Yard");
+        QVERIFY(yard);
+        const Bounds bounds = m_window->view().parts().world.boundsOf(*yard);
+        QVERIFY2(bounds.high.y() < -0.2 && bounds.high.y() > -1, QByteArray::number(bounds.high.y()));
+        QCOMPARE(selectedAt(bounds.centre()), std::string("StaticConfig.Yard"));
+    }
+
+    void whatIsPlacedIsShownAlone() {
+        open(kRover);
+        QVERIFY(
+            m_window->document.carryOut({}, planInsert(*m_window->document.loaded(), {}, "Robot one { Config=Rover Pos=0,1,0 }"))
+                .ok());
+        const ShownWorld& world = m_window->view().parts().world;
+        QCOMPARE(world.objects()->instances().size(), std::size_t(1));
+        QCOMPARE(world.objectsOf("RobotConfig.Rover.chassis").size(), std::size_t(1)); // in the robot
+        QVERIFY(m_window->session.refusal().isEmpty());
+        m_window->document.undo();
+        QVERIFY(world.find("RobotConfig.Rover.chassis"));
+    }
+
+    void runSaysWhyThereIsNothingToRun() {
+        open(kRover);
+        QSignalSpy refused(&m_window->session, &RunSession::refused);
+        m_window->session.run();
+        QCOMPARE(refused.size(), 1);
+        QVERIFY2(refused[0][0].toString().contains(QStringLiteral("describes Rover")), qPrintable(refused[0][0].toString()));
+        QCOMPARE(m_window->session.state(), RunState::Start);
+        open("Tick = 0.01\n"); // nothing is described: an empty world may run
+        QVERIFY(m_window->session.refusal().isEmpty());
+    }
+
+    void importsAloneAreNoDescription() {
+        open("#import robots/simple_robot.sim\n");
+        QVERIFY(m_window->view().parts().world.objects()->instances().empty());
+    }
+
+    /// Each of those that come with the program is seen when it is opened.
+    void everySampleRobotAndArenaIsSeen() {
+        for (const char* folder : {"robots", "arenas"})
+            for (const QFileInfo& file : QDir(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/") + QLatin1String(folder))
+                                             .entryInfoList({QStringLiteral("*.sim")})) {
+                QVERIFY(m_window->document.open(file.filePath().toStdString()).ok());
+                const ObjectIndex& objects = *m_window->view().parts().world.objects();
+                QVERIFY2(!objects.instances().empty(), qPrintable(file.fileName()));
+            }
+    }
+
+private:
+    void open(const QByteArray& text) {
+        QVERIFY(m_window->open(text));
+        m_window->look({0.5, -2.5, 2.5}, {0, 0, 0});
+        m_window->view().setFocus();
+    }
+    std::string selectedAt(const Vec3& point) {
+        m_window->trigger("tool.select");
+        m_window->click(m_window->at(point));
+        return m_window->selection.current();
+    }
+
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(StageTest)
+#include "stage_test.moc"

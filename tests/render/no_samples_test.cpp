@@ -1,0 +1,76 @@
+// An OpenGL that cannot smooth edges, and one that has no room: Mesa's plainest driver. A program of its own, because Mesa looks
+// for its driver once.
+#include <QtTest>
+
+#include <cstdlib>
+
+#include "render/sample_experiment.h"
+#include "render/studio.h"
+
+using namespace trundle;
+
+class NoSamplesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+        ::setenv("GALLIUM_DRIVER", "softpipe", 1);
+        auto opened = Studio::open();
+        QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().message.c_str());
+        m_studio = std::move(opened).value();
+        QCOMPARE(m_studio->context().renderer(), std::string("softpipe"));
+        m_studio->add(SceneId(1), sampleExperiment({2}), nullptr);
+        m_request.scene = SceneId(1);
+        m_request.width = 160;
+        m_request.height = 120;
+    }
+    void cleanupTestCase() { m_studio.reset(); }
+
+    void edgesStayRough() {
+        m_request.samples = 1;
+        const Result<Image> rough = m_studio->draw(m_request, LookChoice::Fast);
+        m_request.samples = 4;
+        const Result<Image> smooth = m_studio->draw(m_request, LookChoice::Fast);
+        QVERIFY(rough.ok() && smooth.ok());
+        QVERIFY(rough.value() == smooth.value());
+        QCOMPARE(m_studio->takeNotice(), std::string());
+    }
+
+    void theFastLookTakesThePlaceOfTheRichOne() {
+        m_request.samples = 4;
+        const Result<Image> fast = m_studio->draw(m_request, LookChoice::Fast),
+                            rich = m_studio->draw(m_request, LookChoice::Rich);
+        QVERIFY2(rich.ok(), rich.ok() ? "" : rich.error().message.c_str());
+        QVERIFY(rich.value() == fast.value());
+        QCOMPARE(m_studio->takeNotice(), std::string("the rich look is not to be had here, so pictures have the fast one: OpenGL "
+                                                     "has no 4 samples for a pixel"));
+        QVERIFY(m_studio->draw(m_request, LookChoice::Rich).ok());
+        QCOMPARE(m_studio->takeNotice(), std::string()); // once
+    }
+
+    /// The service asks for no such size; a card may have less room than that allows.
+    void aFramebufferThatIsNotToBeHadIsAnError_data() {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("samples");
+        QTest::newRow("too wide") << 1'000'000 << 1;
+        QTest::newRow("more samples than there are") << 64 << 64;
+    }
+    void aFramebufferThatIsNotToBeHadIsAnError() {
+        QFETCH(int, width);
+        QFETCH(int, samples);
+        osg::ref_ptr<GraphicsContext> context = new GraphicsContext;
+        const auto target = Target::create(*context, {std::uint32_t(width), 48, samples});
+        QVERIFY(!target);
+        QCOMPARE(codeName(target.error().code), std::string("E511"));
+        QCOMPARE(target.error().message, "no room to draw a picture of " + std::to_string(width) + " x 48");
+        QVERIFY(Target::create(*context, {64, 48, 1}).ok()); // what failed left nothing in the way
+        context->release();
+    }
+
+private:
+    std::unique_ptr<Studio> m_studio;
+    PictureRequest m_request;
+};
+
+QTEST_APPLESS_MAIN(NoSamplesTest)
+#include "no_samples_test.moc"
