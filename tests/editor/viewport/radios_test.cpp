@@ -366,7 +366,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
     void anotherTextEndsTheMapOfTheLast() {
         // So many things stand about that a fine map takes its time.
         QVERIFY(m_window->open(kMote + "RadioMedium air { WallLoss=0.001 }\nRobot a { Config=Mote }\n"
-                                       "Grid others { Config=Mote Count=20,20 Spacing=0.3 Pos=0,0,-1 radio.Channel=11 }\n"));
+                                       "Grid others { Config=Mote Count=14,14 Spacing=0.4 Pos=0,0,-1 radio.Channel=11 }\n"));
         RadioOverlays& radios = m_window->panel->radios();
         bool edited = false;
         connect(&radios, &RadioOverlays::sceneChanged, m_window->panel.get(), [&] {
