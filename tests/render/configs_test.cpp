@@ -4,7 +4,7 @@
 #include <QDir>
 
 #include "render/config_experiment.h"
-#include "render/service.h"
+#include "render/started_service.h"
 #include "scene/framing.h"
 
 using namespace trundle;
@@ -12,11 +12,7 @@ using namespace trundle;
 class ConfigsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() {
-        auto started = RenderService::start();
-        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
-        m_service = std::move(started).value();
-    }
+    void initTestCase() { startService(m_service); }
 
     void robotsAreSeen_data() {
         QTest::addColumn<QString>("file");

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "render/sample_experiment.h"
-#include "render/service.h"
+#include "render/started_service.h"
 
 using namespace trundle;
 
@@ -37,11 +37,7 @@ int changed(const Image& a, const Image& b) {
 class MarksTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() {
-        auto started = RenderService::start();
-        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
-        m_service = std::move(started).value();
-    }
+    void initTestCase() { startService(m_service); }
 
     void marksAreOutlinesInTheirColour_data() {
         QTest::addColumn<QString>("path");

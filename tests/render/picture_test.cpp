@@ -4,7 +4,7 @@
 #include <random>
 
 #include "render/sample_experiment.h"
-#include "render/service.h"
+#include "render/started_service.h"
 #include "scene/framing.h"
 #include "scene/look.h"
 
@@ -55,11 +55,7 @@ CameraView lookingAt(const Vec3& eye, const Vec3& target) {
 class PictureTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() {
-        auto started = RenderService::start();
-        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
-        m_service = std::move(started).value();
-    }
+    void initTestCase() { startService(m_service); }
 
     void knownPointsAppearWhereThePinholeFormulaSays() {
         std::mt19937 random(11);

@@ -6,7 +6,7 @@
 #include "base/platform/atomic_file.h"
 #include "project/project.h"
 #include "render/config_experiment.h"
-#include "render/service.h"
+#include "render/started_service.h"
 #include "scene/scene.h"
 
 using namespace trundle;
@@ -35,9 +35,7 @@ private Q_SLOTS:
         QVERIFY(writeFileAtomically(path, kText).ok());
         m_loaded = readProject(path);
         QVERIFY(m_loaded);
-        auto started = RenderService::start();
-        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
-        m_service = std::move(started).value();
+        startService(m_service);
         m_view.eye = {-0.8, 0.2, 1.2};
         m_view.target = {0, 0.2, 0};
     }

@@ -3,7 +3,7 @@
 
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
-#include "render/service.h"
+#include "render/started_service.h"
 #include "render/studio.h"
 
 using namespace trundle;
@@ -72,11 +72,7 @@ const std::uint8_t* pixelAt(const Image& image, const PictureRequest& request, c
 class RichTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() {
-        auto started = RenderService::start();
-        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
-        m_service = std::move(started).value();
-    }
+    void initTestCase() { startService(m_service); }
     void cleanup() {
         m_service->setLook(LookChoice::Automatic);
         QCOMPARE(m_service->takeNotice(), std::string());
