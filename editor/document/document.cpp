@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include <QTimer>
+
 #include "editor/document/document_state.h"
 #include "project/search.h"
 #include "project/state_folder.h"
@@ -47,9 +49,16 @@ void Document::openLater(const std::string& path) {
         auto loaded = m_parts.open(absolute, options);
         const auto deliver = [this, absolute, opening, loaded = std::move(loaded)] {
             if (opening != m_state->openings) return;
-            m_opening.clear();
-            if (loaded) start(absolute, {}, loaded.value());
-            else Q_EMIT openFailed(QString::fromStdString(absolute), QString::fromStdString(loaded.error().message));
+            if (!loaded) {
+                m_opening.clear();
+                Q_EMIT openFailed(QString::fromStdString(absolute), QString::fromStdString(loaded.error().message));
+                return;
+            }
+            Q_EMIT aboutToOpen();
+            const auto begin = [this, absolute, opening, loaded] {
+                if (opening == m_state->openings) start(absolute, {}, loaded.value());
+            };
+            QTimer::singleShot(1, this, begin); // one of 0 is a posted event: no mouse, no key would come between
         };
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
     });
@@ -58,6 +67,7 @@ void Document::openLater(const std::string& path) {
 void Document::cancelOpening() {
     ++m_state->openings;
     m_opening.clear();
+    Q_EMIT openingCancelled();
     lookAtDisk(); // that was put off
 }
 

@@ -131,6 +131,8 @@ public:
     Status recover(const Recovery& recovery);
 
 Q_SIGNALS:
+    void aboutToOpen(); ///< it is read; opened() follows in an event of its own, so that neither makes the other wait
+    void openingCancelled();
     void opened(); ///< another project, or none; changed() follows
     void openFailed(const QString& path, const QString& reason);
     void changed(); ///< loaded() is another one

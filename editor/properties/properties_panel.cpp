@@ -36,6 +36,9 @@ PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSe
     layout->addWidget(m_nothing, 1);
     layout->addWidget(m_strip);
     m_scroll->setWidgetResizable(true);
+    auto* holder = new QVBoxLayout(new QWidget(m_scroll->viewport()));
+    holder->setContentsMargins({});
+    m_scroll->setWidget(holder->parentWidget());
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);
@@ -76,11 +79,15 @@ void PropertiesPanel::showNothing(const QString& why) {
 
 void PropertiesPanel::dropRows() {
     m_shapes.clear();
-    m_rows.clear();
     QWidget* body = std::exchange(m_body, nullptr);
     if (!body) return;
-    m_scroll->takeWidget(); // what was being typed is entered here: the document changes, and refresh() comes again
+    // They keep their parent, or Qt would style them all once more and remember some of it. But nobody finds them by their names.
+    for (PropertyRow* row : std::exchange(m_rows, {})) row->setObjectName({});
+    body->setObjectName({});
+    // What was being typed is entered here: the document changes, and refresh() comes again.
+    if (QWidget* focus = body->window()->focusWidget(); focus && body->isAncestorOf(focus)) focus->clearFocus();
     body->hide();
+    m_scroll->widget()->layout()->removeWidget(body);
     body->deleteLater(); // an editor in it may be at work
 }
 
@@ -149,7 +156,7 @@ void PropertiesPanel::build(const std::vector<Row>& rows, const std::vector<Shap
     dropRows();
     if (m_body) return; // made anew on the way
     m_shapes = shapes;
-    m_body = new QWidget(m_scroll->viewport()); // where it stays: each row would be styled anew if it came there later
+    m_body = new QWidget(m_scroll->widget()); // where it stays: each row would be styled anew if it came there later
     m_body->setObjectName(QStringLiteral("rows"));
     auto* layout = new QVBoxLayout(m_body);
     layout->setContentsMargins(0, 0, 0, 8);
@@ -177,7 +184,8 @@ void PropertiesPanel::build(const std::vector<Row>& rows, const std::vector<Shap
     }
     layout->addStretch(1);
     alignLabels();
-    m_scroll->setWidget(m_body);
+    m_scroll->widget()->layout()->addWidget(m_body);
+    m_body->show();
     if (mine) focusRow(focused, field);
 }
 

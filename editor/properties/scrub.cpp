@@ -13,7 +13,7 @@ namespace {
 double stepFor(double number, double low, double high) {
     const bool share = std::isfinite(low) && std::isfinite(high) && high - low <= 1;
     if (share) return 0.01;
-    if (number == 0) return std::isfinite(high) && high < 1 ? high / 100 : 0.01;
+    if (number == 0) return high > 0 && high < 1 ? high / 100 : 0.01;
     return std::pow(10.0, std::clamp(std::floor(std::log10(std::abs(number))) - 1, -9.0, 9.0));
 }
 

@@ -158,6 +158,10 @@ void MainWindow::makeToolBars() {
 }
 
 void MainWindow::connectPanels() {
+    connect(m_document, &Document::aboutToOpen, this, [this] { showPages(true); });
+    const auto notOpened = [this] { showPages(m_document->isOpen()); };
+    connect(m_document, &Document::openingCancelled, this, notOpened);
+    connect(m_document, &Document::openFailed, this, notOpened);
     connect(m_document, &Document::opened, this, &MainWindow::showDocument);
     connect(m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::refused, m_status, &StatusLine::refuse);
@@ -256,12 +260,17 @@ void MainWindow::connectActions() {
     showUndo();
 }
 
+/// The page of work with its docks and bars, or the Welcome page.
+void MainWindow::showPages(bool work) {
+    m_pages->setCurrentWidget(work ? static_cast<QWidget*>(m_work) : m_welcome);
+    m_layouts->setShown(work);
+    for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->setVisible(work);
+    statusBar()->setVisible(work);
+}
+
 void MainWindow::showDocument() {
     const bool open = m_document->isOpen();
-    m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_work) : m_welcome);
-    m_layouts->setShown(open);
-    for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->setVisible(open);
-    statusBar()->setVisible(open);
+    showPages(open);
     if (open && m_leavesTraces && !m_document->isNew()) addRecentFile(QString::fromStdString(m_document->path()));
     if (!open) m_welcome->refresh();
     for (const ActionRow& row : m_actions->table())

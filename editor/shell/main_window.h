@@ -79,6 +79,7 @@ private:
     void makeToolBars();
     void connectPanels();
     void connectActions();
+    void showPages(bool work);
     void showDocument();
     void showTitle();
     void showPlace(const std::string& file, TextRange range);
