@@ -58,21 +58,21 @@ Frame emptyFrame(const CameraModel& camera) {
 
 } // namespace
 
-Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, const Image& drawn) {
+Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, Image drawn) {
     Frame frame = emptyFrame(camera);
     if (lens) {
         frame.pixels.assign(lens->sources.size() * 3, 0);
         for (std::size_t i = 0; i < lens->sources.size(); ++i)
             if (lens->sources[i].x >= 0) mixed(drawn, lens->sources[i], frame.pixels.data() + 3 * i);
     } else {
-        frame.pixels = drawn.pixels;
+        frame.pixels = std::move(drawn.pixels);
     }
     expose(camera.exposure, frame.pixels);
     if (camera.mode == CameraMode::Grey) makeGrey(frame.pixels);
     return frame;
 }
 
-Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, const Measured& drawn) {
+Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, Measured drawn) {
     Frame frame = emptyFrame(camera);
     if (lens) {
         // Never mixed: between a near and a far thing there is nothing.
@@ -86,8 +86,8 @@ Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, c
             frame.objects[i] = drawn.objects[std::size_t(y) * drawn.width + x];
         }
     } else {
-        frame.depth = drawn.depth;
-        frame.objects = drawn.objects;
+        frame.depth = std::move(drawn.depth);
+        frame.objects = std::move(drawn.objects);
     }
     frame.pixels.reserve(frame.depth.size() * 3);
     for (std::size_t i = 0; i < frame.depth.size(); ++i) {

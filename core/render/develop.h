@@ -11,8 +11,8 @@
 namespace trundle {
 
 /// `drawn` is as large as the lens map says, or as the camera where there is none.
-[[nodiscard]] Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, const Image& drawn);
-[[nodiscard]] Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, const Measured& drawn);
+[[nodiscard]] Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, Image drawn);
+[[nodiscard]] Frame developed(const CameraModel& camera, const std::optional<LensMap>& lens, Measured drawn);
 
 /// Adds what the sensor itself adds. Depends on seed, camera and frame.tick alone.
 void addNoise(const CameraModel& camera, std::uint64_t seed, Frame& frame);

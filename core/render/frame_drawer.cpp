@@ -81,13 +81,13 @@ Result<Frame> FrameDrawer::capture(const std::string& path, const FrameMoment& m
 
     Frame frame;
     if (model.mode == CameraMode::Colour || model.mode == CameraMode::Grey) {
-        const Result<Image> image = drawn(std::move(request));
+        Result<Image> image = drawn(std::move(request));
         if (!image) return image.error();
-        frame = developed(model, lens, image.value());
+        frame = developed(model, lens, std::move(image).value());
     } else {
-        const Result<Measured> measured = m_service->measure(std::move(request)).get();
+        Result<Measured> measured = m_service->measure(std::move(request)).get();
         if (!measured) return measured.error();
-        frame = developed(model, lens, measured.value());
+        frame = developed(model, lens, std::move(measured).value());
     }
     frame.tick = moment.tick;
     frame.time = moment.time;

@@ -48,8 +48,9 @@ private:
     [[nodiscard]] Status makeBuffers();
     void aim(const Scene& scene, const CameraView& view);
     [[nodiscard]] std::uint32_t light(Scene& scene, const Shot& shot);
-    /// Rows from the top, each pixel of so many values.
-    template <class Value> [[nodiscard]] std::vector<Value> readBack(GLenum format, GLenum type, std::size_t values);
+    /// As it lies in the frame, which is the fastest: four values for each pixel, rows from the bottom.
+    template <class Value> [[nodiscard]] std::unique_ptr<Value[]> readBack(GLenum type);
+    [[nodiscard]] Image readImage();
 
     GraphicsContext& m_context;
     TargetShape m_shape;
