@@ -77,8 +77,8 @@ private Q_SLOTS:
         QCOMPARE(hiddenFiles(), QStringList());
     }
 
-    /// Whatever else is drawn beside it.
-    void twoRecordingsHaveTheSamePixels() {
+    /// Whatever else is drawn beside it, and in the program without a window too.
+    void allRecordingsHaveTheSamePixels() {
         QByteArray pixels[2];
         for (QByteArray& each : pixels) {
             MovieJob job = jobFor(QStringLiteral("a.mp4"));
@@ -95,6 +95,14 @@ private Q_SLOTS:
             QVERIFY(each.left(kEyeBytes) != each.right(kEyeBytes)); // it drove
         }
         QVERIFY(pixels[0] == pixels[1]);
+        const QString movie = m_window->folder.filePath(QStringLiteral("headless.mp4"));
+        const QString file = QString::fromStdString(m_window->document.path());
+        QCOMPARE(QProcess::execute(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle-cli"),
+                                   {QStringLiteral("run"), file, QStringLiteral("--quiet"), QStringLiteral("--duration=0.5"),
+                                    QStringLiteral("--movie"), movie, QStringLiteral("--camera=robot0/eye"),
+                                    QStringLiteral("--fps=10")}),
+                 0);
+        QVERIFY(pixels[0] == pixelsOf(movie));
     }
 
     void whatWasDoneByHandIsInIt() {
