@@ -11,13 +11,30 @@
 #include "editor/widgets/theme.h"
 
 namespace trundle {
-ChoiceEditor::ChoiceEditor(QWidget* parent) : RowEditor(parent), m_box(new QComboBox(this)) {
+namespace {
+
+/// Its list is made when somebody opens it: most are never opened, and Qt keeps the styles of each that there was.
+class Choices final : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+    void showPopup() override {
+        // That of the box would draw the list as faint as itself.
+        if (!std::exchange(m_hasList, true)) setItemDelegate(new QStyledItemDelegate(this));
+        QComboBox::showPopup();
+    }
+
+private:
+    bool m_hasList = false;
+};
+
+} // namespace
+
+ChoiceEditor::ChoiceEditor(QWidget* parent) : RowEditor(parent), m_box(new Choices(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_box);
     m_box->setObjectName(QStringLiteral("field"));
     m_box->setMinimumWidth(60);
-    m_box->setItemDelegate(new QStyledItemDelegate(m_box)); // that of the box would draw the list as faint as itself
     setFocusProxy(m_box);
     quietWheel(*m_box);
     connect(m_box, &QComboBox::activated, this, [this](int index) {

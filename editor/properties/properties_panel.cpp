@@ -156,7 +156,7 @@ void PropertiesPanel::build(const std::vector<Row>& rows, const std::vector<Shap
     dropRows();
     if (m_body) return; // made anew on the way
     m_shapes = shapes;
-    m_body = new QWidget(m_scroll->widget()); // where it stays: each row would be styled anew if it came there later
+    m_body = new QWidget(m_scroll->widget());
     m_body->setObjectName(QStringLiteral("rows"));
     auto* layout = new QVBoxLayout(m_body);
     layout->setContentsMargins(0, 0, 0, 8);
@@ -190,7 +190,7 @@ void PropertiesPanel::build(const std::vector<Row>& rows, const std::vector<Shap
 }
 
 void PropertiesPanel::addRow(const Row& row, EditorKind kind, Section& section) {
-    auto* widget = new PropertyRow(row, kind, &section);
+    auto* widget = new PropertyRow(row, kind, section.rows());
     section.add(widget);
     m_rows.push_back(widget);
     const std::string id = row.id;

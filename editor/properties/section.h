@@ -11,6 +11,8 @@ class Section final : public QWidget {
     Q_OBJECT
 public:
     Section(const QString& title, bool open, QWidget* parent);
+    /// The parent of its rows from their making on: moved there later, Qt would style each of them once more.
+    [[nodiscard]] QWidget* rows() { return m_rows; }
     void add(QWidget* row);
 
 Q_SIGNALS:

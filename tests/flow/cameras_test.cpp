@@ -16,7 +16,7 @@ QPair<double, double> lastPlace(const QString& path) {
 
 /// A line for each picture of a movie, with what its pixels come to.
 QList<QByteArray> picturesOf(const QString& movie) {
-    QProcess reader;
+    Program reader;
     reader.start("ffmpeg", {"-v", "error", "-i", movie, "-map", "0:v", "-f", "framemd5", "-"});
     QList<QByteArray> pictures;
     if (!reader.waitForFinished(60000)) return pictures;
@@ -26,7 +26,7 @@ QList<QByteArray> picturesOf(const QString& movie) {
 }
 
 Outcome cliWith(const QProcessEnvironment& environment, const QStringList& arguments) {
-    QProcess process;
+    Program process;
     process.setProcessEnvironment(environment);
     process.start(programPath(), arguments);
     if (!process.waitForFinished(120'000)) return {};
@@ -155,7 +155,7 @@ private Q_SLOTS:
         const Outcome run = cli({"run", kExperiment, "--duration", "1", "--movie", movie, "--camera", "seeker_0/eye", "--fps",
                                  "24", "--log-dir", folder.path()});
         QVERIFY2(run.code == 0, shown(run));
-        QProcess probe;
+        Program probe;
         probe.start("ffprobe", {"-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
                                 "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", movie});
         QVERIFY(probe.waitForFinished(60000));

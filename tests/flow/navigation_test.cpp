@@ -93,7 +93,7 @@ private Q_SLOTS:
     /// 100 networks of each layout with seeds that nobody has seen; the script fails where too few arrive.
     void aHundredRunsOfEach() {
         if (!isLong()) return; // by hand: tests/bench/radio_series.py
-        QProcess series;
+        Program series;
         series.setProcessChannelMode(QProcess::MergedChannels);
         series.start("python3", {QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/bench/radio_series.py"), "--build",
                                  QStringLiteral(TRUNDLE_BINARY_DIR), "--model", "ideal", "--only", "navigation", "--dry"});

@@ -99,7 +99,7 @@ void RunFlowTest::logsChangeNothing() {
 }
 
 void RunFlowTest::ctrlCEndsWithEverythingComplete() {
-    QProcess process;
+    Program process;
     process.start(programPath(), {"run", configPath("experiments/linear_motion.sim"), "--duration", "1e7", "--json", "--log-dir",
                                   m_folder.filePath("ctrlc")});
     QVERIFY(process.waitForStarted());
