@@ -91,7 +91,13 @@ Assimp::IOStream* FencedFiles::Open(const char* file, const char* mode) {
         else m_unreadable = bytes.error().message;
         return nullptr;
     }
+    if (isMaterials(file)) return new MemoryStream(withoutPictureOptions(bytes.value(), m_placements));
     return new MemoryStream(std::move(bytes).value());
+}
+
+PicturePlacement FencedFiles::placementOf(const std::string& material) const {
+    const auto found = m_placements.find(material);
+    return found == m_placements.end() ? PicturePlacement{} : found->second;
 }
 
 Result<std::string> FencedFiles::pictureFile(std::string written) const {

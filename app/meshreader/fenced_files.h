@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,7 @@
 #include <assimp/IOSystem.hpp>
 
 #include "base/result.h"
+#include "meshreader/picture_options.h"
 
 namespace trundle {
 
@@ -29,6 +31,8 @@ public:
     [[nodiscard]] const std::string& unreadable() const { return m_unreadable; }
     /// Files of materials that were asked for and are not there.
     [[nodiscard]] const std::vector<std::string>& missingMaterials() const { return m_missingMaterials; }
+    /// How the picture of a material lies by its file of materials.
+    [[nodiscard]] PicturePlacement placementOf(const std::string& material) const;
     /// Where a picture is that the mesh names: at its path, or by its name alone beside the mesh, as one exported elsewhere names
     /// it. Never outside the mesh's folder.
     [[nodiscard]] Result<std::string> pictureFile(std::string written) const;
@@ -41,6 +45,7 @@ private:
     std::string m_folder;   ///< canonical, ends in a slash
     std::string m_refused, m_unreadable;
     std::vector<std::string> m_missingMaterials;
+    std::map<std::string, PicturePlacement> m_placements; // by material
 };
 
 } // namespace trundle

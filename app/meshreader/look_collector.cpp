@@ -27,10 +27,11 @@ std::string printable(const std::string& name) {
     return line;
 }
 
-std::array<float, 2> onPictureAt(const aiMesh& mesh, unsigned corner) {
+std::array<float, 2> onPictureAt(const aiMesh& mesh, unsigned corner, const PicturePlacement& placed) {
     if (mesh.mTextureCoords[0] == nullptr || corner >= mesh.mNumVertices) return {0, 0};
     const aiVector3D& at = mesh.mTextureCoords[0][corner];
-    const float x = at.x, y = 1 - at.y; // the file's rows begin at the bottom
+    const float x = at.x * placed.scale[0] + placed.offset[0];
+    const float y = 1 - (at.y * placed.scale[1] + placed.offset[1]); // the file's rows begin at the bottom
     if (!(std::fabs(x) < kFarthest) || !(std::fabs(y) < kFarthest)) return {0, 0};
     return {x, y};
 }
@@ -38,9 +39,10 @@ std::array<float, 2> onPictureAt(const aiMesh& mesh, unsigned corner) {
 } // namespace
 
 void LookCollector::add(const aiMesh& mesh, const aiFace& face) {
-    m_look.material.push_back(numberOf(mesh.mMaterialIndex));
+    const std::uint16_t number = numberOf(mesh.mMaterialIndex);
+    m_look.material.push_back(number);
     std::array<std::array<float, 2>, 3> corners{};
-    for (unsigned i = 0; i < 3; ++i) corners[i] = onPictureAt(mesh, face.mIndices[i]);
+    for (unsigned i = 0; i < 3; ++i) corners[i] = onPictureAt(mesh, face.mIndices[i], m_placements[number]);
     m_look.onPicture.push_back(corners);
 }
 
@@ -53,6 +55,7 @@ std::uint16_t LookCollector::numberOf(unsigned material) {
     }
     const aiMaterial* read = material < m_scene.mNumMaterials ? m_scene.mMaterials[material] : nullptr;
     m_look.materials.push_back(read ? this->read(*read) : MeshMaterial{});
+    m_placements.push_back(read ? m_files.placementOf(read->GetName().C_Str()) : PicturePlacement{});
     return entry->second = static_cast<std::uint16_t>(m_look.materials.size() - 1);
 }
 
@@ -99,7 +102,9 @@ std::shared_ptr<const Raster> LookCollector::pictureOf(const std::string& writte
     const auto [entry, fresh] = m_pictures.try_emplace(written);
     if (!fresh) return entry->second;
     const auto standIn = [&, entry = entry](const std::string& why) {
-        complain("the picture " + printable(written) + " of its material " + printable(material) + " " + why);
+        // One inside the file has a star and a number for a name.
+        const std::string picture = written[0] == '*' ? "embedded picture " + written.substr(1) : "picture " + written;
+        complain("the " + printable(picture) + (material.empty() ? "" : " of its material " + printable(material)) + " " + why);
         return entry->second = standInPicture();
     };
     if (m_pictures.size() > kMostMeshPictures - 1) return standIn("is one too many");

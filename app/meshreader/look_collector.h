@@ -39,6 +39,7 @@ private:
     MeshLook m_look;
     bool m_saysSomething = false;
     std::uint64_t m_pictureBytes = 0;
+    std::vector<PicturePlacement> m_placements;                      // of the pictures of the look's materials
     std::map<unsigned, std::uint16_t> m_numbers;                     // by the scene's number
     std::map<std::string, std::shared_ptr<const Raster>> m_pictures; // by what is written
 };

@@ -15,7 +15,7 @@
 namespace {
 
 constexpr const char* kUsage = "Usage: trundle-meshreader mesh FILE      (OBJ, STL, DAE, glTF, GLB)\n"
-                               "       trundle-meshreader picture FILE   (PNG, JPEG, BMP, PGM, TIFF: as heights)\n"
+                               "       trundle-meshreader picture FILE   (PNG, JPEG, BMP, PGM, PPM: as heights)\n"
                                "       trundle-meshreader colours FILE   (the same files, as colours)\n"
                                "Writes the mesh, the heights or the colours to standard output in Trundle's binary form.\n";
 

@@ -6,6 +6,8 @@
 #include <QImage>
 #include <QImageReader>
 
+#include <string_view>
+
 #include "assets/mesh_stream.h"
 #include "base/platform/read_file.h"
 
@@ -14,19 +16,58 @@ namespace {
 
 constexpr int kMostMegabytes = 256; ///< of one decoded picture
 constexpr std::uint64_t kMostFileBytes = 256u << 20;
+constexpr std::uint64_t kFewestHeights = 2, kFewestPixels = 1; ///< along a side
 
 Error failure(const std::string& why) { return Error{Code::MeshUnreadable, why}; }
 
 bool formatIsKnown(const QByteArray& format) {
-    static const QList<QByteArray> known{"png", "jpeg", "jpg", "bmp", "pgm", "ppm", "pbm", "tiff", "tif"};
+    static const QList<QByteArray> known{"png", "jpeg", "jpg", "bmp", "pgm", "ppm", "pbm"};
     return known.contains(format.toLower());
 }
 
-Status checkSize(const QSize& size) {
+std::uint32_t littleEndianAt(std::string_view bytes, std::size_t at, std::size_t count) {
+    std::uint32_t number = 0;
+    for (std::size_t i = count; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return number;
+}
+
+/// From marker to marker, over lengths and coded bits: those of a thumbnail or of what follows the picture are not its own.
+bool jpegEnds(std::string_view bytes) {
+    std::size_t at = 0;
+    while ((at = bytes.find('\xff', at)) != std::string_view::npos && at + 1 < bytes.size()) {
+        const auto marker = static_cast<unsigned char>(bytes[at + 1]);
+        if (marker == 0xd9) return true;
+        if (marker == 0xff) ++at;
+        else if (marker <= 0x01 || (marker >= 0xd0 && marker <= 0xd8)) at += 2;
+        else if (at + 3 < bytes.size())
+            at += 2u + (static_cast<unsigned char>(bytes[at + 2]) << 8) + static_cast<unsigned char>(bytes[at + 3]);
+        else return false;
+    }
+    return false;
+}
+
+bool bmpEnds(std::string_view bytes) {
+    if (bytes.size() < 54) return false;
+    const bool packed = littleEndianAt(bytes, 30, 4) == 1 || littleEndianAt(bytes, 30, 4) == 2;
+    if (littleEndianAt(bytes, 14, 4) < 40 || packed) return true; // its length is not to be known
+    const std::uint64_t columns = littleEndianAt(bytes, 18, 4), bits = littleEndianAt(bytes, 28, 2);
+    const auto rows = static_cast<std::int32_t>(littleEndianAt(bytes, 22, 4)); // negative: from the top
+    return littleEndianAt(bytes, 10, 4) + (columns * bits + 31) / 32 * 4 * std::abs(std::int64_t{rows}) <= bytes.size();
+}
+
+/// Qt takes a JPEG or BMP that is cut off for a picture and makes up the rest.
+bool isWhole(const QByteArray& format, std::string_view bytes) {
+    if (format == "jpeg") return jpegEnds(bytes);
+    if (format == "png") return bytes.find("IEND") != std::string_view::npos;
+    return format != "bmp" || bmpEnds(bytes);
+}
+
+Status checkSize(const QSize& size, std::uint64_t fewest) {
     if (!size.isValid()) return {}; // the header does not say; the allocation limit holds
     const auto columns = static_cast<std::uint64_t>(size.width()), rows = static_cast<std::uint64_t>(size.height());
     const std::string text = "it has " + std::to_string(columns) + " x " + std::to_string(rows) + " points, ";
-    if (columns < 2 || rows < 2) return failure(text + "at least 2 x 2 are needed");
+    if (columns < fewest || rows < fewest)
+        return failure(text + "at least " + std::to_string(fewest) + " x " + std::to_string(fewest) + " are needed");
     if (columns > kMostGreySide || rows > kMostGreySide || columns * rows > kMostGreyPoints)
         return failure(text + "at most 4096 x 4096 can be used");
     return {};
@@ -55,7 +96,7 @@ Raster coloursOf(const QImage& picture) {
     return raster;
 }
 
-Result<QImage> decoded(const std::string& content) {
+Result<QImage> decoded(const std::string& content, std::uint64_t fewest) {
     int count = 1; // Qt looks for its picture plugins beside an application
     char name[] = "trundle-meshreader";
     char* names[] = {name, nullptr};
@@ -69,18 +110,13 @@ Result<QImage> decoded(const std::string& content) {
     reader.setAutoTransform(false);
     if (!reader.canRead()) return failure("it is not a picture of a known format, or it is damaged");
     if (!formatIsKnown(reader.format()))
-        return failure("a picture is a PNG, JPEG, BMP, PGM or TIFF file, this is " + reader.format().toStdString());
-    if (const Status size = checkSize(reader.size()); !size) return size.error();
+        return failure("a picture is a PNG, JPEG, BMP, PGM or PPM file, this is " + reader.format().toStdString());
+    if (const Status size = checkSize(reader.size(), fewest); !size) return size.error();
+    if (!isWhole(reader.format(), content)) return failure("the picture is cut off: its file ends too early");
     QImage picture = reader.read();
     if (picture.isNull()) return failure("the picture is damaged: " + reader.errorString().toStdString());
-    if (const Status size = checkSize(picture.size()); !size) return size.error();
+    if (const Status size = checkSize(picture.size(), fewest); !size) return size.error();
     return picture;
-}
-
-Result<QImage> readImage(const std::string& path) {
-    const Result<std::string> content = readRegularFile(path, kMostFileBytes);
-    if (!content) return content.error();
-    return decoded(content.value());
 }
 
 } // namespace
@@ -92,7 +128,7 @@ Result<Raster> readColourFile(const std::string& path) {
 }
 
 Result<Raster> readColours(const std::string& content) {
-    Result<QImage> read = decoded(content);
+    Result<QImage> read = decoded(content, kFewestPixels);
     if (!read) return read.error();
     QImage picture = std::move(read).value();
     constexpr int most = kMostRasterSide;
@@ -104,7 +140,9 @@ Result<Raster> readColours(const std::string& content) {
 }
 
 Result<HeightMap> readPictureFile(const std::string& path) {
-    const Result<QImage> picture = readImage(path);
+    const Result<std::string> content = readRegularFile(path, kMostFileBytes);
+    if (!content) return content.error();
+    const Result<QImage> picture = decoded(content.value(), kFewestHeights);
     if (!picture) return picture.error();
     const QImage grey = picture.value().convertToFormat(QImage::Format_Grayscale16);
     if (grey.isNull()) return failure("there is not enough memory for the picture");

@@ -10,7 +10,7 @@ namespace trundle {
 namespace {
 
 constexpr std::array<std::string_view, 5> kMeshEndings{".obj", ".stl", ".dae", ".gltf", ".glb"};
-constexpr std::array<std::string_view, 8> kPictureEndings{".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff"};
+constexpr std::array<std::string_view, 6> kPictureEndings{".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm"};
 
 Error failure(const std::string& path, const std::string& why) {
     return Error{Code::MeshUnreadable, "cannot read " + path + ": " + why};
@@ -60,7 +60,7 @@ AssetReader::AssetReader(std::string program, AssetLimits limits) : m_program(st
 namespace {
 
 Error noMesh(const std::string& path) { return failure(path, "a mesh is an OBJ, STL, DAE, glTF or GLB file"); }
-Error noPicture(const std::string& path) { return failure(path, "a picture is a PNG, JPEG, BMP, PGM or TIFF file"); }
+Error noPicture(const std::string& path) { return failure(path, "a picture is a PNG, JPEG, BMP, PGM or PPM file"); }
 
 } // namespace
 

@@ -32,7 +32,7 @@ public:
     /// OBJ, STL, DAE, glTF or GLB; node transforms applied, equal points joined, z up. An error of code MeshUnreadable names the
     /// path and the reason.
     [[nodiscard]] Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path);
-    /// PNG, JPEG, BMP, PGM or TIFF (8 or 16 bit), as grey.
+    /// PNG, JPEG, BMP, PGM or PPM (8 or 16 bit), as grey.
     [[nodiscard]] Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path);
 
     /// The same files in colour, for textures; a large one is made smaller.

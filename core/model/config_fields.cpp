@@ -84,7 +84,7 @@ void CapsuleFields::describe(Describe<CapsuleFields>& d) {
 
 void ConvexFields::describe(Describe<ConvexFields>& d) {
     d.help("The convex hull of a mesh.");
-    d.field("File", &ConvexFields::file, trundle::file("obj|stl|dae|gltf|glb|ply").required(), "The mesh.");
+    d.field("File", &ConvexFields::file, trundle::file("obj|stl|dae|gltf|glb").required(), "The mesh.");
     d.field("Scale", &ConvexFields::scale, number().above(0).atMost(1e6).counted(1, 3),
             "Factor on its lengths, or one for each axis.");
     describeSolid(d);
@@ -92,7 +92,7 @@ void ConvexFields::describe(Describe<ConvexFields>& d) {
 
 void MeshFields::describe(Describe<MeshFields>& d) {
     d.help("A triangle mesh.");
-    d.field("File", &MeshFields::file, trundle::file("obj|stl|dae|gltf|glb|ply").required(), "The mesh.");
+    d.field("File", &MeshFields::file, trundle::file("obj|stl|dae|gltf|glb").required(), "The mesh.");
     d.field("Scale", &MeshFields::scale, number().above(0).atMost(1e6).counted(1, 3),
             "Factor on its lengths, or one for each axis.");
     d.field("Shape", &MeshFields::shape, oneOf("mesh|hull|none"),
@@ -107,7 +107,7 @@ void PlaneFields::describe(Describe<PlaneFields>& d) {
 
 void HeightfieldFields::describe(Describe<HeightfieldFields>& d) {
     d.help("Ground from a grey picture, black at Pos.z, its top row at +y. Scenery only.");
-    d.field("File", &HeightfieldFields::file, trundle::file("png").required(), "The picture.");
+    d.field("File", &HeightfieldFields::file, trundle::file("png|jpg|jpeg|bmp|pgm|ppm").required(), "The picture.");
     d.field("Size", &HeightfieldFields::size, extent(), "Length along x, along y, height of white.");
     describeGeom(d);
 }

@@ -171,6 +171,10 @@ private Q_SLOTS:
         QVERIFY(raster.ok());
         QCOMPARE(raster.value()->width, 2048u);
         QCOMPARE(raster.value()->pixels.size(), std::size_t(raster.value()->height) * 2048 * 3);
+        QVERIFY(picture.copy(0, 0, 3000, 1).save(m_folder->filePath("thin.png")));
+        const auto thin = m_reader->picture(m_folder->filePath("thin.png").toStdString());
+        QVERIFY2(thin.ok(), thin.ok() ? "" : thin.error().message.c_str());
+        QCOMPARE(thin.value()->pixels.size(), std::size_t(2048 * 3));
     }
 
     void withoutTheReadingProgramTheMessageNamesIt() {

@@ -1,6 +1,8 @@
 // Files made to hurt. Each has to end as an error that names the file; none may take us along, and none may take long (the reader's
 // own limit ends the test's patience, so a hang fails here).
 
+#include <QBuffer>
+#include <QImage>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -38,6 +40,22 @@ QByteArray png(std::uint32_t columns, std::uint32_t rows) {
     const QByteArray header = bigEndian(columns) + bigEndian(rows) + QByteArray("\x08\x00\x00\x00\x00", 5);
     return QByteArray("\x89PNG\r\n\x1a\n", 8) + pngChunk("IHDR", header) +
            pngChunk("IDAT", qCompress(QByteArray(100, '\0')).mid(4)) + pngChunk("IEND", {});
+}
+
+/// A picture of `columns` x 48 colours by Qt's own writer.
+QByteArray savedAs(const char* format, int columns = 64) {
+    QImage picture(columns, 48, QImage::Format_RGB32);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < columns; ++x) picture.setPixel(x, y, qRgb(x * 4, y * 5, x * y % 256));
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, format)) qFatal("no %s", format);
+    return buffer.data();
+}
+
+QByteArray withThumbnail(QByteArray jpeg) {
+    const QByteArray small = savedAs("jpg", 8);
+    return jpeg.insert(2, "\xff\xe1" + bigEndian(static_cast<std::uint32_t>(small.size()) + 2).mid(2) + small);
 }
 
 QByteArray doublingNodes(int levels) {
@@ -150,10 +168,17 @@ private Q_SLOTS:
         QTest::addColumn<QString>("word");
         QTest::newRow("32768 x 32768") << "a.png" << png(32768, 32768) << "32768 x 32768";
         QTest::newRow("2147483647 x 2147483647") << "a.png" << png(0x7fffffff, 0x7fffffff) << "";
-        QTest::newRow("one row only") << "a.png" << png(8, 1) << "at least 2 x 2";
         QTest::newRow("nothing wide") << "a.png" << png(0, 8) << "";
         QTest::newRow("text") << "a.png" << QByteArray("no picture at all") << "not a picture";
         QTest::newRow("cut off") << "a.png" << png(64, 64).left(40) << "";
+        for (const char* format : {"png", "jpg", "bmp", "ppm"}) {
+            const QByteArray good = savedAs(format);
+            QTest::addRow("half a %s", format)
+                << QString("a.") + format << good.left(good.size() / 2) << (QByteArray(format) == "ppm" ? "damaged" : "cut off");
+        }
+        QTest::newRow("a JPEG without its last byte") << "a.jpg" << savedAs("jpg").chopped(1) << "cut off";
+        QTest::newRow("a JPEG with a whole thumbnail, cut off")
+            << "a.jpg" << withThumbnail(savedAs("jpg")).chopped(200) << "cut off";
         QTest::newRow("a wrong sum") << "a.png" << png(64, 64).replace("IDAT", "IDAX") << "";
         QTest::newRow("a drawing in XML") << "a.png"
                                           << QByteArray("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>") << "";
@@ -168,6 +193,24 @@ private Q_SLOTS:
         const std::string path = writeSample(folder.path(), name, bytes);
         expectError(m_reader->heightMap(path), folder.filePath(name), word);
         expectError(m_reader->picture(path), folder.filePath(name), word);
+    }
+
+    void aWholeJpegIsReadWhateverFollowsIt() {
+        const QTemporaryDir folder;
+        const QByteArray good = withThumbnail(savedAs("jpg"));
+        for (const QByteArray& bytes : {good, good + QByteArray(100, '\0'), good + good.left(good.size() / 2)}) {
+            const auto picture = m_reader->picture(writeSample(folder.path(), "a.jpg", bytes));
+            QVERIFY2(picture.ok(), picture.ok() ? "" : picture.error().message.c_str());
+            QCOMPARE(picture.value()->width, 64u);
+        }
+    }
+
+    // Ground needs two heights along each side, a picture one pixel.
+    void aPictureOfOneRowIsNoGround() {
+        const QTemporaryDir folder;
+        const std::string path = writeSample(folder.path(), "a.png", png(8, 1));
+        expectError(m_reader->heightMap(path), folder.filePath("a.png"), "at least 2 x 2");
+        QVERIFY(m_reader->picture(path).ok());
     }
 
     void whatIsNoFileIsAnErrorAtOnce() {

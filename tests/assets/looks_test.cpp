@@ -16,6 +16,14 @@ using namespace trundle;
 
 namespace {
 
+QByteArray saved(const QImage& picture, const char* format) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, format)) qFatal("no %s", format);
+    return bytes;
+}
+
 /// 2 x 2: red, green / blue, white.
 QByteArray fourColours() {
     QImage picture(2, 2, QImage::Format_RGB32);
@@ -23,11 +31,7 @@ QByteArray fourColours() {
     picture.setPixel(1, 0, qRgb(0, 255, 0));
     picture.setPixel(0, 1, qRgb(0, 0, 255));
     picture.setPixel(1, 1, qRgb(255, 255, 255));
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    if (!picture.save(&buffer, "PNG")) qFatal("no PNG");
-    return bytes;
+    return saved(picture, "PNG");
 }
 
 /// A triangle whose corners lie at the lower left, the lower right and the upper left corner of its picture.
@@ -102,6 +106,61 @@ private Q_SLOTS:
         for (const MeshMaterial& m : look->materials) QVERIFY(m.picture == picture); // once, however often it is worn
     }
 
+    // Numbers may be left out, names may have blanks, and a number may be a name.
+    void theOptionsOfAnObjsPictureMoveIt_data() {
+        QTest::addColumn<QByteArray>("written");
+        QTest::addColumn<std::array<float, 2>>("scale");
+        QTest::addColumn<std::array<float, 2>>("offset");
+        using Two = std::array<float, 2>;
+        QTest::newRow("none") << QByteArray("paint.png") << Two{1, 1} << Two{0, 0};
+        QTest::newRow("one number") << QByteArray("-s 2 paint.png") << Two{2, 1} << Two{0, 0};
+        QTest::newRow("two numbers") << QByteArray("-s 2 4 paint.png\r") << Two{2, 4} << Two{0, 0};
+        QTest::newRow("three numbers") << QByteArray("-s 2 4 1 paint.png") << Two{2, 4} << Two{0, 0};
+        QTest::newRow("two options") << QByteArray("-o 0.5 .25  -s\t2 3 paint.png") << Two{2, 3} << Two{0.5f, 0.25f};
+        QTest::newRow("others") << QByteArray("-clamp on -blendu off -mm 0 1 -bm 1.0 -imfchan l -t 1 paint.png") << Two{1, 1}
+                                << Two{0, 0};
+        QTest::newRow("an unknown one") << QByteArray("-new 3 paint.png") << Two{1, 1} << Two{0, 0};
+        QTest::newRow("a name with blanks") << QByteArray("-s 2 2 2 my 2 paint.png") << Two{2, 2} << Two{0, 0};
+        QTest::newRow("a name that is a number") << QByteArray("-s 2 2 7") << Two{2, 2} << Two{0, 0};
+    }
+    void theOptionsOfAnObjsPictureMoveIt() {
+        QFETCH(QByteArray, written);
+        using Two = std::array<float, 2>;
+        QFETCH(Two, scale);
+        QFETCH(Two, offset);
+        for (const char* name : {"my 2 paint.png", "7"}) sample(name, fourColours());
+        sample("p.mtl", "newmtl paint \nKd 1 1 1\n  map_Kd " + written + "\nnewmtl steel\nmap_Kd paint.png\n");
+        const auto look = this->look("a.obj", objWith("p.mtl"));
+        QVERIFY(look);
+        QVERIFY2(look->complaints.empty(), look->complaints.empty() ? "" : look->complaints[0].c_str());
+        const auto& picture = look->materials[look->material[0]].picture;
+        QVERIFY(picture && picture->width == 2);
+        const float left = offset[0], lower = 1 - offset[1];
+        QCOMPARE(look->onPicture[0], (std::array<Two, 3>{{{left, lower}, {left + scale[0], lower}, {left, lower - scale[1]}}}));
+        QCOMPARE(look->onPicture[1], (std::array<Two, 3>{{{0, 1}, {1, 1}, {0, 0}}}));
+    }
+
+    void aPictureOfOnePixelIsOne() {
+        QImage one(1, 1, QImage::Format_RGB32);
+        one.fill(qRgb(9, 8, 7));
+        const auto look = this->look("a.glb", glbWith(saved(one, "PNG")));
+        QVERIFY(look && look->complaints.empty());
+        QCOMPARE(look->materials[0].picture->pixels, (std::vector<std::uint8_t>{9, 8, 7}));
+    }
+
+    void aPictureInsideAFileIsNamedByItsNumber() {
+        const QByteArray jpeg = saved(QImage(64, 64, QImage::Format_RGB32), "JPG");
+        QByteArray bytes = glbWith(jpeg.left(jpeg.size() - 30));
+        const auto said = [&] {
+            const auto look = this->look("a.glb", bytes);
+            return look && !look->complaints.empty() ? look->complaints[0] : std::string();
+        };
+        const std::string why = "cannot be shown: the picture is cut off: its file ends too early";
+        QCOMPARE(said(), "the embedded picture 0 of its material paint " + why);
+        bytes.replace("\"paint\"", "\"\"     ");
+        QCOMPARE(said(), "the embedded picture 0 " + why);
+    }
+
     void colourOfGltfIsLight() {
         const auto look = this->look(
             "a.gltf", gltfWith(gltfImage("paint.png"),
@@ -119,6 +178,8 @@ private Q_SLOTS:
         QTest::newRow("no picture") << QByteArray("text.png") << "not a picture";
         QTest::newRow("cut off") << QByteArray("short.png") << "shown";
         QTest::newRow("empty") << QByteArray("empty.png") << "shown";
+        QTest::newRow("missing, after options") << QByteArray("-s 2 2 none.png") << "picture none.png";
+        QTest::newRow("only options") << QByteArray("-s 2") << "picture 2";
         QTest::newRow("a folder") << QByteArray("folder.png") << "not there";
         QTest::newRow("a device") << QByteArray("/dev/zero") << "outside";
         QTest::newRow("out by dots") << QByteArray("../secret.png") << "outside";
