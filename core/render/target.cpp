@@ -10,6 +10,7 @@ namespace {
 constexpr double kLeastNear = 0.01, kMostNear = 2.0, kFar = 8000; // m
 constexpr GLenum kDataFormat = 0x8814;                            // four 32-bit floats for each pixel
 
+constexpr float kDataDetail = 16;  // flat sides of a ball would be nearer or farther than it
 constexpr std::size_t kValues = 4; // that are read for each pixel
 
 /// OpenGL counts rows from the bottom.
@@ -26,7 +27,10 @@ osg::GLExtensions& gl(GraphicsContext& context) { return *context.getState()->ge
 } // namespace
 
 Target::Target(GraphicsContext& context, TargetShape shape)
-    : m_context(context), m_shape(shape), m_view(context, shape.width, shape.height, shape.rich ? kRichDetail : 1) {}
+    : m_context(context), m_shape(shape), m_view(context, shape.width, shape.height,
+                                                 shape.data   ? kDataDetail
+                                                 : shape.rich ? kRichDetail
+                                                              : 1) {}
 
 Result<std::unique_ptr<Target>> Target::create(GraphicsContext& context, TargetShape shape) {
     std::unique_ptr<Target> target(new Target(context, shape));

@@ -21,9 +21,12 @@ struct Degree {
     bool bevel;
 };
 constexpr float kAnyPixels = 1e9f;
-constexpr std::array<Degree, 5> kDegrees{
-    {{kAnyPixels, 36, true}, {170, 18, true}, {64, 14, false}, {20, 8, false}, {8, 6, false}}};
-constexpr Fineness kFine{36, true}, kOutline{10, false};
+constexpr std::array<Degree, 6> kDegrees{
+    {{kAnyPixels, 96, true}, {1600, 36, true}, {170, 18, true}, {64, 14, false}, {20, 8, false}, {8, 6, false}}};
+constexpr Fineness kSmooth{kDegrees[0].segments, true}, kFine{36, true}, kOutline{10, false};
+
+/// What lets more light through than it holds back casts no planar shadow, which is all or nothing.
+constexpr double kLeastCasting = 0.5;
 
 /// Told to what is below a ShadowTransform.
 struct Casting : osg::Referenced {};
@@ -138,6 +141,8 @@ public:
             else if (bringsItsLook(geom)) addParts(i, *geom.mesh->look);
             else m_all.push_back({i, geom.material < materials.size() ? materials[geom.material] : MaterialSpec{}, {}});
         }
+        std::erase_if(m_all,
+                      [](const Piece& piece) { return !(piece.material.opacity > 0); }); // nobody sees it, no camera either
     }
 
     /// Those that `wanted` takes, as one drawable; nothing where there are none.
@@ -155,6 +160,7 @@ public:
         osg::ref_ptr<GeomRanges> ranges = new GeomRanges;
         bool closed = true;
         for (const Piece& piece : m_all) {
+            if (piece.material.opacity < kLeastCasting) continue;
             if (!ranges->ranges.empty() && ranges->ranges.back().geom == piece.geom) continue; // a mesh of several materials
             const GeomSpec& geom = m_geoms[piece.geom];
             const auto first = static_cast<std::uint32_t>(points->size());
@@ -242,7 +248,7 @@ private:
 
 /// All degrees of detail, where there is anything.
 template <class Make> osg::ref_ptr<osg::LOD> detailOf(Make make) {
-    const osg::ref_ptr<osg::Geometry> fine = make(kFine);
+    const osg::ref_ptr<osg::Geometry> fine = make(kSmooth);
     if (!fine) return nullptr;
     const double across = 2 * fine->getBound().radius();
     osg::ref_ptr<osg::LOD> detail = new osg::LOD;

@@ -41,6 +41,13 @@ float Lighting::sunShare(const osg::Vec3& normal) const {
 }
 
 void Lighting::applyTo(osg::StateSet& root) const {
+    // Of a dim sun or sky there is less; brighter than they are by themselves neither gets.
+    const auto share = [](const osg::Vec3& of, const osg::Vec3& whole) {
+        return std::min(1.f, (of.x() + of.y() + of.z()) / (whole.x() + whole.y() + whole.z()));
+    };
+    const Lighting usual;
+    root.addUniform(new osg::Uniform("sunGlow", osg::Vec3(0.10f, 0.085f, 0.06f) * share(sunLight, usual.sunLight)));
+    root.addUniform(new osg::Uniform("skyBelow", osg::Vec3(0.47f, 0.49f, 0.51f) * share(horizon, usual.horizon)));
     for (const auto& [name, value] : {std::pair{"sunWay", sun},
                                       {"sunLight", sunLight},
                                       {"skyLight", skyLight},

@@ -72,14 +72,27 @@ osg::ref_ptr<osg::Node> layerOf(const osg::ref_ptr<osg::MatrixTransform>& node, 
     return node;
 }
 
-osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light, float depth,
-                                  float top, osg::Group& casters, const Look& look) {
+/// What one layer takes away.
+struct Darkness {
+    float depth = 0;    ///< share of what is shown, where there are no lamps
+    float sunPower = 0; ///< (1 - the sun's share of the light) to this power is left; 0: it is not the sun that is hidden
+    float top = kNoTop;
+};
+
+osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light, Darkness dark,
+                                  osg::Group& casters, const Look& look, const Lighting& lighting) {
     osg::ref_ptr<osg::MatrixTransform> node = new ShadowTransform(flattening(floor.normal(), floor.pose.position, light));
     osg::StateSet* state = node->getOrCreateStateSet();
     state->addUniform(new osg::Uniform("shadowHeightScale", static_cast<float>(kHeightScale)));
-    state->addUniform(new osg::Uniform("shadowDepth", depth));
-    state->addUniform(new osg::Uniform("shadowTop", top));
-    if (top < kNoTop) {
+    state->addUniform(new osg::Uniform("shadowDepth", dark.depth));
+    state->addUniform(new osg::Uniform("shadowTop", dark.top));
+    const Vec3 n = floor.normal();
+    const osg::Vec3 normal(n.x(), n.y(), n.z());
+    state->addUniform(new osg::Uniform("floorLight", lighting.on(normal)));
+    state->addUniform(new osg::Uniform("floorNormal", normal));
+    state->addUniform(new osg::Uniform("sunShare", lighting.sunShare(normal)));
+    state->addUniform(new osg::Uniform("sunPower", dark.sunPower));
+    if (dark.top < kNoTop) {
         // Where the light is hidden by what is low the lower sides of it count, else those towards the light.
         state->setMode(GL_CLIP_PLANE1, osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON);
         state->setAttributeAndModes(new osg::CullFace(osg::CullFace::FRONT));
@@ -133,8 +146,8 @@ osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index,
                                         const Lighting& lighting) {
     osg::ref_ptr<osg::Group> layers = new osg::Group;
     if (sunCasts(lighting, floor))
-        layers->addChild(
-            makeLayer(floor, index, 0, towardsSun(lighting), fullDepth(lighting, floor.normal()), kNoTop, casters, look));
+        layers->addChild(makeLayer(floor, index, 0, towardsSun(lighting), {fullDepth(lighting, floor.normal()), 0.5f}, casters,
+                                   look, lighting));
     return layers;
 }
 
@@ -145,13 +158,16 @@ osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, 
     if (sunCasts(lighting, floor)) {
         const Vec3 sun = towardsSun(lighting);
         const Vec3 side = sun.cross(Vec3::UnitX()).normalized(), other = sun.cross(side);
+        const float power = 0.5f / static_cast<float>(sunLayers);
         const float each = 1 - std::pow(1 - fullDepth(lighting, floor.normal()), 1.f / static_cast<float>(sunLayers));
         for (unsigned i = 0; i < sunLayers; ++i) {
             const double turn = 2 * std::numbers::pi * i / sunLayers + 0.3, reach = kSunRadius * (i % 2 ? 1.0 : 0.55);
             const Vec3 light = (sun + reach * (std::cos(turn) * side + std::sin(turn) * other)).normalized();
-            if (floor.normal().dot(light) > 0.1) layers->addChild(makeLayer(floor, index, i, light, each, kNoTop, casters, look));
+            if (floor.normal().dot(light) > 0.1)
+                layers->addChild(makeLayer(floor, index, i, light, {each, power}, casters, look, lighting));
         }
-        layers->addChild(makeLayer(floor, index, sunLayers, floor.normal(), kContactDepth, kContactTop, casters, look));
+        layers->addChild(
+            makeLayer(floor, index, sunLayers, floor.normal(), {kContactDepth, 0, kContactTop}, casters, look, lighting));
     }
     return layers;
 }

@@ -15,6 +15,7 @@ void main() {
 )";
 
 inline constexpr const char* kSkyFragment = R"(
+uniform vec3 sunGlow, skyBelow;
 in vec3 direction;
 out vec4 fragment;
 void main() {
@@ -24,9 +25,9 @@ void main() {
     near *= near * near;
     near *= near;
     near *= near;
-    colour += vec3(0.10, 0.085, 0.06) * (near * near); // to the power of 24
+    colour += sunGlow * (near * near); // to the power of 24
     // Where there is no floor the ground below fades to grey.
-    colour = mix(colour, vec3(0.47, 0.49, 0.51), smoothstep(0.0, 0.5, -d.z));
+    colour = mix(colour, skyBelow, smoothstep(0.0, 0.5, -d.z));
     fragment = vec4(colour, 1.0);
 }
 )";
@@ -41,13 +42,15 @@ uniform float shadowHeightScale;
 uniform float shadowTop;
 uniform float hazeDistance;
 out float inHaze, fade;
+out vec3 onFloor;
 void main() {
     vec3 world = (osg_ViewMatrixInverse * (gl_ModelViewMatrix * gl_Vertex)).xyz;
     float height = dot(shadowPlane.xyz, world) - shadowPlane.w;
     gl_ClipDistance[0] = height / shadowHeightScale + 0.003;
     gl_ClipDistance[1] = shadowTop - height / shadowHeightScale;
     fade = 1.0 - height / (shadowHeightScale * shadowTop);
-    vec4 eye = osg_ViewMatrix * vec4(world - height * shadowPlane.xyz, 1.0);
+    onFloor = world - height * shadowPlane.xyz;
+    vec4 eye = osg_ViewMatrix * vec4(onFloor, 1.0);
     inHaze = length(eye.xyz) * (1.2011224 / hazeDistance);
     gl_Position = gl_ProjectionMatrix * eye;
 }
@@ -57,7 +60,20 @@ inline constexpr const char* kShadowFragment = R"(
 uniform float shadowDepth;
 in float inHaze, fade;
 out vec4 fragment;
-void main() { fragment = vec4(0.02, 0.03, 0.06, shadowDepth * fade * exp2(-inHaze * inHaze)); }
+#ifdef LAMPS
+// Their light stays: the share that is the sun's is less near them. One layer of several takes a root of it.
+uniform vec3 floorLight, floorNormal;
+uniform float sunShare, sunPower; // without lamps; no power: it is not the sun that is hidden
+in vec3 onFloor;
+float depthHere() {
+    float open = dot(floorLight, vec3(1.0)), lamps = dot(lampsOn(onFloor, floorNormal), vec3(1.0));
+    float left = max(1.0 - sunShare * open / max(open + lamps, 1.0e-6), 1.0e-6);
+    return sunPower > 0.0 ? 1.0 - pow(left, sunPower) : shadowDepth;
+}
+#else
+float depthHere() { return shadowDepth; }
+#endif
+void main() { fragment = vec4(0.02, 0.03, 0.06, depthHere() * fade * exp2(-inHaze * inHaze)); }
 )";
 
 /// The same from a lamp. A place on the floor is kept undivided, so that what is higher than the lamp can be cut away before; what is

@@ -199,6 +199,43 @@ private Q_SLOTS:
         QVERIFY2(compared > 500, qPrintable(QString::number(compared)));
     }
 
+    void depthOfABallIsAsExact() {
+        auto experiment = lampExperiment({{3, 0, 0}}, 0.5);
+        experiment->robots = {cameraRobot("robot0", {}, {{"Mode", word("depth")}, {"Resolution", numbers({320, 240})}})};
+        const Frame frame = mustTake(captureAtStart(experiment, "robot0/eye"));
+        const CameraView view = viewOf(onlyCameraOf(*experiment), {});
+        int compared = 0;
+        for (int y = 0; y < 240; ++y) {
+            for (int x = 0; x < 320; ++x) {
+                const ViewRay ray = rayThrough(view, 320, 240, x + 0.5, y + 0.5);
+                const Vec3 middle = Vec3(3, 0, 0) - ray.origin;
+                const double along = middle.dot(ray.direction), off = middle.squaredNorm() - along * along;
+                if (off > 0.23) continue; // beyond that it is seen along its surface, where a ray's width is a long way
+                const Vec3 hit = ray.origin + (along - std::sqrt(0.25 - off)) * ray.direction;
+                const double depth = hit.x(), drawn = frame.depth[std::size_t(y) * 320 + std::size_t(x)];
+                QVERIFY2(std::abs(drawn - depth) <= 0.001 * depth,
+                         qPrintable(QStringLiteral("%1 %2: %3 for %4").arg(x).arg(y).arg(drawn).arg(depth)));
+                ++compared;
+            }
+        }
+        QVERIFY(compared > 2000);
+    }
+
+    void whatIsInvisibleIsInNoPicture() {
+        for (const char* mode : {"color", "depth", "segmentation"}) {
+            Frame frames[2];
+            for (const bool there : {false, true}) {
+                auto experiment = lampExperiment({{3, 0, 0}}, 0.5);
+                if (there) experiment->materials[0].opacity = 0;
+                else experiment->statics.clear();
+                experiment->robots = {cameraRobot("robot0", {}, {{"Mode", word(mode)}, {"Resolution", numbers({64, 48})}})};
+                frames[there] = mustTake(captureAtStart(experiment, "robot0/eye"));
+            }
+            QCOMPARE(frames[1].pixels, frames[0].pixels);
+            QCOMPARE(frames[1].depth, frames[0].depth);
+        }
+    }
+
     void unlitColoursAreExact() {
         for (const auto& glow : {std::array{1.0, 0.0, 0.0}, {0.2, 0.5, 0.4}, {0.6, 0.6, 0.6}, {0.0, 0.8, 0.8}, {1.0, 1.0, 1.0}}) {
             auto experiment = lampExperiment({{3, 0, 0}}, 1.0);

@@ -5,6 +5,7 @@
 
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
+#include "scene/look.h"
 
 using namespace trundle;
 
@@ -73,6 +74,21 @@ private Q_SLOTS:
     void aSunMayCastNoShadows() {
         const auto experiment = post({look("Light", {{"Direction", numbers({1, 0, -1})}, {"Shadows", numbers({0})}})});
         QVERIFY(floorAt(experiment, 0.5, 0) > 0.95 * floorAt(experiment, -0.5, 0));
+    }
+    void whatIsClearCastsNoShadow() {
+        for (const auto& [opacity, casts] : {std::pair{0.0, false}, {0.3, false}, {0.8, true}}) {
+            const auto experiment = post({look("Light", {{"Direction", numbers({1, 0, -1})}})});
+            experiment->materials[0].opacity = opacity;
+            QCOMPARE(floorAt(experiment, 0.5, 0) < 0.8 * floorAt(experiment, -0.5, 0), casts);
+        }
+    }
+    void theShadowOfTheSunLeavesTheLightOfLamps() {
+        const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
+        const ComponentSpec sun = look("Light", {{"Direction", numbers({1, 0, -1})}});
+        const ComponentSpec lamp = lampAt(0.6, 0, 0.6, {{"Shadows", numbers({0})}, {"Intensity", numbers({0.1})}});
+        const double alone = floorAt(post({night, lamp}), 0.5, 0), shadow = floorAt(post({sun, lamp}), 0.5, 0);
+        QVERIFY2(std::abs(shadow - alone) < 6, qPrintable(QStringLiteral("%1 and %2").arg(shadow).arg(alone)));
+        QVERIFY(floorAt(post({sun}), 0.5, 0) < shadow - 10); // where there is none
     }
     void aLampIsBrightNearIt() {
         const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
@@ -154,6 +170,21 @@ private Q_SLOTS:
         QVERIFY(frame.ok());
         const std::uint8_t* p = frame.value().pixels.data() + 3 * (100 * 200 + 100);
         QVERIFY(p[0] < 10 && p[1] > 245 && p[2] < 10);
+    }
+    void anUnlitWorldIsBlackAllAround() {
+        auto experiment =
+            post({look("Sky", {{"Zenith", numbers({0, 0, 0})}, {"Horizon", numbers({0, 0, 0})}, {"Ambient", numbers({0})}}),
+                  look("Light", {{"Intensity", numbers({0})}})});
+        experiment->statics.clear();
+        const osg::Vec3 sun = sunDirection();
+        for (const Vec3& towards : {Vec3(sun.x(), sun.y(), sun.z()), Vec3(1, 0, -1), Vec3(0, 0.1, 1)}) {
+            const double heading = std::atan2(towards.y(), towards.x()),
+                         pitch = -std::atan2(towards.z(), towards.head<2>().norm());
+            experiment->robots[0].pose = {{0, 0, 5}, rotationFromHpr({heading, pitch, 0})};
+            const Result<Frame> frame = captureAtStart(experiment, "robot0/eye");
+            QVERIFY(frame.ok());
+            QCOMPARE(int(*std::ranges::max_element(frame.value().pixels)), 0);
+        }
     }
 };
 
