@@ -1,7 +1,13 @@
 #include "cli/open_options.h"
 
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
 namespace trundle {
 namespace {
+
+constexpr std::uint32_t kMostSide = 4096;
 
 /// Empty where all is well.
 std::string setProblem(const std::string& text) {
@@ -42,5 +48,26 @@ void addLookOption(CLI::App& command, LookChoice& look) {
         ->type_name("LOOK")
         ->check(CLI::IsMember({"automatic", "fast", "rich"}).description(""));
 }
+
+std::optional<PictureSize> pictureSize(const std::string& text) {
+    PictureSize size;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+    const auto fits = [](std::uint32_t side) { return side >= 1 && side <= kMostSide; };
+    return fits(size.width) && fits(size.height) ? std::optional(size) : std::nullopt;
+}
+
+std::string sizeProblem(const std::string& text) {
+    return pictureSize(text) ? std::string() : "a size is written like 1280x720, from 1x1 to 4096x4096, not " + text;
+}
+
+std::string finiteProblem(const std::string& text) {
+    return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string() : "give a number, not " + text;
+}
+
+std::string emptyProblem(const std::string& text) { return text.empty() ? "a name is missing" : std::string(); }
 
 } // namespace trundle

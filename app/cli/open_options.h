@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <optional>
+
 #include <CLI/App.hpp>
 
 #include "parts/open_options.h"
@@ -12,5 +15,16 @@ void addOpenOptions(CLI::App& command, OpenOptions& options);
 CLI::Option* addSetOption(CLI::App& command, OpenOptions& options);
 /// Adds --look.
 void addLookOption(CLI::App& command, LookChoice& look);
+
+struct PictureSize {
+    std::uint32_t width = 0, height = 0;
+};
+/// "1280x720", from 1x1 to 4096x4096.
+[[nodiscard]] std::optional<PictureSize> pictureSize(const std::string& text);
+
+// Checks of what is given for an option; empty where all is well.
+[[nodiscard]] std::string sizeProblem(const std::string& text);
+[[nodiscard]] std::string finiteProblem(const std::string& text); ///< a range alone lets "nan" through
+[[nodiscard]] std::string emptyProblem(const std::string& text);
 
 } // namespace trundle

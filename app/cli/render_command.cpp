@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <array>
-#include <cstdio>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <numbers>
-#include <optional>
+
+#include <unistd.h>
 
 #include "base/platform/dynamic_library.h"
 #include "cli/commands.h"
-#include "cli/console.h"
 #include "cli/exit_guard.h"
 #include "cli/messages.h"
 #include "cli/open_options.h"
@@ -23,13 +26,6 @@ struct RenderArguments {
     LookChoice look = LookChoice::Automatic;
     double fieldOfView = 50; // degrees
 };
-
-/// "1280x720"
-bool readSize(const std::string& text, RenderJob& job) {
-    int end = 0;
-    return std::sscanf(text.c_str(), "%5ux%5u%n", &job.width, &job.height, &end) == 2 &&
-           static_cast<std::size_t>(end) == text.size();
-}
 
 void setView(const RenderArguments& arguments, RenderJob& job) {
     if (arguments.eye.empty()) return;
@@ -61,11 +57,33 @@ ExitCode draw(RenderJob& job) {
     return kExitText;
 }
 
+/// What a simulation of minutes would be in vain for.
+ExitCode checkBeforeRun(RenderJob job) {
+    namespace fs = std::filesystem;
+    std::error_code fault;
+    const fs::path file = fs::weakly_canonical(fs::absolute(job.outputPath, fault), fault); // writing goes through links
+    std::string why;
+    if (fs::is_directory(file, fault)) why = "it is a folder";
+    else if (::access(file.parent_path().c_str(), W_OK | X_OK) != 0) why = std::strerror(errno);
+    if (!why.empty()) {
+        printProblem(std::string("cannot write ") + job.outputPath + ": " + why);
+        return kExitText;
+    }
+    job.onlyCheck = true;
+    return draw(job);
+}
+
+bool hasWrongSet(const Loaded& loaded) {
+    return std::ranges::any_of(loaded.diagnostics.all(), [&](const Diagnostic& d) {
+        return d.severity == Severity::Error && loaded.outline->texts().commandLine(d.range.file);
+    });
+}
+
 ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     RenderJob job;
-    if (!readSize(arguments.size, job)) {
-        printProblem("a size is written like 1280x720, not " + safeText(arguments.size));
-        return kExitUsage;
+    if (const auto size = pictureSize(arguments.size)) {
+        job.width = size->width;
+        job.height = size->height;
     }
     const Result<std::shared_ptr<const Loaded>> opened = parts.open(arguments.file, arguments.open);
     if (!opened) {
@@ -82,8 +100,10 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     if (!arguments.camera.empty()) job.camera = arguments.camera.c_str();
     if (!arguments.view.empty()) job.view = arguments.view.c_str();
     setView(arguments, job);
+    if (hasWrongSet(loaded)) return kExitText;
     if (!(arguments.at > 0)) return draw(job); // what is whole of a text with errors is drawn too
     if (loaded.diagnostics.hasErrors()) return kExitText;
+    if (const ExitCode wrong = checkBeforeRun(job); wrong != kExitDone) return wrong;
 
     const ExitGuard guard; // from here on code of modules runs
     Diagnostics problems;
@@ -114,21 +134,41 @@ void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     RenderArguments& a = *arguments;
     command->add_option("FILE", a.file, "The experiment")->required()->type_name("");
     command->add_option("-o,--output", a.output, "The picture: .png or .jpg")->required()->type_name("OUT");
-    command->add_option("--at", a.at, "Run for that many simulated seconds first")->type_name("S")->check(CLI::Range(0.0, 1e9));
-    CLI::Option* camera = command->add_option("--camera", a.camera, "What a robot's camera gives, as robot0/eye; in its own size")
-                              ->type_name("PATH");
-    CLI::Option* view = command->add_option("--view", a.view, "A View of the text")->type_name("NAME")->excludes(camera);
-    command->add_option("--size", a.size, "Width and height in pixels, up to 4096x4096")->type_name("WxH")->capture_default_str();
-    command->add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")
+    command->add_option("--at", a.at, "Run for that many simulated seconds first")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 1e9))
+        ->check(&finiteProblem);
+    CLI::Option* camera =
+        command
+            ->add_option("--camera", a.camera,
+                         "What a robot's camera, as robot0/eye, sees at that moment, whatever its UpdatePeriod; "
+                         "in its own size")
+            ->type_name("PATH")
+            ->check(&emptyProblem);
+    CLI::Option* view =
+        command->add_option("--view", a.view, "A View of the text")->type_name("NAME")->check(&emptyProblem)->excludes(camera);
+    command->add_option("--size", a.size, "Width and height in pixels, up to 4096x4096")
+        ->type_name("WxH")
+        ->check(&sizeProblem)
+        ->capture_default_str();
+    CLI::Option* eye = command->add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")
+                           ->type_name("X,Y,Z")
+                           ->delimiter(',')
+                           ->expected(3)
+                           ->check(&finiteProblem)
+                           ->excludes(camera)
+                           ->excludes(view);
+    command->add_option("--target", a.target, "What is in the middle of it, m")
         ->type_name("X,Y,Z")
         ->delimiter(',')
         ->expected(3)
-        ->excludes(camera)
-        ->excludes(view);
-    command->add_option("--target", a.target, "What is in the middle of it, m")->type_name("X,Y,Z")->delimiter(',')->expected(3);
+        ->check(&finiteProblem)
+        ->needs(eye);
     command->add_option("--fov", a.fieldOfView, "Horizontal field of view, deg")
         ->type_name("DEG")
         ->check(CLI::Range(1.0, 179.0))
+        ->check(&finiteProblem)
+        ->needs(eye)
         ->capture_default_str();
     addLookOption(*command, a.look);
     addSetOption(*command, a.open);

@@ -119,10 +119,10 @@ bool RunCommand::planTicks() {
 bool RunCommand::openMovie() {
     MovieWish& wish = m_arguments.movie;
     if (wish.path.empty()) return true;
-    int end = 0;
-    const std::string& size = m_arguments.movieSize;
-    if (std::sscanf(size.c_str(), "%5ux%5u%n", &wish.width, &wish.height, &end) != 2 || std::size_t(end) != size.size())
-        return movieProblem(Error{Code::OutOfRange, "a size is written like 1280x720, not " + size});
+    if (const auto size = pictureSize(m_arguments.movieSize)) {
+        wish.width = size->width;
+        wish.height = size->height;
+    }
     Result<std::unique_ptr<Movie>> movie = Movie::open(wish);
     if (!movie) return movieProblem(movie.error());
     m_movie = std::move(movie).value();
@@ -268,18 +268,28 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     addSetOption(*command, a.open);
     command->add_option("--log-dir", a.logDir, "Folder for the logs; by default logs/<experiment> in the project folder")
         ->type_name("DIR");
-    command->add_option("--movie", a.movie.path, "A movie of the run, made by ffmpeg: .mp4 or .webm")->type_name("OUT");
-    CLI::Option* view =
-        command->add_option("--view", a.movie.view, "Which View of the text it shows; else everything")->type_name("NAME");
+    CLI::Option* movie = command->add_option("--movie", a.movie.path, "A movie of the run, made by ffmpeg: .mp4 or .webm")
+                             ->type_name("OUT")
+                             ->check(&emptyProblem);
+    CLI::Option* view = command->add_option("--view", a.movie.view, "Which View of the text it shows; else everything")
+                            ->type_name("NAME")
+                            ->check(&emptyProblem)
+                            ->needs(movie);
     command->add_option("--camera", a.movie.camera, "Which robot's camera it shows, as robot0/eye")
         ->type_name("PATH")
+        ->check(&emptyProblem)
+        ->needs(movie)
         ->excludes(view);
-    command->add_option("--size", a.movieSize, "Width and height of the movie in pixels")
+    command->add_option("--size", a.movieSize, "Width and height of the movie in pixels, up to 4096x4096")
         ->type_name("WxH")
+        ->check(&sizeProblem)
+        ->needs(movie)
         ->capture_default_str();
     command->add_option("--fps", a.movie.framesPerSecond, "Pictures for each simulated second")
         ->type_name("N")
         ->check(CLI::Range(0.01, 1000.0))
+        ->check(&finiteProblem)
+        ->needs(movie)
         ->capture_default_str();
     addLookOption(*command, a.look);
     command->add_flag("--realtime", a.realtime, "No faster than real time");

@@ -1,6 +1,10 @@
 // The window: builds the parts, joins them, goes.
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <string>
+#include <string_view>
 
 #include <QApplication>
 #include <QSettings>
@@ -21,16 +25,40 @@ void report(QtMsgType type, const QMessageLogContext& context, const QString& me
     if (!message.startsWith(QStringLiteral("This plugin does not support"))) g_report(type, context, message);
 }
 
+/// While Qt looks for a display. Where it finds none it would tell of plugins and abort.
+void reportStart(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+    if (type == QtFatalMsg) {
+        const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
+        const std::string why = platform.isEmpty() ? "there is no display for a window"
+                                                   : "no window can be opened with QT_QPA_PLATFORM=" + platform.toStdString();
+        std::fprintf(stderr, "trundle: %s: set QT_QPA_PLATFORM=offscreen for --screenshot, or use trundle-cli\n", why.c_str());
+        std::_Exit(2);
+    }
+    if (!std::string_view(context.category ? context.category : "").starts_with("qt.qpa.")) report(type, context, message);
+}
+
+/// --help and --version, which need no display.
+bool asksForWords(int argc, char** argv) {
+    constexpr std::string_view kWords[] = {"-h", "--help", "--help-all", "-v", "--version"};
+    return std::any_of(argv + 1, argv + std::max(argc, 1),
+                       [&](const char* word) { return std::ranges::find(kWords, word) != std::end(kWords); });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     using namespace trundle;
-    g_report = qInstallMessageHandler(report);
+    QCoreApplication::setApplicationName(QStringLiteral("Trundle"));
+    QCoreApplication::setOrganizationName(QStringLiteral("Trundle"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(TRUNDLE_VERSION));
+    if (asksForWords(argc, argv)) {
+        const QCoreApplication application(argc, argv);
+        (void)readOptions(application); // says them and ends
+    }
+    g_report = qInstallMessageHandler(reportStart);
     QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("Trundle"));
-    QApplication::setOrganizationName(QStringLiteral("Trundle"));
-    QApplication::setApplicationVersion(QStringLiteral(TRUNDLE_VERSION));
+    qInstallMessageHandler(report);
 
     const WindowOptions options = readOptions(application);
     const bool dark =

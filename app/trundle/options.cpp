@@ -52,7 +52,8 @@ WindowOptions readOptions(const QCoreApplication& application) {
          {QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window to OUT.png once all is drawn."),
           QStringLiteral("OUT")},
          {QStringLiteral("quit"), QStringLiteral("Then leave.")}});
-    parser.process(application);
+    if (!parser.parse(application.arguments())) refuse(parser.errorText());
+    parser.process(application); // --help and --version
 
     WindowOptions options;
     options.open = parser.value(QStringLiteral("open"));

@@ -95,15 +95,32 @@ Result<Frame> FrameDrawer::capture(const std::string& path, const FrameMoment& m
     return frame;
 }
 
+Result<CameraView> FrameDrawer::viewCalled(const std::string& name, const BodyPoses& poses) const {
+    if (const std::optional<CameraView> view = namedView(*m_experiment, name, poses)) return *view;
+    const std::string names = viewNames(*m_experiment);
+    return Error{Code::PictureFailed,
+                 "there is no view " + name + (names.empty() ? "; the text has none" : "; there is " + names)};
+}
+
+Status FrameDrawer::hasCamera(const std::string& path) {
+    const Result<Camera*> camera = cameraAt(path);
+    return camera ? Status() : Status(camera.error());
+}
+
+Status FrameDrawer::hasView(const std::string& name) const {
+    const Result<CameraView> view = viewCalled(name, startPoses(*m_experiment));
+    return view ? Status() : Status(view.error());
+}
+
 Result<Frame> FrameDrawer::view(const std::string& name, std::uint32_t width, std::uint32_t height, const SignalBlock& block) {
     const FrameMoment moment = momentOf(block);
     PictureRequest request;
     if (name.empty()) {
         request.view = defaultView(*m_experiment, startPoses(*m_experiment), width, height);
-    } else if (request.view = namedView(*m_experiment, name, *moment.poses); !request.view) {
-        const std::string names = viewNames(*m_experiment);
-        return Error{Code::PictureFailed,
-                     "there is no view " + name + (names.empty() ? "; the text has none" : "; there is " + names)};
+    } else {
+        const Result<CameraView> named = viewCalled(name, *moment.poses);
+        if (!named) return named.error();
+        request.view = named.value();
     }
     request.width = width;
     request.height = height;

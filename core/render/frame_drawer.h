@@ -38,6 +38,9 @@ public:
                                         std::optional<CameraMode> mode = std::nullopt);
     /// A picture of its scene from anywhere, at that moment. The request's own scene and poses do not matter.
     [[nodiscard]] Result<Frame> picture(PictureRequest request, const FrameMoment& moment);
+    /// Fail with the words that a picture would fail with. Nothing is started for them.
+    [[nodiscard]] Status hasCamera(const std::string& path);
+    [[nodiscard]] Status hasView(const std::string& name) const;
 
 private:
     struct Camera {
@@ -45,6 +48,7 @@ private:
         std::optional<LensMap> lens;
     };
     [[nodiscard]] Result<Camera*> cameraAt(const std::string& path);
+    [[nodiscard]] Result<CameraView> viewCalled(const std::string& name, const BodyPoses& poses) const;
     [[nodiscard]] FrameMoment momentOf(const SignalBlock& block) const;
     void start();
     [[nodiscard]] Result<Image> drawn(PictureRequest request);

@@ -30,9 +30,19 @@ Status renderNamed(const RenderJob& job) {
     return bytes ? writeFileAtomically(job.outputPath, bytes.value()) : Status(bytes.error());
 }
 
+Status check(const RenderJob& job) {
+    const SignalLayout noLayout;
+    FrameDrawer drawer(borrowed(job.experiment), noLayout);
+    Status status = job.camera ? drawer.hasCamera(job.camera) : job.view ? drawer.hasView(job.view) : Status();
+    if (!status) return status;
+    const Result<std::string> bytes = imageBytes({1, 1, {0, 0, 0}}, job.outputPath); // the smallest picture has its ending too
+    return bytes ? Status() : Status(bytes.error());
+}
+
 Status renderOnce(const RenderJob& job) {
     if (job.structSize != sizeof(RenderJob)) return Error{Code::Internal, "the render library is of another build"};
     if (!job.experiment || !job.outputPath) return Error{Code::Internal, "no experiment or no file to write"};
+    if (job.onlyCheck) return check(job);
     if (job.camera || job.view) return renderNamed(job);
     Result<std::unique_ptr<RenderService>> service = RenderService::start();
     if (!service) return service.error();

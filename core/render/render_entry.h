@@ -29,7 +29,8 @@ struct RenderJob {
     const char* camera = nullptr; ///< "robot0/eye": what that camera gives, in its own size; the view does not matter then
     LookChoice look = LookChoice::Automatic; ///< not of what a camera gives
     const char* outputPath = nullptr;        ///< .png, .jpg or .jpeg
-    char* error = nullptr;                   ///< one line, ends with NUL; may be null
+    bool onlyCheck = false; ///< draws nothing: says whether camera and view are there and the ending is one of those
+    char* error = nullptr;  ///< one line, ends with NUL; may be null
     std::size_t errorSize = 0;
     const std::function<void(const std::string&)>* warn = nullptr; ///< told, in a line, what a person should know of the picture
 };

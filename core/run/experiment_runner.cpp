@@ -259,7 +259,8 @@ Status ExperimentRunner::finish() {
 
 std::vector<std::string> ExperimentRunner::logFiles() const {
     std::vector<std::string> paths;
-    for (const auto& file : m_folder.files()) paths.push_back(file->path());
+    for (const auto& file : m_folder.files())
+        if (!file->failure()) paths.push_back(file->path());
     return paths;
 }
 

@@ -50,7 +50,7 @@ private:
     ControllerOutlet outletFor(const RobotSpec& robot);
     void addCameras(ControllerOutlet& outlet, const std::string& robot);
     [[nodiscard]] Status savePicture(const std::string& camera, const std::string& fileName);
-    [[nodiscard]] Status savePicture(const PictureWish& wish, const std::string& fileName);
+    [[nodiscard]] Result<double> savePicture(const PictureWish& wish, const std::string& fileName);
     [[nodiscard]] Status writePicture(const Result<std::string>& bytes, const std::string& fileName);
     void warnOfPictures(const Error& error);
     void say(const std::string& who, int severity, const std::string& text);

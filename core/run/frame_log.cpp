@@ -24,14 +24,14 @@ public:
         out.endRow();
     }
 
-    /// One that could not be taken has no name in its row.
+    /// The time is the picture's own. One that could not be taken has no name in its row.
     void rows(const World&, double time, std::string& csv) override {
         char number[32];
         std::snprintf(number, sizeof number, "_%06llu.", static_cast<unsigned long long>(m_frames++));
         const std::string file = m_name + number + m_ending;
-        const bool saved = m_save && m_save(m_wish, file).ok();
+        const Result<double> taken = m_save ? m_save(m_wish, file) : Result<double>(Error{Code::NoGraphics, ""});
         CsvWriter out(csv);
-        out.cell(time).cell(saved ? file : std::string());
+        out.cell(taken ? taken.value() : time).cell(taken ? file : std::string());
         out.endRow();
     }
 
@@ -72,7 +72,8 @@ bool isThere(const ComponentSpec& spec, const char* key, const char* what, const
 } // namespace
 
 void FrameLogSettings::describe(Describe<FrameLogSettings>& d) {
-    d.help("Pictures of the run as numbered files, from a robot's camera or a View, and a table that says when each was taken.");
+    d.help("Pictures of the run as numbered files, from a robot's camera or a View, and a table that says when each was taken: "
+           "of a camera with an UpdatePeriod, its newest picture and the time of that.");
     d.field("Camera", &FrameLogSettings::camera, text(), "The camera that takes them, as robot0/eye.");
     d.field("View", &FrameLogSettings::view, text(), "The View they are taken from; without it and a camera, one of everything.");
     Quantity pixels = number().within(1, 4096);

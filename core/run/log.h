@@ -26,7 +26,8 @@ struct PictureWish {
     std::string camera, view; ///< both empty: everything
     std::uint32_t width = 0, height = 0;
 };
-using PictureSaver = std::function<Status(const PictureWish&, const std::string& fileName)>;
+/// Gives the time that the picture shows (s): a camera with an UpdatePeriod took it earlier.
+using PictureSaver = std::function<Result<double>(const PictureWish&, const std::string& fileName)>;
 
 class Log {
 public:

@@ -1,5 +1,7 @@
 #include "run/movie_file.h"
 
+#include <filesystem>
+
 #include "base/platform/fed_process.h"
 
 namespace trundle {
@@ -11,13 +13,27 @@ Error unmade(const std::string& path, const std::string& why) {
     return {Code::FileUnwritable, "the movie " + path + " cannot be made: " + why};
 }
 
+/// Beside the movie, with its ending, by which ffmpeg knows what to write.
+std::string partOf(const std::string& path) {
+    const std::filesystem::path whole(path);
+    return (whole.parent_path() / ("." + whole.stem().string() + ".part" + whole.extension().string())).string();
+}
+
 } // namespace
 
-MovieFile::MovieFile(std::string path, double framesPerSecond) : m_path(std::move(path)), m_framesPerSecond(framesPerSecond) {}
+MovieFile::MovieFile(std::string path, double framesPerSecond)
+    : m_path(std::move(path)), m_part(partOf(m_path)), m_framesPerSecond(framesPerSecond) {}
 
-MovieFile::~MovieFile() = default;
+MovieFile::~MovieFile() {
+    if (!m_ffmpeg) return;
+    m_ffmpeg.reset(); // it has the part open
+    std::error_code none;
+    std::filesystem::remove(m_part, none);
+}
 
 Result<std::unique_ptr<MovieFile>> MovieFile::open(std::string path, double framesPerSecond) {
+    std::error_code none;
+    if (std::filesystem::is_directory(path, none)) return unmade(path, "it is a folder");
     if (!isInstalled("ffmpeg")) return unmade(path, "the program ffmpeg is not installed (sudo apt-get install ffmpeg)");
     return std::unique_ptr<MovieFile>(new MovieFile(std::move(path), framesPerSecond));
 }
@@ -45,7 +61,7 @@ Status MovieFile::start(std::uint32_t width, std::uint32_t height) {
                                    "yuv420p"};
     // Left alone the encoder of WebM takes seconds for a picture.
     if (m_path.ends_with(".webm")) words.insert(words.end(), {"-cpu-used", "5", "-row-mt", "1"});
-    words.push_back("file:" + m_path);
+    words.push_back("file:" + m_part);
     Result<std::unique_ptr<FedProcess>> ffmpeg = FedProcess::start("ffmpeg", words);
     if (!ffmpeg) return unmade(m_path, ffmpeg.error().message);
     m_ffmpeg = std::move(ffmpeg).value();
@@ -54,7 +70,8 @@ Status MovieFile::start(std::uint32_t width, std::uint32_t height) {
 
 Status MovieFile::failure() {
     (void)m_ffmpeg->finish();
-    const std::string words = m_ffmpeg->lastWords();
+    std::string words = m_ffmpeg->lastWords();
+    if (const std::size_t at = words.find(m_part); at != std::string::npos) words.replace(at, m_part.size(), m_path);
     return unmade(m_path, words.empty() ? "ffmpeg gave up without a word" : words);
 }
 
@@ -73,6 +90,9 @@ Status MovieFile::add(const Frame& frame, double time, double tick) {
 Status MovieFile::finish() {
     if (!m_ffmpeg) return {};
     if (!m_ffmpeg->finish()) return failure();
+    std::error_code fault;
+    std::filesystem::rename(m_part, m_path, fault);
+    if (fault) return unmade(m_path, fault.message());
     m_ffmpeg.reset();
     return {};
 }

@@ -11,12 +11,13 @@ namespace trundle {
 class FedProcess;
 
 /// A movie, made by the program ffmpeg while its pictures come. They are equally far apart in simulated time, whatever the ticks
-/// are: one that stands for several moments is shown for as long.
+/// are: one that stands for several moments is shown for as long. The file is there only once the movie is whole; until then what
+/// was there stays.
 class MovieFile {
 public:
     /// `path`: .mp4, .webm, whatever ffmpeg writes by its ending. Fails with words for the user where there is no ffmpeg.
     [[nodiscard]] static Result<std::unique_ptr<MovieFile>> open(std::string path, double framesPerSecond);
-    /// Without finish() it ends as it may.
+    /// Without finish() nothing is left of it.
     ~MovieFile();
 
     /// Whether a picture of this time (s, from the movie's start; a multiple of `tick`) is wanted.
@@ -32,7 +33,7 @@ private:
     [[nodiscard]] Status start(std::uint32_t width, std::uint32_t height);
     [[nodiscard]] Status failure();
 
-    std::string m_path;
+    std::string m_path, m_part; // what it grows in
     double m_framesPerSecond;
     std::uint64_t m_frames = 0;
     std::unique_ptr<FedProcess> m_ffmpeg;

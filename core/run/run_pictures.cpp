@@ -36,12 +36,17 @@ Status ExperimentRunner::savePicture(const std::string& camera, const std::strin
     return writePicture(m_cameras.file(camera, fileName), fileName);
 }
 
-Status ExperimentRunner::savePicture(const PictureWish& wish, const std::string& fileName) {
-    const Status saved = wish.camera.empty()
-                             ? writePicture(m_cameras.viewFile(wish.view, wish.width, wish.height, fileName), fileName)
-                             : savePicture(wish.camera, fileName);
-    if (!saved) warnOfPictures(saved.error());
-    return saved;
+Result<double> ExperimentRunner::savePicture(const PictureWish& wish, const std::string& fileName) {
+    std::uint64_t tick = m_world->ticks();
+    Status saved;
+    if (wish.camera.empty()) {
+        saved = writePicture(m_cameras.viewFile(wish.view, wish.width, wish.height, fileName), fileName);
+    } else if (saved = savePicture(wish.camera, fileName); saved) {
+        if (const Result<const Frame*> frame = m_cameras.capture(wish.camera)) tick = frame.value()->tick; // the one just saved
+    }
+    if (saved) return tickTime(tick, experiment().settings.tick);
+    warnOfPictures(saved.error());
+    return saved.error();
 }
 
 Status ExperimentRunner::writePicture(const Result<std::string>& bytes, const std::string& fileName) {

@@ -64,8 +64,8 @@ MovieDialog::MovieDialog(Parts& parts, RenderService& render, MovieOffer offer, 
     m_record = buttons->addButton(tr("&Record"), QDialogButtonBox::ActionRole);
     m_record->setObjectName(QStringLiteral("movieRecord"));
     m_close->setObjectName(QStringLiteral("movieClose"));
-    m_record->setDefault(true);
     column->addWidget(buttons);
+    m_record->setDefault(true); // once it is in the dialog, or Enter would press another
     connect(m_record, &QPushButton::clicked, this, &MovieDialog::record);
     connect(m_close, &QPushButton::clicked, this, &MovieDialog::reject);
     connect(m_recorder, &MovieRecorder::progressed, this, &MovieDialog::showProgress);

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <filesystem>
 #include <mutex>
 #include <thread>
 
@@ -15,12 +14,6 @@ namespace trundle {
 namespace {
 
 constexpr std::chrono::milliseconds kLastWait(2000);
-
-/// Beside the movie, with its ending, by which ffmpeg knows what to write.
-std::string partOf(const std::string& path) {
-    const std::filesystem::path whole(path);
-    return (whole.parent_path() / ("." + whole.stem().string() + ".part" + whole.extension().string())).string();
-}
 
 } // namespace
 
@@ -78,23 +71,18 @@ void MovieRecorder::start(MovieJob job) {
 }
 
 void MovieRecorder::record(Work& work, const MovieJob& job) {
-    const std::string part = partOf(job.path);
-    Status status = film(work, job, part);
-    std::error_code fault;
-    if (status && !work.cancelled) {
-        std::filesystem::rename(part, job.path, fault);
-        if (fault) status = Error{Code::FileUnwritable, job.path + " cannot be written: " + fault.message()};
-    }
-    if (!status || work.cancelled) std::filesystem::remove(part, fault);
-    const QString failure = status || work.cancelled ? QString() : QString::fromStdString(status.error().message);
-    work.tell([failure, cancelled = work.cancelled.load()](MovieRecorder& recorder) {
+    const Result<bool> whole = film(work, job);
+    const bool cancelled = work.cancelled && !(whole && whole.value()); // too late where the movie is whole
+    const QString failure = whole || cancelled ? QString() : QString::fromStdString(whole.error().message);
+    work.tell([failure, cancelled](MovieRecorder& recorder) {
         recorder.m_work.reset();
         Q_EMIT recorder.finished(failure, cancelled);
     });
 }
 
-Status MovieRecorder::film(Work& work, const MovieJob& job, const std::string& part) {
-    Result<std::unique_ptr<MovieFile>> movie = MovieFile::open(part, job.framesPerSecond);
+/// Whether the movie is whole; false where it was cancelled.
+Result<bool> MovieRecorder::film(Work& work, const MovieJob& job) {
+    Result<std::unique_ptr<MovieFile>> movie = MovieFile::open(job.path, job.framesPerSecond);
     if (!movie) return movie.error();
     Diagnostics problems;
     const std::unique_ptr<Runner> runner = work.parts->makeRunner(*job.loaded, RunOptions{}, problems); // writes no logs
@@ -121,7 +109,7 @@ Status MovieRecorder::film(Work& work, const MovieJob& job, const std::string& p
             const Result<Frame> frame =
                 job.camera.empty() ? drawer.picture(std::move(request), moment) : drawer.capture(job.camera, moment);
             if (!frame) return frame.error();
-            if (Status added = movie.value()->add(frame.value(), time, tick); !added) return added;
+            if (Status added = movie.value()->add(frame.value(), time, tick); !added) return added.error();
         }
         if (now >= last) break;
         if (const auto since = std::chrono::steady_clock::now(); since - told > std::chrono::milliseconds(50)) {
@@ -131,9 +119,11 @@ Status MovieRecorder::film(Work& work, const MovieJob& job, const std::string& p
             });
         }
         for (; done < job.commands.size() && job.commands[done].tick <= now; ++done) runner->command(job.commands[done].what);
-        if (Status ticked = runner->tick(); !ticked) return ticked;
+        if (Status ticked = runner->tick(); !ticked) return ticked.error();
     }
-    return work.cancelled ? Status() : movie.value()->finish();
+    if (work.cancelled) return false;
+    if (Status finished = movie.value()->finish(); !finished) return finished.error();
+    return true;
 }
 
 } // namespace trundle

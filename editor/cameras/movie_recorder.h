@@ -52,7 +52,7 @@ Q_SIGNALS:
 private:
     struct Work;
     static void record(Work& work, const MovieJob& job);
-    static Status film(Work& work, const MovieJob& job, const std::string& part);
+    static Result<bool> film(Work& work, const MovieJob& job);
 
     Parts& m_parts;
     RenderService& m_render;

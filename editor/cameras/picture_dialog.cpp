@@ -51,8 +51,8 @@ PictureDialog::PictureDialog(RenderService& render, Still still, QSize shown, co
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     m_save = buttons->addButton(tr("&Save"), QDialogButtonBox::ActionRole);
     m_save->setObjectName(QStringLiteral("pictureSave"));
-    m_save->setDefault(true);
     column->addWidget(buttons);
+    m_save->setDefault(true); // once it is in the dialog, or Enter would press another
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_save, &QPushButton::clicked, this, &PictureDialog::save);
     connect(choose, &QPushButton::clicked, this, &PictureDialog::browse);

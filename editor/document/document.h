@@ -127,6 +127,8 @@ public:
     void editAnyway();
     /// Journals of the open project, or of new texts where nothing is open, that hold something the disk does not; newest first.
     [[nodiscard]] std::vector<Recovery> recoveries() const;
+    /// Whether that would take the place of what is open.
+    [[nodiscard]] bool isReplacedBy(const Recovery& recovery) const;
     /// Puts a journal's texts in place as one entry of the history, opening what it had open where that is something else.
     Status recover(const Recovery& recovery);
 

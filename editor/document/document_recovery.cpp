@@ -89,6 +89,11 @@ Status Document::openFor(const Recovery& recovery) {
     return {};
 }
 
+bool Document::isReplacedBy(const Recovery& recovery) const {
+    const bool same = recovery.head.name.empty() && !isNew() && m_state->opened == recovery.head.opened;
+    return isOpen() && !same;
+}
+
 Status Document::recover(const Recovery& recovery) {
     if (Status opened = openFor(recovery); !opened) return answer(opened);
     lookAtDisk();

@@ -68,14 +68,11 @@ void FileCommands::showOpening(const QString& path) {
         m_document.cancelOpening();
         m_progress->deleteLater();
     });
-    const auto done = [progress = m_progress] {
-        if (progress) progress->deleteLater();
-    };
-    connect(&m_document, &Document::opened, m_progress, done);
-    connect(&m_document, &Document::openFailed, m_progress, done);
+    connect(&m_document, &Document::opened, m_progress, &QObject::deleteLater);
 }
 
 void FileCommands::sayNotOpened(const QString& path, const QString& reason) {
+    delete m_progress; // it would come to lie on what is said here
     const QString what = reason.contains(path) ? reason : QStringLiteral("%1: %2").arg(path, reason);
     tell(tr("Not opened"), Error{Code::FileUnreadable, what.toStdString()});
 }

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
@@ -60,7 +61,7 @@ MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& pla
       m_selection(new Selection(this)), m_session(new RunSession(*m_document, parts, this)), m_marks(new ObjectMarks(this)),
       m_edits(new ObjectEdits(*m_document, *m_selection, *m_marks, this)) {
     setObjectName(QStringLiteral("mainWindow"));
-    resize(1440, 900);
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
     restoreGeometry(QSettings().value(QStringLiteral("windowGeometry")).toByteArray());
     m_files = new FileCommands(*this, *m_document, *m_actions, QString::fromStdString(places.configs));
     m_layouts = new Layouts(*this);

@@ -114,7 +114,8 @@ void MainWindow::offerRecovery() {
     if (m_document->isReadOnly()) return; // once it may be edited
     std::vector<Recovery> found = m_document->recoveries();
     if (found.empty()) return;
-    auto* dialog = new RecoveryDialog(*m_document, std::move(found), this);
+    for (auto* asked : findChildren<RecoveryDialog*>()) asked->close(); // this one offers the same, and more
+    auto* dialog = new RecoveryDialog(*m_document, std::move(found), [this] { return m_files->mayLeave(); }, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }

@@ -22,8 +22,8 @@ QByteArray onDisk(const std::string& path) {
 
 } // namespace
 
-RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, QWidget* parent)
-    : QDialog(parent), m_document(document), m_found(std::move(found)) {
+RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, std::function<bool()> mayLeave, QWidget* parent)
+    : QDialog(parent), m_document(document), m_found(std::move(found)), m_mayLeave(std::move(mayLeave)) {
     setObjectName(QStringLiteral("recovery"));
     setWindowTitle(tr("Unsaved work was found"));
     resize(760, 480);
@@ -78,6 +78,7 @@ void RecoveryDialog::show(int row) {
 void RecoveryDialog::bringBack() {
     const int row = m_list->currentRow();
     if (row < 0) return;
+    if (m_document.isReplacedBy(m_found[std::size_t(row)]) && !m_mayLeave()) return;
     if (const Status done = m_document.recover(m_found[std::size_t(row)]); !done) {
         QMessageBox::warning(this, tr("Not brought back"), QString::fromStdString(done.error().message));
         return;

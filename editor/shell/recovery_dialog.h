@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include <QDialog>
 #include <QListWidget>
 #include <QTextBrowser>
@@ -12,7 +14,8 @@ namespace trundle {
 class RecoveryDialog final : public QDialog {
     Q_OBJECT
 public:
-    RecoveryDialog(Document& document, std::vector<Recovery> found, QWidget* parent);
+    /// `mayLeave` asks what becomes of unsaved edits that would give way to those brought back.
+    RecoveryDialog(Document& document, std::vector<Recovery> found, std::function<bool()> mayLeave, QWidget* parent);
 
 private:
     void show(int row);
@@ -21,6 +24,7 @@ private:
 
     Document& m_document;
     std::vector<Recovery> m_found;
+    std::function<bool()> m_mayLeave;
     QListWidget* m_list = new QListWidget;
     QTextBrowser* m_preview = new QTextBrowser;
 };

@@ -91,7 +91,8 @@ public:
     /// Pictures asked for because something changed, and those asked for once more, finer, when all stood still.
     [[nodiscard]] int redraws() const { return m_redraws; }
     [[nodiscard]] int refinements() const { return m_refinements; }
-    [[nodiscard]] bool isUpToDate() const { return !m_wanted && !m_inFlight && !m_frame.image.isNull(); }
+    /// A view that says why there is no picture has nothing to wait for either.
+    [[nodiscard]] bool isUpToDate() const { return !m_wanted && !m_inFlight && !(m_frame.image.isNull() && m_failure.isEmpty()); }
     [[nodiscard]] bool isSettled() const { return isUpToDate() && !m_settle.isActive() && !m_glide.isActive(); }
     [[nodiscard]] const QImage& picture() const { return m_frame.image; }
     [[nodiscard]] const QPointF& cursorAt() const { return m_cursor; } ///< where the mouse was last

@@ -108,6 +108,20 @@ private Q_SLOTS:
                  QByteArray("time [s],picture\n0,film_000000.jpg\n0.5,film_000001.jpg\n1,film_000002.jpg\n"));
     }
 
+    void aFrameLogSaysWhenItsPicturesWereTaken() {
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("film.sim"), "#import robots/camera_robot.sim\n"
+                                                       "Tick=0.01 Duration=0.15\n"
+                                                       "Robot a { Config=CameraRobot eye.UpdatePeriod=0.1 }\n"
+                                                       "FrameLog film { Camera=a/eye Interval=0.05 Format=png }\n"));
+        const Outcome run = cli({"run", folder.filePath("film.sim"), "--log-dir", folder.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        QCOMPARE(contentOf(folder.filePath("film.csv")), QByteArray("time [s],picture\n0,film_000000.png\n0,film_000001.png\n"
+                                                                    "0.1,film_000002.png\n0.1,film_000003.png\n"));
+        QVERIFY(contentOf(folder.filePath("film_000000.png")) == contentOf(folder.filePath("film_000001.png")));
+        QVERIFY(contentOf(folder.filePath("film_000001.png")) != contentOf(folder.filePath("film_000002.png")));
+    }
+
     void aRunGoesOnWithoutPictures() {
         QTemporaryDir logs;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -141,6 +155,41 @@ private Q_SLOTS:
         QVERIFY2(run.code == 2, shown(run));
         QVERIFY2(run.err.contains("the program ffmpeg is not installed"), shown(run));
         QVERIFY(!QFile::exists(folder.filePath("blob_follow.csv")));
+    }
+
+    /// A program that takes a little and dies.
+    void aMovieThatFailsLeavesTheOldOne() {
+        QTemporaryDir folder;
+        const QString ffmpeg = folder.filePath("ffmpeg"), movie = folder.filePath("a.mp4");
+        QVERIFY(
+            writeFile(ffmpeg, "#!/bin/sh\nfor out; do :; done\nhead -c 100000 > \"${out#file:}\"\necho no more >&2\nexit 1\n"));
+        QVERIFY(QFile::setPermissions(ffmpeg, QFile::ReadOwner | QFile::ExeOwner));
+        QVERIFY(writeFile(movie, "the old one"));
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("PATH", folder.path() + ":" + environment.value("PATH"));
+        const Outcome run = cliWith(environment, {"run", kExperiment, "--duration", "2", "--movie", movie, "--camera",
+                                                  "seeker_0/eye", "--log-dir", folder.filePath("logs")});
+        QVERIFY2(run.code == 1 && run.err.contains("no more"), shown(run));
+        QCOMPARE(contentOf(movie), QByteArray("the old one"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), (QStringList{"a.mp4", "ffmpeg"}));
+    }
+
+    void whatIsOfAMovieNeedsOne_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("camera") << QStringList{"--camera", "seeker_0/eye"};
+        QTest::newRow("view") << QStringList{"--view", "overview"};
+        QTest::newRow("pictures") << QStringList{"--fps", "10"};
+        QTest::newRow("size") << QStringList{"--size", "64x48"};
+        QTest::newRow("no name") << QStringList{"--movie", "a.mp4", "--camera", ""};
+        QTest::newRow("no number") << QStringList{"--movie", "a.mp4", "--fps", "nan"};
+        QTest::newRow("no size") << QStringList{"--movie", "a.mp4", "--size", "-5x10"};
+    }
+    void whatIsOfAMovieNeedsOne() {
+        QFETCH(QStringList, arguments);
+        QTemporaryDir folder;
+        const Outcome refused = cli(QStringList{"run", kExperiment, "--log-dir", folder.path()} + arguments, folder.path());
+        QVERIFY2(refused.code == 2 && !refused.err.isEmpty(), shown(refused));
+        QVERIFY(QDir(folder.path()).isEmpty());
     }
 
     void aMovieHasExactlyItsPictures_data() {

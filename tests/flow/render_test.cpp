@@ -46,11 +46,20 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<int>("code");
         QTest::newRow("size") << QStringList{"--size", "big"} << 2;
-        QTest::newRow("size of nothing") << QStringList{"--size", "0x100"} << 1;
-        QTest::newRow("too large") << QStringList{"--size", "9000x100"} << 1;
+        QTest::newRow("size of nothing") << QStringList{"--size", "0x100"} << 2;
+        QTest::newRow("too large") << QStringList{"--size", "9000x100"} << 2;
+        QTest::newRow("size below nothing") << QStringList{"--size", "-5x10"} << 2;
         QTest::newRow("half an eye") << QStringList{"--eye", "1,2"} << 2;
         QTest::newRow("eye in its target") << QStringList{"--eye", "1,1,1", "--target", "1,1,1"} << 1;
         QTest::newRow("before the start") << QStringList{"--at", "-1"} << 2;
+        QTest::newRow("no time") << QStringList{"--at", "nan"} << 2;
+        QTest::newRow("eye at no place") << QStringList{"--eye", "0,inf,1"} << 2;
+        QTest::newRow("no angle") << QStringList{"--eye", "1,1,1", "--fov", "nan"} << 2;
+        QTest::newRow("target without an eye") << QStringList{"--target", "1,1,1"} << 2;
+        QTest::newRow("angle without an eye") << QStringList{"--fov", "40"} << 2;
+        QTest::newRow("camera without a name") << QStringList{"--camera", ""} << 2;
+        QTest::newRow("view without a name") << QStringList{"--view", ""} << 2;
+        QTest::newRow("no such property") << QStringList{"--set", "robot0.nothing=3"} << 1;
         QTest::newRow("a folder that is not there") << QStringList{"-o", "/nonexistent/picture.png"} << 1;
         QTest::newRow("no such ending") << QStringList{"-o", "picture.bmp"} << 1;
     }
@@ -62,7 +71,25 @@ private Q_SLOTS:
         const Outcome refused = cli(all + arguments, m_folder.path());
         QVERIFY2(refused.code == code, shown(refused));
         QVERIFY2(!refused.err.isEmpty(), shown(refused));
+        QVERIFY2(!refused.err.contains("4294967"), shown(refused));
         QVERIFY(!QFile::exists(m_folder.filePath("never.png")));
+    }
+    /// The run would take for ever.
+    void whatIsWrongIsToldBeforeTheRun_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("reason");
+        QTest::newRow("camera") << QStringList{"--camera", "robot0/ear"} << QByteArray("there is no camera robot0/ear");
+        QTest::newRow("view") << QStringList{"--view", "below"} << QByteArray("there is no view below");
+        QTest::newRow("ending") << QStringList{"-o", "picture.bmp"} << QByteArray(".png, .jpg or .jpeg");
+        QTest::newRow("folder") << QStringList{"-o", "/nonexistent/picture.png"} << QByteArray("No such file or directory");
+    }
+    void whatIsWrongIsToldBeforeTheRun() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QByteArray, reason);
+        QStringList all{"render", configPath("experiments/linear_motion.sim"), "--at", "1e8"};
+        if (!arguments.contains("-o")) all << "-o" << m_folder.filePath("never.png");
+        const Outcome refused = cli(all + arguments, m_folder.path());
+        QVERIFY2(refused.code == 1 && refused.err.contains(reason), shown(refused));
     }
 };
 

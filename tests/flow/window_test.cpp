@@ -22,6 +22,26 @@ private Q_SLOTS:
         QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
     }
 
+    /// The window says that there are none.
+    void takesAPictureWhereThereAreNone() {
+        const QString picture = m_folder.filePath(QStringLiteral("blind.png"));
+        qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere/none.json");
+        const Outcome outcome = call({"--open", configPath("experiments/camera_swarm.sim"), "--screenshot", picture, "--quit"});
+        qunsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        QVERIFY(contentOf(picture).startsWith("\x89PNG"));
+    }
+
+    void needsNoDisplayForWords() {
+        for (const QString& word : {QStringLiteral("--help"), QStringLiteral("--version")}) {
+            const Outcome outcome = callWithoutDisplay({word});
+            QVERIFY2(outcome.code == 0 && outcome.err.isEmpty() && outcome.out.contains("Trundle"), shown(outcome));
+        }
+        const Outcome refused = callWithoutDisplay({});
+        QVERIFY2(refused.code == 2 && refused.err.contains("QT_QPA_PLATFORM=offscreen"), shown(refused));
+        QCOMPARE(refused.err.count('\n'), 1);
+    }
+
     /// Who makes pictures for a manual finds neither their files among those opened last nor the window as large as they were.
     void aPictureLeavesNoTrace() {
         const QString home = m_folder.filePath(QStringLiteral("home"));
@@ -46,6 +66,7 @@ private Q_SLOTS:
         QTest::newRow("no object") << QStringList{"--open", sample, "--select", "robot7"} << QByteArray("no robot7");
         QTest::newRow("no view") << QStringList{"--open", sample, "--view", "upside"} << QByteArray("perspective");
         QTest::newRow("no time") << QStringList{"--open", sample, "--run-for", "soon"} << QByteArray("seconds");
+        QTest::newRow("no option") << QStringList{"--nonsense"} << QByteArray("nonsense");
         QTest::newRow("no size") << QStringList{"--size", "10x10"} << QByteArray("320x240");
     }
     void saysWhyThereIsNone() {
@@ -62,6 +83,16 @@ private Q_SLOTS:
 private:
     static Outcome call(const QStringList& arguments) {
         return callProgram(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), arguments);
+    }
+    static Outcome callWithoutDisplay(const QStringList& arguments) {
+        const QByteArray platform = qgetenv("QT_QPA_PLATFORM"), display = qgetenv("DISPLAY"),
+                         wayland = qgetenv("WAYLAND_DISPLAY");
+        for (const char* name : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"}) qunsetenv(name);
+        const Outcome outcome = call(arguments);
+        if (!platform.isNull()) qputenv("QT_QPA_PLATFORM", platform);
+        if (!display.isNull()) qputenv("DISPLAY", display);
+        if (!wayland.isNull()) qputenv("WAYLAND_DISPLAY", wayland);
+        return outcome;
     }
     QTemporaryDir m_folder;
 };

@@ -1,4 +1,9 @@
+#include <csignal>
+
 #include <QtTest>
+#ifdef Q_OS_UNIX
+#include <sys/resource.h>
+#endif
 
 #include "run/experiment_runner.h"
 #include "run/fake_world.h"
@@ -105,6 +110,7 @@ private Q_SLOTS:
     void logsHaveTheInitialStateAndEveryInterval();
     void noLogFolderMeansNoLogs();
     void aControllersLogStandsInTheLogFolder();
+    void aLogThatFailedIsNotNamed();
     void aControllersLogCannotLeaveTheLogFolder();
     void aTalkativeControllerIsCutShort();
 };
@@ -262,6 +268,25 @@ void RunnerTest::aControllersLogStandsInTheLogFolder() {
     QVERIFY(m_backend->outlet.openLog("sub/mine.txt") >= 0);
     QVERIFY(m_runner->finish().ok());
     QCOMPARE(log("mine.txt"), QByteArray("hello\n"));
+}
+
+void RunnerTest::aLogThatFailedIsNotNamed() {
+#ifdef Q_OS_UNIX
+    giveController();
+    build();
+    const int id = m_backend->outlet.openLog("mine.txt");
+    m_backend->outlet.writeLog(id, "hello\n");
+    rlimit before{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit none{0, before.rlim_max}; // a full disk, as far as the file can tell
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &none), 0);
+    const bool done = m_runner->finish().ok();
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
+    QVERIFY(!done);
+    QVERIFY(m_runner->logFiles().empty());
+#endif
 }
 
 void RunnerTest::aControllersLogCannotLeaveTheLogFolder() {

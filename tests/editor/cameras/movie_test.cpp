@@ -215,7 +215,7 @@ private Q_SLOTS:
         dialog->findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(size.width());
         dialog->findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(size.height());
         QSignalSpy written(dialog, &PictureDialog::written);
-        dialog->save();
+        QTest::keyClick(dialog->findChild<QSpinBox*>(QStringLiteral("pictureHeight")), Qt::Key_Return);
         QVERIFY(written.wait(60000));
         QCOMPARE(QImage(m_window->folder.filePath(name)).size(), size);
     }

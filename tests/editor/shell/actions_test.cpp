@@ -49,6 +49,14 @@ private Q_SLOTS:
             const auto entries = menu->actions();
             if (entries.isEmpty()) continue;
             QVERIFY2(!entries.first()->isSeparator() && !entries.last()->isSeparator(), qPrintable(path));
+            QSet<QChar> letters; // after Alt each finds one entry
+            for (const QAction* action : entries) {
+                const qsizetype mark = action->text().indexOf(u'&');
+                if (mark < 0) continue;
+                const QChar letter = action->text().at(mark + 1).toLower();
+                QVERIFY2(!letters.contains(letter), qPrintable(path + u' ' + action->text()));
+                letters.insert(letter);
+            }
         }
     }
 

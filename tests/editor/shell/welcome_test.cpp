@@ -4,6 +4,8 @@
 
 #include <QAbstractButton>
 #include <QDialog>
+#include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -74,6 +76,65 @@ private Q_SLOTS:
         m_window->actions().at("file.save").trigger();
         m_window->actions().at("file.close").trigger();
         QCOMPARE(recent()->text(), QStringLiteral("mine.sim"));
+    }
+
+    void whatIsBroughtBackDoesNotCostWhatWasBroughtBackBefore() {
+        QTemporaryDir folder;
+        const QString first = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
+        const QString second = QDir(folder.path()).canonicalPath() + QStringLiteral("/other.sim");
+        for (const QString& path : {first, second}) {
+            write(path, kText);
+            Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}});
+            QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
+        }
+        m_window = m_parts.window();
+        m_window->show();
+        Document& document = m_window->document();
+        const auto dialog = [this] { return m_window->findChild<QDialog*>(QStringLiteral("recovery")); };
+        const auto bringBack = [&](const QString& name) {
+            auto* list = dialog()->findChild<QListWidget*>(QStringLiteral("recoveries"));
+            const auto found = list->findItems(name, Qt::MatchContains);
+            QCOMPARE(found.size(), 1);
+            list->setCurrentItem(found.front());
+            dialog()->findChild<QAbstractButton*>(QStringLiteral("bringBack"))->click();
+        };
+        QVERIFY(m_window->open(first));
+        EVENTUALLY(dialog());
+        bringBack(QStringLiteral("mine.sim"));
+        QVERIFY(document.isModified());
+        EVENTUALLY(!dialog());
+        QMetaObject::invokeMethod(&document, &Document::opened); // whatever offers the rest
+        EVENTUALLY(dialog());
+        bool asked = false;
+        QTimer::singleShot(0, [&] { // the question holds the click up until it is answered
+            auto* question = m_window->findChild<QMessageBox*>(QStringLiteral("unsavedQuestion"));
+            asked = question;
+            if (question) question->button(QMessageBox::Cancel)->click();
+        });
+        bringBack(QStringLiteral("other.sim"));
+        QVERIFY(asked);
+        QVERIFY(document.path().ends_with("mine.sim") && document.isModified());
+        QCOMPARE(document.recoveries().size(), 1u);
+    }
+
+    void whyAFileIsNotOpenedIsNotHidden() {
+        m_window = m_parts.window();
+        m_window->show();
+        QString said;
+        bool covered = true;
+        QTimer look;
+        connect(&look, &QTimer::timeout, this, [&] {
+            auto* message = m_window->findChild<QMessageBox*>(QStringLiteral("fileMessage"));
+            if (!message) return;
+            said = message->text();
+            covered = m_window->findChild<QDialog*>(QStringLiteral("opening"));
+            message->accept();
+        });
+        look.start(1);
+        QVERIFY(m_window->open(QStringLiteral("/nowhere/none.sim")));
+        EVENTUALLY(!said.isEmpty());
+        QVERIFY2(said.contains(QStringLiteral("none.sim")), qPrintable(said));
+        QVERIFY(!covered);
     }
 
     /// Of a plan alone nothing is seen and nothing runs.
