@@ -1,6 +1,7 @@
 #include "editor/shell/recovery_dialog.h"
 
 #include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
@@ -35,13 +36,6 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
     m_preview->setObjectName(QStringLiteral("recoveryPreview"));
     m_preview->setFont(monospaceFont());
     m_preview->setFrameShape(QFrame::StyledPanel);
-    for (const Recovery& r : m_found) {
-        const QString name = r.head.name.empty() ? QFileInfo(QString::fromStdString(r.head.opened)).fileName()
-                                                 : QString::fromStdString(r.head.name);
-        const QString when = QLocale().toString(QDateTime::fromSecsSinceEpoch(r.time), QLocale::ShortFormat);
-        const std::size_t files = r.files.size();
-        m_list->addItem(files == 1 ? tr("%1, %2").arg(name, when) : tr("%1, %2, %3 files").arg(name, when).arg(files));
-    }
     auto* back = new QPushButton(tr("Bring Back"));
     auto* drop = new QPushButton(tr("Throw Away"));
     auto* later = new QPushButton(tr("Later"));
@@ -62,6 +56,15 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
     connect(back, &QPushButton::clicked, this, &RecoveryDialog::bringBack);
     connect(drop, &QPushButton::clicked, this, &RecoveryDialog::discard);
     connect(later, &QPushButton::clicked, this, &QDialog::reject);
+    // Once the list is in the dialog, or its rows have the height they have without a style.
+    for (const Recovery& r : m_found) {
+        const QFileInfo file(QString::fromStdString(r.head.opened));
+        const QString name =
+            r.head.name.empty() ? tr("%1 in %2").arg(file.fileName(), file.dir().dirName()) : QString::fromStdString(r.head.name);
+        const QString when = QLocale().toString(QDateTime::fromSecsSinceEpoch(r.time), QLocale::ShortFormat);
+        const std::size_t files = r.files.size();
+        m_list->addItem(files == 1 ? tr("%1, %2").arg(name, when) : tr("%1, %2, %3 files").arg(name, when).arg(files));
+    }
     m_list->setCurrentRow(0);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QDir>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QPainter>
@@ -207,9 +208,13 @@ void WelcomePage::refresh() {
     const QStringList files = recentFiles();
     if (files.isEmpty()) return;
     m_recent->addWidget(heading(tr("Recent"), 15));
-    for (const QString& file : files.mid(0, 8)) {
+    const QStringList shown = files.mid(0, 8);
+    for (const QString& file : shown) {
         const QString name = QFileInfo(file).fileName();
-        QPushButton* button = linkButton(hasUnsavedWork(file) ? tr("%1 – unsaved work").arg(name) : name);
+        const bool several =
+            std::ranges::count_if(shown, [&](const QString& other) { return QFileInfo(other).fileName() == name; }) > 1;
+        const QString label = several ? tr("%1 in %2").arg(name, QFileInfo(file).dir().dirName()) : name;
+        QPushButton* button = linkButton(hasUnsavedWork(file) ? tr("%1 – unsaved work").arg(label) : label);
         button->setObjectName(QStringLiteral("recent.") + name);
         button->setToolTip(file);
         connect(button, &QPushButton::clicked, this, [this, file] { Q_EMIT openWanted(file); });

@@ -100,6 +100,9 @@ private Q_SLOTS:
         };
         QVERIFY(m_window->open(first));
         EVENTUALLY(dialog());
+        const auto* both = dialog()->findChild<QListWidget*>(QStringLiteral("recoveries"));
+        QCOMPARE(both->count(), 2);
+        QVERIFY(!both->visualItemRect(both->item(0)).intersects(both->visualItemRect(both->item(1))));
         bringBack(QStringLiteral("mine.sim"));
         QVERIFY(document.isModified());
         EVENTUALLY(!dialog());
