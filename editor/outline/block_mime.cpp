@@ -35,16 +35,21 @@ std::string lineOf(const Tree& tree, const Item& item) {
 
 /// What the words of a part's values name, and the modules that bring its kinds.
 struct Needs {
+    bool elsewhere = false; ///< for a window of another project, which cannot import the files of this one
     std::set<FileId> files;
     std::set<std::string> modules;
-    std::vector<const Part*> own; ///< of the opened file, which nobody imports
+    std::vector<const Part*> own; ///< of the opened file, which nobody imports, or of others that cannot be
 };
+
+bool isOfProject(const Loaded& loaded, FileId file) {
+    return !loaded.projectFolder.empty() && loaded.paths[file].starts_with(loaded.projectFolder + "/");
+}
 
 void collect(const Loaded& loaded, const Part& part, Needs& needs);
 
 void need(const Loaded& loaded, const Part* part, Needs& needs) {
     if (!part || part->file == kNoFile) return;
-    if (part->file != 0) {
+    if (part->file != 0 && !(needs.elsewhere && isOfProject(loaded, part->file))) {
         needs.files.insert(part->file);
     } else if (std::find(needs.own.begin(), needs.own.end(), part) == needs.own.end()) {
         needs.own.push_back(part);
@@ -89,19 +94,52 @@ std::vector<std::string> paramsIn(const Loaded& loaded, std::vector<SourceRange>
     return texts;
 }
 
-QByteArray jsonOf(const std::string& kind, const std::string& text, const std::vector<std::string>& imports,
-                  const std::vector<NeededBlock>& needs, const std::vector<std::string>& params) {
+/// What goes in with blocks.
+struct Company {
+    std::vector<std::string> imports;
+    std::vector<NeededBlock> needs;
+    std::vector<std::string> params;
+    [[nodiscard]] bool empty() const { return imports.empty() && needs.empty() && params.empty(); }
+};
+
+Company companyOf(const Loaded& loaded, const std::vector<std::string>& paths, bool elsewhere) {
+    Needs needs;
+    needs.elsewhere = elsewhere;
+    std::vector<SourceRange> taken;
+    for (const std::string& path : paths)
+        if (const auto place = placeOf(loaded, path); place && place->part) {
+            collect(loaded, *place->part, needs);
+            taken.push_back(place->part->range);
+        }
+    Company company;
+    company.imports.assign(needs.modules.begin(), needs.modules.end());
+    for (const FileId file : needs.files)
+        if (!loaded.paths[file].empty()) company.imports.push_back(loaded.paths[file]);
+    std::reverse(needs.own.begin(), needs.own.end()); // what is named stands before what names it
+    for (const Part* part : needs.own)
+        if (const std::string path = part->kind->name + "." + part->name;
+            std::find(paths.begin(), paths.end(), path) == paths.end())
+            company.needs.push_back({path, textOf(loaded, {path})});
+    for (const Part* part : needs.own) taken.push_back(part->range);
+    company.params = paramsIn(loaded, std::move(taken), needs.files);
+    return company;
+}
+
+QJsonObject jsonOf(const Company& company) {
     QJsonArray files, blocks, names;
-    for (const std::string& file : imports) files.append(QString::fromStdString(file));
-    for (const std::string& param : params) names.append(QString::fromStdString(param));
-    for (const NeededBlock& block : needs)
+    for (const std::string& file : company.imports) files.append(QString::fromStdString(file));
+    for (const std::string& param : company.params) names.append(QString::fromStdString(param));
+    for (const NeededBlock& block : company.needs)
         blocks.append(QJsonObject{{QStringLiteral("path"), QString::fromStdString(block.path)},
                                   {QStringLiteral("text"), QString::fromStdString(block.text)}});
-    const QJsonObject object{{QStringLiteral("kind"), QString::fromStdString(kind)},
-                             {QStringLiteral("text"), QString::fromStdString(text)},
-                             {QStringLiteral("imports"), files},
-                             {QStringLiteral("needs"), blocks},
-                             {QStringLiteral("params"), names}};
+    return {{QStringLiteral("imports"), files}, {QStringLiteral("needs"), blocks}, {QStringLiteral("params"), names}};
+}
+
+QByteArray jsonOf(const std::string& kind, const std::string& text, const Company& here, const Company& elsewhere) {
+    QJsonObject object = jsonOf(here);
+    object.insert(QStringLiteral("kind"), QString::fromStdString(kind));
+    object.insert(QStringLiteral("text"), QString::fromStdString(text));
+    object.insert(QStringLiteral("elsewhere"), jsonOf(elsewhere));
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
 
@@ -130,48 +168,38 @@ QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths) {
     const std::string text = textOf(loaded, paths);
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
-    Needs needs;
-    std::vector<SourceRange> taken;
-    for (const std::string& path : paths)
-        if (const auto place = placeOf(loaded, path); place && place->part) {
-            collect(loaded, *place->part, needs);
-            taken.push_back(place->part->range);
-        }
-    std::vector<std::string> imports(needs.modules.begin(), needs.modules.end());
-    for (const FileId file : needs.files)
-        if (!loaded.paths[file].empty()) imports.push_back(loaded.paths[file]);
-    std::vector<NeededBlock> own;
-    std::reverse(needs.own.begin(), needs.own.end()); // what is named stands before what names it
-    for (const Part* part : needs.own)
-        if (const std::string path = part->kind->name + "." + part->name;
-            std::find(paths.begin(), paths.end(), path) == paths.end())
-            own.push_back({path, textOf(loaded, {path})});
-    for (const Part* part : needs.own) taken.push_back(part->range);
-    const std::vector<std::string> params = paramsIn(loaded, std::move(taken), needs.files);
+    const Company company = companyOf(loaded, paths, false);
     const Kind* kind = paths.empty() ? nullptr : kindAt(loaded, paths.front());
-    if (!imports.empty() || !own.empty() || !params.empty())
-        mime->setData(QLatin1String(kLibraryMime), jsonOf(kind ? kind->name : "", text, imports, own, params));
+    if (!company.empty())
+        mime->setData(QLatin1String(kLibraryMime), jsonOf(kind ? kind->name : "", text, company, companyOf(loaded, paths, true)));
     return mime;
 }
 
 QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports) {
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
-    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, text, imports, {}, {}));
+    const Company company{imports, {}, {}};
+    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, text, company, company));
     return mime;
 }
 
-Result<Blocks> blocksIn(const QMimeData& mime) {
+Result<Blocks> blocksIn(const QMimeData& mime, const MayImport& mayImport) {
     if (mime.hasFormat(QLatin1String(kLibraryMime))) {
         const QJsonObject object = QJsonDocument::fromJson(mime.data(QLatin1String(kLibraryMime))).object();
         Result<Blocks> blocks = blocksFrom(object.value(QStringLiteral("text")).toString().toStdString());
         if (!blocks) return blocks;
         Blocks all = std::move(blocks).value();
-        for (const QJsonValue& file : object.value(QStringLiteral("imports")).toArray())
+        const QJsonArray files = object.value(QStringLiteral("imports")).toArray();
+        const bool here = std::all_of(files.begin(), files.end(), [&](const QJsonValue& file) {
+            const QString path = file.toString();
+            return !path.startsWith(QLatin1Char('/')) || mayImport(path.toStdString());
+        });
+        const QJsonObject company = here ? object : object.value(QStringLiteral("elsewhere")).toObject();
+        for (const QJsonValue& file : company.value(QStringLiteral("imports")).toArray())
             all.imports.push_back(file.toString().toStdString());
-        for (const QJsonValue& param : object.value(QStringLiteral("params")).toArray())
+        for (const QJsonValue& param : company.value(QStringLiteral("params")).toArray())
             all.params.push_back(param.toString().toStdString());
-        for (const QJsonValue& value : object.value(QStringLiteral("needs")).toArray()) {
+        for (const QJsonValue& value : company.value(QStringLiteral("needs")).toArray()) {
             const QJsonObject block = value.toObject();
             all.needs.push_back({block.value(QStringLiteral("path")).toString().toStdString(),
                                  block.value(QStringLiteral("text")).toString().toStdString()});

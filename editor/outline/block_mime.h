@@ -1,6 +1,7 @@
 #pragma once
 // Objects outside the program: as the text of their blocks, so that any editor can take them and give them back.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ class QMimeData;
 
 namespace trundle {
 
-inline constexpr const char* kLibraryMime = "application/x-trundle-library"; ///< JSON {"kind", "text", "imports"}
+inline constexpr const char* kLibraryMime = "application/x-trundle-library"; ///< JSON {"kind", "text", "imports" ...}
 
 /// A config, material or surface that blocks name. It goes in with them where nothing of that name is there.
 struct NeededBlock {
@@ -38,7 +39,9 @@ struct Blocks {
 [[nodiscard]] QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths);
 [[nodiscard]] QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports);
 
-/// What a drop or a paste brings. Fails where it brings nothing of the kind.
-[[nodiscard]] Result<Blocks> blocksIn(const QMimeData& mime);
+using MayImport = std::function<bool(const std::string& file)>; ///< absolute
+/// What a drop or a paste brings. Blocks whose files may not be imported here come themselves instead. Fails where it brings
+/// nothing of the kind.
+[[nodiscard]] Result<Blocks> blocksIn(const QMimeData& mime, const MayImport& mayImport);
 
 } // namespace trundle

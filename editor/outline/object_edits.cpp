@@ -54,6 +54,7 @@ Status ObjectEdits::refuse(const QString& reason) {
 
 Status ObjectEdits::mayChange(const std::vector<std::string>& paths, const QString& deed) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    if (m_document.isReadOnly()) return m_document.edit({}, {}); // says who has the project
     if (paths.empty()) return refuse(tr("select an object to %1 first").arg(deed));
     for (const std::string& path : paths)
         if (m_marks.isLocked(path)) return refuse(tr("%1 is locked; unlock it to %2 it").arg(shown(path), deed));
@@ -64,6 +65,12 @@ bool ObjectEdits::canRename(const std::string& path) const {
     if (!m_document.isOpen() || path.empty()) return false;
     const auto place = placeOf(*m_document.loaded(), path);
     return place && place->part && !(place->member && place->within.empty());
+}
+
+QString ObjectEdits::nameRefusal(const std::string& path, const std::string& name) const {
+    if (!m_document.isOpen() || name.empty()) return {};
+    const Result<EditPlan> plan = planRename(*m_document.loaded(), path, name);
+    return plan ? QString() : shown(plan.error().message);
 }
 
 Status ObjectEdits::rename(const std::string& path, const std::string& name) {
@@ -109,10 +116,18 @@ bool ObjectEdits::canPaste() const {
     return m_document.isOpen() && mime && mime->hasText();
 }
 
+Result<Blocks> ObjectEdits::read(const QMimeData& mime) const {
+    const std::string& folder = m_document.loaded()->projectFolder;
+    return blocksIn(mime, [&](const std::string& file) {
+        return m_document.isSample(file) || (!folder.empty() && file.starts_with(folder + "/"));
+    });
+}
+
 Status ObjectEdits::paste(const std::string& place) {
     const QMimeData* mime = QGuiApplication::clipboard()->mimeData();
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     if (!mime) return refuse(tr("there is no text to insert"));
-    const Result<Blocks> blocks = blocksIn(*mime);
+    const Result<Blocks> blocks = read(*mime);
     if (!blocks) return refuse(shown(blocks.error().message));
     return insert(blocks.value(), place, tr("Paste %1").arg(named(blocks.value())));
 }
@@ -137,7 +152,8 @@ Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const
 }
 
 Status ObjectEdits::insertFrom(const QMimeData& mime, const std::string& place) {
-    const Result<Blocks> blocks = blocksIn(mime);
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    const Result<Blocks> blocks = read(mime);
     return blocks ? insert(blocks.value(), place) : refuse(shown(blocks.error().message));
 }
 
@@ -178,33 +194,40 @@ Status ObjectEdits::replaceBySingles(const std::string& path) {
 }
 
 void ObjectEdits::removeSelected() {
+    takeAway(tr("delete"), tr("Delete"), tr("Delete All"), tr("deleted"), &ObjectEdits::remove);
+}
+void ObjectEdits::cutSelected() { takeAway(tr("cut"), tr("Cut"), tr("Cut All"), tr("cut"), &ObjectEdits::cut); }
+
+void ObjectEdits::takeAway(const QString& deed, const QString& title, const QString& all, const QString& done,
+                           Status (ObjectEdits::*take)(const std::vector<std::string>&)) {
     const std::vector<std::string> paths = objectsOf(m_selection.paths());
-    const std::vector<std::string> users = m_document.isOpen() ? usersOf(*m_document.loaded(), paths) : paths;
-    if (users.empty() || !mayChange(paths, tr("delete"))) return (void)remove(paths);
+    if (!mayChange(paths, deed)) return;
+    const std::vector<std::string> users = usersOf(*m_document.loaded(), paths);
+    if (users.empty()) return (void)(this->*take)(paths);
     constexpr std::size_t kMostNamed = 5;
     QStringList names;
     for (const std::string& user : users)
         if (const auto place = placeOf(*m_document.loaded(), user); place && place->part)
             names.append(shown(place->part->title()));
     if (users.size() > kMostNamed) names = names.mid(0, kMostNamed) << tr("%1 more").arg(users.size() - kMostNamed);
-    auto* question = new QMessageBox(QMessageBox::Question, tr("Delete"),
-                                     tr("%1 is used by %2.").arg(named(paths), names.join(QStringLiteral(", "))),
-                                     QMessageBox::Cancel, QApplication::activeWindow());
+    auto* question =
+        new QMessageBox(QMessageBox::Question, title, tr("%1 is used by %2.").arg(named(paths), names.join(QStringLiteral(", "))),
+                        QMessageBox::Cancel, QApplication::activeWindow());
     question->setObjectName(QStringLiteral("deleteQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(tr("They can only be deleted together. One undo brings them back."));
-    QPushButton* all = question->addButton(tr("Delete All"), QMessageBox::AcceptRole);
-    question->setDefaultButton(all);
-    connect(all, &QPushButton::clicked, this, [this, paths, users] {
-        std::vector<std::string> together = paths;
-        together.insert(together.end(), users.begin(), users.end());
-        (void)remove(together);
+    question->setInformativeText(tr("They can only be %1 together. One undo brings them back.").arg(done));
+    QPushButton* together = question->addButton(all, QMessageBox::AcceptRole);
+    question->setDefaultButton(together);
+    connect(together, &QPushButton::clicked, this, [this, paths, users, take] {
+        std::vector<std::string> both = paths;
+        both.insert(both.end(), users.begin(), users.end());
+        (void)(this->*take)(both);
     });
     question->open();
 }
+
 void ObjectEdits::duplicateSelected() { (void)duplicate(m_selection.paths()); }
 void ObjectEdits::copySelected() { (void)copy(m_selection.paths()); }
-void ObjectEdits::cutSelected() { (void)cut(m_selection.paths()); }
 void ObjectEdits::pasteAtSelected() { (void)paste(m_selection.current()); }
 
 } // namespace trundle

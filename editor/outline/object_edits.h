@@ -27,6 +27,8 @@ public:
 
     /// Objects that have a name of their own to change.
     [[nodiscard]] bool canRename(const std::string& path) const;
+    /// Why it cannot be called so; empty where it can.
+    [[nodiscard]] QString nameRefusal(const std::string& path, const std::string& name) const;
     Status rename(const std::string& path, const std::string& name);
 
     Status remove(const std::vector<std::string>& paths);
@@ -46,14 +48,18 @@ public:
 
     // The same for what is selected.
     void removeSelected(); ///< asks where something else refers to it and would have to go along
+    void cutSelected();    ///< so does this one
     void duplicateSelected();
     void copySelected();
-    void cutSelected();
     void pasteAtSelected();
 
 private:
+    [[nodiscard]] Result<Blocks> read(const QMimeData& mime) const;
     [[nodiscard]] Status mayChange(const std::vector<std::string>& paths, const QString& deed);
     Status refuse(const QString& reason);
+    /// Takes away what is selected, and asks before what refers to it goes along.
+    void takeAway(const QString& deed, const QString& title, const QString& all, const QString& done,
+                  Status (ObjectEdits::*take)(const std::vector<std::string>&));
 
     Document& m_document;
     Selection& m_selection;

@@ -4,7 +4,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPixmapCache>
-#include <QRegularExpressionValidator>
+#include <QToolTip>
 
 #include "editor/outline/outline_model.h"
 #include "editor/widgets/theme.h"
@@ -134,10 +134,15 @@ QSize OutlineDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
     return {kIcon + 3 * kGap + option.fontMetrics.horizontalAdvance(index.data().toString()), kRowHeight};
 }
 
-QWidget* OutlineDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const {
+QWidget* OutlineDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {
     auto* line = new QLineEdit(parent);
     line->setObjectName(QStringLiteral("renameEditor"));
-    line->setValidator(new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[A-Za-z_][A-Za-z0-9_]*")), line));
+    QObject::connect(line, &QLineEdit::textEdited, line, [line, at = QPersistentModelIndex(index)](const QString& typed) {
+        const auto* model = qobject_cast<const OutlineModel*>(at.model());
+        const QString reason = model ? model->nameRefusal(at, typed) : QString();
+        line->setToolTip(reason);
+        QToolTip::showText(line->mapToGlobal(QPoint(0, line->height())), reason, line); // none where there is no reason
+    });
     return line;
 }
 

@@ -155,6 +155,11 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     }
 }
 
+QString OutlineModel::nameRefusal(const QModelIndex& index, const QString& name) const {
+    const OutlineRow* row = rowAt(index);
+    return row ? m_edits.nameRefusal(row->path, name.trimmed().toStdString()) : QString();
+}
+
 bool OutlineModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     const OutlineRow* row = rowAt(index);
     if (!row || role != Qt::EditRole || !row->selectable || index.column() != NameColumn) return false;

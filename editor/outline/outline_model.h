@@ -39,6 +39,8 @@ public:
     [[nodiscard]] std::string keyOf(const QModelIndex& index) const;
     /// The row of an object, made where it has not been looked at yet. Members of a Grid or Scatter have the row of that.
     [[nodiscard]] QModelIndex indexOf(const std::string& path);
+    /// Why a row's object cannot be called so; empty where it can.
+    [[nodiscard]] QString nameRefusal(const QModelIndex& index, const QString& name) const;
     /// Rows made so far.
     [[nodiscard]] std::size_t made() const { return m_made; }
 

@@ -76,7 +76,10 @@ void NumbersEditor::addFields(std::size_t count) {
 
 void NumbersEditor::arrange() {
     const bool formula = std::any_of(m_row.values.begin(), m_row.values.end(), [](const FieldValue& v) { return v.formula; });
-    const std::size_t columns = formula || m_fields.size() == 1 ? 1 : m_fields.size() == 2 || m_fields.size() == 4 ? 2 : 3;
+    std::size_t columns = formula || m_fields.size() == 1 ? 1 : m_fields.size() == 2 || m_fields.size() == 4 ? 2 : 3;
+    // Once too long it stays one below the other until another object is shown: digits come and go while something is dragged.
+    if (columns > 1 && m_start.empty() && m_stacked != m_row.first().path && !fit(columns)) m_stacked = m_row.first().path;
+    if (m_stacked == m_row.first().path) columns = 1;
     if (columns == m_columns) return;
     m_columns = columns;
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
@@ -87,10 +90,28 @@ void NumbersEditor::arrange() {
     for (int c = 0; c < 6; ++c) m_grid->setColumnStretch(c, c % 2 && c / 2 < static_cast<int>(columns) ? 1 : 0);
 }
 
+bool NumbersEditor::fit(std::size_t columns) const {
+    if (!m_sized) return true; // not known yet
+    int labels = 0, widest = 0;
+    for (const ScrubLabel* label : m_labels) labels = std::max(labels, label->sizeHint().width());
+    for (const ValueField* field : m_fields) widest = std::max(widest, field->wholeWidth());
+    const int count = static_cast<int>(columns), gaps = (2 * count - 1) * m_grid->horizontalSpacing();
+    return count * (labels + widest) + gaps <= width();
+}
+
 void NumbersEditor::refresh() {
     if (m_fields.empty()) addFields(m_row.fieldCount());
-    arrange();
+    if (m_stacked != m_row.first().path) m_stacked.clear();
     for (std::size_t i = 0; i < m_fields.size(); ++i) showField(i);
+    arrange();
+}
+
+void NumbersEditor::resizeEvent(QResizeEvent* event) {
+    RowEditor::resizeEvent(event);
+    if (m_fields.empty() || (m_sized && event->oldSize().width() == width())) return;
+    m_sized = true;
+    m_stacked.clear();
+    arrange();
 }
 
 void NumbersEditor::showField(std::size_t i) {

@@ -20,10 +20,12 @@ public:
 
 protected:
     void refresh() override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void addFields(std::size_t count);
     void arrange();
+    [[nodiscard]] bool fit(std::size_t columns) const; ///< all numbers are seen whole
     void enter(std::size_t i, const QString& typed);
     void scrubField(std::size_t i, double steps);
     void showField(std::size_t i);
@@ -33,6 +35,8 @@ private:
     std::vector<ScrubLabel*> m_labels;         ///< none where there is one field
     std::map<std::string, FieldValue> m_start; ///< by path, when the drag began
     std::size_t m_columns = 0;
+    bool m_sized = false;
+    std::string m_stacked; ///< path of the value that was too long for its columns
 };
 
 } // namespace trundle

@@ -2,16 +2,20 @@
 
 #include <QAbstractItemView>
 #include <QCompleter>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QStyleOptionFrame>
+#include <QToolTip>
 
 #include "editor/widgets/theme.h"
 
 namespace trundle {
 
 namespace {
-constexpr int kRoom = 44; ///< that the text keeps beside a long suffix
-}
+constexpr int kRoom = 44;      ///< that the text keeps beside a long suffix
+constexpr int kTextMargin = 2; ///< that a QLineEdit leaves on both sides of its text
+} // namespace
 
 ValueField::ValueField(QWidget* parent) : QLineEdit(parent) {
     connect(this, &QLineEdit::textEdited, this, [this] { colour(); });
@@ -90,6 +94,10 @@ void ValueField::closeList() {
 }
 
 bool ValueField::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip && isCut()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text(), this);
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride && !isModified()) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
@@ -127,6 +135,7 @@ void ValueField::focusOutEvent(QFocusEvent* event) {
     QLineEdit::focusOutEvent(event);
     if (event->reason() == Qt::PopupFocusReason || refused()) return;
     enter();
+    if (isCut()) setCursorPosition(0); // its beginning is what is seen of it
 }
 
 void ValueField::colour() {
@@ -153,11 +162,36 @@ void ValueField::placeSuffix() {
     update();
 }
 
+QRect ValueField::textRect() const {
+    QStyleOptionFrame option;
+    initStyleOption(&option);
+    const QMargins margins = textMargins();
+    return style()
+        ->subElementRect(QStyle::SE_LineEditContents, &option, this)
+        .adjusted(margins.left() + kTextMargin, 0, -margins.right() - kTextMargin, 0);
+}
+
+int ValueField::wholeWidth() const {
+    return fontMetrics().horizontalAdvance(m_value) + 1 + width() - textRect().width(); // 1: the cursor
+}
+
+bool ValueField::isCut() const {
+    return !hasFocus() && !text().isEmpty() && fontMetrics().horizontalAdvance(text()) > textRect().width();
+}
+
 void ValueField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
+    QPainter painter(this);
+    if (isCut()) { // half a number reads as another one
+        const QString more = QStringLiteral("…");
+        QRect end = textRect();
+        end.setLeft(end.right() + 1 - fontMetrics().horizontalAdvance(more));
+        painter.fillRect(end.adjusted(-1, 1, kTextMargin, -1), palette().color(isReadOnly() ? QPalette::Window : QPalette::Base));
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(end, Qt::AlignVCenter | Qt::AlignLeft, more);
+    }
     if (m_suffix.isEmpty()) return;
     const int room = textMargins().right();
-    QPainter painter(this);
     painter.setPen(ink(Ink::Faint));
     const QRect box = rect().adjusted(width() - room - 6, 0, -6, 0);
     painter.drawText(box, Qt::AlignVCenter | Qt::AlignRight, fontMetrics().elidedText(m_suffix, Qt::ElideRight, box.width()));

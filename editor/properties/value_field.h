@@ -22,6 +22,8 @@ public:
     [[nodiscard]] bool refused() const { return !m_reason.isEmpty(); }
     [[nodiscard]] const QString& reason() const { return m_reason; }
     void restore();
+    /// Width in which the document's value is seen whole.
+    [[nodiscard]] int wholeWidth() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -44,6 +46,8 @@ private:
     void forgive();
     void colour();
     void placeSuffix();
+    [[nodiscard]] QRect textRect() const;
+    [[nodiscard]] bool isCut() const; ///< some of the text cannot be seen, and nobody is typing in it
 
     QString m_value, m_suffix, m_reason;
     bool m_faint = false, m_mixed = false, m_compact = false, m_colouring = false;

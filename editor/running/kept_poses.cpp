@@ -5,31 +5,27 @@
 
 #include <QCoreApplication>
 
+#include "lang/number_text.h"
 #include "model/outline.h"
+#include "model/provenance.h"
 
 namespace trundle {
 namespace {
 
 constexpr double kPosStep = 1e-6, kAngleStep = 1e-4; // m, degrees
 
-Vec3 rounded(const Vec3& v, double step) {
-    Vec3 out;
-    for (int k = 0; k < 3; ++k) {
-        const double steps = std::round(v[k] / step);
-        out[k] = steps == 0 ? 0 : steps / std::round(1 / step); // a division, so that 0.3 is written 0.3
-    }
-    return out;
+/// The value as the text has it; empty where it is not given.
+std::string textOf(const Loaded& loaded, const std::string& property) {
+    const auto from = provenanceOf(*loaded.outline, property);
+    return from && from->value.known() ? std::string(loaded.sources.slice(from->value)) : std::string();
 }
 
-/// Without exponents, as people write places.
-std::string plainText(double value) {
-    QString text = QString::number(value, 'f', 6);
-    while (text.endsWith(QLatin1Char('0'))) text.chop(1);
-    if (text.endsWith(QLatin1Char('.'))) text.chop(1);
-    return text.toStdString();
+/// The text with other numbers in it, as the Move tool writes them. What hardly differs stays as it is.
+std::string kept(const std::string& text, const Vec3& before, Vec3 now, const char* unit, double step) {
+    for (int k = 0; k < 3; ++k)
+        if (std::abs(now[k] - before[k]) < step / 2) now[k] = before[k];
+    return withNumbers(text, {before.data(), 3}, {now.data(), 3}, unit, step);
 }
-
-std::string tripleText(const Vec3& v) { return plainText(v.x()) + ", " + plainText(v.y()) + ", " + plainText(v.z()); }
 
 Vec3 degreesOf(const Pose& pose) { return hprFromRotation(pose.rotation) * (180 / std::numbers::pi); }
 
@@ -43,24 +39,25 @@ QString trPoses(const char* text) { return QCoreApplication::translate("RunSessi
 } // namespace
 
 KeptPoses keptPoses(const Loaded& loaded, const std::function<std::optional<Pose>(const std::string&)>& poseNow) {
-    KeptPoses kept;
+    KeptPoses all;
     for (const RobotSpec& robot : loaded.experiment->robots) {
         const std::optional<Pose> now = poseNow(robot.name);
         if (!now || !isElsewhere(*now, robot.pose)) continue;
         if (!loaded.outline->world.find(robot.name)) {
             const Part* layout = layoutOfMember(*loaded.outline, robot.name);
             const QString name = QString::fromStdString(layout ? layout->name : robot.name);
-            kept.refusal =
+            all.refusal =
                 trPoses("%1 moved as one of many: its members have no start of their own. Replace %2 by single instances first.")
                     .arg(QString::fromStdString(robot.name), name);
-            kept.values.clear();
-            return kept;
+            all.values.clear();
+            return all;
         }
-        kept.values.push_back({robot.name + ".Pos", tripleText(rounded(now->position, kPosStep))});
-        kept.values.push_back({robot.name + ".HPR", tripleText(rounded(degreesOf(*now), kAngleStep))});
+        const std::string pos = robot.name + ".Pos", hpr = robot.name + ".HPR";
+        all.values.push_back({pos, kept(textOf(loaded, pos), robot.pose.position, now->position, "m", kPosStep)});
+        all.values.push_back({hpr, kept(textOf(loaded, hpr), degreesOf(robot.pose), degreesOf(*now), "deg", kAngleStep)});
     }
-    if (kept.values.empty()) kept.refusal = trPoses("Every robot stands where it starts.");
-    return kept;
+    if (all.values.empty()) all.refusal = trPoses("Every robot stands where it starts.");
+    return all;
 }
 
 } // namespace trundle

@@ -122,22 +122,25 @@ QString RunSession::refusal() const {
     const std::shared_ptr<const Loaded>& loaded = m_document.loaded();
     if (!loaded) return tr("Nothing is open.");
     std::size_t errors = 0;
-    const Diagnostic* first = nullptr;
+    const Diagnostic *error = nullptr, *module = nullptr; // the first of each
     for (const Diagnostic& d : loaded->diagnostics.all()) {
         // Looking at a text without a module's kinds is fair; running it without its controller is not.
-        const bool counts =
-            d.severity == Severity::Error || d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed;
-        if (!counts) continue;
+        if ((d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed) && !module) module = &d;
+        if (d.severity != Severity::Error) continue;
         ++errors;
-        if (!first) first = &d;
+        if (!error) error = &d;
     }
-    if (errors == 0) return nothingToRun(m_document);
-    QString why = QString::fromStdString(first->message);
-    if (first->code == Code::ModuleNotTrusted) // what the command line would do is of no use here
+    if (module && module->code == Code::ModuleNotTrusted) { // what the command line would do is of no use here
+        const QString why = QString::fromStdString(module->message);
         return tr("%1 To run it, trust the folder in the Controllers panel.")
             .arg(why.left(why.indexOf(QStringLiteral(", so its code"))) + u'.');
-    return errors == 1 ? tr("The text has an error: %1").arg(why)
-                       : tr("The text has %1 errors, the first: %2").arg(errors).arg(why);
+    }
+    if (error) {
+        const QString why = QString::fromStdString(error->message);
+        return errors == 1 ? tr("The text has an error: %1").arg(why)
+                           : tr("The text has %1 errors, the first: %2").arg(errors).arg(why);
+    }
+    return module ? QString::fromStdString(module->message) + u'.' : nothingToRun(m_document);
 }
 
 // ---- start and end ----
@@ -147,15 +150,16 @@ bool RunSession::refuse(const QString& reason) {
     return false;
 }
 
-/// Logs go where the command line puts them; those of a sample that came with an installed program, and may not be written
-/// beside it, into the user's own folder.
+/// Logs go where the command line puts them. Into the user's own folder go those of a sample that came with an installed program,
+/// and may not be written beside it, and of a window that only looks: the other one writes them there.
 std::string RunSession::logFolder() const {
     namespace fs = std::filesystem;
     if (m_document.isNew()) return {};
     const std::string stem = fs::path(m_document.path()).stem().string();
     const std::string name = stem.empty() || stem == "." || stem == ".." ? "experiment" : stem;
     const fs::path project = m_document.loaded()->projectFolder;
-    if (QFileInfo(QString::fromStdString(project.string())).isWritable()) return (project / "logs" / name).string();
+    if (!m_document.isReadOnly() && QFileInfo(QString::fromStdString(project.string())).isWritable())
+        return (project / "logs" / name).string();
     const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     return own.isEmpty() ? std::string() : (fs::path(own.toStdString()) / "logs" / name).string();
 }

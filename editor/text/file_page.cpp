@@ -99,7 +99,10 @@ bool FilePage::flush() {
     }
     m_cost = static_cast<int>(clock.elapsed());
     m_sinceFlush.start();
-    if (!taken) m_typing.drop();
+    if (!taken) {
+        m_typing.drop();
+        m_base = nullptr; // what is shown is not made from it any more: the document's text comes back whether it changed or not
+    }
     follow();
     showProblems();
     Q_EMIT flushed();

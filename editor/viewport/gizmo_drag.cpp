@@ -7,7 +7,7 @@
 #include <QKeyEvent>
 
 #include "base/units.h"
-#include "editor/viewport/number_text.h"
+#include "lang/number_text.h"
 
 namespace trundle {
 namespace {

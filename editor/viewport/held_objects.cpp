@@ -7,9 +7,9 @@
 
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
-#include "editor/viewport/number_text.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
+#include "lang/number_text.h"
 #include "model/provenance.h"
 #include "project/object_place.h"
 #include "project/part_values.h"

@@ -8,10 +8,10 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
-#include "editor/viewport/number_text.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
+#include "lang/number_text.h"
 #include "lang/tree_edit.h"
 
 namespace trundle {

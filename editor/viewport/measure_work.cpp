@@ -5,11 +5,11 @@
 #include <QKeyEvent>
 #include <QPainter>
 
-#include "editor/viewport/number_text.h"
 #include "editor/viewport/plate.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
 #include "editor/widgets/theme.h"
+#include "lang/number_text.h"
 
 namespace trundle {
 namespace {

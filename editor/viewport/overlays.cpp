@@ -7,13 +7,13 @@
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
 #include "editor/viewport/frusta.h"
-#include "editor/viewport/number_text.h"
 #include "editor/viewport/radio_legend.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/trails.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
 #include "editor/widgets/theme.h"
+#include "lang/number_text.h"
 
 namespace trundle {
 namespace {

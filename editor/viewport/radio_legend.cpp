@@ -5,13 +5,13 @@
 #include <QCoreApplication>
 #include <QPainter>
 
-#include "editor/viewport/number_text.h"
 #include "editor/viewport/radio_colours.h"
 #include "editor/viewport/radio_overlays.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
 #include "editor/viewport/world_pen.h"
+#include "lang/number_text.h"
 
 namespace trundle {
 namespace {

@@ -9,12 +9,12 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
-#include "editor/viewport/number_text.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/theme.h"
+#include "lang/number_text.h"
 
 namespace trundle {
 namespace {

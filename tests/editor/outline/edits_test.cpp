@@ -1,14 +1,13 @@
 // Editing in the scene tree: names, deletion, clipboard, order.
 
 #include <QClipboard>
-#include <QDir>
 #include <QDropEvent>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 
-#include "editor/outline/block_mime.h"
+#include "eventually.h"
 #include "outlined.h"
 
 using namespace trundle;
@@ -21,6 +20,8 @@ private Q_SLOTS:
     void deletesWhatIsSelected();
     void whatOthersNeedIsNotDeleted();
     void whatNeedsItGoesAlongIfOneWantsSo();
+    void whoOnlyLooksIsNotAsked();
+    void aNameThatCannotBeIsSaidWhileItIsTyped();
     void copyAndPasteGiveTheBlockBack();
     void pastesWhereItFits();
     void whatIsNoBlockIsRefusedWithTheReason_data();
@@ -28,10 +29,6 @@ private Q_SLOTS:
     void duplicatesStandClearOfTheirOriginals();
     void aDropPutsRowsInAnotherOrder();
     void aDropOnARowThatCannotHoldItGoesBesideIt();
-    void whatIsDraggedFromAnotherWindowIsCopied();
-    void aPasteFromAnotherProjectImportsAsItsAuthorWould();
-    void aPasteFromAnotherProjectBringsWhatItNames();
-    void aPasteBringsTheParamsItTakes();
     void aDropMovesAGeomToAnotherBody();
     void aDropThatDoesNotFitIsNotTaken();
     void theMenuOfAGridWritesItOut();
@@ -124,6 +121,49 @@ void EditsTest::whatNeedsItGoesAlongIfOneWantsSo() {
     QCOMPARE(o.errors(), QString());
     QCOMPARE(o.document.history().entries().size(), std::size_t(1));
     o.document.undo();
+    QCOMPARE(o.text(), kRovers);
+
+    // Cut asks the same, and has both on the clipboard.
+    o.selection.select("robot0");
+    o.edits.cutSelected();
+    question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    QVERIFY(question);
+    QTest::keyClick(question, Qt::Key_Return);
+    QVERIFY2(!o.text().contains("robot0") && !o.text().contains("PoseLog"), o.text().constData());
+    QVERIFY(o.edits.paste({}).ok());
+    QVERIFY2(o.text().contains("Robot robot0") && o.text().contains("PoseLog path"), o.text().constData());
+    QCOMPARE(o.errors(), QString());
+}
+
+void EditsTest::whoOnlyLooksIsNotAsked() {
+    Outlined first, o;
+    QVERIFY(first.open(kRovers));
+    QVERIFY(o.document.open(first.document.path()).ok());
+    QVERIFY(o.document.isReadOnly());
+    o.click(o.at("robot0"));
+    QTest::keyClick(&o.tree(), Qt::Key_Delete);
+    o.edits.cutSelected();
+    QVERIFY(!QApplication::activeModalWidget());
+    QCOMPARE(o.refusals.size(), 2);
+    for (const QString& reason : o.refusals) QVERIFY2(reason.contains(QStringLiteral("only shows it")), qPrintable(reason));
+}
+
+void EditsTest::aNameThatCannotBeIsSaidWhileItIsTyped() {
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    o.click(o.at("robot1"));
+    QTest::keyClick(&o.tree(), Qt::Key_F2);
+    auto* line = o.tree().findChild<QLineEdit*>(QStringLiteral("renameEditor"));
+    QVERIFY(line);
+    line->selectAll();
+    QTest::keyClicks(line, QStringLiteral("Runner"));
+    QCOMPARE(line->toolTip(), QString());
+    QTest::keyClicks(line, QStringLiteral(" 1"));
+    QCOMPARE(line->text(), QStringLiteral("Runner 1"));
+    QVERIFY2(line->toolTip().contains(QStringLiteral("cannot be a name")), qPrintable(line->toolTip()));
+    QTest::keyClick(line, Qt::Key_Return);
+    EVENTUALLY_EQUAL(o.refusals.size(), 1);
+    QVERIFY2(o.refusals[0].contains(QStringLiteral("cannot be a name")), qPrintable(o.refusals[0]));
     QCOMPARE(o.text(), kRovers);
 }
 
@@ -260,92 +300,6 @@ void EditsTest::aDropOnARowThatCannotHoldItGoesBesideIt() {
     dropAt(o.tree().visualRect(o.at("robot0")).center().y() + 2);
     QCOMPARE(o.at("robot1").row(), 1);
     QCOMPARE(o.errors(), QString());
-}
-
-void EditsTest::whatIsDraggedFromAnotherWindowIsCopied() {
-    Outlined o, other; // both have a robot1
-    QVERIFY(o.open(kRovers));
-    QVERIFY(other.open(kRovers));
-    const std::unique_ptr<QMimeData> mime(other.model().mimeData({other.at("robot1")}));
-    QVERIFY(o.model().dropMimeData(mime.get(), Qt::MoveAction, 0, 0, o.at("robot0").parent()));
-    QCOMPARE(o.document.loaded()->experiment->robots.size(), std::size_t(3));
-    QCOMPARE(o.errors(), QString());
-    o.document.undo();
-    QCOMPARE(o.text(), kRovers);
-}
-
-void EditsTest::aPasteFromAnotherProjectImportsAsItsAuthorWould() {
-    Outlined from, to;
-    QVERIFY(from.open("#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot Pos=0,0,0 }\n"));
-    QVERIFY(to.open("Tick = 0.01\n"));
-    QVERIFY(from.edits.copy({"r"}).ok());
-    QVERIFY(to.edits.paste({}).ok());
-    QVERIFY2(to.text().contains("#import robots/simple_robot.sim\n"), to.text());
-    QCOMPARE(to.errors(), QString());
-    to.document.undo();
-    // Here that path means another file.
-    QVERIFY(QDir(to.folder.path()).mkpath(QStringLiteral("robots")));
-    QVERIFY(to.write("robots/simple_robot.sim", "RobotConfig Other { }\n"));
-    QVERIFY(to.edits.paste({}).ok());
-    QVERIFY2(to.text().contains("#import /"), to.text());
-    QCOMPARE(to.errors(), QString());
-}
-
-void EditsTest::aPasteFromAnotherProjectBringsWhatItNames() {
-    Outlined from, to;
-    QVERIFY(from.open(
-        "#loadModule controllers/linear_motion\n" + kRovers +
-        "Material brick { ColorRGB=1,0,0 }\nRobotConfig Sled { Body b { Box x { Size=1,1,1 Material=brick Mass=1 } } }\n"
-        "StaticConfig Yard { Box wall { Size=1,1,1 Material=brick } }\n"
-        "Robot sled { Config=Sled Pos=3,0,0 LinearMotion brain { Distance=1 Speed=0.1 } }\n"));
-    QVERIFY(to.open("Tick = 0.01\n"));
-    QVERIFY(from.edits.copy({"sled"}).ok());
-    QVERIFY(!QGuiApplication::clipboard()->text().contains(QStringLiteral("RobotConfig"))); // another editor gets what was copied
-    QVERIFY(to.edits.paste({}).ok());
-    QCOMPARE(to.errors(), QString());
-    QCOMPARE(to.document.loaded()->experiment->robots.size(), std::size_t(1));
-    QVERIFY(to.text().contains("#loadModule controllers/linear_motion"));
-    QVERIFY2(to.text().contains("Material brick") && to.text().indexOf("Material brick") < to.text().indexOf("RobotConfig"),
-             to.text());
-    QCOMPARE(to.selected(), QStringLiteral("sled"));
-    QVERIFY(to.edits.paste({}).ok());
-    QCOMPARE(to.text().count("RobotConfig Sled"), 1);
-    to.document.undo();
-    to.document.undo();
-    QCOMPARE(to.text(), QByteArray("Tick = 0.01\n"));
-    QVERIFY(from.edits.copy({"StaticConfig.Yard.wall"}).ok()); // where no module has to be found first
-    QVERIFY(to.edits.insertKind(*to.document.loaded()->registry->find("StaticConfig"), {}).ok());
-    QVERIFY(to.edits.paste(to.selection.current()).ok());
-    QVERIFY2(to.text().contains("Material brick"), to.text());
-    QCOMPARE(to.errors(), QString());
-}
-
-void EditsTest::aPasteBringsTheParamsItTakes() {
-    Outlined from, bare, other;
-    QVERIFY(from.open("Param wall = 0.05   // of all\nParam side = $(40*wall)\nParam high = 9\nParam idle = 1\n"
-                      "StaticConfig Yard {\n  Param high = 0.3\n  Box north { Size=$side,$wall,$high Pos=0,$(side/2),0.15 }\n}\n"
-                      "Static yard { Config=Yard }\n"));
-    QVERIFY(from.edits.copy({"StaticConfig.Yard"}).ok());
-    QVERIFY(bare.open("Tick = 0.01\n"));
-    QVERIFY(bare.edits.paste({}).ok());
-    QCOMPARE(bare.errors(), QString());
-    QVERIFY2(bare.text().contains("Param wall = 0.05\n") && bare.text().contains("Param side = $(40*wall)\n"), bare.text());
-    QVERIFY2(!bare.text().contains("idle") && !bare.text().contains("Param high = 9"), bare.text()); // not used, its own
-    QCOMPARE(bare.selected(), QStringLiteral("StaticConfig.Yard"));
-    QCOMPARE(bare.document.history().entries().size(), std::size_t(1));
-    bare.document.undo();
-    QCOMPARE(bare.text(), QByteArray("Tick = 0.01\n"));
-
-    // One of the name that is there stays and serves. What is named on the way brings its Params too.
-    QVERIFY(other.open("Param wall = 0.1\n"));
-    QVERIFY(from.edits.copy({"yard"}).ok());
-    QVERIFY(other.edits.paste({}).ok());
-    QCOMPARE(other.errors(), QString());
-    QVERIFY2(other.text().startsWith("Param wall = 0.1\n") && other.text().count("Param wall") == 1, other.text());
-    QCOMPARE(other.document.loaded()->experiment->statics.at(0).geoms->at(0).size.x(), 4.0);
-    QVERIFY(other.edits.paste({}).ok()); // once is enough
-    QCOMPARE(other.text().count("Param side"), 1);
-    QCOMPARE(other.errors(), QString());
 }
 
 void EditsTest::aDropMovesAGeomToAnotherBody() {

@@ -58,6 +58,30 @@ private Q_SLOTS:
         QVERIFY2(desk.text().find("Pos=22 cm, 0, 0.5") != std::string::npos, desk.text().c_str());
     }
 
+    void numbersThatAreTooLongForTheirColumnsStandOneBelowTheOther() {
+        PanelDesk desk;
+        QVERIFY(desk.open(replaced(kRobots, "Pos=1,2,0", "Pos=0.473219,0.5,-0.000039")));
+        const auto stacked = [&](const char* id) {
+            return desk.field(id, "field0")->geometry().bottom() < desk.field(id, "field1")->geometry().top();
+        };
+        const auto whole = [&](const char* id) {
+            return desk.field(id, "field0")->wholeWidth() <= desk.field(id, "field0")->width() &&
+                   desk.field(id, "field2")->wholeWidth() <= desk.field(id, "field2")->width();
+        };
+        desk.selection.select("robot0");
+        EVENTUALLY(!stacked("Pos") && whole("Pos"));
+        desk.selection.select("robot1");
+        EVENTUALLY(stacked("Pos") && whole("Pos"));
+        QVERIFY(!stacked("HPR"));
+        desk.picture("long");
+        desk.panel.resize(700, 900);
+        EVENTUALLY(!stacked("Pos") && whole("Pos"));
+        desk.panel.resize(340, 900);
+        EVENTUALLY(stacked("Pos") && whole("Pos"));
+        desk.selection.select("robot0");
+        EVENTUALLY(!stacked("Pos") && whole("Pos"));
+    }
+
     void aListThatIsNotGivenYet() {
         PanelDesk desk;
         QVERIFY(desk.open(kRobots));

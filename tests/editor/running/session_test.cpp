@@ -158,6 +158,18 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
     }
 
+    void aModuleThatIsNotDescribedIsNoErrorOfTheText() {
+        OpenedSession o;
+        QVERIFY(
+            QFile::copy(QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle/controllers/librandom_drive.so"), o.path("libalone.so")));
+        QVERIFY(o.open("#loadModule alone\n" + kStandingRobot));
+        OpenOptions trusting = o.document.options();
+        trusting.modules.push_back(o.folder.path().toStdString());
+        o.document.setOptions(trusting);
+        const QString why = o.session.refusal();
+        QVERIFY2(why.contains(QStringLiteral("no description file")) && !why.contains(QStringLiteral("error")), qPrintable(why));
+    }
+
     void aRobotThatBlowsUpStopsTheRunAndSaysWhere() {
         OpenedSession o;
         QVERIFY(o.open(kStandingRobot));
@@ -245,7 +257,7 @@ private Q_SLOTS:
         QVERIFY(o.session.place("robot0", {{1.25, -0.5, -3.91e-5}, Quat::Identity()}));
         o.session.keepPoses();
         const std::string plain = *o.document.text(o.document.path());
-        QVERIFY2(plain.find("Pos=1.25, -0.5, -0.000039 ") != std::string::npos, plain.c_str()); // as people write it
+        QVERIFY2(plain.find("Pos=1.25,-0.5,-0.000039 HPR=0,0,0 }") != std::string::npos, plain.c_str()); // as it was written
     }
 
     void membersOfAGridHaveNoStartOfTheirOwn() {

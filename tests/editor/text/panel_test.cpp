@@ -34,6 +34,7 @@ private Q_SLOTS:
     void anythingTypedComesBack();
     void inputMethods();
     void deleteTakesWhatIsSelected();
+    void whatIsRefusedDoesNotStay();
 };
 
 void PanelTest::showsTheOpenedFile() {
@@ -342,6 +343,30 @@ void PanelTest::deleteTakesWhatIsSelected() {
     w.panel.flush();
     QCOMPARE(w.text(), QByteArray("\n"));
     QVERIFY(!w.panel.carryOut("edit.rename"));
+}
+
+void PanelTest::whatIsRefusedDoesNotStay() {
+    TextWindow first, w; // another window has the project
+    const std::string path = openDrive(first);
+    w.open(path);
+    QVERIFY(w.document.isReadOnly());
+    QSignalSpy refused(&w.document, &Document::refused);
+    w.caretAt("Material red", 3);
+    w.keys("XY");
+    EVENTUALLY(!w.page().pending());
+    QCOMPARE(w.shown(), QByteArray(kDrive));
+    QCOMPARE(w.edit().caret(), static_cast<std::uint32_t>(w.shown().indexOf("Material red") + 3));
+    w.key(Qt::Key_Backspace);
+    EVENTUALLY(!w.page().pending());
+    QCOMPARE(w.shown(), QByteArray(kDrive));
+    QVERIFY(!refused.isEmpty());
+    QVERIFY(refused[0][0].toString().contains(QStringLiteral("this window only shows it")));
+    w.document.editAnyway();
+    w.caretAt("Tick");
+    w.keys("Seed=1 ");
+    w.panel.flush();
+    QVERIFY(w.text().contains("Seed=1 Tick"));
+    QCOMPARE(w.shown(), w.text());
 }
 
 QTEST_MAIN(PanelTest)

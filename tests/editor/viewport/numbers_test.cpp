@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "editor/viewport/number_text.h"
+#include "lang/number_text.h"
 
 using namespace trundle;
 

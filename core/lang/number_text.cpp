@@ -1,4 +1,4 @@
-#include "editor/viewport/number_text.h"
+#include "lang/number_text.h"
 
 #include <algorithm>
 #include <charconv>
