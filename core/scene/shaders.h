@@ -50,7 +50,7 @@ void main() {
 }
 )";
 
-/// Distance along the line of sight, and which object it is; in the layers of kBodyVertex.
+/// Distance along the view's axis, and which object it is; in the layers of kBodyVertex.
 inline constexpr const char* kDataVertex = R"(
 uniform float firstObject;
 out float depth;

@@ -18,7 +18,7 @@ struct Frame {
     std::uint64_t tick = 0;             ///< completed ticks of the state it shows
     double time = 0;                    ///< s
     std::vector<std::uint8_t> pixels;   ///< red, green, blue
-    std::vector<float> depth;           ///< m along the line of sight, infinite where there is nothing; not in all modes
+    std::vector<float> depth;           ///< m along the camera's axis, infinite where there is nothing; not in all modes
     std::vector<std::uint32_t> objects; ///< 0 where there is nothing; not in all modes
 };
 

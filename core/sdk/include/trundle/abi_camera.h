@@ -15,7 +15,7 @@ typedef struct TrundlePicture {
     uint32_t width, height, reserved;
     double time;             /* simulated s that it shows */
     const uint8_t* pixels;   /* width * height * 3: red, green, blue */
-    const float* depth;      /* m along the line of sight, infinite where there is nothing; NULL in Mode color and grey */
+    const float* depth;      /* m along the camera's axis, infinite where there is nothing; NULL in Mode color and grey */
     const uint32_t* objects; /* 0 where there is nothing, else for objectName; NULL but in Mode segmentation */
 } TrundlePicture;
 

@@ -40,7 +40,7 @@ public:
     }
     /// Red, green, blue, row by row.
     [[nodiscard]] const std::vector<std::uint8_t>& pixels() const { return m_pixels; }
-    /// m along the line of sight, infinite where nothing is seen. Of cameras with Mode=depth and Mode=segmentation.
+    /// m along the way the camera looks (its axis), infinite where nothing is seen. Of cameras with Mode=depth and Mode=segmentation.
     [[nodiscard]] double depth(int x, int y) const {
         return holds(x, y) && !m_depth.empty() ? m_depth[place(x, y)] : std::numeric_limits<double>::infinity();
     }
