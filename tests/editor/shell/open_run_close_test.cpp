@@ -112,9 +112,8 @@ private Q_SLOTS:
 
 private:
     /// Bytes a round. One button of a tab left behind is more than 8 kB with its style; a text or a world hundreds of kB, a window
-    /// millions. Below that Qt keeps the styles of each box of choices that loses its parent, as the rows do when others take their
-    /// place (2.5 kB), and what malloc keeps for threads moves.
-    static constexpr double kMostInOneWindow = 5e3, kMostInNewWindows = 30e3;
+    /// millions. Measured are 1 kB and 12 kB: what Qt keeps of styles, and what malloc keeps for threads moves.
+    static constexpr double kMostInOneWindow = 3e3, kMostInNewWindows = 20e3;
 
     [[nodiscard]] QString path() const { return m_folder.filePath(QStringLiteral("obstacles.sim")); }
 
