@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QImage>
 #include <QImageReader>
+#include <QPainter>
 
 #include <string_view>
 
@@ -107,7 +108,7 @@ Result<QImage> decoded(const std::string& content, std::uint64_t fewest) {
     buffer.open(QIODevice::ReadOnly);
     QImageReader::setAllocationLimit(kMostMegabytes);
     QImageReader reader(&buffer);
-    reader.setAutoTransform(false);
+    reader.setAutoTransform(true); // photographs say in EXIF which side is up
     if (!reader.canRead()) return failure("it is not a picture of a known format, or it is damaged");
     if (!formatIsKnown(reader.format()))
         return failure("a picture is a PNG, JPEG, BMP, PGM or PPM file, this is " + reader.format().toStdString());
@@ -134,6 +135,12 @@ Result<Raster> readColours(const std::string& content) {
     constexpr int most = kMostRasterSide;
     if (picture.width() > most || picture.height() > most)
         picture = picture.scaled(most, most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    if (picture.hasAlphaChannel()) { // what stands behind clear pixels is whatever the program that wrote them left there
+        QImage onWhite(picture.size(), QImage::Format_RGB32);
+        onWhite.fill(Qt::white);
+        QPainter(&onWhite).drawImage(0, 0, picture);
+        picture = onWhite;
+    }
     picture = picture.convertToFormat(QImage::Format_RGB888);
     if (picture.isNull()) return failure("there is not enough memory for the picture");
     return coloursOf(picture);

@@ -32,6 +32,21 @@ using BodyPlaces = std::unordered_map<std::string, int>;
 /// Antenna patterns and the medium; after the settings.
 void resolveRadio(ResolveContext& context);
 void resolveLogs(ResolveContext& context);
+/// The cameras and views that FrameLogs name; after robots and views.
+void checkFrameLogs(ResolveContext& context);
+/// Views and lights that cannot do what they say, told one after another.
+class LookChecker {
+public:
+    explicit LookChecker(ResolveContext& context) : m_context(context) {}
+    void check(const Record& record, const Part& part);
+
+private:
+    void checkView(const Record& record, const Part& part);
+    void checkLight(const Record& record, const Part& part);
+
+    ResolveContext& m_context;
+    std::size_t m_suns = 0, m_lamps = 0;
+};
 /// Values of Transceivers that do not go together; after the robots.
 void checkRadios(ResolveContext& context);
 /// Robots, statics, grids and scatters, in text order.

@@ -60,22 +60,10 @@ void sayDefaults(ResolveContext& context) {
     context.diagnostics.hint(Code::DefaultUsed, part->nameRange(), text);
 }
 
-/// A view that is carried along, by nobody.
-void checkCarrier(ResolveContext& context, const Record& record, const Part& part) {
-    if (record.kind->name != "View") return;
-    const ResolvedValue *mode = record.find("Mode"), *robot = record.find("Robot");
-    const std::string word = mode && !mode->value.texts.empty() ? mode->value.texts[0] : "fixed";
-    const bool carried = robot && !robot->value.texts.empty() && !robot->value.texts[0].empty();
-    if (word == "fixed" || carried) return;
-    Diagnostic& d =
-        context.diagnostics.warning(Code::MissingRequired, record.rangeOf("Mode", part.nameRange()),
-                                    part.title() + " says Mode = " + word + " but names no Robot: it stays where it is");
-    if (!context.out.robots.empty()) context.fixAdd(d, part, "Robot", context.out.robots.front().name);
-}
-
 } // namespace
 
 void resolveLogs(ResolveContext& context) {
+    LookChecker looks(context);
     for (const Part* part : context.outline.world.all()) {
         if (!part->is(Role::Log) && !part->is(Role::Look)) continue;
         ParamScope scope(&context.globals);
@@ -89,7 +77,7 @@ void resolveLogs(ResolveContext& context) {
             if (!robots || !record.values[i] || record.values[i]->origin == Origin::Default) continue;
             good = checkRobots(context, property, *record.values[i]) && good;
         }
-        checkCarrier(context, record, *part);
+        looks.check(record, *part);
         if (good) (part->is(Role::Log) ? context.out.logs : context.out.looks).push_back(componentFrom(record, *part));
     }
 }
@@ -105,6 +93,7 @@ std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLooku
     resolveInstances(context);
     checkRadios(context);
     resolveLogs(context);
+    checkFrameLogs(context);
     sayDefaults(context);
     return experiment;
 }

@@ -44,7 +44,8 @@ void MaterialFields::describe(Describe<MaterialFields>& d) {
     d.help("How a geom looks.");
     const Quantity share = number().within(0, 1);
     d.field("ColorRGB", &MaterialFields::colour, share, "Red, green and blue.");
-    d.field("Texture", &MaterialFields::texture, file("jpg|jpeg|png"), "Picture on the surface; its ending may be left out.");
+    d.field("Texture", &MaterialFields::texture, file("jpg|jpeg|png"),
+            "Picture on the surface, in place of ColorRGB; white where it is clear. Its ending may be left out.");
     d.field("TextureScale", &MaterialFields::textureScale, number().above(0), "How often the picture is repeated.");
     d.field("TextureMap", &MaterialFields::textureMap, oneOf("auto|planar|box|cylinder|sphere"),
             "How the picture is laid on the surface.");

@@ -69,6 +69,8 @@ struct ScatterFields : PlaceFields {
     static void describe(Describe<ScatterFields>& d);
 };
 
+inline constexpr std::size_t kMostLamps = 8; ///< more cost every pixel too much; those that come first count
+
 struct LightFields {
     std::string mode = "sun";
     Triple pos{0, 0, 2}, direction{0.52, 0.30, -0.80}, colour{1, 1, 1};

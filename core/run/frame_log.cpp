@@ -1,6 +1,5 @@
 #include <cstdio>
 
-#include "base/spelling.h"
 #include "run/csv.h"
 #include "run/log.h"
 #include "run/log_settings.h"
@@ -43,32 +42,6 @@ private:
     std::uint64_t m_frames = 0;
 };
 
-std::vector<std::string> cameraPaths(const ExperimentSpec& experiment) {
-    std::vector<std::string> paths;
-    for (const RobotSpec& robot : experiment.robots)
-        for (const ComponentSpec& device : robot.config->devices)
-            if (device.kind == "Camera") paths.push_back(robot.name + "/" + device.name);
-    return paths;
-}
-
-std::vector<std::string> viewsOf(const ExperimentSpec& experiment) {
-    std::vector<std::string> names;
-    for (const ComponentSpec& look : experiment.looks)
-        if (look.kind == "View") names.push_back(look.name);
-    return names;
-}
-
-bool isThere(const ComponentSpec& spec, const char* key, const char* what, const std::vector<std::string>& names,
-             Diagnostics& diagnostics) {
-    const ResolvedValue* value = spec.find(key);
-    const std::string written = spec.text(key);
-    if (!value || written.empty() || std::find(names.begin(), names.end(), written) != names.end()) return true;
-    Diagnostic& d = diagnostics.error(Code::UnknownReference, value->range.known() ? value->range : spec.nameRange,
-                                      std::string("no ") + what + " is called '" + written + "'");
-    d.suggestions = nearestWords(written, names);
-    return false;
-}
-
 } // namespace
 
 void FrameLogSettings::describe(Describe<FrameLogSettings>& d) {
@@ -83,9 +56,7 @@ void FrameLogSettings::describe(Describe<FrameLogSettings>& d) {
     describeLogSettings(d);
 }
 
-std::unique_ptr<Log> makeFrameLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
-    const bool camera = isThere(spec, "Camera", "camera", cameraPaths(world.experiment()), diagnostics);
-    if (!isThere(spec, "View", "view", viewsOf(world.experiment()), diagnostics) || !camera) return nullptr;
+std::unique_ptr<Log> makeFrameLog(const ComponentSpec& spec, const World&, Diagnostics&) {
     return std::make_unique<FrameLog>(spec.name, settingsFrom<FrameLogSettings>(spec));
 }
 

@@ -1,5 +1,6 @@
 #include "scene/lighting.h"
 
+#include "model/world_fields.h"
 #include "scene/look.h"
 
 namespace trundle {

@@ -10,8 +10,6 @@
 
 namespace trundle {
 
-inline constexpr std::size_t kMostLamps = 8; ///< more cost every pixel too much; those that come first count
-
 struct Lamp {
     osg::Vec3 place;
     osg::Vec3 light; ///< at a distance of 1 m

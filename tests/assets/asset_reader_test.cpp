@@ -1,4 +1,5 @@
 #include <QImage>
+#include <QImageWriter>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -161,6 +162,28 @@ private Q_SLOTS:
         QCOMPARE(raster.value()->height, 2u);
         const std::vector<std::uint8_t> wanted{10, 20, 30, 10, 20, 30, 250, 0, 5, 10, 20, 30, 10, 20, 30, 10, 20, 30};
         QVERIFY(raster.value()->pixels == wanted);
+    }
+
+    void clearPixelsAreWhiteWhateverStandsBehindThem() {
+        QImage picture(2, 1, QImage::Format_ARGB32);
+        picture.setPixel(0, 0, qRgba(0, 0, 0, 0));
+        picture.setPixel(1, 0, qRgba(255, 0, 0, 128));
+        QVERIFY(picture.save(m_folder->filePath("clear.png")));
+        const auto raster = m_reader->picture(m_folder->filePath("clear.png").toStdString());
+        QVERIFY(raster);
+        QCOMPARE(raster.value()->pixels, (std::vector<std::uint8_t>{255, 255, 255, 255, 127, 127}));
+    }
+
+    void aPhotographStandsUpright() {
+        QImage picture(16, 8, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QImageWriter writer(m_folder->filePath("photo.jpg"));
+        writer.setTransformation(QImageIOHandler::TransformationRotate90);
+        QVERIFY(writer.write(picture));
+        const auto raster = m_reader->picture(m_folder->filePath("photo.jpg").toStdString());
+        QVERIFY(raster);
+        QCOMPARE(raster.value()->width, 8u);
+        QCOMPARE(raster.value()->height, 16u);
     }
 
     void aLargePictureIsMadeSmaller() {

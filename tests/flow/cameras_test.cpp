@@ -122,6 +122,22 @@ private Q_SLOTS:
         QVERIFY(contentOf(folder.filePath("film_000001.png")) != contentOf(folder.filePath("film_000002.png")));
     }
 
+    /// Told by a check, before anything runs.
+    void whatAFrameLogNamesIsThere() {
+        QTemporaryDir folder;
+        const auto check = [&](const char* log) {
+            if (!writeFile(folder.filePath("film.sim"), contentOf(kExperiment) + log)) return Outcome{};
+            return cli({"check", folder.filePath("film.sim")});
+        };
+        const Outcome camera = check("FrameLog film { Camera=seeker_0/eyes }\n"), view = check("FrameLog film { View=ovrview }\n");
+        QCOMPARE(camera.code, 1);
+        QVERIFY2(camera.err.contains("E208: Camera names seeker_0/eyes, but there is no such camera"), shown(camera));
+        QVERIFY2(camera.err.contains("fix: seeker_0/eye"), shown(camera));
+        QVERIFY2(view.code == 1 && view.err.contains("View names ovrview, but there is no such view"), shown(view));
+        const Outcome both = check("FrameLog film { Camera=seeker_0/eye View=overview }\n");
+        QVERIFY2(both.code == 0 && both.err.contains("has a Camera, so its View takes no pictures"), shown(both));
+    }
+
     void aRunGoesOnWithoutPictures() {
         QTemporaryDir logs;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
