@@ -148,10 +148,11 @@ void CameraWall::paintTile(QPainter& painter, const Tile& tile) const {
     }
     if (!reading.isEmpty()) {
         painter.setPen(ink(Ink::Faint));
-        reading = fontMetrics().elidedText(reading, Qt::ElideMiddle, line.width() / 2);
+        reading = fontMetrics().elidedText(reading, Qt::ElideMiddle, line.width()); // it is what is asked for: the name gives way
         painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, reading);
         line.setRight(line.right() - fontMetrics().horizontalAdvance(reading) - 8);
     }
+    if (line.width() < fontMetrics().averageCharWidth() * 4) return;
     painter.setPen(ink(Ink::Text));
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(QString::fromStdString(tile.camera), Qt::ElideMiddle, line.width()));

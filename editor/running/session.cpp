@@ -143,6 +143,11 @@ QString RunSession::refusal() const {
     return module ? QString::fromStdString(module->message) + u'.' : nothingToRun(m_document);
 }
 
+bool RunSession::describesOnly() const {
+    const QString why = refusal();
+    return !why.isEmpty() && m_document.loaded() && why == nothingToRun(m_document);
+}
+
 // ---- start and end ----
 
 bool RunSession::refuse(const QString& reason) {

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] bool isOpen() const { return m_document.isOpen(); }
     /// Why run() would be refused; empty where it would not.
     [[nodiscard]] QString refusal() const;
+    /// The text is whole, but places nothing that could run.
+    [[nodiscard]] bool describesOnly() const;
     /// What runs, as built but with what was changed live; null at Start. Other edits made since are in the document only.
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> experiment() const { return m_experiment; }
     /// The texts it was built from: where its diagnostics point. Null at Start.

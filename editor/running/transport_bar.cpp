@@ -23,6 +23,7 @@ StateLook lookOf(const RunSession& session, bool open) {
     if (!session.heldUpBy().isEmpty() && session.heldUpS() > 0) return {TransportBar::tr("Held up"), Ink::Warning};
     switch (session.state()) {
     case RunState::Start:
+        if (open && session.describesOnly()) return {TransportBar::tr("Nothing to run"), Ink::Faint};
         if (open && !session.refusal().isEmpty()) return {TransportBar::tr("Cannot run"), Ink::Error};
         return {TransportBar::tr("At start"), Ink::Faint};
     case RunState::Building: return {TransportBar::tr("Building"), Ink::Accent};
@@ -154,7 +155,7 @@ void TransportBar::showRefusal() {
     m_state->setStyleSheet(
         QStringLiteral("QLabel { color: %1; border: 1px solid %1; border-radius: 8px; font-weight: 600; }").arg(colour.name()));
     fixWidth(m_state, {tr("At start"), tr("Building"), tr("Running"), tr("Paused"), tr("Finished"), tr("Stopped"),
-                       tr("Cannot run"), tr("Held up")});
+                       tr("Cannot run"), tr("Nothing to run"), tr("Held up")});
     QString why = m_session.heldUpText();
     if (m_session.state() == RunState::Start && open) why = m_session.refusal();
     else if (m_session.end() && m_session.end()->failure) why = QString::fromStdString(m_session.end()->failure->message);

@@ -31,12 +31,19 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
     m_bar.addPermanentWidget(m_run);
     m_problems->setCursor(Qt::PointingHandCursor);
     m_problems->installEventFilter(this);
-    connect(&document, &Document::changed, this, &StatusLine::refresh);
+    connect(&document, &Document::changed, this, [this] {
+        if (!m_refused.isEmpty() && m_bar.currentMessage() == m_refused) m_bar.clearMessage();
+        m_refused.clear();
+        refresh();
+    });
     connect(&document, &Document::modifiedChanged, this, &StatusLine::refresh);
     refresh();
 }
 
-void StatusLine::refuse(const QString& reason) { m_bar.showMessage(reason, kRefusalMs); }
+void StatusLine::refuse(const QString& reason) {
+    m_refused = reason;
+    m_bar.showMessage(reason, kRefusalMs);
+}
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_problems && event->type() == QEvent::MouseButtonRelease) Q_EMIT problemsWanted();

@@ -13,6 +13,7 @@ public:
     StatusLine(QStatusBar& bar, Document& document);
 
     void setRunText(const QString& text) { m_run->setText(text); }
+    /// Stands for some seconds, or until the document changes: what was refused may be possible then.
     void refuse(const QString& reason);
     /// Of the texts and of the run, as the Problems panel lists them.
     void setProblems(int errors, int warnings);
@@ -29,6 +30,7 @@ private:
     QStatusBar& m_bar;
     Document& m_document;
     QLabel *m_file, *m_saved, *m_problems, *m_run;
+    QString m_refused;
 };
 
 } // namespace trundle

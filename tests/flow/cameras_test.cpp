@@ -16,22 +16,16 @@ QPair<double, double> lastPlace(const QString& path) {
 
 /// A line for each picture of a movie, with what its pixels come to.
 QList<QByteArray> picturesOf(const QString& movie) {
-    Program reader;
-    reader.start("ffmpeg", {"-v", "error", "-i", movie, "-map", "0:v", "-f", "framemd5", "-"});
+    const Outcome reader = callProgram("ffmpeg", {"-v", "error", "-i", movie, "-map", "0:v", "-f", "framemd5", "-"});
     QList<QByteArray> pictures;
-    if (!reader.waitForFinished(60000)) return pictures;
-    for (const QByteArray& line : reader.readAllStandardOutput().split('\n'))
+    for (const QByteArray& line : reader.out.split('\n'))
         if (!line.isEmpty() && !line.startsWith('#')) pictures.append(line);
     return pictures;
 }
 
-Outcome cliWith(const QProcessEnvironment& environment, const QStringList& arguments) {
-    Program process;
-    process.setProcessEnvironment(environment);
-    process.start(programPath(), arguments);
-    if (!process.waitForFinished(120'000)) return {};
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2, process.readAllStandardOutput(),
-            process.readAllStandardError()};
+/// `environment`: as env takes it, "-u NAME" or "NAME=value".
+Outcome cliWith(const QStringList& environment, const QStringList& arguments) {
+    return callProgram("/usr/bin/env", environment + QStringList{programPath()} + arguments);
 }
 
 } // namespace
@@ -129,7 +123,8 @@ private Q_SLOTS:
             if (!writeFile(folder.filePath("film.sim"), contentOf(kExperiment) + log)) return Outcome{};
             return cli({"check", folder.filePath("film.sim")});
         };
-        const Outcome camera = check("FrameLog film { Camera=seeker_0/eyes }\n"), view = check("FrameLog film { View=ovrview }\n");
+        const Outcome camera = check("FrameLog film { Camera=seeker_0/eyes }\n"),
+                      view = check("FrameLog film { View=ovrview }\n");
         QCOMPARE(camera.code, 1);
         QVERIFY2(camera.err.contains("E208: Camera names seeker_0/eyes, but there is no such camera"), shown(camera));
         QVERIFY2(camera.err.contains("fix: seeker_0/eye"), shown(camera));
@@ -140,9 +135,7 @@ private Q_SLOTS:
 
     void aRunGoesOnWithoutPictures() {
         QTemporaryDir logs;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere/none.json");
-        environment.remove("DISPLAY");
+        const QStringList environment{"-u", "DISPLAY", "__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere/none.json"};
         const Outcome run = cliWith(
             environment, {"run", configPath("experiments/camera_swarm.sim"), "--duration", "1", "--log-dir", logs.path()});
         QVERIFY2(run.code == 0, shown(run));
@@ -164,8 +157,7 @@ private Q_SLOTS:
 
     void aMovieWithoutItsProgramIsRefusedBeforeTheRun() {
         QTemporaryDir folder;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert("PATH", folder.path());
+        const QStringList environment{"PATH=" + folder.path()};
         const Outcome run =
             cliWith(environment, {"run", kExperiment, "--movie", folder.filePath("a.mp4"), "--log-dir", folder.path()});
         QVERIFY2(run.code == 2, shown(run));
@@ -181,8 +173,7 @@ private Q_SLOTS:
             writeFile(ffmpeg, "#!/bin/sh\nfor out; do :; done\nhead -c 100000 > \"${out#file:}\"\necho no more >&2\nexit 1\n"));
         QVERIFY(QFile::setPermissions(ffmpeg, QFile::ReadOwner | QFile::ExeOwner));
         QVERIFY(writeFile(movie, "the old one"));
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert("PATH", folder.path() + ":" + environment.value("PATH"));
+        const QStringList environment{"PATH=" + folder.path() + ":" + qEnvironmentVariable("PATH")};
         const Outcome run = cliWith(environment, {"run", kExperiment, "--duration", "2", "--movie", movie, "--camera",
                                                   "seeker_0/eye", "--log-dir", folder.filePath("logs")});
         QVERIFY2(run.code == 1 && run.err.contains("no more"), shown(run));
@@ -220,11 +211,11 @@ private Q_SLOTS:
         const Outcome run = cli({"run", kExperiment, "--duration", "1", "--movie", movie, "--camera", "seeker_0/eye", "--fps",
                                  "24", "--log-dir", folder.path()});
         QVERIFY2(run.code == 0, shown(run));
-        Program probe;
-        probe.start("ffprobe", {"-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
-                                "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", movie});
-        QVERIFY(probe.waitForFinished(60000));
-        QCOMPARE(probe.readAllStandardOutput().trimmed(), QByteArray("160,120,24/1,25")); // t = 0 and t = 1 too
+        const Outcome probe =
+            callProgram("ffprobe", {"-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+                                    "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", movie});
+        QVERIFY2(probe.code == 0, shown(probe));
+        QCOMPARE(probe.out.trimmed(), QByteArray("160,120,24/1,25")); // t = 0 and t = 1 too
     }
 
     void twoMoviesAreTheSame_data() { aMovieHasExactlyItsPictures_data(); }

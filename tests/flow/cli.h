@@ -3,6 +3,8 @@
 
 #include <QtTest>
 
+#include "base/platform/process.h"
+
 struct Outcome {
     int code = -1; ///< -2: it crashed or did not end
     QByteArray out, err;
@@ -11,26 +13,23 @@ struct Outcome {
 inline QString programPath() { return QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle-cli"); }
 inline QString configPath(const QString& name) { return QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/") + name; }
 
-/// With no modifier Qt begins a program by vfork, which ThreadSanitizer of clang 14 does not survive.
-struct Program : QProcess {
-    Program() { setChildProcessModifier([] {}); }
-};
-
-/// Runs `program` to its end, in `folder` where one is given.
-inline Outcome callProgram(const QString& program, const QStringList& arguments, const QString& folder = {}) {
-    Program process;
-    if (!folder.isEmpty()) process.setWorkingDirectory(folder);
-    process.start(program, arguments);
-    Outcome outcome;
-    if (!process.waitForFinished(120'000)) {
-        process.kill();
-        process.waitForFinished();
-        return {-2, process.readAllStandardOutput(), process.readAllStandardError()};
-    }
-    outcome.code = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2;
-    outcome.out = process.readAllStandardOutput();
-    outcome.err = process.readAllStandardError();
-    return outcome;
+/// Runs `program` (a path, or a name to be found like a shell's) to its end, in `folder` where one is given. Not by QProcess: it
+/// begins a program by clone(), which ThreadSanitizer of clang 14 does not survive.
+inline Outcome callProgram(const QString& program, const QStringList& arguments, const QString& folder = {},
+                           double seconds = 120) {
+    trundle::ProcessRequest request;
+    const bool isPath = program.contains('/');
+    request.program = isPath ? program.toStdString() : "/usr/bin/env";
+    if (!isPath) request.arguments.push_back(program.toStdString());
+    for (const QString& argument : arguments) request.arguments.push_back(argument.toStdString());
+    request.folder = folder.toStdString();
+    request.seconds = seconds;
+    request.errorBytes = request.outputBytes;
+    const auto result = trundle::runProcess(request);
+    if (!result) return {-2, {}, QByteArray::fromStdString(result.error().message)};
+    const trundle::ProcessResult& r = result.value();
+    return {r.end == trundle::ProcessEnd::Exited ? r.exitCode : -2, QByteArray::fromStdString(r.output),
+            QByteArray::fromStdString(r.errors)};
 }
 
 inline Outcome cli(const QStringList& arguments, const QString& folder = {}) {

@@ -93,14 +93,13 @@ private Q_SLOTS:
     /// 100 networks of each layout with seeds that nobody has seen; the script fails where too few arrive.
     void aHundredRunsOfEach() {
         if (!isLong()) return; // by hand: tests/bench/radio_series.py
-        Program series;
-        series.setProcessChannelMode(QProcess::MergedChannels);
-        series.start("python3", {QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/bench/radio_series.py"), "--build",
-                                 QStringLiteral(TRUNDLE_BINARY_DIR), "--model", "ideal", "--only", "navigation", "--dry"});
-        QVERIFY(series.waitForFinished(50 * 60'000));
-        const QByteArray said = series.readAll();
-        QVERIFY2(series.exitStatus() == QProcess::NormalExit && series.exitCode() == 0, said);
-        qInfo("%s", said.constData());
+        const Outcome series =
+            callProgram("python3",
+                        {QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/bench/radio_series.py"), "--build",
+                         QStringLiteral(TRUNDLE_BINARY_DIR), "--model", "ideal", "--only", "navigation", "--dry"},
+                        {}, 50 * 60);
+        QVERIFY2(series.code == 0, shown(series));
+        qInfo("%s", series.out.constData());
     }
 };
 

@@ -1,4 +1,5 @@
 #include <csignal>
+#include <future>
 
 #include "flow/cli.h"
 
@@ -99,22 +100,17 @@ void RunFlowTest::logsChangeNothing() {
 }
 
 void RunFlowTest::ctrlCEndsWithEverythingComplete() {
-    Program process;
-    process.start(programPath(), {"run", configPath("experiments/linear_motion.sim"), "--duration", "1e7", "--json", "--log-dir",
-                                  m_folder.filePath("ctrlc")});
-    QVERIFY(process.waitForStarted());
-    process.setReadChannel(QProcess::StandardError); // what waitForReadyRead waits for
-    QByteArray err;
-    while (!err.contains("simulated")) { // the first line of progress: it is running
-        QVERIFY(process.waitForReadyRead(60'000) || process.bytesAvailable() > 0 || process.state() == QProcess::Running);
-        err += process.readAllStandardError();
-        QVERIFY2(process.state() == QProcess::Running, err);
-    }
-    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-    QVERIFY(process.waitForFinished(60'000));
-    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-    QCOMPARE(process.exitCode(), 130);
-    const QJsonObject json = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+    const QString pid = m_folder.filePath("pid"), err = m_folder.filePath("err");
+    auto running = std::async(std::launch::async, [&] {
+        return callProgram("/bin/sh",
+                           {"-c", "echo $$ > \"$1\"; exec \"$0\" run \"$2\" --duration 1e7 --json --log-dir \"$3\" 2> \"$4\"",
+                            programPath(), pid, configPath("experiments/linear_motion.sim"), m_folder.filePath("ctrlc"), err});
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(contentOf(err).contains("simulated"), 60'000); // the first line of progress: it is running
+    QCOMPARE(::kill(contentOf(pid).trimmed().toInt(), SIGINT), 0);
+    const Outcome ended = running.get();
+    QCOMPARE(ended.code, 130);
+    const QJsonObject json = QJsonDocument::fromJson(ended.out).object();
     QVERIFY(json["interrupted"].toBool());
     QVERIFY(json["ticks"].toInteger() > 0);
     const QByteArray csv = contentOf(m_folder.filePath("ctrlc/linear_motion.csv"));

@@ -79,6 +79,17 @@ private Q_SLOTS:
         QCOMPARE(label(bar, "transportState"), QStringLiteral("At start"));
     }
 
+    void aTextThatOnlyDescribesIsNoMistake() {
+        OpenedSession o;
+        Actions actions(kRows);
+        TransportBar bar(o.session, actions);
+        QVERIFY(o.open("Surface rubber { Friction=1 }\nMaterial grey { }\n"
+                       "RobotConfig Cart { Body a { Box { Size=1,1,1 Mass=1 Material=grey Surface=rubber } } }\n"));
+        QCOMPARE(label(bar, "transportState"), QStringLiteral("Nothing to run"));
+        o.session.run();
+        QVERIFY(!o.session.isActive());
+    }
+
     void speedGoesInSteps() {
         OpenedSession o;
         Actions actions(kRows);

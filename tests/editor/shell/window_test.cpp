@@ -84,13 +84,21 @@ private Q_SLOTS:
 
     void aMessageInTheStatusBarStandsAlone() {
         openMine();
-        Q_EMIT m_window->document().refused(QStringLiteral("no"));
+        m_window->statusBar()->showMessage(QStringLiteral("a hint"));
         const auto* file = m_window->findChild<QLabel*>(QStringLiteral("status.file"));
         QVERIFY(!file->isVisible());
         QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         QVERIFY(!file->isVisible());
         m_window->statusBar()->clearMessage();
         QVERIFY(file->isVisible());
+    }
+
+    void whatWasRefusedIsForgottenWithTheNextEdit() {
+        openMine();
+        Q_EMIT m_window->document().refused(QStringLiteral("no"));
+        QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("no"));
+        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
+        QVERIFY(m_window->statusBar()->currentMessage().isEmpty());
     }
 
     void theWindowComesBackAsLargeAsItWas() {
