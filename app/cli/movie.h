@@ -9,7 +9,7 @@
 namespace trundle {
 
 struct MovieWish {
-    std::string path;                         ///< .mp4, .webm, whatever ffmpeg writes by its ending; empty: none is wanted
+    std::string path;                         ///< .mp4 or .webm; empty: none is wanted
     std::string camera;                       ///< "robot0/eye", or empty for a view
     std::string view;                         ///< its name, or empty for one of everything
     std::uint32_t width = 1280, height = 720; ///< of a view

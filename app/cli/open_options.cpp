@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <CLI/Error.hpp>
+
 namespace trundle {
 namespace {
 
@@ -69,5 +71,10 @@ std::string finiteProblem(const std::string& text) {
 }
 
 std::string emptyProblem(const std::string& text) { return text.empty() ? "a name is missing" : std::string(); }
+
+void refuseSizeOfCamera(const CLI::Option& camera, const CLI::Option& size) {
+    if (!camera.empty() && !size.empty())
+        throw CLI::ValidationError("--size", "a camera has a Resolution of its own; leave --size out");
+}
 
 } // namespace trundle

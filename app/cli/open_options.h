@@ -27,4 +27,7 @@ struct PictureSize {
 [[nodiscard]] std::string finiteProblem(const std::string& text); ///< a range alone lets "nan" through
 [[nodiscard]] std::string emptyProblem(const std::string& text);
 
+/// Where both are given, which says nothing: CLI::ValidationError.
+void refuseSizeOfCamera(const CLI::Option& camera, const CLI::Option& size);
+
 } // namespace trundle

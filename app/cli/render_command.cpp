@@ -147,10 +147,10 @@ void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
             ->check(&emptyProblem);
     CLI::Option* view =
         command->add_option("--view", a.view, "A View of the text")->type_name("NAME")->check(&emptyProblem)->excludes(camera);
-    command->add_option("--size", a.size, "Width and height in pixels, up to 4096x4096")
-        ->type_name("WxH")
-        ->check(&sizeProblem)
-        ->capture_default_str();
+    CLI::Option* size = command->add_option("--size", a.size, "Width and height in pixels, up to 4096x4096")
+                            ->type_name("WxH")
+                            ->check(&sizeProblem)
+                            ->capture_default_str();
     CLI::Option* eye = command->add_option("--eye", a.eye, "Where the picture is taken from, m; else everything is framed")
                            ->type_name("X,Y,Z")
                            ->delimiter(',')
@@ -174,7 +174,10 @@ void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     addSetOption(*command, a.open);
     addOpenOptions(*command, a.open);
     command->footer(kRenderExamples);
-    command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return renderFile(parts(), *arguments); }; });
+    command->callback([arguments, &parts, &chosen, camera, size] {
+        refuseSizeOfCamera(*camera, *size);
+        chosen = [arguments, &parts] { return renderFile(parts(), *arguments); };
+    });
 }
 
 } // namespace trundle

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
@@ -226,6 +227,13 @@ std::string seedProblem(const std::string& text) {
     return good ? std::string() : "the seed must be a whole number from 0 to " + std::to_string(kLargestSeed);
 }
 
+/// ffmpeg would take others, or none; and say so when the run has begun.
+std::string endingProblem(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return ending == ".mp4" || ending == ".webm" ? std::string() : "a movie's name ends in .mp4 or .webm";
+}
+
 /// Results go to standard output, whatever the run came to.
 ExitCode RunCommand::tell(ExitCode code) {
     std::string text;
@@ -270,21 +278,22 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
         ->type_name("DIR");
     CLI::Option* movie = command->add_option("--movie", a.movie.path, "A movie of the run, made by ffmpeg: .mp4 or .webm")
                              ->type_name("OUT")
-                             ->check(&emptyProblem);
+                             ->check(&endingProblem);
     CLI::Option* view = command->add_option("--view", a.movie.view, "Which View of the text it shows; else everything")
                             ->type_name("NAME")
                             ->check(&emptyProblem)
                             ->needs(movie);
-    command->add_option("--camera", a.movie.camera, "Which robot's camera it shows, as robot0/eye")
-        ->type_name("PATH")
-        ->check(&emptyProblem)
-        ->needs(movie)
-        ->excludes(view);
-    command->add_option("--size", a.movieSize, "Width and height of the movie in pixels, up to 4096x4096")
-        ->type_name("WxH")
-        ->check(&sizeProblem)
-        ->needs(movie)
-        ->capture_default_str();
+    CLI::Option* camera =
+        command->add_option("--camera", a.movie.camera, "Which robot's camera it shows, as robot0/eye, in its own size")
+            ->type_name("PATH")
+            ->check(&emptyProblem)
+            ->needs(movie)
+            ->excludes(view);
+    CLI::Option* size = command->add_option("--size", a.movieSize, "Width and height of the movie in pixels, up to 4096x4096")
+                            ->type_name("WxH")
+                            ->check(&sizeProblem)
+                            ->needs(movie)
+                            ->capture_default_str();
     command->add_option("--fps", a.movie.framesPerSecond, "Pictures for each simulated second")
         ->type_name("N")
         ->check(CLI::Range(0.01, 1000.0))
@@ -298,8 +307,10 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     command->add_flag("--quiet", a.quiet, "No progress and no summary");
     addOpenOptions(*command, a.open);
     command->footer(kRunExamples);
-    command->callback(
-        [arguments, &parts, &chosen] { chosen = [arguments, &parts] { return RunCommand(parts(), *arguments).go(); }; });
+    command->callback([arguments, &parts, &chosen, camera, size] {
+        refuseSizeOfCamera(*camera, *size);
+        chosen = [arguments, &parts] { return RunCommand(parts(), *arguments).go(); };
+    });
 }
 
 } // namespace trundle

@@ -50,6 +50,18 @@ bool isMaterials(const std::string& file) {
     return ending == ".mtl" || ending == ".MTL";
 }
 
+/// Beside "its file of materials, NAME,".
+std::string whyNoMaterials(const fs::path& path) {
+    std::error_code fault;
+    const fs::file_type type = fs::status(path, fault).type();
+    if (fault == std::errc::too_many_symbolic_link_levels) return "is a link that leads back to itself";
+    if (fault == std::errc::filename_too_long) return "has a longer name than a file can have";
+    if (type == fs::file_type::not_found) return "is not there";
+    if (type == fs::file_type::directory) return "is a folder";
+    if (type != fs::file_type::regular) return "is not a plain file";
+    return isMaterials(path.string()) ? "cannot be read" : "does not end in .mtl";
+}
+
 std::string realPath(const fs::path& path) {
     std::error_code fault;
     const fs::path real = fs::weakly_canonical(path, fault);
@@ -67,6 +79,7 @@ FencedFiles::Verdict FencedFiles::judge(const std::string& file) const {
     const fs::path written(file);
     const std::string real = realPath(written.is_absolute() ? written : fs::path(m_folder) / written);
     if (!real.empty() && real == m_meshFile) return Verdict::Readable;
+    if (real.empty()) return Verdict::Ignored; // nothing that could be read
     if (!real.starts_with(m_folder)) return Verdict::Outside;
     return fs::path(real).extension() == ".bin" || isMaterials(real) ? Verdict::Readable : Verdict::Ignored;
 }
@@ -81,14 +94,19 @@ bool FencedFiles::Exists(const char* file) const {
 Assimp::IOStream* FencedFiles::Open(const char* file, const char* mode) {
     if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
     const Verdict verdict = judge(file);
-    if (verdict == Verdict::Outside && m_refused.empty()) m_refused = file;
-    if (verdict != Verdict::Readable) return nullptr;
-    const fs::path written(file);
-    Result<std::string> bytes =
-        readRegularFile((written.is_absolute() ? written : fs::path(m_folder) / written).string(), kMostFileBytes);
+    const std::string_view name = file;
+    const bool isBelow = name.starts_with(m_folder); // assimp puts the mesh's folder before what the mesh says
+    const std::string said(name.substr(isBelow ? m_folder.size() : 0));
+    if (verdict == Verdict::Outside && m_refused.empty()) m_refused = said;
+    if (verdict == Verdict::Outside) return nullptr;
+    const fs::path written(file), path = written.is_absolute() ? written : fs::path(m_folder) / written;
+    Result<std::string> bytes = verdict == Verdict::Readable ? readRegularFile(path.string(), kMostFileBytes)
+                                                             : Result<std::string>(Error{Code::MeshUnreadable, ""});
     if (!bytes) {
-        if (isMaterials(file)) m_missingMaterials.emplace_back(fs::path(file).filename().string());
-        else m_unreadable = bytes.error().message;
+        // Of an OBJ they are all that is asked for beside itself; where they are missing, assimp asks for some of the mesh's name.
+        const bool asksForMaterials = isMaterials(file) || fs::path(m_meshFile).extension() == ".obj";
+        if (!asksForMaterials || realPath(path) == m_meshFile) m_unreadable = bytes.error().message;
+        else if (m_missingMaterials.empty()) m_missingMaterials = said.substr(0, 80) + ", " + whyNoMaterials(path);
         return nullptr;
     }
     if (isMaterials(file)) return new MemoryStream(withoutPictureOptions(bytes.value(), m_placements));

@@ -1,7 +1,6 @@
 #pragma once
 #include <map>
 #include <string>
-#include <vector>
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
@@ -29,8 +28,8 @@ public:
     [[nodiscard]] const std::string& refused() const { return m_refused; }
     /// Why the last file that may be read could not be; empty where all could.
     [[nodiscard]] const std::string& unreadable() const { return m_unreadable; }
-    /// Files of materials that were asked for and are not there.
-    [[nodiscard]] const std::vector<std::string>& missingMaterials() const { return m_missingMaterials; }
+    /// "paint.mtl, is not there": the first file of materials that was asked for and cannot be had; empty where all could.
+    [[nodiscard]] const std::string& missingMaterials() const { return m_missingMaterials; }
     /// How the picture of a material lies by its file of materials.
     [[nodiscard]] PicturePlacement placementOf(const std::string& material) const;
     /// Where a picture is that the mesh names: at its path, or by its name alone beside the mesh, as one exported elsewhere names
@@ -43,8 +42,7 @@ private:
 
     std::string m_meshFile; ///< canonical
     std::string m_folder;   ///< canonical, ends in a slash
-    std::string m_refused, m_unreadable;
-    std::vector<std::string> m_missingMaterials;
+    std::string m_refused, m_unreadable, m_missingMaterials;
     std::map<std::string, PicturePlacement> m_placements; // by material
 };
 

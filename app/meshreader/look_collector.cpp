@@ -17,10 +17,12 @@ constexpr float kFarthest = 1e5f; // pictures from the first one
 
 float share(float value) { return value > 0 ? std::min(value, 1.f) : 0.f; } // NaN is 0
 
-/// What a file calls a thing may be anything: a few printable letters of it.
+constexpr std::size_t kMostNameBytes = 80; // in a message
+
+/// What a file calls a thing may be anything.
 std::string printable(const std::string& name) {
     std::string line;
-    for (const char letter : name.substr(0, 80)) {
+    for (const char letter : name) {
         const auto code = static_cast<unsigned char>(letter);
         line += code < 0x20 || code == 0x7f ? '?' : letter;
     }
@@ -104,7 +106,8 @@ std::shared_ptr<const Raster> LookCollector::pictureOf(const std::string& writte
     const auto standIn = [&, entry = entry](const std::string& why) {
         // One inside the file has a star and a number for a name.
         const std::string picture = written[0] == '*' ? "embedded picture " + written.substr(1) : "picture " + written;
-        complain("the " + printable(picture) + (material.empty() ? "" : " of its material " + printable(material)) + " " + why);
+        complain("the " + picture.substr(0, kMostNameBytes) +
+                 (material.empty() ? "" : " of its material " + material.substr(0, kMostNameBytes)) + " " + why);
         return entry->second = standInPicture();
     };
     if (m_pictures.size() > kMostMeshPictures - 1) return standIn("is one too many");
@@ -128,7 +131,8 @@ Result<Raster> LookCollector::readPicture(const std::string& written) const {
 
 void LookCollector::complain(const std::string& words) {
     m_saysSomething = true;
-    if (m_look.complaints.size() + 1 < kMostComplaints) m_look.complaints.push_back(words.substr(0, kMostComplaintBytes));
+    if (m_look.complaints.size() + 1 < kMostComplaints)
+        m_look.complaints.push_back(printable(words.substr(0, kMostComplaintBytes)));
     else if (m_look.complaints.size() + 1 == kMostComplaints) m_look.complaints.emplace_back("and more of the kind");
 }
 

@@ -3,12 +3,15 @@
 // triangles, we walk the nodes without recursion, join equal points and check every number. Data: metres, z up.
 #include "meshreader/mesh_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <assimp/BaseImporter.h>
@@ -119,12 +122,20 @@ private:
                 triangle[corner] = places[index];
             }
             if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+            if (!isNew(triangle)) continue;
             m_mesh.triangles.push_back(triangle);
             m_look.add(mesh, face);
             if (m_mesh.triangles.size() > kMostMeshTriangles)
-                return failure("it has more than " + std::to_string(kMostMeshTriangles) + " triangles");
+                return failure("it has more than " + std::to_string(kMostMeshTriangles) +
+                               " triangles, the most that a mesh may have");
         }
         return {};
+    }
+
+    /// Not one that is there already, of the same points in the same turn: it would only cost time.
+    bool isNew(std::array<std::uint32_t, 3> triangle) {
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+        return m_triangles.insert(triangle).second;
     }
 
     Result<std::uint32_t> addPoint(const aiVector3D& at) {
@@ -145,6 +156,14 @@ private:
     LookCollector& m_look;
     TriangleMesh m_mesh;
     PointJoiner m_joiner;
+    struct Hash {
+        std::size_t operator()(const std::array<std::uint32_t, 3>& triangle) const {
+            std::size_t hash = 0;
+            for (const std::uint32_t point : triangle) hash = (hash ^ point) * 0x9e3779b97f4a7c15ull;
+            return hash ^ hash >> 32;
+        }
+    };
+    std::unordered_set<std::array<std::uint32_t, 3>, Hash> m_triangles; // each begins with its first point
 };
 
 // Some of assimp's words tell a programmer more than the owner of the file.
@@ -180,9 +199,7 @@ Result<TriangleMesh> readMeshFile(const std::string& path) {
     const std::string ending = endingOf(path);
     const bool isGltf = ending == ".gltf" || ending == ".glb";
     LookCollector look(*scene, *files, isGltf ? LookCollector::Colours::Linear : LookCollector::Colours::AsShown);
-    // Where that is missing, assimp asks for one of the mesh's own name.
-    if (!files->missingMaterials().empty())
-        look.complain("its file of materials, " + files->missingMaterials().front() + ", is not there");
+    if (!files->missingMaterials().empty()) look.complain("its file of materials, " + files->missingMaterials());
     // assimp turns COLLADA to y up, and glTF is y up by its standard.
     MeshCollector collector(isGltf || ending == ".dae", look);
     if (const Status added = collector.addNodes(*scene); !added) return added.error();

@@ -7,9 +7,13 @@
 #include <QImageReader>
 #include <QPainter>
 
+#include <algorithm>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "assets/mesh_stream.h"
+#include "base/platform/quiet_errors.h"
 #include "base/platform/read_file.h"
 
 namespace trundle {
@@ -50,10 +54,11 @@ bool jpegEnds(std::string_view bytes) {
 bool bmpEnds(std::string_view bytes) {
     if (bytes.size() < 54) return false;
     const bool packed = littleEndianAt(bytes, 30, 4) == 1 || littleEndianAt(bytes, 30, 4) == 2;
-    if (littleEndianAt(bytes, 14, 4) < 40 || packed) return true; // its length is not to be known
+    if (littleEndianAt(bytes, 14, 4) < 40) return true; // of a kind whose length is not to be known
     const std::uint64_t columns = littleEndianAt(bytes, 18, 4), bits = littleEndianAt(bytes, 28, 2);
-    const auto rows = static_cast<std::int32_t>(littleEndianAt(bytes, 22, 4)); // negative: from the top
-    return littleEndianAt(bytes, 10, 4) + (columns * bits + 31) / 32 * 4 * std::abs(std::int64_t{rows}) <= bytes.size();
+    const auto rows = static_cast<std::int32_t>(littleEndianAt(bytes, 22, 4));  // negative: from the top
+    const std::uint64_t rowBytes = packed ? 2 : (columns * bits + 31) / 32 * 4; // packed: at least its end
+    return littleEndianAt(bytes, 10, 4) + rowBytes * static_cast<std::uint64_t>(std::abs(std::int64_t{rows})) <= bytes.size();
 }
 
 /// Qt takes a JPEG or BMP that is cut off for a picture and makes up the rest.
@@ -62,6 +67,45 @@ bool isWhole(const QByteArray& format, std::string_view bytes) {
     if (format == "png") return bytes.find("IEND") != std::string_view::npos;
     return format != "bmp" || bmpEnds(bytes);
 }
+
+/// What Qt says while it reads a picture, which nobody else is to see; nor what libpng itself writes to standard error.
+class ReadersWords {
+public:
+    ReadersWords() : m_before(qInstallMessageHandler(&take)) { s_words.clear(); }
+    ~ReadersWords() { qInstallMessageHandler(m_before); }
+    ReadersWords(const ReadersWords&) = delete;
+    ReadersWords& operator=(const ReadersWords&) = delete;
+
+    /// That bytes stand between the parts of a picture harms nothing.
+    [[nodiscard]] bool tellOfDamage() const {
+        return std::ranges::any_of(s_words, [](const std::string& words) {
+            const bool corrupt = words.find("Corrupt JPEG data") != std::string::npos;
+            return (corrupt && words.find("extraneous bytes") == std::string::npos) ||
+                   words.find("Premature end") != std::string::npos;
+        });
+    }
+    [[nodiscard]] bool tellOfNoPoints() const {
+        return std::ranges::any_of(s_words, [](const std::string& words) {
+            return words.find("is zero in IHDR") != std::string::npos || words.find("Empty JPEG") != std::string::npos;
+        });
+    }
+    /// The last of them, or else these.
+    [[nodiscard]] std::string lastOr(const QString& otherwise) const {
+        if (s_words.empty()) return otherwise.toStdString();
+        std::string words = s_words.back();
+        for (const char* prefix : {"libpng error: ", "libpng warning: "})
+            if (words.starts_with(prefix)) words.erase(0, std::string_view(prefix).size());
+        return words;
+    }
+
+private:
+    static void take(QtMsgType, const QMessageLogContext&, const QString& words) {
+        if (s_words.size() < 100) s_words.push_back(words.toStdString());
+    }
+    static inline std::vector<std::string> s_words;
+    QtMessageHandler m_before;
+    QuietErrors m_quiet;
+};
 
 Status checkSize(const QSize& size, std::uint64_t fewest) {
     if (!size.isValid()) return {}; // the header does not say; the allocation limit holds
@@ -109,13 +153,16 @@ Result<QImage> decoded(const std::string& content, std::uint64_t fewest) {
     QImageReader::setAllocationLimit(kMostMegabytes);
     QImageReader reader(&buffer);
     reader.setAutoTransform(true); // photographs say in EXIF which side is up
+    const ReadersWords words;
     if (!reader.canRead()) return failure("it is not a picture of a known format, or it is damaged");
     if (!formatIsKnown(reader.format()))
         return failure("a picture is a PNG, JPEG, BMP, PGM or PPM file, this is " + reader.format().toStdString());
     if (const Status size = checkSize(reader.size(), fewest); !size) return size.error();
     if (!isWhole(reader.format(), content)) return failure("the picture is cut off: its file ends too early");
     QImage picture = reader.read();
-    if (picture.isNull()) return failure("the picture is damaged: " + reader.errorString().toStdString());
+    if (words.tellOfNoPoints()) return failure("it has no points");
+    if (picture.isNull()) return failure("the picture is damaged: " + words.lastOr(reader.errorString()));
+    if (words.tellOfDamage()) return failure("the picture is damaged: " + words.lastOr({}));
     if (const Status size = checkSize(picture.size(), fewest); !size) return size.error();
     return picture;
 }

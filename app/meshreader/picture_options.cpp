@@ -9,6 +9,7 @@ namespace trundle {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
+constexpr std::size_t kMostNameBytes = 1000; // assimp forgets a longer one, and nobody would hear that its picture is not there
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t from = text.find_first_not_of(kBlanks);
@@ -75,7 +76,7 @@ std::string withoutPictureOptions(std::string_view materials, std::map<std::stri
         if (key == "newmtl") material = rest;
         if (key == "map_kd") {
             placements[material] = takeOptions(rest);
-            (result += "map_Kd ") += rest;
+            (result += "map_Kd ") += rest.substr(0, kMostNameBytes);
         } else result += line;
         materials.remove_prefix(line.size());
         const std::size_t ends = std::min(materials.find_first_not_of("\r\n"), materials.size());

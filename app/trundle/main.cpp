@@ -1,10 +1,12 @@
 // The window: builds the parts, joins them, goes.
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <QApplication>
 #include <QSettings>
@@ -44,6 +46,17 @@ bool asksForWords(int argc, char** argv) {
                        [&](const char* word) { return std::ranges::find(kWords, word) != std::end(kWords); });
 }
 
+constexpr std::chrono::seconds kLastWait(5);
+
+/// The window writes what is to be kept as the first thing of its end; what comes then may wait for a picture that takes minutes, and
+/// nobody would see why the program is still there.
+void endSoon(int code) {
+    std::thread([code] {
+        std::this_thread::sleep_for(kLastWait);
+        std::_Exit(code);
+    }).detach();
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -76,7 +89,10 @@ int main(int argc, char** argv) {
     window.show();
     PictureTaker taker(window, options); // does what the options ask for, once the window stands
     const int code = QApplication::exec();
-    if (window.session().endRuns()) return code;
+    if (window.session().endRuns()) {
+        endSoon(code);
+        return code;
+    }
     // Code of a controller does not come back. What it uses must stay as long as it is there, so nothing is taken down.
     window.putAway();
     std::_Exit(code);

@@ -33,7 +33,11 @@ QString oneOf(const QCommandLineParser& parser, const QString& option, const QSt
 
 WindowOptions readOptions(const QCoreApplication& application) {
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Trundle: build robots and arenas, run them in 3D, watch and measure."));
+    parser.setApplicationDescription(QStringLiteral(
+        "Trundle: build robots and arenas, run them in 3D, watch and measure.\n\n"
+        "Exit codes with --quit: 0 done, 1 FILE did not run (errors in its text, a module that is not trusted), 2 wrong "
+        "usage, a FILE that cannot be read or a picture that cannot be written, 3 the run ended early (it blew up, or a "
+        "controller failed or does not come back). With 1 and 3 the picture is taken all the same."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("An experiment, robot or arena to open."),
@@ -65,6 +69,7 @@ WindowOptions readOptions(const QCoreApplication& application) {
         if (!number || !(*options.runFor >= 0) || *options.runFor > 1e9)
             refuse(QStringLiteral("--run-for takes seconds from 0 to 1e9"));
     }
+    if (options.runFor && options.open.isEmpty()) refuse(QStringLiteral("--run-for needs a FILE to run"));
     options.view = oneOf(parser, QStringLiteral("view"),
                          {QStringLiteral("perspective"), QStringLiteral("top"), QStringLiteral("front"), QStringLiteral("side"),
                           QStringLiteral("follow"), QStringLiteral("chase"), QStringLiteral("text")});

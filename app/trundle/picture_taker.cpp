@@ -10,7 +10,8 @@
 
 namespace trundle {
 
-static constexpr double kPatienceS = 5; // with a controller that does not come back
+static constexpr double kPatienceS = 5;            // with a controller that does not come back
+static constexpr int kNoRun = 1, kRunCutShort = 3; // said by --help
 
 PictureTaker::PictureTaker(MainWindow& window, const WindowOptions& options) : m_window(window), m_options(options) {
     m_look.setInterval(10);
@@ -20,6 +21,8 @@ PictureTaker::PictureTaker(MainWindow& window, const WindowOptions& options) : m
             refuse(reason.contains(path) ? reason : QStringLiteral("%1: %2").arg(path, reason));
         });
     }
+    connect(&m_window.session(), &RunSession::refused, this, &PictureTaker::noRun);
+    connect(&m_window.session(), &RunSession::ended, this, &PictureTaker::runEnded);
     connect(&m_look, &QTimer::timeout, this, &PictureTaker::next);
     m_look.start();
 }
@@ -48,10 +51,7 @@ void PictureTaker::next() {
         m_stage = Stage::Running;
         break;
     case Stage::Running:
-        if (isStuck()) {
-            std::fprintf(stderr, "trundle: %s\n", qPrintable(m_window.session().heldUpText()));
-            m_code = 3;
-        }
+        if (isStuck()) say(m_window.session().heldUpText(), kRunCutShort);
         if (runDone() || m_code) m_stage = Stage::Draw;
         break;
     case Stage::Draw:
@@ -66,11 +66,29 @@ void PictureTaker::next() {
     }
 }
 
+void PictureTaker::say(const QString& reason, int code) {
+    std::fprintf(stderr, "trundle: %s\n", qPrintable(reason));
+    m_code = code;
+}
+
 /// Instead of a picture. The window goes as it always does, so that nobody waits for what it held.
 void PictureTaker::refuse(const QString& reason) {
-    std::fprintf(stderr, "trundle: %s\n", qPrintable(reason));
-    m_code = 2;
+    say(reason, 2);
     m_stage = Stage::Done;
+}
+
+/// The picture is taken all the same: of the start.
+void PictureTaker::noRun(const QString& reason) {
+    if (m_stage == Stage::Run) say(QStringLiteral("%1 did not run: %2").arg(m_options.open, reason), kNoRun);
+}
+
+void PictureTaker::runEnded(const Diagnostic& reason) {
+    if (m_stage != Stage::Running) return;
+    const QString why = QString::fromStdString(codeName(reason.code) + ": " + reason.message);
+    const RunSession& session = m_window.session();
+    if (!session.layout()) return say(QStringLiteral("%1 did not run: %2").arg(m_options.open, why), kNoRun);
+    say(QStringLiteral("the run of %1 ended at t = %2 s: %3").arg(m_options.open).arg(session.end()->time).arg(why),
+        kRunCutShort);
 }
 
 bool PictureTaker::select() {

@@ -17,6 +17,9 @@ private:
     void next();
     [[nodiscard]] bool select();
     void refuse(const QString& reason);
+    void noRun(const QString& reason);
+    void runEnded(const Diagnostic& reason);
+    void say(const QString& reason, int code);
     void take();
     [[nodiscard]] bool runDone() const;
     [[nodiscard]] bool isStuck() const;

@@ -15,7 +15,7 @@
 namespace trundle {
 
 inline constexpr std::uint32_t kMostMeshPoints = 4'000'000;
-inline constexpr std::uint32_t kMostMeshTriangles = 4'000'000;
+inline constexpr std::uint32_t kMostMeshTriangles = 1'000'000;
 inline constexpr std::uint32_t kMostGreySide = 16'384;
 inline constexpr std::uint32_t kMostRasterSide = 2048;
 inline constexpr std::uint64_t kMostGreyPoints = 16'777'216; ///< 4096 x 4096

@@ -6,8 +6,9 @@ namespace trundle {
 namespace {
 
 // Offsets of the ELF64 header and its tables (System V ABI, chapter 4).
-constexpr std::uint64_t kHeaderBytes = 64, kSymbolBytes = 24;
-constexpr std::uint64_t kLoadSegment = 1, kDynamicSymbols = 11, kNoBits = 8;
+constexpr std::uint64_t kHeaderBytes = 64, kSymbolBytes = 24, kDynamicBytes = 16;
+constexpr std::uint64_t kLoadSegment = 1, kDynamic = 6, kDynamicSymbols = 11, kNoBits = 8;
+constexpr std::uint64_t kOldSearchPath = 15, kSearchPath = 29, kUnique = 10;
 constexpr std::uint64_t kMostBytes = 1ull << 62;
 
 std::uint64_t endOf(std::uint64_t offset, std::uint64_t size) {
@@ -58,7 +59,7 @@ std::optional<bool> ElfReader::exports(std::string_view symbol) const {
 }
 
 bool ElfReader::definesIn(const Section& symbols, const Section& names, std::string_view symbol) const {
-    if (endOf(symbols.offset, symbols.size) > m_bytes.size() || endOf(names.offset, names.size) > m_bytes.size()) return false;
+    if (!holds(symbols) || !holds(names)) return false;
     const std::string_view strings = m_bytes.substr(names.offset, names.size);
     for (std::uint64_t at = symbols.offset; at + kSymbolBytes <= symbols.offset + symbols.size; at += kSymbolBytes) {
         const bool defined = number(at + 6, 2) != 0;
@@ -68,6 +69,40 @@ bool ElfReader::definesIn(const Section& symbols, const Section& names, std::str
         if (rest.starts_with(symbol) && rest.size() > symbol.size() && rest[symbol.size()] == '\0') return true;
     }
     return false;
+}
+
+bool ElfReader::holds(const Section& section) const { return endOf(section.offset, section.size) <= m_bytes.size(); }
+
+std::vector<std::string> ElfReader::dynamicTexts(std::uint64_t tag) const {
+    std::vector<std::string> texts;
+    for (std::uint64_t i = 0; i < sectionCount(); ++i) {
+        const Section s = section(i);
+        if (s.type != kDynamic || s.link >= sectionCount()) continue;
+        const Section names = section(s.link);
+        if (!holds(s) || !holds(names)) continue;
+        const std::string_view strings = m_bytes.substr(names.offset, names.size);
+        for (std::uint64_t at = s.offset; at + kDynamicBytes <= s.offset + s.size && number(at, 8) != 0; at += kDynamicBytes)
+            if (const std::uint64_t name = number(at + 8, 8); number(at, 8) == tag && name < strings.size())
+                texts.emplace_back(strings.substr(name, strings.find('\0', name) - name));
+    }
+    return texts;
+}
+
+std::string ElfReader::searched() const {
+    for (const std::uint64_t tag : {kSearchPath, kOldSearchPath}) // the old one counts where there is no other
+        if (std::vector<std::string> texts = dynamicTexts(tag); !texts.empty()) return std::move(texts[0]);
+    return {};
+}
+
+std::vector<std::size_t> ElfReader::uniqueBindings() const {
+    std::vector<std::size_t> places;
+    for (std::uint64_t i = 0; i < sectionCount(); ++i) {
+        const Section s = section(i);
+        if (s.type != kDynamicSymbols || !holds(s)) continue;
+        for (std::uint64_t at = s.offset; at + kSymbolBytes <= s.offset + s.size; at += kSymbolBytes)
+            if (number(at + 4, 1) >> 4 == kUnique) places.push_back(at + 4);
+    }
+    return places;
 }
 
 std::string elfMachineName(std::uint64_t machine) {

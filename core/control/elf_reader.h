@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace trundle {
 
@@ -25,6 +26,12 @@ public:
     [[nodiscard]] std::uint64_t bytesNeeded() const;
     /// Whether it defines an exported symbol; nothing where the file has no table that tells.
     [[nodiscard]] std::optional<bool> exports(std::string_view symbol) const;
+    /// The names of the libraries that it needs, in order.
+    [[nodiscard]] std::vector<std::string> needs() const { return dynamicTexts(1); }
+    /// The folders, joined by colons, in which its loader looks for them; empty: none of its own.
+    [[nodiscard]] std::string searched() const;
+    /// Places in the file where the binding of an exported symbol is one for the whole process (STB_GNU_UNIQUE).
+    [[nodiscard]] std::vector<std::size_t> uniqueBindings() const;
 
 private:
     /// 0 where the bytes end before.
@@ -34,7 +41,9 @@ private:
     };
     [[nodiscard]] std::uint64_t sectionCount() const { return number(40, 8) ? number(60, 2) : 0; }
     [[nodiscard]] Section section(std::uint64_t index) const;
+    [[nodiscard]] bool holds(const Section& section) const;
     [[nodiscard]] bool definesIn(const Section& symbols, const Section& names, std::string_view symbol) const;
+    [[nodiscard]] std::vector<std::string> dynamicTexts(std::uint64_t tag) const;
 
     std::string_view m_bytes;
 };

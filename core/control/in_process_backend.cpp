@@ -114,9 +114,17 @@ private:
     static double* bind(void* context, const char* kind, const char* device, const char* signal) {
         auto& me = self(context);
         const auto entry = PortNames(me.m_robot, *me.m_layout).bind(textOf(kind), textOf(device), textOf(signal));
+        if (entry && textOf(signal) == "frame" && me.isNewWheneverAsked(textOf(kind), textOf(device))) return &me.m_noNumber;
         if (entry) return &me.m_block->slots()[entry.value()->offset];
         if (!me.m_failure) me.m_failure = entry.error();
         return nullptr;
+    }
+    /// A camera without a stream takes its picture when it is asked: its port then sees no number that it could have seen before.
+    [[nodiscard]] bool isNewWheneverAsked(const std::string& kind, const std::string& device) const {
+        if (kind != "Camera") return false;
+        const auto named = [&](const ComponentSpec& component) { return component.name == device; };
+        const auto found = std::ranges::find_if(m_robot.config->devices, named);
+        return found != m_robot.config->devices.end() && !(found->number("UpdatePeriod") > 0);
     }
     static std::int32_t signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count,
                                    std::uint32_t* direction) {
@@ -225,6 +233,7 @@ private:
     TrundleRobot m_table{};
     TrundleCameras m_cameras{};
     std::string m_cameraError, m_objectName;
+    double m_noNumber = std::numeric_limits<double>::quiet_NaN();
     void* m_instance = nullptr;
     const SignalLayout* m_layout = nullptr;
     SignalBlock* m_block = nullptr;

@@ -37,12 +37,7 @@ Status checkMachine(const std::string& path, const ElfReader& elf) {
     return {};
 }
 
-} // namespace
-
-Status checkModuleFile(const std::string& path) {
-    const auto file = readRegularFile(path, kMostModuleBytes);
-    if (!file) return Error{Code::ModuleUnreadable, file.error().message};
-    const std::string& bytes = file.value();
+Status check(const std::string& path, const std::string& bytes) {
     const ElfReader elf(bytes);
     if (!elf.isElf()) return wrongFormat(path, notElf(bytes));
     if (bytes.size() < 20)
@@ -57,6 +52,24 @@ Status checkModuleFile(const std::string& path) {
     if (!elf.exports(TRUNDLE_ENTRY_SYMBOL).value_or(true))
         return Error{Code::ModuleNoEntry,
                      path + " exports no " TRUNDLE_ENTRY_SYMBOL "; a module's source ends with TRUNDLE_MODULE(registry) { ... }"};
+    return {};
+}
+
+} // namespace
+
+Result<std::string> readModuleFile(const std::string& path) {
+    const auto before = regularFileStamp(path);
+    auto file = readRegularFile(path, kMostModuleBytes);
+    if (!file) return Error{Code::ModuleUnreadable, file.error().message};
+    const auto after = regularFileStamp(path);
+    if (!before || !after || !(before.value() == after.value()))
+        return Error{Code::ModuleUnreadable, path + " is being written; try again when that is done"};
+    if (auto status = check(path, file.value()); !status) return status.error();
+    return file;
+}
+
+Status checkModuleFile(const std::string& path) {
+    if (auto file = readModuleFile(path); !file) return file.error();
     return {};
 }
 

@@ -11,12 +11,14 @@
 #include "base/result.h"
 #include "model/experiment_spec.h"
 #include "schema/kind.h"
+#include "schema/registry.h"
 
 namespace trundle {
 
 /// An opened module.
 struct LoadedModule {
     std::string library;
+    std::vector<DynamicLibrary> beside; ///< libraries that the code needs, from the module's own folder
     DynamicLibrary code;
     const TrundleModule* descriptor = nullptr;
     std::vector<Kind> kinds;
@@ -25,7 +27,8 @@ struct LoadedModule {
 /// The libraries of one run. It must outlive every controller and device made from them.
 class ModuleStore {
 public:
-    /// Checks the file, opens it, checks its descriptor. The second time gives the same module.
+    /// Checks the file, opens a copy of it in memory, so that the file may be built anew meanwhile, and checks its descriptor. The
+    /// second time gives the same module.
     [[nodiscard]] Result<const LoadedModule*> load(const std::string& library);
     /// The module that brings a kind of this role (TRUNDLE_CONTROLLER, TRUNDLE_DEVICE); nullptr: none.
     [[nodiscard]] const LoadedModule* owner(std::string_view kind, std::uint32_t role) const;
@@ -36,8 +39,11 @@ private:
     std::vector<std::unique_ptr<LoadedModule>> m_modules;
 };
 
-/// Loads the modules of an experiment. What cannot be used is an error at its #loadModule; a description file that no longer fits
-/// is a warning there (E412).
-void loadModules(const ExperimentSpec& experiment, ModuleStore& store, Diagnostics& diagnostics);
+/// Loads the modules of an experiment. What cannot be used is an error at its #loadModule, and so is a module whose kinds are others
+/// than those in `registry`, which the text was checked with. A description file where only words are old is a warning (E412).
+void loadModules(const ExperimentSpec& experiment, const Registry& registry, ModuleStore& store, Diagnostics& diagnostics);
+
+/// Whether the description file of a module of the experiment says something else now than `registry`, which was filled from it.
+[[nodiscard]] bool describedAnew(const ExperimentSpec& experiment, const Registry& registry);
 
 } // namespace trundle

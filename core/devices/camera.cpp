@@ -23,7 +23,7 @@ void Camera::describe(Describe<Camera>& d) {
     d.field("Exposure", &Camera::m_exposure, number().above(0).atMost(1000), "Factor on the light that falls in.");
     d.field("Distortion", &Camera::m_distortion, number().within(-1, 10),
             "k1 and k2 of the lens: r (1 + k1 r^2 + k2 r^4); below 0 a barrel, above 0 a cushion.");
-    d.field("SeesSelf", &Camera::m_seesSelf, flag(), "Whether its own robot is in the picture.");
+    d.field("SeesSelf", &Camera::m_seesSelf, flag(), "Whether its own robot is in the picture, and its shadow.");
     d.field("UpdatePeriod", &Camera::m_updatePeriod, seconds().within(0, 1e6),
             "Time between the pictures of its stream; 0 takes one whenever it is asked.");
     d.output("frame", "", "Number of its newest picture.", 1, TRUNDLE_INTEGER_SIGNAL);

@@ -39,7 +39,8 @@ std::uint32_t afterLineEnd(std::string_view bytes, std::uint32_t at) {
 
 bool hasLineEnd(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
 
-/// Lines of `text` behind `indent`, with the file's line ends, whatever the text has. Its own common indent goes.
+/// Lines of `text` behind `indent`, with the file's line ends, whatever the text has. A brace that closes it on a line of its own
+/// stands where it begins: by as much all lines behind the first move to the left.
 std::string reindent(std::string_view text, const std::string& indent, const std::string& lineEnd) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
@@ -47,11 +48,14 @@ std::string reindent(std::string_view text, const std::string& indent, const std
         lines.push_back(text.substr(0, end));
         text.remove_prefix(end < text.size() ? afterLineEnd(text, static_cast<std::uint32_t>(end)) : end);
     }
-    std::size_t common = std::string_view::npos;
+    std::size_t last = 0, common = std::string_view::npos; // the indent of the last line, and of all but the first
     for (std::size_t i = 1; i < lines.size(); ++i) {
         const std::size_t first = lines[i].find_first_not_of(" \t");
-        if (first != std::string_view::npos) common = std::min(common, first);
+        if (first == std::string_view::npos) continue;
+        common = std::min(common, first);
+        last = lines[i][first] == '}' ? first : 0;
     }
+    common = std::min(common, last);
     std::string out;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         std::string_view line = lines[i];

@@ -126,7 +126,7 @@ std::unique_ptr<Runner> JoinedParts::makeRunner(const Loaded& loaded, RunOptions
     const auto keeper = std::make_shared<ModuleStore>(); // of this run alone: a library built anew is read anew by the next
     ModuleStore& store = *keeper;
     options.keeps = keeper;
-    loadModules(*loaded.experiment, store, diagnostics);
+    loadModules(*loaded.experiment, *loaded.registry, store, diagnostics);
     if (diagnostics.hasErrors()) return nullptr;
     const DeviceCode devices = [&store](const std::string& kind) {
         const TrundleKind* builtIn = findBuiltInDevice(kind);

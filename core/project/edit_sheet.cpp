@@ -157,6 +157,27 @@ std::string usersText(const std::vector<const Mention*>& mentions) {
     return text;
 }
 
+std::optional<std::uint32_t> endOfLineBehind(const Tree& tree, std::uint32_t offset) {
+    const auto& tokens = tree.tokens();
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), offset,
+                                  [](const Token& t, std::uint32_t at) { return t.range.begin < at; });
+    std::uint32_t end = offset;
+    for (; token != tokens.end() && isTrivia(token->kind) && token->kind != TokenKind::LineEnd; ++token)
+        if (token->kind == TokenKind::LineComment || token->kind == TokenKind::BlockComment) end = token->range.end;
+    const bool ends = token == tokens.end() || token->kind == TokenKind::LineEnd || token->kind == TokenKind::End;
+    return ends ? std::optional(end) : std::nullopt;
+}
+
+SourceRange withComment(const Loaded& loaded, SourceRange item) {
+    const Tree& tree = *loaded.trees[item.file];
+    const std::string_view bytes = tree.source().bytes();
+    std::uint32_t start = item.range.begin;
+    while (start > 0 && isBlank(bytes[start - 1])) --start;
+    if (start > 0 && bytes[start - 1] != '\n' && bytes[start - 1] != '\r') return item;
+    item.range.end = endOfLineBehind(tree, item.range.end).value_or(item.range.end);
+    return item;
+}
+
 std::string blockText(const Loaded& loaded, const SourceRange& block) {
     const SourceText& source = loaded.trees[block.file]->source();
     return dedented(source.slice(block.range), indentOfLine(source.bytes(), block.range.begin).size());

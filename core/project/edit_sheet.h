@@ -2,6 +2,7 @@
 // Edits of one plan on their way to the texts. Private to core/project.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -41,6 +42,10 @@ private:
 
 /// "Hinge leftAxle (Parent), Robot robot0 (Config) and 3 others".
 [[nodiscard]] std::string usersText(const std::vector<const Mention*>& mentions);
+/// The end of the comments behind an offset, or the offset, where nothing else follows on its line.
+[[nodiscard]] std::optional<std::uint32_t> endOfLineBehind(const Tree& tree, std::uint32_t offset);
+/// An item that begins its line, with the comment behind it on its last one.
+[[nodiscard]] SourceRange withComment(const Loaded& loaded, SourceRange item);
 /// A text without the indent that all its lines but the first have, at most `most`; line ends are `\n` then.
 [[nodiscard]] std::string dedented(std::string_view text, std::size_t most = std::string_view::npos);
 /// The text of a block without the indent that its place gives it.

@@ -1,5 +1,6 @@
 #include "project/pasted_blocks.h"
 
+#include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
 #include "project/edit_sheet.h"
@@ -8,6 +9,8 @@
 namespace trundle {
 
 namespace {
+
+bool isGap(char c) { return isBlank(c) || c == '\n' || c == '\r'; }
 
 /// `chassis.hull` means a pasted chassis where that has a hull, or something that may be called so.
 bool holds(const BlockItem& block, const std::string& word, std::size_t dot) {
@@ -28,16 +31,27 @@ Result<PastedBlocks> PastedBlocks::read(const Registry& registry, const std::str
         return Error{d.code, "line " + std::to_string(pasted.m_tree->source().position(d.range.range.begin).line) +
                                  " of the text to be added: " + d.message};
     }
+    const std::string_view bytes = pasted.m_tree->source().bytes();
+    std::uint32_t done = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     for (const Item& item : pasted.m_tree->items()) {
         const auto* block = item.as<BlockItem>();
-        if (block) pasted.entries.push_back({&item, block, registry.find(block->type.text), nullptr, {}});
+        TextRange whole{done, endOfLineBehind(*pasted.m_tree, item.range.end).value_or(item.range.end)};
+        while (whole.begin < item.range.begin && isGap(bytes[whole.begin])) ++whole.begin;
+        done = whole.end;
+        if (block) pasted.entries.push_back({&item, block, registry.find(block->type.text), nullptr, {}, whole});
         else if (const auto* param = item.as<ParamItem>())
-            pasted.params.emplace(param->name.text, pasted.m_tree->source().slice(item.range));
+            pasted.params.emplace(param->name.text, GivenParam{std::string(pasted.m_tree->source().slice(item.range)),
+                                                               std::string(pasted.m_tree->source().slice(param->value.range))});
         else if (item.as<ImportItem>() || item.as<ModuleItem>())
             pasted.directives.emplace_back(pasted.m_tree->source().slice(item.range));
         else
             return Error{Code::UnexpectedText, "only blocks can be added, not `" +
                                                    std::string(pasted.m_tree->source().slice(item.range).substr(0, 40)) + "`"};
+    }
+    if (!pasted.entries.empty() && pasted.entries.back().item == &pasted.m_tree->items().back()) { // comments at the very end
+        TextRange& last = pasted.entries.back().whole;
+        last.end = static_cast<std::uint32_t>(bytes.size());
+        while (isGap(bytes[last.end - 1])) --last.end;
     }
     if (pasted.entries.empty() && pasted.directives.empty()) return Error{Code::UnexpectedText, "the text holds no block"};
     return pasted;
@@ -94,7 +108,7 @@ std::string PastedBlocks::textOf(const Loaded& loaded, const Entry& entry) const
     if (block.name) edits.push_back({{0, block.name->range}, entry.name});
     else if (!entry.name.empty()) edits.push_back({{0, {block.type.range.end, block.type.range.end}}, " " + entry.name});
     collect(loaded, entry, block, entry.kind, edits);
-    const TextRange whole = entry.item->range;
+    const TextRange whole = entry.whole;
     for (TextEdit& edit : edits) {
         edit.range.range.begin -= whole.begin;
         edit.range.range.end -= whole.begin;

@@ -19,14 +19,18 @@ public:
         const Kind* kind = nullptr;   ///< nullptr: not known here
         const Part* target = nullptr; ///< block it goes into; nullptr: the top level
         std::string name;             ///< that it gets; empty: it stays without one
+        TextRange whole;              ///< with the comments before it, and behind it on its line
     };
 
     /// Fails where the text cannot be read or holds something else than blocks and directives.
     [[nodiscard]] static Result<PastedBlocks> read(const Registry& registry, const std::string& text);
 
     std::vector<Entry> entries;
-    std::map<std::string, std::string> params; ///< of the top level: name to "Param side = 3"
-    std::vector<std::string> directives;       ///< "#import robots/rover.sim"
+    struct GivenParam {
+        std::string text, value; ///< "Param side = 3", "3"
+    };
+    std::map<std::string, GivenParam> params; ///< of the top level, by their names
+    std::vector<std::string> directives;      ///< "#import robots/rover.sim"
 
     /// The entry's text under its name, where what it says of other entries that got another name is changed as well.
     [[nodiscard]] std::string textOf(const Loaded& loaded, const Entry& entry) const;

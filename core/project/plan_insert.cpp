@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "lang/characters.h"
 #include "project/edit_sheet.h"
 #include "project/import_lines.h"
 #include "project/object_names.h"
@@ -36,7 +37,8 @@ bool holdsControllers(const Part& part) { return isPlaced(part) && part.block->t
 
 class Insertion {
 public:
-    Insertion(const Loaded& loaded, PastedBlocks blocks) : m_loaded(loaded), m_blocks(std::move(blocks)), m_sheet(loaded) {}
+    Insertion(const Loaded& loaded, PastedBlocks blocks, FileId file)
+        : m_loaded(loaded), m_blocks(std::move(blocks)), m_sheet(loaded), m_file(file) {}
 
     Result<EditPlan> into(const std::string& parent, const std::vector<std::string>& imports) {
         const std::optional<ObjectPlace> place = placeOf(m_loaded, parent);
@@ -47,11 +49,16 @@ public:
             if (Status status = settle(entry); !status.ok()) return status.error();
         }
         std::vector<std::string> selects;
-        for (const auto& [name, text] : m_blocks.params)
-            if (!isParam(name)) m_sheet.addItem(FileId{0}, nullptr, text);
+        for (const auto& [name, param] : m_blocks.params) {
+            const PlacedParam* there = paramHere(name);
+            if (there && !saysTheSame(*there, param.value))
+                return Error{Code::DuplicateName, "Param " + name + " is " + valueOf(*there) + " here, and " + param.value +
+                                                      " where this comes from; rename one of the two first"};
+            if (!there) m_sheet.addItem(m_file, nullptr, param.text);
+        }
         for (std::size_t i = 0; i < m_blocks.entries.size(); ++i) {
             const PastedBlocks::Entry& entry = m_blocks.entries[i];
-            const FileId file = entry.target ? entry.target->file : FileId{0};
+            const FileId file = entry.target ? entry.target->file : m_file;
             m_sheet.addItem(file, entry.target ? entry.target->block : nullptr, m_blocks.textOf(m_loaded, entry));
             selects.push_back(pathFor(entry, m_paths[i]));
         }
@@ -62,9 +69,18 @@ public:
     }
 
 private:
-    bool isParam(const std::string& name) const {
+    const PlacedParam* paramHere(const std::string& name) const {
         const auto& params = m_loaded.outline->params;
-        return std::any_of(params.begin(), params.end(), [&](const PlacedParam& p) { return p.name->text == name; });
+        const auto it = std::find_if(params.begin(), params.end(), [&](const PlacedParam& p) { return p.name->text == name; });
+        return it == params.end() ? nullptr : &*it;
+    }
+    std::string valueOf(const PlacedParam& param) const {
+        return std::string(m_loaded.outline->texts().slice({param.valueFile, param.value->range}));
+    }
+    bool saysTheSame(const PlacedParam& param, std::string value) const {
+        std::string here = valueOf(param);
+        for (std::string* text : {&here, &value}) std::erase_if(*text, isBlank);
+        return here == value;
     }
 
     Status settle(PastedBlocks::Entry& entry) {
@@ -159,8 +175,8 @@ private:
     Status import(std::vector<std::string> imports) {
         imports.insert(imports.end(), m_blocks.directives.begin(), m_blocks.directives.end());
         std::set<FileId> files;
-        for (const PastedBlocks::Entry& entry : m_blocks.entries) files.insert(entry.target ? entry.target->file : FileId{0});
-        if (files.empty()) files.insert(0);
+        for (const PastedBlocks::Entry& entry : m_blocks.entries) files.insert(entry.target ? entry.target->file : m_file);
+        if (files.empty()) files.insert(m_file);
         for (const FileId file : files) {
             Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, file, imports);
             if (!edits.ok()) return edits.error();
@@ -190,6 +206,7 @@ private:
     const Loaded& m_loaded;
     PastedBlocks m_blocks;
     EditSheet m_sheet;
+    const FileId m_file; ///< of what stands at the top level
     std::vector<Target> m_near;
     bool m_member = false, m_imports = false;
     std::vector<std::string> m_paths; ///< of the targets
@@ -200,10 +217,10 @@ private:
 } // namespace
 
 Result<EditPlan> planInsert(const Loaded& loaded, const std::string& parent, const std::string& text,
-                            const std::vector<std::string>& imports) {
+                            const std::vector<std::string>& imports, FileId file) {
     Result<PastedBlocks> blocks = PastedBlocks::read(*loaded.registry, text);
     if (!blocks.ok()) return blocks.error();
-    return Insertion(loaded, std::move(blocks).value()).into(parent, imports);
+    return Insertion(loaded, std::move(blocks).value(), file).into(parent, imports);
 }
 
 } // namespace trundle

@@ -22,7 +22,16 @@ struct Moved {
     const Part* to = nullptr;
     std::string path; ///< of what it goes into
     std::string name;
+    FileId file = 0;             ///< that it goes into
+    const Part* next = nullptr;  ///< that it goes in front of
+    const Part* after = nullptr; ///< or behind; without both to the end
+    [[nodiscard]] bool goes() const { return after != part; }
 };
+
+/// What the tree shows together.
+bool areAlike(const Part& a, const Part& b) {
+    return a.kind && b.kind && (a.kind == b.kind || (isPlaced(a) && isPlaced(b)) || (a.kind->role == b.kind->role));
+}
 
 const Part* holderOf(const ObjectPlace& place) { return place.above.empty() ? nullptr : place.above.back(); }
 
@@ -38,8 +47,8 @@ ObjectPlace outer(ObjectPlace place) {
 
 class Move {
 public:
-    Move(const Loaded& loaded, const std::vector<Chosen>& all)
-        : m_loaded(loaded), m_texts(loaded.outline->texts()), m_mentions(mentionsIn(loaded)), m_sheet(loaded) {
+    Move(const Loaded& loaded, const std::vector<Chosen>& all, FileId file)
+        : m_loaded(loaded), m_texts(loaded.outline->texts()), m_mentions(mentionsIn(loaded)), m_sheet(loaded), m_file(file) {
         for (const Chosen& c : all) m_moved.push_back({&c, c.place.part, holderOf(c.place), nullptr, {}, c.place.part->name});
     }
 
@@ -51,6 +60,7 @@ public:
             if (Status status = settle(m, parent); !status.ok()) return status.error();
         if (!before.empty())
             if (Status status = findBefore(before); !status.ok()) return status.error();
+        for (Moved& m : m_moved) settleBeside(m);
         if (nothingChanges()) {
             EditPlan same;
             for (const Moved& m : m_moved) same.selects.push_back(m.chosen->path);
@@ -62,7 +72,7 @@ public:
                 if (Status status = changePlace(m); !status.ok()) return status.error();
         }
         for (const Moved& m : m_moved) {
-            put(m);
+            if (Status status = put(m); !status.ok()) return status.error();
             const bool kindFirst = !m.to && m_loaded.outline->spaceOf(*m.part->kind) != &m_loaded.outline->world;
             selects.push_back((m.to ? m.path + "." : kindFirst ? m.part->kind->name + "." : "") + m.name);
         }
@@ -120,27 +130,48 @@ private:
         const auto all = siblings();
         const auto it = place ? std::find(all.begin(), all.end(), place->part) : all.end();
         if (it == all.end()) return Error{Code::NoSuchPath, path + " does not stand in the same block"};
-        for (auto next = it; next != all.end(); ++next) { // the first behind it that stays
-            if (isMoved((*next)->block) || ((*next)->file != (*it)->file)) continue;
-            m_before = *next;
-            return {};
-        }
+        m_before = *it;
         return {};
     }
 
-    bool nothingChanges() const {
-        if (std::any_of(m_moved.begin(), m_moved.end(), [](const Moved& m) { return m.from != m.to; })) return false;
+    /// A place in the file that the block stands in or goes to: in front of what was asked for, or of the next of its like; else behind
+    /// the last of its like, where it stays in its file.
+    void settleBeside(Moved& m) const {
+        const bool stays = m.from == m.to && (m_file == kNoFile || m.to);
+        m.file = stays ? m.part->file : m.to ? m.to->file : m_file == kNoFile ? FileId{0} : m_file;
         const auto all = siblings();
-        std::vector<const Part*> after;
-        const auto insert = [&] {
-            for (const Moved& m : m_moved) after.push_back(m.part);
-        };
-        for (const Part* p : all) {
-            if (p == m_before) insert();
-            if (!isMoved(p->block)) after.push_back(p);
+        const auto from = std::find(all.begin(), all.end(), m_before);
+        const bool beside = from != all.end() && (!stays || (*from)->file == m.file);
+        const auto fits = [&](const Part* p) { return p->file == m.file && !isMoved(p->block); };
+        const auto alike = [&](const Part* p) { return fits(p) && areAlike(*p, *m.part); };
+        const auto next = beside ? std::find_if(from, all.end(), fits) : std::find_if(from, all.end(), alike);
+        if (next != all.end()) m.next = *next;
+        const bool inBlock = m.to && m.to->file == m.file; // its end is a good place
+        if (m.next || !stays || inBlock) return;
+        const auto last = std::find_if(all.rbegin(), all.rend(), [&](const Part* p) { return alike(p) || p == m.part; });
+        if (last != all.rend()) m.after = *last;
+    }
+
+    /// Whether all stand where they go to.
+    bool nothingChanges() const {
+        if (std::any_of(m_moved.begin(), m_moved.end(), [](const Moved& m) { return m.from != m.to || m.part->file != m.file; }))
+            return false;
+        std::map<FileId, std::vector<const Part*>> before, after;
+        for (const Part* p : siblings()) {
+            before[p->file].push_back(p);
+            const bool goes =
+                std::any_of(m_moved.begin(), m_moved.end(), [&](const Moved& m) { return m.part == p && m.goes(); });
+            if (!goes) after[p->file].push_back(p);
         }
-        if (!m_before) insert();
-        return after == all;
+        std::map<const Part*, std::ptrdiff_t> behind;
+        for (const Moved& m : m_moved) {
+            if (!m.goes()) continue;
+            std::vector<const Part*>& now = after[m.file];
+            auto at = std::find(now.begin(), now.end(), m.after ? m.after : m.next);
+            if (m.after) at += 1 + behind[m.after]++;
+            now.insert(at, m.part);
+        }
+        return before == after;
     }
 
     /// The block gets another parent: who names it, and what does it name?
@@ -217,56 +248,101 @@ private:
         m_sheet.add(std::move(edit));
     }
 
-    /// Where the block stands in what will hold it, when it stays where it is in the world.
-    void keepPose(const Moved& m, PlacedText& text) const {
-        if (!m.part->is(Role::Geom) && !m.part->is(Role::Body)) return;
-        const ObjectPlace& old = m.chosen->place;
-        ObjectPlace into = m_into;
+    /// Below its config.
+    static std::string withinOf(const ObjectPlace& place) {
+        std::string within;
+        for (std::size_t i = 1; i < place.above.size(); ++i) within += place.above[i]->name + ".";
+        return place.above.empty() || !place.part ? std::string() : within + place.part->name;
+    }
+    /// Where the block stands in what will hold it, when it stays where it is in the world, and before, as the instances have both.
+    std::pair<Pose, Pose> posesOf(const Moved& m, const Part* oldInstance, const Part* newInstance) const {
+        ObjectPlace old = m.chosen->place, into = m_into;
         const bool ofConfig = into.part != m.to; // "robot0" for its config
         if (ofConfig) into.part = m.to;
+        old.instance = oldInstance;
+        old.within = withinOf(old);
+        into.instance = newInstance;
+        into.within = withinOf(into);
         const auto frame = [&](const ObjectPlace& holder) {
             return holder.part && holder.part->is(Role::Body) ? poseAt(m_loaded, holder) : Pose{};
         };
         Pose from = frame(outer(old)), to = ofConfig ? Pose{} : frame(into);
-        if (old.instance && into.instance && old.instance != into.instance && !old.member && !into.member) {
+        if (oldInstance && newInstance && oldInstance != newInstance && !old.member && !into.member) {
             const auto world = [&](const Part* instance) {
                 ObjectPlace place;
                 place.part = place.instance = instance;
                 return poseAt(m_loaded, place);
             };
-            from = world(old.instance) * from;
-            to = world(into.instance) * to;
+            from = world(oldInstance) * from;
+            to = world(newInstance) * to;
         }
-        const Pose before = poseAt(m_loaded, old), after = to.inverse() * (from * before);
-        if ((after.position - before.position).norm() > 1e-12) text.set("Pos", positionText(after.position));
-        if (after.rotation.angularDistance(before.rotation) > 1e-9) text.set("HPR", headingText(after.rotation));
+        const Pose before = poseAt(m_loaded, old);
+        return {to.inverse() * (from * before), before};
+    }
+    static bool isSame(const Pose& a, const Pose& b) {
+        return (a.position - b.position).norm() < 1e-9 && a.rotation.angularDistance(b.rotation) < 1e-9;
     }
 
-    void put(const Moved& m) {
+    Status keepPose(const Moved& m, PlacedText& text) const {
+        if (!m.part->is(Role::Geom) && !m.part->is(Role::Body)) return {};
+        const Part* config = topOf(m.from, m.chosen->place);
+        const bool sameConfig = config && config->is(Role::Config) && config == topOf(m.to, m_into);
+        const auto [after, before] =
+            sameConfig ? posesOf(m, nullptr, nullptr) : posesOf(m, m.chosen->place.instance, m_into.instance);
+        const std::string within = withinOf(m.chosen->place);
+        for (const auto& part : m_loaded.outline->parts) { // who has it elsewhere, by a Param or a value of its own
+            if (!sameConfig || !isPlaced(*part) || configOf(m_loaded, *part) != config) continue;
+            const auto [own, was] = posesOf(m, part.get(), part.get());
+            const bool said = part->assignments.find(within + ".Pos") || part->assignments.find(within + ".HPR");
+            if (said ? isSame(own, was) && isSame(after, before) : isSame(own, after)) continue;
+            return Error{Code::WrongPlace, m.part->title() + " cannot keep its place in " + part->title() +
+                                               ", which sets a Pos, HPR or Param of its own there; reset that first"};
+        }
+        if ((after.position - before.position).norm() > 1e-12) text.set("Pos", positionText(after.position));
+        if (after.rotation.angularDistance(before.rotation) > 1e-9) text.set("HPR", headingText(after.rotation));
+        return {};
+    }
+
+    Status put(const Moved& m) {
         const Part& part = *m.part;
+        if (!m.goes()) return {};
         Result<std::string> written = applyEdits(m_texts.slice(part.range), m_inside[&part]);
         const std::size_t indent = indentOfLine(m_loaded.trees[part.file]->source().bytes(), part.range.range.begin).size();
-        PlacedText text(dedented(written.ok() ? std::string_view(written.value()) : m_texts.slice(part.range), indent));
+        const SourceRange whole = withComment(m_loaded, part.range);
+        const std::string comment(m_texts.slice({whole.file, {part.range.range.end, whole.range.end}}));
+        PlacedText text(dedented(written.ok() ? written.value() + comment : std::string(m_texts.slice(whole)), indent));
         if (m.name != part.name || !part.block->name) text.rename(m.name);
-        if (m.from != m.to) keepPose(m, text);
-        m_sheet.removeItem(part.range);
+        if (m.from != m.to)
+            if (Status kept = keepPose(m, text); !kept.ok()) return kept;
+        m_sheet.removeItem(whole);
         std::vector<const Part*> all;
         for (const Moved& other : m_moved) all.push_back(other.part);
         if (!part.block->name && m.from) keepNames(m.from->parts, part.block->type.text, m_mentions, all, m_sheet);
-        if (!m_before) return m_sheet.addItem(m.to ? m.to->file : FileId{0}, m.to ? m.to->block : nullptr, text.text());
-        const Tree& tree = *m_loaded.trees[m_before->file];
+        if (!m.next && !m.after) {
+            m_sheet.addItem(m.file, m.to ? m.to->block : nullptr, text.text());
+            return {};
+        }
+        const TextRange beside = (m.next ? m.next : m.after)->range.range;
+        const Tree& tree = *m_loaded.trees[m.file];
         const std::string_view bytes = tree.source().bytes();
-        const std::uint32_t at = m_before->range.range.begin;
-        std::uint32_t start = at;
-        while (start > 0 && isBlank(bytes[start - 1])) --start;
-        const bool first = start == 0 || bytes[start - 1] == '\n' || bytes[start - 1] == '\r';
-        const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(bytes, at);
+        const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(bytes, beside.begin);
         const bool lines = text.text().find('\n') != std::string::npos || text.text().find("//") != std::string::npos;
         std::string out;
         for (const char c : text.text()) out += c == '\n' ? lineEnd : std::string(1, c);
+        if (m.after) { // the comment behind it stays with it
+            const std::optional<std::uint32_t> end = endOfLineBehind(tree, beside.end);
+            const std::uint32_t at = end.value_or(beside.end);
+            m_sheet.add({{m.file, {at, at}}, end ? lineEnd + out : lines ? lineEnd + out + lineEnd : " " + out});
+            return {};
+        }
+        const std::uint32_t at = beside.begin;
+        std::uint32_t start = at;
+        while (start > 0 && isBlank(bytes[start - 1])) --start;
+        const bool first = start == 0 || bytes[start - 1] == '\n' || bytes[start - 1] == '\r';
         if (first) out += lineEnd;
         else out = lines ? lineEnd + out + lineEnd : out + " ";
-        m_sheet.add({{m_before->file, {at, at}}, out});
+        m_sheet.add({{m.file, {at, at}}, out});
+        return {};
     }
 
     const Loaded& m_loaded;
@@ -275,6 +351,7 @@ private:
     EditSheet m_sheet;
     std::vector<Moved> m_moved;
     ObjectPlace m_into;
+    const FileId m_file; ///< kNoFile: none was asked for
     const Part* m_before = nullptr;
     std::map<std::pair<const Part*, const NameSpace*>, TakenNames> m_names;
     std::map<const Part*, std::vector<TextEdit>> m_inside; ///< edits of the moved texts, from their beginnings
@@ -283,10 +360,10 @@ private:
 } // namespace
 
 Result<EditPlan> planMove(const Loaded& loaded, const std::vector<std::string>& paths, const std::string& parent,
-                          const std::string& before) {
+                          const std::string& before, FileId file) {
     const Result<std::vector<Chosen>> all = chosen(loaded, paths);
     if (!all.ok()) return all.error();
-    return Move(loaded, all.value()).run(parent, before);
+    return Move(loaded, all.value(), file).run(parent, before);
 }
 
 } // namespace trundle

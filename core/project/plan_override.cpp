@@ -1,5 +1,6 @@
 // Values that an instance sets in its config: away, up into it, or down from it.
 
+#include "lang/edit_style.h"
 #include "lang/tree_edit.h"
 #include "model/provenance.h"
 #include "project/edit_sheet.h"
@@ -80,6 +81,14 @@ Result<std::string> textElsewhere(const Loaded& loaded, const OverrideTarget& t,
     return valueText(*t.property, *value);
 }
 
+/// With the line ends of the file that takes it.
+std::string inFile(const Loaded& loaded, FileId file, const std::string& text) {
+    const std::string lineEnd = editStyle(*loaded.trees[file]).lineEnd;
+    std::string out;
+    for (const char c : dedented(text, 0)) out += c == '\n' ? lineEnd : std::string(1, c);
+    return out;
+}
+
 SourceRange itemRange(const PlacedAssignment& a) { return {a.file, {a.path.front().range.begin, a.value->range.end}}; }
 
 bool fromCommandLine(const Loaded& loaded, const PlacedAssignment& a) { return loaded.outline->texts().commandLine(a.file); }
@@ -134,9 +143,13 @@ Result<EditPlan> planPushOverride(const Loaded& loaded, const std::string& prope
     const Result<std::string> text = textElsewhere(loaded, *t, *a);
     if (!text.ok()) return text.error();
     EditSheet sheet(loaded);
-    if (t->param) sheet.add(editSetValue(*loaded.trees[t->param->valueFile], *t->param->value, text.value()));
-    else if (const PlacedAssignment* own = t->own()) sheet.add(editSetValue(*loaded.trees[own->file], *own->value, text.value()));
-    else sheet.addAssignment(t->place.part->file, t->place.part->block, t->key, text.value());
+    const auto set = [&](FileId file, const Value& value) {
+        sheet.add(editSetValue(*loaded.trees[file], value, inFile(loaded, file, text.value())));
+    };
+    if (t->param) set(t->param->valueFile, *t->param->value);
+    else if (const PlacedAssignment* own = t->own()) set(own->file, *own->value);
+    else
+        sheet.addAssignment(t->place.part->file, t->place.part->block, t->key, inFile(loaded, t->place.part->file, text.value()));
     sheet.removeItem(itemRange(*a));
     return sheet.plan({});
 }
@@ -165,7 +178,7 @@ Result<EditPlan> planPullOverride(const Loaded& loaded, const std::string& prope
         return Error{Code::MissingValue, t->key + " has no value that could be copied"};
     }
     EditSheet sheet(loaded);
-    sheet.addAssignment(instance.file, instance.block, t->within, text);
+    sheet.addAssignment(instance.file, instance.block, t->within, inFile(loaded, instance.file, text));
     return sheet.plan({});
 }
 

@@ -12,16 +12,30 @@ void addBlocks(const Part& part, std::set<const BlockItem*>& blocks) {
     for (const Part& inner : part.parts) addBlocks(inner, blocks);
 }
 
+/// Those whose text goes. What a block imports stays in its file: others may have it too.
+std::set<const BlockItem*> goneWith(const Part& part) {
+    std::set<const BlockItem*> blocks;
+    const auto add = [&](const auto& self, const Part& p) -> void {
+        if (isWithin(p.range, part.range)) blocks.insert(p.block);
+        for (const Part& inner : p.parts) self(self, inner);
+    };
+    add(add, part);
+    return blocks;
+}
+
 /// Who names one of these, or what is in one, from outside of all of them.
 std::vector<const Mention*> outsideUsers(const std::vector<Mention>& mentions, const std::vector<Chosen>& all) {
-    std::set<const BlockItem*> blocks;
-    for (const Chosen& c : all) addBlocks(*c.place.part, blocks);
+    std::set<const BlockItem*> blocks, gone;
+    for (const Chosen& c : all) {
+        addBlocks(*c.place.part, blocks);
+        gone.merge(goneWith(*c.place.part));
+    }
     const auto isGone = [&](const SourceRange& name) {
         return std::any_of(all.begin(), all.end(), [&](const Chosen& c) { return isWithin(name, c.place.part->range); });
     };
     std::vector<const Mention*> users;
     for (const Mention& m : mentions) {
-        if (!m.target || !blocks.count(m.target) || !m.name.known() || m.pattern) continue;
+        if (!m.target || !gone.count(m.target) || !m.name.known() || m.pattern) continue;
         if (!isGone(m.name) && !(m.user && blocks.count(m.user->block))) users.push_back(&m);
     }
     return users;
@@ -70,11 +84,8 @@ Result<EditPlan> planRemove(const Loaded& loaded, const std::vector<std::string>
     if (!users.empty()) {
         std::string what;
         for (const Chosen& c : all.value()) {
-            const bool named = std::any_of(users.begin(), users.end(), [&](const Mention* m) {
-                std::set<const BlockItem*> own;
-                addBlocks(*c.place.part, own);
-                return own.count(m->target) > 0;
-            });
+            const bool named = std::any_of(users.begin(), users.end(),
+                                           [&](const Mention* m) { return goneWith(*c.place.part).contains(m->target); });
             if (!named) continue;
             what = what.empty() ? c.place.part->title() : what + " and others";
             if (what.ends_with("others")) break;
@@ -85,7 +96,7 @@ Result<EditPlan> planRemove(const Loaded& loaded, const std::vector<std::string>
     EditSheet sheet(loaded);
     for (const Chosen& c : all.value()) {
         const Part& part = *c.place.part;
-        sheet.removeItem(part.range);
+        sheet.removeItem(withComment(loaded, part.range));
         if (part.block->name || c.place.above.empty()) continue;
         std::vector<const Part*> except;
         for (const Chosen& other : all.value()) except.push_back(other.place.part);

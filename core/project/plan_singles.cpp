@@ -34,7 +34,7 @@ std::string textOf(const Loaded& loaded, const std::vector<std::string>& paths) 
     const Result<std::vector<Chosen>> all = chosen(loaded, there);
     if (!all.ok()) return {};
     std::string text;
-    for (const Chosen& c : all.value()) text += blockText(loaded, c.place.part->range) + "\n";
+    for (const Chosen& c : all.value()) text += blockText(loaded, withComment(loaded, c.place.part->range)) + "\n";
     return text;
 }
 

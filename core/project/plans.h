@@ -37,16 +37,19 @@ struct EditPlan {
 [[nodiscard]] Result<EditPlan> planDuplicate(const Loaded& loaded, const std::vector<std::string>& paths, const Vec3& offset);
 /// Adds blocks given as text below `parent` ("" is the top level of the opened file), named anew where a name is taken, and
 /// imports what they use where `imports` names the files ("robots/simple_robot.sim") or whole directives ("#loadModule walker").
-/// "robot0" as a parent means its config for parts of robots; Params go in where none has the name. Fails where a name is missing.
+/// "robot0" as a parent means its config for parts of robots; Params go in where none has the name. Fails where a name is missing,
+/// or where a Param of the name says something else. What stands at the top level goes into `file`.
 [[nodiscard]] Result<EditPlan> planInsert(const Loaded& loaded, const std::string& parent, const std::string& text,
-                                          const std::vector<std::string>& imports = {});
+                                          const std::vector<std::string>& imports = {}, FileId file = 0);
 /// Gives each of these Robots, Grids or Scatters the controller that `text` describes, in place of one that it has.
 [[nodiscard]] Result<EditPlan> planController(const Loaded& loaded, const std::vector<std::string>& robots,
                                               const std::string& text, const std::vector<std::string>& imports = {});
-/// Moves blocks before `before` (an object in `parent`), or to the end of `parent` where `before` is "". A geom or body that
-/// gets another parent keeps its place in the world: its Pos and HPR are written anew.
+/// Moves blocks before `before` (an object in `parent`), or to the end of `parent` where `before` is "". What has that parent
+/// already stays in its file, next to where it was wanted; only `file` takes blocks of the top level to another. A geom or body
+/// that gets another parent keeps its place in the world: its Pos and HPR are written anew. Fails where they cannot be the same
+/// for every robot of the config.
 [[nodiscard]] Result<EditPlan> planMove(const Loaded& loaded, const std::vector<std::string>& paths, const std::string& parent,
-                                        const std::string& before);
+                                        const std::string& before, FileId file = kNoFile);
 /// Writes the members of a Grid or Scatter out as single robots.
 [[nodiscard]] Result<EditPlan> planReplaceBySingles(const Loaded& loaded, const std::string& path);
 

@@ -134,7 +134,11 @@ void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
                 diagnostics.error(file.error().code, spec.nameRange, file.error().message);
             continue;
         }
-        log->usePictures([this](const PictureWish& wish, const std::string& name) { return savePicture(wish, name); });
+        log->usePictures([this, &spec](const PictureWish& wish, const std::string& name) {
+            const Result<double> saved = savePicture(wish, name);
+            if (!saved) warnOfLost(spec, name, saved.error());
+            return saved;
+        });
         m_rows.clear();
         log->header(m_rows);
         file.value()->write(m_rows);

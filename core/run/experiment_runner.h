@@ -2,6 +2,8 @@
 // The Runner that core/run gives out: see runner.h for the promises.
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "run/console_limit.h"
 #include "run/log.h"
@@ -53,6 +55,7 @@ private:
     [[nodiscard]] Result<double> savePicture(const PictureWish& wish, const std::string& fileName);
     [[nodiscard]] Status writePicture(const Result<std::string>& bytes, const std::string& fileName);
     void warnOfPictures(const Error& error);
+    void warnOfLost(const ComponentSpec& log, const std::string& fileName, const Error& error);
     void say(const std::string& who, int severity, const std::string& text);
     void tellDropped();
     void warnOfCluster();
@@ -81,7 +84,8 @@ private:
     std::optional<Diagnostic> m_failure;
     Schedule m_tellsDropped; // once a second
     std::string m_rows;
-    std::size_t m_pictures = 0; // saved
+    std::size_t m_pictures = 0;       // saved
+    std::set<std::string> m_toldLost; // logs, with why they leave pictures out
     bool m_toldCluster = false, m_toldNoPictures = false, m_toldLostPicture = false;
     bool m_finished = false;
 };

@@ -46,7 +46,7 @@ private:
 
 void FrameLogSettings::describe(Describe<FrameLogSettings>& d) {
     d.help("Pictures of the run as numbered files, from a robot's camera or a View, and a table that says when each was taken: "
-           "of a camera with an UpdatePeriod, its newest picture and the time of that.");
+           "of a camera with an UpdatePeriod, its newest picture and the time of that. A run saves at most 100,000 pictures.");
     d.field("Camera", &FrameLogSettings::camera, text(), "The camera that takes them, as robot0/eye.");
     d.field("View", &FrameLogSettings::view, text(), "The View they are taken from; without it and a camera, one of everything.");
     Quantity pixels = number().within(1, 4096);

@@ -1,5 +1,7 @@
 // What controllers ask of their cameras.
 
+#include <filesystem>
+
 #include "run/experiment_runner.h"
 
 namespace trundle {
@@ -9,13 +11,23 @@ constexpr std::size_t kMostPictures = 100'000; // saved in one run
 
 } // namespace
 
-/// The run goes on, and says so once: that there are none, and that one failed.
+/// The run goes on, and says so once: that there are none, and that one failed. A file that cannot be written is its asker's to tell.
 void ExperimentRunner::warnOfPictures(const Error& error) {
     const bool none = error.code == Code::NoGraphics;
     if (!none && error.code != Code::PictureFailed) return;
     if (std::exchange(none ? m_toldNoPictures : m_toldLostPicture, true)) return;
     const char* const what = none ? "cameras take no pictures: " : "a picture could not be taken: ";
     m_warnings.push_back({Severity::Warning, error.code, what + error.message, {}, {}, {}, {}});
+}
+
+/// Each cause once for each log: the causes of its files differ in their names alone.
+void ExperimentRunner::warnOfLost(const ComponentSpec& log, const std::string& fileName, const Error& error) {
+    if (error.code == Code::NoGraphics) return warnOfPictures(error);
+    std::string cause = error.message;
+    if (const std::size_t at = cause.find(fileName); at != std::string::npos) cause.erase(at, fileName.size());
+    if (!m_toldLost.insert(log.name + "\n" + cause).second) return;
+    const std::string message = "FrameLog " + log.name + " leaves out pictures, the first is " + fileName + ": " + error.message;
+    m_warnings.push_back({Severity::Warning, error.code, message, log.nameRange, {}, {}, {}});
 }
 
 void ExperimentRunner::addCameras(ControllerOutlet& outlet, const std::string& robot) {
@@ -45,7 +57,6 @@ Result<double> ExperimentRunner::savePicture(const PictureWish& wish, const std:
         if (const Result<const Frame*> frame = m_cameras.capture(wish.camera)) tick = frame.value()->tick; // the one just saved
     }
     if (saved) return tickTime(tick, experiment().settings.tick);
-    warnOfPictures(saved.error());
     return saved.error();
 }
 
@@ -57,7 +68,10 @@ Status ExperimentRunner::writePicture(const Result<std::string>& bytes, const st
     if (!file) return file.error();
     ++m_pictures;
     file.value()->write(bytes.value());
-    return file.value()->close();
+    const Status written = file.value()->close();
+    std::error_code none;
+    if (!written) std::filesystem::remove(file.value()->path(), none); // half a picture is of no use
+    return written;
 }
 
 } // namespace trundle

@@ -1,8 +1,23 @@
 #include "schema/live_value.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trundle {
+namespace {
+
+constexpr double kRounding = 1e-9; // of a unit: the text was judged exactly
+
+/// `number` is in SI units, the limits are in the text's.
+bool inRange(const TrundleField& field, double number) {
+    if (field.type == TRUNDLE_BOOLEAN) return true;
+    const double value = number / field.scale, slack = kRounding * std::max(1.0, std::abs(value));
+    const bool above = field.flags & TRUNDLE_MIN_EXCLUSIVE ? value > field.minimum : value >= field.minimum - slack;
+    const bool below = field.flags & TRUNDLE_MAX_EXCLUSIVE ? value < field.maximum : value <= field.maximum + slack;
+    return above && below;
+}
+
+} // namespace
 
 Status setLive(const TrundleKind& kind, void* instance, const std::string& who, const std::string& property,
                const PropertyValue& value) {
@@ -18,8 +33,11 @@ Status setLive(const TrundleKind& kind, void* instance, const std::string& who, 
     const std::size_t count = numeric ? value.numbers.size() : texts.size();
     if (count < field.minCount || count > field.maxCount)
         return Error{Code::WrongCount, property + " of " + who + " does not take that many values"};
-    for (const double number : value.numbers)
+    for (const double number : value.numbers) {
         if (!std::isfinite(number)) return Error{Code::OutOfRange, property + " of " + who + " must be finite"};
+        if (!inRange(field, number)) // of another version of a module than the one that the text was judged by
+            return Error{Code::OutOfRange, property + " of " + who + " is out of the range that the running code describes"};
+    }
     const TrundleValue crossing{value.numbers.data(), texts.data(), static_cast<std::uint32_t>(count)};
     if (kind.set(instance, index, &crossing) == 0) return {};
     const char* why = kind.lastError ? kind.lastError(instance) : nullptr;

@@ -97,19 +97,24 @@ Result<bool> MovieRecorder::film(Work& work, const MovieJob& job) {
     const PoseReader reader(*job.loaded->experiment, runner->world().layout());
     std::size_t done = 0;
     auto told = std::chrono::steady_clock::now();
+    const auto addPicture = [&](double time) -> Status {
+        if (!job.camera.empty()) { // what the robot gets of it: with an UpdatePeriod, its newest
+            const Result<const Frame*> frame = runner->cameras().capture(job.camera);
+            return frame ? movie.value()->add(*frame.value(), time, tick) : Status(frame.error());
+        }
+        auto poses = std::make_shared<BodyPoses>();
+        reader.read(runner->world().block(), *poses);
+        PictureRequest request = job.look;
+        request.view = job.view(*poses);
+        const Result<Frame> frame =
+            drawer.picture(std::move(request), {std::move(poses), runner->world().ticks(), runner->world().time()});
+        return frame ? movie.value()->add(frame.value(), time, tick) : Status(frame.error());
+    };
     while (!work.cancelled) {
         const std::uint64_t now = runner->world().ticks();
         const double time = (static_cast<double>(now) - static_cast<double>(first)) * tick;
         if (now >= first && movie.value()->isDue(time, tick)) {
-            auto poses = std::make_shared<BodyPoses>();
-            reader.read(runner->world().block(), *poses);
-            const FrameMoment moment{poses, now, runner->world().time()};
-            PictureRequest request = job.look;
-            if (job.camera.empty()) request.view = job.view(*poses);
-            const Result<Frame> frame =
-                job.camera.empty() ? drawer.picture(std::move(request), moment) : drawer.capture(job.camera, moment);
-            if (!frame) return frame.error();
-            if (Status added = movie.value()->add(frame.value(), time, tick); !added) return added.error();
+            if (Status added = addPicture(time); !added) return added.error();
         }
         if (now >= last) break;
         if (const auto since = std::chrono::steady_clock::now(); since - told > std::chrono::milliseconds(50)) {

@@ -102,12 +102,13 @@ public:
 
     [[nodiscard]] bool isModified() const; ///< some file's bytes differ from the disk's
     [[nodiscard]] bool isModified(const std::string& file) const;
-    /// Every modified file, each atomically. A file whose bytes on the disk have not been seen here is not written. Says which
-    /// file failed and why; the others are written all the same.
+    /// Every modified file, each atomically; none where one of them cannot be. Says which and why: a sample, one that may not be
+    /// written, one whose bytes on the disk have not been seen here.
     [[nodiscard]] Status save();
     /// Writes the opened file to another path and goes on with it there; the history stays. Imported files that would not be found
     /// from there, and samples that were edited, are written beside it, where its imports find them, and so are copies of meshes,
     /// pictures and modules; notice() says which. Fails, having written nothing, where one of those would take the place of another.
+    /// Under its own path it is save(), but for the samples.
     [[nodiscard]] Status saveAs(const std::string& path, ModuleCopies modules = ModuleCopies::Make);
     /// What saveAs() would copy.
     [[nodiscard]] Result<Companions> companionsAt(const std::string& path) const;
@@ -125,10 +126,15 @@ public:
     /// Another window has the project: edits are refused until editAnyway().
     [[nodiscard]] bool isReadOnly() const;
     void editAnyway();
+    /// Asks once more for a project that another window had: once that is gone, this one may edit. Called by itself before an edit
+    /// and by lookAtDisk().
+    void askForProject();
     /// Journals of the open project, or of new texts where nothing is open, that hold something the disk does not; newest first.
     [[nodiscard]] std::vector<Recovery> recoveries() const;
     /// Whether that would take the place of what is open.
     [[nodiscard]] bool isReplacedBy(const Recovery& recovery) const;
+    /// What recover() makes of a file as the disk has it now.
+    [[nodiscard]] static std::string recoveredText(const std::string& path, const RecoveredText& kept);
     /// Puts a journal's texts in place as one entry of the history, opening what it had open where that is something else.
     Status recover(const Recovery& recovery);
 
@@ -162,12 +168,14 @@ private:
     /// put() as an entry of the history.
     [[nodiscard]] Status enter(const QString& name, FileTexts after, const std::string& mergeKey, const Judge& judge = {});
     [[nodiscard]] Result<FileTexts> textsAfter(const FileEdits& edits) const;
-    [[nodiscard]] Status mayEdit() const;
+    [[nodiscard]] Status mayEdit();
     Status answer(Status status); ///< says refused() where it failed
     void sayEdited();
     void sayModified();
 
-    [[nodiscard]] Status saveFile(const std::string& path);
+    /// Whether every one of these can be written where it is; what another program wrote is taken in.
+    [[nodiscard]] Status mayWrite(const std::vector<std::string>& files);
+    [[nodiscard]] std::vector<std::string> modifiedSamples() const;
     [[nodiscard]] Status mayBecome(const std::string& target) const;
     [[nodiscard]] Result<SavePlan> planFor(const std::string& target, ModuleCopies modules) const;
     void moveFile(const std::string& from, const std::string& to);

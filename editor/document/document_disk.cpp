@@ -10,6 +10,7 @@ namespace trundle {
 
 void Document::lookAtDisk() {
     if (!isOpen() || isOpening()) return;
+    askForProject();
     std::vector<std::string> known;
     for (const auto& [path, file] : m_state->files.all())
         if (!isNew() || path != m_state->opened) known.push_back(path);

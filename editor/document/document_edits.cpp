@@ -48,9 +48,10 @@ Status Document::answer(Status status) {
     return status;
 }
 
-Status Document::mayEdit() const {
+Status Document::mayEdit() {
     if (!isOpen()) return Error{Code::Internal, "nothing is open"};
     if (isOpening()) return Error{Code::Internal, "another file is being opened"};
+    askForProject();
     if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyReason()};
     return {};
 }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <QFileInfo>
+
 #include "base/platform/atomic_file.h"
 #include "base/platform/read_file.h"
 #include "editor/document/document.h"
@@ -28,47 +30,100 @@ void Document::sayModified() {
     Q_EMIT modifiedChanged();
 }
 
-Status Document::saveFile(const std::string& path) {
-    if (isSample(path))
-        return Error{Code::FileUnwritable,
-                     shown(path) + " came with the program and stays as it is; use Save As to keep your own"};
-    OpenFile& file = *m_state->files.find(path);
-    std::error_code none;
-    const bool exists = fs::exists(path, none);
-    const Result<std::string> disk = exists ? readRegularFile(path) : Result<std::string>(std::string());
-    if (!disk) return disk.error();
-    if (exists && disk.value() != *file.disk) {
-        noteDisk(path, std::make_shared<const std::string>(disk.value()));
-        return Error{Code::FileUnwritable,
-                     shown(path) + " was changed by another program; look at what it wrote, then save again"};
+std::vector<std::string> Document::modifiedSamples() const {
+    std::vector<std::string> samples = m_state->files.modified();
+    std::erase_if(samples, [&](const std::string& file) { return !isSample(file); });
+    return samples;
+}
+
+Status Document::mayWrite(const std::vector<std::string>& files) {
+    for (const std::string& path : files) {
+        if (isSample(path))
+            return Error{Code::FileUnwritable, shown(path) + " came with the program and stays as it is, so nothing was saved; " +
+                                                   "use Save As: it puts a copy of it beside your own file"};
+        OpenFile& file = *m_state->files.find(path);
+        std::error_code none;
+        const bool exists = fs::exists(path, none);
+        const Result<std::string> disk = exists ? readRegularFile(path) : Result<std::string>(std::string());
+        if (!disk) return disk.error();
+        if (exists && disk.value() != *file.disk) {
+            noteDisk(path, std::make_shared<const std::string>(disk.value()));
+            return Error{Code::FileUnwritable,
+                         shown(path) + " was changed by another program; look at what it wrote, then save again"};
+        }
+        if (file.theirs)
+            return Error{Code::FileUnwritable, shown(path) + " was changed by another program; choose which text to keep"};
+        if (exists && !QFileInfo(QString::fromStdString(path)).isWritable())
+            return Error{Code::FileUnwritable, shown(path) + " may not be written, so nothing was saved; use Save As"};
     }
-    if (file.theirs)
-        return Error{Code::FileUnwritable, shown(path) + " was changed by another program; choose which text to keep"};
-    if (Status written = writeFileAtomically(path, *file.text); !written) return written;
-    file.disk = file.text;
-    file.gone = false;
     return {};
 }
+
+namespace {
+
+/// All or none: what was written before one failed is as it was. The last one is written last.
+class Writing {
+public:
+    Status copy(const std::string& from, const std::string& to) {
+        std::error_code failed;
+        fs::create_directories(fs::path(to).parent_path(), failed);
+        if (!fs::copy_file(from, to, failed))
+            return Error{Code::FileUnwritable, from + " cannot be copied to " + to + ": " + failed.message()};
+        m_before.emplace_back(to, std::nullopt);
+        return {};
+    }
+    Status write(const std::string& path, const std::string& bytes) {
+        std::error_code none;
+        Result<std::string> old = readRegularFile(path);
+        if (!old && fs::exists(path, none)) return old.error();
+        if (Status written = writeFileAtomically(path, bytes); !written) return written;
+        m_before.emplace_back(path, old ? std::optional(std::move(old).value()) : std::nullopt);
+        return {};
+    }
+    void takeBack() {
+        std::error_code none;
+        for (const auto& [path, bytes] : m_before)
+            if (!bytes) fs::remove(path, none);
+            else (void)writeFileAtomically(path, *bytes);
+    }
+
+private:
+    std::vector<std::pair<std::string, std::optional<std::string>>> m_before; // no bytes: there was no such file
+};
+
+} // namespace
 
 Status Document::save() {
     if (!isOpen()) return Error{Code::Internal, "nothing is open"};
     if (isNew()) return Error{Code::FileUnwritable, m_state->name + " has no file yet; use Save As"};
     if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyReason()};
+    const std::vector<std::string> modified = m_state->files.modified();
+    if (Status may = mayWrite(modified); !may) {
+        sayModified();
+        return may;
+    }
     m_state->journal.writeNow(); // who is killed in between finds the bytes of the disk in the journal, and nothing to bring back
-    Status first;
-    for (const std::string& path : m_state->files.modified())
-        if (Status saved = saveFile(path); !saved && first) first = saved;
+    Writing writing;
+    Status saved;
+    for (const std::string& path : modified)
+        if (saved) saved = writing.write(path, *m_state->files.text(path));
+    if (!saved) writing.takeBack();
+    for (const std::string& path : modified) {
+        OpenFile& file = *m_state->files.find(path);
+        if (saved) file.disk = file.text, file.gone = false;
+    }
     m_history.endMerge();
     sayModified();
     m_state->journal.writeNow();
-    return first;
+    return saved;
 }
 
 Status Document::mayBecome(const std::string& target) const {
     if (!isOpen()) return Error{Code::Internal, "nothing is open"};
     if (isOpening()) return Error{Code::Internal, "another file is being opened"};
     if (isSample(target)) return Error{Code::FileUnwritable, "the samples that came with the program stay as they are"};
-    if (m_state->files.find(target)) return Error{Code::FileUnwritable, shown(target) + " is a file of this project"};
+    if (target != m_state->opened && m_state->files.find(target))
+        return Error{Code::FileUnwritable, shown(target) + " is a file of this project"};
     std::error_code none;
     if (!fs::is_directory(fs::path(target).parent_path(), none))
         return Error{Code::FileUnwritable, "there is no folder " + fs::path(target).parent_path().string()};
@@ -85,35 +140,20 @@ void Document::moveFile(const std::string& from, const std::string& to) {
 
 namespace {
 
-/// All or none: what was written before one failed goes again.
 Status writeMoved(const SavePlan& save, const std::string& last) {
-    std::vector<std::string> made;
-    const auto write = [&](const std::string& path, const std::string& bytes) -> Status {
-        std::error_code failed;
-        const bool existed = fs::exists(path, failed);
-        fs::create_directories(fs::path(path).parent_path(), failed);
-        if (Status written = writeFileAtomically(path, bytes); !written) return written;
-        if (!existed) made.push_back(path);
-        return {};
-    };
-    const auto copy = [&](const std::string& to, const std::string& from) -> Status {
-        std::error_code failed;
-        fs::create_directories(fs::path(to).parent_path(), failed);
-        if (!fs::copy_file(from, to, failed))
-            return Error{Code::FileUnwritable, from + " cannot be copied to " + to + ": " + failed.message()};
-        made.push_back(to);
-        return {};
-    };
-    const TextOverlay& texts = save.texts;
+    Writing writing;
     Status status;
+    const auto write = [&](const std::string& path) {
+        std::error_code failed;
+        fs::create_directories(fs::path(path).parent_path(), failed);
+        return writing.write(path, *save.texts.at(path));
+    };
     for (const auto& [to, from] : save.copies)
-        if (status) status = copy(to, from);
-    for (const auto& [path, text] : texts)
-        if (status && path != last) status = write(path, *text);
-    if (status) status = write(last, *texts.at(last));
-    std::error_code none;
-    if (!status)
-        for (const std::string& path : made) fs::remove(path, none);
+        if (status) status = writing.copy(from, to);
+    for (const auto& [path, text] : save.texts)
+        if (status && path != last) status = write(path);
+    if (status) status = write(last); // the one that asks for the others
+    if (!status) writing.takeBack();
     return status;
 }
 
@@ -121,15 +161,13 @@ Status writeMoved(const SavePlan& save, const std::string& last) {
 
 Result<SavePlan> Document::planFor(const std::string& target, ModuleCopies modules) const {
     if (Status may = mayBecome(target); !may) return may.error();
-    std::set<std::string> mustMove;
-    for (const std::string& file : m_state->files.modified())
-        if (isSample(file)) mustMove.insert(file);
-    return planSaveAs(m_parts, *m_loaded, optionsNow(), target, mustMove, modules);
+    const std::vector<std::string> samples = modifiedSamples();
+    return planSaveAs(m_parts, *m_loaded, optionsNow(), target, {samples.begin(), samples.end()}, modules);
 }
 
 Result<Companions> Document::companionsAt(const std::string& path) const {
     const std::string target = canonicalPath(path);
-    if (isOpen() && target == m_state->opened) return Companions{};
+    if (isOpen() && target == m_state->opened && modifiedSamples().empty()) return Companions{};
     Result<SavePlan> plan = planFor(target, ModuleCopies::Make);
     if (!plan) return plan.error();
     return std::move(std::move(plan).value().companions);
@@ -137,10 +175,18 @@ Result<Companions> Document::companionsAt(const std::string& path) const {
 
 Status Document::saveAs(const std::string& path, ModuleCopies modules) {
     const std::string target = canonicalPath(path);
-    if (isOpen() && target == m_state->opened) return save();
+    const bool inPlace = isOpen() && target == m_state->opened;
+    if (inPlace && (isReadOnly() || modifiedSamples().empty())) return save();
     const Result<SavePlan> plan = planFor(target, modules);
     if (!plan) return plan.error();
     const SavePlan& save = plan.value();
+    if (inPlace) { // the others stay where they are
+        std::vector<std::string> own = m_state->files.modified();
+        std::erase_if(own, [&](const std::string& file) { return isSample(file); });
+        for (const auto& [from, to] : save.moves)
+            if (from == to) own.push_back(from);
+        if (Status may = mayWrite(own); !may) return may;
+    }
     const bool hadErrors = m_loaded->diagnostics.hasErrors();
     if (Status written = writeMoved(save, target); !written) return written;
 
@@ -161,13 +207,13 @@ Status Document::saveAs(const std::string& path, ModuleCopies modules) {
     if (save.moves.size() > 1 || !save.copies.empty()) sayMoved(save);
     if (!hadErrors && !m_loaded->pending && m_loaded->diagnostics.hasErrors()) // the text is saved all the same
         Q_EMIT notice(tr("Saved, but from there something is not found; see the problems"));
-    return {};
+    return inPlace ? this->save() : Status();
 }
 
 void Document::sayMoved(const SavePlan& save) {
     QStringList names;
     for (const auto& [from, to] : save.moves)
-        if (to != m_state->opened) names += QString::fromStdString(shown(to));
+        if (to != m_state->opened && to != from) names += QString::fromStdString(shown(to));
     for (const auto& [to, from] : save.copies) names += QString::fromStdString(shown(to));
     Q_EMIT notice(tr("Saved with what it needs: %1").arg(names.join(u", "_qs)));
 }

@@ -34,6 +34,15 @@ std::string Document::readOnlyReason() const {
     return "the project is open in " + m_state->lock->holder().said() + "; this window only shows it";
 }
 
+void Document::askForProject() {
+    if (!isReadOnly()) return;
+    m_state->lock.reset();
+    m_state->lock = std::make_unique<ProjectLock>(m_loaded->projectFolder, m_state->opened);
+    if (!m_state->lock->taken()) return;
+    editAnyway();
+    Q_EMIT notice(tr("The other window that had this project is gone: it can be edited here now."));
+}
+
 void Document::editAnyway() {
     if (!std::exchange(m_state->readOnly, false)) return;
     Q_EMIT readOnlyChanged({});
@@ -69,6 +78,11 @@ Recovered recoveredOver(const RecoveredText& kept, const std::string& disk) {
 }
 
 } // namespace
+
+std::string Document::recoveredText(const std::string& path, const RecoveredText& kept) {
+    const Result<std::string> disk = readRegularFile(path);
+    return *recoveredOver(kept, disk ? disk.value() : kept.base).text;
+}
 
 Status Document::openFor(const Recovery& recovery) {
     if (!recovery.head.name.empty()) {

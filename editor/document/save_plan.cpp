@@ -186,6 +186,11 @@ private:
     }
 
     Status moveBeside(FileId file) {
+        const std::string& path = m_loaded.paths[file];
+        const bool inPlace = m_plan.moves.at(m_loaded.paths[0]) == m_loaded.paths[0];
+        if (inPlace && !m_mustMove.contains(path) &&
+            staysBelow(fs::path(path).lexically_relative(m_loaded.projectFolder).string()))
+            return move(file, path); // written anew where it is
         const fs::path folder = fs::path(m_plan.moves.at(m_loaded.paths[0])).parent_path();
         return move(file, (folder / fs::path(m_loaded.paths[file]).filename()).string());
     }
@@ -193,7 +198,8 @@ private:
     Status move(FileId file, const std::string& to) {
         const std::string_view bytes = m_loaded.trees[file]->source().bytes();
         std::error_code none;
-        const bool taken = m_plan.texts.contains(to) || (file != 0 && fs::exists(to, none));
+        const bool own = to == m_loaded.paths[file];
+        const bool taken = m_plan.texts.contains(to) || (file != 0 && !own && fs::exists(to, none));
         if (taken) {
             const Result<std::string> there = readFile(to, kMostBytes);
             if (m_plan.texts.contains(to) || !there || there.value() != bytes)

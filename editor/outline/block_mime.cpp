@@ -1,7 +1,9 @@
 #include "editor/outline/block_mime.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <span>
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -33,41 +35,85 @@ std::string lineOf(const Tree& tree, const Item& item) {
     return "line " + std::to_string(tree.source().position(item.range.begin).line);
 }
 
-/// What the words of a part's values name, and the modules that bring its kinds.
-struct Needs {
-    bool elsewhere = false; ///< for a window of another project, which cannot import the files of this one
+/// What blocks name, and the modules that bring their kinds.
+class Needs {
+public:
+    /// `elsewhere`: for a window of another project, which cannot import the files of this one.
+    Needs(const Loaded& loaded, bool elsewhere) : m_loaded(loaded), m_elsewhere(elsewhere) {
+        std::map<const BlockItem*, const Part*> named;
+        for (const auto& part : loaded.outline->parts)
+            for (const Role role : {Role::Config, Role::Material, Role::Surface, Role::Pattern})
+                if (part->is(role)) named.emplace(part->block, part.get());
+        for (const Mention& mention : mentionsIn(loaded)) // also what a Param or an override brings
+            if (const auto it = named.find(mention.target); mention.user && it != named.end())
+                m_named[mention.user].push_back(it->second);
+    }
+
+    void collect(const Part& part) {
+        for (const ModuleSpec& module : m_loaded.experiment->modules)
+            if (part.kind && !module.library.empty() && part.kind->module == module.library)
+                modules.insert("#loadModule " + module.written);
+        if (const auto it = m_named.find(&part); it != m_named.end())
+            for (const Part* named : it->second) need(*named);
+        for (const Part& inner : part.parts) collect(inner);
+    }
+
+    /// Whether a file cannot be imported where the blocks go to.
+    bool isOwn(FileId file) const {
+        const std::string& folder = m_loaded.projectFolder;
+        return file == 0 || (m_elsewhere && !folder.empty() && m_loaded.paths[file].starts_with(folder + "/"));
+    }
+
     std::set<FileId> files;
     std::set<std::string> modules;
     std::vector<const Part*> own; ///< of the opened file, which nobody imports, or of others that cannot be
+
+private:
+    void need(const Part& part) {
+        if (part.file == kNoFile) return;
+        if (!isOwn(part.file)) {
+            files.insert(part.file);
+        } else if (std::find(own.begin(), own.end(), &part) == own.end()) {
+            own.push_back(&part);
+            collect(part);
+        }
+    }
+
+    const Loaded& m_loaded;
+    const bool m_elsewhere;
+    std::map<const Part*, std::vector<const Part*>> m_named; ///< by who names them
 };
 
-bool isOfProject(const Loaded& loaded, FileId file) {
-    return !loaded.projectFolder.empty() && loaded.paths[file].starts_with(loaded.projectFolder + "/");
-}
-
-void collect(const Loaded& loaded, const Part& part, Needs& needs);
-
-void need(const Loaded& loaded, const Part* part, Needs& needs) {
-    if (!part || part->file == kNoFile) return;
-    if (part->file != 0 && !(needs.elsewhere && isOfProject(loaded, part->file))) {
-        needs.files.insert(part->file);
-    } else if (std::find(needs.own.begin(), needs.own.end(), part) == needs.own.end()) {
-        needs.own.push_back(part);
-        collect(loaded, *part, needs);
-    }
-}
-
-void collect(const Loaded& loaded, const Part& part, Needs& needs) {
-    for (const ModuleSpec& module : loaded.experiment->modules)
-        if (part.kind && !module.library.empty() && part.kind->module == module.library)
-            needs.modules.insert("#loadModule " + module.written);
-    for (const PlacedAssignment& a : part.assignments.all())
-        for (const Element& e : a.value->elements) {
-            if (a.key == "Config") need(loaded, loaded.outline->configs.find(e.text), needs);
-            if (a.key == "Material") need(loaded, loaded.outline->materials.find(e.text), needs);
-            if (a.key == "Surface") need(loaded, loaded.outline->surfaces.find(e.text), needs);
+/// A stretch of a text with what it imports from files of its project written in the place of the imports. `read` gets what was
+/// taken over.
+std::string wholeText(const Loaded& loaded, const Needs& needs, const std::vector<Item>& items, SourceRange range,
+                      std::vector<SourceRange>& read) {
+    read.push_back(range);
+    const std::string_view bytes = loaded.sources.slice(range);
+    std::string text;
+    std::uint32_t at = range.range.begin;
+    const auto upTo = [&](std::uint32_t end) {
+        text += bytes.substr(at - range.range.begin, end - at);
+        at = end;
+    };
+    const auto walk = [&](const auto& self, const std::vector<Item>& all) -> void {
+        for (const Item& item : all) {
+            if (item.range.begin < at || item.range.end > range.range.end) continue;
+            if (const auto* block = item.as<BlockItem>()) self(self, block->items);
+            const auto* import = item.as<ImportItem>();
+            const auto& known = loaded.outline->texts().imports;
+            const auto file = import ? known.find(import) : known.end();
+            if (file == known.end() || !needs.isOwn(file->second) || read.size() > 1000) continue;
+            upTo(item.range.begin);
+            at = item.range.end;
+            const Tree& tree = *loaded.trees[file->second];
+            const auto size = static_cast<std::uint32_t>(tree.source().bytes().size());
+            text += wholeText(loaded, needs, tree.items(), {file->second, {0, size}}, read) + "\n";
         }
-    for (const Part& inner : part.parts) collect(loaded, inner, needs);
+    };
+    walk(walk, items);
+    upTo(range.range.end);
+    return text;
 }
 
 /// The Params of the top level that stretches of the texts take, and those that they are made from. Not those of files that are
@@ -94,24 +140,33 @@ std::vector<std::string> paramsIn(const Loaded& loaded, std::vector<SourceRange>
     return texts;
 }
 
-/// What goes in with blocks.
+/// Blocks, and what goes in with them.
 struct Company {
+    std::string text;
     std::vector<std::string> imports;
     std::vector<NeededBlock> needs;
     std::vector<std::string> params;
-    [[nodiscard]] bool empty() const { return imports.empty() && needs.empty() && params.empty(); }
+    std::set<std::string> inlined; ///< files that stand in the texts in place of their imports
+    [[nodiscard]] bool empty() const { return imports.empty() && needs.empty() && params.empty() && inlined.empty(); }
 };
 
 Company companyOf(const Loaded& loaded, const std::vector<std::string>& paths, bool elsewhere) {
-    Needs needs;
-    needs.elsewhere = elsewhere;
+    Needs needs(loaded, elsewhere);
+    Company company;
     std::vector<SourceRange> taken;
+    const auto whole = [&](const std::string& path, const Part& part) {
+        std::vector<SourceRange> read;
+        const std::string text = wholeText(loaded, needs, part.block->items, part.range, read);
+        taken.insert(taken.end(), read.begin(), read.end());
+        for (const SourceRange& piece : std::span(read).subspan(1)) company.inlined.insert(loaded.paths[piece.file]);
+        return read.size() > 1 ? text + "\n" : textOf(loaded, {path});
+    };
     for (const std::string& path : paths)
         if (const auto place = placeOf(loaded, path); place && place->part) {
-            collect(loaded, *place->part, needs);
-            taken.push_back(place->part->range);
+            needs.collect(*place->part);
+            company.text += whole(path, *place->part);
         }
-    Company company;
+    if (company.inlined.empty()) company.text = textOf(loaded, paths); // in the order of the text
     company.imports.assign(needs.modules.begin(), needs.modules.end());
     for (const FileId file : needs.files)
         if (!loaded.paths[file].empty()) company.imports.push_back(loaded.paths[file]);
@@ -119,26 +174,32 @@ Company companyOf(const Loaded& loaded, const std::vector<std::string>& paths, b
     for (const Part* part : needs.own)
         if (const std::string path = part->kind->name + "." + part->name;
             std::find(paths.begin(), paths.end(), path) == paths.end())
-            company.needs.push_back({path, textOf(loaded, {path})});
-    for (const Part* part : needs.own) taken.push_back(part->range);
+            company.needs.push_back({path, whole(path, *part)});
     company.params = paramsIn(loaded, std::move(taken), needs.files);
     return company;
 }
 
 QJsonObject jsonOf(const Company& company) {
     QJsonArray files, blocks, names;
+    const QString text = QString::fromStdString(company.text);
     for (const std::string& file : company.imports) files.append(QString::fromStdString(file));
     for (const std::string& param : company.params) names.append(QString::fromStdString(param));
     for (const NeededBlock& block : company.needs)
         blocks.append(QJsonObject{{QStringLiteral("path"), QString::fromStdString(block.path)},
                                   {QStringLiteral("text"), QString::fromStdString(block.text)}});
-    return {{QStringLiteral("imports"), files}, {QStringLiteral("needs"), blocks}, {QStringLiteral("params"), names}};
+    return {{QStringLiteral("text"), text},
+            {QStringLiteral("imports"), files},
+            {QStringLiteral("needs"), blocks},
+            {QStringLiteral("params"), names}};
 }
 
-QByteArray jsonOf(const std::string& kind, const std::string& text, const Company& here, const Company& elsewhere) {
+QByteArray jsonOf(const std::string& kind, const Company& here, const Company& elsewhere, const std::string& from = {}) {
+    QJsonArray inlined;
+    for (const std::string& file : elsewhere.inlined) inlined.append(QString::fromStdString(file));
     QJsonObject object = jsonOf(here);
     object.insert(QStringLiteral("kind"), QString::fromStdString(kind));
-    object.insert(QStringLiteral("text"), QString::fromStdString(text));
+    object.insert(QStringLiteral("from"), QString::fromStdString(from));
+    object.insert(QStringLiteral("inlined"), inlined);
     object.insert(QStringLiteral("elsewhere"), jsonOf(elsewhere));
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
@@ -150,7 +211,7 @@ Result<Blocks> blocksFrom(const std::string& text) {
         return notBlocks("there is no text to insert");
     const auto tree = parse(std::make_shared<const SourceText>("clipboard", text), 0);
     if (const std::string error = firstError(*tree); !error.empty()) return notBlocks("this text cannot be inserted: " + error);
-    Blocks blocks{text, {}, {}, {}, {}, {}};
+    Blocks blocks{text, {}, {}, {}, {}, {}, {}};
     for (const Item& item : tree->items()) {
         if (const auto* block = item.as<BlockItem>()) {
             blocks.kinds.push_back(block->type.text);
@@ -165,36 +226,39 @@ Result<Blocks> blocksFrom(const std::string& text) {
 }
 
 QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths) {
-    const std::string text = textOf(loaded, paths);
+    const Company here = companyOf(loaded, paths, false), elsewhere = companyOf(loaded, paths, true);
     auto* mime = new QMimeData;
-    mime->setText(QString::fromStdString(text));
-    const Company company = companyOf(loaded, paths, false);
+    mime->setText(QString::fromStdString(here.text));
     const Kind* kind = paths.empty() ? nullptr : kindAt(loaded, paths.front());
-    if (!company.empty())
-        mime->setData(QLatin1String(kLibraryMime), jsonOf(kind ? kind->name : "", text, company, companyOf(loaded, paths, true)));
+    if (!here.empty() || !elsewhere.empty())
+        mime->setData(QLatin1String(kLibraryMime), jsonOf(kind ? kind->name : "", here, elsewhere, loaded.paths[0]));
     return mime;
 }
 
 QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports) {
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
-    const Company company{imports, {}, {}};
-    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, text, company, company));
+    const Company company{text, imports, {}, {}, {}};
+    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, company, company));
     return mime;
 }
 
 Result<Blocks> blocksIn(const QMimeData& mime, const MayImport& mayImport) {
     if (mime.hasFormat(QLatin1String(kLibraryMime))) {
         const QJsonObject object = QJsonDocument::fromJson(mime.data(QLatin1String(kLibraryMime))).object();
-        Result<Blocks> blocks = blocksFrom(object.value(QStringLiteral("text")).toString().toStdString());
+        const auto mayAll = [&](const QString& key) {
+            const QJsonArray files = object.value(key).toArray();
+            return std::all_of(files.begin(), files.end(), [&](const QJsonValue& file) {
+                const QString path = file.toString();
+                return !path.startsWith(QLatin1Char('/')) || mayImport(path.toStdString());
+            });
+        };
+        const bool here = mayAll(QStringLiteral("imports")) && mayAll(QStringLiteral("inlined"));
+        const QJsonObject company = here ? object : object.value(QStringLiteral("elsewhere")).toObject();
+        Result<Blocks> blocks = blocksFrom(company.value(QStringLiteral("text")).toString().toStdString());
         if (!blocks) return blocks;
         Blocks all = std::move(blocks).value();
-        const QJsonArray files = object.value(QStringLiteral("imports")).toArray();
-        const bool here = std::all_of(files.begin(), files.end(), [&](const QJsonValue& file) {
-            const QString path = file.toString();
-            return !path.startsWith(QLatin1Char('/')) || mayImport(path.toStdString());
-        });
-        const QJsonObject company = here ? object : object.value(QStringLiteral("elsewhere")).toObject();
+        all.from = object.value(QStringLiteral("from")).toString().toStdString();
         for (const QJsonValue& file : company.value(QStringLiteral("imports")).toArray())
             all.imports.push_back(file.toString().toStdString());
         for (const QJsonValue& param : company.value(QStringLiteral("params")).toArray())

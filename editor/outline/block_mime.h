@@ -16,7 +16,7 @@ namespace trundle {
 
 inline constexpr const char* kLibraryMime = "application/x-trundle-library"; ///< JSON {"kind", "text", "imports" ...}
 
-/// A config, material or surface that blocks name. It goes in with them where nothing of that name is there.
+/// A config, material, surface or pattern that blocks name. It goes in with them where nothing of that name is there.
 struct NeededBlock {
     std::string path, text; ///< "RobotConfig.Rover"
 };
@@ -29,6 +29,7 @@ struct Blocks {
     std::vector<std::string> imports; ///< further files that they need: "robots/simple_robot.sim", "#loadModule ..."
     std::vector<NeededBlock> needs;   ///< that no file but the one they come from has
     std::vector<std::string> params;  ///< of its top level, "Param side = 3": they go in where there is none of that name
+    std::string from;                 ///< opened file of the window they come from; "" where they come from none
 };
 
 /// Reads a text that somebody pasted: blocks, with the directives that they need. Fails with the reason, in words for people,

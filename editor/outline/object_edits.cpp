@@ -14,6 +14,7 @@
 #include "editor/outline/duplicate_offset.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/placing.h"
+#include "lang/characters.h"
 #include "project/plan_users.h"
 
 namespace trundle {
@@ -33,6 +34,17 @@ QString named(const std::vector<std::string>& paths) {
 QString named(const Blocks& blocks) {
     if (blocks.kinds.size() != 1) return ObjectEdits::tr("%1 objects").arg(blocks.kinds.size());
     return shown(blocks.names[0].empty() ? blocks.kinds[0] : blocks.kinds[0] + " " + blocks.names[0]);
+}
+
+std::string blankless(std::string text) {
+    std::erase_if(text, [](char c) { return isBlank(c) || c == '\n' || c == '\r'; });
+    return text;
+}
+
+/// Whether there is one of the name in "Param side = 3".
+bool isParam(const Loaded& loaded, const std::string& text) {
+    return std::ranges::any_of(loaded.outline->params,
+                               [&](const PlacedParam& p) { return text.starts_with("Param " + p.name->text + " "); });
 }
 
 /// The experiment itself is no block.
@@ -132,18 +144,24 @@ Status ObjectEdits::paste(const std::string& place) {
     return insert(blocks.value(), place, tr("Paste %1").arg(named(blocks.value())));
 }
 
-Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const QString& name) {
+Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const QString& name, FileId file) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const Loaded& loaded = *m_document.loaded();
     std::string needed;
-    for (const std::string& param : blocks.params) needed += param + "\n"; // planInsert() leaves out what is there
+    const bool atHome = blocks.from == loaded.paths[0]; // what has changed since it was copied is meant as it is now
+    for (const std::string& param : blocks.params)
+        if (!atHome || !isParam(loaded, param)) needed += param + "\n"; // planInsert() leaves out what is there
     std::ptrdiff_t count = 0;
     for (const NeededBlock& block : blocks.needs) {
-        if (const auto there = placeOf(loaded, block.path); there && there->part) continue;
+        if (const auto there = placeOf(loaded, block.path); there && there->part) {
+            if (atHome || blankless(textOf(loaded, {block.path})) == blankless(block.text)) continue;
+            return refuse(tr("%1 says something else here than where this comes from; rename one of the two first")
+                              .arg(shown(there->part->title())));
+        }
         needed += block.text + "\n";
         ++count;
     }
-    Result<EditPlan> plan = planInsert(loaded, place, needed + blocks.text, blocks.imports);
+    Result<EditPlan> plan = planInsert(loaded, place, needed + blocks.text, blocks.imports, file);
     if (plan) { // what was asked for is selected
         std::vector<std::string>& selects = plan.value().selects;
         selects.erase(selects.begin(), selects.begin() + std::min(count, std::ptrdiff_t(selects.size())));
@@ -151,10 +169,10 @@ Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const
     return m_document.carryOut(name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name, plan);
 }
 
-Status ObjectEdits::insertFrom(const QMimeData& mime, const std::string& place) {
+Status ObjectEdits::insertFrom(const QMimeData& mime, const std::string& place, FileId file) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const Result<Blocks> blocks = read(mime);
-    return blocks ? insert(blocks.value(), place) : refuse(shown(blocks.error().message));
+    return blocks ? insert(blocks.value(), place, {}, file) : refuse(shown(blocks.error().message));
 }
 
 Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
@@ -175,14 +193,19 @@ Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
     return m_document.carryOut(tr("Add %1").arg(shown(kind.name)), todo);
 }
 
-Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before) {
+Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
+                         FileId file) {
     const std::vector<std::string> objects = objectsOf(paths);
     if (Status may = mayChange(objects, tr("move")); !may) return may;
-    const bool stays = std::all_of(objects.begin(), objects.end(),
-                                   [&](const std::string& path) { return parentOf(*m_document.loaded(), path) == parent; });
-    const QString where = parent.empty() ? tr("the top level") : shown(lastName(parent));
+    const Loaded& loaded = *m_document.loaded();
+    const bool stays = std::all_of(objects.begin(), objects.end(), [&](const std::string& path) {
+        return parentOf(loaded, path) == parent && (file == kNoFile || blockOf(loaded, path).file == file);
+    });
+    const QString where = !parent.empty()   ? shown(lastName(parent))
+                          : file != kNoFile ? shown(m_document.shown(loaded.paths.at(file)))
+                                            : tr("the top level");
     return m_document.carryOut(stays ? tr("Reorder %1").arg(named(objects)) : tr("Move %1 to %2").arg(named(objects), where),
-                               planMove(*m_document.loaded(), objects, parent, before));
+                               planMove(loaded, objects, parent, before, file));
 }
 
 Status ObjectEdits::replaceBySingles(const std::string& path) {

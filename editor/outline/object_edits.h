@@ -39,11 +39,13 @@ public:
     Status paste(const std::string& place);
     [[nodiscard]] bool canPaste() const; ///< there is a text on the clipboard; whether it holds blocks shows when it is pasted
 
-    Status move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before);
+    /// Within `parent` objects stay in their files, unless `file` is another one.
+    Status move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
+                FileId file = kNoFile);
     /// A new block of a kind, in or around `place`.
     Status insertKind(const Kind& kind, const std::string& place);
-    Status insert(const Blocks& blocks, const std::string& place, const QString& name = {});
-    Status insertFrom(const QMimeData& mime, const std::string& place); ///< what a drop brings
+    Status insert(const Blocks& blocks, const std::string& place, const QString& name = {}, FileId file = 0);
+    Status insertFrom(const QMimeData& mime, const std::string& place, FileId file = 0); ///< what a drop brings
     Status replaceBySingles(const std::string& path);
 
     // The same for what is selected.

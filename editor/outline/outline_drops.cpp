@@ -32,10 +32,12 @@ std::vector<std::string> pathsIn(const QMimeData& mime, const OutlineModel& mode
 
 } // namespace
 
-/// `parent`: path of the block that a drop goes into, `before`: the object in it that it goes in front of, "" the end.
+/// `parent`: path of the block that a drop goes into, `before`: the object in it that it goes in front of, "" the end; `file`: that
+/// of the row, where it is one.
 struct OutlineModel::DropPlace {
     bool known = false;
     std::string parent, before;
+    FileId file = kNoFile;
 };
 
 OutlineModel::DropPlace OutlineModel::dropPlace(int row, const QModelIndex& parent) const {
@@ -43,6 +45,7 @@ OutlineModel::DropPlace OutlineModel::dropPlace(int row, const QModelIndex& pare
     DropPlace place;
     place.known = m_rows != nullptr && node.row.type != OutlineRow::Type::Module;
     if (node.parent && node.row.type == OutlineRow::Type::Object) place.parent = node.row.path;
+    if (node.parent && node.row.type == OutlineRow::Type::File) place.file = node.row.file;
     if (row >= 0 && static_cast<std::size_t>(row) < node.children.size()) {
         const OutlineRow& next = node.children[std::size_t(row)]->row;
         if (next.selectable && next.type == OutlineRow::Type::Object) place.before = next.path;
@@ -85,8 +88,8 @@ bool OutlineModel::dropMimeData(const QMimeData* mime, Qt::DropAction action, in
     if (!mime || !canDropMimeData(mime, action, row, column, parent)) return false;
     const DropPlace place = dropPlace(row, parent);
     const std::vector<std::string> paths = pathsIn(*mime, *this);
-    if (!paths.empty() && action == Qt::MoveAction) return m_edits.move(paths, place.parent, place.before).ok();
-    return m_edits.insertFrom(*mime, place.parent).ok();
+    if (!paths.empty() && action == Qt::MoveAction) return m_edits.move(paths, place.parent, place.before, place.file).ok();
+    return m_edits.insertFrom(*mime, place.parent, place.file == kNoFile ? FileId{0} : place.file).ok();
 }
 
 } // namespace trundle

@@ -13,6 +13,14 @@ bool isWords(const Property* p) {
     return p && (p->type == PropertyType::Text || p->type == PropertyType::File || p->type == PropertyType::Reference);
 }
 
+/// Of a Param that a number stands for now, or a formula that comes to one.
+bool isNumber(const Row& row) {
+    if (row.property()) return isNumeric(*row.property());
+    const FieldValue& v = row.first();
+    const Result<std::vector<Element>> read = readElements(v.formula ? v.shown : v.text);
+    return read && read.value().front().kind == Element::Kind::Number;
+}
+
 bool isQuoted(const FieldValue& v) { return v.given() && v.text.starts_with('"'); }
 
 /// On one line, whatever line ends stand in it.
@@ -41,7 +49,7 @@ QString lineText(const Row& row) {
 
 std::string typedText(const Row& row, const QString& typed) {
     const std::string text = typed.toStdString();
-    if (!isWords(row.property())) return withArithmetic(tidied(text), false);
+    if (!isWords(row.property())) return withArithmetic(tidied(text), isNumber(row));
     if (row.property()->maxCount > 1) return listOfWords(tidied(text));
     const bool quoted = isQuoted(row.first());
     const bool asText = row.property()->type == PropertyType::Text;

@@ -129,7 +129,7 @@ QString nowText(const RunSession& session, const ObjectValues& object, const std
     const bool paused = session.state() == RunState::Paused || session.state() == RunState::Ended;
     if (!paused || !object.isInstance() || (id != "Pos" && id != "HPR")) return {};
     const std::optional<Pose> pose = session.robotPose(object.shownPath());
-    if (!pose) return {};
+    if (!pose || !session.isOfRun(object.shownPath())) return {};
     const Vec3 v = id == "Pos" ? pose->position : Vec3(hprFromRotation(pose->rotation) * (180 / std::numbers::pi));
     const int digits = id == "Pos" ? 3 : 1;
     const auto number = [&](double x) {

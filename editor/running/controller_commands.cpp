@@ -34,6 +34,12 @@ bool ControllerCommands::refuse(const QString& reason) {
 /// A refused edit was said by the document.
 bool ControllerCommands::answer(const Status& status) { return status.ok(); }
 
+/// Of the modules, which are no objects: what is selected stays.
+bool ControllerCommands::edit(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey) {
+    if (!plan) return refuse(QString::fromStdString(plan.error().message));
+    return answer(m_document.edit(name, plan.value().edits, mergeKey));
+}
+
 void ControllerCommands::applyTrust() {
     OpenOptions options = m_document.options();
     std::vector<std::string> folders = m_given;
@@ -84,8 +90,7 @@ bool ControllerCommands::load(const QString& library) {
     const std::string written = writtenFor(path, *m_document.loaded(), m_session.parts().locations());
     for (const ModuleInfo& module : modules())
         if (module.library == path) return refuse(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
-    if (!answer(m_document.carryOut(tr("Load Module %1").arg(QString::fromStdString(written)),
-                                    planLoadModule(*m_document.loaded(), written))))
+    if (!edit(tr("Load Module %1").arg(QString::fromStdString(written)), planLoadModule(*m_document.loaded(), written)))
         return false;
     remember(QString::fromStdString(path));
     return true;
@@ -98,8 +103,8 @@ bool ControllerCommands::trust(const ModuleInfo& module) {
 
 bool ControllerCommands::unload(const ModuleInfo& module) {
     if (!m_document.loaded()) return false;
-    return answer(m_document.carryOut(tr("Unload Module %1").arg(QString::fromStdString(module.written)),
-                                      planUnloadModule(*m_document.loaded(), module)));
+    return edit(tr("Unload Module %1").arg(QString::fromStdString(module.written)),
+                planUnloadModule(*m_document.loaded(), module));
 }
 
 void ControllerCommands::reload() {
@@ -115,10 +120,7 @@ bool ControllerCommands::assign(const std::vector<std::string>& robots, const Co
             : tr("Assign %1").arg(QString::fromStdString(choice.kind.name));
     const std::string key = "assign " + choice.kind.name;
     m_document.endMerge();
-    if (!choice.module.empty()) {
-        const Status loaded = m_document.carryOut(name, planLoadModule(*m_document.loaded(), choice.module), key);
-        if (!answer(loaded)) return false;
-    }
+    if (!choice.module.empty() && !edit(name, planLoadModule(*m_document.loaded(), choice.module), key)) return false;
     const Kind* kind = m_document.loaded()->registry->find(choice.kind.name);
     const bool done =
         answer(m_document.carryOut(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key));

@@ -44,6 +44,7 @@ Q_SIGNALS:
 private:
     bool refuse(const QString& reason);
     bool answer(const Status& status);
+    bool edit(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey = {});
     bool mayRun(const QString& library);
 
     Document& m_document;

@@ -138,7 +138,9 @@ Result<EditPlan> planUnassign(const Loaded& loaded, const std::vector<std::strin
             if (const Part* controller = controllerOf(*robot)) paths.push_back(robot->name + "." + controller->name);
     if (paths.empty())
         return Error{Code::UnknownReference, robots.empty() ? "no robot is selected" : "there is no controller to remove"};
-    return planRemove(loaded, paths);
+    Result<EditPlan> plan = planRemove(loaded, paths);
+    if (plan) plan.value().selects = robots; // which may be given another one at once
+    return plan;
 }
 
 Result<EditPlan> planLoadModule(const Loaded& loaded, const std::string& written) {

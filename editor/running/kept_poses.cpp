@@ -40,12 +40,17 @@ QString trPoses(const char* text) { return QCoreApplication::translate("RunSessi
 
 KeptPoses keptPoses(const Loaded& loaded, const std::function<std::optional<Pose>(const std::string&)>& poseNow) {
     KeptPoses all;
+    QStringList leftOut;
     for (const RobotSpec& robot : loaded.experiment->robots) {
         const std::optional<Pose> now = poseNow(robot.name);
-        if (!now || !isElsewhere(*now, robot.pose)) continue;
-        if (!loaded.outline->world.find(robot.name)) {
-            const Part* layout = layoutOfMember(*loaded.outline, robot.name);
-            const QString name = QString::fromStdString(layout ? layout->name : robot.name);
+        if (now && !isElsewhere(*now, robot.pose)) continue;
+        const Part* layout = loaded.outline->world.find(robot.name) ? nullptr : layoutOfMember(*loaded.outline, robot.name);
+        const QString name = QString::fromStdString(layout ? layout->name : robot.name);
+        if (!now) {
+            if (leftOut.empty() || leftOut.back() != name) leftOut.append(name);
+            continue;
+        }
+        if (layout) {
             all.refusal =
                 trPoses("%1 moved as one of many: its members have no start of their own. Replace %2 by single instances first.")
                     .arg(QString::fromStdString(robot.name), name);
@@ -56,7 +61,12 @@ KeptPoses keptPoses(const Loaded& loaded, const std::function<std::optional<Pose
         all.values.push_back({pos, kept(textOf(loaded, pos), robot.pose.position, now->position, "m", kPosStep)});
         all.values.push_back({hpr, kept(textOf(loaded, hpr), degreesOf(robot.pose), degreesOf(*now), "deg", kAngleStep)});
     }
-    if (all.values.empty()) all.refusal = trPoses("Every robot stands where it starts.");
+    all.leftOut = leftOut.join(QStringLiteral(", "));
+    if (!all.values.empty()) return all;
+    all.refusal =
+        leftOut.empty()
+            ? trPoses("Every robot stands where it starts.")
+            : trPoses("%1: new or renamed since the run began. Every other robot stands where it starts.").arg(all.leftOut);
     return all;
 }
 

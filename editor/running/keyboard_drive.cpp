@@ -25,6 +25,12 @@ bool isTypedInto(const QWidget* widget) {
     return false;
 }
 
+/// The window itself, or one of its panels that floats; no dialog.
+bool isOf(const QWidget& main, const QWidget& window) {
+    const bool panel = window.inherits("QDockWidget") || window.inherits("QDockWidgetGroupWindow");
+    return &window == &main || (panel && window.parentWidget() == &main);
+}
+
 } // namespace
 
 KeyboardDrive::KeyboardDrive(RunSession& session, Selection& selection, Actions& actions, QWidget& window)
@@ -81,7 +87,7 @@ bool KeyboardDrive::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     if (type != QEvent::KeyPress && type != QEvent::KeyRelease && type != QEvent::ShortcutOverride) return false;
     auto* widget = qobject_cast<QWidget*>(watched);
-    if (!widget || widget->window() != &m_window || isTypedInto(widget)) return false;
+    if (!widget || !isOf(m_window, *widget->window()) || isTypedInto(widget)) return false;
     auto& key = *static_cast<QKeyEvent*>(event);
     if (!isArrow(key.key()) || key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
     event->accept();

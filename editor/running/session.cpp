@@ -9,6 +9,7 @@
 
 #include <trundle/abi.h>
 
+#include "control/module_store.h"
 #include "editor/document/described.h"
 #include "editor/running/live_edits.h"
 #include "editor/running/pose_overlay.h"
@@ -170,9 +171,13 @@ std::string RunSession::logFolder() const {
 }
 
 bool RunSession::begin(bool running, std::uint64_t steps) {
+    // A module that was built anew since the text was read may take other values: they are judged by what it says now.
+    if (const auto& loaded = m_document.loaded(); loaded && describedAnew(*loaded->experiment, *loaded->registry))
+        m_document.readAgain();
     if (const QString why = refusal(); !why.isEmpty()) return refuse(why);
     m_built = m_document.loaded();
     m_experiment = m_built->experiment;
+    m_sameRobots.begin(m_built);
     m_end.reset();
     m_problems.clear();
     LiveRun::Options options;
@@ -235,6 +240,7 @@ void RunSession::reset() {
     if (m_state == RunState::Start) return;
     leave();
     m_built.reset();
+    m_sameRobots.begin(nullptr);
     m_experiment.reset();
     m_layout.reset();
     m_reader.reset();
@@ -329,6 +335,11 @@ void RunSession::showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot) {
     if (!snapshot || !m_reader || snapshot == m_snapshot) return;
     m_snapshot = std::move(snapshot);
     if (m_snapshot->tick > m_placedTick) m_placed.clear();
+    if (!m_placed.empty() && m_snapshot->contacts) { // they are where the robots stood before
+        auto moved = std::make_shared<LiveSnapshot>(*m_snapshot);
+        moved->contacts = nullptr;
+        m_snapshot = std::move(moved);
+    }
     auto poses = std::make_shared<BodyPoses>();
     m_reader->read(*m_snapshot->block, *poses);
     for (const PlaceCommand& place : m_placed)
@@ -354,6 +365,7 @@ void RunSession::tell(int severity, const QString& text) {
 void RunSession::followDocument() {
     Q_EMIT refusalChanged();
     if (!m_built || !m_run || !m_document.loaded()) return;
+    m_sameRobots.follow(m_document.loaded());
     const Loaded& now = *m_document.loaded();
     LiveEdits edits = liveEdits(*m_built, *m_experiment, now);
     for (auto& command : edits.commands) m_run->command(std::move(command));

@@ -15,11 +15,14 @@
 
 #include "base/diagnostic.h"
 #include "editor/document/document.h"
+#include "editor/running/same_robots.h"
 #include "run/live_run.h"
 #include "scene/poses.h"
 #include "signals/block.h"
 
 namespace trundle {
+
+struct KeptPoses;
 
 /// Start: no world is built, the document's start poses are shown. Ended: by Duration, by a fault or a failed controller.
 enum class RunState { Start, Building, Running, Paused, Ended };
@@ -71,6 +74,8 @@ public:
     [[nodiscard]] QString heldUpText() const;
     /// Where a robot's config frame stands now (with a placement that waits for the next tick).
     [[nodiscard]] std::optional<Pose> robotPose(const std::string& robot) const;
+    /// The document's robot of that name is the one that runs, not another that took its name since.
+    [[nodiscard]] bool isOfRun(const std::string& robot) const { return m_sameRobots.has(robot); }
 
     // --- the world, by stamped commands; refused() says why where they cannot be done ---
 
@@ -138,6 +143,7 @@ private:
     void followDocument();
     bool refuse(const QString& reason);
     [[nodiscard]] const RobotSpec* robotNamed(const std::string& name) const;
+    [[nodiscard]] KeptPoses posesNow() const;
     [[nodiscard]] std::string logFolder() const;
     void watch();
     void tellLogs();
@@ -167,6 +173,7 @@ private:
     std::vector<Diagnostic> m_problems;
     std::vector<std::string> m_waiting;
     std::string m_driven;
+    SameRobots m_sameRobots;
 };
 
 } // namespace trundle

@@ -47,7 +47,8 @@ void RunSession::endPush() {
 bool RunSession::place(const std::string& robot, const Pose& pose) {
     if (m_state != RunState::Running && m_state != RunState::Paused)
         return refuse(tr("A robot can be put elsewhere in a run while it is running or paused."));
-    if (!robotNamed(robot)) return refuse(tr("%1 is no robot of this run.").arg(QString::fromStdString(robot)));
+    if (!robotNamed(robot) || !isOfRun(robot))
+        return refuse(tr("%1 is no robot of this run.").arg(QString::fromStdString(robot)));
     if (!pose.position.allFinite() || !pose.rotation.coeffs().allFinite()) return false;
     m_run->command(PlaceCommand{robot, pose});
     if (m_state != RunState::Paused || !m_snapshot) return true;
@@ -97,7 +98,12 @@ void RunSession::stopDriving() {
 QString RunSession::keepRefusal() const {
     if (!m_snapshot || !m_document.loaded()) return tr("Nothing has moved yet: run the experiment first.");
     if (m_state == RunState::Running) return tr("Pause the run first.");
-    return keptPoses(*m_document.loaded(), [this](const std::string& robot) { return robotPose(robot); }).refusal;
+    return posesNow().refusal;
+}
+
+KeptPoses RunSession::posesNow() const {
+    return keptPoses(*m_document.loaded(),
+                     [this](const std::string& robot) { return isOfRun(robot) ? robotPose(robot) : std::nullopt; });
 }
 
 void RunSession::keepPoses() {
@@ -105,9 +111,11 @@ void RunSession::keepPoses() {
         refuse(why);
         return;
     }
-    const KeptPoses kept = keptPoses(*m_document.loaded(), [this](const std::string& robot) { return robotPose(robot); });
+    const KeptPoses kept = posesNow();
     if (const Status done = m_document.setValues(tr("Keep Poses as Start"), kept.values); !done)
         refuse(QString::fromStdString(done.error().message));
+    else if (!kept.leftOut.isEmpty())
+        Q_EMIT m_document.notice(tr("Poses kept, but not of %1: new or renamed since the run began.").arg(kept.leftOut));
 }
 
 } // namespace trundle

@@ -56,6 +56,7 @@ static constexpr ActionRow kTable[] = {
     {"view.through",   "|View/Camera", "&Look Through Camera",   "kind-camera", "0",              "See what the selected camera sees, and go with it; Esc leaves."},
     {"view.one",       "View/Views",  "&One View",               "view-single", "",               "One 3D view."},
     {"view.two",       "View/Views",  "&Two Views",              "view-two",      "",               "Two 3D views side by side."},
+    {"view.three",     "View/Views",  "T&hree Views",            "view-three",  "",               "Perspective, and beside it top and side."},
     {"view.four",      "View/Views",  "&Four Views",             "views",       "",               "Perspective, top, front and side."},
     {"view.overlayGrid", "View/Overlays", "&Grid and Scale",     "",            "",               "The floor with its lines, and how long they are.", true},
     {"view.overlayShadows", "View/Overlays", "&Shadows",         "",            "",               "Shadows on the floor.", true},

@@ -54,6 +54,25 @@ bool needsDocument(std::string_view id) {
     return true;
 }
 
+/// Neither the first size nor one remembered from a larger screen hides the status line.
+void fitOnScreen(QWidget& window) {
+    const Qt::WindowStates state = window.windowState();
+    window.setWindowState(Qt::WindowNoState); // how large it is once it is no longer maximized
+    const QRect room =
+        window.screen()->availableGeometry().adjusted(4, 36, -4, -4); // less the frame, not known before it is shown
+    QRect place = window.geometry();
+    place.setSize(place.size().boundedTo(room.size()));
+    const bool remembered = window.testAttribute(Qt::WA_Moved);
+    if (remembered) {
+        place.moveLeft(std::clamp(place.left(), room.left(), room.right() + 1 - place.width()));
+        place.moveTop(std::clamp(place.top(), room.top(), room.bottom() + 1 - place.height()));
+        window.setGeometry(place);
+    } else {
+        window.resize(place.size());
+    }
+    window.setWindowState(state);
+}
+
 } // namespace
 
 MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& places)
@@ -61,8 +80,9 @@ MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& pla
       m_selection(new Selection(this)), m_session(new RunSession(*m_document, parts, this)), m_marks(new ObjectMarks(this)),
       m_edits(new ObjectEdits(*m_document, *m_selection, *m_marks, this)) {
     setObjectName(QStringLiteral("mainWindow"));
-    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
+    resize(1440, 900);
     restoreGeometry(QSettings().value(QStringLiteral("windowGeometry")).toByteArray());
+    fitOnScreen(*this);
     m_files = new FileCommands(*this, *m_document, *m_actions, QString::fromStdString(places.configs));
     m_layouts = new Layouts(*this);
     makePanels(parts, render, places);

@@ -9,6 +9,7 @@
 #include <QSettings>
 
 #include "editor/cameras/cameras_panel.h"
+#include "editor/cameras/movie_dialog.h"
 #include "editor/outline/library_panel.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/outline_panel.h"
@@ -24,6 +25,23 @@
 #include "editor/widgets/theme.h"
 
 namespace trundle {
+namespace {
+
+/// Whether no movie is being recorded, or the person says that it may be lost.
+bool mayEndRecording(MainWindow& window) {
+    const auto* movie = window.findChild<MovieDialog*>();
+    if (!movie || !movie->isRecording()) return true;
+    QMessageBox question(QMessageBox::Question, MainWindow::tr("A movie is being recorded"),
+                         MainWindow::tr("Stop recording and close the window?"), QMessageBox::NoButton, &window);
+    question.setObjectName(QStringLiteral("movieQuestion"));
+    question.setInformativeText(MainWindow::tr("The movie is not kept then."));
+    question.addButton(MainWindow::tr("Stop Recording"), QMessageBox::DestructiveRole);
+    const auto* stay = question.addButton(MainWindow::tr("Go On"), QMessageBox::RejectRole);
+    question.exec();
+    return question.clickedButton() != stay || !movie->isRecording();
+}
+
+} // namespace
 
 bool MainWindow::open(const QString& path) { return m_files->open(path); }
 
@@ -115,25 +133,28 @@ void MainWindow::offerRecovery() {
     std::vector<Recovery> found = m_document->recoveries();
     if (found.empty()) return;
     for (auto* asked : findChildren<RecoveryDialog*>()) asked->close(); // this one offers the same, and more
-    auto* dialog = new RecoveryDialog(*m_document, std::move(found), [this] { return m_files->mayLeave(); }, this);
+    auto* dialog = new RecoveryDialog(
+        *m_document, std::move(found), [this] { return m_files->mayLeave(); }, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 
 void MainWindow::showReadOnly(const QString& holder) {
-    if (holder.isEmpty()) return;
+    for (auto* asked : findChildren<QMessageBox*>(QStringLiteral("lockQuestion"))) asked->close(); // it is answered
+    if (holder.isEmpty()) {
+        QMetaObject::invokeMethod(this, &MainWindow::offerRecovery, Qt::QueuedConnection); // what the other one left
+        return;
+    }
     auto* question = new QMessageBox(QMessageBox::Information, tr("Open elsewhere"),
                                      tr("This project is open in %1.").arg(holder), QMessageBox::NoButton, this);
     question->setObjectName(QStringLiteral("lockQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setInformativeText(
         tr("Here it can be looked at and run, not changed, so that the two do not get in each other's way."));
-    question->addButton(tr("Only Look"), QMessageBox::AcceptRole);
+    question->setEscapeButton(question->addButton(tr("Only Look"), QMessageBox::AcceptRole));
     const auto* edit = question->addButton(tr("Edit Anyway"), QMessageBox::DestructiveRole);
     connect(question, &QMessageBox::buttonClicked, this, [this, edit](QAbstractButton* button) {
-        if (button != edit) return;
-        m_document->editAnyway();
-        offerRecovery();
+        if (button == edit) m_document->editAnyway();
     });
     question->open();
 }
@@ -208,7 +229,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_files->mayLeave()) return event->ignore();
+    if (!mayEndRecording(*this) || !m_files->mayLeave()) return event->ignore();
     putAway();
     event->accept();
 }

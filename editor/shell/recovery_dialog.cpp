@@ -73,7 +73,7 @@ void RecoveryDialog::show(int row) {
     QString html;
     for (const auto& [path, recovered] : m_found[std::size_t(row)].files) {
         html += QStringLiteral("<p style='font-weight:600'>%1</p>").arg(QString::fromStdString(path).toHtmlEscaped());
-        html += diffAsHtml(diffLines(onDisk(path).toStdString(), recovered.text));
+        html += diffAsHtml(diffLines(onDisk(path).toStdString(), Document::recoveredText(path, recovered)));
     }
     m_preview->setHtml(html);
 }

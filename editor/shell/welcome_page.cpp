@@ -84,9 +84,20 @@ QLabel* heading(const QString& text, int size) {
     return label;
 }
 
+class LinkButton final : public QPushButton {
+public:
+    using QPushButton::QPushButton;
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) click();
+        else QPushButton::keyPressEvent(event);
+    }
+};
+
 /// Looks like a link, works like a button.
 QPushButton* linkButton(const QString& text, const QIcon& icon = {}) {
-    auto* button = new QPushButton(icon, text);
+    auto* button = new LinkButton(icon, text);
     button->setFlat(true);
     button->setCursor(Qt::PointingHandCursor);
     button->setStyleSheet(
@@ -120,6 +131,19 @@ private:
     QList<QWidget*> m_cards;
 };
 
+/// A column that scrolls where it is too high, so that the window can be as low as it likes.
+QScrollArea* scrolled(QWidget* content) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // what stands in it takes the keys
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->viewport()->setAutoFillBackground(false);
+    content->setAutoFillBackground(false);
+    return scroll;
+}
+
 /// Whether a window that ended badly has left edits of this file. Opening it asks about them.
 bool hasUnsavedWork(const QString& file) {
     const std::string path = canonicalPath(file.toStdString());
@@ -140,7 +164,6 @@ WelcomePage::WelcomePage(const Actions& actions, const QString& configs, QWidget
 
 QWidget* WelcomePage::makeStart(const Actions& actions) {
     auto* column = new QWidget;
-    column->setFixedWidth(260);
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
@@ -167,7 +190,9 @@ QWidget* WelcomePage::makeStart(const Actions& actions) {
     m_recent->setSpacing(0);
     layout->addLayout(m_recent);
     layout->addStretch(1);
-    return column;
+    QScrollArea* scroll = scrolled(column);
+    scroll->setFixedWidth(260);
+    return scroll;
 }
 
 QWidget* WelcomePage::makeSamples(const QString& configs) {
@@ -190,14 +215,7 @@ QWidget* WelcomePage::makeSamples(const QString& configs) {
         layout->addWidget(flow);
     }
     layout->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->viewport()->setAutoFillBackground(false);
-    content->setAutoFillBackground(false);
-    return scroll;
+    return scrolled(content);
 }
 
 void WelcomePage::refresh() {

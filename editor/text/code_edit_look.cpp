@@ -13,7 +13,7 @@ namespace {
 
 enum Margin { kNumbers = 0, kBlocks = 1, kSymbols = 2, kFolds = 3 };
 enum Indicator { kError = 8, kWarning = 9, kHint = 10, kMatch = 11, kBlock = 12, kLink = 13 };
-enum Marker { kErrorMark = 1, kWarningMark = 2, kHintMark = 3, kBlockMark = 4 };
+enum Marker { kHintMark = 1, kWarningMark = 2, kErrorMark = 3, kBlockMark = 4 }; // of one line the highest is seen
 
 struct Look {
     TextStyle style;

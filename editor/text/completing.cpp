@@ -106,9 +106,10 @@ void Completing::show(FilePage& page) {
     const std::string word = typed(page);
     const bool isWord = std::all_of(word.begin(), word.end(), [](char c) { return isWordChar(c) || c == '$' || c == '#'; });
     m_shown = isWord ? fitting(m_found.items, word) : std::vector<const Completion*>();
-    // Typed out in full, the list would only be in the way of Enter.
-    const bool done =
-        !m_asked && std::any_of(m_shown.begin(), m_shown.end(), [&](const Completion* c) { return c->label == word; });
+    // Typed out in full, or behind a number that may end there, the list would only be in the way of Enter.
+    const bool done = !m_asked && std::any_of(m_shown.begin(), m_shown.end(), [&](const Completion* c) {
+        return c->label == word || (word.empty() && c->sort == CompletionSort::Unit);
+    });
     if (m_shown.empty() || done) {
         if (m_popup) m_popup->hide();
         return;

@@ -286,9 +286,12 @@ private:
         const Property* p = property();
         if (p && !p->unit.empty()) {
             const UnitInfo* own = findUnit(p->unit);
-            for (const std::string& name : own ? allUnitNames() : std::vector<std::string>{p->unit}) {
-                const UnitInfo* unit = own ? findUnit(name) : nullptr;
-                if (own && unit->dimension != own->dimension) continue;
+            std::vector<std::string> names{p->unit};
+            if (own)
+                std::ranges::copy_if(allUnitNames(), std::back_inserter(names), [&](const std::string& name) {
+                    return name != p->unit && findUnit(name)->dimension == own->dimension;
+                });
+            for (const std::string& name : names) {
                 add(CompletionSort::Unit, name, name, own ? std::string(own->dimension) : std::string(),
                     name == p->unit ? "As a plain number is read." : "");
             }

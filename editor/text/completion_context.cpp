@@ -58,10 +58,9 @@ private:
         return true;
     }
 
+    /// Also right behind the sign that ends it.
     [[nodiscard]] bool inComment() const {
-        if (m_touching.kind == TokenKind::LineComment) return true;
-        if (m_touching.kind != TokenKind::BlockComment) return false;
-        return m_at < m_touching.range.end || !slice(m_touching.range).ends_with("*/");
+        return m_touching.kind == TokenKind::LineComment || m_touching.kind == TokenKind::BlockComment;
     }
 
     /// Only what a value names may stand in quotes.

@@ -7,8 +7,14 @@
 #include "editor/text/file_page.h"
 #include "editor/text/find_bar.h"
 #include "editor/text/text_panel.h"
+#include "lang/edit_style.h"
 
 namespace trundle {
+namespace {
+
+std::string lineEndOf(const Document& document, FileId file) { return editStyle(*document.loaded()->trees[file]).lineEnd; }
+
+} // namespace
 
 Finding::Finding(Document& document, TextPanel& panel, FindBar& bar)
     : QObject(&panel), m_document(document), m_panel(panel), m_bar(bar) {
@@ -145,9 +151,10 @@ void Finding::replaceOne() {
     if (at < 0) return step(+1);
     const Found found = m_found[static_cast<std::size_t>(at)];
     FilePage* page = m_panel.page();
-    const std::string text = TextSearch(m_bar.wish()).replacement(found.match, m_bar.replacement());
     const FileId file = page->id();
-    if (file == kNoFile || !m_document.edit(tr("Replace"), {{file, {{{file, found.match.range}, text}}}})) return;
+    if (file == kNoFile) return;
+    const std::string text = TextSearch(m_bar.wish()).replacement(found.match, m_bar.replacement(), lineEndOf(m_document, file));
+    if (!m_document.edit(tr("Replace"), {{file, {{{file, found.match.range}, text}}}})) return;
     const auto end = found.match.range.begin + static_cast<std::uint32_t>(text.size());
     page->edit().select({end, end});
     step(+1);
@@ -163,7 +170,8 @@ void Finding::replaceAll() {
         const auto at = std::find(paths.begin(), paths.end(), found.file);
         if (at == paths.end()) continue;
         const auto file = static_cast<FileId>(at - paths.begin());
-        edits[file].push_back({{file, found.match.range}, search.replacement(found.match, m_bar.replacement())});
+        edits[file].push_back(
+            {{file, found.match.range}, search.replacement(found.match, m_bar.replacement(), lineEndOf(m_document, file))});
     }
     const int total = static_cast<int>(m_found.size());
     if (edits.empty() || !m_document.edit(tr("Replace All"), edits)) return;

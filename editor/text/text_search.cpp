@@ -58,7 +58,7 @@ std::vector<TextMatch> TextSearch::in(std::string_view text) const {
     return found;
 }
 
-std::string TextSearch::replacement(const TextMatch& match, const QString& with) const {
+std::string TextSearch::replacement(const TextMatch& match, const QString& with, const std::string& lineEnd) const {
     if (!m_regex) return with.toStdString();
     QString text;
     for (qsizetype i = 0; i < with.size(); ++i) {
@@ -68,7 +68,7 @@ std::string TextSearch::replacement(const TextMatch& match, const QString& with)
         }
         const QChar next = with[++i];
         if (next.isDigit()) text += match.groups.value(next.digitValue());
-        else if (next == QLatin1Char('n')) text += QLatin1Char('\n');
+        else if (next == QLatin1Char('n')) text += QString::fromStdString(lineEnd);
         else if (next == QLatin1Char('t')) text += QLatin1Char('\t');
         else text += next;
     }

@@ -31,8 +31,8 @@ public:
     [[nodiscard]] QString fault() const { return m_pattern.errorString(); } ///< why a regular expression is none
     /// All of them, in order, none empty, none within another; at most kMostMatches.
     [[nodiscard]] std::vector<TextMatch> in(std::string_view text) const;
-    /// What stands for a match afterwards: with a regular expression \1 ... \9 are its groups, \n and \t what they say.
-    [[nodiscard]] std::string replacement(const TextMatch& match, const QString& with) const;
+    /// What stands for a match afterwards: with a regular expression \1 ... \9 are its groups, \n the text's line end, \t a tab.
+    [[nodiscard]] std::string replacement(const TextMatch& match, const QString& with, const std::string& lineEnd = "\n") const;
 
     static constexpr std::size_t kMostMatches = 100'000;
 

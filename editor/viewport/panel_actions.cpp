@@ -80,6 +80,7 @@ void ViewportPanel::connectActions() {
         });
     on("view.one", [this] { setViewCount(1); });
     on("view.two", [this] { setViewCount(2); });
+    on("view.three", [this] { setViewCount(3); });
     on("view.four", [this] { setViewCount(4); });
     on("view.through", [this] { lookThroughSelected(); });
     on("view.frame", [this] { frameSelection(); });

@@ -128,7 +128,7 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
         overlays->addAction(&actions.at(id));
 
     auto* counts = new QMenu(this);
-    for (const char* id : {"view.one", "view.two", "view.four"}) counts->addAction(&actions.at(id));
+    for (const char* id : {"view.one", "view.two", "view.three", "view.four"}) counts->addAction(&actions.at(id));
 
     m_axes = addMenuButton("axes", tr("Along whose axes arrows and rings stand"), axes);
     m_steps = addMenuButton("steps", tr("Steps of moves and turns"), steps);

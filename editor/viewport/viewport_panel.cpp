@@ -110,18 +110,17 @@ void ViewportPanel::makeViews(RenderService*) {
 }
 
 void ViewportPanel::setViewCount(int count) {
-    const int before = m_shown;
-    m_shown = count >= 4 ? 4 : count >= 2 ? 2 : 1;
-    for (int i = 0; i < 4; ++i) m_views[std::size_t(i)]->setVisible(i < m_shown);
-    // What comes up is framed in the shape that it has then.
-    for (int i = before; i < m_shown; ++i) {
+    m_shown = std::clamp(count, 1, 4);
+    for (int i = 0; i < 4; ++i) {
         View* view = m_views[std::size_t(i)];
-        QTimer::singleShot(0, view, [this, view] { view->frame(m_world->bounds(), false); });
+        const bool wasThere = view->isVisibleTo(this), isThere = m_shown == 3 ? i != 2 : i < m_shown; // of three one stands alone
+        view->setVisible(isThere);
+        // What comes up is framed in the shape that it has then.
+        if (isThere && !wasThere) QTimer::singleShot(0, view, [this, view] { view->frame(m_world->bounds(), false); });
     }
     m_right->setVisible(m_shown > 1);
     if (m_shown > 1) m_columns->setSizes({1000, 1000});
-    if (m_shown == 4)
-        for (QSplitter* side : {m_left, m_right}) side->setSizes({1000, 1000});
+    for (QSplitter* side : {m_left, m_right}) side->setSizes({1000, 1000});
     setCurrent(m_current->isVisibleTo(this) ? *m_current : *m_views.front());
 }
 

@@ -61,6 +61,14 @@ private Q_SLOTS:
         QVERIFY(holds(*mesh.value(), {0, 4, 0}));
     }
 
+    /// The same points in the same turn; from behind it is another.
+    void trianglesThatRepeatOthersAreDropped() {
+        const auto mesh = m_reader->mesh(sample("many.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\n" +
+                                                                QByteArray("f 1 2 3\nf 4 3 1\nf 1 3 2\n").repeated(1000)));
+        QVERIFY2(mesh.ok(), mesh.ok() ? "" : mesh.error().message.c_str());
+        QCOMPARE(mesh.value()->triangles.size(), std::size_t(2));
+        QCOMPARE(mesh.value()->points.size(), std::size_t(3));
+    }
     void trianglesWithoutAreaAreDropped() {
         const auto mesh =
             m_reader->mesh(sample("thin.stl", binaryStl(2, {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 5, 0, 0, 0, 1, 0})));

@@ -58,6 +58,26 @@ QByteArray withThumbnail(QByteArray jpeg) {
     return jpeg.insert(2, "\xff\xe1" + bigEndian(static_cast<std::uint32_t>(small.size()) + 2).mid(2) + small);
 }
 
+/// Its header says another height.
+QByteArray tallerThanItIs(QByteArray jpeg, int height = 4000) {
+    const qsizetype at = jpeg.indexOf("\xff\xc0") + 5;
+    return jpeg.replace(at, 2, bigEndian(static_cast<std::uint32_t>(height)).mid(2));
+}
+
+/// 64 columns of 8 bits in runs, all of colour 0.
+QByteArray packedBmp(int rows) {
+    const auto little = [](std::uint32_t number) {
+        QByteArray bytes = bigEndian(number);
+        std::reverse(bytes.begin(), bytes.end());
+        return bytes;
+    };
+    const QByteArray colours(1024, '\0'), runs = QByteArray("\x40\x00\x00\x00", 4).repeated(rows) + QByteArray("\x00\x01", 2);
+    return "BM" + little(1078 + static_cast<std::uint32_t>(runs.size())) + little(0) + little(1078) + little(40) + little(64) +
+           little(static_cast<std::uint32_t>(rows)) + QByteArray("\x01\x00\x08\x00", 4) + little(1) +
+           little(static_cast<std::uint32_t>(runs.size())) + little(2835) + little(2835) + little(256) + little(0) + colours +
+           runs;
+}
+
 QByteArray doublingNodes(int levels) {
     QByteArray nodes;
     for (int i = 0; i < levels; ++i) {
@@ -179,6 +199,12 @@ private Q_SLOTS:
         QTest::newRow("a JPEG without its last byte") << "a.jpg" << savedAs("jpg").chopped(1) << "cut off";
         QTest::newRow("a JPEG with a whole thumbnail, cut off")
             << "a.jpg" << withThumbnail(savedAs("jpg")).chopped(200) << "cut off";
+        QTest::newRow("a JPEG cut off, with an end put on") << "a.jpg" << savedAs("jpg").chopped(400) + "\xff\xd9"
+                                                            << "damaged";
+        QTest::newRow("a JPEG taller than it says") << "a.jpg" << tallerThanItIs(savedAs("jpg")) << "damaged";
+        QTest::newRow("a packed BMP cut off") << "a.bmp" << packedBmp(48).left(1080) << "cut off";
+        QTest::newRow("a PNG without points") << "a.png" << png(0, 8) << "no points";
+        QTest::newRow("a JPEG without points") << "a.jpg" << tallerThanItIs(savedAs("jpg"), 0) << "";
         QTest::newRow("a wrong sum") << "a.png" << png(64, 64).replace("IDAT", "IDAX") << "";
         QTest::newRow("a drawing in XML") << "a.png"
                                           << QByteArray("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>") << "";
@@ -203,6 +229,13 @@ private Q_SLOTS:
             QVERIFY2(picture.ok(), picture.ok() ? "" : picture.error().message.c_str());
             QCOMPARE(picture.value()->width, 64u);
         }
+    }
+
+    void aPackedBmpIsRead() {
+        const QTemporaryDir folder;
+        const auto picture = m_reader->picture(writeSample(folder.path(), "a.bmp", packedBmp(48)));
+        QVERIFY2(picture.ok(), picture.ok() ? "" : picture.error().message.c_str());
+        QCOMPARE(picture.value()->height, 48u);
     }
 
     // Ground needs two heights along each side, a picture one pixel.

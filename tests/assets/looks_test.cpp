@@ -190,6 +190,7 @@ private Q_SLOTS:
         QTest::newRow("another scheme") << QByteArray("http://example.org/wood.png") << "not there";
         QTest::newRow("letters that are none") << QByteArray("\x01\x02 .png") << "not there";
         QTest::newRow("a very long name") << QByteArray(900, 'a') << "not there";
+        QTest::newRow("a name that assimp forgets") << QByteArray(3000, 'a') << "not there";
     }
     void aPictureThatCannotBeHadIsSaid() {
         QFETCH(QByteArray, written);
@@ -212,9 +213,18 @@ private Q_SLOTS:
     }
 
     void aMissingFileOfMaterialsIsSaid() {
-        const auto look = this->look("a.obj", objWith("none.mtl"));
-        QVERIFY(look);
-        QCOMPARE(look->complaints, (std::vector<std::string>{"its file of materials, none.mtl, is not there"}));
+        QVERIFY(QDir(folder()).mkdir("folder.mtl"));
+        QCOMPARE(::symlink("loop.mtl", qPrintable(folder() + "/loop.mtl")), 0);
+        sample("text.txt", "newmtl paint\n");
+        for (const auto& [name, why] : {std::pair{"none.mtl", "is not there"},
+                                        {"folder.mtl", "is a folder"},
+                                        {"loop.mtl", "is a link that leads back to itself"},
+                                        {"text.txt", "does not end in .mtl"},
+                                        {"/etc/passwd", "is not there"}}) {
+            const auto look = this->look("a.obj", objWith(name));
+            QVERIFY(look);
+            QCOMPARE(look->complaints, (std::vector<std::string>{std::string("its file of materials, ") + name + ", " + why}));
+        }
     }
 
     void materialsOutsideTheFolderAreRefused() {
@@ -225,12 +235,12 @@ private Q_SLOTS:
     }
 
     void aThousandPicturesAreTooMany() {
-        QByteArray materials, faces = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
+        QByteArray materials, faces = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nvt 0 0\n";
         for (int i = 0; i < 1000; ++i) {
             const QByteArray number = QByteArray::number(i);
             sample("p" + QString::number(i) + ".png", fourColours());
             materials += "newmtl m" + number + "\nmap_Kd p" + number + ".png\n";
-            faces += "usemtl m" + number + "\nf 1/1 2/1 3/1\n";
+            faces += "usemtl m" + number + "\nv 0 1 " + number + "\nf 1/1 2/1 -1/1\n";
         }
         sample("m.mtl", materials);
         const auto look = this->look("a.obj", faces);

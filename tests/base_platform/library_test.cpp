@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "base/platform/dynamic_library.h"
+#include "base/platform/read_file.h"
 
 using namespace trundle;
 
@@ -41,6 +42,40 @@ private Q_SLOTS:
             answer = library.value().function<int()>("sampleAnswer");
         }
         QCOMPARE(answer(), 42);
+    }
+
+    /// As by a compiler, which truncates the file, or by cp.
+    void aCopyIsLeftAloneByWhatBecomesOfItsFile() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("lib.so"));
+        QVERIFY(QFile::copy(QString::fromStdString(kFolder + "platform_sample.so"), path));
+        const std::string bytes = readRegularFile(path.toStdString()).value();
+        const auto library = DynamicLibrary::openCopy(path.toStdString(), bytes);
+        QVERIFY2(library.ok(), library.ok() ? "" : library.error().message.c_str());
+        QCOMPARE(library.value().path(), path.toStdString());
+        QVERIFY(QFile(path).resize(0));
+        const auto answer = library.value().function<int()>("sampleAnswer");
+        QVERIFY(answer != nullptr);
+        QCOMPARE(answer(), 42);
+        const auto second = DynamicLibrary::openCopy(path.toStdString(), bytes);
+        QVERIFY(second.ok());
+        QVERIFY(second.value().function<int()>("sampleAnswer") != answer);
+    }
+
+    void aCopyThatCannotBeOpenedIsToldByItsFile() {
+        const std::string path = kFolder + "platform_broken.so";
+        const auto library = DynamicLibrary::openCopy(path, readRegularFile(path).value());
+        QVERIFY(!library.ok());
+        QCOMPARE(library.error().code, Code::ModuleMissingSymbol);
+        QVERIFY2(library.error().message.starts_with(path + ": "), library.error().message.c_str());
+    }
+
+    void copiesLeaveNoFilesOpen() {
+        const std::string path = kFolder + "platform_sample.so", bytes = readRegularFile(path).value();
+        const auto open = [] { return QDir(QStringLiteral("/proc/self/fd")).entryList(QDir::NoDotAndDotDot | QDir::AllEntries); };
+        const auto before = open().size();
+        for (int i = 0; i < 20; ++i) QVERIFY(DynamicLibrary::openCopy(path, bytes).ok());
+        QCOMPARE(open().size(), before);
     }
 
     void whatCannotBeOpenedSaysWhy_data() {

@@ -19,6 +19,8 @@ struct Stage {
         for (const auto& [device, deviceKind] :
              {std::pair{"base", "DifferentialDrive"}, {"frontTouch", "TouchSensor"}, {"leftEncoder", "Encoder"}})
             config->devices.push_back({deviceKind, device, {}, {}, {}});
+        for (const char* camera : {"still", "stream"}) config->devices.push_back({"Camera", camera, {}, {}, {}});
+        config->devices.back().values["UpdatePeriod"] = number(0.1);
         robot.name = name;
         robot.config = config;
         robot.controller = ComponentSpec{kind, "brain", std::move(values), {}, {}};
@@ -34,7 +36,7 @@ struct Stage {
         add("base/odometry", SignalDirection::Output, 3);
         add("base/finished", SignalDirection::Output);
         for (const char* s : {"frontTouch/pressed", "frontTouch/force", "frontTouch/count", "leftEncoder/count",
-                              "leftEncoder/angle", "leftEncoder/rate", "leftEncoder/index"})
+                              "leftEncoder/angle", "leftEncoder/rate", "leftEncoder/index", "still/frame", "stream/frame"})
             add(s, SignalDirection::Output);
         block = std::make_unique<SignalBlock>(layout);
     }
@@ -52,6 +54,7 @@ struct Stage {
             return static_cast<int>(logs.size()) - 1;
         };
         outlet.writeLog = [this](int log, std::string_view bytes) { logs[static_cast<std::size_t>(log)] += bytes; };
+        outlet.capture = [this](const std::string&) { return Result<const Frame*>(&frame); };
         return backend->start(layout, *block, outlet);
     }
     double& at(const std::string& path, std::uint32_t i = 0) {
@@ -64,6 +67,7 @@ struct Stage {
     SignalLayout layout;
     std::unique_ptr<SignalBlock> block;
     std::unique_ptr<ControllerBackend> backend;
+    Frame frame{1, 1, 0, 0, {1, 2, 3}, {}, {}};
     std::vector<std::string> console, logs;
 };
 } // namespace
@@ -94,6 +98,21 @@ private Q_SLOTS:
         QVERIFY(stage.backend->tick(5, .05, .02).ok());
         QCOMPARE(stage.console.at(0), std::string("hi t=0.05 dt=0.02 n=12 rear=0 pair=7"));
         QCOMPARE(stage.logs.at(0), std::string("own.txt:line\n"));
+    }
+
+    /// The text may have been judged by a newer version of the module than the one that runs.
+    void aLiveValueOutOfTheRunningCodesRangeIsRefused() {
+        Stage stage("Rebuilt", {});
+        QVERIFY(stage.store.load(kModules + "rebuilt/libbefore.so").ok());
+        const Status started = stage.start();
+        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
+        const auto set = [&](double pace) { return stage.backend->set("Pace", {PropertyType::Number, {pace}, {}}); };
+        QVERIFY(set(0).ok() && set(2).ok());
+        for (const double wrong : {-0.1, 2.1}) {
+            const Status refused = set(wrong);
+            QVERIFY(!refused.ok());
+            QCOMPARE(refused.error().code, Code::OutOfRange);
+        }
     }
 
     void randomNumbersDependOnSeedRobotAndTickAlone() {
@@ -146,6 +165,19 @@ private Q_SLOTS:
         stage.at("base/pose", 2) = 3;
         QVERIFY(stage.backend->tick(0, 0, 0).ok());
         QCOMPARE(stage.console.at(0), std::string("1.5 1 0.25 3"));
+    }
+
+    void aCameraWithoutAStreamAlwaysHasANewPicture() {
+        Stage stage("Watcher", {});
+        const Status started = stage.start();
+        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
+        QVERIFY(stage.backend->tick(0, 0, 0).ok());
+        QVERIFY(stage.backend->tick(1, 0.01, 0.01).ok());
+        stage.at("still/frame") = stage.at("stream/frame") = 1;
+        QVERIFY(stage.backend->tick(2, 0.02, 0.01).ok());
+        QCOMPARE(stage.console,
+                 (std::vector<std::string>{"this port has no camera; robot.camera(\"NAME\") in setup() gives it one", "1 1 1",
+                                           "1 1 0", "1 1 1", "1 0 0", "1 1 1", "1 1 0"}));
     }
 
     void aKindThatIsNotLoadedIsNamed() {

@@ -40,7 +40,7 @@ private Q_SLOTS:
         QVERIFY2(found.ok(), found.ok() ? "" : found.error().message.c_str());
         QCOMPARE(found.value().library, path("program/controllers/libgood.so"));
         QVERIFY(found.value().described);
-        QCOMPARE(found.value().kinds.size(), std::size_t(4));
+        QCOMPARE(found.value().kinds.size(), std::size_t(5));
         QVERIFY(found.value().kinds[0].find("UpdatePeriod") && found.value().kinds[0].find("Speed"));
         for (const char* written : {"Controllers\\good.dll", "good", "x/libgood.so"}) {
             put("program/libgood.so", false);

@@ -1,6 +1,7 @@
 #include <fstream>
 
 #include "base/platform/read_file.h"
+#include "control/elf_reader.h"
 #include "control/kinds_json.h"
 #include "control/module_file.h"
 #include "control/module_kinds.h"
@@ -15,6 +16,7 @@ using namespace trundle;
 namespace {
 const std::string kModules = std::string(TRUNDLE_BINARY_DIR) + "/tests/modules/";
 const std::string kGood = kModules + "controllers/libgood.so";
+const std::string kBefore = kModules + "rebuilt/libbefore.so", kAfter = kModules + "rebuilt/libafter.so";
 
 std::string bytesOf(const std::string& path) { return readRegularFile(path).value(); }
 } // namespace
@@ -83,7 +85,7 @@ private Q_SLOTS:
         ModuleStore store;
         const auto module = store.load(kGood);
         QVERIFY2(module.ok(), module.ok() ? "" : module.error().message.c_str());
-        QCOMPARE(module.value()->kinds.size(), std::size_t(4));
+        QCOMPARE(module.value()->kinds.size(), std::size_t(5));
         const Kind& driver = module.value()->kinds[0];
         QCOMPARE(driver.name, std::string("Driver"));
         QCOMPARE(driver.module, kGood);
@@ -164,16 +166,19 @@ private Q_SLOTS:
         experiment.modules.push_back({"copy", library, SourceRange{0, {5, 9}}});
         experiment.modules.push_back({"gone", "", {}});
         experiment.modules.push_back({"text", made("libtext.so", "text"), SourceRange{0, {15, 19}}});
+        QVERIFY(writeKindsJson(library, kindsJsonPath(library)).ok());
+        Registry registry;
+        const auto kinds = kindsFromJson(bytesOf(kindsJsonPath(library)), library);
+        for (const Kind& kind : kinds.value()) QVERIFY(registry.add(kind).ok());
         const auto load = [&] {
             ModuleStore store;
             Diagnostics diagnostics;
-            loadModules(experiment, store, diagnostics);
+            loadModules(experiment, registry, store, diagnostics);
             return diagnostics.all();
         };
-        QCOMPARE(load().size(), std::size_t(1)); // no description at all is another's warning
+        QCOMPARE(load().size(), std::size_t(1));
         QCOMPARE(load()[0].code, Code::ModuleWrongFormat);
         QCOMPARE(load()[0].range.range.begin, 15u);
-        QVERIFY(writeKindsJson(library, kindsJsonPath(library)).ok());
         QCOMPARE(load().size(), std::size_t(1));
         std::string changed = bytesOf(kindsJsonPath(library));
         changed.replace(changed.find("Cruising"), 8, "Boozing!");
@@ -181,6 +186,80 @@ private Q_SLOTS:
         QCOMPARE(load().size(), std::size_t(2));
         QCOMPARE(load()[0].code, Code::ModuleDescriptionStale);
         QVERIFY(load()[0].severity == Severity::Warning && load()[0].range.range.begin == 5);
+    }
+
+    void aModuleThatNobodyDescribedIsAnothersWarning() {
+        ExperimentSpec experiment;
+        experiment.modules.push_back({"bare", made("libbare.so", bytesOf(kGood)), {}});
+        ModuleStore store;
+        Diagnostics diagnostics;
+        loadModules(experiment, Registry(), store, diagnostics);
+        QVERIFY(diagnostics.all().empty());
+    }
+
+    /// The text was read before the module was built anew: its values were judged by what is no longer true.
+    void aModuleThatIsAnotherOneThanTheTextWasCheckedWithDoesNotRun() {
+        const std::string library = made("libmind.so", bytesOf(kBefore)), description = kindsJsonPath(library);
+        made("libmind.so.kinds.json", bytesOf(kindsJsonPath(kBefore)));
+        ExperimentSpec experiment;
+        experiment.modules.push_back({"mind", library, SourceRange{0, {5, 9}}});
+        Registry registry;
+        const auto kinds = kindsFromJson(bytesOf(description), library);
+        for (const Kind& kind : kinds.value()) QVERIFY(registry.add(kind).ok());
+        const auto load = [&] {
+            ModuleStore store;
+            Diagnostics diagnostics;
+            loadModules(experiment, registry, store, diagnostics);
+            return diagnostics.all();
+        };
+        QVERIFY(load().empty() && !describedAnew(experiment, registry));
+        made("libmind.so", bytesOf(kAfter)); // its description is not written yet
+        QCOMPARE(load().size(), std::size_t(1));
+        QVERIFY(load()[0].severity == Severity::Error && load()[0].code == Code::ModuleDescriptionStale);
+        QVERIFY2(load()[0].message.find("build the module again") != std::string::npos, load()[0].message.c_str());
+        QVERIFY(!describedAnew(experiment, registry));
+        made("libmind.so.kinds.json", bytesOf(kindsJsonPath(kAfter)));
+        QCOMPARE(load().size(), std::size_t(1));
+        QCOMPARE(load()[0].severity, Severity::Error);
+        QVERIFY2(load()[0].message.find("was rebuilt: reload it (Ctrl+Shift+R)") != std::string::npos, load()[0].message.c_str());
+        QVERIFY(describedAnew(experiment, registry));
+    }
+
+    /// Written over while it is loaded, as by `cp`: what runs goes on, what is loaded next is the new one.
+    void aFileWrittenOverWhileItIsLoadedIsTwoModules() {
+        const std::string library = made("libswap.so", bytesOf(kBefore));
+        ModuleStore running;
+        const auto before = running.load(library);
+        QVERIFY2(before.ok(), before.ok() ? "" : before.error().message.c_str());
+        made("libswap.so", ""); // truncated in place
+        made("libswap.so", bytesOf(kAfter));
+        const auto most = [](const LoadedModule& module) { return module.descriptor->kinds[0]->fields[0].maximum; };
+        QCOMPARE(most(*before.value()), 2.0);
+        ModuleStore next; // while the first one is stuck
+        const auto after = next.load(library);
+        QVERIFY2(after.ok(), after.ok() ? "" : after.error().message.c_str());
+        QCOMPARE(most(*after.value()), 0.5);
+        QCOMPARE(most(*before.value()), 2.0);
+    }
+
+    /// Each load is a life of its own, whatever its compiler made one for the whole process.
+    void nothingIsSharedWithAnEarlierLoad() {
+        QVERIFY(!ElfReader(bytesOf(kBefore)).uniqueBindings().empty());
+        ModuleStore one, two;
+        int* const first = static_cast<int*>(one.load(kBefore).value()->code.symbol("trundle_test_lives"));
+        int* const second = static_cast<int*>(two.load(kAfter).value()->code.symbol("trundle_test_lives"));
+        QVERIFY(first && second && first != second);
+    }
+
+    void aModuleFindsTheLibraryBesideIt() {
+        const std::string library = kModules + "leaning/libleaning.so", bytes = bytesOf(library);
+        QCOMPARE(ElfReader(bytes).searched(), std::string("$ORIGIN"));
+        QCOMPARE(ElfReader(bytes).needs()[0], std::string("libtest_beside.so"));
+        ModuleStore store;
+        const auto module = store.load(library);
+        QVERIFY2(module.ok(), module.ok() ? "" : module.error().message.c_str());
+        QCOMPARE(module.value()->kinds[0].help, std::string("Leans on 42."));
+        QCOMPARE(module.value()->beside.size(), std::size_t(1));
     }
 
     void everyControllerHasTheCommonFields() {

@@ -150,9 +150,45 @@ private Q_SLOTS:
                                                            "FrameLog film { View=inside Size=64,48 Interval=0.1 }\n"));
         const Outcome run = cli({"run", folder.filePath("film.sim"), "--duration", "0.3", "--log-dir", folder.path()});
         QVERIFY2(run.code == 0, shown(run));
-        QVERIFY2(run.err.count("warning E511: a picture could not be taken: no picture can be taken from this view") == 1,
+        QVERIFY2(run.err.count("warning E511: FrameLog film leaves out pictures, the first is film_000000.jpg: "
+                               "no picture can be taken from this view") == 1,
                  shown(run));
         QCOMPARE(contentOf(folder.filePath("film.csv")), QByteArray("time [s],picture\n0,\n0.1,\n0.2,\n0.3,\n"));
+    }
+
+    void aPictureWhoseNameIsTakenIsToldOnce() {
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("film.sim"), "#import robots/camera_robot.sim\n"
+                                                       "Tick=0.01 Duration=0.02\n"
+                                                       "Robot a { Config=CameraRobot }\n"
+                                                       "PoseLog path { File=film_000001.png }\n"
+                                                       "FrameLog film { Camera=a/eye Format=png }\n"));
+        const Outcome run = cli({"run", folder.filePath("film.sim"), "--log-dir", folder.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        QVERIFY2(run.err.count("warning E503: FrameLog film leaves out pictures, the first is film_000001.png: "
+                               "film_000001.png is already written by this run") == 1,
+                 shown(run));
+        QCOMPARE(contentOf(folder.filePath("film.csv")),
+                 QByteArray("time [s],picture\n0,film_000000.png\n0.01,\n0.02,film_000002.png\n"));
+    }
+
+    /// A shell that may write small files only stands for a full disk.
+    void aFullDiskLeavesNoHalvesOfPictures() {
+        QTemporaryDir folder;
+        const QString logs = folder.filePath("logs");
+        QVERIFY(writeFile(folder.filePath("film.sim"), "#import robots/camera_robot.sim\n"
+                                                       "Tick=0.01 Duration=0.05\n"
+                                                       "Robot a { Config=CameraRobot }\n"
+                                                       "FrameLog film { Camera=a/eye Format=png }\n"
+                                                       "FrameLog other { Camera=a/eye Format=png }\n"));
+        const Outcome run = callProgram("/bin/sh", {"-c", "ulimit -f 1; trap '' XFSZ; exec \"$0\" run \"$1\" --log-dir \"$2\"",
+                                                    programPath(), folder.filePath("film.sim"), logs});
+        QVERIFY2(run.code == 1, shown(run));
+        QVERIFY2(run.err.count("warning E503: FrameLog film leaves out pictures, the first is film_000000.png: cannot write") ==
+                     1,
+                 shown(run));
+        QCOMPARE(run.err.count("warning E503: FrameLog other leaves out pictures"), 1);
+        QCOMPARE(QDir(logs).entryList({"*.png"}), QStringList());
     }
 
     void aMovieWithoutItsProgramIsRefusedBeforeTheRun() {
@@ -190,6 +226,9 @@ private Q_SLOTS:
         QTest::newRow("no name") << QStringList{"--movie", "a.mp4", "--camera", ""};
         QTest::newRow("no number") << QStringList{"--movie", "a.mp4", "--fps", "nan"};
         QTest::newRow("no size") << QStringList{"--movie", "a.mp4", "--size", "-5x10"};
+        QTest::newRow("a camera's size") << QStringList{"--movie", "a.mp4", "--camera", "seeker_0/eye", "--size", "64x48"};
+        QTest::newRow("no ending") << QStringList{"--movie", "a"};
+        QTest::newRow("another ending") << QStringList{"--movie", "a.avi"};
     }
     void whatIsOfAMovieNeedsOne() {
         QFETCH(QStringList, arguments);

@@ -20,7 +20,8 @@ class RenderFlowTest : public QObject {
     QTemporaryDir m_folder;
 
     Outcome render(const QString& picture, const QStringList& more, const QString& experiment = "experiments/linear_motion.sim") {
-        return cli(QStringList{"render", configPath(experiment), "-o", m_folder.filePath(picture), "--size", "320x200"} + more);
+        const QStringList size = more.contains("--camera") ? QStringList{} : QStringList{"--size", "320x200"}; // that has its own
+        return cli(QStringList{"render", configPath(experiment), "-o", m_folder.filePath(picture)} + size + more);
     }
 
 private Q_SLOTS:
@@ -58,6 +59,7 @@ private Q_SLOTS:
         QTest::newRow("target without an eye") << QStringList{"--target", "1,1,1"} << 2;
         QTest::newRow("angle without an eye") << QStringList{"--fov", "40"} << 2;
         QTest::newRow("camera without a name") << QStringList{"--camera", ""} << 2;
+        QTest::newRow("a camera's size") << QStringList{"--camera", "seeker_0/eye", "--size", "64x48"} << 2;
         QTest::newRow("view without a name") << QStringList{"--view", ""} << 2;
         QTest::newRow("no such property") << QStringList{"--set", "robot0.nothing=3"} << 1;
         QTest::newRow("a folder that is not there") << QStringList{"-o", "/nonexistent/picture.png"} << 1;

@@ -66,6 +66,7 @@ private Q_SLOTS:
         QTest::newRow("no object") << QStringList{"--open", sample, "--select", "robot7"} << QByteArray("no robot7");
         QTest::newRow("no view") << QStringList{"--open", sample, "--view", "upside"} << QByteArray("perspective");
         QTest::newRow("no time") << QStringList{"--open", sample, "--run-for", "soon"} << QByteArray("seconds");
+        QTest::newRow("nothing to run") << QStringList{"--run-for", "3"} << QByteArray("needs a FILE");
         QTest::newRow("no option") << QStringList{"--nonsense"} << QByteArray("nonsense");
         QTest::newRow("no size") << QStringList{"--size", "10x10"} << QByteArray("320x240");
     }
@@ -78,6 +79,51 @@ private Q_SLOTS:
         QVERIFY2(outcome.err.startsWith("trundle: ") && outcome.err.contains(reason), shown(outcome));
         QCOMPARE(outcome.err.count('\n'), 1);
         QVERIFY(!QFile::exists(picture));
+    }
+
+    /// The picture is taken, and does not pass for one of the run.
+    void saysThatThereWasNoRun_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QByteArray>("reason");
+        const QByteArray team = "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                                "Static floor { Config=OpenFloor }\n";
+        QTest::newRow("errors") << QByteArray(team + "Robot r { Config=SimpleRobot Possition=1,2,3 }\n") << 1
+                                << QByteArray("did not run: The text has an error");
+        QTest::newRow("nothing") << QByteArray("RobotConfig Lone { Body b { Box { Size=1,1,1 Mass=1 } } }\n") << 1
+                                 << QByteArray("did not run: There is nothing to run");
+        QTest::newRow("not trusted") << QByteArray("#loadModule mine\n" + team +
+                                                   "Robot r { Config=SimpleRobot Failing brain { } }\n")
+                                     << 1 << QByteArray("trust the folder");
+        QTest::newRow("fails in setup") << QByteArray("#loadModule \"" TRUNDLE_BINARY_DIR "/tests/modules/controllers/good\"\n" +
+                                                      team + "Robot r { Config=SimpleRobot Failing brain { Where=\"setup\" } }\n")
+                                        << 1 << QByteArray("no battery");
+        QTest::newRow("fails in a turn") << QByteArray("#loadModule \"" TRUNDLE_BINARY_DIR "/tests/modules/controllers/good\"\n" +
+                                                       team +
+                                                       "Robot r { Config=SimpleRobot Failing brain { Where=\"give up\" } }\n")
+                                         << 3 << QByteArray("the map is empty");
+    }
+    void saysThatThereWasNoRun() {
+        QFETCH(QByteArray, text);
+        QFETCH(int, code);
+        QFETCH(QByteArray, reason);
+        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/controllers/");
+        for (const char* ending : {".so", ".so.kinds.json"})
+            QFile::copy(modules + "libgood" + ending, m_folder.filePath(QStringLiteral("libmine")) + ending);
+        const QString home = m_folder.filePath(QStringLiteral("trusting"));
+        QDir().mkpath(home + "/Trundle");
+        QVERIFY(writeFile(home + "/Trundle/Trundle.conf", "[General]\ntrustedFolders=" + modules.toUtf8() + "\n"));
+        qputenv("XDG_CONFIG_HOME", home.toUtf8());
+        const QString file = m_folder.filePath(QStringLiteral("norun.sim")),
+                      picture = m_folder.filePath(QStringLiteral("norun.png"));
+        QVERIFY(writeFile(file, text));
+        const Outcome outcome = call({"--open", file, "--run-for", "3", "--screenshot", picture, "--quit"});
+        qunsetenv("XDG_CONFIG_HOME");
+        QVERIFY2(outcome.code == code, shown(outcome));
+        QVERIFY2(outcome.err.startsWith("trundle: ") && outcome.err.contains(reason), shown(outcome));
+        QCOMPARE(outcome.err.count('\n'), 1);
+        QVERIFY(contentOf(picture).startsWith("\x89PNG"));
+        QVERIFY(QFile::remove(picture));
     }
 
 private:

@@ -137,7 +137,8 @@ private Q_SLOTS:
         row("nested on one line", "Body c {\n  Box b { A=1 }\n}\n", "b", "Body c {\n  Box b { A=1 K=9 }\n}\n");
         row("beside its like", "Body c {\n  Mass=1 // kg\n  Box b { A=1 }\n}\n", "c",
             "Body c {\n  Mass=1 // kg\n  K=9\n  Box b { A=1 }\n}\n");
-        row("beside its like behind the brace", "Body c { Mass=1\n Box b { A=1 } }\n", "c", "Body c { Mass=1\n K=9\n Box b { A=1 } }\n");
+        row("beside its like behind the brace", "Body c { Mass=1\n Box b { A=1 } }\n", "c",
+            "Body c { Mass=1\n K=9\n Box b { A=1 } }\n");
         row("in front of nothing but blocks", "Body c {\n  Box b { A=1 }\n}\n", "c", "Body c {\n  Box b { A=1 }\n  K=9\n}\n");
         row("the file", "A = 1\n", "", "A = 1\nK = 9\n");
         row("the file, tight", "A=1\n", "", "A=1\nK=9\n");
@@ -171,6 +172,8 @@ private Q_SLOTS:
             "Body c {\r\n\tA=1\r\n\tBox b {\r\n\t\tX=1\r\n\t}\r\n}\r\n");
         row("indented text", "Body c {\n    A=1\n}\n", "c", "    Box b {\n      X=1\n    }",
             "Body c {\n    A=1\n    Box b {\n      X=1\n    }\n}\n");
+        row("lines whose last one closes several", "Body c {\n    A=1\n}\n", "c", "Box b { X=1\n    Y { Z=2 } }",
+            "Body c {\n    A=1\n    Box b { X=1\n        Y { Z=2 } }\n}\n");
         row("a directive into one line", "Static s { A=1 }\n", "s", "#import a.sim", "Static s { A=1\n  #import a.sim\n}\n");
         row("into the file", "A = 1 // c", "", "Box b { }", "A = 1 // c\nBox b { }\n");
         row("behind a comment", "Body c { // c\n}", "c", "Box b { }", "Body c { // c\n  Box b { }\n}");

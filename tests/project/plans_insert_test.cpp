@@ -334,6 +334,18 @@ private Q_SLOTS:
         QCOMPARE(text("settings", ""), "");
     }
 
+    void commentsComeAlong() {
+        sample::PlanDesk desk;
+        const auto loaded = desk.open("Tick = 0.01\n");
+        QCOMPARE(
+            desk.text(loaded, planInsert(*loaded, "",
+                                         "// mine\r\nMaterial red { } // hot\n\n/* cold */ Material blue { }\n// the end\n")),
+            "Tick = 0.01\n// mine\nMaterial red { } // hot\n/* cold */ Material blue { }\n// the end\n");
+        const auto cut = desk.open("Material red { } // hot\nMaterial blue { } // cold\n");
+        QCOMPARE(desk.text(cut, planRemove(*cut, {"Material.red"})), "Material blue { } // cold\n");
+        QCOMPARE(textOf(*cut, {"Material.red"}), "Material red { } // hot\n");
+    }
+
 private:
     PlanDesk m_desk;
 };

@@ -100,6 +100,55 @@ private Q_SLOTS:
         for (const std::string& path : plan.value().selects) QVERIFY2(placeOf(*again, path), path.c_str());
     }
 
+    /// What is only ordered anew stays in its file, whatever stands beside it; a file that is asked for gets it.
+    void filesOfTheOrder() {
+        const std::string one =
+            "Surface ice { Friction=0 }\nSurface tar { Friction=2 } // black\nMaterial red { ColorRGB=1,0,0 }\n";
+        const std::string two = "#import one.sim\nSurface own { Friction=1 }\nRobotConfig Cart { }\nRobot r { Config=Cart }\n";
+        const auto loaded = m_desk.open({{"main.sim", two}, {"one.sim", one}});
+        const auto one_ = [&](const Result<EditPlan>& plan) { return m_desk.text(loaded, plan, "one.sim"); };
+        const std::string turned =
+            "Surface tar { Friction=2 } // black\nSurface ice { Friction=0 }\nMaterial red { ColorRGB=1,0,0 }\n";
+        for (const char* before : {"", "Surface.own"}) { // below the last one of its file, and of all
+            const auto plan = planMove(*loaded, {"Surface.ice"}, "", before);
+            QCOMPARE(one_(plan), turned);
+            QCOMPARE(m_desk.text(loaded, plan), two);
+        }
+        QCOMPARE(one_(planMove(*loaded, {"Surface.tar"}, "", "Surface.ice")), // its comment goes with it
+                 "Surface tar { Friction=2 } // black\nSurface ice { Friction=0 }\nMaterial red { ColorRGB=1,0,0 }\n");
+        const auto same = planMove(*loaded, {"Surface.tar"}, "", "Surface.own");
+        QVERIFY(same.ok() && same.value().edits.empty());
+        const auto own = planMove(*loaded, {"Surface.own"}, "", "Surface.ice"); // nothing of its like in its own file
+        QVERIFY(own.ok() && own.value().edits.empty());
+
+        const auto there = planMove(*loaded, {"Surface.own"}, "", "", 1);
+        QCOMPARE(one_(there), one + "Surface own { Friction=1 }\n");
+        QCOMPARE(m_desk.text(loaded, there), "#import one.sim\nRobotConfig Cart { }\nRobot r { Config=Cart }\n");
+        QCOMPARE(one_(planMove(*loaded, {"Surface.own"}, "", "Surface.tar", 1)),
+                 "Surface ice { Friction=0 }\nSurface own { Friction=1 }\nSurface tar { Friction=2 } // black\n"
+                 "Material red { ColorRGB=1,0,0 }\n");
+        QCOMPARE(m_desk.text(loaded, planMove(*loaded, {"Surface.tar"}, "", "", 0)),
+                 two + "Surface tar { Friction=2 } // black\n");
+    }
+
+    /// No numbers of the config would do for all of its robots.
+    void aPoseOfOneRobotIsNotLost() {
+        const auto refused = [&](const char* robots, const char* path = "r.chassis.hull", const char* to = "r.wheel") {
+            const auto loaded = m_desk.open(scene(robots));
+            const auto plan = planMove(*loaded, {path}, to, "");
+            return plan.ok() ? std::string() : plan.error().message;
+        };
+        QCOMPARE(refused("Robot r { Config=Cart chassis.hull.Pos=1,2,3 }\nRobot s { Config=Cart }\n"),
+                 "Box hull cannot keep its place in Robot r, which sets a Pos, HPR or Param of its own there; reset that first");
+        QVERIFY(!refused("Robot r { Config=Cart }\nRobot s { Config=Cart wheel.HPR=1,2,3 }\n").empty());
+        QVERIFY(!refused("Robot r { Config=Cart }\nRobot s { Config=Cart chassis.hull.HPR=1,2,3 }\n",
+                         "RobotConfig.Cart.chassis.hull", "RobotConfig.Cart.wheel")
+                     .empty());
+        QCOMPARE(
+            refused("Robot r { Config=Cart chassis.hull.Mass=3 r=0.2 Pos=1,2,3 }\nGrid g { Config=Cart Count=2 Spacing=9 }\n"),
+            "");
+    }
+
     /// A geom goes to the other body; what names it follows, and in the world it stays.
     void aGeomKeepsItsPose() {
         const auto loaded = m_desk.open(scene(

@@ -369,6 +369,13 @@ private Q_SLOTS:
                  "refused: LowStop has no value that could be copied");
     }
 
+    void anOverrideHasTheLineEndsOfItsFile() {
+        const std::string cart = "RobotConfig Cart {\r\n  Body b { Box hull { Size=1,\r\n    2,3 } }\r\n}\r\n";
+        const auto loaded = m_desk.open({{"main.sim", "#import cart.sim\nRobot r { Config=Cart }\n"}, {"cart.sim", cart}});
+        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "r.b.hull.Size")),
+                 "#import cart.sim\nRobot r { Config=Cart b.hull.Size=1,\n    2,3 }\n");
+    }
+
     void singles() {
         const auto loaded = m_desk.open(with(kScene, {{"Grid swarm", "\r\n  Grid swarm"}}));
         const auto plan = planReplaceBySingles(*loaded, "swarm_1");
@@ -399,6 +406,22 @@ private Q_SLOTS:
         QCOMPARE(freeName(*loaded, "", "3 D robot"), "_3_D_robot");
         QCOMPARE(freeName(*loaded, "", ""), "_");
         QCOMPARE(freeName(*loaded, "nowhere", "x"), "x");
+    }
+
+    /// A file that two configs import goes with neither of them.
+    void aSharedPieceIsNobodysOwn() {
+        PlanDesk desk;
+        const auto loaded = desk.open(
+            {{"main.sim", "RobotConfig A {\n  #import piece.sim\n  Body c { Box { Size=1,1,1 Mass=1 } }\n}\nRobotConfig B { "
+                          "#import piece.sim\n"
+                          "Hinge j { Parent=base Child=arm } }\nRobot a { Config=A base.hull.Mass=9 }\nRobot b { Config=B "
+                          "base.hull.Mass=2 }\n"},
+             {"piece.sim", "Body base { Box hull { Size=1,1,1 Mass=1 } }\nBody arm { Pos=1,0,0 Box { Size=1,1,1 Mass=1 } }\n"}});
+        QCOMPARE(desk.text(loaded, planRemove(*loaded, {"RobotConfig.B", "b"})),
+                 "RobotConfig A {\n  #import piece.sim\n  Body c { Box { Size=1,1,1 Mass=1 } }\n}\nRobot a { Config=A "
+                 "base.hull.Mass=9 }\n");
+        QCOMPARE(desk.text(loaded, planRemove(*loaded, {"RobotConfig.B"})),
+                 "refused: RobotConfig B is still used by Robot b (Config)");
     }
 
 private:

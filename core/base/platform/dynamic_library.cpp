@@ -1,34 +1,80 @@
 #include "base/platform/dynamic_library.h"
 
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include <dlfcn.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace trundle {
+namespace {
+
+constexpr unsigned kExecutable = 0x10; // MFD_EXEC, which older headers lack
+
+Result<void*> opened(const std::string& path) {
+    ::dlerror(); // forget an older fault
+    if (void* handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return handle;
+    const char* words = ::dlerror();
+    std::string why = words != nullptr ? words : path + ": the loader gives no reason";
+    const bool missing = why.find("undefined symbol") != std::string::npos;
+    return Error{missing ? Code::ModuleMissingSymbol : Code::ModuleUnreadable, std::move(why)};
+}
+
+/// A file in memory that nobody else has; -1, with errno, where there is no room for it.
+int fileOf(const std::string& path, std::string_view bytes) {
+    const std::string name = path.substr(path.rfind('/') + 1).substr(0, 200);
+    int file = ::memfd_create(name.c_str(), MFD_CLOEXEC | kExecutable);
+    if (file < 0 && errno == EINVAL) file = ::memfd_create(name.c_str(), MFD_CLOEXEC); // a system from before there was a choice
+    while (file >= 0 && !bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+        else if (errno != EINTR) ::close(std::exchange(file, -1));
+    }
+    return file;
+}
+
+/// With the number of this process, not "self": debuggers read the symbols there.
+std::string nameOf(int file) { return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(file); }
+
+} // namespace
 
 Result<DynamicLibrary> DynamicLibrary::open(const std::string& path) {
     if (path.find('/') == std::string::npos) return Error{Code::ModuleUnreadable, path + ": a library needs a path with a slash"};
-    ::dlerror(); // forget an older fault
-    void* handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (handle == nullptr) {
-        const char* words = ::dlerror();
-        std::string why = words != nullptr ? words : path + ": the loader gives no reason";
-        const bool missing = why.find("undefined symbol") != std::string::npos;
-        return Error{missing ? Code::ModuleMissingSymbol : Code::ModuleUnreadable, std::move(why)};
-    }
+    const Result<void*> handle = opened(path);
+    if (!handle) return handle.error();
     DynamicLibrary library;
-    library.m_handle = handle;
+    library.m_handle = handle.value();
     library.m_path = path;
     return library;
 }
 
+Result<DynamicLibrary> DynamicLibrary::openCopy(const std::string& path, std::string_view bytes) {
+    DynamicLibrary library;
+    library.m_path = path;
+    library.m_copy = fileOf(path, bytes);
+    if (library.m_copy < 0) return Error{Code::ModuleUnreadable, path + ": no copy in memory: " + std::strerror(errno)};
+    const std::string name = nameOf(library.m_copy);
+    const Result<void*> handle = opened(name);
+    if (handle) {
+        library.m_handle = handle.value();
+        return library;
+    }
+    Error error = handle.error(); // its reader knows the file by its own name
+    if (const std::size_t at = error.message.find(name); at != std::string::npos) error.message.replace(at, name.size(), path);
+    return error;
+}
+
 DynamicLibrary::DynamicLibrary(DynamicLibrary&& other) noexcept
-    : m_handle(std::exchange(other.m_handle, nullptr)), m_keep(other.m_keep), m_path(std::move(other.m_path)) {}
+    : m_handle(std::exchange(other.m_handle, nullptr)), m_copy(std::exchange(other.m_copy, -1)), m_keep(other.m_keep),
+      m_path(std::move(other.m_path)) {}
 
 DynamicLibrary& DynamicLibrary::operator=(DynamicLibrary&& other) noexcept {
     if (this == &other) return *this;
     close();
     m_handle = std::exchange(other.m_handle, nullptr);
+    m_copy = std::exchange(other.m_copy, -1);
     m_keep = other.m_keep;
     m_path = std::move(other.m_path);
     return *this;
@@ -38,7 +84,14 @@ void* DynamicLibrary::symbol(const char* name) const { return m_handle != nullpt
 
 void DynamicLibrary::close() {
     void* handle = std::exchange(m_handle, nullptr);
-    if (handle != nullptr && !m_keep) ::dlclose(handle);
+    const int copy = std::exchange(m_copy, -1);
+    if (handle != nullptr && m_keep) return;
+    if (handle != nullptr) ::dlclose(handle);
+    if (copy < 0) return;
+    // A library may refuse to go. As long as it is there another file must not get its name: the loader would take it for the same.
+    void* stays = handle != nullptr ? ::dlopen(nameOf(copy).c_str(), RTLD_LAZY | RTLD_NOLOAD) : nullptr;
+    if (stays != nullptr) ::dlclose(stays);
+    else ::close(copy);
 }
 
 } // namespace trundle

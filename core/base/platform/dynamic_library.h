@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 
@@ -11,6 +12,9 @@ public:
     /// All symbols bound at once, none shown to other libraries. Fails with the loader's own words: ModuleMissingSymbol where
     /// one is undefined, else ModuleUnreadable. `path` must hold a slash, so that no search path is asked.
     [[nodiscard]] static Result<DynamicLibrary> open(const std::string& path);
+    /// The same for `bytes`, which were read from `path`, in memory of this process alone: whoever writes to the file changes nothing
+    /// of it, and the file opened once more is another library. `$ORIGIN` in it leads nowhere.
+    [[nodiscard]] static Result<DynamicLibrary> openCopy(const std::string& path, std::string_view bytes);
 
     DynamicLibrary() = default;
     DynamicLibrary(DynamicLibrary&& other) noexcept;
@@ -31,6 +35,7 @@ public:
 
 private:
     void* m_handle = nullptr;
+    int m_copy = -1; // file in memory; -1: none
     bool m_keep = false;
     std::string m_path;
 };

@@ -9,5 +9,6 @@ set(BASE_PLATFORM_SOURCES
   platform/process.cpp
   platform/process_identity.cpp
   platform/program_path.cpp
+  platform/quiet_errors.cpp
   platform/read_file.cpp
   platform/thread_priority.cpp)

@@ -1,6 +1,7 @@
 // Controllers that do what a test needs.
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include <trundle/controller.h>
 #include <trundle/device.h>
@@ -83,6 +84,23 @@ struct Cheating : trundle::Controller {
     trundle::SignalPort axle;
 };
 
+/// Takes a picture and says whether another would be a new one.
+struct Watcher : trundle::Controller {
+    static void describe(trundle::Describe<Watcher>& d) { d.help("Looks twice."); }
+    void setup(trundle::RobotPorts& robot) override {
+        for (const char* name : {"still", "stream"}) eyes.push_back(robot.camera(name));
+        print(trundle::CameraPort().capture().error());
+    }
+    void update(trundle::Seconds) override {
+        for (trundle::CameraPort& eye : eyes) {
+            const bool before = eye.fresh();
+            const bool taken(eye.capture());
+            print(taken, " ", before, " ", eye.fresh());
+        }
+    }
+    std::vector<trundle::CameraPort> eyes;
+};
+
 /// A device beside controllers.
 struct Thermometer : trundle::Device {
     double offset = 0;
@@ -105,5 +123,6 @@ TRUNDLE_MODULE(registry) {
     registry.controller<Driver>("Driver");
     registry.controller<Failing>("Failing");
     registry.controller<Cheating>("Cheating");
+    registry.controller<Watcher>("Watcher");
     registry.device<Thermometer>("Thermometer");
 }

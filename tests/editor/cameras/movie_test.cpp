@@ -95,14 +95,25 @@ private Q_SLOTS:
             QVERIFY(each.left(kEyeBytes) != each.right(kEyeBytes)); // it drove
         }
         QVERIFY(pixels[0] == pixels[1]);
-        const QString movie = m_window->folder.filePath(QStringLiteral("headless.mp4"));
-        const QString file = QString::fromStdString(m_window->document.path());
-        QCOMPARE(QProcess::execute(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle-cli"),
-                                   {QStringLiteral("run"), file, QStringLiteral("--quiet"), QStringLiteral("--duration=0.5"),
-                                    QStringLiteral("--movie"), movie, QStringLiteral("--camera=robot0/eye"),
-                                    QStringLiteral("--fps=10")}),
-                 0);
-        QVERIFY(pixels[0] == pixelsOf(movie));
+        QVERIFY(pixels[0] == pixelsOf(filmedWithoutAWindow("robot0/eye")));
+    }
+
+    /// Of a camera with an UpdatePeriod: what its robot gets, here and in the program without a window.
+    void aStreamIsFilmedAsItComes() {
+        QByteArray text = kTwoEyes;
+        text.replace("BlobFollow brain", "eye.UpdatePeriod=0.3 BlobFollow brain");
+        QVERIFY(m_window->open(text));
+        MovieJob job = jobFor(QStringLiteral("a.mp4"));
+        job.camera = "robot0/eye";
+        job.framesPerSecond = 10;
+        MovieRecorder recorder(*m_window->parts, *m_render);
+        QSignalSpy finished(&recorder, &MovieRecorder::finished);
+        recorder.start(job);
+        QVERIFY(finished.wait(60000));
+        QCOMPARE(finished.front().front().toString(), QString());
+        const QString here = m_window->folder.filePath(QStringLiteral("a.mp4"));
+        QVERIFY(pixelsOf(here) == pixelsOf(filmedWithoutAWindow("robot0/eye")));
+        QVERIFY(!pixelsOf(here).isEmpty());
     }
 
     void whatWasDoneByHandIsInIt() {
@@ -230,6 +241,16 @@ private:
         job.end = 0.5;
         job.path = m_window->folder.filePath(name).toStdString();
         return job;
+    }
+    /// Half a second of the open text by the program without a window.
+    QString filmedWithoutAWindow(const char* camera) {
+        const QString movie = m_window->folder.filePath(QStringLiteral("headless.mp4"));
+        const QString file = QString::fromStdString(m_window->document.path());
+        const int code = QProcess::execute(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle-cli"),
+                                           {QStringLiteral("run"), file, QStringLiteral("--quiet"),
+                                            QStringLiteral("--duration=0.5"), QStringLiteral("--movie"), movie,
+                                            QStringLiteral("--camera"), QString::fromLatin1(camera), QStringLiteral("--fps=10")});
+        return code == 0 ? movie : QString();
     }
     /// What is left of movies that did not come to their end.
     QStringList hiddenFiles() {

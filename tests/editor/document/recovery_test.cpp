@@ -71,8 +71,10 @@ private Q_SLOTS:
         m_desk->write("configs/main.sim", std::string("Title=\"T\"\n") + kMain);
         Document& d = *m_document;
         QVERIFY(d.open(m_desk->main).ok());
+        const std::string both = std::string("Title=\"T\"\n") + kMain + "Seed = 9\n";
+        QCOMPARE(Document::recoveredText(m_desk->main, d.recoveries().at(0).files.at(m_desk->main)), both); // said before
         QCOMPARE(why(d.recover(d.recoveries().at(0))), "");
-        QCOMPARE(*d.text(m_desk->main), std::string("Title=\"T\"\n") + kMain + "Seed = 9\n");
+        QCOMPARE(*d.text(m_desk->main), both);
         QVERIFY(d.diskChanges().empty());
     }
 
@@ -153,6 +155,25 @@ private Q_SLOTS:
         second.close();
         QVERIFY(second.open(m_desk->main).ok());
         QVERIFY(!second.isReadOnly());
+    }
+
+    void whoOnlyLookedMayEditOnceTheOtherIsGone() {
+        Document& first = *m_document;
+        Document second(*m_parts);
+        QSignalSpy noticed(&second, &Document::notice);
+        QVERIFY(first.open(m_desk->main).ok());
+        QCOMPARE(why(second.open(m_desk->robot)), "");
+        QVERIFY(!second.replaceText(u"Type"_qs, m_desk->robot, "x").ok());
+        first.close();
+        QCOMPARE(why(second.replaceText(u"Type"_qs, m_desk->robot, "x")), "");
+        QVERIFY(!second.isReadOnly());
+        QCOMPARE(noticed.count(), 1);
+        QCOMPARE(why(second.save()), "");
+        QVERIFY(first.open(m_desk->main).ok());
+        QVERIFY(first.isReadOnly()); // it is the second one's now
+        second.close();
+        first.lookAtDisk(); // as its window does when one comes back to it
+        QVERIFY(!first.isReadOnly());
     }
 
     void samplesAndNewTextsNeedNoLock() {

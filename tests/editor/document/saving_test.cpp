@@ -60,8 +60,52 @@ private Q_SLOTS:
         QVERIFY(!saved.ok());
         QVERIFY(saved.error().message.find("main.sim") != std::string::npos);
         QVERIFY(d.isModified(m_desk->main));
-        QVERIFY(!d.isModified(m_desk->robot)); // the other one is safe
+        QVERIFY(d.isModified(m_desk->robot)); // all or nothing
+        QCOMPARE(bytesOf(m_desk->robot), kRover);
+    }
+
+    /// The folder of one is gone, which only the writing itself finds out: what was written before it is as it was.
+    void whatFailsOnTheWayIsTakenBack() {
+        Document& d = *m_document;
+        set("robot0.Pos", "1,0,0");
+        set("RobotConfig.Rover.chassis.hull.Mass", "3");
+        fs::remove_all(fs::path(m_desk->robot).parent_path());
+        QVERIFY(!d.save().ok());
+        QVERIFY(d.isModified(m_desk->main) && d.isModified(m_desk->robot));
+        QCOMPARE(bytesOf(m_desk->main), kMain);
+        fs::create_directories(fs::path(m_desk->robot).parent_path());
+        QCOMPARE(why(d.save()), "");
         QCOMPARE(bytesOf(m_desk->robot), *d.text(m_desk->robot));
+    }
+
+    /// An edit that is half in one's own experiment and half in a robot that came with the program.
+    void halfAnEditIsNotSaved() {
+        Document& d = *m_document;
+        const std::string own = "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot "
+                                "leftMotor.Resistance=3 }\n";
+        const std::string mine = m_desk->write("configs/mine.sim", own), part = m_desk->write("configs/part.sim", "Seed = 1\n");
+        fs::remove_all(m_desk->path("configs/robots"));
+        QVERIFY(d.open(mine).ok());
+        QCOMPARE(why(d.carryOut(u"Push"_qs, planPushOverride(*d.loaded(), "a.leftMotor.Resistance"))), "");
+        set("Seed", "2");
+        const Status saved = d.save();
+        QVERIFY(!saved.ok());
+        QVERIFY2(holds(saved.error().message, "simple_robot.sim") && holds(saved.error().message, "Save As"), why(saved).c_str());
+        QCOMPARE(bytesOf(mine), own);
+        QCOMPARE(bytesOf(part), "Seed = 1\n");
+        QVERIFY(d.isModified(mine) && d.isModified(part));
+
+        QCOMPARE(why(d.saveAs(mine)), "");
+        QVERIFY(!d.isModified());
+        QVERIFY(holds(bytesOf(m_desk->path("configs/robots/simple_robot.sim")), "Resistance=3"));
+        QVERIFY(!holds(bytesOf(mine), "Resistance"));
+        QCOMPARE(bytesOf(part), "Seed = 2\n");
+        QVERIFY(!d.loaded()->diagnostics.hasErrors());
+        QCOMPARE(d.loaded()->paths.at(1), m_desk->path("configs/robots/simple_robot.sim"));
+        d.undo();
+        d.undo();
+        QCOMPARE(why(d.save()), "");
+        QCOMPARE(bytesOf(mine), own);
     }
 
     void samplesAreKeptAsTheyAre() {

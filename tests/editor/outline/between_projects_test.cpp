@@ -17,6 +17,8 @@ private Q_SLOTS:
     void aPasteFromAnotherProjectBringsWhatItNames();
     void aPlanInAFileOfItsProjectComesAlong();
     void aPasteBringsTheParamsItTakes();
+    void whatParamsAndOverridesNameComesAlong();
+    void piecesOfAPlanComeAlong();
 };
 
 void BetweenProjectsTest::whatIsDraggedFromAnotherWindowIsCopied() {
@@ -112,16 +114,75 @@ void BetweenProjectsTest::aPasteBringsTheParamsItTakes() {
     bare.document.undo();
     QCOMPARE(bare.text(), QByteArray("Tick = 0.01\n"));
 
-    // One of the name that is there stays and serves. What is named on the way brings its Params too.
-    QVERIFY(other.open("Param wall = 0.1\n"));
+    // One of the name that is there serves where it says the same. What is named on the way brings its Params too.
     QVERIFY(from.edits.copy({"yard"}).ok());
+    QVERIFY(other.open("Param wall = 0.1\n"));
+    QVERIFY(!other.edits.paste({}).ok());
+    QCOMPARE(other.refusals,
+             QStringList(QStringLiteral("Param wall is 0.1 here, and 0.05 where this comes from; rename one of the two first")));
+    QCOMPARE(other.text(), QByteArray("Param wall = 0.1\n"));
+    QVERIFY(other.open("StaticConfig Yard { }\n"));
+    QVERIFY(!other.edits.paste({}).ok());
+    QCOMPARE(other.refusals.last(), QStringLiteral("StaticConfig Yard says something else here than where this comes from; "
+                                                   "rename one of the two first"));
+    QVERIFY(other.open("Param wall =  0.05\n"));
     QVERIFY(other.edits.paste({}).ok());
     QCOMPARE(other.errors(), QString());
-    QVERIFY2(other.text().startsWith("Param wall = 0.1\n") && other.text().count("Param wall") == 1, other.text());
-    QCOMPARE(other.document.loaded()->experiment->statics.at(0).geoms->at(0).size.x(), 4.0);
+    QVERIFY2(other.text().startsWith("Param wall =  0.05\n") && other.text().count("Param wall") == 1, other.text());
     QVERIFY(other.edits.paste({}).ok()); // once is enough
     QCOMPARE(other.text().count("Param side"), 1);
     QCOMPARE(other.errors(), QString());
+
+    // At home what it names is meant as it is now.
+    QVERIFY(
+        from.document.replaceText(QStringLiteral("Type"), from.document.path(), from.text().replace("0.05", "0.07").toStdString())
+            .ok());
+    QVERIFY(from.edits.paste({}).ok());
+    QCOMPARE(from.refusals, QStringList());
+    QCOMPARE(from.document.loaded()->experiment->statics.size(), std::size_t(2));
+}
+
+void BetweenProjectsTest::whatParamsAndOverridesNameComesAlong() {
+    Outlined from, to;
+    QVERIFY(from.open(
+        "Param Colour = paint\nParam tone = 0.5\nMaterial paint { ColorRGB=1,0,0 }\nMaterial base { ColorRGB=$tone,1,0 }\n"
+        "Material look { ColorRGB=0,0,1 }\nMaterial idle { ColorRGB=1,1,1 }\n"
+        "AntennaPattern dish { Model=patch BeamWidth=60 }\n"
+        "RobotConfig Cart {\n  Param shade = paint\n  Body chassis { Box hull { Size=1,1,1 Mass=1 Material=$Colour } "
+        "Box lid { Size=1,1,1 Mass=1 Material=$shade } }\n  Transceiver radio { Body=chassis Antenna=dish }\n}\n"
+        "Robot r { Config=Cart chassis.hull.Material=base shade=look }\n"));
+    QCOMPARE(from.errors(), QString());
+    QVERIFY(to.open("Tick = 0.01\n"));
+    QVERIFY(from.edits.copy({"r"}).ok());
+    QVERIFY(to.edits.paste({}).ok());
+    QCOMPARE(to.refusals, QStringList());
+    QCOMPARE(to.errors(), QString());
+    for (const char* text : {"Material paint", "Material base", "Material look", "AntennaPattern dish", "Param tone = 0.5"})
+        QVERIFY2(to.text().contains(text), to.text());
+    QVERIFY2(!to.text().contains("idle"), to.text());
+    QCOMPARE(to.selected(), QStringLiteral("r"));
+}
+
+/// Files that a plan imports inside of its block.
+void BetweenProjectsTest::piecesOfAPlanComeAlong() {
+    Outlined from, to;
+    QVERIFY(
+        from.write("pieces.sim", "Body chassis { Box hull { Size=$side,1,1 Mass=1 Material=red } } // of all\n#import more.sim"));
+    QVERIFY(from.write("more.sim", "Body wheel { Pos=0,2,0 Sphere { Radius=0.1 Mass=1 } } // round"));
+    QVERIFY(from.open("Param side = 2\nMaterial red { ColorRGB=1,0,0 }\nRobotConfig Cart {\n  #import pieces.sim\n"
+                      "  Hinge axle { Parent=chassis Child=wheel }\n}\nRobot r { Config=Cart }\n"));
+    QCOMPARE(from.errors(), QString());
+    QVERIFY(to.open("Tick = 0.01\n"));
+    QVERIFY(from.edits.copy({"r"}).ok());
+    QVERIFY(to.edits.paste({}).ok());
+    QCOMPARE(to.refusals, QStringList());
+    QCOMPARE(to.errors(), QString());
+    QVERIFY2(!to.text().contains("#import") && to.text().contains("Body wheel") && to.text().contains("Param side = 2"),
+             to.text());
+    QVERIFY(from.edits.copy({"RobotConfig.Cart"}).ok());
+    QVERIFY(from.edits.paste({}).ok()); // at home its file is there
+    QCOMPARE(from.errors(), QString());
+    QCOMPARE(from.text().count("#import pieces.sim"), 2);
 }
 
 QTEST_MAIN(BetweenProjectsTest)

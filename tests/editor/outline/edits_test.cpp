@@ -30,6 +30,7 @@ private Q_SLOTS:
     void aDropPutsRowsInAnotherOrder();
     void aDropOnARowThatCannotHoldItGoesBesideIt();
     void aDropMovesAGeomToAnotherBody();
+    void aDropOnAFileGoesIntoIt();
     void aDropThatDoesNotFitIsNotTaken();
     void theMenuOfAGridWritesItOut();
     void theMenuLeadsToTextAndConfig();
@@ -315,6 +316,26 @@ void EditsTest::aDropMovesAGeomToAnotherBody() {
     const auto& wheel = o.document.loaded()->experiment->robots[0].config->bodies[1];
     const Vec3 place = wheel.pose.position + wheel.geoms[1].pose.position;
     QVERIFY((place - Vec3(0.16, 0, 0.07)).norm() < 1e-9);
+}
+
+void EditsTest::aDropOnAFileGoesIntoIt() {
+    Outlined o, other;
+    QVERIFY(o.write("paints.sim", "Material red { ColorRGB=1,0,0 }\n"));
+    QVERIFY(o.open("#import paints.sim\nMaterial blue { ColorRGB=0,0,1 }\n"));
+    const std::unique_ptr<QMimeData> red(o.model().mimeData({o.at("Material.red")}));
+    QVERIFY(o.model().dropMimeData(red.get(), Qt::MoveAction, 2, 0, o.at("Material.red").parent())); // below blue
+    QCOMPARE(o.document.history().entries().size(), std::size_t(0));
+    o.model().setMode(OutlineMode::ByFile);
+    const std::unique_ptr<QMimeData> blue(o.model().mimeData({o.at("Material.blue")}));
+    QVERIFY(o.model().dropMimeData(blue.get(), Qt::MoveAction, -1, -1, o.model().index(1, 0)));
+    QCOMPARE(o.text(1), QByteArray("Material red { ColorRGB=1,0,0 }\nMaterial blue { ColorRGB=0,0,1 }\n"));
+    QCOMPARE(o.text(), QByteArray("#import paints.sim\n"));
+    QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Move blue to paints.sim"));
+    QVERIFY(other.open("Material green { ColorRGB=0,1,0 }\n"));
+    const std::unique_ptr<QMimeData> green(other.model().mimeData({other.at("Material.green")}));
+    QVERIFY(o.model().dropMimeData(green.get(), Qt::CopyAction, -1, -1, o.model().index(1, 0)));
+    QVERIFY2(o.text(1).endsWith("Material green { ColorRGB=0,1,0 }\n"), o.text(1));
+    QCOMPARE(o.errors(), QString());
 }
 
 void EditsTest::aDropThatDoesNotFitIsNotTaken() {

@@ -21,9 +21,15 @@ AntennaPattern lobe { Model=cosine }
 StaticConfig Yard { Box wall { Size=1,0.1,0.3 Pos=0,2,0.15 Material=grey Surface=slick } }
 StaticConfig Hall { Box wall { Size=1,0.1,0.3 Pos=0,3,0.15 Material=grey Surface=slick } }
 RobotConfig Other { Body body { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 Material=grey Surface=slick } } }
+RobotConfig Seer {
+  Body body { Box box { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 Material=grey Surface=slick } }
+  Camera eye { Body=body }
+}
 Static yard { Config=Yard }
 Robot robot0 { Config=Rover Pos=0,0,0 }
 Robot robot1 { Config=Rover Pos=1,0,0 }
+Robot seer { Config=Seer Pos=0,-1,0 }
+View other { }
 )";
 
 /// Where an object of the kind is put.
@@ -97,7 +103,8 @@ class EveryKindTest : public QObject {
             tried = QStringLiteral("other.") + QString::fromStdString(p.choices.empty() ? "txt" : p.choices.front());
             desk.type(qPrintable(id), tried);
         } else {
-            for (const char* text : {"other", "1", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3"}) {
+            for (const char* text :
+                 {"other", "1", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3", "seer/eye"}) {
                 if (changed()) break;
                 tried += QLatin1String(text) + QLatin1Char('|');
                 desk.type(qPrintable(id), QLatin1String(text));

@@ -287,6 +287,11 @@ private Q_SLOTS:
         const std::string before = desk.rover();
         desk.type("param.track", QStringLiteral("0.3"));
         QCOMPARE(desk.rover(), replaced(before, "track = 0.25", "track = 0.3"));
+        desk.type("param.track", QStringLiteral("wheelRadius/2")); // no word with a slash where a number stands
+        QCOMPARE(desk.rover(), replaced(before, "track = 0.25", "track = $(wheelRadius/2)"));
+        desk.type("param.track", QStringLiteral("wheelRadius/10")); // nor where it was a formula
+        QCOMPARE(desk.rover(), replaced(before, "track = 0.25", "track = $(wheelRadius/10)"));
+        desk.type("param.track", QStringLiteral("0.3"));
         desk.picture("config");
     }
 

@@ -50,15 +50,27 @@ class ControllersTest : public QObject {
     static std::string textOf(const OpenedSession& o) { return *o.document.text(o.document.path()); }
     /// A module of the program, copied where it is not trusted.
     static QString copiedModule(const OpenedSession& o, const char* name, const char* as) {
+        return copied(o, QStringLiteral("lib/trundle/controllers/lib") + QLatin1String(name), as);
+    }
+    /// The test's module as it was before or after a change, written over the one that is there.
+    static QString builtModule(const OpenedSession& o, const char* version) {
+        return copied(o, QStringLiteral("tests/modules/rebuilt/lib") + QLatin1String(version), "mind");
+    }
+    static QString copied(const OpenedSession& o, const QString& from, const char* as) {
         QDir(o.folder.path()).mkpath(QStringLiteral("mine"));
         const QString to = o.path("mine/lib") + QLatin1String(as) + QStringLiteral(".so");
-        const QString from =
-            QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle/controllers/lib") + QLatin1String(name) + QStringLiteral(".so");
-        for (const char* ending : {"", ".kinds.json"}) {
-            QFile::remove(to + QLatin1String(ending));
-            if (!QFile::copy(from + QLatin1String(ending), to + QLatin1String(ending))) return {};
+        for (const char* ending : {".so", ".so.kinds.json"}) {
+            QFile source(QStringLiteral(TRUNDLE_BINARY_DIR "/") + from + QLatin1String(ending));
+            QFile target(to.chopped(3) + QLatin1String(ending)); // the same file, as cp does
+            if (!source.open(QIODevice::ReadOnly) || !target.open(QIODevice::WriteOnly)) return {};
+            target.write(source.readAll());
         }
         return to;
+    }
+    static QByteArray minded(const QByteArray& values) {
+        return QByteArray(kTeam)
+            .replace("controllers/linear_motion", "mine/mind")
+            .replace("LinearMotion brain { UpdatePeriod=0.05 Speed=0.2 }", "Rebuilt brain { " + values + " }");
     }
 
 private Q_SLOTS:
@@ -240,6 +252,74 @@ private Q_SLOTS:
         o.session.run();
         EVENTUALLY(o.session.time() > 0.1);
         QVERIFY(!o.session.end());
+    }
+
+    void aRunTakesAModuleThatWasBuiltAnewWithoutReload() {
+        OpenedSession o;
+        TrustedFolders::add(QFileInfo(builtModule(o, "before")).absolutePath());
+        QVERIFY(o.open(minded("Pace=1")));
+        ControllerCommands commands(o.document, o.session);
+        QStringList said;
+        connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
+            for (const LiveLine& line : lines) said.append(QString::fromStdString(line.text));
+        });
+        o.session.setSpeed(0);
+        o.session.run();
+        EVENTUALLY(o.session.time() > 0.1);
+        QVERIFY(!builtModule(o, "after").isEmpty()); // while the old one runs
+        const double then = o.session.time();
+        EVENTUALLY(o.session.time() > then + 1);
+        o.session.reset();
+        QSignalSpy refused(&o.session, &RunSession::refused);
+        o.session.run(); // 1 is no pace any more
+        QCOMPARE(refused.size(), 1);
+        QVERIFY2(refused[0][0].toString().contains(QStringLiteral("Pace")), qPrintable(refused[0][0].toString()));
+        QCOMPARE(o.session.state(), RunState::Start);
+        QVERIFY(o.document.setValues(QStringLiteral("Pace"), {{"leader.brain.Pace", "0.25"}}).ok());
+        o.session.run();
+        EVENTUALLY(said.contains(QStringLiteral("after life 1 pace 0.25")));
+        QVERIFY(said.contains(QStringLiteral("before life 1 pace 1")));
+    }
+
+    /// Its thread and its code are still there, under the same name.
+    void aModuleBuiltAnewRunsBesideOneThatDoesNotComeBack() {
+        OpenedSession o;
+        TrustedFolders::add(QFileInfo(builtModule(o, "before")).absolutePath());
+        QFile hold(o.path("hold"));
+        QVERIFY(hold.open(QIODevice::WriteOnly));
+        QVERIFY(o.open(minded("Hold=\"" + hold.fileName().toUtf8() + "\"")));
+        ControllerCommands commands(o.document, o.session);
+        o.session.run();
+        EVENTUALLY(!o.session.heldUpBy().isEmpty());
+        o.session.reset();
+        QVERIFY(!builtModule(o, "after").isEmpty());
+        QVERIFY(o.document.replaceText(QStringLiteral("Hold"), o.document.path(), minded("").toStdString()).ok());
+        QStringList said;
+        connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
+            for (const LiveLine& line : lines) said.append(QString::fromStdString(line.text));
+        });
+        o.session.run();
+        EVENTUALLY(said.contains(QStringLiteral("after life 1 pace 0.2")));
+        QVERIFY(hold.remove());
+        QVERIFY(o.session.endRuns());
+    }
+
+    void whatIsSelectedStaysSoWhenAModuleIsLoaded() {
+        OpenedSession o;
+        QVERIFY(o.open(kTeam));
+        const QString library = copiedModule(o, "random_drive", "wander");
+        ControllerCommands commands(o.document, o.session);
+        commands.setAsk([](const QString&, const QString&) { return true; });
+        Selection selection;
+        connect(&o.document, &Document::selectionWanted, &selection, [&](const auto& paths) { selection.set(paths); });
+        selection.select("idle");
+        QVERIFY(commands.load(library));
+        QCOMPARE(selection.current(), std::string("idle"));
+        QVERIFY(commands.unload(commands.modules()[1]));
+        QCOMPARE(selection.current(), std::string("idle"));
+        selection.select("leader");
+        QVERIFY(commands.unassign({"leader"}));
+        QCOMPARE(selection.current(), std::string("leader"));
     }
 
     void thePanelFollowsSelectionAndRun() {

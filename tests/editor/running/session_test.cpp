@@ -260,6 +260,36 @@ private Q_SLOTS:
         QVERIFY2(plain.find("Pos=1.25,-0.5,-0.000039 HPR=0,0,0 }") != std::string::npos, plain.c_str()); // as it was written
     }
 
+    void aRobotThatTookANameKeepsNoPose() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot));
+        o.session.wantContacts(true);
+        o.session.step();
+        EVENTUALLY(o.session.state() == RunState::Paused && o.session.snapshot()->contacts);
+        QVERIFY(o.session.place("robot0", {{1.25, -0.5, 0}, Quat::Identity()}));
+        QVERIFY(!o.session.snapshot()->contacts); // they were where it stood before
+        const std::string path = o.document.path();
+        const auto put = [&](const QByteArray& robot) {
+            const QByteArray text =
+                QByteArray(kStandingRobot).replace("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }", robot);
+            return text != kStandingRobot && o.document.replaceText(QStringLiteral("Type"), path, text.toStdString()).ok();
+        };
+        QVERIFY(put(""));
+        QVERIFY(put("Robot robot0 { Config=SimpleRobot Pos=3,0,0 HPR=0,0,0 }"));
+        QVERIFY(!o.session.isOfRun("robot0"));
+        QVERIFY(!o.session.place("robot0", {{2, 0, 0}, Quat::Identity()}));
+        QVERIFY(o.session.keepRefusal().startsWith(QStringLiteral("robot0: new or renamed")));
+        o.document.undo();
+        o.document.undo();
+        QVERIFY(o.session.isOfRun("robot0"));
+        QVERIFY(put("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }\nRobot other { Config=SimpleRobot Pos=3,0,0 }"));
+        QSignalSpy said(&o.document, &Document::notice);
+        o.session.keepPoses();
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said[0][0].toString().contains(QStringLiteral("not of other")));
+        QVERIFY(o.document.text(path)->find("Pos=1.25,-0.5") != std::string::npos);
+    }
+
     void membersOfAGridHaveNoStartOfTheirOwn() {
         OpenedSession o;
         QVERIFY(o.open(QByteArray(kStandingRobot)

@@ -295,7 +295,8 @@ private Q_SLOTS:
         {
             OtherProgram reader("--read-clipboard");
             EVENTUALLY_EQUAL(reader.state(), QProcess::NotRunning); // while this program answers
-            QCOMPARE(reader.readAllStandardOutput().trimmed(), QByteArray("Robot robot0 { Config=Rover Pos=0,0,0 }"));
+            QCOMPARE(reader.readAllStandardOutput().trimmed(),
+                     QByteArray("Robot robot0 { Config=Rover Pos=0,0,0 }   // the first"));
         }
         OtherProgram owner("--own-clipboard");
         EVENTUALLY(!QApplication::clipboard()->ownsClipboard());

@@ -156,6 +156,38 @@ private Q_SLOTS:
         }
     }
 
+    void theKeysReachAllThatIsSeen() {
+        m_window = m_parts.window();
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        auto* guide = m_window->findChild<QPushButton*>(QStringLiteral("welcome.help.guide"));
+        guide->setFocus();
+        QTest::keyClick(guide, Qt::Key_Tab);
+        QVERIFY(qobject_cast<QAbstractButton*>(m_window->focusWidget()));
+        QVERIFY(m_window->focusWidget() != guide);
+        QSignalSpy triggered(&m_window->actions().at("help.guide"), &QAction::triggered);
+        QTest::keyClick(guide, Qt::Key_Return);
+        QCOMPARE(triggered.size(), 1);
+    }
+
+    void aSmallScreenHoldsTheWindow() {
+        QTemporaryDir folder;
+        for (int i = 0; i < 8; ++i) {
+            const QString path = folder.filePath(QStringLiteral("a%1.sim").arg(i));
+            write(path, kText);
+            addRecentFile(path);
+        }
+        m_window = m_parts.window();
+        QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("welcome"))->minimumSizeHint().height() < 400);
+        const int most = m_window->screen()->availableSize().height() - 30; // there is a title bar too
+        QVERIFY(m_window->height() <= most);
+        m_window->setGeometry(50, 50, 3000, 2000); // on a larger screen
+        QSettings().setValue(QStringLiteral("windowGeometry"), m_window->saveGeometry());
+        m_window = m_parts.window();
+        QVERIFY(m_window->height() <= most);
+    }
+
     void whatTakesLongToOpenSaysSoAndCanBeLeft() {
         QTemporaryDir folder;
         const QString text = folder.filePath(QStringLiteral("mine.sim")), other = folder.filePath(QStringLiteral("other.sim"));

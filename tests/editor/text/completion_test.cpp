@@ -98,6 +98,7 @@ private Q_SLOTS:
     void inserts_data();
     void inserts();
     void bestFirst();
+    void itsOwnUnitFirst();
     void everyPlaceOfABrokenTextIsSafe();
 
 private:
@@ -168,6 +169,7 @@ void CompletionTest::lists_data() {
         "");
     row("nothing in a comment", "// Ti|", "", "Tick");
     row("nothing in a block comment", "/* Ti|", "", "Tick");
+    row("nothing right behind a block comment", "/* note */|", "", "Tick Duration");
     row("nothing in a text", "Title = \"Ti|\"", "", "Tick");
     row("nothing for a name", "RobotConfig A { Body | }", "", "Box Pos");
     row("behind a value begins the next", "Solver = exact Du|", "Duration", "Seed");
@@ -237,6 +239,11 @@ void CompletionTest::bestFirst() {
     QCOMPARE(labels("fric"), QStringLiteral("Friction RollingFriction"));
     QCOMPARE(labels("MV"), QStringLiteral("MaxVoltage"));
     QCOMPARE(labels("xyz"), QString());
+}
+
+void CompletionTest::itsOwnUnitFirst() {
+    QCOMPARE(m_texts.at(QStringLiteral("StaticConfig A { Box s { HPR=0,0,0.5|")).labels.first(), QStringLiteral("deg"));
+    QCOMPARE(m_texts.at(QStringLiteral("StaticConfig A { Sphere s { Radius=3|")).labels.first(), QStringLiteral("m"));
 }
 
 void CompletionTest::everyPlaceOfABrokenTextIsSafe() {

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void aSignThatTheChoiceBroughtIsNotDoubled();
     void behindItsNameABlockIsGoneOnWith();
     void enterAfterAWholeWordIsANewLine();
+    void enterBehindANumberIsANewLine();
     void escapeClosesTheList();
     void theListGoesWithWhatItWasFor();
     void valuesFollowAKey();
@@ -178,6 +179,20 @@ void HelpTest::theListGoesWithWhatItWasFor() {
     EVENTUALLY(w.listShown());
     QTest::mouseClick(w.panel.findChild<QWidget*>(QStringLiteral("textFiles"))->parentWidget(), Qt::LeftButton); // takes no focus
     QVERIFY(!w.listShown());
+}
+
+void HelpTest::enterBehindANumberIsANewLine() {
+    Window w;
+    w.caretAt("Robot one");
+    w.keys("Gravity = 0,0,-0.5"); // the sign before the digits has called for a list
+    w.panel.flush();
+    QVERIFY(!w.listShown());
+    w.key(Qt::Key_Return);
+    w.panel.flush();
+    QVERIFY2(w.text().contains("Gravity = 0,0,-0.5\nRobot one"), w.text());
+    w.caretAt("\nRobot one");
+    w.key(Qt::Key_Space, Qt::ControlModifier); // asked for, units are listed
+    QVERIFY(w.listShown());
 }
 
 void HelpTest::escapeClosesTheList() {

@@ -267,6 +267,7 @@ void PiecesTest::replacesGroups() {
     const auto found = search.in("Mass=2");
     QCOMPARE(found.size(), std::size_t{1});
     QCOMPARE(search.replacement(found[0], QStringLiteral("\\2 = \\1\\n\\\\")), std::string("2 = Mass\n\\"));
+    QCOMPARE(search.replacement(found[0], QStringLiteral("\\2\\n"), "\r\n"), std::string("2\r\n"));
     const TextSearch plain({QStringLiteral("a"), true, false, false});
     QCOMPARE(plain.replacement(plain.in("a")[0], QStringLiteral("\\1")), std::string("\\1"));
 }

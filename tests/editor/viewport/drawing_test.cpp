@@ -147,8 +147,12 @@ private Q_SLOTS:
         m_window->trigger("view.four");
         for (int i = 0; i < 4; ++i) QVERIFY(m_window->panel->view(i).isVisible());
         EVENTUALLY(m_window->panel->isUpToDate());
+        m_window->trigger("view.three");
+        QVERIFY(!m_window->panel->view(2).isVisible());
+        QVERIFY(m_window->panel->view(0).height() > 1.8 * m_window->panel->view(3).height());
+        EVENTUALLY(m_window->panel->isUpToDate());
         m_window->trigger("view.one");
-        QVERIFY(!m_window->panel->view(3).isVisible());
+        QVERIFY(!m_window->panel->view(1).isVisible() && !m_window->panel->view(3).isVisible());
     }
 
     void framingShowsTheSelection() {

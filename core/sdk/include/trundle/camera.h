@@ -70,7 +70,7 @@ public:
     [[nodiscard]] Picture capture() {
         Picture picture;
         if (!cameras()) {
-            picture.m_error = kNoPictures;
+            picture.m_error = noCameras();
             return picture;
         }
         TrundlePicture taken{};
@@ -94,7 +94,7 @@ public:
     /// Writes what capture() would give into the run's log folder, as .png or .jpg by the ending of the name, with where and
     /// when it was taken. False where that is refused: error() says why.
     bool save(const std::string& fileName) {
-        m_error = kNoPictures;
+        m_error = noCameras();
         if (!cameras()) return false;
         if (cameras()->save(cameras()->context, m_name.c_str(), fileName.c_str()) == 0) {
             m_error.clear();
@@ -116,7 +116,10 @@ public:
 
 private:
     friend class RobotPorts;
-    static constexpr const char* kNoPictures = "this program takes no pictures";
+    [[nodiscard]] const char* noCameras() const {
+        return m_name.empty() ? "this port has no camera; robot.camera(\"NAME\") in setup() gives it one"
+                              : "this program takes no pictures";
+    }
     [[nodiscard]] const TrundleCameras* cameras() const { return m_cameras; }
 
     const TrundleCameras* m_cameras = nullptr;
