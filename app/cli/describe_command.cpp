@@ -1,3 +1,7 @@
+#include <csignal>
+
+#include <unistd.h>
+
 #include <nlohmann/json.hpp>
 
 #include "base/spelling.h"
@@ -16,9 +20,21 @@ struct DescribeArguments {
     bool json = false;
 };
 
+constexpr unsigned kMostSeconds = 30; // a build on a busy machine
+
+/// The module's code has begun, and may never come back: then its build must not wait for ever.
+void onAlarm(int) {
+    static constexpr char kText[] = "trundle-cli: the module does not come back from being loaded and described within 30 s: is "
+                                    "there an endless loop in a constructor of its globals or in a describe()?\n";
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kText, sizeof kText - 1);
+    _exit(kExitText);
+}
+
 /// What the build of a module calls: the description file that lies beside the library.
 ExitCode describeModule(const DescribeArguments& arguments) {
     const std::string output = arguments.output.empty() ? kindsJsonPath(arguments.module) : arguments.output;
+    std::signal(SIGALRM, onAlarm);
+    alarm(kMostSeconds); // to the end of the process: its destructors may hang too
     const Status written = writeKindsJson(arguments.module, output);
     if (!written) printProblem(written.error().message);
     return written ? kExitDone : kExitText;

@@ -26,7 +26,6 @@ void watchInterrupts() {
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr); // without SA_RESTART: a sleep of --realtime ends too
     sigaction(SIGTERM, &action, nullptr);
-    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() { return s_interrupts != 0; }

@@ -1,6 +1,7 @@
 // trundle-cli: experiments from the command line. Works with no display.
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -37,6 +38,7 @@ std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** 
 }
 
 int run(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files fails the write, not the program
     CLI::App app("Trundle: describe mobile robots in text, run them in 3D dynamics, measure.", "trundle-cli");
     app.set_version_flag("--version", "trundle-cli " TRUNDLE_VERSION " (SDK " TRUNDLE_SDK_VERSION ")");
     app.require_subcommand(1);

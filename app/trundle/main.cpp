@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -61,6 +62,7 @@ void endSoon(int code) {
 
 int main(int argc, char** argv) {
     using namespace trundle;
+    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files fails the write, not the program
     QCoreApplication::setApplicationName(QStringLiteral("Trundle"));
     QCoreApplication::setOrganizationName(QStringLiteral("Trundle"));
     QCoreApplication::setApplicationVersion(QStringLiteral(TRUNDLE_VERSION));

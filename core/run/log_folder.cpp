@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBufferBytes = 32 * 1024;
 constexpr std::string_view kListTitle = "logs of the last run, removed by the next";
-constexpr std::uint64_t kMostListBytes = 1 << 20;
+constexpr std::uint64_t kMostListBytes = 16 << 20;
 
 Error unwritable(const std::string& path, const std::string& why) {
     return Error{Code::LogUnwritable, "cannot write " + path + ": " + why};
@@ -139,8 +139,7 @@ Result<LogFile*> LogFolder::create(std::string_view name) {
     if (m_path.empty()) return Error{Code::LogUnwritable, "this run keeps no logs"};
     Result<std::string> clean = cleanLogName(name);
     if (!clean) return clean.error();
-    for (const auto& file : m_files)
-        if (file->name() == clean.value()) return Error{Code::LogUnwritable, clean.value() + " is already written by this run"};
+    if (m_names.contains(clean.value())) return Error{Code::LogUnwritable, clean.value() + " is already written by this run"};
 
     const fs::path inner = clean.value();
     if (const Status made = makeFolders(m_path, inner.parent_path()); !made) return made.error();
@@ -155,6 +154,7 @@ Result<LogFile*> LogFolder::create(std::string_view name) {
     std::FILE* file = std::fopen(path.c_str(), "wbxe");
     if (!file) return unwritable(path.string(), std::strerror(errno));
     std::setvbuf(file, nullptr, _IONBF, 0); // ours is the buffer
+    m_names.insert(clean.value());
     m_files.push_back(std::make_unique<LogFile>(clean.value(), path.string(), file));
     return m_files.back().get();
 }

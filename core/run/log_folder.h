@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "base/result.h"
@@ -63,6 +64,7 @@ public:
 private:
     std::string m_path;
     std::vector<std::unique_ptr<LogFile>> m_files;
+    std::unordered_set<std::string> m_names; ///< of them; pictures may be many
 };
 
 } // namespace trundle

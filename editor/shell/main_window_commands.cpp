@@ -29,7 +29,7 @@ namespace {
 
 /// Whether no movie is being recorded, or the person says that it may be lost.
 bool mayEndRecording(MainWindow& window) {
-    const auto* movie = window.findChild<MovieDialog*>();
+    const QPointer<MovieDialog> movie = window.findChild<MovieDialog*>();
     if (!movie || !movie->isRecording()) return true;
     QMessageBox question(QMessageBox::Question, MainWindow::tr("A movie is being recorded"),
                          MainWindow::tr("Stop recording and close the window?"), QMessageBox::NoButton, &window);
@@ -38,7 +38,7 @@ bool mayEndRecording(MainWindow& window) {
     question.addButton(MainWindow::tr("Stop Recording"), QMessageBox::DestructiveRole);
     const auto* stay = question.addButton(MainWindow::tr("Go On"), QMessageBox::RejectRole);
     question.exec();
-    return question.clickedButton() != stay || !movie->isRecording();
+    return question.clickedButton() != stay || !movie || !movie->isRecording();
 }
 
 } // namespace
