@@ -47,11 +47,23 @@ bool asksForWords(int argc, char** argv) {
                        [&](const char* word) { return std::ranges::find(kWords, word) != std::end(kWords); });
 }
 
+bool g_leaving = false; // the program goes by itself
+
+/// Code of a controller called exit(), or Qt lost its display: this thread would take down what the others use.
+void onExit() {
+    if (g_leaving) return;
+    std::fputs("trundle: ended from within, by code of a module or as the display is gone; unsaved edits are offered at the next "
+               "start\n",
+               stderr); // and no more than that: other threads fall already
+    std::_Exit(4);
+}
+
 constexpr std::chrono::seconds kLastWait(5);
 
 /// The window writes what is to be kept as the first thing of its end; what comes then may wait for a picture that takes minutes, and
 /// nobody would see why the program is still there.
 void endSoon(int code) {
+    g_leaving = true;
     std::thread([code] {
         std::this_thread::sleep_for(kLastWait);
         std::_Exit(code);
@@ -90,6 +102,9 @@ int main(int argc, char** argv) {
     if (options.size.isValid()) window.resize(options.size);
     window.show();
     PictureTaker taker(window, options); // does what the options ask for, once the window stands
+    // Before what is made from now on goes: the later something is registered, the sooner it is called.
+    QObject::connect(&window.session(), &RunSession::stateChanged, &window, [] { std::atexit(onExit); });
+    std::atexit(onExit);
     const int code = QApplication::exec();
     if (window.session().endRuns()) {
         endSoon(code);

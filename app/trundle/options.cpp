@@ -37,7 +37,8 @@ WindowOptions readOptions(const QCoreApplication& application) {
         "Trundle: build robots and arenas, run them in 3D, watch and measure.\n\n"
         "Exit codes with --quit: 0 done, 1 FILE did not run (errors in its text, a module that is not trusted), 2 wrong "
         "usage, a FILE that cannot be read or a picture that cannot be written, 3 the run ended early (it blew up, or a "
-        "controller failed or does not come back). With 1 and 3 the picture is taken all the same."));
+        "controller failed or does not come back), 4 code of a module ended the program. With 1 and 3 the picture is taken all "
+        "the same."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("An experiment, robot or arena to open."),

@@ -48,6 +48,7 @@ SettingsSpec resolveSettings(ResolveContext& context) {
     s.iterations = f.iterations;
     s.errorReduction = f.errorReduction;
     s.isolation = f.isolation;
+    if (s.isolation != "none") sayIdle(context, "Isolation", record.rangeOf("Isolation", {}));
     s.title = f.title;
     s.description = f.description;
     return s;

@@ -31,6 +31,8 @@ using BodyPlaces = std::unordered_map<std::string, int>;
                                                                                ParamScope& scope, const OverrideNode* overrides);
 /// Antenna patterns and the medium; after the settings.
 void resolveRadio(ResolveContext& context);
+/// Of a word that the language has and this program does not act on.
+void sayIdle(ResolveContext& context, const std::string& key, SourceRange place);
 void resolveLogs(ResolveContext& context);
 /// The cameras and views that FrameLogs name; after robots and views.
 void checkFrameLogs(ResolveContext& context);

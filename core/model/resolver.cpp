@@ -1,5 +1,7 @@
 #include "model/resolver.h"
 
+#include <set>
+
 #include "base/spelling.h"
 #include "model/resolve_parts.h"
 #include "schema/value_words.h"
@@ -51,6 +53,18 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
     return true;
 }
 
+void sayWhatIsIdle(ResolveContext& context) {
+    std::set<SourceRange> told; // robots share their texts
+    for (const RobotSpec& robot : context.out.robots) {
+        if (!robot.controller) continue;
+        for (const char* key : {"Isolation", "Budget"}) {
+            const ResolvedValue* value = robot.controller->find(key);
+            if (!value || value->origin == Origin::Default || robot.controller->text(key) == "none") continue;
+            if (told.insert(value->range).second) sayIdle(context, key, value->range);
+        }
+    }
+}
+
 void sayDefaults(ResolveContext& context) {
     if (context.defaulted.empty()) return;
     const auto& [part, missing] = context.defaulted.front();
@@ -61,6 +75,11 @@ void sayDefaults(ResolveContext& context) {
 }
 
 } // namespace
+
+void sayIdle(ResolveContext& context, const std::string& key, SourceRange place) {
+    if (place.known())
+        context.diagnostics.warning(Code::Conflict, place, key + " has no effect: all controllers run inside the program");
+}
 
 void resolveLogs(ResolveContext& context) {
     LookChecker looks(context);
@@ -94,6 +113,7 @@ std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLooku
     checkRadios(context);
     resolveLogs(context);
     checkFrameLogs(context);
+    sayWhatIsIdle(context);
     sayDefaults(context);
     return experiment;
 }

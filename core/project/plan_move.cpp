@@ -4,6 +4,7 @@
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
 #include "project/edit_sheet.h"
+#include "project/import_lines.h"
 #include "project/name_scope.h"
 #include "project/object_names.h"
 #include "project/part_values.h"
@@ -76,6 +77,7 @@ public:
             const bool kindFirst = !m.to && m_loaded.outline->spaceOf(*m.part->kind) != &m_loaded.outline->world;
             selects.push_back((m.to ? m.path + "." : kindFirst ? m.part->kind->name + "." : "") + m.name);
         }
+        if (Status status = import(); !status.ok()) return status.error();
         return m_sheet.plan(std::move(selects));
     }
 
@@ -246,6 +248,43 @@ private:
             return;
         }
         m_sheet.add(std::move(edit));
+    }
+
+    /// Into each file that gets a block from another, what the block uses, where no circle comes of it: the opened file is
+    /// imported by nobody.
+    Status import() {
+        std::map<FileId, std::vector<std::string>> imports;
+        const std::set<FileId> atTop = imported(0); // another file is read inside of a block
+        const auto use = [&](FileId used, FileId by) {
+            if (used != 0 && used != by && atTop.contains(used) && atTop.contains(by) && !imported(used).contains(by))
+                imports[by].push_back(m_loaded.paths[used]);
+        };
+        for (const Mention& mention : m_mentions) {
+            const auto m = std::find_if(m_moved.begin(), m_moved.end(), [&](const Moved& one) {
+                return mention.user && one.file != one.part->file && isWithin(mention.user->range, one.part->range);
+            });
+            if (m == m_moved.end()) continue;
+            for (const auto& part : m_loaded.outline->parts)
+                if (mention.target && part->block == mention.target && !mention.pattern && !movedTarget(part->block))
+                    use(part->file, m->file);
+            for (const PlacedParam& param : m_loaded.outline->params)
+                if (mention.param && param.name == &mention.param->name) use(param.file, m->file);
+        }
+        for (const auto& [file, paths] : imports) {
+            Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, file, paths);
+            if (!edits.ok()) return edits.error();
+            for (TextEdit& edit : edits.value()) m_sheet.addFirst(std::move(edit));
+        }
+        return {};
+    }
+    /// A file and what it imports, and they do.
+    std::set<FileId> imported(FileId file) const {
+        std::set<FileId> files{file};
+        eachItem(m_texts, m_loaded.trees[file]->items(), file, [&](const Item& item, FileId) {
+            const auto* import = item.as<ImportItem>();
+            if (const auto it = m_texts.imports.find(import); import && it != m_texts.imports.end()) files.insert(it->second);
+        });
+        return files;
     }
 
     /// Below its config.

@@ -40,25 +40,16 @@ Result<std::unique_ptr<MovieFile>> MovieFile::open(std::string path, double fram
 
 Status MovieFile::start(std::uint32_t width, std::uint32_t height) {
     // Even sides, which the common formats need; a name is never taken for an option.
-    std::vector<std::string> words{"-nostdin",
-                                   "-hide_banner",
-                                   "-loglevel",
-                                   "error",
-                                   "-y",
-                                   "-f",
-                                   "rawvideo",
-                                   "-pix_fmt",
-                                   "rgb24",
-                                   "-s",
-                                   std::to_string(width) + "x" + std::to_string(height),
-                                   "-r",
-                                   std::to_string(m_framesPerSecond),
-                                   "-i",
-                                   "pipe:0",
-                                   "-vf",
-                                   "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                                   "-pix_fmt",
-                                   "yuv420p"};
+    std::vector<std::string> words{"-nostdin",  "-hide_banner",
+                                   "-loglevel", "error",
+                                   "-xerror",   "-y",
+                                   "-f",        "rawvideo",
+                                   "-pix_fmt",  "rgb24",
+                                   "-s",        std::to_string(width) + "x" + std::to_string(height),
+                                   "-r",        std::to_string(m_framesPerSecond),
+                                   "-i",        "pipe:0",
+                                   "-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                   "-pix_fmt",  "yuv420p"};
     // Left alone the encoder of WebM takes seconds for a picture.
     if (m_path.ends_with(".webm")) words.insert(words.end(), {"-cpu-used", "5", "-row-mt", "1"});
     words.push_back("file:" + m_part);
@@ -89,7 +80,8 @@ Status MovieFile::add(const Frame& frame, double time, double tick) {
 
 Status MovieFile::finish() {
     if (!m_ffmpeg) return {};
-    if (!m_ffmpeg->finish()) return failure();
+    // Of a disk that is full at the very end it tells, and leaves as if all were well.
+    if (!m_ffmpeg->finish() || !m_ffmpeg->lastWords().empty()) return failure();
     std::error_code fault;
     std::filesystem::rename(m_part, m_path, fault);
     if (fault) return unmade(m_path, fault.message());

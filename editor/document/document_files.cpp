@@ -55,6 +55,11 @@ Status Document::mayWrite(const std::vector<std::string>& files) {
             return Error{Code::FileUnwritable, shown(path) + " was changed by another program; choose which text to keep"};
         if (exists && !QFileInfo(QString::fromStdString(path)).isWritable())
             return Error{Code::FileUnwritable, shown(path) + " may not be written, so nothing was saved; use Save As"};
+        // A file is replaced by a new one beside it; of a link, beside what it leads to.
+        const QFileInfo folder(QString::fromStdString(fs::weakly_canonical(path, none).parent_path().string()));
+        if (folder.exists() && !folder.isWritable())
+            return Error{Code::FileUnwritable,
+                         "the folder of " + shown(path) + " may not be written, so nothing was saved; " + "use Save As"};
     }
     return {};
 }
@@ -67,8 +72,11 @@ public:
     Status copy(const std::string& from, const std::string& to) {
         std::error_code failed;
         fs::create_directories(fs::path(to).parent_path(), failed);
-        if (!fs::copy_file(from, to, failed))
+        if (!fs::copy_file(from, to, failed)) {
+            std::error_code none;
+            if (failed != std::errc::file_exists) fs::remove(to, none); // half of it may be there
             return Error{Code::FileUnwritable, from + " cannot be copied to " + to + ": " + failed.message()};
+        }
         m_before.emplace_back(to, std::nullopt);
         return {};
     }
@@ -80,11 +88,18 @@ public:
         m_before.emplace_back(path, old ? std::optional(std::move(old).value()) : std::nullopt);
         return {};
     }
-    void takeBack() {
-        std::error_code none;
-        for (const auto& [path, bytes] : m_before)
-            if (!bytes) fs::remove(path, none);
-            else (void)writeFileAtomically(path, *bytes);
+    /// The last one first: then there is room for each older text on a disk that is full, as there was before. Gives why all
+    /// this was needed, and what is not as it was all the same.
+    Error takeBack(Error why) {
+        for (auto it = m_before.rbegin(); it != m_before.rend(); ++it) {
+            const auto& [path, bytes] = *it;
+            std::error_code failed;
+            if (!bytes) fs::remove(path, failed);
+            if (failed) why.message += "; " + path + " was made before it and cannot be removed: " + failed.message();
+            const Status back = bytes ? writeFileAtomically(path, *bytes) : Status();
+            if (!back) why.message += "; what was written before it cannot be taken back: " + back.error().message;
+        }
+        return why;
     }
 
 private:
@@ -107,7 +122,7 @@ Status Document::save() {
     Status saved;
     for (const std::string& path : modified)
         if (saved) saved = writing.write(path, *m_state->files.text(path));
-    if (!saved) writing.takeBack();
+    if (!saved) saved = writing.takeBack(saved.error());
     for (const std::string& path : modified) {
         OpenFile& file = *m_state->files.find(path);
         if (saved) file.disk = file.text, file.gone = false;
@@ -140,7 +155,8 @@ void Document::moveFile(const std::string& from, const std::string& to) {
 
 namespace {
 
-Status writeMoved(const SavePlan& save, const std::string& last) {
+/// `others`: of the project, by their path.
+Status writeMoved(const SavePlan& save, const FileTexts& others, const std::string& last) {
     Writing writing;
     Status status;
     const auto write = [&](const std::string& path) {
@@ -152,9 +168,10 @@ Status writeMoved(const SavePlan& save, const std::string& last) {
         if (status) status = writing.copy(from, to);
     for (const auto& [path, text] : save.texts)
         if (status && path != last) status = write(path);
+    for (const auto& [path, text] : others)
+        if (status) status = writing.write(path, *text);
     if (status) status = write(last); // the one that asks for the others
-    if (!status) writing.takeBack();
-    return status;
+    return status ? status : writing.takeBack(status.error());
 }
 
 } // namespace
@@ -180,15 +197,24 @@ Status Document::saveAs(const std::string& path, ModuleCopies modules) {
     const Result<SavePlan> plan = planFor(target, modules);
     if (!plan) return plan.error();
     const SavePlan& save = plan.value();
-    if (inPlace) { // the others stay where they are
-        std::vector<std::string> own = m_state->files.modified();
-        std::erase_if(own, [&](const std::string& file) { return isSample(file); });
+    FileTexts others; // that stay where they are
+    if (inPlace) {
+        std::vector<std::string> own;
+        for (const std::string& file : m_state->files.modified())
+            if (!isSample(file) && !save.moves.contains(file)) others.emplace(file, m_state->files.text(file));
+        for (const auto& [file, text] : others) own.push_back(file);
         for (const auto& [from, to] : save.moves)
             if (from == to) own.push_back(from);
         if (Status may = mayWrite(own); !may) return may;
+        m_state->journal.writeNow(); // as in save()
     }
     const bool hadErrors = m_loaded->diagnostics.hasErrors();
-    if (Status written = writeMoved(save, target); !written) return written;
+    if (Status written = writeMoved(save, others, target); !written) return written;
+
+    for (const auto& [path, text] : others) {
+        OpenFile& file = *m_state->files.find(path);
+        file.disk = text, file.gone = false;
+    }
 
     FileTexts imports; // texts whose imports read otherwise now
     for (const auto& [from, to] : save.moves) {
@@ -207,7 +233,7 @@ Status Document::saveAs(const std::string& path, ModuleCopies modules) {
     if (save.moves.size() > 1 || !save.copies.empty()) sayMoved(save);
     if (!hadErrors && !m_loaded->pending && m_loaded->diagnostics.hasErrors()) // the text is saved all the same
         Q_EMIT notice(tr("Saved, but from there something is not found; see the problems"));
-    return inPlace ? this->save() : Status();
+    return {};
 }
 
 void Document::sayMoved(const SavePlan& save) {

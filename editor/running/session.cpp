@@ -237,6 +237,11 @@ void RunSession::runFor(double seconds) {
 }
 
 void RunSession::reset() {
+    backToStart();
+    forgetProblems();
+}
+
+void RunSession::backToStart() {
     if (m_state == RunState::Start) return;
     leave();
     m_built.reset();
@@ -256,6 +261,12 @@ void RunSession::reset() {
     Q_EMIT experimentChanged();
     if (waited) Q_EMIT waitingChanged();
     Q_EMIT advanced();
+}
+
+void RunSession::forgetProblems() {
+    if (m_problems.empty()) return;
+    m_problems.clear();
+    Q_EMIT problemsChanged();
 }
 
 void RunSession::setSpeed(double factor) {
@@ -319,7 +330,7 @@ void RunSession::look() {
     const bool neverBuilt = !m_layout;
     setState(RunState::Ended);
     if (failure) Q_EMIT ended(*failure);
-    if (neverBuilt && m_state == RunState::Ended) reset(); // there is no world to look at
+    if (neverBuilt && m_state == RunState::Ended) backToStart(); // there is no world to look at; why is read until the next edit
 }
 
 void RunSession::takeReports() {
@@ -364,6 +375,7 @@ void RunSession::tell(int severity, const QString& text) {
 
 void RunSession::followDocument() {
     Q_EMIT refusalChanged();
+    if (m_state == RunState::Start) forgetProblems(); // of a run that could not be built
     if (!m_built || !m_run || !m_document.loaded()) return;
     m_sameRobots.follow(m_document.loaded());
     const Loaded& now = *m_document.loaded();

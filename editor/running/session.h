@@ -64,7 +64,7 @@ public:
     [[nodiscard]] LiveRadio takeRadio(); ///< of the present run; nothing at Start
     /// How and why it ended; nothing before.
     [[nodiscard]] const std::optional<LiveEnd>& end() const { return m_end; }
-    /// What building and running had to say since the last start, in built()'s texts.
+    /// What building and running had to say, until Reset, in built()'s texts.
     [[nodiscard]] const std::vector<Diagnostic>& problems() const { return m_problems; }
     /// Wall s that one tick (or building) has taken so far, where that is remarkably long; else 0.
     [[nodiscard]] double heldUpS() const;
@@ -135,6 +135,8 @@ private:
 
     bool begin(bool running, std::uint64_t steps = 0);
     void leave();
+    void backToStart();
+    void forgetProblems();
     [[nodiscard]] bool waitForRuns() const;
     void look();
     void showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot);

@@ -70,24 +70,27 @@ QWidget* PreferencesDialog::makeShortcuts() {
     layout->addWidget(m_shortcuts, 1);
     layout->addLayout(row);
     fillShortcuts();
-    const auto chosen = [this]() -> const char* {
+    const auto chosen = [this]() -> const ActionRow* {
         const QTreeWidgetItem* item = m_shortcuts->currentItem();
-        return item ? m_actions.table()[item->data(0, Qt::UserRole).toULongLong()].id : nullptr;
+        return item ? &m_actions.table()[item->data(0, Qt::UserRole).toULongLong()] : nullptr;
     };
     connect(m_filter, &QLineEdit::textChanged, this, &PreferencesDialog::narrow);
-    const auto showKeys = [this, keys, chosen] {
-        if (const char* id = chosen()) keys->setKeySequence(m_actions.at(id).shortcut());
+    const auto showKeys = [this, keys, set, reset, chosen] {
+        const ActionRow* row = chosen();
+        keys->setKeySequence(row ? m_actions.at(row->id).shortcut() : QKeySequence());
+        for (QWidget* widget : {static_cast<QWidget*>(keys), static_cast<QWidget*>(set), static_cast<QWidget*>(reset)})
+            widget->setEnabled(row);
     };
     connect(m_shortcuts, &QTreeWidget::currentItemChanged, this, showKeys);
     showKeys();
     connect(set, &QPushButton::clicked, this, [this, keys, chosen] {
-        if (const char* id = chosen()) setKeys(id, keys->keySequence());
+        if (const ActionRow* row = chosen()) setKeys(row->id, keys->keySequence());
     });
     connect(reset, &QPushButton::clicked, this, [this, chosen] {
-        if (const char* id = chosen()) {
-            m_actions.resetShortcut(id);
-            fillShortcuts();
-        }
+        const ActionRow* row = chosen();
+        if (!row || !areFree(row->id, QKeySequence(QLatin1String(row->shortcut), QKeySequence::PortableText))) return;
+        m_actions.resetShortcut(row->id);
+        fillShortcuts();
     });
     return page;
 }
@@ -99,23 +102,30 @@ QString PreferencesDialog::ownerOf(const Actions& actions, const QKeySequence& k
     return {};
 }
 
-void PreferencesDialog::setKeys(const char* id, const QKeySequence& keys) {
-    if (const QString owner = ownerOf(m_actions, keys, id); !owner.isEmpty()) {
-        const QByteArray other = owner.toLatin1();
+bool PreferencesDialog::areFree(const char* id, const QKeySequence& keys) {
+    for (QByteArray other; !(other = ownerOf(m_actions, keys, id).toLatin1()).isEmpty();) {
         const auto row = std::ranges::find_if(m_actions.table(), [&](const ActionRow& r) { return other == r.id; });
         const auto answer = QMessageBox::question(
             this, tr("Keys in use"),
             tr("%1 is the shortcut of “%2”. Take it from there?").arg(keys.toString(QKeySequence::NativeText), nameOf(*row)));
-        if (answer != QMessageBox::Yes) return;
+        if (answer != QMessageBox::Yes) return false;
         m_actions.setShortcut(other.constData(), {});
     }
+    return true;
+}
+
+void PreferencesDialog::setKeys(const char* id, const QKeySequence& keys) {
+    if (!areFree(id, keys)) return;
     m_actions.setShortcut(id, keys);
     fillShortcuts();
 }
 
 void PreferencesDialog::fillShortcuts() {
     const int current = m_shortcuts->indexOfTopLevelItem(m_shortcuts->currentItem());
-    m_shortcuts->clear();
+    {
+        const QSignalBlocker quiet(m_shortcuts); // the button that did this keeps the focus
+        m_shortcuts->clear();
+    }
     for (std::size_t i = 0; i < m_actions.table().size(); ++i) {
         const ActionRow& row = m_actions.table()[i];
         const QString keys = m_actions.at(row.id).shortcut().toString(QKeySequence::NativeText);
@@ -129,13 +139,18 @@ void PreferencesDialog::fillShortcuts() {
 
 void PreferencesDialog::narrow() {
     const QString words = m_filter->text();
+    QTreeWidgetItem* first = nullptr;
     for (int i = 0; i < m_shortcuts->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = m_shortcuts->topLevelItem(i);
         const bool fits = std::ranges::any_of(std::array{0, 1, 2}, [&](int column) { // keys too: who has Ctrl+D?
             return item->text(column).contains(words, Qt::CaseInsensitive);
         });
         item->setHidden(!fits);
+        if (fits && !first) first = item;
     }
+    // Keys are set for what is seen to be chosen.
+    if (const QTreeWidgetItem* current = m_shortcuts->currentItem(); !current || current->isHidden())
+        m_shortcuts->setCurrentItem(first);
 }
 
 QWidget* PreferencesDialog::makeTrust() {

@@ -22,6 +22,8 @@ private:
     QWidget* makeTrust();
     void fillShortcuts();
     void narrow();
+    /// Takes the keys from who has them, if that is wanted.
+    [[nodiscard]] bool areFree(const char* id, const QKeySequence& keys);
     void setKeys(const char* id, const QKeySequence& keys);
 
     Actions& m_actions;

@@ -114,6 +114,12 @@ QString gridRefusal(const ViewParts& parts) {
                : QString();
 }
 
+bool gridIsTurned(const ViewParts& parts) {
+    if (!gridRefusal(parts).isEmpty()) return false;
+    const Pose& pose = parts.world.objects()->robotOf(*parts.world.find(parts.selection.current()))->pose;
+    return pose.rotation.angularDistance(Quat::Identity()) > 1e-6;
+}
+
 namespace {
 
 /// The block of a robot as that of a Grid whose first member stands where the robot stood.
@@ -132,7 +138,8 @@ void makeGrid(const ViewParts& parts, const ArrayCopy& copy) {
     std::vector<TextEdit> edits{editReplace(tree, part.block->type.range, "Grid")};
     const PlacedAssignment* old = part.assignments.find("Pos");
     const std::string count = std::to_string(copy.count[0]) + "," + std::to_string(copy.count[1]);
-    const std::string spacing = steppedNumber(copy.spacing.x(), 1e-6) + "," + steppedNumber(copy.spacing.y(), 1e-6);
+    const std::string spacing =
+        steppedNumber(std::abs(copy.spacing.x()), 1e-6) + "," + steppedNumber(std::abs(copy.spacing.y()), 1e-6);
     const bool spaced = spacedEquals(tree, part.block, editStyle(tree));
     const auto assignment = [&](const char* key, const std::string& value) {
         return std::string(" ") + key + (spaced ? " = " : "=") + value;

@@ -29,5 +29,7 @@ struct ArrayCopy {
 void copyInRows(const ViewParts& parts, const ArrayCopy& copy);
 /// Why a Grid cannot be made of what is selected; empty where it can.
 [[nodiscard]] QString gridRefusal(const ViewParts& parts);
+/// Whether the rows of that Grid are turned, as its one HPR is that of the rows and of each robot. Single copies stand along x and y.
+[[nodiscard]] bool gridIsTurned(const ViewParts& parts);
 
 } // namespace trundle

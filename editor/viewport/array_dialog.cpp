@@ -11,8 +11,8 @@
 
 namespace trundle {
 
-ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& gridRefusal, QWidget* parent)
-    : QDialog(parent), m_originals(originals) {
+ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& gridRefusal, bool gridIsTurned, QWidget* parent)
+    : QDialog(parent), m_originals(originals), m_gridIsTurned(gridIsTurned) {
     setObjectName(QStringLiteral("arrayDialog"));
     setWindowTitle(tr("Array Copy"));
     auto* grid = new QGridLayout;
@@ -78,7 +78,9 @@ void ArrayDialog::say() {
     m_spacing[2]->setEnabled(!m_asGrid->isChecked());
     const ArrayCopy wanted = copy();
     const int total = wanted.count[0] * wanted.count[1] * wanted.count[2] * m_originals;
-    m_summary->setText(wanted.asGrid      ? tr("A Grid of %1 × %2 robots").arg(wanted.count[0]).arg(wanted.count[1])
+    const QString grid =
+        m_gridIsTurned ? tr("A Grid of %1 × %2 robots; its rows are turned with the robot") : tr("A Grid of %1 × %2 robots");
+    m_summary->setText(wanted.asGrid      ? grid.arg(wanted.count[0]).arg(wanted.count[1])
                        : m_originals == 1 ? tr("%1 in all, with the original").arg(total)
                                           : tr("%1 in all, with the %2 originals").arg(total).arg(m_originals));
 }

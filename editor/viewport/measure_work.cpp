@@ -82,7 +82,7 @@ void MeasureWork::say() {
     } else {
         const Vec3 by = points[1] - points[0];
         m_view.setHint(
-            tr("Distance %1     x %2   y %3   z %4").arg(length(by.norm()), length(by.x()), length(by.y()), length(by.z())));
+            tr("Distance %1 · x %2   y %3   z %4").arg(length(by.norm()), length(by.x()), length(by.y()), length(by.z())));
     }
     m_view.update();
 }

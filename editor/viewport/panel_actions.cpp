@@ -175,7 +175,7 @@ void ViewportPanel::askArray() {
         // Half as much again as the object is large, in round numbers.
         if (!box.empty()) spacing = (10 * 1.5 * box.size()).array().ceil() / 10;
     }
-    ArrayDialog dialog(spacing, int(m_selection.paths().size()), gridRefusal(*m_parts), this);
+    ArrayDialog dialog(spacing, int(m_selection.paths().size()), gridRefusal(*m_parts), gridIsTurned(*m_parts), this);
     if (dialog.exec() == QDialog::Accepted) copyInRows(*m_parts, dialog.copy());
 }
 

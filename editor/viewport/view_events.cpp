@@ -177,11 +177,16 @@ void View::paintHints(QPainter& painter) const {
     const QFontMetrics metrics = painter.fontMetrics();
     const double high = metrics.height() + 6;
     if (!m_hint.isEmpty()) {
-        // In a narrow view one below the other.
+        // In a narrow view one below the other; all above the scale bar with its label, and where they would reach the axes
+        // above these.
         const bool fits = metrics.horizontalAdvance(m_hint) + 20 < width();
         const QStringList lines = fits ? QStringList(m_hint) : m_hint.split(QStringLiteral(" · "));
+        double wide = 0;
+        for (const QString& line : lines) wide = std::max(wide, metrics.horizontalAdvance(line) + 14.0);
+        const int scale = 34 + metrics.height(), axes = 0.5 * (width() - wide) < 76 ? 78 : 0;
+        const double bottom = height() - std::max(scale, axes);
         for (int i = 0; i < lines.size(); ++i)
-            paintPlate(painter, {0.5 * width(), height() - 40 - high * (double(lines.size() - i) - 0.5)}, lines[i]);
+            paintPlate(painter, {0.5 * width(), bottom - high * (double(lines.size() - i) - 0.5)}, lines[i]);
     }
     if (!m_hoverHint.isEmpty()) {
         const double half = 0.5 * (metrics.horizontalAdvance(m_hoverHint) + 14);

@@ -257,6 +257,20 @@ private Q_SLOTS:
         QCOMPARE(probe.out.trimmed(), QByteArray("160,120,24/1,25")); // t = 0 and t = 1 too
     }
 
+    /// The limit on the size of files is met where a full disk would be.
+    void aMovieThatDoesNotFitIsNoMovie() {
+        QTemporaryDir folder;
+        const QString movie = folder.filePath("a.mp4");
+        QVERIFY(writeFile(movie, "an older one"));
+        const QString command =
+            QStringLiteral("ulimit -f 20; exec \"$0\" run \"$1\" --duration 2 --movie \"$2\" --view overview --size "
+                           "640x480 --quiet --log-dir \"$3\"");
+        const Outcome run = callProgram("/bin/sh", {"-c", command, programPath(), kExperiment, movie, folder.filePath("logs")});
+        QVERIFY2(run.code != 0 && run.err.contains("cannot be made"), shown(run));
+        QCOMPARE(contentOf(movie), QByteArray("an older one"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList("a.mp4"));
+    }
+
     void twoMoviesAreTheSame_data() { aMovieHasExactlyItsPictures_data(); }
     void twoMoviesAreTheSame() {
         QFETCH(QString, ending);

@@ -126,6 +126,20 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(picture));
     }
 
+    void anExitInAModuleIsSaid() {
+        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/");
+        const QString home = m_folder.filePath(QStringLiteral("trusting")), file = m_folder.filePath(QStringLiteral("exits.sim"));
+        QDir().mkpath(home + "/Trundle");
+        QVERIFY(writeFile(home + "/Trundle/Trundle.conf", "[General]\ntrustedFolders=" + modules.toUtf8() + "\n"));
+        QVERIFY(writeFile(file, "#import robots/simple_robot.sim\n#loadModule \"" + modules.toUtf8() +
+                                    "exits\"\nRobot r { Config=SimpleRobot Exits brain { } }\n"));
+        qputenv("XDG_CONFIG_HOME", home.toUtf8());
+        const Outcome outcome = call({"--open", file, "--run-for", "3", "--quit"});
+        qunsetenv("XDG_CONFIG_HOME");
+        QVERIFY2(outcome.code == 4, shown(outcome));
+        QVERIFY2(outcome.err.startsWith("trundle: ended from within"), shown(outcome));
+    }
+
 private:
     static Outcome call(const QStringList& arguments) {
         return callProgram(QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), arguments);

@@ -131,6 +131,29 @@ private Q_SLOTS:
                  two + "Surface tar { Friction=2 } // black\n");
     }
 
+    /// The file that gets a block can be read by itself then; it is not made to import a file that imports it.
+    void whatTheMovedUseIsImported() {
+        const std::string main = "#import one.sim\n#import floor.sim\nParam far = 2\n";
+        const std::string floor = "#import two.sim\nParam side = 1\nMaterial red { ColorRGB=1,0,0 }\nStaticConfig Floor { "
+                                  "Box slab { Size=$side,1,0.1 } }\n";
+        const auto moved = [&](const std::string& block, const std::string& path, FileId file) {
+            const auto loaded =
+                m_desk.open({{"main.sim", main + block}, {"one.sim", "Seed=1\n"}, {"floor.sim", floor}, {"two.sim", ""}});
+            const auto plan = planMove(*loaded, {path}, "", "", file);
+            const auto again = m_desk.carryOut(loaded, plan);
+            const std::string texts = m_desk.text(loaded, plan, "one.sim") + "|" + m_desk.text(loaded, plan, "two.sim");
+            return again && !again->diagnostics.hasErrors() ? texts : texts + " " + sample::messages(*again);
+        };
+        const std::string wall = "Static wall { Config=Floor }\n", box = "StaticConfig B { Box b { Size=1,1,1 Material=red } }\n";
+        QCOMPARE(moved(wall, "wall", 1), "#import floor.sim\nSeed=1\n" + wall + "|");
+        QCOMPARE(moved(box, "StaticConfig.B", 1), "#import floor.sim\nSeed=1\n" + box + "|");
+        const std::string post = "Static post { Config=Floor Pos=$side,0,0 }\n";
+        QCOMPARE(moved(post, "post", 1), "#import floor.sim\nSeed=1\n" + post + "|");
+        const std::string own = "StaticConfig Own { Box b { Size=$far,1,1 } }\n";
+        QCOMPARE(moved(own, "StaticConfig.Own", 1), "Seed=1\n" + own + "|"); // needs the opened file
+        QCOMPARE(moved(wall, "wall", 3), "Seed=1\n|" + wall);
+    }
+
     /// No numbers of the config would do for all of its robots.
     void aPoseOfOneRobotIsNotLost() {
         const auto refused = [&](const char* robots, const char* path = "r.chassis.hull", const char* to = "r.wheel") {

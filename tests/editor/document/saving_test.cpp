@@ -1,6 +1,10 @@
 // Saving, saving elsewhere, and what other programs do to the files meanwhile.
 
+#include <csignal>
+
+#include <QFileInfo>
 #include <QTest>
+#include <sys/resource.h>
 
 #include "eventually.h"
 #include "sample_document.h"
@@ -8,6 +12,30 @@
 using namespace trundle;
 using namespace sample;
 namespace fs = std::filesystem;
+
+namespace {
+
+/// As long as it lives no file can have more bytes: some writes fail, and others do not.
+class FileLimit {
+public:
+    explicit FileLimit(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit now{bytes, m_before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &now);
+    }
+    ~FileLimit() {
+        setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handler);
+    }
+    FileLimit(const FileLimit&) = delete;
+    FileLimit& operator=(const FileLimit&) = delete;
+
+private:
+    rlimit m_before{};
+    void (*m_handler)(int);
+};
+
+} // namespace
 
 class SavingTest : public QObject {
     Q_OBJECT
@@ -76,6 +104,86 @@ private Q_SLOTS:
         fs::create_directories(fs::path(m_desk->robot).parent_path());
         QCOMPARE(why(d.save()), "");
         QCOMPARE(bytesOf(m_desk->robot), *d.text(m_desk->robot));
+    }
+
+    /// Backwards: on a full disk there is room for the older text of what was written last.
+    void theLastOneIsTakenBackFirst() {
+        Document& d = *m_document;
+        const std::string third = m_desk->write("configs/z/third.sim", "Seed = 1\n");
+        m_desk->write("configs/main.sim", std::string("#import z/third.sim\n") + kMain);
+        QVERIFY(d.open(m_desk->main).ok());
+        set("robot0.Pos", "1,0,0");
+        set("RobotConfig.Rover.chassis.hull.Mass", "3");
+        set("Seed", "2");
+        fs::remove_all(fs::path(third).parent_path());
+        const fs::file_time_type before = fs::last_write_time(m_desk->main);
+        QVERIFY(!d.save().ok());
+        QCOMPARE(bytesOf(m_desk->robot), kRover);
+        QVERIFY(fs::last_write_time(m_desk->main) > before); // was written, and back
+        QVERIFY(fs::last_write_time(m_desk->main) >= fs::last_write_time(m_desk->robot));
+    }
+
+    /// A file that may be written is not enough: it is replaced by a new one in its folder. Root may write into any.
+    void aFolderThatMayNotBeWritten() {
+        Document& d = *m_document;
+        set("robot0.Pos", "1,0,0");
+        set("RobotConfig.Rover.chassis.hull.Mass", "3");
+        const fs::path folder = fs::path(m_desk->robot).parent_path();
+        fs::permissions(folder, fs::perms::owner_write, fs::perm_options::remove);
+        const bool may = QFileInfo(QString::fromStdString(folder.string())).isWritable();
+        const Status saved = d.save();
+        fs::permissions(folder, fs::perms::owner_write, fs::perm_options::add);
+        QCOMPARE(saved.ok(), may);
+        QCOMPARE(bytesOf(m_desk->main) == kMain, !may);
+        if (!may) QVERIFY2(holds(saved.error().message, "the folder of robots/rover.sim may not be written"), why(saved).c_str());
+    }
+
+    void whatCannotBeTakenBackIsSaid() {
+        Document& d = *m_document;
+        const std::string remark = "// " + std::string(40'000, 'x') + "\n";
+        m_desk->write("configs/main.sim", remark + kMain);
+        m_desk->write("configs/robots/rover.sim", remark + kRover);
+        QVERIFY(d.open(m_desk->main).ok());
+        QCOMPARE(why(d.carryOut(u"Shorten"_qs, EditPlan{{{0, {{{0, {0, std::uint32_t(remark.size())}}, ""}}}}, {}})), "");
+        set("RobotConfig.Rover.chassis.hull.Mass", "3");
+        Status saved;
+        {
+            const FileLimit limit(20'000);
+            saved = d.save();
+        }
+        QVERIFY(!saved.ok());
+        QVERIFY2(holds(saved.error().message, "rover.sim: File too large; what was written before it cannot be taken back: ") &&
+                     holds(saved.error().message, "main.sim: File too large"),
+                 why(saved).c_str());
+        QCOMPARE(bytesOf(m_desk->robot), remark + kRover);
+    }
+
+    /// Under the same name the sample gets its copy and one's own files are written, or nothing is.
+    void saveAsInPlaceIsAllOrNothing() {
+        Document& d = *m_document;
+        const std::string own = "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot }\n";
+        const std::string remark = "// " + std::string(40'000, 'x') + "\n";
+        const std::string mine = m_desk->write("configs/mine.sim", own);
+        const std::string part = m_desk->write("configs/part.sim", "Seed = 1\n" + remark);
+        const std::string copy = m_desk->path("configs/robots/simple_robot.sim");
+        QVERIFY(d.open(mine).ok());
+        set("a.Pos", "1,0,0");
+        set("RobotConfig.SimpleRobot.leftMotor.Resistance", "3");
+        set("Seed", "2");
+        Status saved;
+        {
+            const FileLimit limit(20'000);
+            saved = d.saveAs(mine);
+        }
+        QVERIFY2(!saved.ok() && holds(saved.error().message, "part.sim: File too large"), why(saved).c_str());
+        QCOMPARE(bytesOf(mine), own);
+        QVERIFY(!fs::exists(copy));
+        QVERIFY(d.isModified(mine) && d.isModified(part));
+        QCOMPARE(why(d.saveAs(mine)), "");
+        QVERIFY(!d.isModified());
+        QCOMPARE(bytesOf(part), "Seed = 2\n" + remark);
+        QCOMPARE(bytesOf(mine), *d.text(mine));
+        QVERIFY(holds(bytesOf(copy), "Resistance=3"));
     }
 
     /// An edit that is half in one's own experiment and half in a robot that came with the program.

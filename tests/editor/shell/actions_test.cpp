@@ -2,7 +2,10 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QKeySequenceEdit>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QtTest>
 
@@ -102,6 +105,52 @@ private Q_SLOTS:
         QCOMPARE(actions.at("edit.undo").shortcut(), QKeySequence(QStringLiteral("Ctrl+Z")));
     }
 
+    void keysAreSetForTheRowThatIsSeen() {
+        Actions actions(actionTable());
+        PreferencesDialog dialog(actions, nullptr);
+        auto* filter = dialog.findChild<QLineEdit*>(QStringLiteral("shortcutFilter"));
+        auto* keys = dialog.findChild<QKeySequenceEdit*>(QStringLiteral("keys"));
+        filter->setText(QStringLiteral("frame sel"));
+        QCOMPARE(keys->keySequence(), actions.at("view.frame").shortcut());
+        const QKeySequence first = actions.at(actionTable()[0].id).shortcut(), own(QStringLiteral("Ctrl+Alt+J"));
+        keys->setKeySequence(own);
+        button(dialog, QStringLiteral("Set")).click();
+        QCOMPARE(actions.at("view.frame").shortcut(), own);
+        QCOMPARE(actions.at(actionTable()[0].id).shortcut(), first);
+        filter->setText(QStringLiteral("no such command"));
+        QVERIFY(!button(dialog, QStringLiteral("Set")).isEnabled() && !button(dialog, QStringLiteral("Default")).isEnabled());
+        filter->clear();
+        QVERIFY(button(dialog, QStringLiteral("Set")).isEnabled());
+    }
+
+    void defaultKeysAreTakenFromWhoHasThem() {
+        Actions actions(actionTable());
+        const QKeySequence keys = actions.at("file.save").shortcut();
+        actions.setShortcut("file.save", {});
+        actions.setShortcut("view.frame", keys);
+        PreferencesDialog dialog(actions, nullptr);
+        dialog.show();
+        dialog.findChild<QLineEdit*>(QStringLiteral("shortcutFilter"))->setText(QStringLiteral("save"));
+        auto* list = dialog.findChild<QTreeWidget*>(QStringLiteral("shortcuts"));
+        list->setCurrentItem(list->findItems(QStringLiteral("Save"), Qt::MatchExactly).value(0));
+        int asked = 0;
+        const auto answer = [&](QMessageBox::StandardButton with) {
+            QTimer::singleShot(0, &dialog, [&asked, with] {
+                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                asked += box != nullptr;
+                if (box) box->button(with)->click();
+            });
+            button(dialog, QStringLiteral("Default")).click();
+        };
+        answer(QMessageBox::No);
+        QVERIFY(actions.at("file.save").shortcut().isEmpty());
+        QCOMPARE(actions.at("view.frame").shortcut(), keys);
+        answer(QMessageBox::Yes);
+        QCOMPARE(asked, 2);
+        QCOMPARE(actions.at("file.save").shortcut(), keys);
+        QVERIFY(actions.at("view.frame").shortcut().isEmpty());
+    }
+
     void aShortcutIsKeptAndGivenBack() {
         {
             Actions actions(actionTable());
@@ -113,6 +162,14 @@ private Q_SLOTS:
                  QStringLiteral("sim.run"));
         actions.resetShortcut("sim.run");
         QCOMPARE(actions.at("sim.run").shortcut(), QKeySequence(QStringLiteral("F5")));
+    }
+
+private:
+    static QPushButton& button(const QWidget& dialog, const QString& text) {
+        const auto buttons = dialog.findChildren<QPushButton*>();
+        const auto it = std::ranges::find_if(buttons, [&](const QPushButton* b) { return b->text() == text; });
+        if (it == buttons.end()) qFatal("no button %s", qPrintable(text));
+        return **it;
     }
 };
 

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include <QCheckBox>
 #include <QSpinBox>
 
 #include "editor/viewport/arrange.h"
@@ -80,6 +81,22 @@ private Q_SLOTS:
                  m_window->text().constData());
         m_window->document.undo();
         QCOMPARE(m_window->text(), kRoom);
+        m_window->selection.select("robot0");
+        copyInRows(viewParts(), {{3, 1, 1}, {-0.5, 0.6, 1}, true}); // to the other side: a Grid's Spacing has no sign
+        QVERIFY2(m_window->text().contains("Pos=-1,0,0 Count=3,1 Spacing=0.5,0.6"), m_window->text().constData());
+    }
+
+    void theRowsOfATurnedRobotsGridAreSaidToBeTurned() {
+        m_window->selection.select("robot0");
+        QVERIFY(!gridIsTurned(viewParts()));
+        QVERIFY(m_window->open(QByteArray(kRoom).replace("Pos=-0.5,0,0 HPR=0,0,0", "Pos=-0.5,0,0 HPR=30,0,0")));
+        m_window->selection.select("robot0");
+        QVERIFY(gridIsTurned(viewParts()));
+        ArrayDialog dialog({0.5, 0.5, 0.3}, 1, {}, true);
+        const auto* summary = dialog.findChild<QLabel*>(QStringLiteral("summary"));
+        QCOMPARE(summary->text(), QStringLiteral("3 in all, with the original"));
+        dialog.findChild<QCheckBox*>(QStringLiteral("asGrid"))->setChecked(true);
+        QCOMPARE(summary->text(), QStringLiteral("A Grid of 3 × 1 robots; its rows are turned with the robot"));
     }
 
     void tooManyCopiesAreRefused() {

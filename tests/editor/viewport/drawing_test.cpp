@@ -264,6 +264,19 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kRoom);
     }
 
+    void hintsLeaveTheScaleBarToBeRead() {
+        m_window->panel->setViewCount(4);
+        EVENTUALLY(m_window->panel->isSettled());
+        View& view = m_window->view();
+        const int bar = view.height() - 76; // and the axes beside it
+        const auto scaleBar = [&] { return view.grab().toImage().copy(0, bar, view.width(), view.height() - bar); };
+        const QImage before = scaleBar();
+        const QImage whole = view.grab().toImage();
+        view.setHint(QStringLiteral("Distance 1.234 m · x 1.000 m   y 0.500 m   z 0.250 m"));
+        QVERIFY(view.grab().toImage() != whole);
+        QCOMPARE(scaleBar(), before);
+    }
+
     void oneMeasuresFromOneViewToAnother() {
         m_window->trigger("tool.measure");
         m_window->panel->setViewCount(2);
