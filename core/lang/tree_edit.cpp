@@ -9,6 +9,16 @@
 #include "lang/edit_style.h"
 
 namespace trundle {
+
+std::uint32_t behindComments(const Tree& tree, std::uint32_t from) {
+    const auto& tokens = tree.tokens();
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), from,
+                                  [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
+    std::uint32_t end = from;
+    for (; token != tokens.end() && isTrivia(token->kind) && token->kind != TokenKind::LineEnd; ++token)
+        if (token->kind == TokenKind::LineComment || token->kind == TokenKind::BlockComment) end = token->range.end;
+    return end;
+}
 namespace {
 
 TextEdit at(const Tree& tree, std::uint32_t begin, std::uint32_t end, std::string text) {
@@ -76,17 +86,6 @@ struct Slot {
     std::string before, behind, indent;
     bool ownLine = true;
 };
-
-/// The end of the line comment that stands behind `from` on its line, else `from`: nothing is put behind a `//`.
-std::uint32_t behindComments(const Tree& tree, std::uint32_t from) {
-    const auto& tokens = tree.tokens();
-    auto token = std::lower_bound(tokens.begin(), tokens.end(), from,
-                                  [](const Token& t, std::uint32_t offset) { return t.range.begin < offset; });
-    std::uint32_t end = from;
-    for (; token != tokens.end() && isTrivia(token->kind) && token->kind != TokenKind::LineEnd; ++token)
-        if (token->kind == TokenKind::LineComment || token->kind == TokenKind::BlockComment) end = token->range.end;
-    return end;
-}
 
 bool containsLineComment(const Tree& tree, std::uint32_t from, std::uint32_t to) {
     const auto& tokens = tree.tokens();

@@ -13,6 +13,9 @@
 
 namespace trundle {
 
+/// The end of the last comment that stands behind an offset on its line, else the offset: nothing is put behind a `//`.
+[[nodiscard]] std::uint32_t behindComments(const Tree& tree, std::uint32_t from);
+
 /// Set the value of an assignment that exists: only the value's characters change.
 [[nodiscard]] TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view newText);
 /// Replace a name (block name, word value, key).

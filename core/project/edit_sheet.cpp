@@ -158,13 +158,11 @@ std::string usersText(const std::vector<const Mention*>& mentions) {
 }
 
 std::optional<std::uint32_t> endOfLineBehind(const Tree& tree, std::uint32_t offset) {
-    const auto& tokens = tree.tokens();
-    auto token = std::lower_bound(tokens.begin(), tokens.end(), offset,
-                                  [](const Token& t, std::uint32_t at) { return t.range.begin < at; });
-    std::uint32_t end = offset;
-    for (; token != tokens.end() && isTrivia(token->kind) && token->kind != TokenKind::LineEnd; ++token)
-        if (token->kind == TokenKind::LineComment || token->kind == TokenKind::BlockComment) end = token->range.end;
-    const bool ends = token == tokens.end() || token->kind == TokenKind::LineEnd || token->kind == TokenKind::End;
+    const std::string_view bytes = tree.source().bytes();
+    const std::uint32_t end = behindComments(tree, offset);
+    std::size_t next = end;
+    while (next < bytes.size() && isBlank(bytes[next])) ++next;
+    const bool ends = next == bytes.size() || bytes[next] == '\n' || bytes[next] == '\r';
     return ends ? std::optional(end) : std::nullopt;
 }
 

@@ -19,6 +19,14 @@ const std::string kGood = kModules + "controllers/libgood.so";
 const std::string kBefore = kModules + "rebuilt/libbefore.so", kAfter = kModules + "rebuilt/libafter.so";
 
 std::string bytesOf(const std::string& path) { return readRegularFile(path).value(); }
+
+/// What is said when the modules of an experiment are loaded whose text was checked with a registry.
+std::vector<Diagnostic> loaded(const ExperimentSpec& experiment, const Registry& registry) {
+    ModuleStore store;
+    Diagnostics diagnostics;
+    loadModules(experiment, registry, store, diagnostics);
+    return diagnostics.all();
+}
 } // namespace
 
 class ModulesTest : public QObject {
@@ -170,12 +178,7 @@ private Q_SLOTS:
         Registry registry;
         const auto kinds = kindsFromJson(bytesOf(kindsJsonPath(library)), library);
         for (const Kind& kind : kinds.value()) QVERIFY(registry.add(kind).ok());
-        const auto load = [&] {
-            ModuleStore store;
-            Diagnostics diagnostics;
-            loadModules(experiment, registry, store, diagnostics);
-            return diagnostics.all();
-        };
+        const auto load = [&] { return loaded(experiment, registry); };
         QCOMPARE(load().size(), std::size_t(1));
         QCOMPARE(load()[0].code, Code::ModuleWrongFormat);
         QCOMPARE(load()[0].range.range.begin, 15u);
@@ -206,12 +209,7 @@ private Q_SLOTS:
         Registry registry;
         const auto kinds = kindsFromJson(bytesOf(description), library);
         for (const Kind& kind : kinds.value()) QVERIFY(registry.add(kind).ok());
-        const auto load = [&] {
-            ModuleStore store;
-            Diagnostics diagnostics;
-            loadModules(experiment, registry, store, diagnostics);
-            return diagnostics.all();
-        };
+        const auto load = [&] { return loaded(experiment, registry); };
         QVERIFY(load().empty() && !describedAnew(experiment, registry));
         made("libmind.so", bytesOf(kAfter)); // its description is not written yet
         QCOMPARE(load().size(), std::size_t(1));

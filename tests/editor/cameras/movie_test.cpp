@@ -68,11 +68,7 @@ private Q_SLOTS:
         job.end = 1.5;
         job.framesPerSecond = 24;
         QCOMPARE(job.frameCount(), 25u);
-        MovieRecorder recorder(*m_window->parts, *m_render);
-        QSignalSpy finished(&recorder, &MovieRecorder::finished);
-        recorder.start(job);
-        QVERIFY(finished.wait(60000));
-        QCOMPARE(finished.front().front().toString(), QString());
+        QCOMPARE(recorded(job), QString());
         QCOMPARE(factsOf(m_window->folder.filePath(name)), QByteArray(camera ? "160,120,24/1,25" : "96,64,24/1,25"));
         QCOMPARE(hiddenFiles(), QStringList());
     }
@@ -106,11 +102,7 @@ private Q_SLOTS:
         MovieJob job = jobFor(QStringLiteral("a.mp4"));
         job.camera = "robot0/eye";
         job.framesPerSecond = 10;
-        MovieRecorder recorder(*m_window->parts, *m_render);
-        QSignalSpy finished(&recorder, &MovieRecorder::finished);
-        recorder.start(job);
-        QVERIFY(finished.wait(60000));
-        QCOMPARE(finished.front().front().toString(), QString());
+        QCOMPARE(recorded(job), QString());
         const QString here = m_window->folder.filePath(QStringLiteral("a.mp4"));
         QVERIFY(pixelsOf(here) == pixelsOf(filmedWithoutAWindow("robot0/eye")));
         QVERIFY(!pixelsOf(here).isEmpty());
@@ -232,6 +224,14 @@ private Q_SLOTS:
     }
 
 private:
+    /// Why the movie was not made; empty when it was.
+    QString recorded(const MovieJob& job) {
+        MovieRecorder recorder(*m_window->parts, *m_render);
+        QSignalSpy finished(&recorder, &MovieRecorder::finished);
+        recorder.start(job);
+        return finished.wait(60000) ? finished.front().front().toString() : QStringLiteral("it does not end");
+    }
+
     MovieJob jobFor(const QString& name) {
         MovieJob job;
         job.loaded = m_window->document.loaded();
