@@ -9,6 +9,7 @@
 #include "model/resolver.h"
 #include "project/loader.h"
 #include "project/members.h"
+#include "project/missing_imports.h"
 #include "project/modules.h"
 #include "schema/value_reader.h"
 
@@ -132,6 +133,7 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     folders.insert(folders.end(), m_options.includeFolders.begin(), m_options.includeFolders.end());
     folders.push_back(m_options.shippedConfigs);
     const FileSearch imports(folders, &m_options.texts);
+    const std::vector<std::string> importable = folders;
     if (!m_options.resources.empty()) {
         for (const char* below : {"", "/textures", "/meshes"}) folders.push_back(m_options.resources + below);
     }
@@ -168,6 +170,7 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     loaded->experiment = std::move(experiment);
     std::vector<Diagnostic> said = diagnostics.all();
     offerModules(*loaded, m_catalog, said);
+    offerImports(*loaded, imports, importable, said);
     loaded->diagnostics = tidied(std::move(said));
     return std::shared_ptr<const Loaded>(std::move(loaded));
 }

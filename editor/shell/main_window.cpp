@@ -110,6 +110,7 @@ void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations
     m_viewport = new ViewportPanel(*m_document, *m_selection, *m_session, render, *m_actions);
     m_text = new TextPanel(*m_document, *m_selection, *m_actions);
     m_text->setFolders({{places.configs}, {places.resources}, {places.modules}});
+    m_text->setWrapLines(loadPreferences().wrapLines);
     m_work = new QSplitter(Qt::Horizontal);
     m_work->setObjectName(QStringLiteral("work"));
     m_work->addWidget(m_viewport);
@@ -211,7 +212,10 @@ void MainWindow::connectPanels() {
     connect(m_problems, &ProblemsPanel::countsChanged, m_status, &StatusLine::setProblems);
     m_status->setProblems(m_problems->errors(), m_problems->warnings());
     connect(m_status, &StatusLine::problemsWanted, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
-    connect(m_outline, &OutlinePanel::jumpTo, this, &MainWindow::showPlace);
+    connect(m_outline, &OutlinePanel::jumpTo, this, [this](const std::string& file, TextRange block) {
+        showText(true);
+        m_text->revealBlock(file, block);
+    });
     const auto go = [this](const std::string& file, const SourceRange& range) { showPlace(file, range.range); };
     connect(m_properties, &PropertiesPanel::jumpTo, this, go);
     connect(m_problems, &ProblemsPanel::jumpTo, this, go);
@@ -267,7 +271,7 @@ void MainWindow::connectActions() {
     on("problems.next", [this] { m_problems->goTo(1); });
     on("problems.previous", [this] { m_problems->goTo(-1); });
     on("problems.fix", [this] { m_problems->fixCurrent(); });
-    on("edit.replace", [this] { showText(true); });
+    for (const char* id : {"edit.findInFiles", "edit.replace"}) on(id, [this] { showText(true); });
     new KeyboardDrive(*m_session, *m_selection, *m_actions, *this); // a child of the window
     on("sim.drive", [this](bool drives) {
         if (!drives) return;

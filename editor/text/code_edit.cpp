@@ -281,6 +281,10 @@ void CodeEdit::keyPressEvent(QKeyEvent* event) {
     } else if (const auto closed =
                    event->text() == QLatin1String("}") && at == anchor && !isReadOnly() ? closeBrace(view(), at) : std::nullopt) {
         carryOut(*closed);
+    } else if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
+        QKeyEvent command(event->type(), event->key(), event->modifiers()); // without its character: a command types nothing
+        QsciScintilla::keyPressEvent(&command);
+        event->setAccepted(command.isAccepted());
     } else {
         QsciScintilla::keyPressEvent(event);
     }
@@ -365,6 +369,11 @@ void CodeEdit::focusOutEvent(QFocusEvent* event) {
 void CodeEdit::changeEvent(QEvent* event) {
     QsciScintilla::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) applyLook();
+}
+
+void CodeEdit::resizeEvent(QResizeEvent* event) {
+    QsciScintilla::resizeEvent(event);
+    fitWrap();
 }
 
 void CodeEdit::wheelEvent(QWheelEvent* event) {

@@ -11,6 +11,7 @@
 #include "editor/text/line_edits.h"
 #include "editor/text/qscintilla.h"
 #include "editor/text/token_styles.h"
+#include "editor/widgets/preferences.h"
 
 namespace trundle {
 
@@ -26,6 +27,9 @@ public:
     std::uint32_t bring(std::string_view bytes);
     /// The file's own ways: its line end and one level of indent.
     void setWays(const std::string& lineEnd, const std::string& step);
+
+    void setWrapLines(WrapLines wrap);
+    [[nodiscard]] bool wrapsLines() const { return m_wraps; } ///< now, with the width that it has
 
     [[nodiscard]] std::uint32_t caret() const;
     [[nodiscard]] TextRange selection() const;
@@ -63,6 +67,7 @@ Q_SIGNALS:
     void linkFollowed(std::uint32_t offset);
     void linkSought(std::uint32_t offset); ///< Ctrl is held over it; kNowhere: no more
     void menuAsked(const QPoint& globalPos);
+    void wrapsLinesChanged();
     void left(); ///< the keyboard is elsewhere now
 
 public Q_SLOTS:
@@ -82,6 +87,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void chooseKeys();
@@ -89,6 +95,7 @@ private:
     void applyLook();
     void drawMarks();
     void fitNumberMargin();
+    void fitWrap();
     void onModified(int at, int what, const char* text, int length);
     void styleUpTo(int position);
     void readTokens();
@@ -104,6 +111,8 @@ private:
     std::string m_lineEnd = "\n", m_step = "  ";
     std::uint32_t m_bom = 0; ///< bytes of it that stand before the text
     long m_lastCaret = 0, m_lastAnchor = 0;
+    WrapLines m_wrap = WrapLines::InNarrowPanes;
+    bool m_wraps = false;
     bool m_stale = true; ///< m_styles are of an older text
     bool m_own = false;  ///< load() or bring() at work
     bool m_looking = false, m_composing = false;

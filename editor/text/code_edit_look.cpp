@@ -102,6 +102,7 @@ void CodeEdit::buildMargins() {
     setMarginSensitivity(kBlocks, false);
     setMarginWidth(kBlocks, 3);
     setFolding(BoxedTreeFoldStyle, kFolds);
+    setWrapIndentMode(WrapIndentIndented);
     setMarginWidth(kSymbols, 14);
     setMarginWidth(kFolds, 16);
     SendScintilla(SCI_SETMARGINLEFT, 0UL, 4L);
@@ -113,6 +114,24 @@ void CodeEdit::buildMargins() {
 void CodeEdit::fitNumberMargin() {
     const int digits = std::max(2, static_cast<int>(QString::number(lines()).size()));
     setMarginWidth(kNumbers, QString(digits + 1, QLatin1Char('9')));
+    fitWrap();
+}
+
+void CodeEdit::setWrapLines(WrapLines wrap) {
+    m_wrap = wrap;
+    fitWrap();
+}
+
+void CodeEdit::fitWrap() {
+    constexpr int kNarrow = 80; // columns
+    int room = viewport()->width();
+    for (const int margin : {kNumbers, kBlocks, kSymbols, kFolds}) room -= marginWidth(margin);
+    const bool narrow = room < kNarrow * SendScintilla(SCI_TEXTWIDTH, static_cast<unsigned long>(STYLE_DEFAULT), "9");
+    const bool wraps = m_wrap == WrapLines::Always || (m_wrap == WrapLines::InNarrowPanes && narrow);
+    if (wraps == m_wraps) return;
+    m_wraps = wraps;
+    setWrapMode(wraps ? WrapWhitespace : WrapNone);
+    Q_EMIT wrapsLinesChanged();
 }
 
 void CodeEdit::applyLook() {

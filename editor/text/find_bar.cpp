@@ -27,7 +27,7 @@ FindBar::FindBar(QWidget* parent)
     m_replace->setObjectName(QStringLiteral("replaceText"));
     m_replace->setPlaceholderText(tr("Replace with"));
     m_everywhere->setObjectName(QStringLiteral("findEverywhere"));
-    m_everywhere->setToolTip(tr("In every file of the experiment"));
+    m_everywhere->setToolTip(tr("In every file of the experiment; what is found is listed, the Down key goes there"));
     m_said->setObjectName(QStringLiteral("findSaid"));
     const auto button = [this](const QString& text, const QString& name, const QString& tip) {
         auto* b = new QToolButton(this);
@@ -105,6 +105,8 @@ QString FindBar::replacement() const { return m_replace->text(); }
 
 bool FindBar::everywhere() const { return m_everywhere->isChecked(); }
 
+void FindBar::setEverywhere(bool everywhere) { m_everywhere->setChecked(everywhere); }
+
 void FindBar::say(const QString& text, bool wrong) {
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText, ink(wrong ? Ink::Error : Ink::Faint));
@@ -118,6 +120,8 @@ void FindBar::keyPressEvent(QKeyEvent* event) {
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         if (m_replace->hasFocus()) Q_EMIT replaceOne();
         else Q_EMIT step(event->modifiers() & Qt::ShiftModifier ? -1 : +1);
+    } else if (event->key() == Qt::Key_Down && everywhere()) {
+        Q_EMIT listWanted();
     } else {
         QWidget::keyPressEvent(event);
     }

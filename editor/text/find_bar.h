@@ -21,6 +21,7 @@ public:
     [[nodiscard]] SearchWish wish() const;
     [[nodiscard]] QString replacement() const;
     [[nodiscard]] bool everywhere() const; ///< in all files, not only the one in front
+    void setEverywhere(bool everywhere);
     void say(const QString& text, bool wrong = false);
 
 Q_SIGNALS:
@@ -29,6 +30,7 @@ Q_SIGNALS:
     void replaceOne();
     void replaceAll();
     void closed();
+    void listWanted(); ///< the keyboard is to go to the list of what was found
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -6,23 +6,34 @@
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/find_bar.h"
+#include "editor/text/results_list.h"
 #include "editor/text/text_panel.h"
 #include "lang/edit_style.h"
 
 namespace trundle {
 namespace {
 
+constexpr std::size_t kMostListed = 1000;
+
 std::string lineEndOf(const Document& document, FileId file) { return editStyle(*document.loaded()->trees[file]).lineEnd; }
 
 } // namespace
 
-Finding::Finding(Document& document, TextPanel& panel, FindBar& bar)
-    : QObject(&panel), m_document(document), m_panel(panel), m_bar(bar) {
+Finding::Finding(Document& document, TextPanel& panel, FindBar& bar, ResultsList& list)
+    : QObject(&panel), m_document(document), m_panel(panel), m_bar(bar), m_list(list) {
     connect(&bar, &FindBar::changed, this, &Finding::lookAsTyped);
     connect(&bar, &FindBar::step, this, &Finding::step);
     connect(&bar, &FindBar::replaceOne, this, &Finding::replaceOne);
     connect(&bar, &FindBar::replaceAll, this, &Finding::replaceAll);
     connect(&bar, &FindBar::closed, this, &Finding::close);
+    connect(&bar, &FindBar::listWanted, this, [this] {
+        if (m_list.isVisible()) m_list.setFocus();
+    });
+    connect(&list, &ResultsList::closed, this, &Finding::close);
+    connect(&list, &ResultsList::chosen, this, [this](const std::string& file, TextRange range, bool focus) {
+        m_panel.reveal(file, range, focus);
+        look();
+    });
     connect(&document, &Document::changed, this, [this] {
         if (m_bar.isVisible()) look();
     });
@@ -41,8 +52,14 @@ void Finding::open(bool replacing) {
     m_bar.open(words, replacing);
 }
 
+void Finding::openInFiles() {
+    m_bar.setEverywhere(true);
+    open(false);
+}
+
 void Finding::close() {
     m_bar.hide();
+    m_list.hide();
     m_found.clear();
     for (FilePage* page : m_panel.pages()) page->edit().showMatches({});
     if (FilePage* page = m_panel.page()) page->setFocus();
@@ -55,7 +72,7 @@ void Finding::look() {
     if (!search.valid()) {
         for (FilePage* page : m_panel.pages()) page->edit().showMatches({});
         m_bar.say(search.fault(), true);
-        return;
+        return list();
     }
     FilePage* front = m_panel.page();
     for (const std::string& file : m_document.files()) {
@@ -70,7 +87,33 @@ void Finding::look() {
         }
         if (page) page->edit().showMatches(marks);
     }
+    list();
     count();
+}
+
+/// One row for each, while all files are looked through.
+void Finding::list() {
+    m_list.setVisible(m_bar.everywhere() && !m_bar.wish().words.isEmpty());
+    if (!m_list.isVisibleTo(&m_panel)) return;
+    std::vector<ResultsList::Row> rows;
+    const Loaded& loaded = *m_document.loaded();
+    std::size_t files = 0;
+    std::string last;
+    for (const Found& found : m_found) {
+        files += found.file != last;
+        last = found.file;
+        const auto path = std::find(loaded.paths.begin(), loaded.paths.end(), found.file);
+        if (rows.size() == kMostListed || path == loaded.paths.end()) continue;
+        const SourceText& text = loaded.trees[static_cast<std::size_t>(path - loaded.paths.begin())]->source();
+        const std::uint32_t line = text.position(found.match.range.begin).line;
+        rows.push_back(
+            {found.file, m_document.shown(found.file), line, found.match.range, std::string(text.line(line)), false});
+    }
+    QString title = m_found.empty() ? tr("Nothing found in the files of this experiment")
+                                    : files == 1 ? tr("%1 found in one file").arg(m_found.size())
+                                                  : tr("%1 found in %2 files").arg(m_found.size()).arg(files);
+    if (m_found.size() > kMostListed) title += tr("; the first %1 are listed").arg(kMostListed);
+    m_list.showRows(title, std::move(rows));
 }
 
 std::ptrdiff_t Finding::here() const {
@@ -87,6 +130,7 @@ void Finding::count() {
     if (m_found.empty()) return m_bar.say(tr("Not found"), true);
     const std::ptrdiff_t at = here();
     const int total = static_cast<int>(m_found.size());
+    m_list.setCurrent(static_cast<int>(at));
     m_bar.say(at < 0 ? tr("%n found", nullptr, total) : tr("%1 of %2").arg(at + 1).arg(total));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Find and replace: in the text in front or in every file of the document.
+// Find and replace: in the text in front or in every file of the document, with a list of what was found.
 
 #include <string>
 #include <vector>
@@ -12,14 +12,16 @@ namespace trundle {
 
 class Document;
 class FindBar;
+class ResultsList;
 class TextPanel;
 
 class Finding final : public QObject {
     Q_OBJECT
 public:
-    Finding(Document& document, TextPanel& panel, FindBar& bar);
+    Finding(Document& document, TextPanel& panel, FindBar& bar, ResultsList& list);
 
     void open(bool replacing); ///< with the words that are selected
+    void openInFiles();
     void close();
 
 private:
@@ -27,7 +29,8 @@ private:
         std::string file;
         TextMatch match;
     };
-    void look();  ///< finds all, marks them
+    void look();  ///< finds all, marks and lists them
+    void list();
     void count(); ///< says which of how many the selection is
     void step(int direction);
     void lookAsTyped();
@@ -39,6 +42,7 @@ private:
     Document& m_document;
     TextPanel& m_panel;
     FindBar& m_bar;
+    ResultsList& m_list;
     std::vector<Found> m_found; ///< in order of files and places
     std::string m_fromFile;     ///< where the caret was when one began to type
     std::uint32_t m_from = 0;

@@ -4,6 +4,7 @@
 
 #include "editor/text/text_place.h"
 #include "project/mentions.h"
+#include "project/object_place.h"
 
 namespace trundle {
 namespace {
@@ -63,19 +64,50 @@ std::optional<Definition> fileAt(const Loaded& loaded, const TextPlace& place) {
     return Definition{{target->second, {0, 0}}, {place.file, import->pathRange}, import->path};
 }
 
+/// The blocks down to the one that is the target, or that holds the Param; false where the outline has none.
+bool chainTo(const Target& target, const Part& from, std::vector<const Part*>& chain) {
+    chain.push_back(&from);
+    const auto holds = [&](const PlacedParam& param) { return param.name == &target.param->name; };
+    if (target.block ? from.block == target.block : std::any_of(from.params.begin(), from.params.end(), holds)) return true;
+    for (const Part& inner : from.parts)
+        if (chainTo(target, inner, chain)) return true;
+    chain.pop_back();
+    return false;
+}
+
+/// What is given or named at an offset, and the characters that name it; unknown characters where it is given there.
+std::pair<Target, SourceRange> targetAt(const TextPlace& place, const std::vector<Mention>& mentions) {
+    if (const Target given = givenAt(place); given.known()) return {given, {}};
+    const Mention* mention = mentionAt(mentions, place.file, place.offset);
+    return mention ? std::pair(Target{mention->target, mention->param}, mention->name) : std::pair(Target{}, SourceRange{});
+}
+
 } // namespace
+
+std::optional<Symbol> symbolAt(const Loaded& loaded, FileId file, std::uint32_t offset) {
+    if (file >= loaded.trees.size()) return std::nullopt;
+    const std::vector<Mention> mentions = mentionsIn(loaded);
+    const auto [target, word] = targetAt(placeAt(loaded, file, offset), mentions);
+    if (!target.known()) return std::nullopt;
+    const SourceRange given = nameOf(loaded, target);
+    if (!given.known() || (target.block && !target.block->name)) return std::nullopt;
+    const std::string name(loaded.sources.slice(given));
+    const SourceRange here = word.known() ? word : given;
+    std::vector<const Part*> chain;
+    for (const auto& part : loaded.outline->parts)
+        if (chainTo(target, *part, chain)) break;
+    const std::string path = pathOf(loaded, chain);
+    if (target.param && chain.empty()) return Symbol{"Param." + name, name, here};
+    if (path.empty()) return std::nullopt;
+    return Symbol{target.param ? path + "." + name : path, name, here};
+}
 
 std::optional<Definition> definitionAt(const Loaded& loaded, FileId file, std::uint32_t offset) {
     if (file >= loaded.trees.size()) return std::nullopt;
     const TextPlace place = placeAt(loaded, file, offset);
     if (auto imported = fileAt(loaded, place)) return imported;
     const std::vector<Mention> mentions = mentionsIn(loaded);
-    Target target = givenAt(place);
-    SourceRange word;
-    if (const Mention* mention = mentionAt(mentions, file, offset); mention && !target.known()) {
-        target = {mention->target, mention->param};
-        word = mention->name;
-    }
+    const auto [target, word] = targetAt(place, mentions);
     if (!target.known()) return std::nullopt;
     const SourceRange given = nameOf(loaded, target);
     if (!given.known()) return std::nullopt;
@@ -86,9 +118,7 @@ std::vector<SourceRange> usesAt(const Loaded& loaded, FileId file, std::uint32_t
     std::vector<SourceRange> uses;
     if (file >= loaded.trees.size()) return uses;
     const std::vector<Mention> mentions = mentionsIn(loaded);
-    Target target = givenAt(placeAt(loaded, file, offset));
-    if (const Mention* mention = mentionAt(mentions, file, offset); mention && !target.known())
-        target = {mention->target, mention->param};
+    const Target target = targetAt(placeAt(loaded, file, offset), mentions).first;
     if (!target.known()) return uses;
     for (const Mention& m : mentions)
         if (m.name.known() && Target{m.target, m.param} == target) uses.push_back(m.name);

@@ -12,10 +12,13 @@
 
 namespace trundle {
 
-ResultsList::ResultsList(QWidget* parent) : QWidget(parent), m_title(new QLabel(this)), m_list(new QTreeWidget(this)) {
-    setObjectName(QStringLiteral("usesPanel"));
-    m_title->setObjectName(QStringLiteral("usesTitle"));
-    m_list->setObjectName(QStringLiteral("usesList"));
+ResultsList::ResultsList(const QString& name, QWidget* parent)
+    : QWidget(parent), m_title(new QLabel(this)), m_list(new QTreeWidget(this)) {
+    setObjectName(name + QStringLiteral("Panel"));
+    m_title->setObjectName(name + QStringLiteral("Title"));
+    m_title->setTextFormat(Qt::PlainText);
+    m_list->setObjectName(name + QStringLiteral("List"));
+    setFocusProxy(m_list);
     m_list->setColumnCount(2);
     m_list->setHeaderHidden(true);
     m_list->setRootIsDecorated(false);
@@ -24,7 +27,7 @@ ResultsList::ResultsList(QWidget* parent) : QWidget(parent), m_title(new QLabel(
     m_list->setAllColumnsShowFocus(true);
     m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     auto* shut = new QToolButton(this);
-    shut->setObjectName(QStringLiteral("usesClose"));
+    shut->setObjectName(name + QStringLiteral("Close"));
     shut->setIcon(themedIcon(QStringLiteral("close")));
     shut->setIconSize({14, 14});
     shut->setToolTip(tr("Close (Esc)"));
@@ -41,7 +44,7 @@ ResultsList::ResultsList(QWidget* parent) : QWidget(parent), m_title(new QLabel(
     below->setContentsMargins(6, 0, 0, 0);
     below->addWidget(m_list);
     layout->addLayout(below, 1);
-    connect(shut, &QToolButton::clicked, this, &QWidget::hide);
+    connect(shut, &QToolButton::clicked, this, &ResultsList::closeByHand);
     connect(m_list, &QTreeWidget::itemClicked, this, [this] { choose(false); });
     connect(m_list, &QTreeWidget::itemActivated, this, [this] { choose(true); });
     hide();
@@ -68,6 +71,19 @@ void ResultsList::showRows(const QString& title, std::vector<Row> rows) {
     show();
 }
 
+QSize ResultsList::sizeHint() const { return {QWidget::sizeHint().width(), 170}; }
+
+void ResultsList::setCurrent(int row) {
+    QTreeWidgetItem* item = m_list->topLevelItem(row);
+    m_list->setCurrentItem(item);
+    if (item) m_list->scrollToItem(item);
+}
+
+void ResultsList::closeByHand() {
+    hide();
+    Q_EMIT closed();
+}
+
 void ResultsList::choose(bool focus) {
     const int at = m_list->indexOfTopLevelItem(m_list->currentItem());
     if (at < 0 || at >= static_cast<int>(m_rows.size())) return;
@@ -76,7 +92,7 @@ void ResultsList::choose(bool focus) {
 }
 
 void ResultsList::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape) hide();
+    if (event->key() == Qt::Key_Escape) closeByHand();
     else QWidget::keyPressEvent(event);
 }
 

@@ -39,7 +39,8 @@ QString nameOf(const std::string& file) { return QString::fromStdString(std::fil
 TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_actions(actions), m_tabs(new QTabWidget(this)),
       m_nothing(new QLabel(tr("No experiment is open."), this)), m_files(new QToolButton(this)),
-      m_commands(new TextCommands(actions, this)), m_uses(new ResultsList(this)),
+      m_commands(new TextCommands(actions, this)), m_uses(new ResultsList(QStringLiteral("uses"), this)),
+      m_found(new ResultsList(QStringLiteral("found"), this)),
       m_completing(new Completing(
           document, [this] { return m_folders; }, this)) {
     setObjectName(QStringLiteral("textPanel"));
@@ -61,8 +62,8 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     split->setChildrenCollapsible(false);
     split->addWidget(m_tabs);
     split->addWidget(m_uses);
-    split->setStretchFactor(0, 3);
-    split->setStretchFactor(1, 1);
+    split->addWidget(m_found);
+    split->setStretchFactor(0, 1); // lists keep the height that they want
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -76,11 +77,14 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     m_caretTimer.setInterval(kCaretWait);
     connect(&m_caretTimer, &QTimer::timeout, this, &TextPanel::selectAtCaret);
     connect(m_files->menu(), &QMenu::aboutToShow, this, &TextPanel::fillFileMenu);
-    connect(m_tabs, &QTabWidget::currentChanged, this, [this] { markSelected(false); });
+    connect(m_tabs, &QTabWidget::currentChanged, this, [this] {
+        markSelected(false);
+        showWrap();
+    });
     connect(m_uses, &ResultsList::chosen, this, &TextPanel::reveal);
     connect(&m_document, &Document::opened, this, &TextPanel::onOpened);
     connect(&m_document, &Document::changed, this, &TextPanel::onChanged);
-    m_finding = new Finding(m_document, *this, *m_bar); // hears of a change behind the pages: it marks what they show then
+    m_finding = new Finding(m_document, *this, *m_bar, *m_found); // hears of a change behind the pages: it marks what they show then
     connect(&m_document, &Document::modifiedChanged, this, &TextPanel::showTitles);
     connect(&m_selection, &Selection::changed, this, &TextPanel::onSelectionChanged);
     addCommands();
@@ -220,6 +224,8 @@ FilePage* TextPanel::addPage(const std::string& file) {
 
 void TextPanel::connectPage(FilePage& page) {
     CodeEdit& edit = page.edit();
+    edit.setWrapLines(m_wrap);
+    connect(&edit, &CodeEdit::wrapsLinesChanged, this, &TextPanel::showWrap);
     m_commands->watch(edit);
     m_completing->watch(page); // asked before the commands: while the list is open the keys are its
     connect(&edit, &CodeEdit::hoverAsked, this, [this, &page](std::uint32_t at, const QPoint& pos) { showHover(page, at, pos); });
@@ -335,6 +341,20 @@ void TextPanel::reveal(const std::string& file, TextRange range, bool focus) {
     page->edit().select(range);
     if (focus) page->setFocus();
 }
+
+void TextPanel::revealBlock(const std::string& file, TextRange block) {
+    reveal(file, {block.begin, block.begin}, true);
+    if (FilePage* page = pageOf(file)) page->edit().scrollTo(block);
+}
+
+void TextPanel::setWrapLines(WrapLines wrap) {
+    m_wrap = wrap;
+    for (FilePage* page : pages()) page->edit().setWrapLines(wrap);
+    showWrap();
+}
+
+/// What the text in front does is what is checked; whoever changes that decides it for panes of every width.
+void TextPanel::showWrap() { m_actions.at("text.wrap").setChecked(page() && page()->edit().wrapsLines()); }
 
 void TextPanel::revealFile(const SourceRange& place, bool focus) {
     if (!m_document.isOpen() || place.file >= m_document.loaded()->paths.size()) return;

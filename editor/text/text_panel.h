@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
 #include "base/source_range.h"
 #include "editor/text/project_files.h"
+#include "editor/widgets/preferences.h"
 
 class QLabel;
 class QMenu;
@@ -24,6 +26,7 @@ class Document;
 class FilePage;
 class FindBar;
 class Finding;
+class RenameField;
 class ResultsList;
 class Selection;
 class TextCommands;
@@ -36,6 +39,7 @@ public:
 
     /// Where texts, pictures and modules are looked for beside the project's own folders; for completion.
     void setFolders(FileFolders folders) { m_folders = std::move(folders); }
+    void setWrapLines(WrapLines wrap);
     /// Gives all that is typed to the document. To be called before anything that reads or saves its texts; the panel does it by
     /// itself whenever the keyboard or the mouse goes elsewhere, and 40 ms after the first key.
     void flush();
@@ -52,6 +56,8 @@ public:
 
     void goToDefinition(std::uint32_t offset);
     void showUses(std::uint32_t offset);
+    /// Opens a line over the name at an offset, in which another name for it is typed.
+    void renameAt(std::uint32_t offset);
     /// The ways to mend what is wrong at the caret, else on its line, as a menu under the caret; nullptr where there is none.
     QMenu* showFixes();
     void formatText();
@@ -59,6 +65,8 @@ public:
 public Q_SLOTS:
     /// Shows a place: opens the file's tab, selects the range there. Takes the keyboard only where asked to.
     void reveal(const std::string& file, TextRange range, bool focus = false);
+    /// Shows a block: the caret goes before it with the keyboard, and nothing is selected, so that what is typed replaces nothing.
+    void revealBlock(const std::string& file, TextRange block);
     void revealRange(const SourceRange& place) { revealFile(place, false); }
     FilePage* openFile(const std::string& file);
 
@@ -74,6 +82,7 @@ private:
     void onChanged();
     void onSelectionChanged();
     void showTitles();
+    void showWrap();
     void fillFileMenu();
     void addCommands();
     void selectAtCaret();
@@ -86,6 +95,7 @@ private:
     void showHover(FilePage& page, std::uint32_t offset, const QPoint& globalPos);
     void showLink(FilePage& page, std::uint32_t offset);
     void showMenu(FilePage& page, const QPoint& globalPos);
+    void rename(FilePage& page, const std::string& path, const QString& from, const QString& to);
     void tell(const QString& text); ///< beside the caret, for a moment
 
     Document& m_document;
@@ -95,11 +105,13 @@ private:
     QLabel* m_nothing;
     QToolButton* m_files;
     TextCommands* m_commands;
-    ResultsList* m_uses;
+    ResultsList *m_uses, *m_found;
     Completing* m_completing;
     FindBar* m_bar;
     Finding* m_finding;
     FileFolders m_folders;
+    WrapLines m_wrap = WrapLines::InNarrowPanes;
+    QPointer<RenameField> m_rename;
     QTimer m_caretTimer;
     std::string m_opened; ///< path of the opened file, as last seen
     std::size_t m_historyAt = 0, m_historySize = 0;

@@ -7,6 +7,7 @@
 #include "editor/text/finding.h"
 #include "editor/text/text_commands.h"
 #include "editor/text/text_panel.h"
+#include "editor/widgets/actions.h"
 
 namespace trundle {
 
@@ -30,7 +31,9 @@ void TextPanel::addCommands() {
     m_commands->inText("edit.delete", withEdit([](CodeEdit& edit) { edit.removeForward(); }));
     m_commands->inText("edit.selectAll", withEdit([](CodeEdit& edit) { edit.selectAll(); }));
     m_commands->inText("edit.duplicate", withEdit([](CodeEdit& edit) { edit.duplicateLines(); }));
+    m_commands->inText("edit.rename", withEdit([this](CodeEdit& edit) { renameAt(edit.caret()); }));
     m_commands->inText("edit.find", [this] { m_finding->open(false); });
+    m_commands->own("edit.findInFiles", [this] { m_finding->openInFiles(); });
     m_commands->own("edit.replace", [this] { m_finding->open(true); });
     m_commands->own("text.complete", [this] {
         if (FilePage* page = this->page()) m_completing->ask(*page);
@@ -46,6 +49,12 @@ void TextPanel::addCommands() {
     m_commands->own("text.comment", withEdit([](CodeEdit& edit) { edit.toggleComment(); }));
     m_commands->own("text.lineUp", withEdit([](CodeEdit& edit) { edit.moveLines(-1); }));
     m_commands->own("text.lineDown", withEdit([](CodeEdit& edit) { edit.moveLines(+1); }));
+    connect(&m_actions.at("text.wrap"), &QAction::triggered, this, [this](bool wraps) {
+        Preferences preferences = loadPreferences();
+        preferences.wrapLines = wraps ? WrapLines::Always : WrapLines::Never;
+        savePreferences(preferences);
+        setWrapLines(preferences.wrapLines);
+    });
     m_commands->own("text.fold", withEdit([](CodeEdit& edit) { edit.foldEverything(true); }));
     m_commands->own("text.unfold", withEdit([](CodeEdit& edit) { edit.foldEverything(false); }));
 }

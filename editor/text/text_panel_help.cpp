@@ -10,6 +10,7 @@
 #include "editor/text/file_page.h"
 #include "editor/text/hover.h"
 #include "editor/text/navigation.h"
+#include "editor/text/rename_field.h"
 #include "editor/text/results_list.h"
 #include "editor/text/text_panel.h"
 #include "editor/widgets/actions.h"
@@ -104,6 +105,34 @@ void TextPanel::showUses(std::uint32_t offset) {
     m_uses->showRows(title, std::move(rows));
 }
 
+void TextPanel::renameAt(std::uint32_t offset) {
+    FilePage* page = this->page();
+    if (!page) return;
+    flush();
+    if (page->id() == kNoFile) return;
+    const std::optional<Symbol> symbol = symbolAt(*m_document.loaded(), page->id(), offset);
+    if (!symbol) return tell(tr("There is no name to change here"));
+    CodeEdit& edit = page->edit();
+    delete m_rename;
+    m_rename = new RenameField(edit.viewport());
+    const QString name = QString::fromStdString(symbol->name);
+    connect(m_rename, &RenameField::closed, page, [page] { page->setFocus(); });
+    connect(m_rename, &RenameField::renameRequested, page,
+            [this, page, path = symbol->path, name](const QString& to) { rename(*page, path, name, to); });
+    connect(&m_document, &Document::changed, m_rename, &QWidget::hide); // the name may be another one now
+    m_rename->open(edit.placeOf(symbol->word.range.begin) - QPoint(4, edit.lineHeight() + 4), name);
+}
+
+void TextPanel::rename(FilePage& page, const std::string& path, const QString& from, const QString& to) {
+    if (to != from) {
+        const Result<EditPlan> plan = planRename(*m_document.loaded(), path, to.toStdString());
+        const Status done = plan ? m_document.carryOut(tr("Rename %1 to %2").arg(from, to), plan) : Status(plan.error());
+        if (!done) return m_rename->showError(QString::fromStdString(done.error().message));
+    }
+    m_rename->hide();
+    page.setFocus();
+}
+
 QMenu* TextPanel::showFixes() {
     FilePage* page = this->page();
     if (!page || !page->flush()) return nullptr;
@@ -177,7 +206,7 @@ void TextPanel::showMenu(FilePage& page, const QPoint& globalPos) {
     add(tr("&Copy"), "edit.copy")->setEnabled(selected);
     add(tr("&Paste"), "edit.paste");
     menu->addSeparator();
-    for (const char* id : {"text.fix", "text.definition", "text.uses"}) add(m_actions.at(id).text(), id);
+    for (const char* id : {"text.fix", "text.definition", "text.uses", "edit.rename"}) add(m_actions.at(id).text(), id);
     menu->addSeparator();
     for (const char* id : {"text.comment", "text.format"}) add(m_actions.at(id).text(), id);
     menu->popup(globalPos);

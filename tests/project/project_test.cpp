@@ -287,6 +287,58 @@ Static arena { Config=Arena }
         SAYS(mended, "");
     }
 
+    /// What a file of the project or of the program's folder defines is imported by the fix, in the file that uses it.
+    void aDefinitionThatIsNotImported() {
+        Desk desk;
+        QTemporaryDir shipped;
+        const auto ship = [&shipped](const std::string& name, const std::string& text) {
+            const std::filesystem::path path = shipped.path().toStdString() + "/" + name;
+            std::filesystem::create_directories(path.parent_path());
+            std::ofstream(path, std::ios::binary) << text;
+        };
+        desk.options.shippedConfigs = shipped.path().toStdString();
+        ship("common/looks.sim", "Material shiny { }\nSurface smooth { }\n");
+        ship("robots/scout.sim", "#import common/looks.sim\nRobotConfig Scout { Body b { Sphere s { Radius=0.1 Mass=1 "
+                                 "Material=shiny Surface=smooth } } }\n");
+        desk.write("parts/hut.sim", "StaticConfig Hut { Box b { Size=1,1,1 Material=shiny Surface=smooth } }\n");
+        const auto loaded = desk.open("Tick = 0.01\nParam which = Scout\n#import parts/hut.sim\nStatic hut { Config=Hut }\n"
+                                      "Robot robot0 { Config=Scout }\nRobot robot1 { Config=$which }\n");
+        QCOMPARE(sample::messages(*loaded), "E208 Scout is defined in robots/scout.sim, which is not imported\n"
+                                            "E208 Scout is defined in robots/scout.sim, which is not imported\n"
+                                            "E208 shiny is defined in common/looks.sim, which is not imported\n"
+                                            "E208 smooth is defined in common/looks.sim, which is not imported\n");
+        const auto& said = loaded->diagnostics.all();
+        for (const Diagnostic& d : said) QCOMPARE(d.fixes.size(), std::size_t{1});
+        QCOMPARE(said[0].fixes[0].title, "#import robots/scout.sim");
+        QCOMPARE(said[2].fixes[0].edits.at(0).range.file, said[2].range.file); // every file imports what it uses
+        for (const FileId file : {FileId{0}, FileId{1}}) {
+            const auto& fix = std::find_if(said.begin(), said.end(), [&](const auto& d) { return d.range.file == file; })->fixes[0];
+            const std::string text = applyEdits(loaded->trees[file]->source().bytes(), fix.edits).value();
+            std::ofstream(loaded->paths[file], std::ios::binary) << text;
+        }
+        const auto fixed = desk.openFile(desk.folder() + "/main.sim");
+        SAYS(fixed, "");
+        QVERIFY(fixed->trees[0]->source().bytes().starts_with("Tick = 0.01\nParam which = Scout\n#import parts/hut.sim\n"
+                                                              "#import robots/scout.sim\n"));
+    }
+
+    /// An import that would bring robots along, go round in a circle or define something twice is not offered.
+    void whatCannotBeImportedIsNotOffered() {
+        Desk desk;
+        const std::string scout = "RobotConfig Scout { Body b { Sphere s { Radius=0.1 Mass=1 } } }\n";
+        desk.write("experiment.sim", scout + "Robot other { Config=Scout }\n");
+        desk.write("timed.sim", "Tick = 0.02\n" + scout);
+        desk.write("circle.sim", "#import main.sim\n" + scout);
+        desk.write("twice.sim", scout + "Material grey { }\n");
+        desk.write("other_kind.sim", "StaticConfig Scout { }\n");
+        const auto loaded = desk.open("Material grey { }\nRobot robot0 { Config=Scout }\n");
+        QCOMPARE(sample::messages(*loaded), "E208 Config names Scout, but there is no RobotConfig here\n");
+        QVERIFY(loaded->diagnostics.all()[0].fixes.empty());
+        desk.write("good.sim", scout);
+        const auto again = desk.open("Material grey { }\nRobot robot0 { Config=Scout }\n");
+        QCOMPARE(again->diagnostics.all()[0].fixes.at(0).title, "#import good.sim");
+    }
+
     void everyGeomAndJoint() {
         Desk desk;
         desk.write("cube.obj", "");

@@ -10,6 +10,8 @@
 
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_parts.h"
+#include "editor/text/code_edit.h"
+#include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
 #include "eventually.h"
@@ -55,6 +57,23 @@ private Q_SLOTS:
             QVERIFY2(!QImage(sample.picture).isNull(), qPrintable(sample.picture));
         for (const char* subject : {"sample.blob_follow", "sample.sensor_network_amr", "sample.directional_antenna"})
             QVERIFY2(m_window->findChild<QWidget*>(QLatin1String(subject)), subject);
+    }
+
+    void enterInTheTreePutsTheCaretInTheText() {
+        QVERIFY(m_window->open(path()));
+        EVENTUALLY(!m_window->document().isOpening());
+        m_window->selection().select("robot0");
+        auto* tree = m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"));
+        tree->setFocus();
+        QTest::keyClick(tree, Qt::Key_Return);
+        auto* text = m_window->findChild<TextPanel*>();
+        EVENTUALLY(text->hasKeyboard());
+        CodeEdit& edit = text->page()->edit();
+        QCOMPARE(edit.selection().size(), 0u);
+        QCOMPARE(edit.caret(), static_cast<std::uint32_t>(kExperiment.indexOf("Robot robot0")));
+        QTest::keyClick(&edit, Qt::Key_X); // replaces nothing
+        text->flush();
+        QCOMPARE(QByteArray::fromStdString(edit.bytes()), QByteArray(kExperiment).replace("Robot robot0", "xRobot robot0"));
     }
 
     void onTheWelcomePageEveryCommandDoesNoHarm() {

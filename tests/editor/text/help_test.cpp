@@ -1,54 +1,17 @@
-// Completion, fixes, hover, definitions, uses, find and replace, format: with real keys.
+// Completion, fixes, hover, definitions, uses, format: with real keys.
 
 #include <QApplication>
-#include <QCheckBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
 #include <QTreeWidget>
 
 #include "editor/text/hover.h"
 #include "editor/text/navigation.h"
-#include "editor/text/text_window.h"
+#include "editor/text/two_balls.h"
 #include "eventually.h"
 
 using namespace trundle;
-using trundle::test::TextWindow;
-
-namespace {
-
-constexpr char kDrive[] = R"(#import parts.sim
-Tick = 0.01
-Robot one { Config=Ball size=0.2 }
-Robot two { Config=Ball body.ball.Mass=2 }
-PoseLog log { Robot=one Interval=100 ms }
-)";
-constexpr char kParts[] = R"(Material red { ColorRGB=1,0,0 }
-RobotConfig Ball {
-  Param size = 0.1
-  Body body {
-    Sphere ball { Radius=$(size*2) Mass=1 Material=red }
-  }
-}
-)";
-
-struct Window : TextWindow {
-    std::string parts;
-    Window() {
-        parts = write("parts.sim", kParts);
-        open(write("drive.sim", kDrive));
-    }
-    [[nodiscard]] QWidget* child(const char* name) { return panel.window()->findChild<QWidget*>(QLatin1String(name)); }
-    template <class T> [[nodiscard]] T* child(const char* name) { return panel.window()->findChild<T*>(QLatin1String(name)); }
-    [[nodiscard]] bool listShown() { return child("completionPopup") && child("completionPopup")->isVisible(); }
-    [[nodiscard]] QByteArray selected() {
-        const TextRange r = edit().selection();
-        return shown().mid(r.begin, r.size());
-    }
-};
-
-} // namespace
+using namespace trundle::test;
 
 class HelpTest final : public QObject {
     Q_OBJECT
@@ -69,16 +32,13 @@ private Q_SLOTS:
     void goesToDefinitions_data();
     void goesToDefinitions();
     void listsUses();
-    void findsInAllFiles();
-    void replacesAllAsOneEntry();
-    void replacesOneByOne();
-    void aWrongExpressionIsSaid();
+    void aMissingImportIsAFix();
     void formatsAsOneEntry();
     void aBrokenTextIsNotFormatted();
 };
 
 void HelpTest::completesWhileTyping() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Robot one");
     w.keys("Dur");
     EVENTUALLY(w.listShown());
@@ -95,7 +55,7 @@ void HelpTest::completesWhileTyping() {
 }
 
 void HelpTest::completionIsOneEntry() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Robot one");
     w.key(Qt::Key_Space, Qt::ControlModifier);
     QVERIFY(w.listShown());
@@ -107,11 +67,11 @@ void HelpTest::completionIsOneEntry() {
     QCOMPARE(w.selected(), QByteArray("material"));
     QCOMPARE(w.history().last(), QStringLiteral("Complete Material"));
     while (w.document.history().canUndo()) w.key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(w.shown(), QByteArray(kDrive));
+    QCOMPARE(w.shown(), QByteArray(kTwoBalls));
 }
 
 void HelpTest::aSignThatTheChoiceBroughtIsNotDoubled() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Robot one");
     w.keys("Dur");
     EVENTUALLY(w.listShown());
@@ -132,7 +92,7 @@ void HelpTest::aSignThatTheChoiceBroughtIsNotDoubled() {
 }
 
 void HelpTest::behindItsNameABlockIsGoneOnWith() {
-    Window w;
+    TwoBalls w;
     w.key(Qt::Key_End, Qt::ControlModifier);
     w.keys("Rob");
     EVENTUALLY(w.listShown());
@@ -157,7 +117,7 @@ void HelpTest::behindItsNameABlockIsGoneOnWith() {
 }
 
 void HelpTest::enterAfterAWholeWordIsANewLine() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Config=Ball body", 11);
     w.key(Qt::Key_Backspace);
     w.keys("l");
@@ -169,7 +129,7 @@ void HelpTest::enterAfterAWholeWordIsANewLine() {
 }
 
 void HelpTest::theListGoesWithWhatItWasFor() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Robot one");
     w.keys("Mat");
     EVENTUALLY(w.listShown());
@@ -182,7 +142,7 @@ void HelpTest::theListGoesWithWhatItWasFor() {
 }
 
 void HelpTest::enterBehindANumberIsANewLine() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Robot one");
     w.keys("Gravity = 0,0,-0.5"); // the sign before the digits has called for a list
     w.panel.flush();
@@ -196,7 +156,7 @@ void HelpTest::enterBehindANumberIsANewLine() {
 }
 
 void HelpTest::escapeClosesTheList() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Robot one");
     w.key(Qt::Key_Space, Qt::ControlModifier);
     QVERIFY(w.listShown());
@@ -208,7 +168,7 @@ void HelpTest::escapeClosesTheList() {
 }
 
 void HelpTest::valuesFollowAKey() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Robot one");
     w.keys("Solv");
     EVENTUALLY(w.listShown());
@@ -222,7 +182,7 @@ void HelpTest::valuesFollowAKey() {
 }
 
 void HelpTest::fixesByAltEnter() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Tick");
     w.key(Qt::Key_Delete);
     EVENTUALLY(!w.page().problems().empty());
@@ -231,15 +191,15 @@ void HelpTest::fixesByAltEnter() {
     QVERIFY(menu && menu->isVisible());
     QCOMPARE(menu->activeAction()->text(), QStringLiteral("Tick"));
     QTest::keyClick(menu, Qt::Key_Return);
-    QCOMPARE(w.text(), QByteArray(kDrive));
-    QCOMPARE(w.shown(), QByteArray(kDrive));
+    QCOMPARE(w.text(), QByteArray(kTwoBalls));
+    QCOMPARE(w.shown(), QByteArray(kTwoBalls));
     QCOMPARE(w.history().last(), QStringLiteral("Fix: Tick"));
     w.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(w.text().contains("\nick = 0.01"));
 }
 
 void HelpTest::problemsAreMarked() {
-    Window w;
+    TwoBalls w;
     const auto squiggle = [&](qsizetype at) {
         return w.edit().SendScintilla(QsciScintillaBase::SCI_INDICATORVALUEAT, 8UL, static_cast<long>(at)) != 0;
     };
@@ -286,9 +246,9 @@ void HelpTest::hovers() {
     QFETCH(QString, word);
     QFETCH(bool, inParts);
     QFETCH(QStringList, says);
-    Window w;
+    TwoBalls w;
     const FileId file = inParts ? 1 : 0;
-    const qsizetype at = QByteArray(inParts ? kParts : kDrive).indexOf(word.toUtf8());
+    const qsizetype at = QByteArray(inParts ? kBallConfig : kTwoBalls).indexOf(word.toUtf8());
     QVERIFY(at >= 0);
     const std::string html = hoverHtml(hoverAt(*w.document.loaded(), file, static_cast<std::uint32_t>(at)), {});
     for (const QString& s : says) QVERIFY2(QString::fromStdString(html).contains(s), html.c_str());
@@ -313,7 +273,7 @@ void HelpTest::goesToDefinitions() {
     QFETCH(bool, inParts);
     QFETCH(QByteArray, to);
     QFETCH(bool, toParts);
-    Window w;
+    TwoBalls w;
     if (inParts) {
         w.panel.openFile(w.parts);
         w.edit().setFocus();
@@ -326,7 +286,7 @@ void HelpTest::goesToDefinitions() {
 }
 
 void HelpTest::listsUses() {
-    Window w;
+    TwoBalls w;
     w.caretAt("Config=Ball", 8);
     w.key(Qt::Key_F12, Qt::ShiftModifier);
     auto* list = w.child<QTreeWidget>("usesList");
@@ -340,75 +300,19 @@ void HelpTest::listsUses() {
     QVERIFY(w.shown().mid(w.edit().selection().begin).startsWith("Ball body.ball"));
 }
 
-void HelpTest::findsInAllFiles() {
-    Window w;
-    w.caretAt("Tick");
-    w.key(Qt::Key_F, Qt::ControlModifier);
-    auto* find = w.child<QLineEdit>("findText");
-    EVENTUALLY(find->hasFocus());
-    QTest::keyClicks(find, QStringLiteral("ball"));
-    QCOMPARE(w.selected(), QByteArray("Ball"));
-    QCOMPARE(w.child<QLabel>("findSaid")->text(), QStringLiteral("1 of 3"));
-    QTest::keyClick(find, Qt::Key_Return);
-    QCOMPARE(w.child<QLabel>("findSaid")->text(), QStringLiteral("2 of 3"));
-    w.child<QCheckBox>("findEverywhere")->click();
-    QVERIFY(w.child<QLabel>("findSaid")->text().endsWith(QStringLiteral("of 5")));
-    for (int i = 0; i < 5 && w.page().file() != w.parts; ++i) QTest::keyClick(find, Qt::Key_Return);
-    QCOMPARE(w.page().file(), w.parts);
-    QCOMPARE(w.selected(), QByteArray("Ball"));
-    QTest::keyClick(find, Qt::Key_Return, Qt::ShiftModifier);
-    QVERIFY(w.page().file() != w.parts);
-    QTest::keyClick(find, Qt::Key_Escape);
-    QVERIFY(!find->isVisible());
-    QVERIFY(w.edit().hasFocus());
-}
-
-void HelpTest::replacesAllAsOneEntry() {
-    Window w;
-    w.key(Qt::Key_H, Qt::ControlModifier);
-    QTest::keyClicks(w.child<QLineEdit>("findText"), QStringLiteral("Ball"));
-    w.child<QAbstractButton>("findCase")->click();
-    w.child<QAbstractButton>("findWords")->click();
-    w.child<QCheckBox>("findEverywhere")->click();
-    QTest::keyClicks(w.child<QLineEdit>("replaceText"), QStringLiteral("Sphere1"));
-    QTest::mouseClick(w.child<QPushButton>("replaceAll"), Qt::LeftButton);
-    QCOMPARE(w.text().count("Config=Sphere1"), 2);
-    QVERIFY(w.text(w.parts).contains("RobotConfig Sphere1 {"));
-    QVERIFY(w.text(w.parts).contains("Sphere ball"));
-    QCOMPARE(w.history(), QStringList{QStringLiteral("Replace All")});
-    QCOMPARE(w.child<QLabel>("findSaid")->text(), QStringLiteral("3 replaced"));
-    w.document.undo();
-    QCOMPARE(w.text(), QByteArray(kDrive));
-    QCOMPARE(w.text(w.parts), QByteArray(kParts));
-    // What was found is marked where it stands again.
-    const auto marked = [&w](qsizetype at) {
-        return w.edit().SendScintilla(QsciScintillaBase::SCI_INDICATORVALUEAT, 11UL, static_cast<long>(at)) != 0;
-    };
-    const qsizetype found = w.shown().indexOf("Ball");
-    QVERIFY(!marked(found - 1) && marked(found) && marked(found + 3) && !marked(found + 4));
-}
-
-void HelpTest::replacesOneByOne() {
-    Window w;
-    w.key(Qt::Key_H, Qt::ControlModifier);
-    QTest::keyClicks(w.child<QLineEdit>("findText"), QStringLiteral("(\\w+)=Ball"));
-    w.child<QAbstractButton>("findRegex")->click();
-    QTest::keyClicks(w.child<QLineEdit>("replaceText"), QStringLiteral("\\1 = Ball"));
-    QTest::mouseClick(w.child<QPushButton>("replaceOne"), Qt::LeftButton);
-    QCOMPARE(w.text().count("Config = Ball"), 1);
-    QCOMPARE(w.selected(), QByteArray("Config=Ball")); // the next one
-    QTest::mouseClick(w.child<QPushButton>("replaceOne"), Qt::LeftButton);
-    QCOMPARE(w.text().count("Config = Ball"), 2);
-    QCOMPARE(w.shown(), w.text());
-}
-
-void HelpTest::aWrongExpressionIsSaid() {
-    Window w;
-    w.key(Qt::Key_F, Qt::ControlModifier);
-    w.child<QAbstractButton>("findRegex")->click();
-    QTest::keyClicks(w.child<QLineEdit>("findText"), QStringLiteral("(a"));
-    QVERIFY(w.child<QLabel>("findSaid")->text().contains(QStringLiteral("parenthes")));
-    QTest::keyClick(w.child<QLineEdit>("findText"), Qt::Key_Return);
+void HelpTest::aMissingImportIsAFix() {
+    TextWindow w;
+    (void)w.write("parts.sim", kBallConfig);
+    w.open(w.write("drive.sim", "Tick = 0.01\nRobot one { Config=Ball }\n"));
+    w.caretAt("Ball", 1);
+    w.key(Qt::Key_Return, Qt::AltModifier);
+    auto* menu = w.panel.findChild<QMenu*>(QStringLiteral("fixMenu"));
+    QVERIFY(menu);
+    QCOMPARE(menu->actions().at(1)->text(), QStringLiteral("#import parts.sim"));
+    menu->actions().at(1)->trigger();
+    menu->close();
+    QCOMPARE(w.text(), QByteArray("#import parts.sim\nTick = 0.01\nRobot one { Config=Ball }\n"));
+    QVERIFY(!w.document.loaded()->diagnostics.hasErrors());
 }
 
 void HelpTest::formatsAsOneEntry() {

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QInputMethodEvent>
 #include <QPushButton>
+#include <QSettings>
 
 #include "editor/text/text_window.h"
 #include "eventually.h"
@@ -30,6 +31,8 @@ private Q_SLOTS:
     void enterIndents();
     void pasteKeepsLineEnds();
     void lettersAreNoShortcuts();
+    void commandsTypeNothing();
+    void linesWrapInNarrowPanes();
     void anythingTypedComesBack_data();
     void anythingTypedComesBack();
     void inputMethods();
@@ -258,6 +261,51 @@ void PanelTest::lettersAreNoShortcuts() {
     QVERIFY(w.text().contains("fF5Tick"));
 }
 
+void PanelTest::commandsTypeNothing() {
+    TextWindow w;
+    openDrive(w);
+    w.caretAt("Tick");
+    for (const Qt::KeyboardModifiers held : {Qt::KeyboardModifiers(Qt::ControlModifier), Qt::ControlModifier | Qt::ShiftModifier,
+                                             Qt::KeyboardModifiers(Qt::MetaModifier), Qt::KeyboardModifiers(Qt::AltModifier)})
+        for (const auto& [key, text] : {std::pair(Qt::Key_Period, "."), std::pair(Qt::Key_E, "e"), std::pair(Qt::Key_1, "1"),
+                                        std::pair(Qt::Key_BraceRight, "}")})
+            QTest::sendKeyEvent(QTest::Click, &w.edit(), key, QLatin1String(text), held); // as the window system sends them
+    w.panel.flush();
+    QCOMPARE(w.shown(), QByteArray(kDrive));
+    w.key(Qt::Key_Right, Qt::ControlModifier); // what moves the caret still does
+    QVERIFY(w.edit().caret() > static_cast<std::uint32_t>(w.shown().indexOf("Tick")));
+    QTest::sendKeyEvent(QTest::Click, &w.edit(), Qt::Key_BraceLeft, QStringLiteral("{"), Qt::GroupSwitchModifier); // AltGr
+    w.panel.flush();
+    QCOMPARE(w.shown().size(), qsizetype(sizeof(kDrive)));
+}
+
+void PanelTest::linesWrapInNarrowPanes() {
+    QSettings().clear();
+    const QByteArray text = "// " + QByteArray("word ").repeated(40) + "\nTick = 0.01\n";
+    TextWindow w;
+    w.open(w.write("long.sim", text));
+    const auto rows = [&w] { return w.edit().SendScintilla(QsciScintillaBase::SCI_WRAPCOUNT, 0UL); };
+    QAction& wrap = w.actions.at("text.wrap");
+    w.panel.resize(1400, 500);
+    EVENTUALLY(!w.edit().wrapsLines());
+    QCOMPARE(rows(), 1L);
+    QVERIFY(!wrap.isChecked());
+    w.panel.resize(400, 500);
+    EVENTUALLY(w.edit().wrapsLines());
+    EVENTUALLY(rows() > 1L);
+    QVERIFY(wrap.isChecked());
+    w.edit().select({static_cast<std::uint32_t>(text.indexOf("Tick")), static_cast<std::uint32_t>(text.indexOf("Tick"))});
+    QCOMPARE(w.shown(), text); // nothing is inserted
+    wrap.trigger();
+    QVERIFY(!w.edit().wrapsLines());
+    QVERIFY(loadPreferences().wrapLines == WrapLines::Never);
+    wrap.trigger();
+    w.panel.resize(1400, 500);
+    QVERIFY(w.edit().wrapsLines());
+    QVERIFY(loadPreferences().wrapLines == WrapLines::Always);
+    QSettings().clear();
+}
+
 void PanelTest::anythingTypedComesBack_data() {
     QTest::addColumn<QByteArray>("lineEnd");
     QTest::newRow("LF") << QByteArray("\n");
@@ -342,7 +390,7 @@ void PanelTest::deleteTakesWhatIsSelected() {
     w.key(Qt::Key_Delete);
     w.panel.flush();
     QCOMPARE(w.text(), QByteArray("\n"));
-    QVERIFY(!w.panel.carryOut("edit.rename"));
+    QVERIFY(!w.panel.carryOut("tool.move"));
 }
 
 void PanelTest::whatIsRefusedDoesNotStay() {

@@ -25,7 +25,9 @@ inline constexpr ActionRow kRows[] = {
     {"edit.delete", "Edit", "Delete", "", "Del", ""},
     {"edit.selectAll", "Edit", "All", "", "Ctrl+A", ""},
     {"edit.duplicate", "Edit", "Duplicate", "", "Ctrl+D", ""},
+    {"edit.rename", "Edit", "Rename", "", "F2", ""},
     {"edit.find", "Edit", "Find", "", "Ctrl+F", ""},
+    {"edit.findInFiles", "Edit", "Find in Files", "", "Ctrl+Shift+F", ""},
     {"edit.replace", "Edit", "Replace", "", "Ctrl+H", ""},
     {"text.complete", "Edit", "Complete", "", "Ctrl+Space", ""},
     {"text.fix", "Edit", "Fix", "", "Alt+Return", ""},
@@ -35,6 +37,7 @@ inline constexpr ActionRow kRows[] = {
     {"text.lineUp", "Edit", "Up", "", "Alt+Up", ""},
     {"text.lineDown", "Edit", "Down", "", "Alt+Down", ""},
     {"text.format", "Edit", "Format", "", "Ctrl+Shift+I", ""},
+    {"text.wrap", "Edit", "Wrap", "", "", "", true},
     {"text.fold", "Edit", "Fold", "", "", ""},
     {"text.unfold", "Edit", "Unfold", "", "", ""},
 };
