@@ -111,7 +111,7 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     printDiagnostics(problems.all(), loaded.sources);
     if (!runner) return kExitText;
     const std::uint64_t ticks = ticksFor(arguments.at, loaded.experiment->settings.tick);
-    while (runner->world().ticks() < ticks && runner->tick().ok()) {}
+    while (!runner->finished() && runner->world().ticks() < ticks && runner->tick().ok()) {}
     if (const Diagnostic* failure = runner->failure()) { // the last state is still worth a look
         printDiagnostics({*failure}, loaded.sources);
         return exitCodeFor(failure->code);

@@ -257,8 +257,8 @@ constexpr const char* kRunExamples = R"(Examples:
   trundle-cli run my.sim --json --quiet > result.json
 
 Results go to standard output; progress, messages and what controllers print go to standard error.
-Exit codes: 0 done, 1 errors in the text or a module that does not load, 2 wrong usage or unreadable FILE,
-3 the simulation blew up, 4 a controller failed, 130 interrupted (Ctrl+C; logs and summary are complete).)";
+Exit codes: 0 done (at the end of the duration, or finished by a controller), 1 errors in the text or a module that does not
+load, 2 wrong usage or unreadable FILE, 3 the simulation blew up, 4 a controller failed, 130 interrupted (Ctrl+C; logs and summary are complete).)";
 
 } // namespace
 

@@ -47,6 +47,11 @@ Json robotsJson(const World& world) {
     return robots;
 }
 
+Json finishJson(const RunFinish* finish) {
+    if (!finish) return nullptr;
+    return {{"robot", finish->robot}, {"controller", finish->controller}, {"reason", finish->reason}, {"time", finish->time}};
+}
+
 } // namespace
 
 std::string runJson(const RunReport& report) {
@@ -62,6 +67,7 @@ std::string runJson(const RunReport& report) {
     json["quick_ticks"] = world ? world->quickTicks() : 0;
     json["rescued_ticks"] = world ? world->rescuedTicks() : 0;
     json["interrupted"] = report.interrupted;
+    json["finished"] = finishJson(report.runner ? report.runner->finished() : nullptr);
     json["robots"] = world ? robotsJson(*world) : Json::object();
     json["diagnostics"] = diagnosticsJson(report.diagnostics, report.sources);
     if (!report.unreadable.empty()) json["diagnostics"][0]["file"] = report.unreadable;

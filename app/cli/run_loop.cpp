@@ -32,7 +32,7 @@ LoopOutcome runTicks(Runner& runner, const LoopPlan& plan, Progress& progress, D
     std::size_t warned = 0;
     const Clock::time_point start = Clock::now();
     const double tick = runner.world().experiment().settings.tick;
-    for (std::uint64_t done = 0; plan.endless || done < plan.ticks; ++done) {
+    for (std::uint64_t done = 0; !runner.finished() && (plan.endless || done < plan.ticks); ++done) {
         if (interrupted()) {
             outcome.interrupted = true;
             break;

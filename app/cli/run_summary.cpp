@@ -121,6 +121,10 @@ std::string runSummary(const RunReport& report) {
                                                                                              : ""));
     text += row("simulated", shortText(simulated, 9) + " s in " + counted(world.ticks(), "tick") + " of " +
                                  exactText(world.experiment().settings.tick) + " s");
+    if (const RunFinish* finish = report.runner->finished())
+        text +=
+            row("finished", "by " + safeText(finish->robot + "/" + finish->controller) + " at t = " + shortText(finish->time, 9) +
+                                " s" + (finish->reason.empty() ? "" : ": ") + safeText(finish->reason));
     if (world.ticks() > 0 && report.wallS > 0)
         text += row("took", shortText(report.wallS) + " s, " + shortText(simulated / report.wallS) + " x real time");
     if (!world.experiment().robots.empty()) text += robotRows(report, world);

@@ -14,12 +14,13 @@ namespace trundle {
 
 class Medium;
 
-/// What a controller reaches of the outside: its console, its logs. Called on the thread that ticks.
+/// What a controller reaches of the outside: its console, its logs, the end of the run. Called on the thread that ticks.
 struct ControllerOutlet {
     std::function<void(int severity, const std::string& text)> print;
     std::function<int(const std::string& fileName)> openLog; ///< -1: refused
     std::function<void(int log, std::string_view bytes)> writeLog;
-    Medium* medium = nullptr; ///< for its radios; outlives the controller
+    std::function<void(const std::string& reason)> finish; ///< the run ends after this tick
+    Medium* medium = nullptr;                              ///< for its radios; outlives the controller
     // Cameras of the robot, by their names.
     std::function<Result<const Frame*>(const std::string& camera)> capture; ///< good until it takes its next picture
     std::function<Status(const std::string& camera, const std::string& fileName)> savePicture;

@@ -33,6 +33,8 @@ public:
         m_table.radio = &kRadio;
         m_cameras = {sizeof m_cameras, 0, this, &capture, &savePicture, &objectName, &cameraError};
         m_table.cameras = &m_cameras;
+        m_table.publish = &publish;
+        m_table.finish = &finish;
     }
     InProcessBackend(const InProcessBackend&) = delete;
     InProcessBackend& operator=(const InProcessBackend&) = delete;
@@ -125,6 +127,17 @@ private:
         const auto named = [&](const ComponentSpec& component) { return component.name == device; };
         const auto found = std::ranges::find_if(m_robot.config->devices, named);
         return found != m_robot.config->devices.end() && !(found->number("UpdatePeriod") > 0);
+    }
+    static double* publish(void* context, const char* signal, std::uint32_t* count) {
+        auto& me = self(context);
+        const auto entry = PortNames(me.m_robot, *me.m_layout).published(textOf(signal));
+        if (entry && count) *count = entry.value()->count;
+        if (entry) return &me.m_block->slots()[entry.value()->offset];
+        if (!me.m_failure) me.m_failure = entry.error();
+        return nullptr;
+    }
+    static void finish(void* context, const char* reason) {
+        if (self(context).m_outlet.finish) self(context).m_outlet.finish(textOf(reason));
     }
     static std::int32_t signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count,
                                    std::uint32_t* direction) {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uint32_t kMostKinds = 1000, kMostFields = 1000, kMostElements = 100000;
 constexpr std::size_t kLongestText = 4000;
+constexpr std::uint32_t kPublishedSince = 3, kMostPublished = 1000; // minor version; numbers of one controller
 
 struct CommonFields {
     double updatePeriod = 0, budget = 0;
@@ -36,9 +37,11 @@ Status checkDescriptor(const TrundleModule* module, const std::string& library) 
         const auto version = [](std::uint32_t major, std::uint32_t minor) {
             return std::to_string(major) + "." + std::to_string(minor);
         };
+        const bool newer = module->abiMajor == TRUNDLE_ABI_MAJOR;
         return fault(Code::ModuleVersion, "is built for module interface " + version(module->abiMajor, module->abiMinor) +
                                               "; this program has " + version(TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR) +
-                                              ": build the module again");
+                                              (newer ? ": build the module again with this program's SDK, or use a newer Trundle"
+                                                     : ": build the module again"));
     }
     if (module->size < sizeof(TrundleModule)) return fault(Code::ModuleWrongFormat, "has a description that is too short");
     if (module->kindCount > kMostKinds || (module->kindCount > 0 && !module->kinds))
@@ -128,6 +131,19 @@ std::string copyKind(const TrundleKind& from, Kind& to) {
     return kindFault(to);
 }
 
+/// What a controller describes as its signals meant nothing before interface 1.3.
+std::string publishedFault(const Kind& kind, std::uint32_t abiMinor) {
+    if (kind.role != Role::Controller || abiMinor < kPublishedSince) return {};
+    std::uint64_t numbers = 0;
+    for (const SignalDescription& s : kind.signals) {
+        if (s.direction != TRUNDLE_OUTPUT)
+            return "has a signal " + s.name + " that is no output: a controller publishes outputs alone";
+        numbers += s.count;
+    }
+    if (numbers <= kMostPublished) return {};
+    return "publishes " + std::to_string(numbers) + " numbers; at most " + std::to_string(kMostPublished) + " are possible";
+}
+
 bool isName(const std::string& text) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     if (text.empty() || !letter(text[0])) return false;
@@ -199,6 +215,7 @@ Result<std::vector<Kind>> kindsOfModule(const TrundleModule* module, const std::
         Kind kind;
         kind.module = library;
         std::string fault = !table || table->size < kSizeWithoutAlternatives ? "is too short" : copyKind(*table, kind);
+        if (fault.empty()) fault = publishedFault(kind, module->abiMinor);
         if (fault.empty() && !names.insert(kind.name).second) fault = "is there twice";
         if (!fault.empty()) {
             const std::string name = kind.name.empty() ? "kind number " + std::to_string(i + 1) : "kind '" + kind.name + "'";

@@ -17,6 +17,8 @@ public:
     /// else gives it. Fails with E411, naming what there is.
     [[nodiscard]] Result<const SignalEntry*> bind(const std::string& kind, const std::string& device,
                                                   const std::string& signal) const;
+    /// The entry of a signal that the controller's kind describes. Fails with E411, naming those that there are.
+    [[nodiscard]] Result<const SignalEntry*> published(const std::string& signal) const;
     /// Without a failure to tell: nullptr where there is none. Empty `signal`: any of the device's.
     [[nodiscard]] const SignalEntry* look(const std::string& device, const std::string& signal) const;
 

@@ -58,6 +58,7 @@ struct RobotSpec {
     std::optional<ComponentSpec> controller; ///< with UpdatePeriod, Isolation, Budget among its values
     SourceRange range;                       ///< the whole block
     SourceRange nameRange; ///< where a message about the robot points; of a member, the Grid's or Scatter's name
+    std::vector<SignalDescription> published; ///< by the controller, as its kind describes them
 };
 
 struct StaticSpec {

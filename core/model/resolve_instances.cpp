@@ -241,7 +241,9 @@ private:
         Given given;
         const Part* config = nullptr;
         const Record record = readInstance(part, scope, given, config, "RobotConfig");
-        std::optional<ComponentSpec> brain = controller(part, scope, config);
+        const std::optional<ComponentSpec> brain = controller(part, scope, config);
+        const Kind* kind = brain ? m_context.registry.find(brain->kind) : nullptr;
+        const std::vector<SignalDescription> published = kind ? kind->signals : std::vector<SignalDescription>();
         if (!config || !record.complete) return;
         const double members = memberCount(part, record);
         if (!roomFor(part, *config, members, record.rangeOf("Count", part.nameRange()))) return;
@@ -250,7 +252,7 @@ private:
         if (!part.is(Role::Layout)) {
             const RobotFields f = fieldsFrom<RobotFields>(record);
             m_context.out.robots.push_back(
-                {part.name, poseOf(f.pos, f.hpr), spec, std::move(brain), part.range, part.nameRange()});
+                {part.name, poseOf(f.pos, f.hpr), spec, brain, part.range, part.nameRange(), published});
             return;
         }
         const std::vector<Pose> poses =
@@ -263,7 +265,7 @@ private:
                 d.notes.push_back({"defined here", part.nameRange()});
                 continue;
             }
-            m_context.out.robots.push_back({std::move(name), poses[i], spec, brain, part.range, part.nameRange()});
+            m_context.out.robots.push_back({std::move(name), poses[i], spec, brain, part.range, part.nameRange(), published});
         }
     }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostControllerErrors = 20; // a swarm of one broken controller says it once, ten kinds ten times
 constexpr std::size_t kMostControllerLogs = 1000;
+constexpr std::size_t kLongestReason = 1000; // bytes
 
 /// Says whose turn it is, as long as it lasts.
 class Turn {
@@ -77,6 +78,9 @@ Status ExperimentRunner::fail(const Error& error, SourceRange range) {
 
 ControllerOutlet ExperimentRunner::outletFor(const RobotSpec& robot) {
     ControllerOutlet outlet;
+    outlet.finish = [this, &robot](const std::string& reason) {
+        if (!m_finishAsked) m_finishAsked = RunFinish{robot.name, robot.controller->name, reason.substr(0, kLongestReason), 0};
+    };
     outlet.print = [this, name = robot.name](int severity, const std::string& text) { say(name, severity, text); };
     outlet.openLog = [this, name = robot.name](const std::string& fileName) {
         if (m_controllerLogs.size() >= kMostControllerLogs) {
@@ -146,6 +150,7 @@ void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
             {std::move(log), file.value(), Schedule(spec.number("Interval"), experiment().settings.tick), spec.nameRange});
     }
     if (const Status written = writeLogs(); !written && m_failure) diagnostics.append({*m_failure});
+    settleFinish();
 }
 
 // ---- the tick ----
@@ -240,7 +245,16 @@ Status ExperimentRunner::tick() {
     m_cameras.afterTick();
     if (!m_toldCluster && m_world->largestExactCluster() > 0) warnOfCluster();
     if (m_tellsDropped.due(m_world->ticks())) tellDropped();
-    return writeLogs();
+    if (Status done = writeLogs(); !done) return done;
+    settleFinish();
+    return {};
+}
+
+/// Only a tick that is whole, its log rows written, can be the last.
+void ExperimentRunner::settleFinish() {
+    if (!m_finishAsked || m_finish) return;
+    m_finish = m_finishAsked;
+    m_finish->time = tickTime(m_world->ticks(), experiment().settings.tick);
 }
 
 void ExperimentRunner::flushLogs() {

@@ -27,6 +27,7 @@ public:
     const std::vector<Command>& commands() const override { return m_commands; }
     const std::vector<Diagnostic>& warnings() const override { return m_warnings; }
     const Diagnostic* failure() const override { return m_failure ? &*m_failure : nullptr; }
+    const RunFinish* finished() const override { return m_finish ? &*m_finish : nullptr; }
     void flushLogs() override;
     Status finish() override;
     World& world() override { return *m_world; }
@@ -69,6 +70,7 @@ private:
     [[nodiscard]] Controller* controllerOf(const std::string& robot);
     Status think();
     Status writeLogs();
+    void settleFinish();
 
     RunOptions m_options;
     ConsoleLimit m_console;
@@ -82,7 +84,8 @@ private:
     std::size_t m_applied = 0; // commands before this one are done
     std::vector<Diagnostic> m_warnings;
     std::optional<Diagnostic> m_failure;
-    Schedule m_tellsDropped; // once a second
+    std::optional<RunFinish> m_finishAsked, m_finish; // in the tick under way; when that is done
+    Schedule m_tellsDropped;                          // once a second
     std::string m_rows;
     std::size_t m_pictures = 0;       // saved
     std::set<std::string> m_toldLost; // logs, with why they leave pictures out

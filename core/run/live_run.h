@@ -18,7 +18,7 @@
 namespace trundle {
 
 /// Running also while single ticks are under way; with Paused comes the snapshot of the tick it stands at.
-/// Ended: by Duration, by a fault, by a failed controller, or because nothing could be built; logs are closed by then.
+/// Ended: by Duration, by a controller's finish(), by a fault, by a failed controller, or because nothing could be built; logs are closed by then.
 enum class LivePhase { Building, Paused, Running, Ended };
 
 /// A contact that outlives the world.
@@ -61,7 +61,8 @@ struct LiveView {
 };
 
 struct LiveEnd {
-    std::optional<Diagnostic> failure; ///< none: it came to its Duration
+    std::optional<Diagnostic> failure; ///< none: it came to its Duration, or a controller finished it
+    std::optional<RunFinish> finish;   ///< by a controller
     std::string body;                  ///< that blew up: "robot0/chassis"; empty where it is none
     double time = 0;                   ///< s, simulated
     std::vector<Diagnostic> problems;  ///< of building

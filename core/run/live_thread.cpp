@@ -251,6 +251,7 @@ void LiveThread::end() {
         end.emplace();
         end->time = m_runner->world().time();
         if (const Diagnostic* failure = m_runner->failure()) end->failure = *failure;
+        if (const RunFinish* finish = m_runner->finished()) end->finish = *finish;
         if (const Fault* fault = m_runner->world().fault()) {
             end->body = fault->body;
             end->time = fault->time;

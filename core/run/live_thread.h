@@ -30,7 +30,7 @@ private:
     void loop();
     [[nodiscard]] Next awaitNext();
     [[nodiscard]] bool tick();
-    [[nodiscard]] bool atEnd() const { return m_ticks > 0 && m_runner->world().ticks() >= m_ticks; }
+    [[nodiscard]] bool atEnd() const { return m_runner->finished() || (m_ticks > 0 && m_runner->world().ticks() >= m_ticks); }
     void passWarnings();
     void publish(bool stands);
     [[nodiscard]] std::shared_ptr<const LiveSnapshot> look(bool stands, bool contacts);

@@ -29,6 +29,12 @@ struct RunOptions {
     std::shared_ptr<void> keeps; ///< let go when controllers and devices are gone: the libraries that their code is in
 };
 
+/// What a controller that ended the run by finish() gave.
+struct RunFinish {
+    std::string robot, controller, reason;
+    double time = 0; ///< s, simulated, at the end of the tick in which it was called
+};
+
 class Runner {
 public:
     /// Builds world and controllers. Problems go to `diagnostics`; with an error there is no runner.
@@ -46,6 +52,8 @@ public:
     [[nodiscard]] virtual const std::vector<Diagnostic>& warnings() const = 0;
     /// What ended the run early, with its place; nullptr while all is well. Set by a tick() or finish() that failed.
     [[nodiscard]] virtual const Diagnostic* failure() const = 0;
+    /// Set by the first tick in which a controller called finish(), or by create() where one did so in setup: the run is over.
+    [[nodiscard]] virtual const RunFinish* finished() const = 0;
     /// Gives what the logs hold to the system: it is kept then, whatever becomes of this program.
     virtual void flushLogs() = 0;
     /// Stops the controllers, flushes and closes logs; also done by the destructor.

@@ -29,6 +29,14 @@ std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot) {
     return first;
 }
 
+void planController(SignalLayout& layout, const RobotSpec& robot) {
+    if (!robot.controller) return;
+    for (const SignalDescription& s : robot.published)
+        if (s.direction == TRUNDLE_OUTPUT)
+            layout.add(robot.name + "/" + robot.controller->name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
+                       SignalDirection::Output, std::max(s.count, 1u));
+}
+
 SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry) {
     SignalLayout layout;
     for (const RobotSpec& robot : experiment.robots) {
@@ -40,6 +48,7 @@ SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& reg
                 layout.add(robot.name + "/" + device.name + "/" + s.name, s.unit, static_cast<SignalType>(s.type),
                            static_cast<SignalDirection>(s.direction), std::max(s.count, 1u));
         }
+        planController(layout, robot);
     }
     return layout;
 }

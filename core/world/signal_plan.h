@@ -14,6 +14,9 @@ namespace trundle {
 /// the first slot.
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot);
 
+/// Adds what the robot's controller publishes: "robot0/brain/hops". Last in the robot's image.
+void planController(SignalLayout& layout, const RobotSpec& robot);
+
 /// The layout that a world of this experiment has. Devices of kinds that the registry does not know have no signals in it.
 [[nodiscard]] SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry);
 

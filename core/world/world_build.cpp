@@ -143,11 +143,12 @@ JointPlace BuiltWorld::placeOf(const JointSpec& joint, const BuiltRobot& robot) 
     return {robot.handles.bodies[parent].index, true, inParent * joint.anchor, inParent.rotation * axis};
 }
 
-/// Truth first, in one run that publishRobot() walks; then the devices' signals.
+/// Truth first, in one run that publishRobot() walks; then the devices' signals and the controller's.
 void BuiltWorld::layOutSignals() {
     for (BuiltRobot& robot : m_robots) {
         robot.image = planRobot(m_layout, *robot.spec);
         for (std::uint32_t d = 0; d < robot.deviceCount; ++d) layOutDevice(*m_devices[robot.firstDevice + d]);
+        planController(m_layout, *robot.spec);
     }
 }
 

@@ -116,7 +116,7 @@ Result<bool> MovieRecorder::film(Work& work, const MovieJob& job) {
         if (now >= first && movie.value()->isDue(time, tick)) {
             if (Status added = addPicture(time); !added) return added.error();
         }
-        if (now >= last) break;
+        if (now >= last || runner->finished()) break;
         if (const auto since = std::chrono::steady_clock::now(); since - told > std::chrono::milliseconds(50)) {
             told = since;
             work.tell([pictures = movie.value()->frames(), at = runner->world().time()](MovieRecorder& recorder) {

@@ -8,6 +8,7 @@ namespace trundle {
 namespace {
 
 constexpr int kRefreshMs = 250;
+constexpr int kMostFinish = 80; // letters; the console has the rest
 
 QString counted(qulonglong count, const QString& one, const QString& many) { return count == 1 ? one : many.arg(count); }
 
@@ -37,6 +38,8 @@ void RunStatus::refresh() {
         parts << counted(shot->contactCount, tr("1 contact"), tr("%1 contacts"));
         parts << tr("step %1 ms").arg(shot->stepMs, 0, 'f', shot->stepMs < 10 ? 2 : 0);
     }
+    if (const QString finish = m_session.finishText(); !finish.isEmpty())
+        parts << (finish.size() > kMostFinish ? finish.left(kMostFinish) + QChar(0x2026) : finish);
     if (const QString heldUp = m_session.heldUpText(); !heldUp.isEmpty()) parts << heldUp;
     if (m_session.needsReset()) parts << tr("edits wait for Reset");
     const QString text = parts.join(QStringLiteral("  •  "));

@@ -361,10 +361,20 @@ void RunSession::showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot) {
 }
 
 void RunSession::tellLogs() {
-    if (!m_end->failure) tell(TRUNDLE_INFO, tr("finished at t = %1 s").arg(m_end->time));
+    if (const QString finish = finishText(); !finish.isEmpty()) tell(TRUNDLE_INFO, finish);
+    else if (!m_end->failure) tell(TRUNDLE_INFO, tr("finished at t = %1 s").arg(m_end->time));
     QStringList files;
     for (const std::string& file : m_end->logFiles) files.append(QString::fromStdString(m_document.shown(file)));
     if (!files.empty()) tell(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
+}
+
+QString RunSession::finishText() const {
+    if (!m_end || !m_end->finish) return {};
+    const RunFinish& finish = *m_end->finish;
+    const QString who = QString::fromStdString(finish.robot + "/" + finish.controller);
+    const QString reason = QString::fromStdString(finish.reason).simplified();
+    return reason.isEmpty() ? tr("finished by %1 at t = %2 s").arg(who).arg(finish.time)
+                            : tr("finished by %1 at t = %2 s: %3").arg(who).arg(finish.time).arg(reason);
 }
 
 void RunSession::tell(int severity, const QString& text) {

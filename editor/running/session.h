@@ -64,6 +64,8 @@ public:
     [[nodiscard]] LiveRadio takeRadio(); ///< of the present run; nothing at Start
     /// How and why it ended; nothing before.
     [[nodiscard]] const std::optional<LiveEnd>& end() const { return m_end; }
+    /// "finished by robot_0/brain at t = 83.5 s: reached"; empty where no controller ended the run.
+    [[nodiscard]] QString finishText() const;
     /// What building and running had to say, until Reset, in built()'s texts.
     [[nodiscard]] const std::vector<Diagnostic>& problems() const { return m_problems; }
     /// Wall s that one tick (or building) has taken so far, where that is remarkably long; else 0.

@@ -28,6 +28,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
         m_bar.addWidget(label);
     }
     m_run->setContentsMargins(8, 2, 10, 2);
+    m_run->setTextFormat(Qt::PlainText); // it may hold words of a module
     m_bar.addPermanentWidget(m_run);
     m_problems->setCursor(Qt::PointingHandCursor);
     m_problems->installEventFilter(this);

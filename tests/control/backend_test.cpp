@@ -1,4 +1,5 @@
 #include "control/in_process_backend.h"
+#include "control/published.h"
 
 #include <QtTest>
 
@@ -38,10 +39,13 @@ struct Stage {
         for (const char* s : {"frontTouch/pressed", "frontTouch/force", "frontTouch/count", "leftEncoder/count",
                               "leftEncoder/angle", "leftEncoder/rate", "leftEncoder/index", "still/frame", "stream/frame"})
             add(s, SignalDirection::Output);
-        block = std::make_unique<SignalBlock>(layout);
     }
-    Status start() {
-        if (auto loaded = store.load(kModules + "controllers/libgood.so"); !loaded) return loaded.error();
+    Status start(const char* library = "controllers/libgood.so") {
+        auto loaded = store.load(kModules + library);
+        if (!loaded) return loaded.error();
+        for (const Kind& kind : loaded.value()->kinds)
+            if (kind.name == robot.controller->kind) addPublished(kind, robot, layout);
+        block = std::make_unique<SignalBlock>(layout);
         auto made = makeInProcessBackend(robot, settings, store);
         if (!made) return made.error();
         backend = std::move(made).value();
@@ -54,6 +58,7 @@ struct Stage {
             return static_cast<int>(logs.size()) - 1;
         };
         outlet.writeLog = [this](int log, std::string_view bytes) { logs[static_cast<std::size_t>(log)] += bytes; };
+        outlet.finish = [this](const std::string& reason) { finished.push_back(reason); };
         outlet.capture = [this](const std::string&) { return Result<const Frame*>(&frame); };
         return backend->start(layout, *block, outlet);
     }
@@ -68,7 +73,7 @@ struct Stage {
     std::unique_ptr<SignalBlock> block;
     std::unique_ptr<ControllerBackend> backend;
     Frame frame{1, 1, 0, 0, {1, 2, 3}, {}, {}};
-    std::vector<std::string> console, logs;
+    std::vector<std::string> console, logs, finished;
 };
 } // namespace
 
@@ -98,6 +103,47 @@ private Q_SLOTS:
         QVERIFY(stage.backend->tick(5, .05, .02).ok());
         QCOMPARE(stage.console.at(0), std::string("hi t=0.05 dt=0.02 n=12 rear=0 pair=7"));
         QCOMPARE(stage.logs.at(0), std::string("own.txt:line\n"));
+    }
+
+    void aControllerPublishesWhatItDescribes() {
+        Stage stage("Counter", {{"End", number(2)}});
+        const Status started = stage.start("publishing/libpublishing.so");
+        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
+        QCOMPARE(stage.at("brain/where", 1), 5.);
+        QVERIFY(stage.backend->tick(0, 0, 0).ok());
+        QCOMPARE(stage.at("brain/count"), 1.);
+        QVERIFY(stage.finished.empty());
+        QVERIFY(stage.backend->tick(1, .01, .01).ok());
+        QCOMPARE(stage.at("brain/count"), 2.);
+        QCOMPARE(stage.finished, std::vector<std::string>{"counted enough"});
+    }
+
+    void publishingWhatIsNotDescribedEndsTheSetup() {
+        Stage stage("Counter", {{"What", text("counts")}});
+        const Status started = stage.start("publishing/libpublishing.so");
+        QVERIFY(!started.ok());
+        QCOMPARE(started.error().code, Code::UnknownPort);
+        QCOMPARE(started.error().message,
+                 std::string("robot0 cannot publish 'counts'; did you mean 'count'? (describe() of Counter "
+                             "names as outputs: count, where)"));
+    }
+
+    /// Built with the headers of interface 1.2: their tables end earlier.
+    void aModuleOfAnOlderInterfaceRuns() {
+        Stage stage("Driver", {{"Loud", ResolvedValue{{PropertyType::Boolean, {1}, {}}, {}, Origin::Config}}});
+        const Status started = stage.start("older/libolder.so");
+        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
+        const LoadedModule* module = stage.store.owner("Driver", TRUNDLE_CONTROLLER);
+        QVERIFY(module && module->descriptor->abiMinor == 2 && module->descriptor->abiMinor < TRUNDLE_ABI_MINOR);
+        QVERIFY(stage.backend->tick(0, 0, 0).ok());
+        QCOMPARE(stage.at("base/linearVelocity"), .2);
+        QCOMPARE(stage.console.at(0), std::string("hello t=0 dt=0 n=0 rear=0 pair=3"));
+        QCOMPARE(stage.logs.at(0), std::string("own.txt:line\n"));
+
+        Stage watcher("Watcher", {});
+        QVERIFY(watcher.start("older/libolder.so").ok());
+        QVERIFY(watcher.backend->tick(0, 0, 0).ok());
+        QCOMPARE(watcher.console.at(1), std::string("1 1 1"));
     }
 
     /// The text may have been judged by a newer version of the module than the one that runs.

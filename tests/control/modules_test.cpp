@@ -43,6 +43,12 @@ private Q_SLOTS:
         row("no entry", kModules + "libno_entry.so", Code::ModuleNoEntry, "exports no trundle_module");
         row("wrong magic", kModules + "libwrong_magic.so", Code::ModuleWrongFormat, "no Trundle module");
         row("newer interface", kModules + "libnewer_abi.so", Code::ModuleVersion, "interface 2.3; this program has 1.");
+        row("newer minor interface", kModules + "libnewer_minor.so", Code::ModuleVersion,
+            "with this program's SDK, or use a newer Trundle");
+        row("a controller with a command", kModules + "libpublishes_command.so", Code::ModuleWrongFormat,
+            "kind 'Wrong' has a signal speed that is no output");
+        row("a controller with too many numbers", kModules + "libpublishes_too_much.so", Code::ModuleWrongFormat,
+            "kind 'Wrong' publishes 1001 numbers; at most 1000 are possible");
         row("missing symbol", kModules + "libmissing_symbol.so", Code::ModuleMissingSymbol,
             "symbol trundle_test_symbol_that_nobody_has,");
         row("broken kinds", kModules + "libbroken_kinds.so", Code::ModuleWrongFormat, "kind 'Hollow' lacks one of its functions");

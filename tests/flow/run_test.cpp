@@ -54,12 +54,13 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     QStringList keys = json.keys();
     keys.sort();
     QStringList expected{"ticks",       "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash",
-                         "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks"};
+                         "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks",  "finished"};
     expected.sort();
     QCOMPARE(keys, expected);
     QCOMPARE(json["ticks"].toInt(), 1200);
     QCOMPARE(json["simulated_s"].toDouble(), 12.0);
     QCOMPARE(json["interrupted"].toBool(true), false);
+    QVERIFY(json["finished"].isNull());
     QVERIFY(json["peak_memory_kb"].toInt() > 1000);
     QVERIFY(QRegularExpression("^[0-9a-f]{16}$").match(json["state_hash"].toString()).hasMatch());
     QCOMPARE(json["diagnostics"].toArray().size(), 0);

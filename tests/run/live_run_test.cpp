@@ -37,7 +37,7 @@ struct Door {
 class TalkingBackend final : public ControllerBackend {
 public:
     TalkingBackend(Door& door, int linesPerTick) : m_door(door), m_lines(linesPerTick) {}
-    std::uint64_t failAt = ~0ull;
+    std::uint64_t failAt = ~0ull, finishAt = ~0ull;
 
     Status start(const SignalLayout&, SignalBlock&, ControllerOutlet outlet) override {
         m_outlet = std::move(outlet);
@@ -45,6 +45,7 @@ public:
     }
     Status tick(std::uint64_t tick, double, double) override {
         m_door.pass();
+        if (tick == finishAt) m_outlet.finish("reached");
         if (tick == failAt) return Error{Code::ControllerFailed, "the controller Talker of robot0 failed: no"};
         for (int i = 0; i < m_lines; ++i) m_outlet.print(TRUNDLE_INFO, "tick " + std::to_string(tick));
         return {};
@@ -76,7 +77,7 @@ class LiveRunTest : public QObject {
     Door m_door;
     int m_lines = 0;
     double m_duration = 0;
-    std::uint64_t m_faultAt = ~0ull, m_failAt = ~0ull;
+    std::uint64_t m_faultAt = ~0ull, m_failAt = ~0ull, m_finishAt = ~0ull;
     QTemporaryDir m_folder;
 
     RunnerMaker maker() {
@@ -93,6 +94,7 @@ class LiveRunTest : public QObject {
                 [this](const RobotSpec&, const SettingsSpec&) -> Result<std::unique_ptr<ControllerBackend>> {
                     auto backend = std::make_unique<TalkingBackend>(m_door, m_lines);
                     backend->failAt = m_failAt;
+                    backend->finishAt = m_finishAt;
                     return std::unique_ptr<ControllerBackend>(std::move(backend));
                 },
                 problems);
@@ -115,7 +117,7 @@ private Q_SLOTS:
         m_door.set(true);
         m_lines = 0;
         m_duration = 0;
-        m_faultAt = m_failAt = ~0ull;
+        m_faultAt = m_failAt = m_finishAt = ~0ull;
     }
 
     void standsBuiltAtTheStart() {
@@ -294,6 +296,21 @@ private Q_SLOTS:
         run.command(SignalCommand{"robot0/base/linearVelocity", 1});
         QVERIFY(run.waitUntilGone(10s));
         QCOMPARE(tickOf(run), 3u);
+    }
+
+    void aControllerMayFinishTheRun() {
+        m_finishAt = 3;
+        LiveRun::Options options = fast();
+        options.startsRunning = true;
+        LiveRun run(maker(), options);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
+        const std::optional<LiveEnd> end = run.end();
+        QVERIFY(!end->failure);
+        QVERIFY(end->finish);
+        QCOMPARE(end->finish->robot + " " + end->finish->controller + " " + end->finish->reason,
+                 std::string("robot0 brain reached"));
+        QCOMPARE(end->finish->time, 0.04);
+        QCOMPARE(tickOf(run), 4u);
     }
 
     void whatCannotBeBuiltEndsWithItsProblems() {

@@ -17,7 +17,7 @@ class ScriptedBackend final : public ControllerBackend {
 public:
     std::string* story;
     std::vector<double>* gaps;
-    std::uint64_t failAt = ~0ull;
+    std::uint64_t failAt = ~0ull, finishAt = ~0ull;
     bool failStart = false;
     ControllerOutlet outlet;
 
@@ -28,6 +28,7 @@ public:
     }
     Status tick(std::uint64_t tick, double time, double sinceLast) override {
         if (tick == failAt) return Error{Code::ControllerFailed, "brain failed"};
+        if (tick >= finishAt) outlet.finish("reached " + std::to_string(tick));
         *story += "think ";
         gaps->push_back(sinceLast);
         outlet.print(TRUNDLE_INFO, "t=" + std::to_string(time));
@@ -103,6 +104,8 @@ private Q_SLOTS:
     void aBadCommandIsToldAndTheRunGoesOn();
     void aSignalCommandReachesItsSlotOnly();
     void aFailedControllerEndsTheRun();
+    void theFirstFinishEndsTheRunAfterItsTick();
+    void aTickThatFailsFinishesNothing();
     void aFailedStartIsADiagnostic();
     void aBlownUpWorldEndsTheRunAndKeepsTheLogs();
     void aClusterTooBigForTheExactSolverIsToldOnce();
@@ -181,6 +184,35 @@ void RunnerTest::aFailedControllerEndsTheRun() {
     QCOMPARE(m_runner->failure()->code, Code::ControllerFailed);
     QVERIFY(!m_runner->tick().ok());
     QCOMPARE(m_world->ticks(), std::uint64_t(2));
+}
+
+void RunnerTest::theFirstFinishEndsTheRunAfterItsTick() {
+    giveController();
+    m_experiment->logs.push_back(logSpec("PoseLog", "path", {{"Robot", textValue({"robot0"})}}));
+    build();
+    m_backend->finishAt = 1;
+    QVERIFY(m_runner->tick().ok());
+    QVERIFY(!m_runner->finished());
+    QVERIFY(m_runner->tick().ok());
+    const RunFinish* finish = m_runner->finished();
+    QVERIFY(finish);
+    QCOMPARE(finish->robot + " " + finish->controller + " " + finish->reason, std::string("robot0 brain reached 1"));
+    QCOMPARE(finish->time, 0.02);
+    QCOMPARE(m_world->ticks(), std::uint64_t(2));
+    QVERIFY(m_runner->finish().ok());
+    QVERIFY(!m_runner->failure());
+    QCOMPARE(log("path.csv").count('\n'), 4); // heading, start, both ticks
+    QVERIFY(m_runner->finished());            // still said when the logs are closed
+}
+
+void RunnerTest::aTickThatFailsFinishesNothing() {
+    giveController();
+    build();
+    m_backend->finishAt = 0;
+    m_world->faultAt = 0;
+    QVERIFY(!m_runner->tick().ok());
+    QVERIFY(m_runner->failure());
+    QVERIFY(!m_runner->finished());
 }
 
 void RunnerTest::aFailedStartIsADiagnostic() {

@@ -11,9 +11,19 @@
 #include "editor/running/console_model.h"
 #include "editor/running/console_panel.h"
 #include "editor/running/opened_session.h"
+#include "editor/running/run_status.h"
 #include "eventually.h"
 
 using namespace trundle;
+
+namespace {
+
+/// A controller that publishes, and ends the run with words that look like markup.
+const QByteArray kCountingRobot = "Tick = 0.01\n#import robots/simple_robot.sim\n#loadModule publishing/publishing\n"
+                                  "Robot robot0 { Config=SimpleRobot Counter brain { End=3 Reason=\"<b>there\\nnow\" } }\n"
+                                  "SignalLog counts { Signals=\"robot0/brain/*\" File=counts.csv }\n";
+
+} // namespace
 
 class ConsoleTest : public QObject {
     Q_OBJECT
@@ -38,6 +48,33 @@ private Q_SLOTS:
         model.append(lines("robot0", 250'000, 120'000), 0); // more at once than there is room for
         QCOMPARE(model.rowCount(), 100'000);
         QCOMPARE(textAt(model, 99'999), QStringLiteral("line 369999"));
+    }
+
+    /// Words of a module: no markup, no line of its own.
+    void whoFinishedTheRunIsSaid() {
+        OpenedSession o;
+        OpenOptions options = o.document.options();
+        options.modules.push_back(TRUNDLE_BINARY_DIR "/tests/modules");
+        o.document.setOptions(options);
+        QVERIFY(o.open(kCountingRobot));
+
+        QString console;
+        connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
+            for (const LiveLine& line : lines) console += QString::fromStdString(line.text) + QLatin1Char('\n');
+        });
+        const RunStatus status(o.session);
+        o.session.setSpeed(0);
+        o.session.run();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
+        const QString said = QStringLiteral("finished by robot0/brain at t = 0.03 s: <b>there now");
+        QCOMPARE(o.session.finishText(), said);
+        QVERIFY2(console.contains(said), qPrintable(console));
+        QVERIFY2(status.text().contains(said), qPrintable(status.text()));
+        QFile log(o.folder.filePath(QStringLiteral("logs/trial/counts.csv")));
+        QVERIFY(log.open(QIODevice::ReadOnly));
+        QCOMPARE(log.readAll().split('\n')[4], QByteArray("0.03,3,0,5"));
+        o.session.reset();
+        QVERIFY(o.session.finishText().isEmpty());
     }
 
     void aBatchIsOneInsertion() {

@@ -13,8 +13,8 @@
 
 #define TRUNDLE_MAGIC 0x444e5254u /* "TRND" */
 #define TRUNDLE_ABI_MAJOR 1u
-#define TRUNDLE_ABI_MINOR 2u
-#define TRUNDLE_SDK_VERSION "1.2.0"
+#define TRUNDLE_ABI_MINOR 3u
+#define TRUNDLE_SDK_VERSION "1.3.0"
 
 #ifdef __cplusplus
 extern "C" {
@@ -58,7 +58,8 @@ enum { TRUNDLE_REAL_SIGNAL = 1, TRUNDLE_INTEGER_SIGNAL = 2, TRUNDLE_BOOLEAN_SIGN
 /* TRUTH: what a real robot could not know; controllers reach it through the port groundTruth alone. */
 enum { TRUNDLE_OUTPUT = 1, TRUNDLE_COMMAND = 2, TRUNDLE_TRUTH = 3 };
 
-/* A device's signal: `count` slots of 8-byte doubles in its robot's image. Integers and booleans are stored as doubles. */
+/* A signal of a device, or since 1.3 of a controller (TRUNDLE_OUTPUT alone): `count` slots of 8-byte doubles in its robot's image.
+ * Integers and booleans are stored as doubles. */
 typedef struct TrundleSignal {
     const char* name;
     const char* unit; /* SI: "m/s", "rad" */
@@ -88,6 +89,10 @@ typedef struct TrundleRobot {
     int32_t (*signalInfo)(void* context, const char* component, const char* signal, uint32_t* count, uint32_t* direction);
     const TrundleCameras* cameras; /* since 1.2 */
     const TrundleRobotRadio* radio; /* since 1.2 */
+    /* Since 1.3. First slot of a signal that the controller's kind describes, and how many; NULL: the host has noted which exist. */
+    double* (*publish)(void* context, const char* signal, uint32_t* count);
+    /* Since 1.3. The run ends in order after the tick under way; the first call of a run counts. */
+    void (*finish)(void* context, const char* reason);
 } TrundleRobot;
 
 /* ---- devices ---- */
@@ -153,7 +158,7 @@ typedef struct TrundleKind {
     uint32_t size, role;
     const char *name, *help;
     const TrundleField* fields;
-    const TrundleSignal* signals; /* devices */
+    const TrundleSignal* signals; /* devices; controllers since 1.3 */
     uint32_t fieldCount, signalCount;
     void* (*create)(void);
     void (*destroy)(void* instance);

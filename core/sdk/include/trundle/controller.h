@@ -56,6 +56,12 @@ protected:
         if (m_robot) m_robot->fail(m_robot->context, text.c_str());
     }
 
+    /// The experiment is over: the run ends after this tick, logs complete, exit code 0, and its summary says the reason.
+    /// The first call of a run counts, whichever robot makes it.
+    void finish(const std::string& reason) const {
+        if (m_robot) m_robot->finish(m_robot->context, reason.c_str());
+    }
+
     /// Numbers that depend on the experiment's seed, the robot and the tick alone: the same in every run.
     [[nodiscard]] std::uint64_t randomBits() const { return m_robot ? m_robot->random(m_robot->context) : 0; }
     [[nodiscard]] double random() const { return static_cast<double>(randomBits() >> 11) * 0x1p-53; } ///< [0, 1)

@@ -135,7 +135,7 @@ public:
         return *this;
     }
 
-    /// A value the device publishes each tick.
+    /// A value that the device or controller publishes: 0 until it is set.
     Describe& output(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
                      std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
         m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_OUTPUT});

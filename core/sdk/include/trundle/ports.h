@@ -141,6 +141,9 @@ public:
     [[nodiscard]] RadioPort radio(const char* name);
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);
     [[nodiscard]] GroundTruthPort groundTruth();
+    /// A value that this controller publishes, described as output() in describe(): logs, summaries and the window show it as
+    /// robot0/brain/<name>. Set it in setup and in update; it keeps its value in between.
+    [[nodiscard]] Slot publish(const char* name);
     /// A device's truth, "base/pose"; read only.
     [[nodiscard]] SignalPort groundTruth(const char* path);
 

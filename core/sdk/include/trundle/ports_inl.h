@@ -89,6 +89,14 @@ inline SignalPort RobotPorts::signal(const char* device, const char* signal) {
     return port;
 }
 
+inline Slot RobotPorts::publish(const char* name) {
+    if (m_missing) return {};
+    std::uint32_t count = 0;
+    double* first = m_robot.publish(m_robot.context, name, &count);
+    if (!first) m_missing = true;
+    return Slot(first, count);
+}
+
 inline GroundTruthPort RobotPorts::groundTruth() {
     GroundTruthPort port;
     port.m_pose = bind("GroundTruth", "groundTruth", "pose", 7);
