@@ -66,7 +66,12 @@ private Q_SLOTS:
         const Outcome run =
             cli({"run", configPath("experiments/" + layout), "--seed", "20261122", "--json", "--log-dir", logs.path()});
         QVERIFY2(run.code == 0, shown(run));
-        const QJsonObject robots = QJsonDocument::fromJson(run.out).object()["robots"].toObject();
+        const QJsonObject result = QJsonDocument::fromJson(run.out).object(), robots = result["robots"].toObject();
+        const QJsonObject finished = result["finished"].toObject();
+        QCOMPARE(finished["robot"].toString() + "/" + finished["controller"].toString() + ": " + finished["reason"].toString(),
+                 QString("robot_0/brain: reached"));
+        QCOMPARE(finished["time"].toDouble(), result["simulated_s"].toDouble());
+        QVERIFY2(finished["time"].toDouble() < 299, "it idled to its end");
         const QJsonArray there = robots["robot_0"].toObject()["pos"].toArray(),
                          target = robots["target_0"].toObject()["pos"].toArray();
         const double away = std::hypot(there[0].toDouble() - target[0].toDouble(), there[1].toDouble() - target[1].toDouble());
@@ -74,6 +79,50 @@ private Q_SLOTS:
         QVERIFY2(!legs.isEmpty() && legs.last()[1] == "arrived", shown(run));
         QVERIFY2(away < 1.4, qPrintable(QString("%1 m away").arg(away)));
         QVERIFY2(legs.size() > 3, "it heard the target from the start");
+    }
+
+    /// Thesis 4.2.2. The target of the square is heard by the mote in its corner, and the number of hops grows away from it.
+    void eachMotesHopsAndCostAreLogged() {
+        QTemporaryDir logs;
+        const Outcome run = cli({"run", configPath("experiments/network_navigation.sim"), "--seed", "20261122", "--duration",
+                                 "10", "--json", "--log-dir", logs.path()});
+        QVERIFY2(run.code == 0, shown(run));
+        const QList<QByteArrayList> rows = linesOf(logs.filePath("gradient.csv"));
+        QCOMPARE(rows.size(), 11);
+        QCOMPARE(rows[0].size(), 1 + 16 * 2);
+        const QByteArray head = contentOf(logs.filePath("gradient.csv")).split('\n')[0];
+        QVERIFY2(head.startsWith("time [s],motes_0/brain/hops,motes_0/brain/cost,motes_1/brain/hops,"), head.constData());
+        for (int i = 1; i < rows[0].size(); ++i) QCOMPARE(rows[0][i], QByteArray("-1")); // nobody knows a way yet
+        const QByteArrayList& last = rows.last();
+        for (int mote = 0; mote < 16; ++mote) {
+            const int hops = last[1 + 2 * mote].toInt(), cost = last[2 + 2 * mote].toInt();
+            QVERIFY2(hops >= 1 && hops <= 6 && cost >= 10 * hops, last.join(',').constData());
+        }
+        QCOMPARE(last[1 + 2 * 15], QByteArray("1"));
+        QVERIFY(last[1].toInt() > 1);
+        const QJsonObject robots = QJsonDocument::fromJson(run.out).object()["robots"].toObject();
+        QCOMPARE(robots["target_0"].toObject()["signals"].toObject()["brain/hops"].toInt(-5), 0);
+    }
+
+    /// A carrier of 30 kg runs into both with a wheel and a slider.
+    void motesStayWhereTheyArePlaced() {
+        QTemporaryDir folder;
+        QFile text(folder.filePath("push.sim"));
+        QVERIFY(text.open(QIODevice::WriteOnly));
+        text.write(
+            "Tick = 0.02   Duration = 8\n#import robots/amr.sim\n#import robots/tmote_sky.sim\n#import arenas/open_floor.sim\n"
+            "#loadModule controllers/linear_motion\nStatic floor { Config=OpenFloor }\n"
+            "Robot robot0 { Config=Amr  Pos=-1,0,0  LinearMotion brain { Distance=3 Speed=0.5 } }\n"
+            "Robot mote0 { Config=TmoteSky  Pos=0,0.14,0 }\nRobot mote1 { Config=TmoteSky  Pos=0,-0.23,0 }\n");
+        text.close();
+        const Outcome run = cli({"run", text.fileName(), "--json"});
+        QVERIFY2(run.code == 0, shown(run));
+        const QJsonObject robots = QJsonDocument::fromJson(run.out).object()["robots"].toObject();
+        QVERIFY(robots["robot0"].toObject()["pos"].toArray()[0].toDouble() > 1); // it came by
+        for (const char* mote : {"mote0", "mote1"}) {
+            const QJsonArray pos = robots[mote].toObject()["pos"].toArray();
+            QVERIFY2(std::abs(pos[0].toDouble()) < 0.001 && std::abs(pos[2].toDouble()) < 0.001, shown(run));
+        }
     }
 
     void twoRunsAreTheSameRun() {

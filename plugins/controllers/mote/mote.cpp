@@ -22,10 +22,16 @@ struct Mote : trundle::Controller {
         d.field("GoodRssi", &Mote::goodRssi, trundle::decibelMilliwatts().within(-150, 50),
                 "A hop with more costs no more than one hop.");
         d.field("Radio", &Mote::radioName, trundle::text(), "Its Transceiver.");
+        d.output("hops", "", "To the target; -1: it knows no way.", 1, TRUNDLE_INTEGER_SIGNAL);
+        d.output("cost", "", "Of its way to the target: 10 for a good hop, more for a weak one; -1: it knows no way.", 1,
+                 TRUNDLE_INTEGER_SIGNAL);
     }
 
     void setup(trundle::RobotPorts& robot) override {
         radio = robot.radio(radioName);
+        hops = robot.publish("hops");
+        cost = robot.publish("cost");
+        learn({});
         nextBeacon = period * random();
     }
 
@@ -34,7 +40,7 @@ struct Mote : trundle::Controller {
             if (const auto beacon = Beacon::from(packet->bytes)) heard(*beacon, packet->rssi);
         if (target && time() >= nextFlood) {
             nextFlood += floodPeriod;
-            known = {static_cast<std::uint16_t>(known.flood + 1), 0, 0};
+            learn({static_cast<std::uint16_t>(known.flood + 1), 0, 0});
         }
         if (time() < nextBeacon) return;
         nextBeacon = time() + period * random(0.5, 1.5); // so that neighbours do not meet again and again
@@ -46,17 +52,24 @@ private:
     void heard(const Beacon& beacon, double rssi) {
         if (target || !beacon.knowsTarget()) return;
         const double hop = 10 + std::max(0.0, goodRssi - rssi);
-        const double cost = beacon.cost + hop;
-        if (cost >= Beacon::kUnknown || beacon.hops >= 254) return;
+        const double sum = beacon.cost + hop;
+        if (sum >= Beacon::kUnknown || beacon.hops >= 254) return;
         if (known.knowsTarget()) {
             const auto ahead = static_cast<std::int16_t>(beacon.flood - known.flood); // the number runs over
-            if (ahead < 0 || (ahead == 0 && cost >= known.cost)) return;
-            if (ahead < kPatience && cost > known.cost) return;
+            if (ahead < 0 || (ahead == 0 && sum >= known.cost)) return;
+            if (ahead < kPatience && sum > known.cost) return;
         }
-        known = {beacon.flood, static_cast<std::uint8_t>(beacon.hops + 1), static_cast<std::uint16_t>(cost)};
+        learn({beacon.flood, static_cast<std::uint8_t>(beacon.hops + 1), static_cast<std::uint16_t>(sum)});
+    }
+
+    void learn(const Beacon& way) {
+        known = way;
+        hops.set(known.knowsTarget() ? known.hops : -1);
+        cost.set(known.knowsTarget() ? known.cost : -1);
     }
 
     trundle::RadioPort radio;
+    trundle::Slot hops, cost;
     Beacon known;
     double nextBeacon = 0, nextFlood = 0;
 };

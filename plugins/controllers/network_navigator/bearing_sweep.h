@@ -27,11 +27,11 @@ struct BearingSweep : Listener {
             samples.write(std::to_string(packet.from) + ',' + std::to_string(heading / kDegree) + ',' +
                           std::to_string(packet.rssi) + '\n');
         });
-        if (drive.done()) finish();
+        if (drive.done()) report();
     }
 
 private:
-    void finish() {
+    void report() {
         done = true;
         trundle::Log log = openLog(fileName);
         log.write("sender,packets,bearing [deg],RSSI [dBm]\n");

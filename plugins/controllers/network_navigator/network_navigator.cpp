@@ -21,7 +21,7 @@ struct NetworkNavigator : Listener {
     std::string touchName = "frontTouch", fileName = "navigation.csv";
 
     static void describe(trundle::Describe<NetworkNavigator>& d) {
-        d.help("Drives to the target of a network of Motes by the bearings of what it hears.");
+        d.help("Drives to the target of a network of Motes by the bearings of what it hears, and ends the run there.");
         d.field("Speed", &NetworkNavigator::speed, trundle::metresPerSecond().above(0).atMost(10), "On its legs.");
         d.field("Leg", &NetworkNavigator::leg, trundle::metres().above(0).atMost(1000), "The longest drive between two sweeps.");
         d.field("RssiAtOneMetre", &NetworkNavigator::rssiAtOneMetre, trundle::decibelMilliwatts().within(-150, 50),
@@ -84,6 +84,7 @@ private:
         doing = Doing::Arrived;
         print("reached the target, RSSI ", packet.rssi, " dBm, after ", legs, " legs, ", bumps, " bumps and ", time(), " s");
         write("arrived", {}, {drive.odometry().heading, packet.rssi}, 0);
+        finish("reached");
     }
 
     void lookAround() {
