@@ -25,21 +25,27 @@ double readableDegrees(double radians) {
     return rounded;
 }
 
-SignalColumns::SignalColumns(const SignalEntry& entry) : m_offset(entry.offset), m_count(entry.count) {
+SignalShape shapeOf(const SignalEntry& entry) {
+    if (endsWith(entry, "pose", 7)) return SignalShape::Pose;
+    if (endsWith(entry, "velocity", 6)) return SignalShape::Velocity;
+    if (endsWith(entry, "pose", 3) || endsWith(entry, "odometry", 3)) return SignalShape::PlanePose;
+    return SignalShape::Plain;
+}
+
+SignalColumns::SignalColumns(const SignalEntry& entry)
+    : m_shape(shapeOf(entry)), m_offset(entry.offset), m_count(entry.count) {
     const auto add = [&](std::initializer_list<const char*> parts) {
         for (const char* part : parts) m_names.push_back(entry.path + "/" + part);
     };
-    m_isPose = endsWith(entry, "pose", 7);
-    if (m_isPose) {
+    if (m_shape == SignalShape::Pose) {
         add({"x [m]", "y [m]", "z [m]", "heading [deg]", "pitch [deg]", "roll [deg]"});
         return;
     }
-    if (endsWith(entry, "velocity", 6)) {
+    if (m_shape == SignalShape::Velocity) {
         add({"x [m/s]", "y [m/s]", "z [m/s]", "x [rad/s]", "y [rad/s]", "z [rad/s]"});
         return;
     }
-    m_isPlanePose = endsWith(entry, "pose", 3) || endsWith(entry, "odometry", 3);
-    if (m_isPlanePose) {
+    if (m_shape == SignalShape::PlanePose) {
         add({"x [m]", "y [m]", "heading [deg]"});
         return;
     }
@@ -53,11 +59,11 @@ SignalColumns::SignalColumns(const SignalEntry& entry) : m_offset(entry.offset),
 
 void SignalColumns::read(std::span<const double> slots, std::vector<double>& numbers) const {
     const std::span<const double> own = slots.subspan(m_offset, m_count);
-    if (m_isPlanePose) {
+    if (m_shape == SignalShape::PlanePose) {
         numbers.insert(numbers.end(), {own[0], own[1], readableDegrees(own[2])});
         return;
     }
-    if (!m_isPose) {
+    if (m_shape != SignalShape::Pose) {
         for (const double value : own) numbers.push_back(m_isAngle ? readableDegrees(value) : value);
         return;
     }

@@ -12,6 +12,15 @@ namespace trundle {
 /// Degrees as people read them: 90, where the quaternion behind it gives 90.00000000000001. 14 digits are kept.
 [[nodiscard]] double readableDegrees(double radians);
 
+/// What the slots of a signal are, where its name says more than its unit.
+enum class SignalShape {
+    Plain,     ///< as its unit says
+    Pose,      ///< x y z qw qx qy qz
+    Velocity,  ///< linear and angular
+    PlanePose, ///< x, y, heading
+};
+[[nodiscard]] SignalShape shapeOf(const SignalEntry& entry);
+
 /// The columns of one signal: their headings and, per row, their numbers.
 class SignalColumns {
 public:
@@ -23,7 +32,8 @@ public:
     void read(std::span<const double> slots, std::vector<double>& numbers) const;
 
 private:
-    bool m_isPose = false, m_isPlanePose = false, m_isAngle = false;
+    SignalShape m_shape;
+    bool m_isAngle = false;
     std::uint32_t m_offset, m_count;
     std::vector<std::string> m_names;
 };

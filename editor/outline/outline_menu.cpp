@@ -44,6 +44,7 @@ QMenu* OutlinePanel::contextMenu() {
     insert->setObjectName(QStringLiteral("outline.insert"));
     m_insert->fill(*insert);
     menu->addSeparator();
+    if (one) menu->addActions(m_more);
     addMarkActions(*menu);
     menu->addSeparator();
     add(*menu, "outline.foldAll", {}, tr("Fold Everything"), [this] { m_tree->collapseAll(); });

@@ -20,6 +20,7 @@
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_view.h"
+#include "editor/running/session.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -114,6 +115,11 @@ void OutlinePanel::connectAll() {
     connect(m_model, &OutlineModel::renamed, &m_marks, [this](const std::string& from, const std::string& to) {
         if (!from.empty()) m_marks.rename(from, to);
     });
+}
+
+void OutlinePanel::showValuesOf(const RunSession& session) {
+    m_tree->setMoreTip([&session](const std::string& path) { return session.liveTip(path); });
+    connect(&session, &RunSession::valuesChanged, m_tree, &OutlineView::renewTip);
 }
 
 void OutlinePanel::showDocument() {

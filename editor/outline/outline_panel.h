@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include <QList>
 #include <QWidget>
 
 #include "base/source_range.h"
 
+class QAction;
 class QLineEdit;
 class QMenu;
 class QToolButton;
@@ -20,6 +22,7 @@ class ObjectEdits;
 class OutlineModel;
 class OutlineView;
 class ObjectMarks;
+class RunSession;
 class Selection;
 
 class OutlinePanel final : public QWidget {
@@ -29,6 +32,10 @@ public:
     OutlinePanel(Document& document, Selection& selection, ObjectMarks& marks, ObjectEdits& edits, QWidget* parent = nullptr);
     ~OutlinePanel() override;
 
+    /// Rows say in their tooltips what their objects measure in this run, as long as it lasts. It outlives this.
+    void showValuesOf(const RunSession& session);
+    /// An action of the window that the menu has too, for what is selected.
+    void addToMenu(QAction& action) { m_more.append(&action); }
     void focusFilter();
     /// Opens the line for a new name at the selected row.
     void renameSelected();
@@ -69,6 +76,7 @@ private:
     InsertMenu* m_insert;
     OutlineModel* m_model;
     OutlineView* m_tree;
+    QList<QAction*> m_more;
     QLineEdit* m_filter = nullptr;
     QToolButton *m_byOwner = nullptr, *m_byFile = nullptr, *m_add = nullptr;
     bool m_showing = false; ///< the tree is being brought in line with document and selection: it says nothing itself

@@ -8,6 +8,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
+#include <QToolTip>
 
 #include "editor/outline/outline_delegate.h"
 #include "editor/outline/outline_model.h"
@@ -172,6 +173,34 @@ template <class Event> void OutlineView::takeAsMeant(Event& event, void (Outline
 void OutlineView::dragMoveEvent(QDragMoveEvent* event) { takeAsMeant(*event, &OutlineView::moveInTree); }
 
 void OutlineView::dropEvent(QDropEvent* event) { takeAsMeant(*event, &OutlineView::dropInTree); }
+
+/// Rich text where there is more than the model has; lines stay lines.
+QString OutlineView::tipAt(const QModelIndex& index) const {
+    const QString always = index.data(Qt::ToolTipRole).toString();
+    const OutlineRow* row = m_model.rowAt(index);
+    const bool named = row && row->selectable && index.column() == OutlineModel::NameColumn;
+    const QString more = named && m_moreTip ? m_moreTip(row->path) : QString();
+    if (more.isEmpty()) return always;
+    return always.isEmpty() ? more : QStringLiteral("<p style='white-space:pre'>%1</p>").arg(always.toHtmlEscaped()) + more;
+}
+
+bool OutlineView::viewportEvent(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QTreeView::viewportEvent(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    m_tipRow = indexAt(help->pos());
+    m_tipPlace = help->globalPos();
+    m_tip = tipAt(m_tipRow);
+    QToolTip::showText(m_tipPlace, m_tip, viewport(), visualRect(m_tipRow));
+    return true;
+}
+
+void OutlineView::renewTip() {
+    if (m_tip.isEmpty() || !m_tipRow.isValid() || !QToolTip::isVisible() || QToolTip::text() != m_tip) return;
+    const QString tip = tipAt(m_tipRow);
+    if (tip == m_tip) return;
+    m_tip = tip;
+    QToolTip::showText(m_tipPlace, tip, viewport(), visualRect(m_tipRow));
+}
 
 void OutlineView::paintEvent(QPaintEvent* event) {
     QTreeView::paintEvent(event);

@@ -1,7 +1,10 @@
 #pragma once
+#include <functional>
 #include <set>
 #include <string>
 
+#include <QPersistentModelIndex>
+#include <QPoint>
 #include <QTreeView>
 
 namespace trundle {
@@ -22,6 +25,10 @@ public:
     void reveal(const QModelIndex& index);
     /// Words in the middle of a tree without rows.
     void setEmptyText(const QString& text);
+    /// Gives rich text that stands in an object's tooltip below what is always there; may be empty.
+    void setMoreTip(std::function<QString(const std::string& path)> moreTip) { m_moreTip = std::move(moreTip); }
+    /// The tooltip that is shown, if one is, says what is true now.
+    void renewTip();
 
 Q_SIGNALS:
     void markClicked(const QModelIndex& index); ///< eye or lock of a row
@@ -33,6 +40,7 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
     void startDrag(Qt::DropActions actions) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -46,7 +54,13 @@ private:
     void dropInTree(QDropEvent* event) { QTreeView::dropEvent(event); }
     [[nodiscard]] bool onMark(QMouseEvent* event, QModelIndex& index) const;
 
+    [[nodiscard]] QString tipAt(const QModelIndex& index) const;
+
     OutlineModel& m_model;
+    std::function<QString(const std::string&)> m_moreTip;
+    QPersistentModelIndex m_tipRow;
+    QPoint m_tipPlace; // on the screen
+    QString m_tip;     // as it was shown last
     std::set<std::string> m_open; // keys, of both modes
     QString m_emptyText;
     bool m_unfolding = false;

@@ -13,6 +13,7 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/properties/help_strip.h"
+#include "editor/properties/live_table.h"
 #include "editor/properties/object_header.h"
 #include "editor/properties/property_row.h"
 #include "editor/properties/row_editor.h"
@@ -20,19 +21,21 @@
 #include "editor/properties/rows.h"
 #include "editor/properties/section.h"
 #include "editor/running/session.h"
+#include "project/object_place.h"
 
 namespace trundle {
 
 PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSession* session, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_session(session),
-      m_header(new ObjectHeader(document, this)), m_scroll(new QScrollArea(this)), m_strip(new HelpStrip(this)),
-      m_nothing(new QLabel(this)) {
+      m_header(new ObjectHeader(document, this)), m_scroll(new QScrollArea(this)), m_live(new LiveTable(this)),
+      m_strip(new HelpStrip(this)), m_nothing(new QLabel(this)) {
     setObjectName(QStringLiteral("propertiesPanel"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_header);
     layout->addWidget(m_scroll, 1);
+    layout->addWidget(m_live);
     layout->addWidget(m_nothing, 1);
     layout->addWidget(m_strip);
     m_scroll->setWidgetResizable(true);
@@ -60,9 +63,7 @@ PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSe
     if (session) {
         connect(session, &RunSession::stateChanged, this, &PropertiesPanel::refresh);
         connect(session, &RunSession::waitingChanged, this, &PropertiesPanel::refresh);
-        connect(session, &RunSession::advanced, this, [this] {
-            if (m_session->state() == RunState::Paused) refresh(); // a robot was put elsewhere, or one tick was run
-        });
+        connect(session, &RunSession::valuesChanged, this, &PropertiesPanel::showNow);
     }
     showNothing(tr("Nothing is open"));
 }
@@ -72,6 +73,7 @@ void PropertiesPanel::showNothing(const QString& why) {
     dropRows();
     m_header->hide();
     m_scroll->hide();
+    m_live->hide();
     m_strip->hide();
     m_nothing->setText(why);
     m_nothing->show();
@@ -139,6 +141,35 @@ void PropertiesPanel::refresh() {
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_header, m_scroll, m_strip}) w->show();
     showHelp();
+    showLive();
+}
+
+/// Another object, or a run that begins or is gone.
+void PropertiesPanel::showLive() {
+    if (!m_session || !m_document.isOpen()) return m_live->hide();
+    const std::string path = m_selection.current();
+    const bool several = m_selection.paths().size() > 1;
+    m_live->display(m_session->liveValues(path), several ? QString::fromStdString(path) : QString(), liveHint(path));
+}
+
+/// The values of a tick later: nothing but figures changes.
+void PropertiesPanel::showNow() {
+    if (!isVisible() || !m_document.isOpen() || !m_body) return;
+    const auto& values = m_session->liveValues(m_selection.current());
+    if (m_live->isHidden() != values.empty()) showLive();
+    else m_live->update(values);
+    for (PropertyRow* row : m_rows) row->setNow(row->row().now ? row->row().now() : QString());
+}
+
+/// Why something that moves shows nothing.
+QString PropertiesPanel::liveHint(const std::string& path) const {
+    if (!m_session->snapshot() || path.empty()) return {};
+    const auto place = placeOf(*m_document.loaded(), path);
+    if (!place || !place->part) return {};
+    if (place->part->is(Role::Layout) && !place->member)
+        return tr("Click one of its members in the 3D view to see its values.");
+    if (place->instance && !m_session->isOfRun(path.substr(0, path.find('.')))) return tr("Not in this run: new or renamed since it began.");
+    return {};
 }
 
 EditorKind PropertiesPanel::kindOf(const Row& row) const { return m_asText.count(row.id) ? EditorKind::Line : row.editor(); }
@@ -263,6 +294,11 @@ void PropertiesPanel::jump(const SourceRange& place) {
 void PropertiesPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     if (m_stale) refresh();
+}
+
+void PropertiesPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_live->setMostHeight(height() * 2 / 5);
 }
 
 void PropertiesPanel::changeEvent(QEvent* event) {

@@ -22,6 +22,7 @@ namespace trundle {
 
 class Document;
 class HelpStrip;
+class LiveTable;
 class ObjectHeader;
 class PropertyRow;
 class RunSession;
@@ -42,6 +43,7 @@ Q_SIGNALS:
 protected:
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     /// What of a row makes its widgets: when it stays the same they stay.
@@ -61,6 +63,9 @@ private:
     void addRow(const Row& row, EditorKind kind, Section& section);
     void alignLabels();
     void showHelp();
+    void showLive();
+    void showNow();
+    [[nodiscard]] QString liveHint(const std::string& path) const;
     void openMenu(PropertyRow* row, const QPoint& place, QMenu* under);
     void setAsText(const std::string& id);
     void jump(const SourceRange& place);
@@ -74,6 +79,7 @@ private:
     ObjectHeader* m_header;
     QScrollArea* m_scroll;
     QWidget* m_body = nullptr; ///< holds the rows
+    LiveTable* m_live;
     HelpStrip* m_strip;
     QLabel* m_nothing;
     std::vector<Shape> m_shapes;

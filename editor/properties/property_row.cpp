@@ -35,7 +35,7 @@ QString labelHtml(const Row& row, const QFontMetrics& metrics, int room) {
 
 PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     : QWidget(parent), m_row(row), m_label(new ScrubLabel(this)), m_editor(makeEditor(kind, this)), m_mark(new OriginMark(this)),
-      m_note(new QLabel(this)) {
+      m_now(new QLabel(this)), m_note(new QLabel(this)) {
     setObjectName(QStringLiteral("row.") + QString::fromStdString(row.id));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(10, 1, 2, 1);
@@ -44,12 +44,21 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     grid->addWidget(m_label, 0, 0, Qt::AlignTop);
     grid->addWidget(m_editor, 0, 1);
     grid->addWidget(m_mark, 0, 2, Qt::AlignTop);
-    grid->addWidget(m_note, 1, 1, 1, 2);
+    grid->addWidget(m_now, 1, 0, 1, 2);
+    grid->addWidget(m_note, 2, 1, 1, 2);
     grid->setColumnStretch(1, 1);
     m_label->setObjectName(QStringLiteral("label"));
     m_label->setTextFormat(Qt::RichText);
     m_label->setContentsMargins(0, 5, 0, 0);
     m_mark->setObjectName(QStringLiteral("mark"));
+    m_now->setObjectName(QStringLiteral("now"));
+    m_now->setTextFormat(Qt::PlainText);
+    QFont figures = monospaceFont();
+    figures.setPixelSize(11);
+    m_now->setFont(figures);
+    m_now->setAlignment(Qt::AlignRight);
+    m_now->setForegroundRole(QPalette::PlaceholderText);
+    m_now->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // never wider than the row
     m_note->setObjectName(QStringLiteral("note"));
     m_note->setWordWrap(true); // never wider than the row
     connect(m_label, &ScrubLabel::dragged, this, [this](double steps) { m_editor->scrub(steps); });
@@ -85,6 +94,7 @@ void PropertyRow::display(const Row& row) {
     m_problem = problemInText();
     m_editor->display(row);
     showLabel();
+    setNow(row.now ? row.now() : QString());
     showNote();
     const FieldValue& v = row.first();
     Standing strongest = v.standing;
@@ -128,10 +138,14 @@ QString PropertyRow::problemInText() const {
     return {};
 }
 
+void PropertyRow::setNow(const QString& text) {
+    m_now->setText(text);
+    if (m_now->isHidden() != text.isEmpty()) m_now->setVisible(!text.isEmpty());
+}
+
 void PropertyRow::showNote() {
     QStringList notes;
     if (!m_problem.isEmpty()) notes << m_problem;
-    if (!m_row.now.isEmpty()) notes << m_row.now;
     if (m_row.afterReset) notes << tr("after reset");
     m_note->setText(notes.join(QStringLiteral("  ·  ")));
     m_note->setVisible(!notes.isEmpty());

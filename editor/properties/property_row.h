@@ -23,6 +23,8 @@ public:
     /// Why what was typed is refused, or what is wrong with what stands in the text; empty: nothing.
     [[nodiscard]] const QString& refusal() const { return m_refusal.isEmpty() ? m_problem : m_refusal; }
     void setLabelWidth(int width);
+    /// Where what the row sets stands in the run; empty: no such thing.
+    void setNow(const QString& text);
     [[nodiscard]] int labelWidthWanted() const;
 
 Q_SIGNALS:
@@ -49,7 +51,7 @@ private:
     RowEditor* m_editor;
     int m_labelWidth = 0; ///< 0: not aligned yet
     OriginMark* m_mark;
-    QLabel* m_note;
+    QLabel *m_now, *m_note;
 };
 
 } // namespace trundle

@@ -25,7 +25,7 @@ struct Row {
     std::vector<FieldValue> values; ///< of each selected object, never empty
     std::shared_ptr<const Loaded> loaded;
     bool afterReset = false;                              ///< what runs has another value and keeps it until reset
-    QString now;                                          ///< where it stands in the run; empty: no such thing
+    std::function<QString()> now;                         ///< where it stands in the run, empty at its start; none: no such thing
     std::string folder;                                   ///< of the file that holds the value, for files named relative to it
     std::function<std::vector<std::string>()> candidates; ///< names that fit a reference
     Setter set;

@@ -125,18 +125,17 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
     return edits.empty() ? Status() : document.setValues(QObject::tr("Set %1").arg(what), edits, mergeKey);
 }
 
-QString nowText(const RunSession& session, const ObjectValues& object, const std::string& id) {
-    const bool paused = session.state() == RunState::Paused || session.state() == RunState::Ended;
-    if (!paused || !object.isInstance() || (id != "Pos" && id != "HPR")) return {};
-    const std::optional<Pose> pose = session.robotPose(object.shownPath());
-    if (!pose || !session.isOfRun(object.shownPath())) return {};
-    const Vec3 v = id == "Pos" ? pose->position : Vec3(hprFromRotation(pose->rotation) * (180 / std::numbers::pi));
-    const int digits = id == "Pos" ? 3 : 1;
+QString nowText(const RunSession& session, const std::string& robot, bool position) {
+    if (!session.isOfRun(robot)) return {};
+    const std::optional<Pose> pose = session.robotPose(robot);
+    if (!pose) return {};
+    const Vec3 v = position ? pose->position : Vec3(hprFromRotation(pose->rotation) * (180 / std::numbers::pi));
+    const int digits = position ? 3 : 1;
     const auto number = [&](double x) {
         const QString shown = QString::number(x, 'f', digits);
-        return shown.toDouble() == 0 ? QString::number(0.0, 'f', digits) : shown; // no -0.000
+        return (shown.toDouble() == 0 ? QString::number(0.0, 'f', digits) : shown).rightJustified(7); // no -0.000
     };
-    return QObject::tr("now %1, %2, %3").arg(number(v.x()), number(v.y()), number(v.z()));
+    return QObject::tr("now %1 %2 %3").arg(number(v.x()), number(v.y()), number(v.z()));
 }
 
 std::string folderOf(const Loaded& loaded, const Listed& listed, const ObjectValues& object) {
@@ -159,7 +158,10 @@ void complete(Row& row, const Listed& listed, const ObjectValues& object, Docume
     if (session) {
         row.afterReset = std::any_of(row.values.begin(), row.values.end(),
                                      [&](const FieldValue& v) { return session->waitsForReset(v.path); });
-        if (row.values.size() == 1) row.now = nowText(*session, object, row.id);
+        if (row.values.size() == 1 && object.isInstance() && (row.id == "Pos" || row.id == "HPR"))
+            row.now = [session, robot = object.shownPath(), position = row.id == "Pos"] {
+                return nowText(*session, robot, position);
+            };
     }
     row.set = [&document, values = row.values, loaded](const Change& change, const std::string& mergeKey) {
         return setAll(document, values, change, mergeKey);

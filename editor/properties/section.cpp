@@ -18,7 +18,7 @@ Section::Section(const QString& title, bool open, QWidget* parent)
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     m_heading->setFont(bold);
-    m_heading->setText(title);
+    setTitle(title);
     m_heading->setObjectName(QStringLiteral("heading"));
     m_heading->setAutoRaise(true);
     m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -31,6 +31,8 @@ Section::Section(const QString& title, bool open, QWidget* parent)
 }
 
 void Section::add(QWidget* row) { m_layout->addWidget(row); }
+
+void Section::setTitle(const QString& title) { m_heading->setText(title); }
 
 void Section::fold(bool open) {
     m_rows->setVisible(open);

@@ -14,6 +14,7 @@ public:
     /// The parent of its rows from their making on: moved there later, Qt would style each of them once more.
     [[nodiscard]] QWidget* rows() { return m_rows; }
     void add(QWidget* row);
+    void setTitle(const QString& title);
 
 Q_SIGNALS:
     void folded(bool open);

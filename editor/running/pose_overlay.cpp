@@ -1,9 +1,14 @@
 #include "editor/running/pose_overlay.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace trundle {
 
-std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const std::string& robot) {
-    const SignalEntry* entry = layout.find(robot + "/pose");
+namespace {
+
+std::optional<Pose> poseIn(const SignalLayout& layout, const SignalBlock& block, const std::string& owner) {
+    const SignalEntry* entry = layout.find(owner + "/pose");
     if (!entry || entry->count != 7 || entry->offset + 7 > block.slots().size()) return std::nullopt;
     const double* s = block.slots().data() + entry->offset;
     const Quat rotation(s[3], s[4], s[5], s[6]);
@@ -12,13 +17,39 @@ std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& blo
     return Pose{position, rotation.normalized()};
 }
 
-void moveRobot(BodyPoses& poses, const ExperimentSpec& experiment, const std::string& robot, const Pose& motion) {
-    std::size_t at = 0;
-    for (const RobotSpec& spec : experiment.robots) {
-        if (!spec.config) continue;
-        for (std::size_t b = 0; b < spec.config->bodies.size(); ++b, ++at)
-            if (spec.name == robot && at < poses.size()) poses[at] = motion * poses[at];
+void put(const SignalLayout& layout, SignalBlock& block, const std::string& owner, const Pose& pose) {
+    const auto write = [&](const char* signal, std::initializer_list<double> values) {
+        const SignalEntry* entry = layout.find(owner + signal);
+        if (!entry || entry->count != values.size()) return;
+        std::ranges::copy(values, block.slots().begin() + entry->offset);
+    };
+    const Vec3& p = pose.position;
+    const Quat& q = pose.rotation;
+    write("/pose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
+    write("/velocity", {0, 0, 0, 0, 0, 0});
+}
+
+} // namespace
+
+std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const std::string& robot) {
+    return poseIn(layout, block, robot);
+}
+
+std::shared_ptr<const SignalBlock> withPlaced(const SignalLayout& layout, const SignalBlock& block,
+                                              const ExperimentSpec& experiment, const std::vector<PlaceCommand>& placed) {
+    auto moved = std::make_shared<SignalBlock>(layout);
+    moved->copyFrom(block);
+    for (const PlaceCommand& place : placed) {
+        const auto now = poseIn(layout, block, place.robot);
+        const auto robot = std::ranges::find_if(experiment.robots, [&](const RobotSpec& r) { return r.name == place.robot; });
+        if (!now || robot == experiment.robots.end() || !robot->config) continue;
+        const Pose motion = place.pose * now->inverse();
+        for (const BodySpec& body : robot->config->bodies)
+            if (const auto pose = poseIn(layout, block, place.robot + "/" + body.name))
+                put(layout, *moved, place.robot + "/" + body.name, motion * *pose);
+        put(layout, *moved, place.robot, place.pose);
     }
+    return moved;
 }
 
 } // namespace trundle

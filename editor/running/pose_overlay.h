@@ -1,11 +1,13 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <trundle/geometry.h>
 
 #include "model/experiment_spec.h"
-#include "scene/poses.h"
+#include "run/command.h"
 #include "signals/block.h"
 #include "signals/layout.h"
 
@@ -13,7 +15,9 @@ namespace trundle {
 
 /// Pose of a robot's config frame as a block of signals has it.
 [[nodiscard]] std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const std::string& robot);
-/// Moves all bodies of one robot rigidly.
-void moveRobot(BodyPoses& poses, const ExperimentSpec& experiment, const std::string& robot, const Pose& motion);
+/// The block with robots put elsewhere, at rest, all their bodies moved along.
+[[nodiscard]] std::shared_ptr<const SignalBlock> withPlaced(const SignalLayout& layout, const SignalBlock& block,
+                                                            const ExperimentSpec& experiment,
+                                                            const std::vector<PlaceCommand>& placed);
 
 } // namespace trundle

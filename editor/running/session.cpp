@@ -18,7 +18,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kFrameMs = 16, kWatchMs = 250;
+constexpr int kFrameMs = 16, kWatchMs = 250, kValuesMs = 100;
 constexpr double kRemarkablyLongS = 1;
 constexpr std::chrono::milliseconds kLastWait(2000);
 
@@ -56,6 +56,16 @@ RunSession::RunSession(Document& document, Parts& parts, QObject* parent)
     connect(&m_frames, &QTimer::timeout, this, &RunSession::look);
     m_watch.setInterval(kWatchMs);
     connect(&m_watch, &QTimer::timeout, this, &RunSession::watch);
+    m_valuesPause.setInterval(kValuesMs);
+    m_valuesPause.setSingleShot(true);
+    connect(&m_valuesPause, &QTimer::timeout, this, [this] {
+        if (m_valuesWait) showValues();
+    });
+    connect(this, &RunSession::stateChanged, this, &RunSession::showValues);
+    connect(this, &RunSession::advanced, this, [this] {
+        m_valuesWait = true;
+        if (!m_valuesPause.isActive()) showValues();
+    });
     connect(&document, &Document::opened, this, &RunSession::reset);
     connect(&document, &Document::changed, this, &RunSession::followDocument);
 }
@@ -249,6 +259,7 @@ void RunSession::backToStart() {
     m_experiment.reset();
     m_layout.reset();
     m_reader.reset();
+    m_live.reset();
     m_snapshot.reset();
     m_poses.reset();
     m_placed.clear();
@@ -307,7 +318,10 @@ void RunSession::look() {
     const LiveView view = m_run->view(); // before the rest: what comes with an end is there by then
     takeReports();
     if (m_run.get() != run) return; // somebody who heard of it went back to the start
-    if (!m_layout && (m_layout = view.layout)) m_reader = std::make_unique<PoseReader>(*m_experiment, *m_layout);
+    if (!m_layout && (m_layout = view.layout)) {
+        m_reader = std::make_unique<PoseReader>(*m_experiment, *m_layout);
+        m_live = std::make_unique<LiveObjects>(m_built->experiment, m_layout, m_built->registry);
+    }
     showSnapshot(view.snapshot);
     if (m_run.get() != run) return;
     switch (view.phase) {
@@ -346,16 +360,14 @@ void RunSession::showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot) {
     if (!snapshot || !m_reader || snapshot == m_snapshot) return;
     m_snapshot = std::move(snapshot);
     if (m_snapshot->tick > m_placedTick) m_placed.clear();
-    if (!m_placed.empty() && m_snapshot->contacts) { // they are where the robots stood before
+    if (!m_placed.empty()) {
         auto moved = std::make_shared<LiveSnapshot>(*m_snapshot);
-        moved->contacts = nullptr;
+        moved->contacts = nullptr; // they are where the robots stood before
+        moved->block = withPlaced(*m_layout, *m_snapshot->block, *m_experiment, m_placed);
         m_snapshot = std::move(moved);
     }
     auto poses = std::make_shared<BodyPoses>();
     m_reader->read(*m_snapshot->block, *poses);
-    for (const PlaceCommand& place : m_placed)
-        if (const auto now = shownPose(*m_layout, *m_snapshot->block, place.robot))
-            moveRobot(*poses, *m_experiment, place.robot, place.pose * now->inverse());
     m_poses = std::move(poses);
     Q_EMIT advanced();
 }

@@ -17,6 +17,7 @@
 #include "editor/document/document.h"
 #include "editor/running/same_robots.h"
 #include "run/live_run.h"
+#include "run/live_values.h"
 #include "scene/poses.h"
 #include "signals/block.h"
 
@@ -57,6 +58,11 @@ public:
     /// The newest tick with its figures; null at Start and while it is built.
     [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const { return m_snapshot; }
     [[nodiscard]] std::shared_ptr<const SignalLayout> layout() const { return m_layout; }
+    /// What "robot0.leftMotor" measures and does now ("": the run itself), as all parts of the window show it; empty at Start, and for
+    /// what has no values or is not in this run. Good until the next call.
+    [[nodiscard]] const std::vector<LiveValue>& liveValues(const std::string& path) const;
+    /// The same as rich text for a tooltip; empty where there are none.
+    [[nodiscard]] QString liveTip(const std::string& path) const;
     /// Contacts come with snapshot() from now on, also while paused.
     void wantContacts(bool wanted);
     /// What flies between the radios is kept from now on, for takeRadio(); no longer.
@@ -124,6 +130,7 @@ Q_SIGNALS:
     void speedChanged();
     void refusalChanged();    ///< the document changed: whether and why run() would be refused
     void advanced();          ///< new poses; at most about 60 times a second
+    void valuesChanged();     ///< liveValues() may be others: 10 times a second at most, and once more when the run stands
     void experimentChanged(); ///< experiment() is another one: built, changed live or gone
     void waitingChanged();    ///< needsReset() or what waits
     void heldUpChanged();     ///< heldUpText() is another one
@@ -142,6 +149,7 @@ private:
     [[nodiscard]] bool waitForRuns() const;
     void look();
     void showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot);
+    void showValues();
     void takeReports();
     void setState(RunState state);
     void followDocument();
@@ -157,6 +165,8 @@ private:
     Parts& m_parts;
     std::shared_ptr<Doorbell> m_doorbell;
     QTimer m_frames, m_watch; // m_watch: whether a tick comes to its end
+    QTimer m_valuesPause;     // after valuesChanged(): till it may come again
+    bool m_valuesWait = false;
     QString m_saidHeldUp;
     bool m_toldHeldUp = false;
     RunState m_state = RunState::Start;
@@ -170,6 +180,7 @@ private:
     std::shared_ptr<const SignalLayout> m_layout;
     std::unique_ptr<PoseReader> m_reader;
     std::shared_ptr<const LiveSnapshot> m_snapshot;
+    std::unique_ptr<LiveObjects> m_live; // of m_layout
     std::shared_ptr<const BodyPoses> m_poses;
     std::vector<PlaceCommand> m_placed; // at m_placedTick, not yet in a snapshot
     std::uint64_t m_placedTick = 0;

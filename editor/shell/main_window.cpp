@@ -123,6 +123,8 @@ void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations
 
     m_memory = new WindowMemory(*m_document, *m_marks, *m_viewport, this);
     m_outline = new OutlinePanel(*m_document, *m_selection, *m_marks, *m_edits);
+    m_outline->showValuesOf(*m_session);
+    m_outline->addToMenu(m_actions->at("view.pinValues"));
     m_library = new LibraryPanel(*m_document, *m_selection, parts, render, places);
     m_properties = new PropertiesPanel(*m_document, *m_selection, m_session);
     m_properties->setMinimumWidth(300); // narrower, a row would lose its right end

@@ -7,6 +7,7 @@
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
 #include "editor/viewport/frusta.h"
+#include "editor/viewport/pinned_values.h"
 #include "editor/viewport/radio_legend.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/trails.h"
@@ -246,6 +247,7 @@ void paintOverlays(QPainter& painter, const View& view) {
     if (settings.shows(kOverlayGrid)) paintScale(painter, view);
     paintAxes(painter, view);
     paintRadioLegend(painter, view);
+    paintPinnedValues(painter, view);
 }
 
 } // namespace trundle

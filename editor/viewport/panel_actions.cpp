@@ -9,10 +9,12 @@
 #include "editor/running/session.h"
 #include "editor/viewport/array_dialog.h"
 #include "editor/viewport/picking.h"
+#include "editor/viewport/pinned_values.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_header.h"
 #include "editor/viewport/viewport_panel.h"
 #include "editor/widgets/actions.h"
+#include "project/object_place.h"
 #include "render/service.h"
 
 namespace trundle {
@@ -121,6 +123,29 @@ void ViewportPanel::connectOverlays() {
     });
 }
 
+/// The action pins or unpins what is selected, or the run itself where nothing is.
+void ViewportPanel::connectPinned() {
+    const auto meant = [this] { return m_selection.empty() ? std::vector<std::string>{""} : m_selection.paths(); };
+    connect(&m_actions.at("view.pinValues"), &QAction::triggered, this,
+            [this, meant](bool pinned) { m_pinned->set(meant(), pinned); });
+    const auto check = [this, meant] {
+        const std::vector<std::string> paths = meant();
+        m_actions.at("view.pinValues").setChecked(std::ranges::all_of(paths, [this](const auto& p) { return m_pinned->contains(p); }));
+    };
+    const auto repaint = [this] {
+        if (!m_pinned->paths().empty()) m_current->update(); // the picture below it stays
+    };
+    connect(&m_selection, &Selection::changed, this, check);
+    connect(m_pinned.get(), &PinnedValues::changed, this, check);
+    connect(m_pinned.get(), &PinnedValues::changed, this, [this] { m_current->update(); });
+    connect(&m_session, &RunSession::valuesChanged, this, repaint);
+    connect(&m_document, &Document::opened, this, [this] { m_pinned->set(std::vector<std::string>(m_pinned->paths()), false); });
+    connect(&m_document, &Document::changed, this, [this] { // also where an object has another name now
+        if (m_document.isOpen())
+            m_pinned->keepIf([this](const std::string& path) { return placeOf(*m_document.loaded(), path).has_value(); });
+    });
+}
+
 void ViewportPanel::lookThrough(const std::string& path) {
     const auto cameras = m_world->camerasOf(path);
     if (!cameras.empty()) m_current->lookThrough(cameras.front()->path);
@@ -202,6 +227,7 @@ void ViewportPanel::showMenu(View& view, const QPointF& at) {
     for (std::size_t i = 0; i < cameras.size() && i < kMostCameras; ++i)
         connect(menu.addAction(tr("Look Through %1").arg(QString::fromStdString(cameras[i]->path))), &QAction::triggered, &view,
                 [&view, path = cameras[i]->path] { view.lookThrough(path); });
+    menu.addAction(&m_actions.at("view.pinValues"));
     menu.addAction(&m_actions.at("view.savePicture"));
     menu.exec(view.mapToGlobal(at.toPoint()));
 }

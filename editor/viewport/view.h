@@ -23,6 +23,7 @@ class Document;
 class GizmoWork;
 class Measurement;
 class Navigation;
+class PinnedValues;
 class RadioOverlays;
 class RenderService;
 class RunSession;
@@ -44,6 +45,7 @@ struct ViewParts {
     RenderService* render = nullptr;
     Trails* trails = nullptr;
     RadioOverlays* radios = nullptr;
+    PinnedValues* pinned = nullptr;
 };
 
 class View final : public QWidget {

@@ -12,6 +12,7 @@
 #include "editor/running/session.h"
 #include "editor/viewport/held_objects.h"
 #include "editor/viewport/measure_work.h"
+#include "editor/viewport/pinned_values.h"
 #include "editor/viewport/radio_overlays.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_header.h"
@@ -30,10 +31,11 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
                              Actions& actions, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_session(session), m_actions(actions),
       m_measurement(std::make_unique<Measurement>()), m_world(std::make_unique<ShownWorld>(document, session, render)),
-      m_trails(std::make_unique<Trails>(*m_world)), m_radios(std::make_unique<RadioOverlays>(*m_world, selection, m_settings)) {
+      m_trails(std::make_unique<Trails>(*m_world)), m_radios(std::make_unique<RadioOverlays>(*m_world, selection, m_settings)),
+      m_pinned(std::make_unique<PinnedValues>()) {
     setObjectName(QStringLiteral("viewportPanel"));
     m_parts.reset(new ViewParts{document, selection, session, *m_world, m_settings, *m_measurement, render, m_trails.get(),
-                                m_radios.get()});
+                                m_radios.get(), m_pinned.get()});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -62,6 +64,7 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     makeViews(render);
     connectActions();
     connectOverlays();
+    connectPinned();
     setViewCount(1);
 
     // Framed once, when there is something to be seen of it.

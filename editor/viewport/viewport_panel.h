@@ -17,6 +17,7 @@ class QPushButton;
 namespace trundle {
 
 class Actions;
+class PinnedValues;
 class RadioOverlays;
 
 /// How a view stands, for the next time.
@@ -42,6 +43,7 @@ public:
     [[nodiscard]] ViewSettings& settings() { return m_settings; }
     [[nodiscard]] ShownWorld& world() { return *m_world; }
     [[nodiscard]] RadioOverlays& radios() { return *m_radios; }
+    [[nodiscard]] PinnedValues& pinned() { return *m_pinned; }
     /// "perspective", "top", "chase" ...: the current view. False where there is none of that name.
     bool showView(const QString& name);
     /// Of all four, whether they are shown or not.
@@ -71,6 +73,7 @@ private:
     void makeViews(RenderService* render);
     void connectActions();
     void connectOverlays();
+    void connectPinned();
     void showBanner();
     void showMenu(View& view, const QPointF& at);
     void lookThroughSelected();
@@ -91,6 +94,7 @@ private:
     std::unique_ptr<ShownWorld> m_world;
     std::unique_ptr<Trails> m_trails;
     std::unique_ptr<RadioOverlays> m_radios;
+    std::unique_ptr<PinnedValues> m_pinned;
     std::unique_ptr<ViewParts> m_parts;
     std::vector<View*> m_views;
     View* m_current = nullptr;

@@ -2,6 +2,11 @@
 
 #include <QAbstractButton>
 
+#include <QHelpEvent>
+#include <QToolTip>
+
+#include "editor/running/session.h"
+#include "eventually.h"
 #include "outlined.h"
 
 using namespace trundle;
@@ -23,6 +28,7 @@ private Q_SLOTS:
     void aRobotInItsOwnConfigHasAnEnd();
     void countsProblemsUpToTheGroups();
     void hidesAndLocksByTheIconsOfARow();
+    void aTooltipSaysWhatTheObjectMeasures();
 };
 
 void TreeTest::showsTheExperimentByOwner() {
@@ -267,6 +273,32 @@ void TreeTest::hidesAndLocksByTheIconsOfARow() {
     QVERIFY(o.edits.rename("scout", "rover9").ok());
     QVERIFY(o.marks.isHidden("rover9")); // the mark goes with the object
     QVERIFY(!o.marks.isHidden("scout"));
+}
+
+void TreeTest::aTooltipSaysWhatTheObjectMeasures() {
+    Outlined o;
+    RunSession session(o.document, *o.parts);
+    o.panel->showValuesOf(session);
+    QVERIFY(o.open("RobotConfig Crate { Body box { Box hull { Size=0.2,0.2,0.2 Mass=1 } } }\n"
+                   "Robot crate { Config=Crate Pos=0,0,20 }\n"));
+    const auto ask = [&o] {
+        const QPoint at = o.tree().visualRect(o.at("crate")).center();
+        QHelpEvent help(QEvent::ToolTip, at, o.tree().viewport()->mapToGlobal(at));
+        QApplication::sendEvent(o.tree().viewport(), &help);
+        return QToolTip::text();
+    };
+    const QString before = ask();
+    QVERIFY(!before.contains(QStringLiteral("speed")));
+    session.step();
+    EVENTUALLY_EQUAL(session.state(), RunState::Paused);
+    const QString now = ask();
+    QVERIFY2(now.contains(QStringLiteral("speed")) && now.contains(QStringLiteral("0.098")), qPrintable(now));
+    QVERIFY(before.isEmpty() || now.contains(before.section(u'\n', 0, 0).toHtmlEscaped())); // what it said always
+    session.step(); // and while it is shown it goes along
+    EVENTUALLY(QToolTip::text().contains(QStringLiteral("0.196")));
+    session.reset();
+    EVENTUALLY(!ask().contains(QStringLiteral("speed")));
+    QToolTip::hideText();
 }
 
 QTEST_MAIN(TreeTest)

@@ -1,10 +1,13 @@
 // Rows while an experiment runs: what waits for a reset says so, and a paused robot shows where it is.
 #include <fstream>
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QScrollArea>
 #include <QTemporaryDir>
+#include <QSignalSpy>
 #include <QTest>
+#include <QTreeWidget>
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
@@ -36,9 +39,16 @@ struct RunningDesk {
         panel.show();
         if (!document.open(path)) qFatal("not opened");
     }
-    QLabel* note(const char* row) const {
+    QLabel* note(const char* row, const char* which = "note") const {
         const auto* found = panel.findChild<QWidget*>(QStringLiteral("row.") + QLatin1String(row));
-        return found ? found->findChild<QLabel*>(QStringLiteral("note")) : nullptr;
+        return found ? found->findChild<QLabel*>(QLatin1String(which)) : nullptr;
+    }
+    QTreeWidget* live() const { return panel.findChild<QTreeWidget*>(QStringLiteral("liveValues")); }
+    /// "0.098 m/s"; "(none)" where no such value is shown.
+    QString value(const char* name) const {
+        const QList<QTreeWidgetItem*> found = live()->findItems(QLatin1String(name), Qt::MatchExactly);
+        return found.isEmpty() || !live()->isVisible() ? QStringLiteral("(none)")
+                                                       : (found[0]->text(1) + u' ' + found[0]->text(2)).simplified();
     }
 };
 
@@ -47,17 +57,82 @@ struct RunningDesk {
 class RunningRowsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void aPausedRobotShowsWhereItIs() {
+    void aRobotShowsWhereItIs() {
         RunningDesk desk;
         desk.selection.select("crate");
-        QVERIFY(!desk.note("Pos")->isVisible());
+        const auto now = [&desk](const char* row) { return desk.note(row, "now"); };
+        QVERIFY(!now("Pos")->isVisible());
         desk.session.step();
         EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
-        EVENTUALLY(desk.note("Pos")->isVisible());
-        QVERIFY2(desk.note("Pos")->text().startsWith(QStringLiteral("now 0.000, 0.000, ")), qPrintable(desk.note("Pos")->text()));
-        QVERIFY(!desk.note("Config")->isVisible());
+        EVENTUALLY(now("Pos")->isVisible());
+        QCOMPARE(now("Pos")->text().simplified(), QStringLiteral("now 0.000 0.000 19.999"));
+        QVERIFY(!now("Config")->isVisible());
+        desk.session.run(); // and so it does while it runs
+        EVENTUALLY(desk.session.state() == RunState::Running && now("Pos")->text().simplified() != QStringLiteral("now 0.000 0.000 19.999"));
+        QVERIFY(now("Pos")->isVisible());
         desk.session.reset();
-        EVENTUALLY(!desk.note("Pos")->isVisible());
+        EVENTUALLY(!now("Pos")->isVisible());
+    }
+
+    void whatIsSelectedShowsWhatItDoes() {
+        RunningDesk desk;
+        desk.selection.select("crate");
+        QVERIFY(!desk.live()->isVisible());
+        desk.session.step();
+        EVENTUALLY_EQUAL(desk.value("speed"), QStringLiteral("0.098 m/s"));
+        QCOMPARE(desk.value("position"), QStringLiteral("0.000 0.000 19.999 m"));
+        QCOMPARE(desk.value("HPR"), QStringLiteral("0.000 0.000 0.000 °"));
+        desk.selection.select("crate.box.hull"); // a geom goes with its body
+        QCOMPARE(desk.value("velocity"), QStringLiteral("0.000 0.000 -0.098 m/s"));
+        desk.selection.clear(); // the run itself
+        QCOMPARE(desk.value("ticks"), QStringLiteral("1"));
+        desk.session.step();
+        EVENTUALLY_EQUAL(desk.value("ticks"), QStringLiteral("2"));
+        QVERIFY(desk.document.setValues(QStringLiteral("Rename"), {{"crate.Pos", "0,0,21"}}).ok());
+        desk.selection.select("crate");
+        QCOMPARE(desk.value("speed"), QStringLiteral("0.196 m/s")); // the run's, not the text's
+        desk.session.reset();
+        EVENTUALLY(!desk.live()->isVisible());
+    }
+
+    void aPlacedRobotShowsWhereItWasPut() {
+        RunningDesk desk;
+        desk.selection.select("crate");
+        desk.session.step();
+        EVENTUALLY_EQUAL(desk.value("speed"), QStringLiteral("0.098 m/s"));
+        QVERIFY(desk.session.place("crate", {{1, 2, 3}, Quat::Identity()}));
+        EVENTUALLY_EQUAL(desk.value("position"), QStringLiteral("1.000 2.000 3.000 m"));
+        QCOMPARE(desk.value("speed"), QStringLiteral("0.000 m/s"));
+        desk.selection.select("crate.box");
+        QCOMPARE(desk.value("position"), QStringLiteral("1.000 2.000 3.000 m"));
+    }
+
+    void newValuesMoveNothing() {
+        RunningDesk desk;
+        desk.selection.select("crate");
+        desk.session.step();
+        EVENTUALLY_EQUAL(desk.value("speed"), QStringLiteral("0.098 m/s"));
+        QCoreApplication::processEvents(); // it is laid out
+        const auto places = [&desk] {
+            QList<QRect> all;
+            for (const QWidget* child : desk.panel.findChildren<QWidget*>())
+                if (child->isVisible()) all.append({child->mapTo(&desk.panel, QPoint()), child->size()});
+            for (int column = 0; column < 3; ++column) all.append(QRect(desk.live()->columnViewportPosition(column), 0, 1, 1));
+            return all;
+        };
+        const QList<QRect> before = places();
+        QSignalSpy changes(&desk.session, &RunSession::valuesChanged), frames(&desk.session, &RunSession::advanced);
+        desk.session.setSpeed(5);
+        QElapsedTimer clock;
+        clock.start();
+        desk.session.run();
+        EVENTUALLY(frames.count() > 20 && desk.session.time() > 1);
+        QVERIFY2(changes.count() <= clock.elapsed() / 90 + 3, "ten times a second is enough");
+        desk.session.pause();
+        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
+        EVENTUALLY(desk.value("speed").section(u' ', 0, 0).toDouble() > 5);
+        QCoreApplication::processEvents();
+        QCOMPARE(places(), before);
     }
 
     void aLongNoteMakesTheRowsNoWider() {

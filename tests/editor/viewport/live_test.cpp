@@ -1,9 +1,11 @@
 #include <QtTest>
 
 #include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/pinned_values.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
+#include "project/plans.h"
 
 using namespace trundle;
 
@@ -24,6 +26,35 @@ private Q_SLOTS:
         m_window->session.reset();
         EVENTUALLY(!m_window->panel->world().isRunning());
         QVERIFY(((*m_window->panel->world().poses())[0].position - Vec3(-0.5, 0, 0)).norm() < 1e-12);
+    }
+
+    void valuesArePinnedOverTheView() {
+        QAction& pin = m_window->actions.at("view.pinValues");
+        const auto shown = [this] { return m_window->view().grab().toImage().copy(8, 44, 180, 80); };
+        EVENTUALLY(m_window->panel->isUpToDate());
+        const QImage plain = shown();
+        m_window->selection.select("robot0.leftMotor");
+        QVERIFY(!pin.isChecked());
+        m_window->trigger("view.pinValues");
+        QCOMPARE(m_window->panel->pinned().paths(), std::vector<std::string>{"robot0.leftMotor"});
+        QVERIFY(pin.isChecked());
+        const QImage atStart = shown();
+        const int floor = qGray(plain.pixel(4, 12)), plate = qGray(atStart.pixel(4, 12));
+        QVERIFY2(plate < floor - 40, qPrintable(QStringLiteral("%1 %2").arg(floor).arg(plate))); // dark over a lighter floor
+        step();
+        EVENTUALLY(shown() != atStart);
+        m_window->selection.select("robot1");
+        QVERIFY(!pin.isChecked());
+        m_window->trigger("view.pinValues");
+        QCOMPARE(m_window->panel->pinned().paths().size(), 2u);
+        // What has gone is pinned no longer; the same action unpins.
+        m_window->selection.clear();
+        QVERIFY(m_window->document.carryOut(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"robot1"})).ok());
+        QCOMPARE(m_window->panel->pinned().paths(), std::vector<std::string>{"robot0.leftMotor"});
+        m_window->selection.select("robot0.leftMotor");
+        QVERIFY(pin.isChecked());
+        m_window->trigger("view.pinValues");
+        QVERIFY(m_window->panel->pinned().paths().empty() && !pin.isChecked());
     }
 
     void aDragInAPausedRunMovesTheWorldOnly() {
