@@ -114,7 +114,7 @@ static constexpr ActionRow kTable[] = {
     {"controllers.remove", "Controllers", "&Remove from Selected Robots", "",   "",               "Take the controller out of the selected robots."},
     {"controllers.reload", "|Controllers", "Rel&oad Modules",    "",            "Ctrl+Shift+R",   "Reset the run and read the libraries again, as built now."},
 
-    {"help.guide",     "Help",        "&Guide",                  "help",        "F1",             "How to work with this window."},
+    {"help.guide",     "Help",        "&Guide",                  "help",        "F1",             "The page of what is selected or at the caret; else how to work with this window."},
     {"help.about",     "Help",        "&About Trundle",          "info",        "",               "Version, licence and libraries."},
 };
 // clang-format on

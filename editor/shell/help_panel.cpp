@@ -15,7 +15,9 @@
 
 namespace trundle {
 
-HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent) {
+static QString guideFolder() { return resourcePath(QStringLiteral("guide")); }
+
+HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent), m_index(guideFolder()) {
     setObjectName(QStringLiteral("guide"));
     setOpenExternalLinks(true);
     document()->setDocumentMargin(14);
@@ -23,8 +25,24 @@ HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent) {
     QScrollBar* bar = verticalScrollBar();
     bar->setEnabled(false); // and empty, while there is nothing to scroll
     connect(bar, &QScrollBar::rangeChanged, bar, [bar](int least, int most) { bar->setEnabled(most > least); });
-    connect(this, &QTextBrowser::sourceChanged, this, &HelpPanel::setType);
-    setSource(QUrl::fromLocalFile(resourcePath(QStringLiteral("guide/index.md"))), QTextDocument::MarkdownResource);
+    connect(this, &QTextBrowser::sourceChanged, this, &HelpPanel::onSourceChanged);
+    showKind(nullptr);
+}
+
+void HelpPanel::showKind(const Kind* kind) {
+    const QString place = kind ? m_index.placeOf(*kind) : QString();
+    QUrl url = QUrl::fromLocalFile(guideFolder() + QLatin1Char('/') +
+                                   (place.isEmpty() ? QStringLiteral("index.md") : place.section(QLatin1Char('#'), 0, 0)));
+    if (place.contains(QLatin1Char('#'))) url.setFragment(place.section(QLatin1Char('#'), 1));
+    if (url == source()) scrollToAnchor(url.fragment());
+    else setSource(url, QTextDocument::MarkdownResource);
+}
+
+/// A link into the page that is shown may keep its text. source() is still that of the page before.
+void HelpPanel::onSourceChanged(const QUrl& source) {
+    const QTextBlock title = document()->begin(); // has its anchor where the page has its type
+    if (title.begin().atEnd() || !title.begin().fragment().charFormat().isAnchor()) setType();
+    if (source.hasFragment()) scrollToAnchor(source.fragment()); // Markdown's headings have anchors only now
 }
 
 /// Those of Markdown have a white double frame, and a first row also where nothing is in it.
@@ -64,6 +82,13 @@ void HelpPanel::setType() {
         room.setTopMargin(heading && block.position() > 0 ? 14 : code || inTable ? 0 : 2);
         room.setBottomMargin(inTable || (code && isCode(block.next())) ? 0 : block.textList() ? 2 : 6);
         cursor.setBlockFormat(room);
+        if (heading) {
+            QTextCharFormat anchor;
+            anchor.setAnchor(true);
+            anchor.setAnchorNames({headingAnchor(block.text())});
+            cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+            cursor.mergeCharFormat(anchor);
+        }
         std::vector<QTextFragment> parts;
         for (auto part = block.begin(); !part.atEnd(); ++part) parts.push_back(part.fragment());
         for (const QTextFragment& part : parts) {

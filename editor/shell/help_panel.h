@@ -1,6 +1,8 @@
 #pragma once
 #include <QTextBrowser>
 
+#include "editor/shell/guide_index.h"
+
 namespace trundle {
 
 /// The user guide: the Markdown files of resources/guide.
@@ -9,7 +11,11 @@ class HelpPanel final : public QTextBrowser {
 public:
     explicit HelpPanel(QWidget* parent = nullptr);
 
+    /// The place that explains the kind; the first page where there is none, or for nullptr.
+    void showKind(const Kind* kind);
+
 private:
+    void onSourceChanged(const QUrl& source);
     void setType();
     void fitPictures();
 
@@ -17,6 +23,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     QVariant loadResource(int type, const QUrl& name) override;
     void changeEvent(QEvent* event) override;
+
+private:
+    GuideIndex m_index;
 };
 
 } // namespace trundle

@@ -257,7 +257,7 @@ void MainWindow::connectActions() {
     on("view.layoutEdit", [this] { m_layouts->use(Layout::Edit); });
     on("view.layoutRun", [this] { m_layouts->use(Layout::Run); });
     on("view.layoutReset", [this] { m_layouts->resetCurrent(); });
-    on("help.guide", [this] { m_layouts->raise(QStringLiteral("guide")); });
+    on("help.guide", [this] { showHelp(); });
     on("help.about", [this] { showAbout(); });
     m_actions->at("view.theme").setChecked(currentTheme() == ThemeKind::Dark);
     m_actions->at("view.text").setChecked(true);

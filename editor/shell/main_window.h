@@ -38,6 +38,8 @@ class ViewportPanel;
 class WelcomePage;
 class WindowMemory;
 
+struct Kind;
+
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -57,6 +59,8 @@ public:
     void setLayout(Layout layout) { m_layouts->use(layout); }
     /// Shows the text beside the 3D view, or not.
     void showText(bool shown);
+    void showHelp();
+    [[nodiscard]] const Kind* kindForHelp();
     /// "perspective", "top", "front", "side", "follow", "chase", or "text": the text alone. "" leaves it as it is.
     void useView(const QString& name);
     /// All that is shown is drawn as it is now.

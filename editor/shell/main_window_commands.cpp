@@ -16,6 +16,7 @@
 #include "editor/radios/radios_panel.h"
 #include "editor/shell/command_palette.h"
 #include "editor/shell/file_commands.h"
+#include "editor/shell/help_panel.h"
 #include "editor/shell/line_diff.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/recovery_dialog.h"
@@ -23,6 +24,7 @@
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
 #include "editor/widgets/theme.h"
+#include "project/object_place.h"
 
 namespace trundle {
 namespace {
@@ -44,6 +46,26 @@ bool mayEndRecording(MainWindow& window) {
 } // namespace
 
 bool MainWindow::open(const QString& path) { return m_files->open(path); }
+
+/// Of the block at the caret while the keyboard is in a text, else of what is selected.
+const Kind* MainWindow::kindForHelp() {
+    if (!m_document->isOpen() || !m_document->loaded() || m_help->hasFocus()) return nullptr;
+    if (m_text->hasKeyboard()) return m_text->kindAtCaret();
+    if (m_selection->empty()) return nullptr;
+    const Loaded& loaded = *m_document->loaded();
+    const std::string path = m_selection->current();
+    if (path.empty()) return loaded.registry->find("settings");
+    const std::optional<ObjectPlace> place = placeOf(loaded, path);
+    if (!place) return nullptr;
+    const Part* part = place->part ? place->part : place->instance;
+    return part ? part->kind : nullptr;
+}
+
+void MainWindow::showHelp() {
+    const Kind* kind = kindForHelp(); // before the dock may take the keyboard
+    m_layouts->raise(QStringLiteral("guide"));
+    m_help->showKind(kind);
+}
 
 void MainWindow::showText(bool shown) {
     // One of the two is always there.

@@ -29,10 +29,13 @@ QList<Sample> sampleExperiments(const QString& configs) {
         {"arc_motion", "Arc motion", "A full circle at a commanded speed and turn rate."},
         {"obstacle_detection", "Obstacle detection", "Bump, back off, turn, go on: a walled arena."},
         {"swarm", "Swarm", "A hundred robots, each on a random walk of its own."},
+        {"camera_swarm", "Camera swarm", "Twenty robots with a camera each, all after one red ball."},
         {"blob_follow", "Blob follow", "Looks around with a camera, drives to the red ball."},
         {"directional_antenna", "Directional antenna", "Turns once, finds three motes by how strong they are."},
+        {"turn_angle", "Turn angle", "How exactly a turn finds the bearings of five motes."},
         {"sensor_network_amr", "Sensor network", "A carrier follows nine motes to the one it cannot hear."},
-        {"thesis_figure_3_4", "Figure 3.4", "The example of the thesis that began it all, word for word."},
+        {"network_navigation", "Network navigation", "By signal strength alone to a target that is out of hearing."},
+        {"thesis_figure_3_4", "Figure 3.4", "The experiment of the thesis's figure, with files of our own to run it."},
     };
     QList<Sample> found;
     for (const auto& [name, title, description] : samples) {
@@ -50,7 +53,7 @@ QList<Sample> sampleParts(const QString& configs) {
         {"robots/simple_robot", "Simple robot", "Two driven wheels, a slider, a bumper that feels."},
         {"robots/evbot", "EvBot", "A sturdy indoor robot, bumpers front and back."},
         {"robots/amr", "AMR", "A heavy carrier for halls and corridors."},
-        {"robots/camera_robot", "Camera robot", "The simple robot with a camera on a mast."},
+        {"robots/camera_robot", "Camera robot", "Two driven wheels and a camera on a mast."},
         {"robots/radio_robot", "Radio robot", "Carries a patch antenna that looks ahead."},
         {"robots/tmote_sky", "Tmote Sky", "A radio mote, lying on its batteries."},
         {"arenas/medium_arena", "Medium arena", "A square room, 4 m x 4 m, with low walls."},

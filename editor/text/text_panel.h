@@ -30,6 +30,7 @@ class RenameField;
 class ResultsList;
 class Selection;
 class TextCommands;
+struct Kind;
 
 class TextPanel final : public QWidget {
     Q_OBJECT
@@ -53,6 +54,9 @@ public:
     bool carryOut(const std::string& id);
     /// As wide as the bar to find with needs, also while that is away: nothing moves when it comes.
     [[nodiscard]] QSize minimumSizeHint() const override;
+
+    /// The kind of block whose word the caret is at, else that of the block round it; nullptr where there is none.
+    [[nodiscard]] const Kind* kindAtCaret();
 
     void goToDefinition(std::uint32_t offset);
     void showUses(std::uint32_t offset);

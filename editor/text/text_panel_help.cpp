@@ -13,6 +13,7 @@
 #include "editor/text/rename_field.h"
 #include "editor/text/results_list.h"
 #include "editor/text/text_panel.h"
+#include "editor/text/text_place.h"
 #include "editor/widgets/actions.h"
 #include "lang/formatter.h"
 
@@ -70,6 +71,15 @@ void TextPanel::showLink(FilePage& page, std::uint32_t offset) {
         if (found) link = found->word.range;
     }
     page.edit().showLink(link);
+}
+
+const Kind* TextPanel::kindAtCaret() {
+    FilePage* page = this->page();
+    if (!page || !page->flush() || page->id() == kNoFile) return nullptr;
+    const TextPlace place = placeAt(*m_document.loaded(), page->id(), page->edit().caret());
+    const auto* block = place.item ? place.item->as<BlockItem>() : nullptr;
+    const Kind* named = block ? m_document.loaded()->registry->find(block->type.text) : nullptr;
+    return named ? named : place.kind;
 }
 
 void TextPanel::goToDefinition(std::uint32_t offset) {

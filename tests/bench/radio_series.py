@@ -15,7 +15,6 @@ import json
 import math
 import os
 import secrets
-import signal
 import statistics
 import subprocess
 import sys
@@ -60,22 +59,16 @@ class Cli:
         self.program = os.path.join(os.path.abspath(build), "bin", "trundle-cli")
         self.jobs = jobs
 
-    def run(self, file, folder, sets=(), seed=None, duration=None, until=None):
-        """One run; its JSON object, and what its controllers said. `until`: words of a controller after which it may end."""
+    def run(self, file, folder, sets=(), seed=None, duration=None):
+        """One run; its JSON object, and what its controllers said."""
         words = [self.program, "run", os.path.join(EXPERIMENTS, file), "--json", "--log-dir", folder]
         words += [word for value in sets for word in ("--set", value)]
         words += ["--seed", str(seed)] if seed is not None else []
         words += ["--duration", str(duration)] if duration is not None else []
-        said = []
-        with subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-            for line in process.stderr:
-                said.append(line)
-                if until and until in line:
-                    process.send_signal(signal.SIGINT)
-            out = process.stdout.read()
-        if process.returncode not in (0, 130):
-            raise SystemExit(f"{' '.join(words)}: exit code {process.returncode}\n{''.join(said)[-2000:]}")
-        return json.loads(out), "".join(said)
+        done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(f"{' '.join(words)}: exit code {done.returncode}\n{done.stderr[-2000:]}")
+        return json.loads(done.stdout), done.stderr
 
     def many(self, function, arguments):
         """The answers in the order of the arguments."""
@@ -176,7 +169,7 @@ def navigate(cli, layout, model, seed, keep=None):
         cli.run(file, folder, MODELS[model], seed, duration=0.02)
         if not hangs_together(folder, model):
             return None
-        run, said = cli.run(file, folder, MODELS[model], seed, until="reached the target")
+        run, said = cli.run(file, folder, MODELS[model], seed)
         legs = rows_of(os.path.join(folder, "navigation.csv"))
         if keep is not None:
             keep.update(run=run, path=rows_of(os.path.join(folder, "path.csv")))

@@ -170,6 +170,13 @@ void RunFlowTest::whatTheExactSolverCannotTakeIsTakenByTheQuickOne() {
 }
 
 void RunFlowTest::theThesisExperimentRuns() {
+    // Every line and value of figure 3.4 that is known; robot, arena, materials and surfaces are files of our own.
+    const QByteArray text = contentOf(configPath("experiments/thesis_figure_3_4.txt"));
+    for (const char* line : {"Tick = 0.03", "#import Surfaces.txt", "#import Materials.txt", "#import Robots/MyRobot.txt",
+                             "#import Statics/MyRobotArena.txt", "#loadModule Controllers/MyRobotController.dll",
+                             "MyRobotController controller { RobotControllerVar=5 }", "Pos = 0,0,0", "Pos = 0,0,0.3"})
+        QVERIFY2(text.contains(line), line);
+    QVERIFY(!text.contains("//")); // nothing of ours between them
     const Outcome run = cli({"run", configPath("experiments/thesis_figure_3_4.txt"), "--duration", "9", "--json", "--log-dir",
                              m_folder.filePath("t")});
     QVERIFY2(run.code == 0, shown(run));

@@ -48,6 +48,28 @@ private Q_SLOTS:
         QTRY_VERIFY(panel.verticalScrollBar()->isEnabled());
     }
 
+    void aKindIsExplainedWhereTheGuideNamesIt() {
+        HelpPanel panel;
+        panel.resize(400, 300);
+        panel.show();
+        const auto shown = [&](const char* name, Role role) {
+            Kind kind;
+            kind.name = name;
+            kind.role = role;
+            panel.showKind(&kind);
+            const QTextCursor top = panel.cursorForPosition(QPoint(20, 4));
+            return panel.source().fileName() + QStringLiteral(": ") + top.block().text();
+        };
+        QCOMPARE(shown("Hinge", Role::Joint), QStringLiteral("language.md: Joints"));
+        QCOMPARE(shown("Box", Role::Geom), QStringLiteral("language.md: Geoms")); // the same page, another place
+        QCOMPARE(shown("SignalLog", Role::Log), QStringLiteral("logs.md: Logs"));
+        QCOMPARE(shown("RadioMedium", Role::Medium), QStringLiteral("radios.md: RadioMedium"));
+        QCOMPARE(shown("SomebodysBrain", Role::Controller), QStringLiteral("language.md: Controllers"));
+        QCOMPARE(shown("Nothing", Role::Log), QStringLiteral("index.md: The Trundle guide"));
+        panel.backward();
+        QCOMPARE(panel.source().fragment(), QStringLiteral("controllers"));
+    }
+
     void tablesHaveNoEmptyHeads() {
         HelpPanel panel;
         int tables = 0;

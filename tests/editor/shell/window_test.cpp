@@ -55,7 +55,8 @@ private Q_SLOTS:
         const QString configs = QString::fromStdString(findLocations().configs);
         for (const Sample& sample : sampleExperiments(configs) + sampleParts(configs))
             QVERIFY2(!QImage(sample.picture).isNull(), qPrintable(sample.picture));
-        for (const char* subject : {"sample.blob_follow", "sample.sensor_network_amr", "sample.directional_antenna"})
+        for (const char* subject : {"sample.blob_follow", "sample.camera_swarm", "sample.sensor_network_amr",
+                                    "sample.directional_antenna", "sample.turn_angle", "sample.network_navigation"})
             QVERIFY2(m_window->findChild<QWidget*>(QLatin1String(subject)), subject);
     }
 

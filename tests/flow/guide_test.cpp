@@ -1,0 +1,174 @@
+// The guide is true: its texts load and run, its command lines do what they say, its links lead somewhere, and every kind and option
+// has its place in it.
+
+#include "flow/cli.h"
+
+namespace {
+
+const QString kGuide = QStringLiteral(TRUNDLE_SOURCE_DIR "/resources/guide/");
+
+struct Fence {
+    QString page;
+    int line = 0;
+    QStringList words; ///< "sim", "more", "E208"
+    QString text;
+
+    [[nodiscard]] QString where() const { return QStringLiteral("%1:%2").arg(page).arg(line); }
+    [[nodiscard]] QString language() const { return words.value(0); }
+};
+
+QStringList pages() { return QDir(kGuide).entryList({QStringLiteral("*.md")}, QDir::Files, QDir::Name); }
+QString textOf(const QString& page) { return QString::fromUtf8(contentOf(kGuide + page)); }
+
+QList<Fence> fencesOf(const QString& page) {
+    QList<Fence> fences;
+    bool inside = false;
+    const QStringList lines = textOf(page).split('\n');
+    for (int i = 0; i < lines.size(); ++i) {
+        if (lines[i].startsWith("```")) {
+            if (!inside) fences.append({page, i + 1, lines[i].mid(3).split(' ', Qt::SkipEmptyParts), {}});
+            inside = !inside;
+        } else if (inside) {
+            fences.last().text += lines[i] + '\n';
+        }
+    }
+    return fences;
+}
+
+/// The texts of a page: one that says `more` goes on from the one before.
+QList<Fence> textsOf(const QString& page) {
+    QList<Fence> texts;
+    QString before;
+    for (Fence fence : fencesOf(page)) {
+        if (fence.language() != "sim") continue;
+        if (fence.words.contains("more")) fence.text = before + fence.text;
+        texts.append(fence);
+        if (fence.words.filter(QRegularExpression("^E\\d+$")).isEmpty()) before = fence.text;
+    }
+    return texts;
+}
+
+/// Names in all comments `<!-- kinds: ... -->`.
+QStringList placedKinds() {
+    QStringList kinds;
+    static const QRegularExpression comment(QStringLiteral("<!-- kinds: ([^>]*) -->"));
+    for (const QString& page : pages())
+        for (auto found = comment.globalMatch(textOf(page)); found.hasNext();)
+            kinds += found.next().captured(1).split(' ', Qt::SkipEmptyParts);
+    return kinds;
+}
+
+} // namespace
+
+class GuideTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyBlockSaysWhatItIs() {
+        const QStringList known{"sim", "sh", "cpp"};
+        int count = 0;
+        for (const QString& page : pages())
+            for (const Fence& fence : fencesOf(page)) {
+                QVERIFY2(known.contains(fence.language()), qPrintable(fence.where()));
+                ++count;
+            }
+        QVERIFY(count > 30);
+    }
+
+    void itsTextsRun_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QStringList>("codes");
+        for (const QString& page : pages())
+            for (const Fence& fence : textsOf(page))
+                QTest::newRow(qPrintable(fence.where())) << fence.text << fence.words.filter(QRegularExpression("^E\\d+$"));
+    }
+    void itsTextsRun() {
+        QFETCH(QString, text);
+        QFETCH(QStringList, codes);
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("text.sim"), text.toUtf8()));
+        const Outcome check = cli({"check", "text.sim", "--json"}, folder.path());
+        QStringList said;
+        for (const QJsonValue& message : QJsonDocument::fromJson(check.out).array())
+            if (message["severity"] == "error" || codes.isEmpty()) said << message["code"].toString();
+        said.removeDuplicates();
+        QVERIFY2(said == codes, shown(check));
+        QCOMPARE(check.code, codes.isEmpty() ? 0 : 1);
+        if (!codes.isEmpty()) return;
+        const Outcome run = cli({"run", "text.sim", "--duration", "0.1", "--quiet"}, folder.path());
+        QVERIFY2(run.code == 0, shown(run));
+    }
+
+    /// In the order of the page, in one folder, where the page's first text is my.sim.
+    void itsCommandLinesDoWhatTheySay_data() {
+        QTest::addColumn<QString>("page");
+        for (const QString& page : pages())
+            if (textOf(page).contains("```sh")) QTest::newRow(qPrintable(page)) << page;
+    }
+    void itsCommandLinesDoWhatTheySay() {
+        QFETCH(QString, page);
+        QTemporaryDir folder;
+        const QList<Fence> texts = textsOf(page);
+        QVERIFY2(!texts.isEmpty(), "there is no my.sim");
+        QVERIFY(writeFile(folder.filePath("my.sim"), texts[0].text.toUtf8()));
+        static const QRegularExpression expected(QStringLiteral("# exit code (\\d+)$"));
+        for (const Fence& fence : fencesOf(page)) {
+            if (fence.language() != "sh") continue;
+            for (const QString& line : fence.text.split('\n', Qt::SkipEmptyParts)) {
+                QVERIFY2(line.startsWith("trundle-cli "), qPrintable(line));
+                const auto code = expected.match(line);
+                const QString command = QStringLiteral("PATH='" TRUNDLE_BINARY_DIR "/bin':\"$PATH\"; ") + line;
+                const Outcome run = callProgram("/bin/sh", {"-c", command}, folder.path());
+                QVERIFY2(run.code == (code.hasMatch() ? code.captured(1).toInt() : 0), line.toUtf8() + "\n" + shown(run));
+            }
+        }
+    }
+
+    void everyCommandAndOptionIsInIt() {
+        const QString chapter = textOf("command_line.md");
+        static const QRegularExpression option(QStringLiteral("^  (?:-\\w,)?(--?[\\w-]+)"), QRegularExpression::MultilineOption);
+        static const QRegularExpression word(QStringLiteral("^  (\\w+) "), QRegularExpression::MultilineOption);
+        const QString help = QString::fromUtf8(cli({"--help"}).out);
+        QStringList commands;
+        for (auto found = word.globalMatch(help.section("Subcommands:", 1).section("Examples:", 0, 0)); found.hasNext();)
+            commands << found.next().captured(1);
+        QVERIFY2(commands.size() >= 7, qPrintable(help));
+        QSet<QString> options;
+        for (const QString& command : commands) {
+            const QString page = QString::fromUtf8(cli({command, "--help"}).out).section("Options:", 1).section("Example", 0, 0);
+            for (auto found = option.globalMatch(page); found.hasNext();) options << found.next().captured(1);
+        }
+        QVERIFY(options.size() > 15);
+        for (const QString& name : commands + options.values())
+            QVERIFY2(
+                QRegularExpression("(^|[^-\\w])" + QRegularExpression::escape(name) + "($|[^-\\w])").match(chapter).hasMatch(),
+                qPrintable(name));
+        // And it speaks of none that is not there.
+        static const QRegularExpression named(QStringLiteral("`trundle-cli [^`]*|\\| `(--[\\w-]+)"));
+        for (auto found = named.globalMatch(chapter); found.hasNext();) {
+            const QString said = found.next().captured(1);
+            QVERIFY2(said.isEmpty() || options.contains(said), qPrintable(said));
+        }
+    }
+
+    void everyKindHasItsPlace() {
+        const QJsonArray all = QJsonDocument::fromJson(cli({"describe", "--json"}).out).array();
+        QVERIFY(all.size() > 40);
+        const QStringList placed = placedKinds();
+        QStringList names{"controller", "device"}; // what modules bring goes by its role
+        for (const QJsonValue& kind : all) {
+            names << kind["name"].toString();
+            if (kind["module"].toString().isEmpty())
+                QVERIFY2(placed.contains(kind["name"].toString()), qPrintable(kind["name"].toString()));
+        }
+        for (const QString& name : placed) QVERIFY2(names.contains(name) && placed.count(name) == 1, qPrintable(name));
+    }
+
+    void theIndexNamesEveryPage() {
+        for (const QString& page : pages())
+            if (page != "index.md") QVERIFY2(textOf("index.md").contains("](" + page + ")"), qPrintable(page));
+    }
+};
+
+QTEST_GUILESS_MAIN(GuideTest)
+#include "guide_test.moc"
