@@ -9,6 +9,9 @@
 #include "cli/diagnostic_json.h"
 #include "cli/manual.h"
 #include "cli/messages.h"
+#include "cli/run_guard.h"
+#include "cli/standard_streams.h"
+#include "cli/usage_json.h"
 #include "control/kinds_json.h"
 
 namespace trundle {
@@ -26,7 +29,7 @@ constexpr unsigned kMostSeconds = 30; // a build on a busy machine
 void onAlarm(int) {
     static constexpr char kText[] = "trundle-cli: the module does not come back from being loaded and described within 30 s: is "
                                     "there an endless loop in a constructor of its globals or in a describe()?\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kText, sizeof kText - 1);
+    [[maybe_unused]] const ssize_t written = write(messagesFile(), kText, sizeof kText - 1);
     _exit(kExitText);
 }
 
@@ -35,7 +38,11 @@ ExitCode describeModule(const DescribeArguments& arguments) {
     const std::string output = arguments.output.empty() ? kindsJsonPath(arguments.module) : arguments.output;
     std::signal(SIGALRM, onAlarm);
     alarm(kMostSeconds); // to the end of the process: its destructors may hang too
-    const Status written = writeKindsJson(arguments.module, output);
+    const auto calls = std::make_shared<CallMonitor>();
+    RunGuard guard({calls, "description", false, false}); // code of the module runs
+    guard.endOnRequest();
+    const Status written = writeKindsJson(arguments.module, output, calls);
+    guard.restoreProcess();
     if (!written) printProblem(written.error().message);
     return written ? kExitDone : kExitText;
 }
@@ -61,8 +68,10 @@ ExitCode describeKinds(Parts& parts, const DescribeArguments& arguments) {
         names.push_back(kind->name);
     }
     const std::vector<std::string> near = nearestWords(arguments.kind, names, 1);
-    printProblem("there is no kind " + arguments.kind + (near.empty() ? "" : "; did you mean " + near[0] + "?") +
-                 " (`trundle-cli describe` lists all)");
+    const std::string why = "there is no kind " + arguments.kind + (near.empty() ? "" : "; did you mean " + near[0] + "?") +
+                            " (`trundle-cli describe` lists all)";
+    printProblem(why);
+    if (arguments.json) writeOut(usageJson("describe", why));
     return kExitUsage;
 }
 
@@ -77,21 +86,21 @@ constexpr const char* kDescribeExamples = R"(Examples:
 void addDescribe(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     CLI::App* command = app.add_subcommand("describe", "The manual: every kind, its properties and its signals");
     auto arguments = std::make_shared<DescribeArguments>();
-    command->add_option("KIND", arguments->kind, "The kind to describe; without it, a list of all")->type_name("");
+    command->add_option("KIND", arguments->kind, "The kind to describe; without it, a list of all")->type_name("")->check(&emptyProblem);
     command->add_flag("--json", arguments->json, "As JSON");
     command->add_option("--modules", arguments->open.modules, "Also the kinds of the modules in DIR (may be repeated)")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory)
         ->allow_extra_args(false);
-    CLI::Option* module = command->add_option("--module", arguments->module, "Load a module and write its description file")
+    command->add_option("--module", arguments->module, "Load a module and write its description file")
                               ->type_name("LIB")
                               ->group("");
     command->add_option("--output", arguments->output, "Where to; by default LIB.kinds.json")
         ->type_name("FILE")
-        ->needs(module)
         ->group("");
     command->footer(kDescribeExamples);
     command->callback([arguments, &parts, &chosen] {
+        if (!arguments->output.empty() && arguments->module.empty()) throw CLI::ValidationError("--output", "needs --module LIB");
         chosen = [arguments, &parts] {
             return arguments->module.empty() ? describeKinds(parts(), *arguments) : describeModule(*arguments);
         };

@@ -63,6 +63,11 @@ Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics, const SourceTab
     return all;
 }
 
+std::string diagnosticEntries(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources) {
+    const std::string list = diagnosticsJson(diagnostics, sources).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return list.substr(1, list.size() - 2);
+}
+
 std::string jsonText(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 } // namespace trundle

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,10 @@
 
 #include "base/spelling.h"
 #include "cli/commands.h"
+#include "cli/console.h"
 #include "cli/messages.h"
+#include "cli/standard_streams.h"
+#include "cli/usage_json.h"
 
 namespace {
 
@@ -26,7 +31,10 @@ constexpr const char* kFooter = R"(Examples:
 
 /// CLI11 would only say that a subcommand is missing.
 std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+    if (argc < 2) return std::nullopt;
+    if (argv[1][0] == '-')
+        return app.get_option_no_throw(argv[1]) ? std::nullopt
+                                                : std::optional("there is no option " + std::string(argv[1]) + " before a command");
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(command->get_name());
@@ -35,6 +43,14 @@ std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** 
     const std::vector<std::string> near = trundle::nearestWords(word, names, 1);
     return "there is no command " + word + (near.empty() ? "" : "; did you mean " + near[0] + "?") +
            " (`trundle-cli --help` lists all)";
+}
+
+int refuse(int argc, char** argv, const std::string& why) {
+    const std::string command = argc > 1 && argv[1][0] != '-' ? argv[1] : "";
+    trundle::printProblem(why);
+    std::fprintf(stderr, "`trundle-cli %s--help` says how it is used.\n", trundle::safeText(command.empty() ? "" : command + " ").c_str());
+    if (trundle::asksForJson(argc, argv)) trundle::writeOut(trundle::usageJson(command, why));
+    return trundle::kExitUsage;
 }
 
 int run(int argc, char** argv) {
@@ -57,23 +73,26 @@ int run(int argc, char** argv) {
     trundle::addEdit(app, partsOf, chosen);
     trundle::addRender(app, partsOf, chosen);
     trundle::addDescribe(app, partsOf, chosen);
-    if (const auto problem = unknownCommand(app, argc, argv)) {
-        trundle::printProblem(*problem);
-        return trundle::kExitUsage;
-    }
+    if (const auto problem = unknownCommand(app, argc, argv)) return refuse(argc, argv, *problem);
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError& problem) { return app.exit(problem) == 0 ? trundle::kExitDone : trundle::kExitUsage; }
+    } catch (const CLI::Success& help) {
+        std::ostringstream text;
+        (void)app.exit(help, text, text);
+        return trundle::writeOut(text.str()) ? trundle::kExitDone : trundle::kExitText;
+    } catch (const CLI::ParseError& problem) { return refuse(argc, argv, problem.what()); }
     return chosen ? chosen() : trundle::kExitUsage;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    trundle::keepStandardStreams();
     try {
         return run(argc, argv);
     } catch (const std::exception& problem) { // out of memory, say: no library lets anything else through
         trundle::printProblem(problem.what());
+        if (trundle::asksForJson(argc, argv)) trundle::writeOut(trundle::usageJson(argc > 1 ? argv[1] : "", problem.what()));
         return trundle::kExitText;
     }
 }

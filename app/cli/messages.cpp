@@ -5,8 +5,13 @@
 #include <cstdio>
 #include <cstring>
 
+#include <string_view>
+
+#include <unistd.h>
+
 #include "cli/console.h"
 #include "cli/numbers.h"
+#include "cli/standard_streams.h"
 #include "lang/render.h"
 
 namespace trundle {
@@ -51,10 +56,17 @@ std::string countText(const std::vector<Diagnostic>& diagnostics) {
 }
 
 bool writeOut(const std::string& bytes) {
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
-    if (std::fflush(stdout) == 0 && written) return true;
-    printProblem(std::string("cannot write to standard output: ") + std::strerror(errno));
-    return false;
+    std::string_view rest = bytes;
+    while (!rest.empty()) {
+        const ssize_t done = ::write(resultsFile(), rest.data(), rest.size());
+        if (done < 0 && errno == EINTR) continue;
+        if (done < 0) {
+            printProblem(std::string("cannot write to standard output: ") + std::strerror(errno));
+            return false;
+        }
+        rest.remove_prefix(static_cast<std::size_t>(done));
+    }
+    return true;
 }
 
 } // namespace trundle

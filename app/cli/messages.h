@@ -13,7 +13,7 @@ void printDiagnostics(const std::vector<Diagnostic>& diagnostics, const SourceTa
 void printProblem(const std::string& text);
 /// "2 errors, 1 warning"; empty when there is neither. Hints do not count.
 [[nodiscard]] std::string countText(const std::vector<Diagnostic>& diagnostics);
-/// Bytes to standard output. Where it cannot take them says so on standard error and gives false.
+/// Bytes to the standard output that the program was started with. Where it cannot take them says so on standard error and gives false.
 bool writeOut(const std::string& bytes);
 
 } // namespace trundle

@@ -70,7 +70,11 @@ std::string finiteProblem(const std::string& text) {
     return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string() : "give a number, not " + text;
 }
 
-std::string emptyProblem(const std::string& text) { return text.empty() ? "a name is missing" : std::string(); }
+std::string emptyProblem(const std::string& text) {
+    if (text.empty()) return "a name is missing";
+    return text.starts_with("--") ? "a name is missing before " + text + " (write ./" + text + " for a file or folder of that name)"
+                                  : std::string();
+}
 
 void refuseSizeOfCamera(const CLI::Option& camera, const CLI::Option& size) {
     if (!camera.empty() && !size.empty())

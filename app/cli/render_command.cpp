@@ -9,9 +9,9 @@
 
 #include "base/platform/dynamic_library.h"
 #include "cli/commands.h"
-#include "cli/exit_guard.h"
 #include "cli/messages.h"
 #include "cli/open_options.h"
+#include "cli/run_guard.h"
 #include "parts/locations.h"
 #include "render/render_entry.h"
 
@@ -105,13 +105,20 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     if (loaded.diagnostics.hasErrors()) return kExitText;
     if (const ExitCode wrong = checkBeforeRun(job); wrong != kExitDone) return wrong;
 
-    const ExitGuard guard; // from here on code of modules runs
+    const auto calls = std::make_shared<CallMonitor>();
+    RunGuard guard({calls, "run", true, false}); // from here on code of modules runs
     Diagnostics problems;
-    const std::unique_ptr<Runner> runner = parts.makeRunner(loaded, {}, problems);
+    RunOptions options;
+    options.calls = calls;
+    const std::unique_ptr<Runner> runner = parts.makeRunner(loaded, std::move(options), problems);
+    guard.restoreProcess();
     printDiagnostics(problems.all(), loaded.sources);
     if (!runner) return kExitText;
     const std::uint64_t ticks = ticksFor(arguments.at, loaded.experiment->settings.tick);
-    while (!runner->finished() && runner->world().ticks() < ticks && runner->tick().ok()) {}
+    while (!runner->finished() && runner->world().ticks() < ticks && !interrupted() && runner->tick().ok()) {}
+    guard.restoreProcess();
+    if (interrupted()) return kExitInterrupted;
+    guard.endOnRequest();
     if (const Diagnostic* failure = runner->failure()) { // the last state is still worth a look
         printDiagnostics({*failure}, loaded.sources);
         return exitCodeFor(failure->code);
@@ -133,7 +140,7 @@ void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     auto arguments = std::make_shared<RenderArguments>();
     RenderArguments& a = *arguments;
     command->add_option("FILE", a.file, "The experiment")->required()->type_name("");
-    command->add_option("-o,--output", a.output, "The picture: .png or .jpg")->required()->type_name("OUT");
+    command->add_option("-o,--output", a.output, "The picture: .png or .jpg")->required()->type_name("OUT")->check(&emptyProblem);
     command->add_option("--at", a.at, "Run for that many simulated seconds first")
         ->type_name("S")
         ->check(CLI::Range(0.0, 1e9))

@@ -9,12 +9,12 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/exit_guard.h"
-#include "cli/interrupt.h"
+#include "cli/diagnostic_json.h"
 #include "cli/messages.h"
 #include "cli/movie.h"
 #include "cli/open_options.h"
 #include "cli/progress.h"
+#include "cli/run_guard.h"
 #include "cli/run_loop.h"
 #include "cli/run_report.h"
 #include "lang/render.h"
@@ -49,12 +49,18 @@ private:
     bool endMovie();
     bool movieProblem(const Status& status);
     ExitCode runLoaded();
+    LoopOutcome runTicksOfPlan();
+    void report(const Diagnostic& diagnostic);
+    void keepResults();
+    void maintain();
     ExitCode tell(ExitCode code);
     RunOptions runOptions();
     void warn(const Diagnostic& warning);
 
     Parts& m_parts;
     RunArguments m_arguments;
+    std::shared_ptr<CallMonitor> m_calls = std::make_shared<CallMonitor>();
+    std::optional<RunGuard> m_guard; // before the runner, in whose destructor code of modules runs
     std::shared_ptr<const Loaded> m_loaded;
     std::unique_ptr<Progress> m_progress;
     std::unique_ptr<Movie> m_movie;
@@ -149,9 +155,11 @@ bool RunCommand::endMovie() { return !m_movie || movieProblem(m_movie->finish())
 
 RunOptions RunCommand::runOptions() {
     RunOptions options;
-    options.logFolder = !m_arguments.logDir.empty()
-                            ? m_arguments.logDir
-                            : (std::filesystem::path(m_loaded->projectFolder) / "logs" / m_report.name).string();
+    const std::filesystem::path folder =
+        !m_arguments.logDir.empty() ? std::filesystem::path(m_arguments.logDir)
+                                    : std::filesystem::path(m_loaded->projectFolder) / "logs" / m_report.name;
+    options.logFolder = std::filesystem::absolute(folder).string(); // wherever a module changes the working folder to
+    options.calls = m_calls;
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         const std::string lines = consoleLines(time, who, severity, text);
         if (m_progress) m_progress->line(lines);
@@ -167,45 +175,72 @@ RunOptions RunCommand::runOptions() {
     return options;
 }
 
+void RunCommand::report(const Diagnostic& diagnostic) {
+    m_report.diagnostics.push_back(diagnostic);
+    if (m_guard) m_guard->setDiagnostics(diagnosticEntries(m_report.diagnostics, m_report.sources));
+}
+
 void RunCommand::warn(const Diagnostic& warning) {
     m_progress->line(render(warning, m_report.sources));
-    m_report.diagnostics.push_back(warning);
+    report(warning);
+}
+
+/// What a crash must not take with it, and what modules may have changed of the process.
+void RunCommand::maintain() {
+    m_runner->flushLogs();
+    m_guard->restoreProcess();
+}
+
+LoopOutcome RunCommand::runTicksOfPlan() {
+    const bool filming = film(); // the start too
+    DriveMeter meter(m_runner->world());
+    const bool metered = !m_arguments.quiet && !m_arguments.json;
+    LoopPlan plan{filming ? m_ticks : 0, m_endless && filming, m_arguments.realtime};
+    plan.everySecond = [this] { maintain(); };
+    if (m_movie) plan.afterTick = [this] { return film(); };
+    plan.warn = [this](const Diagnostic& warning) { warn(warning); };
+    const LoopOutcome outcome = runTicks(*m_runner, plan, *m_progress, metered ? &meter : nullptr);
+    m_report.drives = meter.totals();
+    return outcome;
+}
+
+/// From here on they are printed whatever becomes of the program.
+void RunCommand::keepResults() {
+    if (!m_arguments.json) return;
+    std::string object = runJson(m_report);
+    object.erase(object.find_last_of('}'));
+    object.erase(object.find_last_not_of('\n') + 1);
+    m_guard->setResults(std::move(object));
 }
 
 ExitCode RunCommand::runLoaded() {
-    const ExitGuard guard; // from here on code of modules runs
+    m_guard.emplace(GuardOptions{m_calls, "run", true, m_arguments.json}); // from here on code of modules runs
+    m_guard->setDiagnostics(diagnosticEntries(m_report.diagnostics, m_report.sources));
     Diagnostics problems;
     m_runner = m_parts.makeRunner(*m_loaded, runOptions(), problems);
+    m_guard->restoreProcess();
     printDiagnostics(problems.all(), m_report.sources);
-    m_report.diagnostics.insert(m_report.diagnostics.end(), problems.all().begin(), problems.all().end());
+    for (const Diagnostic& problem : problems.all()) report(problem);
     if (!m_runner) {
         for (const Diagnostic& problem : problems.all())
             if (problem.severity == Severity::Error) return tell(exitCodeFor(problem.code));
         return tell(kExitText);
     }
     m_report.runner = m_runner.get();
-
-    watchInterrupts();
-    const World& world = m_runner->world();
     m_progress = std::make_unique<Progress>(m_ticks, m_loaded->experiment->settings.tick, m_arguments.quiet);
-    DriveMeter meter(world);
-    const bool metered = !m_arguments.quiet && !m_arguments.json;
-    const bool filming = film(); // the start too
-    const LoopPlan plan{filming ? m_ticks : 0, m_endless && filming, m_arguments.realtime,
-                        m_movie ? std::function<bool()>([this] { return film(); }) : nullptr,
-                        [this](const Diagnostic& warning) { warn(warning); }};
-    const LoopOutcome outcome = runTicks(*m_runner, plan, *m_progress, metered ? &meter : nullptr);
+    const LoopOutcome outcome = runTicksOfPlan();
     m_report.wallS = outcome.wallS;
     m_report.interrupted = outcome.interrupted;
-    m_report.drives = meter.totals();
+    keepResults();
     const bool filmed = endMovie() && (m_movie || m_arguments.movie.path.empty());
     (void)m_runner->finish(); // what fails here stands in failure()
-    m_progress->finish(world.ticks());
+    m_guard->restoreProcess();
+    m_progress->finish(m_runner->world().ticks());
 
     const Diagnostic* failure = m_runner->failure();
     if (failure) {
         printDiagnostics({*failure}, m_report.sources);
-        m_report.diagnostics.push_back(*failure);
+        report(*failure);
     }
     return tell(failure ? exitCodeFor(failure->code) : outcome.interrupted ? kExitInterrupted : filmed ? kExitDone : kExitText);
 }
@@ -245,8 +280,9 @@ ExitCode RunCommand::tell(ExitCode code) {
             text += "state-hash " + hashText(m_runner->world().stateHash()) + " tick " +
                     std::to_string(m_runner->world().ticks()) + "\n";
     }
-    if (!text.empty() && !writeOut(text) && code == kExitDone) return kExitText;
-    return code;
+    const bool written = text.empty() || writeOut(text);
+    if (m_guard) m_guard->resultsPrinted();
+    return !written && code == kExitDone ? kExitText : code;
 }
 
 constexpr const char* kRunExamples = R"(Examples:
@@ -258,7 +294,11 @@ constexpr const char* kRunExamples = R"(Examples:
 
 Results go to standard output; progress, messages and what controllers print go to standard error.
 Exit codes: 0 done (at the end of the duration, or finished by a controller), 1 errors in the text or a module that does not
-load, 2 wrong usage or unreadable FILE, 3 the simulation blew up, 4 a controller failed, 130 interrupted (Ctrl+C; logs and summary are complete).)";
+load, 2 wrong usage or unreadable FILE, 3 the simulation blew up, 4 a controller failed, or code of a module crashed, ended the
+program or did not return, 130 interrupted (Ctrl+C, SIGTERM, SIGHUP: logs and summary are complete; a step of the solver that
+goes on for 3 s is cut off).
+Logs are written out each second and when a module crashes. After a crash --json still prints its object, with "crashed".
+What modules print to standard output goes to standard error.)";
 
 } // namespace
 
@@ -275,7 +315,8 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
         ->check(&seedProblem);
     addSetOption(*command, a.open);
     command->add_option("--log-dir", a.logDir, "Folder for the logs; by default logs/<experiment> in the project folder")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(&emptyProblem);
     CLI::Option* movie = command->add_option("--movie", a.movie.path, "A movie of the run, made by ffmpeg: .mp4 or .webm")
                              ->type_name("OUT")
                              ->check(&endingProblem);

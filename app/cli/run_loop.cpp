@@ -4,12 +4,14 @@
 #include <cmath>
 #include <ctime>
 
-#include "cli/interrupt.h"
+#include "cli/run_guard.h"
 
 namespace trundle {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds kSecond(1);
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -31,8 +33,10 @@ LoopOutcome runTicks(Runner& runner, const LoopPlan& plan, Progress& progress, D
     LoopOutcome outcome;
     std::size_t warned = 0;
     const Clock::time_point start = Clock::now();
+    Clock::time_point next = start + kSecond;
     const double tick = runner.world().experiment().settings.tick;
     for (std::uint64_t done = 0; !runner.finished() && (plan.endless || done < plan.ticks); ++done) {
+        if (isForkedCopy()) endForkedCopy();
         if (interrupted()) {
             outcome.interrupted = true;
             break;
@@ -43,8 +47,13 @@ LoopOutcome runTicks(Runner& runner, const LoopPlan& plan, Progress& progress, D
         if (plan.afterTick && !plan.afterTick()) break;
         if (meter) meter->afterTick(runner.world());
         progress.update(done + 1);
+        if (plan.everySecond && Clock::now() >= next) {
+            plan.everySecond();
+            next = Clock::now() + kSecond;
+        }
         if (plan.realtime) sleepUntil(start, static_cast<double>(done + 1) * tick);
     }
+    if (isForkedCopy()) endForkedCopy();
     outcome.wallS = secondsSince(start);
     return outcome;
 }

@@ -10,13 +10,14 @@ namespace trundle {
 
 struct LoopOutcome {
     double wallS = 0;         ///< from the first tick on
-    bool interrupted = false; ///< ended by Ctrl+C
+    bool interrupted = false; ///< ended by Ctrl+C, SIGTERM or SIGHUP
 };
 
 struct LoopPlan {
     std::uint64_t ticks = 0;
     bool endless = false;                        ///< until stopped, whatever `ticks` is
     bool realtime = false;                       ///< no faster than that
+    std::function<void()> everySecond;           ///< of the wall clock, between two ticks
     std::function<bool()> afterTick;             ///< false: no more ticks
     std::function<void(const Diagnostic&)> warn; ///< hears each warning of the runner when it comes
 };

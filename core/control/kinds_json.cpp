@@ -155,8 +155,8 @@ Result<std::vector<Kind>> kindsFromJson(const std::string& text, const std::stri
     } catch (const std::exception& e) { return fault(e.what()); }
 }
 
-Status writeKindsJson(const std::string& library, const std::string& out) {
-    ModuleStore store;
+Status writeKindsJson(const std::string& library, const std::string& out, std::shared_ptr<CallMonitor> calls) {
+    ModuleStore store(std::move(calls));
     const auto module = store.load(library);
     if (!module) return module.error();
     return writeFileAtomically(out, kindsToJson(module.value()->kinds));

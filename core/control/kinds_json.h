@@ -1,9 +1,11 @@
 #pragma once
 // The description file of a module, `<library>.kinds.json`: what its kinds are, for those who must not run its code.
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/call_monitor.h"
 #include "base/result.h"
 #include "schema/kind.h"
 
@@ -17,6 +19,7 @@ namespace trundle {
 [[nodiscard]] Result<std::vector<Kind>> kindsFromJson(const std::string& text, const std::string& library);
 
 /// Loads `library` (its code runs) and writes its description to `out`. What `trundle-cli describe --module` does.
-[[nodiscard]] Status writeKindsJson(const std::string& library, const std::string& out);
+[[nodiscard]] Status writeKindsJson(const std::string& library, const std::string& out,
+                                    std::shared_ptr<CallMonitor> calls = std::make_shared<CallMonitor>());
 
 } // namespace trundle

@@ -106,6 +106,13 @@ std::optional<std::vector<Kind>> describedKinds(const std::string& library) {
 
 } // namespace
 
+ModuleStore::~ModuleStore() {
+    for (auto& module : m_modules) {
+        const MonitoredCall call(*m_calls, module->target, "unload");
+        module.reset();
+    }
+}
+
 Result<const LoadedModule*> ModuleStore::load(const std::string& library) {
     const std::string path = absolutePath(library);
     for (const auto& module : m_modules)
@@ -113,6 +120,8 @@ Result<const LoadedModule*> ModuleStore::load(const std::string& library) {
     auto bytes = readModuleFile(path);
     if (!bytes) return bytes.error();
     std::vector<DynamicLibrary> beside;
+    const CallTarget* target = m_calls->add({"the module " + path, {}, {}, path});
+    const MonitoredCall call(*m_calls, target, "load");
     auto code = openModule(path, std::move(bytes).value(), beside);
     if (!code) return loaderError(path, code.error());
     const auto entry = code.value().function<const TrundleModule*()>(TRUNDLE_ENTRY_SYMBOL);
@@ -121,8 +130,9 @@ Result<const LoadedModule*> ModuleStore::load(const std::string& library) {
     auto kinds = kindsOfModule(descriptor, path);
     if (!kinds) return kinds.error();
     auto module = std::make_unique<LoadedModule>(
-        LoadedModule{path, std::move(beside), std::move(code).value(), descriptor, std::move(kinds).value()});
+        LoadedModule{path, std::move(beside), std::move(code).value(), descriptor, target, std::move(kinds).value()});
     if (auto status = checkNames(*module); !status) return status.error();
+    for (const Kind& kind : module->kinds) m_calls->setModule(kind.name, path);
     m_modules.push_back(std::move(module));
     return static_cast<const LoadedModule*>(m_modules.back().get());
 }

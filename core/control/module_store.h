@@ -6,6 +6,7 @@
 
 #include <trundle/abi.h>
 
+#include "base/call_monitor.h"
 #include "base/diagnostic.h"
 #include "base/platform/dynamic_library.h"
 #include "base/result.h"
@@ -21,12 +22,19 @@ struct LoadedModule {
     std::vector<DynamicLibrary> beside; ///< libraries that the code needs, from the module's own folder
     DynamicLibrary code;
     const TrundleModule* descriptor = nullptr;
+    const CallTarget* target = nullptr;
     std::vector<Kind> kinds;
 };
 
 /// The libraries of one run. It must outlive every controller and device made from them.
 class ModuleStore {
 public:
+    /// `calls` hears which module is being loaded or unloaded, and from where each kind comes.
+    explicit ModuleStore(std::shared_ptr<CallMonitor> calls = std::make_shared<CallMonitor>()) : m_calls(std::move(calls)) {}
+    ~ModuleStore();
+    ModuleStore(const ModuleStore&) = delete;
+    ModuleStore& operator=(const ModuleStore&) = delete;
+
     /// Checks the file, opens a copy of it in memory, so that the file may be built anew meanwhile, and checks its descriptor. The
     /// second time gives the same module.
     [[nodiscard]] Result<const LoadedModule*> load(const std::string& library);
@@ -36,6 +44,7 @@ public:
 
 private:
     [[nodiscard]] Status checkNames(const LoadedModule& module) const;
+    std::shared_ptr<CallMonitor> m_calls;
     std::vector<std::unique_ptr<LoadedModule>> m_modules;
 };
 

@@ -123,7 +123,8 @@ Result<std::shared_ptr<const Loaded>> JoinedParts::open(const std::string& path,
 }
 
 std::unique_ptr<Runner> JoinedParts::makeRunner(const Loaded& loaded, RunOptions options, Diagnostics& diagnostics) {
-    const auto keeper = std::make_shared<ModuleStore>(); // of this run alone: a library built anew is read anew by the next
+    if (!options.calls) options.calls = std::make_shared<CallMonitor>();
+    const auto keeper = std::make_shared<ModuleStore>(options.calls); // of this run alone: a library built anew is read anew by the next
     ModuleStore& store = *keeper;
     options.keeps = keeper;
     loadModules(*loaded.experiment, *loaded.registry, store, diagnostics);

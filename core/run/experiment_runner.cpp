@@ -16,20 +16,10 @@ constexpr std::size_t kMostControllerErrors = 20; // a swarm of one broken contr
 constexpr std::size_t kMostControllerLogs = 1000;
 constexpr std::size_t kLongestReason = 1000; // bytes
 
-/// Says whose turn it is, as long as it lasts.
-class Turn {
-public:
-    Turn(const RunOptions& options, std::size_t robot) : m_turn(options.turn.get()) { say(robot + 1); }
-    ~Turn() { say(0); }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
-
-private:
-    void say(std::size_t whose) {
-        if (m_turn) m_turn->store(static_cast<std::uint32_t>(whose), std::memory_order_relaxed);
-    }
-    std::atomic<std::uint32_t>* m_turn;
-};
+CallTarget targetOf(const RobotSpec& robot, std::size_t index) {
+    const std::string& kind = robot.controller->kind;
+    return {"the controller " + kind + " of " + robot.name, robot.name, kind, {}, static_cast<std::uint32_t>(index)};
+}
 
 } // namespace
 
@@ -118,9 +108,10 @@ void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnost
             report(backend.error(), spec);
             continue;
         }
-        m_controllers.push_back(
-            {i, std::move(backend).value(), Schedule(spec.number("UpdatePeriod"), experiment().settings.tick)});
-        const Turn turn(m_options, i);
+        m_controllers.push_back({i, std::move(backend).value(),
+                                 Schedule(spec.number("UpdatePeriod"), experiment().settings.tick),
+                                 m_options.calls->add(targetOf(robots[i], i))});
+        const MonitoredCall call(*m_options.calls, m_controllers.back().target, "setup");
         const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outletFor(robots[i]));
         if (!started) report(started.error(), spec);
     }
@@ -193,7 +184,10 @@ Status ExperimentRunner::apply(const PropertyCommand& command) {
     Controller* controller = controllerOf(command.object.substr(0, slash));
     const bool meant = controller && slash != std::string::npos &&
                        experiment().robots[controller->robot].controller->name == command.object.substr(slash + 1);
-    if (meant) return controller->backend->set(command.property, command.value);
+    if (meant) {
+        const MonitoredCall call(*m_options.calls, controller->target, "set");
+        return controller->backend->set(command.property, command.value);
+    }
     return m_world->setProperty(command.object, command.property, command.value);
 }
 
@@ -211,7 +205,7 @@ Status ExperimentRunner::think() {
         const double sinceLast = controller.called ? time - controller.lastTime : 0;
         controller.lastTime = time;
         controller.called = true;
-        const Turn turn(m_options, controller.robot);
+        const MonitoredCall call(*m_options.calls, controller.target, "update");
         const Status done = controller.backend->tick(tick, time, sinceLast);
         if (!done) return fail(done.error(), experiment().robots[controller.robot].controller->nameRange);
     }
@@ -236,6 +230,7 @@ Status ExperimentRunner::writeLogs() {
 
 Status ExperimentRunner::tick() {
     if (m_failure) return Error{m_failure->code, m_failure->message};
+    m_options.calls->noteTicks(m_world->ticks(), m_world->time());
     applyCommands();
     if (Status done = think(); !done) return done;
     if (const Status done = m_world->tick(); !done) {
@@ -265,7 +260,7 @@ Status ExperimentRunner::finish() {
     if (m_finished) return m_failure ? Status(Error{m_failure->code, m_failure->message}) : Status();
     m_finished = true;
     for (Controller& controller : m_controllers) {
-        const Turn turn(m_options, controller.robot);
+        const MonitoredCall call(*m_options.calls, controller.target, "destructor");
         controller.backend->stop();
     }
     tellDropped();

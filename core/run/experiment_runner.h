@@ -39,6 +39,7 @@ private:
         std::size_t robot;
         std::unique_ptr<ControllerBackend> backend;
         Schedule schedule;
+        const CallTarget* target; ///< of its calls
         double lastTime = 0;
         bool called = false, held = false;
     };

@@ -182,8 +182,8 @@ double LiveRun::busyS() const {
 }
 
 std::optional<std::size_t> LiveRun::turn() const {
-    const std::uint32_t whose = m_shared->turn->load(std::memory_order_relaxed);
-    return whose > 0 ? std::optional<std::size_t>(whose - 1) : std::nullopt;
+    const CallTarget* target = m_shared->calls->target();
+    return target && target->controllerOf != CallTarget::kNoRobot ? std::optional<std::size_t>(target->controllerOf) : std::nullopt;
 }
 
 } // namespace trundle

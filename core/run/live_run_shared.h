@@ -41,7 +41,7 @@ struct LiveRun::Shared {
     RadioTap radio; ///< has a lock of its own
 
     /// Written by the runner.
-    std::shared_ptr<std::atomic<std::uint32_t>> turn = std::make_shared<std::atomic<std::uint32_t>>(0);
+    std::shared_ptr<CallMonitor> calls = std::make_shared<CallMonitor>();
 
     std::thread thread; ///< touched by the owner only
 };

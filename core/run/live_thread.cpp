@@ -69,7 +69,7 @@ void LiveThread::say(LiveLine line) {
 void LiveThread::build(const RunnerMaker& maker) {
     RunOptions options;
     options.logFolder = m_logFolder;
-    options.turn = m_shared->turn;
+    options.calls = m_shared->calls;
     // The runner outlives neither this object nor its thread.
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         say({time, who, severity, text});

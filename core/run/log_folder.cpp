@@ -12,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kBufferBytes = 32 * 1024;
 constexpr std::string_view kListTitle = "logs of the last run, removed by the next";
 constexpr std::uint64_t kMostListBytes = 16 << 20;
 
@@ -61,43 +60,22 @@ std::vector<std::string> listedNames(const fs::path& list) {
 } // namespace
 
 LogFile::LogFile(std::string name, std::string path, std::FILE* file)
-    : m_name(std::move(name)), m_path(std::move(path)), m_file(file) {
-    m_buffer.reserve(kBufferBytes);
-}
+    : m_name(std::move(name)), m_path(std::move(path)), m_file(file) {}
 
 LogFile::~LogFile() { (void)close(); }
 
-void LogFile::fail(int errorNumber) {
-    if (!m_failure) m_failure = unwritable(m_path, errorNumber ? std::strerror(errorNumber) : "the disk refused");
+void LogFile::note(int errorNumber) {
+    if (errorNumber == 0 || m_failure) return;
+    m_failure = unwritable(m_path, errorNumber == EBADF ? "its descriptor was closed or replaced by code of a module"
+                                                        : std::strerror(errorNumber));
 }
 
-void LogFile::flush() {
-    if (!m_failure && !m_buffer.empty()) {
-        errno = 0;
-        if (std::fwrite(m_buffer.data(), 1, m_buffer.size(), m_file) != m_buffer.size()) fail(errno);
-    }
-    m_buffer.clear();
-}
+void LogFile::flush() { note(m_file.flush()); }
 
-void LogFile::write(std::string_view bytes) {
-    if (m_failure || !m_file) return;
-    while (!bytes.empty()) {
-        const std::string_view part = bytes.substr(0, kBufferBytes - m_buffer.size());
-        m_buffer += part;
-        bytes.remove_prefix(part.size());
-        if (m_buffer.size() == kBufferBytes) flush();
-    }
-}
+void LogFile::write(std::string_view bytes) { note(m_file.write(bytes)); }
 
 Status LogFile::close() {
-    if (m_file) {
-        flush();
-        errno = 0;
-        if (std::fclose(m_file) != 0) fail(errno);
-        m_file = nullptr;
-        m_buffer.clear(); // a run may write thousands of pictures
-        m_buffer.shrink_to_fit();
-    }
+    note(m_file.close());
     return m_failure ? Status(*m_failure) : Status();
 }
 
@@ -153,7 +131,6 @@ Result<LogFile*> LogFolder::create(std::string_view name) {
     if (fs::exists(status) && !fs::remove(path, failed)) return unwritable(path.string(), failed.message());
     std::FILE* file = std::fopen(path.c_str(), "wbxe");
     if (!file) return unwritable(path.string(), std::strerror(errno));
-    std::setvbuf(file, nullptr, _IONBF, 0); // ours is the buffer
     m_names.insert(clean.value());
     m_files.push_back(std::make_unique<LogFile>(clean.value(), path.string(), file));
     return m_files.back().get();

@@ -9,11 +9,12 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/platform/buffered_file.h"
 #include "base/result.h"
 
 namespace trundle {
 
-/// A file being written, through a buffer of fixed size. The first failure (a full disk) is kept and ends all writing.
+/// A file being written, through a buffer. The first failure (a full disk) is kept and ends all writing.
 class LogFile {
 public:
     LogFile(std::string name, std::string path, std::FILE* file);
@@ -31,10 +32,10 @@ public:
     [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
 
 private:
-    void fail(int errorNumber);
+    void note(int errorNumber);
 
-    std::string m_name, m_path, m_buffer;
-    std::FILE* m_file;
+    std::string m_name, m_path;
+    BufferedFile m_file;
     std::optional<Error> m_failure;
 };
 

@@ -10,7 +10,8 @@ std::unique_ptr<Runner> Runner::create(std::shared_ptr<const ExperimentSpec> exp
     const std::size_t errorsBefore = diagnostics.errorCount();
     checkLogs(*experiment, diagnostics);
     if (diagnostics.errorCount() > errorsBefore) return nullptr;
-    std::unique_ptr<World> world = World::build(std::move(experiment), devices, diagnostics);
+    if (!options.calls) options.calls = std::make_shared<CallMonitor>();
+    std::unique_ptr<World> world = World::build(std::move(experiment), devices, diagnostics, options.calls);
     if (!world || diagnostics.errorCount() > errorsBefore) return nullptr;
 
     auto runner = std::make_unique<ExperimentRunner>(std::move(world), std::move(options));

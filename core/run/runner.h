@@ -1,12 +1,12 @@
 #pragma once
 // Runs one experiment: world, controllers, commands, logs, in tick order. Owns no thread: the caller's loop is the clock.
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/call_monitor.h"
 #include "base/diagnostic.h"
 #include "base/result.h"
 #include "control/backend.h"
@@ -24,8 +24,7 @@ struct RunOptions {
     std::string logFolder; ///< this run's own files in it are replaced; nothing is written outside it. Empty: no logs
     std::function<void(double time, const std::string& robot, int severity, const std::string& text)> console;
     FrameSourceMaker pictures; ///< none: cameras take no pictures
-    /// Robot whose controller has its turn, by its place in the experiment, plus one; 0: none has. For who watches from elsewhere.
-    std::shared_ptr<std::atomic<std::uint32_t>> turn;
+    std::shared_ptr<CallMonitor> calls; ///< for whoever watches from elsewhere; the run makes one where there is none
     std::shared_ptr<void> keeps; ///< let go when controllers and devices are gone: the libraries that their code is in
 };
 

@@ -23,6 +23,7 @@ struct Device {
     void* instance = nullptr;
     std::uint32_t index = 0, robot = 0;
     std::string path; ///< "robot0/leftMotor"
+    const CallTarget* target = nullptr;
     std::uint64_t pathHash = 0;
     std::vector<std::uint32_t> slots; ///< of the kind's signals, in its order
     std::vector<std::uint32_t> peers; ///< devices whose signals it bound, each once
@@ -33,9 +34,7 @@ struct Device {
     Device() = default;
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
-    ~Device() {
-        if (instance && kind && kind->destroy) kind->destroy(instance);
-    }
+    ~Device();
     void note(const std::string& why);
 };
 
@@ -78,7 +77,7 @@ struct RadioMount {
 
 class BuiltWorld final : public World {
 public:
-    BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment);
+    BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls);
     ~BuiltWorld() override;
 
     /// Everything World::build promises; false where there is no world.
@@ -135,6 +134,7 @@ private:
     [[nodiscard]] int solids(RadioId first, const Vec3& a, RadioId second, const Vec3& b) const;
 
     // world_tick.cpp
+    [[nodiscard]] std::optional<EngineFault> stepEngine();
     [[nodiscard]] bool callDevices(bool acting);
     [[nodiscard]] bool failed(Device& device);
     void publish();
@@ -145,6 +145,8 @@ private:
     [[nodiscard]] Pose framePose(const BuiltRobot& robot) const;
 
     std::shared_ptr<const ExperimentSpec> m_experiment;
+    std::shared_ptr<CallMonitor> m_calls; ///< before the devices, which are destroyed under its eyes
+    const CallTarget* m_solver = nullptr;
     std::unique_ptr<Engine> m_engine;
     SignalLayout m_layout;
     std::unique_ptr<SignalBlock> m_block;

@@ -198,6 +198,12 @@ void fillMount(Device& device, double tick) {
                     mountRadio()};
 }
 
+Device::~Device() {
+    if (!instance || !kind || !kind->destroy) return;
+    const MonitoredCall call(*world->m_calls, target, "destructor");
+    kind->destroy(instance);
+}
+
 void Device::note(const std::string& why) {
     if (failure.empty()) failure = why;
     world->m_deviceNoted = true;
@@ -233,12 +239,15 @@ void BuiltWorld::createDevices(const DeviceCode& code, Diagnostics& diagnostics)
             device->index = static_cast<std::uint32_t>(m_devices.size());
             device->path = robot.spec->name + "/" + spec.name;
             device->pathHash = fnv1a64(device->path);
+            device->target =
+                m_calls->add({"the device " + spec.kind + " " + device->path, robot.spec->name, spec.kind, {}});
             device->kind = code ? code(spec.kind) : nullptr;
             if (!device->kind || device->kind->role != TRUNDLE_DEVICE || !device->kind->create) {
                 diagnostics.error(Code::KindNotLoaded, spec.nameRange,
                                   "no code is loaded for the kind " + spec.kind + " of " + device->path);
                 continue;
             }
+            const MonitoredCall call(*m_calls, device->target, "constructor");
             device->instance = device->kind->create();
             if (!device->instance) {
                 diagnostics.error(Code::DeviceSetup, spec.nameRange, device->path + ": " + errorOf(*device->kind, nullptr));
@@ -275,6 +284,7 @@ void BuiltWorld::setupDevices(Diagnostics& diagnostics) {
     for (auto& device : m_devices) {
         fillMount(*device, m_experiment->settings.tick);
         if (!device->kind->setupDevice) continue;
+        const MonitoredCall call(*m_calls, device->target, "setup");
         const std::int32_t answer = device->kind->setupDevice(device->instance, &device->mount);
         if (answer != 0 && device->failure.empty()) device->note(errorOf(*device->kind, device->instance));
         if (!device->failure.empty())

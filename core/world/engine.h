@@ -15,6 +15,7 @@
 
 #include <trundle/geometry.h>
 
+#include "base/call_monitor.h"
 #include "base/result.h"
 #include "model/body_spec.h"
 #include "model/experiment_spec.h"
@@ -46,6 +47,7 @@ struct EngineSettings {
     int iterations = 20;
     double errorReduction = 0.8; ///< the share of what a joint gapes that one step closes (ODE's ERP)
     std::vector<SurfaceSpec> surfaces;
+    CallMonitor* calls = nullptr; ///< hears of large clusters before each step that takes them on; outlives the engine
 };
 
 /// A body of an actor. `pose` is of the body's frame in the world; the spec is read during the call only.

@@ -10,6 +10,7 @@
 #include <trundle/abi.h>
 #include <trundle/geometry.h>
 
+#include "base/call_monitor.h"
 #include "base/diagnostic.h"
 #include "base/result.h"
 #include "model/experiment_spec.h"
@@ -50,9 +51,10 @@ struct Fault {
 class World {
 public:
     /// Builds everything at its start pose; tick 0 is the initial state and its signals are valid.
-    /// What cannot be built is a diagnostic at its place; then there is no world.
+    /// What cannot be built is a diagnostic at its place; then there is no world. `calls` is kept up to date for as long as the world is
+    /// there.
     [[nodiscard]] static std::unique_ptr<World> build(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
-                                                      Diagnostics& diagnostics);
+                                                      Diagnostics& diagnostics, std::shared_ptr<CallMonitor> calls = nullptr);
     virtual ~World() = default;
 
     [[nodiscard]] virtual const ExperimentSpec& experiment() const = 0;

@@ -20,13 +20,15 @@ template <class List> std::vector<std::size_t> byName(const List& list) {
 } // namespace
 
 std::unique_ptr<World> World::build(std::shared_ptr<const ExperimentSpec> experiment, const DeviceCode& devices,
-                                    Diagnostics& diagnostics) {
-    auto world = std::make_unique<BuiltWorld>(std::move(experiment));
+                                    Diagnostics& diagnostics, std::shared_ptr<CallMonitor> calls) {
+    if (!calls) calls = std::make_shared<CallMonitor>();
+    auto world = std::make_unique<BuiltWorld>(std::move(experiment), std::move(calls));
     if (!world->build(devices, diagnostics)) return nullptr;
     return world;
 }
 
-BuiltWorld::BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment) : m_experiment(std::move(experiment)) {}
+BuiltWorld::BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls)
+    : m_experiment(std::move(experiment)), m_calls(std::move(calls)), m_solver(m_calls->add({"the solver", {}, {}, {}})) {}
 
 BuiltWorld::~BuiltWorld() = default;
 
@@ -35,7 +37,7 @@ bool BuiltWorld::build(const DeviceCode& devices, Diagnostics& diagnostics) {
     const auto failed = [&] { return diagnostics.errorCount() > before; };
     if (!isBuildable(*m_experiment, diagnostics)) return false;
     const SettingsSpec& s = m_experiment->settings;
-    auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, m_experiment->surfaces});
+    auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, m_experiment->surfaces, m_calls.get()});
     if (!engine) {
         diagnostics.error(engine.error().code, {}, engine.error().message);
         return false;
@@ -129,6 +131,7 @@ void BuiltWorld::nameBodies() {
             m_jointPlaces[id] = placeOf(joints[j], robot);
         }
     }
+    m_calls->setBodies(m_bodyPaths);
     m_hashOrder.resize(m_bodyPaths.size());
     std::iota(m_hashOrder.begin(), m_hashOrder.end(), 0u);
     std::stable_sort(m_hashOrder.begin(), m_hashOrder.end(),

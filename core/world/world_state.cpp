@@ -103,8 +103,11 @@ Status BuiltWorld::setSurface(const SurfaceSpec& surface) {
 }
 
 Status BuiltWorld::setProperty(const std::string& path, const std::string& property, const PropertyValue& value) {
-    for (const auto& device : m_devices)
-        if (device->path == path) return setLive(*device->kind, device->instance, path, property, value);
+    for (const auto& device : m_devices) {
+        if (device->path != path) continue;
+        const MonitoredCall call(*m_calls, device->target, "set");
+        return setLive(*device->kind, device->instance, path, property, value);
+    }
     return Error{Code::UnknownReference, "there is no device " + path};
 }
 

@@ -31,7 +31,7 @@ Status BuiltWorld::tick() {
     if (good) {
         airTime();
         m_contactsReady = false;
-        if (const auto fault = m_engine->step(m_experiment->settings.tick)) {
+        if (const auto fault = stepEngine()) {
             const double time = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
             const bool known = fault->body.valid() && fault->body.index < m_bodyPaths.size();
             return stop(known ? Code::BlowUp : Code::EngineFault,
@@ -47,12 +47,18 @@ Status BuiltWorld::tick() {
     return good ? Status{} : stopped();
 }
 
+std::optional<EngineFault> BuiltWorld::stepEngine() {
+    const MonitoredCall call(*m_calls, m_solver, "step");
+    return m_engine->step(m_experiment->settings.tick);
+}
+
 /// One turn of every device. False where one failed: the world stands then.
 bool BuiltWorld::callDevices(bool acting) {
     m_inAct = acting;
     m_services.time = static_cast<double>(m_ticks) * m_experiment->settings.tick;
     for (const DeviceCall& call : acting ? m_acting : m_sensing) {
         m_current = call.device;
+        const MonitoredCall monitored(*m_calls, call.device->target, acting ? "act" : "sense");
         const std::int32_t answer = call.run(call.instance, &m_services);
         if (answer != 0 || (m_deviceNoted && !call.device->failure.empty())) return failed(*call.device);
     }

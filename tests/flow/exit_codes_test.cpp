@@ -20,6 +20,8 @@ class ExitCodesTest : public QObject {
 private Q_SLOTS:
     void everyEndHasItsCode_data();
     void everyEndHasItsCode();
+    void everyMisuseIsNamed_data();
+    void everyMisuseIsNamed();
     void helpStandsEverywhereWithExamples_data();
     void helpStandsEverywhereWithExamples();
     void theVersionIsOneLine();
@@ -104,6 +106,89 @@ void ExitCodesTest::everyEndHasItsCode() {
     const Outcome outcome = cli(arguments);
     QVERIFY2(outcome.code == code, shown(outcome));
     QVERIFY2(outcome.err.contains(said), shown(outcome));
+}
+
+void ExitCodesTest::everyMisuseIsNamed_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QByteArray>("said");
+    const QString good = experiment("good.sim", "");
+    const auto row = [](const QStringList& arguments, const QByteArray& said) {
+        QTest::newRow(arguments.join(' ').section('/', -1).prepend(arguments.value(0) + ": ").toUtf8().constData()) << arguments << said;
+    };
+    row({}, "subcommand");
+    row({"runn", good}, "did you mean run?");
+    row({"\x1b[31mrun"}, "there is no command");
+    row({"--fast"}, "--fast");
+    row({"run"}, "FILE");
+    row({"run", ""}, "");
+    row({"run", m_folder.filePath("none.sim")}, "none.sim");
+    row({"run", m_folder.path()}, "folder");
+    row({"run", "/dev/null/x.sim"}, "x.sim");
+    row({"run", good, good}, "good.sim");
+    row({"run", good, "--fast"}, "--fast");
+    row({"run", good, "-x"}, "-x");
+    row({"run", good, "--duration"}, "--duration");
+    for (const char* wrong : {"long", "-1", "nan", "inf", "1e18", "5s", "", "0x10"}) row({"run", good, "--duration", wrong}, "duration");
+    row({"run", good, "--duration", "1", "--duration", "2"}, "--duration");
+    for (const char* wrong : {"x", "-1", "1.5", "", "9007199254740993"}) row({"run", good, "--seed", wrong}, "seed");
+    for (const char* wrong : {"Duration", "=5", ""}) row({"run", good, "--set", wrong}, "PATH=VALUE");
+    row({"run", good, "--log-dir", ""}, "--log-dir");
+    row({"run", good, "--log-dir"}, "--log-dir");
+    row({"run", good, "--modules", m_folder.filePath("none")}, "none");
+    row({"run", good, "--modules", good}, "good.sim");
+    row({"run", good, "-I", m_folder.filePath("none")}, "none");
+    row({"run", good, "--movie", "my.avi"}, ".mp4");
+    row({"run", good, "--fps", "30"}, "--movie");
+    row({"run", good, "--movie", "m.mp4", "--fps", "0"}, "--fps");
+    row({"run", good, "--movie", "m.mp4", "--view", "a", "--camera", "b"}, "--view");
+    row({"run", good, "--movie", "m.mp4", "--size", "0x720"}, "size");
+    row({"run", good, "--look", "pretty"}, "--look");
+    row({"run", good, "--quiet=perhaps"}, "quiet");
+    row({"check"}, "FILE");
+    row({"check", m_folder.filePath("none.sim")}, "none.sim");
+    row({"check", good, "--set", "x"}, "PATH=VALUE");
+    row({"print"}, "FILE");
+    row({"print", m_folder.filePath("none.sim")}, "none.sim");
+    row({"format"}, "FILE");
+    row({"format", good, "--check", "--write"}, "--check");
+    row({"format", m_folder.filePath("none.sim"), "--write"}, "none.sim");
+    row({"edit", good}, "--set");
+    row({"edit", "--set", "Duration=2"}, "FILE");
+    row({"edit", m_folder.filePath("none.sim"), "--set", "Duration=2", "--write"}, "none.sim");
+    row({"render", good}, "--output");
+    row({"render", good, "-o", "out.png", "--at", "-1"}, "--at");
+    row({"render", good, "-o", "out.png", "--target", "0,0,0"}, "--eye");
+    row({"render", good, "-o", "out.png", "--eye", "1,2"}, "--eye");
+    row({"render", m_folder.filePath("none.sim"), "-o", "out.png"}, "none.sim");
+    row({"describe", "RotaryMoter"}, "did you mean RotaryMotor?");
+    row({"describe", ""}, "name");
+    row({"describe", "Box", "Sphere"}, "Sphere");
+    row({"describe", "--output", "x.json"}, "--module");
+    row({"describe", "--modules", m_folder.filePath("none")}, "none");
+}
+
+/// With --json at any place too; and nothing is written.
+void ExitCodesTest::everyMisuseIsNamed() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QByteArray, said);
+    QTemporaryDir here;
+    const Outcome plain = callProgram(programPath(), arguments, here.path());
+    QVERIFY2(plain.code == 2, shown(plain));
+    QVERIFY2(plain.err.startsWith("trundle-cli: ") && plain.err.contains(said), shown(plain));
+    QVERIFY2(plain.out.isEmpty() && !plain.err.contains('\x1b'), shown(plain));
+    for (const qsizetype place : {qsizetype(0), qsizetype(1), arguments.size()}) {
+        if (place > arguments.size()) continue;
+        const Outcome json = callProgram(programPath(), arguments.mid(0, place) + QStringList("--json") + arguments.mid(place), here.path());
+        QJsonParseError error;
+        const QJsonDocument document = QJsonDocument::fromJson(json.out, &error);
+        QVERIFY2(json.code == 2 && error.error == QJsonParseError::NoError, shown(json));
+        const QJsonArray list = document.isArray() ? document.array() : document.object()["diagnostics"].toArray();
+        QVERIFY2(list.size() == 1 && !list[0].toObject()["message"].toString().isEmpty(), shown(json));
+        const bool known = place > 0; // else the command is not where it belongs
+        if (known && arguments.value(0) == "run") QVERIFY2(document.object().contains("ticks"), shown(json));
+        QCOMPARE(document.isArray(), known && arguments.value(0) == "check");
+    }
+    QCOMPARE(QDir(here.path()).entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden), QStringList());
 }
 
 void ExitCodesTest::helpStandsEverywhereWithExamples_data() {
@@ -194,8 +279,8 @@ void ExitCodesTest::aCrashInAModuleIsSaid() {
                             "Exits brain { Recurse=true } }\n"));
     const Outcome run = cli({"run", path, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules")});
     const bool sanitizer = run.err.contains("Sanitizer"); // it answers the signal in our place, with an exit code of its own
-    QVERIFY2(sanitizer || run.err.contains("crashed in the middle of the run"), shown(run));
-    if (!sanitizer) QCOMPARE(run.code, -2); // it did crash
+    QVERIFY2(sanitizer || run.err.contains("the controller Exits of r "), shown(run));
+    if (!sanitizer) QCOMPARE(run.code, 4);
 }
 
 void ExitCodesTest::anExitInAModuleIsNoSuccess_data() {

@@ -1,6 +1,7 @@
 # Relative to core/base; read by core/base/CMakeLists.txt, which also links ${CMAKE_DL_LIBS}.
 set(BASE_PLATFORM_SOURCES
   platform/atomic_file.cpp
+  platform/buffered_file.cpp
   platform/dynamic_library.cpp
   platform/fed_process.cpp
   platform/limits.cpp

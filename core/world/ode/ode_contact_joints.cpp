@@ -22,7 +22,7 @@ std::uint32_t OdeEngine::clusterOf(std::uint32_t actor) {
     return actor;
 }
 
-/// Contacts in the largest set of actors that touch each other, those with the ground included.
+/// Contacts in the largest set of actors that touch each other, those with the ground included; which the monitor hears of.
 std::size_t OdeEngine::largestCluster() {
     m_parentOf.resize(m_actors.size());
     m_clusterSize.assign(m_actors.size(), 0);
@@ -33,7 +33,11 @@ std::size_t OdeEngine::largestCluster() {
         m_parentOf[std::max(a, b)] = std::min(a, b);
     }
     for (const Contact& c : m_contacts) ++m_clusterSize[clusterOf(c.actor)];
-    return m_clusterSize.empty() ? 0 : *std::max_element(m_clusterSize.begin(), m_clusterSize.end());
+    const auto largest = std::max_element(m_clusterSize.begin(), m_clusterSize.end());
+    if (largest == m_clusterSize.end()) return 0;
+    const Actor& actor = m_actors[static_cast<std::size_t>(largest - m_clusterSize.begin())];
+    if (m_settings.calls) m_settings.calls->noteCluster(*largest, actor.bodies.begin);
+    return *largest;
 }
 
 void OdeEngine::makeContactJoints(double h) {

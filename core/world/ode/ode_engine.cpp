@@ -161,6 +161,7 @@ void OdeEngine::stepQuickly(double h) {
 
 void OdeEngine::solve(double h) {
     m_quick = m_settings.solver == SolverChoice::Quick;
+    if (m_settings.calls) m_settings.calls->noteCluster(static_cast<std::uint32_t>(m_contacts.size()), 0xffffffffu); // all of them
     if (!m_quick && m_contacts.size() > kExactClusterMax) {
         const std::size_t largest = largestCluster();
         if (m_settings.solver == SolverChoice::Auto) m_quick = largest > kExactClusterMax;

@@ -1,0 +1,217 @@
+#include "cli/early_end.h"
+
+#include <csignal>
+#include <cstring>
+#include <ctime>
+
+#include <sys/resource.h>
+
+#include "base/codes.h"
+#include "cli/exit_code.h"
+#include "cli/signal_text.h"
+#include "cli/standard_streams.h"
+
+namespace trundle {
+namespace {
+
+/// Code of a module, and not the solver or nothing.
+const CallTarget* moduleCall(const EarlyEndFacts& facts) {
+    const CallTarget* target = facts.calls ? facts.calls->target() : nullptr;
+    return target && (!target->kind.empty() || !target->module.empty()) ? target : nullptr;
+}
+
+bool isInSolver(const EarlyEndFacts& facts) {
+    const CallTarget* target = facts.calls ? facts.calls->target() : nullptr;
+    return target && target->kind.empty() && target->module.empty();
+}
+
+/// What was called: that of another thread is none of a crash's business.
+const CallTarget* culprit(const EarlyEndFacts& facts, const EarlyEnd& end) {
+    return end.onRunsThread ? moduleCall(facts) : nullptr;
+}
+
+double secondsSince(double startS) {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) - startS;
+}
+
+/// Writes a part of the sentence, the same to the terminal and into a string of JSON.
+class Words {
+public:
+    Words(SignalText& out, bool json) : m_out(out), m_json(json) {}
+    Words& operator<<(const char* text) {
+        m_out.addClean(text, m_json);
+        return *this;
+    }
+    Words& operator<<(double number) {
+        m_out.add(number);
+        return *this;
+    }
+
+private:
+    SignalText& m_out;
+    bool m_json;
+};
+
+void sayTarget(Words& words, const CallTarget& target) {
+    words << target.text.c_str();
+    if (!target.module.empty() && !target.kind.empty()) words << " (" << target.module.c_str() << ")";
+}
+
+void sayTime(Words& words, const EarlyEndFacts& facts) {
+    if (facts.simulates) words << " at t = " << facts.calls->time() << " s";
+}
+
+/// " crashed in update", " crashed while it was loaded and described"
+void sayPhase(Words& words, const EarlyEndFacts& facts) {
+    const char* doing = facts.calls->doing();
+    if (std::strcmp(doing, "load") == 0) words << " while it was loaded and described";
+    else if (std::strcmp(doing, "unload") == 0) words << " while it was unloaded";
+    else words << " in " << doing;
+}
+
+void sayCrash(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    if (const CallTarget* target = culprit(facts, end)) {
+        sayTarget(words, *target);
+        words << " crashed";
+        sayPhase(words, facts);
+    } else {
+        words << "crashed in the middle of the " << facts.activity;
+    }
+    sayTime(words, facts);
+    words << ": " << crashName(end.signal);
+    if (culprit(facts, end)) return;
+    words << (!end.onRunsThread     ? ", in a thread that code of a module left behind or that the program works with"
+              : isInSolver(facts)   ? ", in the solver; the fault is the program's own, or damage that code of a module did before"
+                                    : "; the fault is the program's own, or damage that code of a module did before");
+}
+
+void sayExit(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    if (const CallTarget* target = culprit(facts, end)) {
+        sayTarget(words, *target);
+        words << " ended the program";
+        sayPhase(words, facts);
+    } else {
+        words << "code of a module ended the program in the middle of the " << facts.activity;
+    }
+    sayTime(words, facts);
+    words << ", by exit() or the like";
+}
+
+void sayNotResponding(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    const double waited = end.waitedS;
+    if (const CallTarget* target = moduleCall(facts)) {
+        sayTarget(words, *target);
+        words << " is not responding";
+        sayPhase(words, facts);
+        sayTime(words, facts);
+        words << ": it did not return within " << waited << " s of the request to end";
+        return;
+    }
+    words << "one step of the solver";
+    sayTime(words, facts);
+    words << " did not end within " << waited << " s of the request to end: ";
+    words << static_cast<double>(facts.calls->clusterContacts()) << " contacts";
+    if (const char* body = facts.calls->clusterBody()) words << " hang together, among them those of " << body;
+}
+
+void say(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    switch (end.kind) {
+    case EarlyEndKind::Crash: return sayCrash(words, facts, end);
+    case EarlyEndKind::Exit: return sayExit(words, facts, end);
+    case EarlyEndKind::NotResponding: return sayNotResponding(words, facts, end);
+    case EarlyEndKind::Interrupted: words << "interrupted: ended at once"; return;
+    }
+}
+
+/// {"robot", "kind", "module", "during", "reason"}
+void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    const CallTarget* target = culprit(facts, end);
+    const char* body = target ? nullptr : facts.calls->clusterBody();
+    out.add("{\"robot\": ").addJson(target ? target->robot.c_str() : nullptr);
+    out.add(", \"kind\": ").addJson(target ? target->kind.c_str() : nullptr);
+    out.add(", \"module\": ").addJson(target ? target->module.c_str() : nullptr);
+    out.add(", \"during\": ").addJson(target ? facts.calls->doing() : isInSolver(facts) ? "solver" : nullptr);
+    if (end.kind == EarlyEndKind::NotResponding && isInSolver(facts)) {
+        out.add(", \"contacts\": ").add(static_cast<std::uint64_t>(facts.calls->clusterContacts()));
+        out.add(", \"body\": ").addJson(body);
+    }
+    out.add(", \"reason\": ").addJson(end.kind == EarlyEndKind::Crash  ? crashName(end.signal)
+                                      : end.kind == EarlyEndKind::Exit ? "exit"
+                                                                       : "not responding");
+    out.add("}");
+}
+
+/// The keys of the usual object with what can be known in the middle of a tick.
+void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    const double wall = secondsSince(facts.startS), simulated = facts.calls->time();
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    out.add("{\n  \"ticks\": ").add(facts.calls->ticks());
+    out.add(",\n  \"simulated_s\": ").add(simulated);
+    out.add(",\n  \"wall_s\": ").add(wall);
+    out.add(",\n  \"real_time_factor\": ").add(wall > 0 ? simulated / wall : 0);
+    out.add(",\n  \"peak_memory_kb\": ").add(static_cast<std::uint64_t>(used.ru_maxrss));
+    out.add(",\n  \"state_hash\": null,\n  \"quick_ticks\": null,\n  \"rescued_ticks\": null,\n  \"finished\": null,\n  \"interrupted\": ");
+    out.add(end.kind == EarlyEndKind::NotResponding || end.kind == EarlyEndKind::Interrupted ? "true" : "false");
+    out.add(",\n  \"robots\": {},\n  \"diagnostics\": [");
+    if (const std::string* before = facts.diagnostics.load(); before && !before->empty())
+        out.add(before->data(), before->size()).add(",");
+    out.add("{\"file\": \"\", \"line\": 0, \"column\": 0, \"end_line\": 0, \"end_column\": 0, \"severity\": \"error\", \"code\": \"E");
+    const int exit = exitCodeOf(facts, end);
+    out.add(static_cast<std::uint64_t>(exit == kExitController    ? Code::ControllerFailed
+                                       : exit == kExitInterrupted ? Code::Interrupted
+                                                                  : Code::Internal));
+    out.add("\", \"message\": \"");
+    Words words(out, true);
+    say(words, facts, end);
+    out.add("\", \"suggestions\": [], \"fixes\": []}]");
+}
+
+void printJson(const EarlyEndFacts& facts, const EarlyEnd& end) {
+    SignalText out(resultsFile());
+    const std::string* results = facts.results.load();
+    if (results) out.add(results->data(), results->size());
+    else addMiddle(out, facts, end);
+    if (end.kind != EarlyEndKind::Interrupted) {
+        out.add(end.kind == EarlyEndKind::NotResponding ? ",\n  \"not_responding\": " : ",\n  \"crashed\": ");
+        addWhere(out, facts, end);
+    }
+    out.add("\n}\n");
+}
+
+} // namespace
+
+const char* crashName(int signal) noexcept {
+    switch (signal) {
+    case SIGSEGV: return "Segmentation fault";
+    case SIGBUS: return "Bus error";
+    case SIGFPE: return "Arithmetic exception";
+    case SIGILL: return "Illegal instruction";
+    case SIGABRT: return "Aborted";
+    case SIGTRAP: return "Trap";
+    case SIGSYS: return "Bad system call";
+    default: return "Killed by a signal";
+    }
+}
+
+int exitCodeOf(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept {
+    if (end.kind == EarlyEndKind::Interrupted) return kExitInterrupted;
+    if (end.kind == EarlyEndKind::NotResponding) return moduleCall(facts) ? kExitController : kExitInterrupted;
+    const bool own = end.kind == EarlyEndKind::Crash && end.onRunsThread && !moduleCall(facts);
+    return own ? 128 + end.signal : kExitController;
+}
+
+void reportEarlyEnd(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept {
+    {
+        SignalText out(messagesFile());
+        out.add(facts.terminal ? "\r\033[K" : "").add("trundle-cli: ");
+        Words words(out, false);
+        say(words, facts, end);
+        out.add("\n");
+    }
+    if (facts.json) printJson(facts, end);
+}
+
+} // namespace trundle

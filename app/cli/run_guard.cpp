@@ -1,0 +1,284 @@
+// Needs: handlers of signals and of exit(), which take no arguments of ours: hence the variables below.
+// Assumes: one guard at a time; the thread that makes it is the run's.
+// Method: handlers note, a thread of its own decides. Whoever ends the program first does it alone.
+#include "cli/run_guard.h"
+
+#include <atomic>
+#include <cerrno>
+#include <clocale>
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <optional>
+#include <thread>
+
+#include <pthread.h>
+#include <semaphore.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/platform/buffered_file.h"
+#include "cli/early_end.h"
+#include "cli/exit_code.h"
+#include "cli/signal_text.h"
+#include "cli/standard_streams.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
+constexpr int kRequests[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr std::uint32_t kCallPatienceS = 3; // with one call, after a request to end
+constexpr std::uint32_t kTickPatienceS = 10; // with all the calls of a tick
+constexpr long kLookEveryNs = 100'000'000;
+
+std::atomic<bool> s_guarded{false}, s_ticking{false}, s_patient{true};
+std::atomic<int> s_requests{0};
+std::atomic<long> s_endingThread{0}; // who ends the program; 0: nobody yet
+std::atomic<pid_t> s_process{0};
+long s_runsThread = 0;
+EarlyEndFacts s_facts;
+std::shared_ptr<const CallMonitor> s_calls;
+std::string s_diagnostics, s_results;
+sem_t s_wake;
+std::atomic<bool> s_stop{false};
+std::optional<std::thread> s_watch;
+bool s_ignoresHangup = false;
+alignas(16) char s_stack[64 * 1024]; // a crash may be an endless recursion
+
+long thisThread() { return syscall(SYS_gettid); }
+
+[[noreturn]] void endProcess(int code) {
+    for (;;) syscall(SYS_exit_group, code);
+}
+
+void setHandler(int signal, void (*handler)(int), int flags) {
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    action.sa_flags = flags;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+}
+
+void raiseDefault(int signal) {
+    setHandler(signal, SIG_DFL, 0);
+    sigset_t only;
+    sigemptyset(&only);
+    sigaddset(&only, signal);
+    pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
+    syscall(SYS_tgkill, getpid(), thisThread(), signal);
+}
+
+/// Where core dumps are wanted a copy of the process leaves one; the process itself ends with the code that is promised.
+void dumpCore(int signal) {
+    rlimit core{};
+    if (getrlimit(RLIMIT_CORE, &core) != 0 || core.rlim_cur == 0) return;
+    const long copy = syscall(SYS_clone, SIGCHLD, nullptr, nullptr, nullptr, nullptr);
+    if (copy == 0) {
+        raiseDefault(signal);
+        endProcess(kExitController);
+    }
+    while (copy > 0 && waitpid(static_cast<pid_t>(copy), nullptr, 0) < 0 && errno == EINTR) {}
+}
+
+/// Async-signal-safe. The first to come does it; a crash in the middle of it, or another thread's, adds nothing.
+[[noreturn]] void endEarly(const EarlyEnd& end) {
+    const long self = thisThread();
+    long nobody = 0;
+    if (!s_endingThread.compare_exchange_strong(nobody, self)) {
+        if (nobody == self) endProcess(kExitController);
+        for (;;) pause();
+    }
+    BufferedFile::writeOutAll();
+    reportEarlyEnd(s_facts, end);
+    const int code = exitCodeOf(s_facts, end);
+    if (end.kind == EarlyEndKind::Crash) {
+        if (code > 128) raiseDefault(end.signal); // our own fault: as if nobody had watched
+        dumpCore(end.signal);
+    }
+    endProcess(code);
+}
+
+bool isOurs() { return s_guarded && getpid() == s_process; }
+
+void onCrash(int signal) {
+    if (!isOurs()) return raiseDefault(signal);
+    endEarly({EarlyEndKind::Crash, signal, thisThread() == s_runsThread});
+}
+
+void onExit() {
+    if (isOurs()) endEarly({EarlyEndKind::Exit, 0, thisThread() == s_runsThread});
+}
+
+/// What is thrown past all who could catch it; the C++ library would print its text as it is.
+void onTerminate() {
+    const auto say = [](const char* what) {
+        SignalText(messagesFile()).add("trundle-cli: an exception that nobody caught: ").addClean(what).add("\n");
+    };
+    try {
+        if (std::current_exception()) throw;
+    } catch (const std::exception& e) { say(e.what()); } catch (...) {
+        say("of an unknown type");
+    }
+    std::abort();
+}
+
+void onRequest(int) {
+    const int before = errno;
+    if (s_requests.fetch_add(1) >= 2) endProcess(kExitInterrupted); // nobody else did anything about the second
+    sem_post(&s_wake);
+    errno = before;
+}
+
+void onBrokenPipe(int) {} // a failed write, which is seen where it is made; not inherited by other programs, as SIG_IGN would be
+
+void watchSignals() {
+    for (const int signal : kRequests)
+        if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, onRequest, SA_RESTART);
+    setHandler(SIGPIPE, onBrokenPipe, SA_RESTART);
+    // Where nobody else does: a debugger's or sanitizer's runtime may.
+    for (const int signal : kCrashes) {
+        struct sigaction now = {};
+        if (sigaction(signal, nullptr, &now) != 0 || (now.sa_handler != SIG_DFL && now.sa_handler != SIG_IGN)) continue;
+        setHandler(signal, onCrash, SA_ONSTACK | SA_NODEFER);
+    }
+}
+
+void unwatchSignals() {
+    for (const int signal : kRequests)
+        if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, SIG_DFL, 0);
+    for (const int signal : kCrashes) {
+        struct sigaction now = {};
+        if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == onCrash) setHandler(signal, SIG_DFL, 0);
+    }
+}
+
+/// Code of a module may have blocked them on the run's thread. Those of a debugger stay as they are.
+void unblockSignals() {
+    sigset_t ours;
+    sigemptyset(&ours);
+    for (const int signal : kRequests) sigaddset(&ours, signal);
+    for (const int signal : kCrashes) sigaddset(&ours, signal);
+    pthread_sigmask(SIG_UNBLOCK, &ours, nullptr);
+}
+
+double now() {
+    timespec t{};
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+void nap() {
+    timespec until{};
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_nsec += kLookEveryNs;
+    until.tv_sec += until.tv_nsec / 1'000'000'000;
+    until.tv_nsec %= 1'000'000'000;
+    sem_timedwait(&s_wake, &until);
+}
+
+/// On its own thread: after a request to end, sees to it that there is an end.
+void watch() {
+    double asked = 0, call = 0; // when it was asked, and since when the call goes on
+    std::uint64_t sequence = 0;
+    for (int looks = 0; !s_stop; ++looks) {
+        nap();
+        if (looks % 10 == 0) watchSignals(); // modules may have put handlers of their own in place
+        if (s_requests == 0) continue;
+        if (s_requests > (s_patient ? 1 : 0)) endEarly({EarlyEndKind::Interrupted});
+        const double t = now();
+        if (asked == 0) asked = t;
+        if (const std::uint64_t current = s_calls->sequence(); call == 0 || current != sequence) {
+            sequence = current;
+            call = t;
+        }
+        if (!s_calls->target()) continue;
+        const std::uint32_t waited = t - call >= kCallPatienceS                     ? kCallPatienceS
+                                     : s_ticking && t - asked >= kTickPatienceS ? kTickPatienceS
+                                                                                : 0;
+        if (waited) endEarly({EarlyEndKind::NotResponding, 0, true, waited});
+    }
+}
+
+} // namespace
+
+RunGuard::RunGuard(GuardOptions options) {
+    s_calls = std::move(options.calls);
+    s_facts.calls = s_calls.get();
+    s_facts.activity = options.activity;
+    s_facts.simulates = options.simulates;
+    s_facts.json = options.json;
+    s_facts.startS = now();
+    s_facts.terminal = isatty(messagesFile()) == 1;
+    s_process = getpid();
+    s_runsThread = thisThread();
+    s_ticking = true;
+
+    redirectStandardOutput();
+    static const locale_t s_locale = newlocale(LC_ALL_MASK, "C", nullptr);
+    uselocale(s_locale); // of this thread, whatever a module does to that of the process
+    struct sigaction hangup = {};
+    s_ignoresHangup = sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler == SIG_IGN; // nohup
+    const stack_t stack{s_stack, 0, sizeof s_stack};
+    sigaltstack(&stack, nullptr);
+    static const bool s_registered = std::atexit(&onExit) == 0 && std::at_quick_exit(&onExit) == 0;
+    s_guarded = s_registered;
+    std::set_terminate(&onTerminate);
+    watchSignals();
+    sem_init(&s_wake, 0, 0);
+    s_watch.emplace(&watch);
+}
+
+RunGuard::~RunGuard() {
+    s_stop = true;
+    sem_post(&s_wake);
+    s_watch->join();
+    s_watch.reset();
+    s_guarded = false;
+    unwatchSignals();
+}
+
+void RunGuard::setDiagnostics(std::string entries) {
+    s_facts.diagnostics = nullptr;
+    s_diagnostics = std::move(entries);
+    s_facts.diagnostics = &s_diagnostics;
+}
+
+void RunGuard::setResults(std::string object) {
+    s_results = std::move(object);
+    s_facts.results = &s_results;
+    s_ticking = false;
+}
+
+void RunGuard::endOnRequest() { s_patient = false; }
+
+void RunGuard::resultsPrinted() { s_facts.json = false; }
+
+void RunGuard::restoreProcess() {
+    restoreStandardStreams();
+    unblockSignals();
+}
+
+bool interrupted() { return s_requests != 0; }
+
+bool isForkedCopy() { return s_process != 0 && getpid() != s_process; }
+
+void endForkedCopy() {
+    SignalText(messagesFile()).add("trundle-cli: a copy of the program that code of a module made by fork() was ended\n");
+    endProcess(kExitController);
+}
+
+} // namespace trundle
+
+// Code of modules may call these, past all handlers. The program's own definition is the one that the loader finds first.
+extern "C" {
+void _exit(int code) {
+    trundle::onExit();
+    trundle::endProcess(code);
+}
+void _Exit(int code) noexcept { _exit(code); }
+}

@@ -1,0 +1,79 @@
+#include "cli/standard_streams.h"
+
+#include <cstdio>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace trundle {
+namespace {
+
+constexpr int kHigh = 100; // beyond what a loop over the first few descriptors closes
+
+/// A descriptor and what it led to, for code of a module may have closed it or put another file in its place.
+struct Kept {
+    int file = -1;
+    dev_t device = 0;
+    ino_t inode = 0;
+
+    bool leadsTo(int other) const {
+        struct stat there {};
+        return ::fstat(other, &there) == 0 && there.st_dev == device && there.st_ino == inode;
+    }
+    bool isWhole() const { return file >= 0 && leadsTo(file); }
+    void keep(int standard) {
+        const int high = ::fcntl(standard, F_DUPFD_CLOEXEC, kHigh);
+        file = high >= 0 ? high : ::fcntl(standard, F_DUPFD_CLOEXEC, 3);
+        struct stat there {};
+        if (::fstat(file, &there) != 0) return;
+        device = there.st_dev;
+        inode = there.st_ino;
+    }
+};
+
+// Signal handlers need them.
+Kept s_results, s_messages;
+
+/// False where it was closed.
+bool openIfClosed(int file, int flags) {
+    if (::fcntl(file, F_GETFD) >= 0) return true;
+    const int nowhere = ::open("/dev/null", flags);
+    if (nowhere >= 0 && nowhere != file) {
+        ::dup2(nowhere, file);
+        ::close(nowhere);
+    }
+    return false;
+}
+
+} // namespace
+
+void keepStandardStreams() {
+    (void)openIfClosed(STDIN_FILENO, O_RDONLY);
+    const bool hasOutput = openIfClosed(STDOUT_FILENO, O_WRONLY);
+    (void)openIfClosed(STDERR_FILENO, O_WRONLY);
+    if (hasOutput) s_results.keep(STDOUT_FILENO);
+    s_messages.keep(STDERR_FILENO);
+}
+
+void redirectStandardOutput() {
+    std::fflush(stdout);
+    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+}
+
+void restoreStandardStreams() {
+    std::fflush(stdout);
+    (void)openIfClosed(STDIN_FILENO, O_RDONLY);
+    if (!s_messages.isWhole() && s_messages.leadsTo(STDERR_FILENO)) s_messages.keep(STDERR_FILENO);
+    if (!s_messages.isWhole()) return;
+    if (!s_messages.leadsTo(STDERR_FILENO)) ::dup2(s_messages.file, STDERR_FILENO);
+    if (::fcntl(STDOUT_FILENO, F_GETFD) < 0) ::dup2(s_messages.file, STDOUT_FILENO);
+    std::clearerr(stdout);
+    std::clearerr(stderr);
+}
+
+int resultsFile() { return s_results.isWhole() ? s_results.file : -1; }
+
+int messagesFile() { return s_messages.isWhole() ? s_messages.file : STDERR_FILENO; }
+
+} // namespace trundle

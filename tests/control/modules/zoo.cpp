@@ -1,0 +1,305 @@
+// A controller and a device that misbehave on demand: `Deed` in `Phase`, in turn number `At`. The environment's TRUNDLE_ZOO_LOAD and
+// TRUNDLE_ZOO_UNLOAD name deeds for when the library comes and goes.
+#include <cfenv>
+#include <clocale>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <xmmintrin.h>
+
+#include <trundle/controller.h>
+#include <trundle/device.h>
+
+namespace {
+
+volatile int g_zero = 0, g_number = 12345;
+
+int deeper(int n) {
+    volatile char room[4096];
+    room[n % 4096] = 1;
+    return n > g_zero ? deeper(n + 1) + room[n % 4096] : 0; // the call stands before the sum: no loop can be made of it
+}
+
+/// For a test that waits until it has begun.
+void say() {
+    static constexpr char kText[] = "zoo: begun\n";
+    (void)!write(2, kText, sizeof kText - 1);
+}
+
+void loop() {
+    say();
+    for (;;) usleep(1000);
+}
+
+void busError() {
+    char name[] = "/tmp/trundle-zoo-XXXXXX";
+    const int file = mkstemp(name);
+    unlink(name);
+    auto* const page = static_cast<volatile char*>(mmap(nullptr, 4096, PROT_READ, MAP_SHARED, file, 0));
+    g_zero = page[0]; // the file has no bytes there
+}
+
+void blockAll() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+void handleAll(void (*handler)(int)) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGALRM, SIGSEGV, SIGABRT, SIGFPE}) std::signal(signal, handler);
+}
+
+void closeFrom(int first) {
+    for (int file = first; file < 1024; ++file) close(file);
+}
+
+/// What a library built with -ffast-math does when it is loaded.
+void flushDenormals() { _mm_setcsr(_mm_getcsr() | 0x8040); }
+
+void limited(int what, rlim_t most, const std::function<void()>& then) {
+    rlimit before{}, lower{};
+    getrlimit(static_cast<__rlimit_resource>(what), &before);
+    lower = before;
+    lower.rlim_cur = std::min(most, before.rlim_max);
+    setrlimit(static_cast<__rlimit_resource>(what), &lower);
+    then();
+    setrlimit(static_cast<__rlimit_resource>(what), &before);
+}
+
+void allocateMuch() {
+    limited(RLIMIT_AS, rlim_t(2) << 30, [] {
+        std::vector<std::vector<char>> all;
+        for (;;) all.emplace_back(256u << 20);
+    });
+}
+
+struct NoException {};
+
+using Deed = std::function<void()>;
+
+void act(const std::string& name);
+
+const std::map<std::string, Deed>& deeds() {
+    static const std::map<std::string, Deed> all{
+        {"none", [] {}},
+        {"say", say},
+        {"loop", loop},
+        {"segv", [] { *reinterpret_cast<volatile int*>(g_zero) = 1; }},
+        {"jump", [] { reinterpret_cast<void (*)()>(g_zero)(); }},
+        {"divide", [] { g_number = g_number / g_zero; }},
+        {"trap", [] { __builtin_trap(); }},
+        {"bus", busError},
+        {"abort", [] { std::abort(); }},
+        {"overflow", [] { g_zero = deeper(1); }},
+        {"double free",
+         [] {
+             auto* p = static_cast<char*>(std::malloc(5000));
+             char* volatile again = p;
+             std::free(p);
+             std::free(again);
+         }},
+        {"exit", [] { std::exit(0); }},
+        {"_exit", [] { _exit(0); }},
+        {"_Exit", [] { std::_Exit(0); }},
+        {"quick_exit", [] { std::quick_exit(0); }},
+        {"terminate", [] { std::terminate(); }},
+        {"throw", [] { throw std::runtime_error("no \x1b[31mbattery\n\xff"); }},
+        {"throw int", [] { throw 42; }},
+        {"throw other", [] { throw NoException{}; }},
+        {"throw much", [] { throw std::runtime_error(std::string(2'000'000, 'x')); }},
+        {"throw past noexcept", []() noexcept { act("throw"); }},
+        {"leave thread", [] { pthread_exit(nullptr); }},
+        {"thread crashes",
+         [] {
+             std::thread([] { deeds().at("segv")(); }).detach();
+             usleep(300'000);
+         }},
+        {"thread throws",
+         [] {
+             std::thread([] { throw 1; }).detach();
+             usleep(300'000);
+         }},
+        {"close standard", [] { for (const int file : {0, 1, 2}) close(file); }},
+        {"close all", [] { closeFrom(3); }},
+        {"replace standard",
+         [] {
+             const int file = open("/dev/null", O_RDWR);
+             for (const int standard : {0, 1, 2}) dup2(file, standard);
+         }},
+        {"replace all",
+         [] {
+             const int file = open("/dev/null", O_RDWR);
+             for (int other = 3; other < 200; ++other)
+                 if (fcntl(other, F_GETFD) >= 0) dup2(file, other);
+         }},
+        {"allocate", allocateMuch},
+        {"flood",
+         [] {
+             for (int i = 0; i < 20'000; ++i) {
+                 std::printf("printf\n");
+                 std::puts("puts");
+                 std::cout << "cout\n";
+                 (void)!write(1, "write\n", 6);
+             }
+         }},
+        {"round up", [] { std::fesetround(FE_UPWARD); }},
+        {"round down", [] { std::fesetround(FE_DOWNWARD); }},
+        {"round to zero", [] { std::fesetround(FE_TOWARDZERO); }},
+        {"flush denormals", flushDenormals},
+        {"trap floats",
+         [] {
+             volatile long double zero = g_zero;
+             volatile long double pending = 1 / zero; // remembered, and a trap as soon as traps are on
+             (void)pending;
+             feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_INEXACT);
+         }},
+        {"trapped division",
+         [] {
+             feenableexcept(FE_DIVBYZERO);
+             volatile double zero = g_zero, one = 1;
+             one = one / zero;
+         }},
+        {"ignore signals", [] { handleAll(SIG_IGN); }},
+        {"handle signals", [] { handleAll([](int) {}); }},
+        {"block signals", blockAll},
+        {"ignore and loop",
+         [] {
+             handleAll(SIG_IGN);
+             loop();
+         }},
+        {"block and loop",
+         [] {
+             blockAll();
+             loop();
+         }},
+        {"change folder", [] { (void)!chdir("/"); }},
+        {"set locale",
+         [] {
+             for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"})
+                 if (std::setlocale(LC_ALL, name)) return;
+         }},
+        {"umask", [] { umask(0077); }},
+        {"fork", [] { (void)!fork(); }},
+        {"fork without leave", [] { limited(RLIMIT_NPROC, 0, [] { (void)!fork(); }); }},
+        {"break pipe",
+         [] {
+             int ends[2];
+             if (pipe(ends) != 0) return;
+             close(ends[0]);
+             (void)!write(ends[1], "x", 1);
+         }},
+        {"terminate itself", [] { kill(getpid(), SIGTERM); }},
+    };
+    return all;
+}
+
+void act(const std::string& name) {
+    const auto deed = deeds().find(name);
+    if (deed == deeds().end()) throw std::runtime_error("the zoo has no '" + name + "'");
+    deed->second();
+}
+
+/// Where a library comes and goes nothing may be thrown.
+struct ComesAndGoes {
+    ComesAndGoes() {
+        if (const char* name = std::getenv("TRUNDLE_ZOO_LOAD")) act(name);
+    }
+    ~ComesAndGoes() {
+        if (const char* name = std::getenv("TRUNDLE_ZOO_UNLOAD")) act(name);
+    }
+} g_comesAndGoes;
+
+struct Settings {
+    std::string deed = "none", phase = "update";
+    double at = 50;
+};
+
+template <class T> void describeSettings(trundle::Describe<T>& d) {
+    d.field("Deed", static_cast<std::string T::*>(&T::deed), trundle::text(), "What it does.");
+    d.field("Phase", static_cast<std::string T::*>(&T::phase), trundle::text(), "When: setup, update, act, sense or destructor.");
+    d.field("At", static_cast<double T::*>(&T::at), trundle::number(), "In which turn.");
+}
+
+struct Zoo : trundle::Controller, Settings {
+    int turns = 0;
+    trundle::DifferentialDrivePort drive;
+    trundle::SignalPort odometry;
+
+    static void describe(trundle::Describe<Zoo>& d) {
+        if (const char* name = std::getenv("TRUNDLE_ZOO_DESCRIBE")) act(name);
+        describeSettings(d);
+    }
+    ~Zoo() override {
+        if (phase == "destructor") act(deed);
+    }
+    void setup(trundle::RobotPorts& robot) override {
+        drive = robot.differentialDrive("base");
+        odometry = robot.signal("base", "odometry");
+        if (phase == "setup") act(deed);
+    }
+    void update(trundle::Seconds) override {
+        if (++turns != at || phase != "update") return;
+        if (!ofPorts()) act(deed);
+    }
+    /// Deeds that need the robot.
+    bool ofPorts() {
+        const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+        if (deed == "command nan") drive.move(nan, nan);
+        else if (deed == "command infinity") drive.move(infinity, -infinity);
+        else if (deed == "write outputs") odometry.set(1u << 30, 1), odometry.set(0, nan);
+        else if (deed == "print badly") print("\x1b[2J\x07 \xff\xfe \xc2\x9b""31m ok");
+        else if (deed == "print much") {
+            for (int i = 0; i < 100'000; ++i) print("line ", i);
+        } else if (deed == "print long") print(std::string(5'000'000, 'x'));
+        else if (deed == "log badly") {
+            for (const char* name : {"../out.csv", "/out.csv", "path.csv", "", ".", "a\nb", ".trundle-logs"}) openLog(name).write("x");
+            for (int i = 0; i < 1100; ++i) openLog("many/" + std::to_string(i)).write("x");
+        } else if (deed == "fail badly") fail("\x1b[2J gone\n\xff");
+        else return false;
+        return true;
+    }
+};
+
+struct ZooDevice : trundle::Device, Settings {
+    int turns = 0;
+    static void describe(trundle::Describe<ZooDevice>& d) {
+        describeSettings(d);
+        d.output("beat", "", "Turns.");
+    }
+    ~ZooDevice() override {
+        if (phase == "destructor") ::act(deed);
+    }
+    void setup(trundle::Mount& mount) override {
+        beat = mount.signal("beat");
+        if (phase == "setup") ::act(deed);
+    }
+    void act(trundle::Actuation&) override {
+        if (++turns == at && phase == "act") ::act(deed);
+    }
+    void sense(trundle::Sensing&) override {
+        if (turns == at && phase == "sense") ::act(deed);
+    }
+    trundle::Slot beat;
+};
+
+} // namespace
+
+TRUNDLE_MODULE(registry) {
+    registry.controller<Zoo>("Zoo");
+    registry.device<ZooDevice>("ZooDevice");
+}

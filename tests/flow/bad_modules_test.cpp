@@ -1,0 +1,356 @@
+// What code of a module may do to the program, and what `run` promises then: an end, the right exit code, a sentence that names robot and
+// module, complete logs and an object of --json.
+#include <csignal>
+#include <future>
+
+#include "flow/cli.h"
+
+namespace {
+
+constexpr int kTicks = 100, kAt = 50;
+constexpr int kRowsWhole = 1 + 1 + kTicks, kRowsCut = 1 + kAt; // a header, the start, a row for each tick
+
+/// A sanitizer's runtime answers crashes in our place, unless it is told not to.
+const QString kOwnHandlers = QStringLiteral("handle_segv=0:handle_abort=0:handle_sigill=0:handle_sigbus=0:handle_sigfpe=0:"
+                                            "use_sigaltstack=0:detect_leaks=0:allocator_may_return_null=1");
+
+} // namespace
+
+class BadModulesTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    QByteArray m_hash; ///< of a run in which all is well
+
+    QString experiment(const QByteArray& controller, const QByteArray& device, const QByteArray& settings = {}) {
+        const QString path = m_folder.filePath("zoo.sim");
+        const bool written = writeFile(
+            path, "Duration = 1\n" + settings +
+                      "\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
+                      "#loadModule zoo\nStatic floor { Config=OpenFloor }\n"
+                      "RobotConfig Cart { Body hull { Box box { Size=0.2,0.2,0.1 Pos=0,0,0.06 Mass=1 Surface=plastic } }\n"
+                      "  ZooDevice thing { " +
+                      device +
+                      " } }\n"
+                      "Robot good { Config=SimpleRobot LinearMotion brain { } }\n"
+                      "Robot bad { Config=SimpleRobot Pos=0,2,0 Zoo brain { " +
+                      controller + " } }\nRobot cart { Config=Cart Pos=0,-2,0 }\nPoseLog path { Robot=good }\n");
+        return written ? path : QString();
+    }
+    QStringList arguments(const QString& path) const {
+        return {"run", path, "--json", "--quiet", "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo"),
+                "--log-dir", m_folder.filePath("logs")};
+    }
+    /// In a folder of its own, and without core files.
+    Outcome runZoo(const QString& path, const QStringList& environment = {}, const QString& shell = {}) {
+        QStringList words{"ASAN_OPTIONS=" + kOwnHandlers, "TSAN_OPTIONS=" + kOwnHandlers, "UBSAN_OPTIONS=" + kOwnHandlers};
+        words += environment;
+        if (!shell.isEmpty()) words += {"/bin/sh", "-c", shell};
+        words += programPath();
+        return callProgram("/usr/bin/env", words + arguments(path), m_folder.path(), 60);
+    }
+    /// Sends the signal once the module says that it loops. Gives how it ended.
+    Outcome interruptZoo(const QString& path, int signal, const QStringList& environment = {}) {
+        const QString pid = m_folder.filePath("pid"), err = m_folder.filePath("err");
+        QFile::remove(pid);
+        QFile::remove(err);
+        auto running = std::async(std::launch::async, [&] {
+            return runZoo(path, environment, "echo $$ > '" + pid + "'; exec \"$0\" \"$@\" 2> '" + err + "'");
+        });
+        const auto begins = [&] {
+            return contentOf(err).contains("zoo: begun") && !ignores(contentOf(pid).trimmed(), signal);
+        };
+        const bool begun = QTest::qWaitFor(begins, 60'000);
+        ::kill(contentOf(pid).trimmed().toInt(), begun ? signal : SIGKILL);
+        Outcome outcome = running.get();
+        outcome.err = contentOf(err);
+        return outcome;
+    }
+    /// A module made it so, and the program has not yet seen that.
+    static bool ignores(const QByteArray& pid, int signal) {
+        const QByteArray status = contentOf("/proc/" + pid + "/status");
+        const qsizetype at = status.indexOf("SigIgn:\t");
+        return at >= 0 && (status.mid(at + 8, 16).toULongLong(nullptr, 16) >> (signal - 1) & 1) != 0;
+    }
+    int rows() const { return static_cast<int>(contentOf(m_folder.filePath("logs/path.csv")).count('\n')); }
+
+private Q_SLOTS:
+    void initTestCase();
+    void everyDeedHasItsEnd_data();
+    void everyDeedHasItsEnd();
+    void oneSignalEndsWhatLoops_data();
+    void oneSignalEndsWhatLoops();
+    void aLongStepOfTheSolverEndsWithWordsOfItsCluster();
+    void comingAndGoing_data();
+    void comingAndGoing();
+    void describingACrashIsSaid_data();
+    void describingACrashIsSaid();
+    void closedDescriptorsHarmNoFile_data();
+    void closedDescriptorsHarmNoFile();
+    void aKilledRunLosesASecondAtMost();
+};
+
+void BadModulesTest::initTestCase() {
+    const Outcome run = runZoo(experiment({}, {}));
+    QVERIFY2(run.code == 0, shown(run));
+    m_hash = QJsonDocument::fromJson(run.out).object()["state_hash"].toString().toLatin1();
+    QCOMPARE(m_hash.size(), 16);
+    QCOMPARE(rows(), kRowsWhole);
+}
+
+void BadModulesTest::everyDeedHasItsEnd_data() {
+    QTest::addColumn<QByteArray>("controller");
+    QTest::addColumn<QByteArray>("device");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QByteArray>("said"); ///< in the sentence
+    QTest::addColumn<QByteArray>("robot"); ///< in "crashed"; "": not there, "?": nobody can say
+    QTest::addColumn<int>("rows");
+    const QByteArray brain = "the controller Zoo of bad ", thing = "the device ZooDevice cart/thing ";
+    const auto row = [](const char* name, const QByteArray& controller, const QByteArray& device, int code, const QByteArray& said,
+                        const QByteArray& robot, int rows) {
+        QTest::newRow(name) << controller << device << code << said << robot << rows;
+    };
+    const auto deed = [](const QByteArray& name, const QByteArray& phase = "update") {
+        return "Deed=\"" + name + "\" Phase=" + phase;
+    };
+    // A crash ends the run.
+    const auto crash = [&](const char* name, const QByteArray& why) {
+        row(name, deed(name), {}, 4, "crashed in update at t = 0.49 s: " + why, "bad", kRowsCut);
+    };
+    crash("segv", "Segmentation fault");
+    crash("jump", "Segmentation fault");
+    crash("divide", "Arithmetic exception");
+    crash("trap", "Illegal instruction");
+    crash("bus", "Bus error");
+    crash("abort", "Aborted");
+    crash("overflow", "Segmentation fault");
+    crash("double free", "Aborted");
+    crash("terminate", "Aborted");
+    crash("throw past noexcept", "Aborted");
+    crash("leave thread", "Aborted");
+    crash("trapped division", "Arithmetic exception");
+    for (const char* exit : {"exit", "_exit", "_Exit", "quick_exit"})
+        row(exit, deed(exit), {}, 4, brain + "(" + TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so) ended the program in update",
+            "bad", kRowsCut);
+    for (const char* thread : {"thread crashes", "thread throws"})
+        row(thread, deed(thread), {}, 4, "in a thread that code of a module left behind", "?", kRowsCut);
+    row("segv in setup", deed("segv", "setup"), {}, 4, brain, "bad", 0);
+    row("exit in setup", deed("exit", "setup"), {}, 4, brain, "bad", 0);
+    row("segv in a destructor", deed("segv", "destructor"), {}, 4, "crashed in destructor", "bad", kRowsWhole);
+    row("exit in a destructor", deed("exit", "destructor"), {}, 4, "ended the program in destructor", "bad", kRowsWhole);
+    row("a device: segv in setup", {}, deed("segv", "setup"), 4, thing, "cart", 0);
+    row("a device: segv in act", {}, deed("segv", "act"), 4, "crashed in act at t = 0.49 s", "cart", kRowsCut);
+    row("a device: abort in sense", {}, deed("abort", "sense"), 4, "crashed in sense", "cart", kRowsCut);
+    row("a device: segv in a destructor", {}, deed("segv", "destructor"), 4, "crashed in destructor", "", kRowsWhole);
+    row("a device: throw in act", {}, deed("throw", "act"), 1, "cart/thing", "", kRowsCut);
+    // An exception stops the controller, and the run with it.
+    for (const char* thrown : {"throw", "throw int", "throw other", "throw much", "allocate"})
+        row(thrown, deed(thrown), {}, 4, "E410", "", kRowsCut);
+    row("fail badly", deed("fail badly"), {}, 4, "E410", "", kRowsCut);
+    // All else harms nobody.
+    const auto harmless = [&](const char* name, const QByteArray& said = {}) {
+        row(name, deed(name), {}, 0, said, "", kRowsWhole);
+    };
+    for (const char* phase : {"setup", "update", "destructor"})
+        for (const char* mode : {"round up", "round down", "round to zero", "flush denormals", "trap floats"})
+            row((QByteArray(mode) + " in " + phase).constData(), deed(mode, phase), {}, 0, {}, "", kRowsWhole);
+    for (const char* phase : {"setup", "act", "sense"})
+        row((QByteArray("a device: round up in ") + phase).constData(), {}, deed("round up", phase), 0, {}, "", kRowsWhole);
+    harmless("replace standard");
+    harmless("close standard");
+    harmless("flood", "write");
+    harmless("ignore signals");
+    harmless("handle signals");
+    harmless("block signals");
+    harmless("change folder");
+    row("change folder in setup", deed("change folder", "setup"), {}, 0, {}, "", kRowsWhole);
+    harmless("set locale");
+    harmless("umask");
+    row("umask in setup", deed("umask", "setup"), {}, 0, {}, "", kRowsWhole);
+    harmless("fork without leave");
+    harmless("fork", "a copy of the program that code of a module made by fork() was ended");
+    harmless("break pipe");
+    harmless("command nan");
+    harmless("command infinity");
+    harmless("print badly", "ok");
+    harmless("print much", "E506");
+    harmless("print long");
+    harmless("log badly", "cannot be called");
+    row("write outputs", deed("write outputs"), {}, 0, {}, "", kRowsWhole);
+    row("terminate itself", deed("terminate itself"), {}, 130, {}, "", kRowsCut + 1);
+    // Without its descriptors there is nowhere to write to, and a file that took their place is left alone.
+    for (const char* name : {"close all", "replace all"}) row(name, deed(name), {}, 1, "E503", "", 0);
+}
+
+void BadModulesTest::everyDeedHasItsEnd() {
+    QFETCH(QByteArray, controller);
+    QFETCH(QByteArray, device);
+    QFETCH(int, code);
+    QFETCH(QByteArray, said);
+    QFETCH(QByteArray, robot);
+    QFETCH(int, rows);
+    QDir(m_folder.filePath("logs")).removeRecursively();
+    const Outcome run = runZoo(experiment(controller, device));
+    QVERIFY2(run.code == code, shown(run).left(4000));
+    QVERIFY2(run.err.contains(said), shown(run).left(4000));
+    QVERIFY2(!run.err.contains('\x1b') && !run.err.contains('\x07'), shown(run).left(4000));
+    if (rows > 0) QCOMPARE(this->rows(), rows);
+    if (code == 1 && !controller.isEmpty()) { // nothing is left to print to
+        QVERIFY2(run.err.contains("cannot write to standard output"), shown(run));
+        return;
+    }
+    QJsonParseError error;
+    const QJsonObject json = QJsonDocument::fromJson(run.out, &error).object();
+    QVERIFY2(error.error == QJsonParseError::NoError, shown(run).left(4000));
+    QCOMPARE(json.contains("crashed"), !robot.isEmpty());
+    if (robot == "?") QVERIFY(json["crashed"].toObject()["robot"].isNull());
+    else if (!robot.isEmpty()) {
+        QCOMPARE(json["crashed"].toObject()["robot"].toString().toLatin1(), robot);
+        QVERIFY2(json["crashed"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
+    }
+    if (code == 0) QCOMPARE(json["state_hash"].toString().toLatin1(), m_hash);
+    else QVERIFY2(code == 130 || !json["diagnostics"].toArray().isEmpty() || rows == kRowsWhole, shown(run).left(4000));
+}
+
+void BadModulesTest::oneSignalEndsWhatLoops_data() {
+    QTest::addColumn<QByteArray>("controller");
+    QTest::addColumn<QByteArray>("device");
+    QTest::addColumn<int>("signal");
+    QTest::addColumn<QByteArray>("said");
+    QTest::addColumn<int>("rows");
+    const QByteArray brain = "the controller Zoo of bad (", thing = "the device ZooDevice cart/thing (";
+    QTest::newRow("update") << QByteArray("Deed=loop") << QByteArray() << SIGTERM << brain << kRowsCut;
+    QTest::newRow("update, hung up") << QByteArray("Deed=loop") << QByteArray() << SIGHUP << brain << kRowsCut;
+    QTest::newRow("setup") << QByteArray("Deed=loop Phase=setup") << QByteArray() << SIGINT << brain << 0;
+    QTest::newRow("destructor") << QByteArray("Deed=loop Phase=destructor") << QByteArray() << SIGTERM << brain << kRowsWhole;
+    QTest::newRow("act") << QByteArray() << QByteArray("Deed=loop Phase=act") << SIGTERM << thing << kRowsCut;
+    QTest::newRow("with signals ignored") << QByteArray("Deed=\"ignore and loop\"") << QByteArray() << SIGTERM << brain << kRowsCut;
+    QTest::newRow("with signals blocked") << QByteArray("Deed=\"block and loop\"") << QByteArray() << SIGTERM << brain << kRowsCut;
+}
+
+void BadModulesTest::oneSignalEndsWhatLoops() {
+    QFETCH(QByteArray, controller);
+    QFETCH(QByteArray, device);
+    QFETCH(int, signal);
+    QFETCH(QByteArray, said);
+    QFETCH(int, rows);
+    QDir(m_folder.filePath("logs")).removeRecursively();
+    const QString path = experiment(controller, device);
+    const Outcome run = interruptZoo(path, signal);
+    QVERIFY2(run.code == 4, shown(run));
+    QVERIFY2(run.err.contains(said) && run.err.contains("is not responding"), shown(run));
+    if (rows > 0) QCOMPARE(this->rows(), rows);
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+    QVERIFY2(json["interrupted"].toBool() || rows == kRowsWhole, shown(run));
+    QVERIFY2(json["not_responding"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
+}
+
+void BadModulesTest::aLongStepOfTheSolverEndsWithWordsOfItsCluster() {
+    const QString path = experiment({}, "Deed=say Phase=act At=1", "Solver = exact");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::Append));
+    file.write("RobotConfig Brick { Body body { Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1 Mass=1 Surface=plastic } } }\n"
+               "Grid wall { Config=Brick Count=13,13 Spacing=0.1995 Pos=5,5,0 }\n");
+    file.close();
+    const Outcome run = interruptZoo(path, SIGTERM);
+    QVERIFY2(run.code == 130, shown(run));
+    QVERIFY2(run.err.contains("one step of the solver at t = 0 s did not end") && run.err.contains("contacts hang together") &&
+                 run.err.contains("wall_"),
+             shown(run));
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+    QVERIFY2(json["interrupted"].toBool(), shown(run));
+    const QJsonObject where = json["not_responding"].toObject();
+    QVERIFY2(where["during"] == "solver" && where["contacts"].toInt() > 500 && where["body"].toString().startsWith("wall_"),
+             shown(run));
+    QCOMPARE(rows(), 2); // the start is in the log
+}
+
+void BadModulesTest::comingAndGoing_data() {
+    QTest::addColumn<QString>("environment");
+    QTest::addColumn<int>("signal"); ///< 0: it ends by itself
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("crash when loaded") << "TRUNDLE_ZOO_LOAD=segv" << 0 << 4 << QByteArray("crashed while it was loaded");
+    QTest::newRow("crash in describe") << "TRUNDLE_ZOO_DESCRIBE=abort" << 0 << 4 << QByteArray("crashed while it was loaded");
+    QTest::newRow("exit when loaded") << "TRUNDLE_ZOO_LOAD=exit" << 0 << 4 << QByteArray("ended the program while it was loaded");
+    QTest::newRow("loop when loaded") << "TRUNDLE_ZOO_LOAD=loop" << SIGTERM << 4 << QByteArray("is not responding while it was loaded");
+    QTest::newRow("crash when unloaded") << "TRUNDLE_ZOO_UNLOAD=segv" << 0 << 4 << QByteArray("crashed while it was unloaded");
+    QTest::newRow("loop when unloaded") << "TRUNDLE_ZOO_UNLOAD=loop" << SIGHUP << 4 << QByteArray("is not responding while it was unloaded");
+    QTest::newRow("rounding when loaded") << "TRUNDLE_ZOO_LOAD=round up" << 0 << 0 << QByteArray();
+    QTest::newRow("a library built with -ffast-math") << "TRUNDLE_ZOO_LOAD=flush denormals" << 0 << 0 << QByteArray();
+    QTest::newRow("print when loaded") << "TRUNDLE_ZOO_LOAD=flood" << 0 << 0 << QByteArray("printf");
+}
+
+void BadModulesTest::comingAndGoing() {
+    QFETCH(QString, environment);
+    QFETCH(int, signal);
+    QFETCH(int, code);
+    QFETCH(QByteArray, said);
+    const QString path = experiment({}, {});
+    const Outcome run = signal ? interruptZoo(path, signal, {environment}) : runZoo(path, {environment});
+    QVERIFY2(run.code == code, shown(run).left(4000));
+    QVERIFY2(run.err.contains(said), shown(run).left(4000));
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+    QVERIFY2(!json.isEmpty(), shown(run).left(4000));
+    const bool whole = code == 0 || environment.contains("UNLOAD");
+    if (whole) QCOMPARE(json["state_hash"].toString().toLatin1(), m_hash);
+    else QVERIFY2(json[signal ? "not_responding" : "crashed"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
+}
+
+void BadModulesTest::describingACrashIsSaid_data() {
+    QTest::addColumn<QString>("environment");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("when loaded") << "TRUNDLE_ZOO_LOAD=segv" << QByteArray("crashed while it was loaded and described: Segmentation");
+    QTest::newRow("in describe") << "TRUNDLE_ZOO_DESCRIBE=divide" << QByteArray("crashed while it was loaded and described: Arithmetic");
+    QTest::newRow("exit") << "TRUNDLE_ZOO_LOAD=exit" << QByteArray("ended the program while it was loaded and described");
+    QTest::newRow("_exit") << "TRUNDLE_ZOO_DESCRIBE=_exit" << QByteArray("ended the program while it was loaded and described");
+    QTest::newRow("when unloaded") << "TRUNDLE_ZOO_UNLOAD=abort" << QByteArray("crashed while it was unloaded: Aborted");
+}
+
+void BadModulesTest::describingACrashIsSaid() {
+    QFETCH(QString, environment);
+    QFETCH(QByteArray, said);
+    const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so"), out = m_folder.filePath("out.json");
+    QFile::remove(out);
+    const Outcome run = callProgram("/usr/bin/env", {"ASAN_OPTIONS=" + kOwnHandlers, environment, programPath(), "describe", "--module",
+                                                     library, "--output", out});
+    QVERIFY2(run.code == 4, shown(run));
+    QVERIFY2(run.err.contains("the module " + library.toUtf8() + " ") && run.err.contains(said), shown(run));
+    QCOMPARE(QFile::exists(out), environment.contains("UNLOAD")); // by then it was written
+}
+
+void BadModulesTest::closedDescriptorsHarmNoFile_data() {
+    QTest::addColumn<QString>("closing");
+    QTest::addColumn<int>("code");
+    QTest::newRow("standard input") << "<&-" << 0;
+    QTest::newRow("standard output") << ">&-" << 1; // where the object should have gone
+    QTest::newRow("standard error") << "2>&-" << 0;
+    QTest::newRow("all") << "<&- >&- 2>&-" << 1;
+}
+
+void BadModulesTest::closedDescriptorsHarmNoFile() {
+    QFETCH(QString, closing);
+    QFETCH(int, code);
+    const Outcome run = runZoo(experiment("Deed=flood", {}), {}, "exec \"$0\" \"$@\" " + closing);
+    QVERIFY2(run.code == code, shown(run).left(4000));
+    if (code == 0) QCOMPARE(QJsonDocument::fromJson(run.out).object()["state_hash"].toString().toLatin1(), m_hash);
+    QCOMPARE(rows(), kRowsWhole);
+    QVERIFY(!contentOf(m_folder.filePath("logs/path.csv")).contains("printf"));
+}
+
+void BadModulesTest::aKilledRunLosesASecondAtMost() {
+    QDir(m_folder.filePath("logs")).removeRecursively();
+    const QString path = experiment({}, {}), pid = m_folder.filePath("pid");
+    auto running = std::async(std::launch::async, [&] {
+        return runZoo(path, {}, "echo $$ > '" + pid + "'; exec \"$0\" \"$@\" --realtime --duration 50");
+    });
+    // Far less than a buffer: these rows were written out by the clock.
+    const bool flushed = QTest::qWaitFor([&] { return rows() > 150; }, 60'000);
+    ::kill(contentOf(pid).trimmed().toInt(), SIGKILL);
+    (void)running.get();
+    QVERIFY(flushed);
+    QVERIFY(contentOf(m_folder.filePath("logs/path.csv")).size() < 32 * 1024);
+}
+
+QTEST_GUILESS_MAIN(BadModulesTest)
+#include "bad_modules_test.moc"
