@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <chrono>
+
 #include "base/platform/atomic_file.h"
+#include "base/platform/file_lock.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/messages.h"
@@ -8,6 +12,8 @@
 
 namespace trundle {
 namespace {
+
+constexpr std::chrono::seconds kPatience(30); // with others who change the same files
 
 struct EditArguments {
     OpenOptions open;
@@ -43,29 +49,56 @@ ExitCode writeAll(const std::vector<ChangedFile>& changed) {
     return kExitDone;
 }
 
-ExitCode edit(Parts& parts, const EditArguments& arguments) {
+struct Edited {
+    ExitCode code = kExitDone; ///< else it was said why not
+    std::vector<ChangedFile> files;
+};
+
+Edited edited(Parts& parts, const EditArguments& arguments) {
     const Result<std::shared_ptr<const Loaded>> opened = parts.open(arguments.file, arguments.open);
     if (!opened) {
         printProblem(opened.error().message);
-        return kExitUsage;
+        return {kExitUsage, {}};
     }
     const Loaded& loaded = *opened.value();
     if (setsFailed(loaded)) { // other faults of the text are not this command's business: it may be about to mend them
         printDiagnostics(loaded.diagnostics.all(), loaded.sources);
-        return kExitText;
+        return {kExitText, {}};
     }
-    const Result<std::vector<ChangedFile>> changed = changedFiles(loaded);
-    if (!changed) {
-        printProblem(changed.error().message);
-        return kExitText;
+    Result<std::vector<ChangedFile>> changed = changedFiles(loaded);
+    if (changed) return {kExitDone, std::move(changed).value()};
+    printProblem(changed.error().message);
+    return {kExitText, {}};
+}
+
+/// Which files change shows when they are read; to be sure that nobody else writes them meanwhile they are read once more when nobody can.
+ExitCode editInPlace(Parts& parts, const EditArguments& arguments) {
+    std::vector<std::string> mine;
+    for (;;) {
+        const Result<std::vector<FileLock>> locks = FileLock::takeAll(mine, kPatience);
+        if (!locks) {
+            printProblem(locks.error().message);
+            return kExitText;
+        }
+        const Edited now = edited(parts, arguments);
+        if (now.code != kExitDone) return now.code;
+        const std::size_t before = mine.size();
+        for (const ChangedFile& file : now.files)
+            if (std::ranges::find(mine, file.path) == mine.end()) mine.push_back(file.path);
+        if (mine.size() == before) return writeAll(now.files);
     }
-    if (arguments.write) return writeAll(changed.value());
-    for (const ChangedFile& file : changed.value()) {
+}
+
+ExitCode edit(Parts& parts, const EditArguments& arguments) {
+    if (arguments.write) return editInPlace(parts, arguments);
+    const Edited now = edited(parts, arguments);
+    if (now.code != kExitDone) return now.code;
+    for (const ChangedFile& file : now.files) {
         // Standard output is the new text alone where one file changes, as it mostly is.
-        if (changed.value().size() > 1) writeOut("// " + safeText(file.path) + "\n");
+        if (now.files.size() > 1) writeOut("// " + safeText(file.path) + "\n");
         if (!writeOut(file.bytes)) return kExitText;
     }
-    if (changed.value().empty()) printProblem("nothing to change");
+    if (now.files.empty()) printProblem("nothing to change");
     return kExitDone;
 }
 
@@ -75,7 +108,7 @@ constexpr const char* kEditExamples = R"(Examples:
   trundle-cli edit my.sim --set RobotConfig.SimpleRobot.leftMotor.Resistance=3 --write
 
 A path that starts in the world writes into that instance's block, as an override where needed; one that starts with a kind edits
-the definition, in the file that owns it. Nothing else in the files changes.
+the definition, in the file that owns it. Nothing else in the files changes. Several edits of one file at once all land.
 Exit codes: 0 done, 1 a wrong path or value or a file that cannot be written, 2 wrong usage or unreadable FILE.)";
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "base/platform/atomic_file.h"
+#include "base/platform/file_lock.h"
 #include "base/platform/read_file.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -15,6 +16,12 @@ struct FormatArguments {
 };
 
 ExitCode formatFile(const std::string& file, const FormatArguments& arguments) {
+    const Result<std::vector<FileLock>> lock =
+        FileLock::takeAll(arguments.write ? std::vector{file} : std::vector<std::string>{}, std::chrono::seconds(30));
+    if (!lock) {
+        printProblem(lock.error().message);
+        return kExitText;
+    }
     Result<std::string> bytes = readRegularFile(file);
     if (!bytes) {
         printProblem(bytes.error().message);

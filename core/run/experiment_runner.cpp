@@ -26,6 +26,7 @@ CallTarget targetOf(const RobotSpec& robot, std::size_t index) {
 ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
     : m_options(std::move(options)), m_world(std::move(world)), m_cameras(*m_world, m_options.pictures),
       m_folder(m_options.logFolder), m_tellsDropped(1, m_world->experiment().settings.tick) {
+    if (!m_options.calls) m_options.calls = std::make_shared<CallMonitor>();
     (void)m_tellsDropped.due(0);
     m_world->setDeviceText(
         [this](const std::string& device, int severity, const std::string& text) { say(device, severity, text); });

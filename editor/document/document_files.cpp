@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 #include <QFileInfo>
 
 #include "base/platform/atomic_file.h"
+#include "base/platform/file_lock.h"
 #include "base/platform/read_file.h"
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
@@ -108,11 +110,16 @@ private:
 
 } // namespace
 
+/// `trundle-cli edit` keeps a file for as long as it takes to read and write it.
+static constexpr std::chrono::seconds kLockPatience(2);
+
 Status Document::save() {
     if (!isOpen()) return Error{Code::Internal, "nothing is open"};
     if (isNew()) return Error{Code::FileUnwritable, m_state->name + " has no file yet; use Save As"};
     if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyReason()};
     const std::vector<std::string> modified = m_state->files.modified();
+    const Result<std::vector<FileLock>> locks = FileLock::takeAll(modified, kLockPatience);
+    if (!locks) return locks.error();
     if (Status may = mayWrite(modified); !may) {
         sayModified();
         return may;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/platform/atomic_file.h"
+#include "base/platform/file_lock.h"
 #include "base/platform/read_file.h"
 
 using namespace trundle;
@@ -28,6 +29,43 @@ private Q_SLOTS:
         QVERIFY(read.ok());
         QVERIFY(read.value() == bytes);
         QCOMPARE(names(), QStringList{"new.sim"}); // no temporary file stays
+    }
+
+    void whatAKilledWriterLeftIsSweptAway() {
+        const auto make = [&](const char* name, int ageS) {
+            QFile file(QString::fromStdString(at(name)));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write("half") == 4);
+            QVERIFY(file.flush() && file.setFileTime(QDateTime::currentDateTime().addSecs(-ageS), QFileDevice::FileModificationTime));
+        };
+        make(".trundle-4242-0.tmp", 120); // left
+        make(".trundle-4242-1.tmp", 0);   // being made, maybe on another machine
+        make(".trundle-4242-2.tmp", 120); // somebody writes for long
+        make(".trundle-mine.tmp", 120);   // a name of somebody else's
+        make("other.tmp", 120);
+        QCOMPARE(::symlink("other.tmp", at(".trundle-1-1.tmp").c_str()), 0);
+        const auto locks = FileLock::takeAll({at(".trundle-4242-2.tmp")}, std::chrono::seconds(1));
+        QVERIFY(locks.ok() && locks.value().size() == 1);
+        QVERIFY(writeFileAtomically(at("new.sim"), "x").ok());
+        const QStringList left{".trundle-1-1.tmp", ".trundle-4242-1.tmp", ".trundle-4242-2.tmp", ".trundle-mine.tmp", "new.sim", "other.tmp"};
+        QStringList found = names();
+        found.sort();
+        QCOMPARE(found, left);
+    }
+
+    void aLockOutlivesTheFileThatIsReplaced() {
+        QVERIFY(writeFileAtomically(at("a.sim"), "one").ok());
+        QCOMPARE(::symlink("a.sim", at("link.sim").c_str()), 0);
+        {
+            const auto first = FileLock::takeAll({at("a.sim"), at("none.sim")}, std::chrono::milliseconds(0));
+            QVERIFY(first.ok() && first.value().size() == 1);
+            const auto second = FileLock::takeAll({at("link.sim")}, std::chrono::milliseconds(0));
+            QVERIFY(!second.ok());
+            QVERIFY(QString::fromStdString(second.error().message).contains("is being changed by another program"));
+            QVERIFY(writeFileAtomically(at("a.sim"), "two").ok());
+        }
+        const auto third = FileLock::takeAll({at("a.sim")}, std::chrono::milliseconds(0));
+        QVERIFY(third.ok() && third.value().size() == 1);
+        QVERIFY(!FileLock::takeAll({at("link.sim")}, std::chrono::milliseconds(0)).ok());
     }
 
     void aRewrittenFileKeepsItsMode() {

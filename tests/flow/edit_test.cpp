@@ -1,3 +1,5 @@
+#include <future>
+
 #include "flow/cli.h"
 
 class EditTest : public QObject {
@@ -21,7 +23,26 @@ private Q_SLOTS:
     void withoutWriteNothingIsWritten();
     void aNewOverrideIsAddedToTheInstance();
     void awrongPathChangesNothing();
+    void ofManyAtOnceNoneIsLost();
 };
+
+/// Sixty times two at once, of one file and of one that both import.
+void EditTest::ofManyAtOnceNoneIsLost() {
+    const QString path = copied("experiments/linear_motion.sim"), owner = m_folder.filePath("configs/robots/simple_robot.sim");
+    for (int i = 0; i < 60; ++i) {
+        const QByteArray distance = "Distance=" + QByteArray::number(2 + i), resistance = "Resistance=" + QByteArray::number(3 + i);
+        const QStringList first{"edit", path, "--set", "robot0.brain." + distance, "--write"};
+        const QStringList second{"edit", path, "--set", "Duration=" + QString::number(100 + i), "--set",
+                                 "RobotConfig.SimpleRobot.leftMotor." + resistance, "--write"};
+        auto running = std::async(std::launch::async, [&] { return cli(first); });
+        const Outcome two = cli(second), one = running.get();
+        QVERIFY2(one.code == 0 && two.code == 0, shown(one) + shown(two));
+        const QByteArray text = contentOf(path);
+        QVERIFY2(text.contains(distance) && text.contains("Duration = " + QByteArray::number(100 + i)), text);
+        QVERIFY2(contentOf(owner).contains(resistance), contentOf(owner));
+    }
+    QCOMPARE(QDir(QFileInfo(path).path()).entryList({".trundle-*"}, QDir::Files | QDir::Hidden), QStringList());
+}
 
 void EditTest::anEditChangesOnlyTheValuesCharacters() {
     const QString path = copied("experiments/linear_motion.sim");

@@ -3,10 +3,12 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <optional>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,6 +16,9 @@ namespace trundle {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kPrefix = ".trundle-", kSuffix = ".tmp";
+constexpr time_t kOldS = 60;
 
 Error failure(const std::string& path, const std::string& why) {
     return Error{Code::FileUnwritable, "cannot write " + path + ": " + why};
@@ -40,8 +45,9 @@ struct Temporary {
     explicit Temporary(const fs::path& folder) {
         static std::atomic<unsigned> counter{0};
         for (int attempt = 0; attempt < 100 && file < 0; ++attempt) {
-            path = (folder / (".trundle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp")).string();
+            path = (folder / (std::string(kPrefix) + std::to_string(::getpid()) + "-" + std::to_string(counter++) + std::string(kSuffix))).string();
             file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (file >= 0) (void)::flock(file, LOCK_EX | LOCK_NB); // until we end, however that happens: nobody sweeps it away
             if (file < 0 && errno != EEXIST) return;
         }
     }
@@ -68,6 +74,28 @@ struct Temporary {
         return true;
     }
 };
+
+/// ".trundle-<number>-<number>.tmp", as Temporary makes them.
+bool isTemporaryName(std::string_view name) {
+    if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix) || name.size() <= kPrefix.size() + kSuffix.size()) return false;
+    name = name.substr(kPrefix.size(), name.size() - kPrefix.size() - kSuffix.size());
+    return name.find('-') != std::string_view::npos && name.find_first_not_of("0123456789-") == std::string_view::npos;
+}
+
+/// Removes what killed writers left. The lock of a writer ends with it; one that has just made its file may not have it yet.
+void sweep(const fs::path& folder) {
+    std::error_code none;
+    for (fs::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
+        const std::string path = at->path().string();
+        if (!isTemporaryName(at->path().filename().string())) continue;
+        const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (file < 0) continue;
+        struct stat state {};
+        const bool old = ::fstat(file, &state) == 0 && S_ISREG(state.st_mode) && ::time(nullptr) - state.st_mtime > kOldS;
+        if (old && ::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+        ::close(file);
+    }
+}
 
 // Some file systems cannot fsync a folder; the rename has happened by then, so this is no failure.
 void syncFolder(const fs::path& folder) {
@@ -105,6 +133,7 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
         return failure(path, std::strerror(errno));
     if (::rename(temporary.path.c_str(), target->c_str()) != 0) return failure(path, std::strerror(errno));
     temporary.path.clear();
+    sweep(folder);
     syncFolder(folder);
     return {};
 }

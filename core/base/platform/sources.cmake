@@ -4,6 +4,7 @@ set(BASE_PLATFORM_SOURCES
   platform/buffered_file.cpp
   platform/dynamic_library.cpp
   platform/fed_process.cpp
+  platform/file_lock.cpp
   platform/limits.cpp
   platform/locked_file.cpp
   platform/memory.cpp
