@@ -223,7 +223,7 @@ private:
         if (slash < said.text.size()) signal(said, slash + 1, meant, place, key);
     }
 
-    /// The second word of a signal's path: a body, joint or device.
+    /// The second word of a signal's path: a body, joint or device, or the robot's controller.
     void signal(const Said& said, std::size_t from, const std::vector<const Part*>& meant, const Place& place,
                 const std::string& key) {
         const std::size_t end = std::min(said.text.find('/', from), said.text.size());
@@ -232,6 +232,7 @@ private:
         for (const Part* instance : meant) {
             const Part* config = configOf(m_loaded, *instance);
             const Part* part = config ? config->find(second.text) : nullptr;
+            if (!part) part = instance->find(second.text);
             if (part && named.insert(part->block).second) add(*part, second.range, {}, place, key, meant.size() > 1);
         }
     }

@@ -102,11 +102,16 @@ private:
             const Part* config = robots ? nullptr : configOf(m_loaded, *part);
             if (!config) continue;
             const std::string name = part->is(Role::Layout) ? part->name + "_0" : part->name;
-            for (const Part& device : config->parts) {
-                if (!device.is(Role::Device)) continue;
-                for (const SignalDescription& signal : device.kind->signals)
-                    add(CompletionSort::Reference, name + "/" + device.name + "/" + signal.name, signal.unit, signal.help);
-            }
+            signalsOf(*config, Role::Device, name);
+            signalsOf(*part, Role::Controller, name);
+        }
+    }
+    /// Of the devices of a config or the controller of a robot.
+    void signalsOf(const Part& owner, Role role, const std::string& robot) {
+        for (const Part& part : owner.parts) {
+            if (!part.is(role)) continue;
+            for (const SignalDescription& signal : part.kind->signals)
+                add(CompletionSort::Reference, robot + "/" + part.name + "/" + signal.name, signal.unit, signal.help);
         }
     }
 

@@ -3,7 +3,8 @@
 //     #loadModule template
 //     Robot robot0 { Config=SimpleRobot  MyController brain { Speed = 0.2 } }
 //
-// to an experiment.
+// to an experiment. What else a controller can do (sensors, cameras, radios, values of its own for logs, the end of the run):
+// core/sdk/README.md.
 #include <trundle/controller.h>
 
 struct MyController : trundle::Controller {

@@ -24,6 +24,8 @@ private Q_SLOTS:
     void aQuietRunSaysNothing();
     void seedAndSetReachTheExperiment();
     void whatTheExactSolverCannotTakeIsTakenByTheQuickOne();
+    void aControllerEndsTheRun_data();
+    void aControllerEndsTheRun();
     void theThesisExperimentRuns();
     void aWalkTouchesEveryWallAndNeverStays_data();
     void aWalkTouchesEveryWallAndNeverStays();
@@ -167,6 +169,50 @@ void RunFlowTest::whatTheExactSolverCannotTakeIsTakenByTheQuickOne() {
     QCOMPARE(json["ticks"].toInt(), 10);
     const Outcome told = cli({"run", clash, "--duration", "0.1"});
     QVERIFY2(told.out.contains("taken by the quick solver") && told.out.contains("taken again with more give"), shown(told));
+}
+
+void RunFlowTest::aControllerEndsTheRun_data() {
+    QTest::addColumn<QByteArray>("robots");
+    QTest::addColumn<QString>("who");
+    QTest::addColumn<int>("ticks");
+    QTest::newRow("after some ticks") << QByteArray("Robot a { Config=SimpleRobot Counter brain { End=7 } }\n") << "a" << 7;
+    QTest::newRow("the first of two") << QByteArray("Robot a { Config=SimpleRobot Counter brain { End=9 } }\n"
+                                                    "Robot b { Config=SimpleRobot Pos=2,0,0 Counter brain { End=4 } }\n")
+                                      << "b" << 4;
+    QTest::newRow("two in one tick") << QByteArray("Robot b { Config=SimpleRobot Counter brain { End=5 } }\n"
+                                                   "Robot a { Config=SimpleRobot Pos=2,0,0 Counter brain { End=5 } }\n")
+                                     << "b" << 5; // in the order of the text
+    QTest::newRow("in setup") << QByteArray("Robot a { Config=SimpleRobot Counter brain { Early=true } }\n") << "a" << 0;
+    QTest::newRow("not before the duration")
+        << QByteArray("Robot a { Config=SimpleRobot Counter brain { End=500 } }\n") << "" << 20;
+}
+
+void RunFlowTest::aControllerEndsTheRun() {
+    QFETCH(QByteArray, robots);
+    QFETCH(QString, who);
+    QFETCH(int, ticks);
+    robots.replace("Counter brain {", "Counter brain { Reason=\"a\\nb \x1b[31mred\xc2\x9b\"");
+    const QString text = m_folder.filePath("ends.sim");
+    QVERIFY(writeFile(text, "Duration = 0.2\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                            "#loadModule publishing/publishing\nStatic floor { Config=OpenFloor }\n" +
+                                robots + "SignalLog counts { Signals=\"*/brain/count\" }\n"));
+    const QString logs = m_folder.filePath("ends"), modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules");
+    const QStringList words{"run", text, "--modules", modules, "--log-dir", logs};
+    const Outcome run = cli(words + QStringList{"--json"});
+    QVERIFY2(run.code == 0, shown(run));
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object(), finished = json["finished"].toObject();
+    QCOMPARE(json["ticks"].toInt(), ticks);
+    QCOMPARE(finished["robot"].toString(), who);
+    QCOMPARE(contentOf(logs + "/counts.csv").count('\n'), ticks + 2); // heading and start
+    const Outcome told = cli(words);
+    QCOMPARE(told.code, 0);
+    QCOMPARE(told.out.contains("finished    by "), !who.isEmpty());
+    QVERIFY2(!told.out.contains('\x1b') && !told.out.contains("\xc2\x9b"),
+             shown(told)); // no word of a module commands the terminal
+    if (who.isEmpty()) return;
+    QCOMPARE(finished["time"].toDouble(), ticks * 0.01);
+    QCOMPARE(finished["controller"].toString(), QString("brain"));
+    QVERIFY2(told.out.contains("finished    by " + who.toUtf8() + "/brain at t = "), shown(told));
 }
 
 void RunFlowTest::theThesisExperimentRuns() {

@@ -35,7 +35,7 @@ Robot robot0 { Config=Cart leftMotor.Resistance=3 chassis.hull.Mass=4 paint=blue
 Robot robot1 { Config=Cart Pos=2,0,0 width=0.4 LinearMotion brain { } }
 Grid swarm { Config=Cart Count=2 Spacing=3 Pos=0,8,0 }
 PoseLog where { Robot=robot0,swarm }
-SignalLog what { Signals=robot0/leftMotor/voltage,"swarm_*/leftAxle/position","robot?/left/pose" }
+SignalLog what { Signals=robot0/leftMotor/voltage,robot0/brain/way,"swarm_*/leftAxle/position","robot?/left/pose" }
 )";
 
 std::string with(std::string text, std::initializer_list<std::pair<const char*, const char*>> changes) {
@@ -76,7 +76,8 @@ private Q_SLOTS:
             {{"Box {", "Box lid {"}, {"chassis.box", "chassis.lid"}});
         row("robot", "robot0", "alpha", "alpha", {{"robot0", "alpha"}});
         row("grid", "swarm", "flock", "flock", {{"swarm", "flock"}});
-        row("controller", "robot0.brain", "mind", "robot0.mind", {{"brain { Drive", "mind { Drive"}});
+        row("controller", "robot0.brain", "mind", "robot0.mind",
+            {{"brain { Drive", "mind { Drive"}, {"robot0/brain/", "robot0/mind/"}});
         row("what a controller finds by default", "RobotConfig.Cart.base", "drive", "RobotConfig.Cart.drive",
             {{"Drive base", "Drive drive"}, {"Drive=base", "Drive=drive"}, {"brain { }", "brain { Drive=drive }"}});
         row("Param", "RobotConfig.Cart.width", "w", "", {{"width", "w"}});
@@ -250,9 +251,9 @@ private Q_SLOTS:
         QTest::addColumn<QString>("path");
         QTest::addColumn<QStringList>("users");
         QTest::newRow("robot") << "robot0" << QStringList{"where", "what"};
-        QTest::newRow("drive") << "robot0.base" << QStringList{"robot0.brain"};
+        QTest::newRow("drive") << "robot0.base" << QStringList{"robot0.brain", "what"};
         QTest::newRow("right axle, and what hangs on it")
-            << "robot1.rightAxle" << QStringList{"RobotConfig.Cart.rightMotor", "RobotConfig.Cart.base", "robot0.brain"};
+            << "robot1.rightAxle" << QStringList{"RobotConfig.Cart.rightMotor", "RobotConfig.Cart.base", "robot0.brain", "what"};
         QTest::newRow("config") << "RobotConfig.Cart" << QStringList{"robot0", "robot1", "swarm", "where", "what"};
         QTest::newRow("nobody uses it") << "robot1" << QStringList{};
         QTest::newRow("a shape stays without its material") << "Material.red" << QStringList{};

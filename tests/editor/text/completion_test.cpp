@@ -167,6 +167,9 @@ void CompletionTest::lists_data() {
         "rob", "Rover steel");
     row("signals of a log", "#import parts.sim\nRobot rob { Config=Rover }\nSignalLog l { Signals=r| }", "rob/leftEncoder/count",
         "");
+    row("signals of a controller",
+        "#import parts.sim\n#loadModule controllers/mote\nRobot rob { Config=Rover Mote mind { } }\nSignalLog l { Signals=r| }",
+        "rob/leftEncoder/count rob/mind/hops rob/mind/cost", "");
     row("nothing in a comment", "// Ti|", "", "Tick");
     row("nothing in a block comment", "/* Ti|", "", "Tick");
     row("nothing right behind a block comment", "/* note */|", "", "Tick Duration");
