@@ -143,6 +143,12 @@ private Q_SLOTS:
             QVERIFY2(
                 QRegularExpression("(^|[^-\\w])" + QRegularExpression::escape(name) + "($|[^-\\w])").match(chapter).hasMatch(),
                 qPrintable(name));
+        QTemporaryDir logs;
+        const Outcome run =
+            cli({"run", configPath("experiments/linear_motion.sim"), "--duration", "0", "--json", "--log-dir", logs.path()});
+        const QStringList keys = QJsonDocument::fromJson(run.out).object().keys();
+        QVERIFY2(keys.size() > 10, shown(run));
+        for (const QString& key : keys) QVERIFY2(chapter.contains("`" + key + "`"), qPrintable(key));
         // And it speaks of none that is not there.
         static const QRegularExpression named(QStringLiteral("`trundle-cli [^`]*|\\| `(--[\\w-]+)"));
         for (auto found = named.globalMatch(chapter); found.hasNext();) {
