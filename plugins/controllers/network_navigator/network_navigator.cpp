@@ -13,6 +13,7 @@ namespace {
 constexpr double kStandOff = 0.7;    ///< m, that a leg ends before a mote on the way
 constexpr double kOfTheWay = 0.8;    ///< share of the way to the target that a leg takes
 constexpr double kShortestLeg = 0.2; ///< m
+constexpr double kAtRest = 1e-5;     ///< m, in one turn
 constexpr double kTurnAway = 70 * kDegree;
 constexpr int kMostOnOneSide = 6; ///< bumps on one side, then it tries the other
 
@@ -62,7 +63,7 @@ struct NetworkNavigator : Listener {
         case Doing::BackingOff:
             if (drive.done()) turn(side * kTurnAway, detour);
             return;
-        case Doing::Arrived: return;
+        case Doing::Arrived: return standStill();
         }
     }
 
@@ -84,7 +85,15 @@ private:
         doing = Doing::Arrived;
         print("reached the target, RSSI ", packet.rssi, " dBm, after ", legs, " legs, ", bumps, " bumps and ", time(), " s");
         write("arrived", {}, {drive.odometry().heading, packet.rssi}, 0);
-        finish("reached");
+    }
+
+    /// The run is over when the wheels have come to rest.
+    void standStill() {
+        const auto now = drive.odometry();
+        const double moved = std::hypot(now.x - restX, now.y - restY);
+        restX = now.x;
+        restY = now.y;
+        if (moved < kAtRest) finish("reached");
     }
 
     void lookAround() {
@@ -156,6 +165,7 @@ private:
     Doing doing = Doing::Starting;
     double length = 0; ///< m, of the leg after the turn
     double leastSoFar = 1e9, side = 1;
+    double restX = 1e9, restY = 1e9; ///< m, by odometry in the turn before
     int legs = 0, bumps = 0, bumpsHere = 0;
 };
 
