@@ -1,6 +1,7 @@
 // The window: builds the parts, joins them, goes.
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -12,6 +13,8 @@
 #include <QApplication>
 #include <QSettings>
 
+#include "base/platform/buffered_file.h"
+#include "base/platform/end_requests.h"
 #include "editor/shell/main_window.h"
 #include "editor/widgets/theme.h"
 #include "parts/parts.h"
@@ -59,6 +62,18 @@ void onExit() {
 }
 
 constexpr std::chrono::seconds kLastWait(5);
+std::atomic<bool> g_toldToEnd = false; // from outside
+
+/// SIGTERM and its like: at the end of a session, say. Nobody is there to answer questions, so unsaved texts are kept for the next start.
+void endOnRequest() {
+    trundle::watchEndRequests(
+        [](int exitCode) {
+            g_toldToEnd = true;
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(), [exitCode] { QCoreApplication::exit(exitCode); }, Qt::QueuedConnection);
+        },
+        kLastWait);
+}
 
 /// The window writes what is to be kept as the first thing of its end; what comes then may wait for a picture that takes minutes, and
 /// nobody would see why the program is still there.
@@ -105,7 +120,12 @@ int main(int argc, char** argv) {
     // Before what is made from now on goes: the later something is registered, the sooner it is called.
     QObject::connect(&window.session(), &RunSession::stateChanged, &window, [] { std::atexit(onExit); });
     std::atexit(onExit);
+    endOnRequest();
     const int code = QApplication::exec();
+    if (g_toldToEnd) { // the journal was written as the first thing of the end
+        BufferedFile::writeOutAll();
+        std::_Exit(code);
+    }
     if (window.session().endRuns()) {
         endSoon(code);
         return code;

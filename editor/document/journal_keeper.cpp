@@ -1,5 +1,7 @@
 #include "editor/document/journal_keeper.h"
 
+#include <QCoreApplication>
+
 namespace trundle {
 
 namespace {
@@ -11,6 +13,9 @@ JournalKeeper::JournalKeeper(const OpenFiles& files, QObject* parent) : QObject(
     m_timer.setInterval(kDelayMs);
     m_syncing.setMaxThreadCount(1);
     connect(&m_timer, &QTimer::timeout, this, &JournalKeeper::writeNow);
+    // Whoever is told to end from outside asks nobody about unsaved texts; who was asked has closed them.
+    if (QCoreApplication* program = QCoreApplication::instance())
+        connect(program, &QCoreApplication::aboutToQuit, this, &JournalKeeper::writeNow);
 }
 
 JournalKeeper::~JournalKeeper() { stop(); }

@@ -1,5 +1,8 @@
 // The window's program as documentation and checks call it: with options, without a screen.
 
+#include <csignal>
+#include <future>
+
 #include <QtEndian>
 
 #include "flow/cli.h"
@@ -30,6 +33,31 @@ private Q_SLOTS:
         qunsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
         QVERIFY2(outcome.code == 0, shown(outcome));
         QVERIFY(contentOf(picture).startsWith("\x89PNG"));
+    }
+
+    void aSignalEndsItAtOnceAndKeepsTheLogs_data() {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("SIGTERM") << SIGTERM;
+        QTest::newRow("SIGHUP") << SIGHUP;
+    }
+    void aSignalEndsItAtOnceAndKeepsTheLogs() {
+        QFETCH(int, signal);
+        const QString experiment = m_folder.filePath(QStringLiteral("told/told.sim")), pid = m_folder.filePath(QStringLiteral("told/pid"));
+        QDir().mkpath(m_folder.filePath(QStringLiteral("told")));
+        QFile::remove(pid);
+        QVERIFY(writeFile(experiment, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                                      "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\nPoseLog path { }\n"));
+        auto running = std::async(std::launch::async, [&] {
+            return callProgram("/usr/bin/env", {"QT_QPA_PLATFORM=offscreen", "/bin/sh", "-c", "echo $$ > \"$1\"; exec \"$0\" --open \"$2\" --run-for 1e6",
+                                                QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), pid, experiment});
+        });
+        const QString log = m_folder.filePath(QStringLiteral("told/logs/told/path.csv"));
+        const bool runs = QTest::qWaitFor([&] { return contentOf(log).count('\n') > 20; }, 60'000);
+        ::kill(contentOf(pid).trimmed().toInt(), runs ? signal : SIGKILL);
+        const Outcome outcome = running.get();
+        QVERIFY2(runs && outcome.code == 128 + signal && outcome.err.isEmpty(), shown(outcome));
+        QVERIFY(contentOf(log).endsWith('\n'));
+        QFile::remove(log);
     }
 
     void needsNoDisplayForWords() {

@@ -3,6 +3,7 @@ set(BASE_PLATFORM_SOURCES
   platform/atomic_file.cpp
   platform/buffered_file.cpp
   platform/dynamic_library.cpp
+  platform/end_requests.cpp
   platform/fed_process.cpp
   platform/file_lock.cpp
   platform/limits.cpp

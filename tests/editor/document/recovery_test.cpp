@@ -38,6 +38,18 @@ private Q_SLOTS:
         QVERIFY(!fs::exists(m_desk->path("configs/.trundle")));
     }
 
+    /// By SIGTERM, say: nobody waits half a second then.
+    void editsAreNotedWhenTheProgramIsToldToEnd() {
+        Document& d = *m_document;
+        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+        QVERIFY(!fs::exists(m_desk->path("configs/.trundle/journal")));
+        QMetaObject::invokeMethod(
+            qApp, [] { QCoreApplication::exit(143); }, Qt::QueuedConnection);
+        QCOMPARE(QCoreApplication::exec(), 143);
+        QVERIFY(fs::exists(m_desk->path("configs/.trundle/journal")));
+    }
+
     void recovers() {
         leave({m_desk->main, {}},
               {{m_desk->main, {kMain, std::string(kMain) + "Seed = 9\n"}}, {m_desk->robot, {kRover, "Seed=1\n"}}});

@@ -1,0 +1,56 @@
+#include "base/platform/end_requests.h"
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <ctime>
+#include <thread>
+
+#include <semaphore.h>
+#include <unistd.h>
+
+#include "base/platform/buffered_file.h"
+
+namespace trundle {
+namespace {
+
+// Signal handlers take no arguments of ours.
+std::atomic<int> s_request{0};
+sem_t s_asked;
+
+void onSignal(int signal) {
+    const int before = errno;
+    if (s_request.exchange(signal) != 0) {
+        BufferedFile::writeOutAll();
+        _exit(128 + signal);
+    }
+    sem_post(&s_asked);
+    errno = before;
+}
+
+void watchEnd(const std::function<void(int)>& onRequest, std::chrono::seconds patience) {
+    while (sem_wait(&s_asked) != 0 && errno == EINTR) {}
+    const int exitCode = 128 + s_request;
+    onRequest(exitCode);
+    std::this_thread::sleep_for(patience);
+    BufferedFile::writeOutAll();
+    _exit(exitCode);
+}
+
+} // namespace
+
+void watchEndRequests(std::function<void(int exitCode)> onRequest, std::chrono::seconds patience) {
+    sem_init(&s_asked, 0, 0);
+    std::thread([onRequest = std::move(onRequest), patience] { watchEnd(onRequest, patience); }).detach();
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction action = {};
+        if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) continue;
+        action = {};
+        action.sa_handler = onSignal;
+        action.sa_flags = SA_RESTART;
+        sigemptyset(&action.sa_mask);
+        sigaction(signal, &action, nullptr);
+    }
+}
+
+} // namespace trundle
