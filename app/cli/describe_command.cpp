@@ -30,7 +30,7 @@ void onAlarm(int) {
     static constexpr char kText[] = "trundle-cli: the module does not come back from being loaded and described within 30 s: is "
                                     "there an endless loop in a constructor of its globals or in a describe()?\n";
     [[maybe_unused]] const ssize_t written = write(messagesFile(), kText, sizeof kText - 1);
-    _exit(kExitText);
+    endProcess(kExitText);
 }
 
 /// What the build of a module calls: the description file that lies beside the library.

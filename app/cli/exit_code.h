@@ -9,7 +9,7 @@ enum ExitCode : int {
     kExitText = 1,       ///< errors in the text, or a module that does not load; `check`, `format --check`: something was found
     kExitUsage = 2,      ///< wrong usage, or a FILE that cannot be read
     kExitBlewUp = 3,     ///< the simulation blew up
-    kExitController = 4, ///< a controller failed
+    kExitController = 4, ///< a controller failed; code of a module crashed, ended the program or did not return
     kExitInterrupted = 130,
 };
 

@@ -52,10 +52,6 @@ alignas(16) char s_stack[64 * 1024]; // a crash may be an endless recursion
 
 long thisThread() { return syscall(SYS_gettid); }
 
-[[noreturn]] void endProcess(int code) {
-    for (;;) syscall(SYS_exit_group, code);
-}
-
 void setHandler(int signal, void (*handler)(int), int flags) {
     struct sigaction action = {};
     action.sa_handler = handler;
@@ -205,6 +201,10 @@ void watch() {
 }
 
 } // namespace
+
+void endProcess(int code) {
+    for (;;) syscall(SYS_exit_group, code);
+}
 
 RunGuard::RunGuard(GuardOptions options) {
     s_calls = std::move(options.calls);

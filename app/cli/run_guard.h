@@ -42,5 +42,7 @@ public:
 /// This is a copy of the run that code of a module made by fork().
 [[nodiscard]] bool isForkedCopy();
 [[noreturn]] void endForkedCopy();
+/// Past all guards, without a word. Async-signal-safe.
+[[noreturn]] void endProcess(int code);
 
 } // namespace trundle
