@@ -11,11 +11,11 @@
 #include <thread>
 
 #include <QApplication>
-#include <QSettings>
 
 #include "base/platform/buffered_file.h"
 #include "base/platform/end_requests.h"
 #include "editor/shell/main_window.h"
+#include "editor/widgets/preferences.h"
 #include "editor/widgets/theme.h"
 #include "parts/parts.h"
 #include "render/service.h"
@@ -103,10 +103,9 @@ int main(int argc, char** argv) {
     qInstallMessageHandler(report);
 
     const WindowOptions options = readOptions(application);
-    const bool dark =
-        options.theme.value_or(QSettings().value(QStringLiteral("darkTheme")).toBool() ? ThemeKind::Dark : ThemeKind::Light) ==
-        ThemeKind::Dark;
-    applyTheme(application, dark ? ThemeKind::Dark : ThemeKind::Light);
+    const Preferences preferences = loadPreferences();
+    const ThemeKind system = themeOf(preferences.theme); // asks the desktop before the first theme is applied
+    applyTheme(application, options.theme.value_or(system), preferences.fonts);
     QApplication::setWindowIcon(themedIcon(QStringLiteral("kind-robot")));
 
     const std::unique_ptr<Parts> parts = makeParts();
@@ -114,7 +113,10 @@ int main(int argc, char** argv) {
     MainWindow window(*parts, render.get(), findLocations());
     if (options.screenshot.isEmpty()) window.rememberViews();
     else window.leaveNoTrace(); // and a picture is the same whoever takes it
-    if (options.size.isValid()) window.resize(options.size);
+    if (options.size.isValid()) {
+        window.setWindowState(Qt::WindowNoState); // the last one may have been maximized
+        window.resize(options.size);
+    }
     window.show();
     PictureTaker taker(window, options); // does what the options ask for, once the window stands
     // Before what is made from now on goes: the later something is registered, the sooner it is called.

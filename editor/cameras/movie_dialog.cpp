@@ -1,6 +1,7 @@
 #include "editor/cameras/movie_dialog.h"
 
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -11,6 +12,7 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QUrl>
 
 #include "base/platform/fed_process.h"
 #include "editor/cameras/size_choice.h"
@@ -64,6 +66,15 @@ MovieDialog::MovieDialog(Parts& parts, RenderService& render, MovieOffer offer, 
     m_record = buttons->addButton(tr("&Record"), QDialogButtonBox::ActionRole);
     m_record->setObjectName(QStringLiteral("movieRecord"));
     m_close->setObjectName(QStringLiteral("movieClose"));
+    m_open = buttons->addButton(tr("&Open"), QDialogButtonBox::ActionRole);
+    m_show = buttons->addButton(tr("Show in &Folder"), QDialogButtonBox::ActionRole);
+    m_open->setObjectName(QStringLiteral("movieOpen"));
+    m_show->setObjectName(QStringLiteral("movieShowInFolder"));
+    connect(m_open, &QPushButton::clicked, this, [this] { m_opener(QString::fromStdString(m_job.path)); });
+    connect(m_show, &QPushButton::clicked, this,
+            [this] { m_opener(QFileInfo(QString::fromStdString(m_job.path)).absolutePath()); });
+    m_opener = [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); };
+    offerMovie(false);
     column->addWidget(buttons);
     m_record->setDefault(true); // once it is in the dialog, or Enter would press another
     connect(m_record, &QPushButton::clicked, this, &MovieDialog::record);
@@ -193,6 +204,11 @@ void MovieDialog::showSum() {
     m_sum->setText(text + u'.');
 }
 
+void MovieDialog::offerMovie(bool made) {
+    for (QPushButton* button : {m_open, m_show}) button->setVisible(made);
+    (made ? m_open : m_record)->setDefault(true);
+}
+
 void MovieDialog::browse() {
     const QString path = askWhereToSave(this, tr("Record Movie"), m_file->text(), tr("Movies (*.mp4 *.webm)"),
                                         QStringLiteral("mp4"), QFileDialog::DontConfirmOverwrite);
@@ -202,6 +218,7 @@ void MovieDialog::browse() {
 // ---- while it records ----
 
 void MovieDialog::setBusy(bool busy) {
+    if (busy) offerMovie(false);
     m_form->setEnabled(!busy);
     m_record->setEnabled(!busy);
     m_close->setText(busy ? tr("Cancel") : tr("Close"));
@@ -231,6 +248,7 @@ void MovieDialog::end(const QString& failure, bool cancelled) {
     else if (!failure.isEmpty()) m_sum->setText(failure);
     else {
         m_sum->setText(tr("Wrote %1").arg(path));
+        offerMovie(true);
         Q_EMIT recorded(path);
     }
 }

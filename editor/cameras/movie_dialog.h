@@ -39,6 +39,9 @@ public:
     [[nodiscard]] MovieJob job() const;
     [[nodiscard]] bool isRecording() const { return m_recorder->isRecording(); }
 
+    /// How a file or folder is opened in another program; QDesktopServices unless set.
+    void setOpener(std::function<void(const QString& path)> open) { m_opener = std::move(open); }
+
 Q_SIGNALS:
     void recorded(const QString& path);
 
@@ -52,12 +55,14 @@ private:
     void showSum();
     void showProgress(quint64 pictures, double time);
     void end(const QString& failure, bool cancelled);
+    void offerMovie(bool made);
     void browse();
     void setBusy(bool busy);
     [[nodiscard]] bool ofRun() const;
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> experiment() const;
 
     MovieOffer m_offer;
+    std::function<void(const QString& path)> m_opener;
     MovieRecorder* m_recorder;
     MovieJob m_job; ///< in work
     QWidget* m_form = nullptr;
@@ -68,6 +73,7 @@ private:
     QLabel* m_sum = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton *m_record = nullptr, *m_close = nullptr;
+    QPushButton *m_open = nullptr, *m_show = nullptr; ///< of the movie that was made
 };
 
 } // namespace trundle

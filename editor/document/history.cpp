@@ -10,6 +10,7 @@ bool History::canWithdraw(const std::string& mergeKey) const {
 
 void History::join(const HistoryEntry& entry) {
     Step& last = m_entries[m_position - 1];
+    last.name = entry.name; // the value it has come to, the word so far
     for (const auto& [file, after] : entry.after) {
         const std::string& now = *entry.before.at(file);
         const auto known = last.splices.find(file);

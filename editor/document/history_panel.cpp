@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/document.h"
+#include "editor/widgets/theme.h"
 
 namespace trundle {
 
@@ -23,7 +24,11 @@ HistoryPanel::HistoryPanel(Document& document, QWidget* parent)
     layout->addWidget(m_list);
     connect(m_list, &QListWidget::currentRowChanged, this, &HistoryPanel::goTo);
     connect(&m_document, &Document::historyChanged, this, &HistoryPanel::fillRows);
-    connect(&m_document, &Document::opened, this, &HistoryPanel::fillRows);
+    connect(&m_document, &Document::modifiedChanged, this, &HistoryPanel::fillRows);
+    connect(&m_document, &Document::opened, this, [this] {
+        m_saved = -1;
+        fillRows();
+    });
     fillRows();
 }
 
@@ -32,8 +37,18 @@ void HistoryPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) fillRows();
 }
 
+/// Edits since the last save that take the place of what was saved leave no row for it.
+void HistoryPanel::findSaved() {
+    const int now = static_cast<int>(m_document.history().position());
+    if (m_document.isOpen() && !m_document.isModified() && !m_document.isNew()) m_saved = now;
+    else if (m_saved == now || m_saved > static_cast<int>(m_document.history().entries().size())) m_saved = -1;
+}
+
 void HistoryPanel::fillRows() {
+    findSaved();
     const QSignalBlocker quiet(m_list);
+    QPixmap nothing(16, 16);
+    nothing.fill(Qt::transparent);
     const auto& entries = m_document.history().entries();
     const int rows = m_document.isOpen() ? static_cast<int>(entries.size()) + 1 : 0;
     const int now = static_cast<int>(m_document.history().position());
@@ -43,7 +58,9 @@ void HistoryPanel::fillRows() {
         if (row == m_list->count()) m_list->addItem(name);
         QListWidgetItem& item = *m_list->item(row);
         if (item.text() != name) item.setText(name);
-        if (item.toolTip() != name) item.setToolTip(name);
+        const QString tip = row == m_saved ? name + QLatin1Char('\n') + tr("Saved: the files hold this") : name;
+        if (item.toolTip() != tip) item.setToolTip(tip);
+        item.setIcon(row == m_saved ? themedIcon(QStringLiteral("save")) : QIcon(nothing));
         const QColor ink = palette().color(row > now ? QPalette::Disabled : QPalette::Active, QPalette::Text);
         if (item.foreground().color() != ink || item.foreground().style() == Qt::NoBrush) item.setForeground(ink);
     }

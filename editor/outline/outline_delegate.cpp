@@ -105,10 +105,10 @@ void OutlineDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& o
     painter.setPen(textColour(option, faint));
     painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, shown);
     rest.setLeft(rest.left() + metrics.horizontalAdvance(shown) + kGap + 2);
-    if (!detail.isEmpty() && rest.width() >= std::min(24, metrics.horizontalAdvance(detail))) {
+    if (!detail.isEmpty() && rest.width() >= metrics.horizontalAdvance(detail)) { // whole, or in the tooltip alone
         painter.setPen(textColour(option, true));
         if (selected) painter.setOpacity(0.8);
-        painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, metrics.elidedText(detail, Qt::ElideRight, rest.width()));
+        painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, detail);
     }
     painter.restore();
 }
@@ -130,8 +130,9 @@ void OutlineDelegate::paintMark(QPainter& painter, const QStyleOptionViewItem& o
 }
 
 QSize OutlineDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    if (index.column() != OutlineModel::NameColumn) return {kRowHeight, kRowHeight};
-    return {kIcon + 3 * kGap + option.fontMetrics.horizontalAdvance(index.data().toString()), kRowHeight};
+    const int high = std::max(kRowHeight, option.fontMetrics.height() + 6);
+    if (index.column() != OutlineModel::NameColumn) return {kRowHeight, high};
+    return {kIcon + 3 * kGap + option.fontMetrics.horizontalAdvance(index.data().toString()), high};
 }
 
 QWidget* OutlineDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "editor/properties/origin_words.h"
+#include "editor/properties/param_help.h"
 #include "editor/properties/row.h"
 #include "editor/properties/value_text.h"
 #include "editor/widgets/theme.h"
@@ -64,7 +65,8 @@ void HelpStrip::display(const Row& row, const QString& refusal, bool running) {
     if (!range.isEmpty()) title += QStringLiteral("  ") + coloured(Ink::Faint, range);
     m_title->setText(title);
     m_title->show();
-    QString help = p ? QString::fromStdString(p->help) : tr("A Param: other values may be worked out from it.");
+    QString help = p ? QString::fromStdString(p->help) : paramHelp(*row.loaded, row.first().path);
+    if (!p && help.isEmpty()) help = tr("A Param: other values may be worked out from it.");
     if (running && p && p->live) help += QLatin1Char(' ') + tr("Takes effect at once in a run.");
     else if (running) help += QLatin1Char(' ') + tr("Takes effect after a reset.");
     m_help->setText(refusal.isEmpty() ? help.toHtmlEscaped() : coloured(Ink::Error, refusal));

@@ -12,7 +12,8 @@ OriginMark::OriginMark(QWidget* parent) : QToolButton(parent) {
     setFocusPolicy(Qt::NoFocus); // the menu key in the row's field opens the same menu
 }
 
-void OriginMark::display(Standing standing, bool formula) {
+void OriginMark::display(Standing standing, bool formula, bool waits) {
+    m_waits = waits;
     m_standing = standing;
     m_formula = formula;
     update();
@@ -21,6 +22,14 @@ void OriginMark::display(Standing standing, bool formula) {
 void OriginMark::paintSign(QPainter& painter) const {
     const QPointF c = QRectF(rect()).center();
     const QColor colour = m_standing == Standing::Override ? ink(Ink::Accent) : ink(Ink::Faint);
+    if (m_waits) {
+        const QRectF circle(c.x() - 4.5, c.y() - 4.5, 9, 9);
+        painter.setPen(QPen(ink(Ink::Warning), 1.6, Qt::SolidLine, Qt::RoundCap));
+        painter.drawArc(circle, 60 * 16, 290 * 16);
+        const QPointF tip = circle.center() + QPointF(2.2, -3.9);
+        painter.drawLine(tip, tip + QPointF(-0.4, -3.2));
+        return painter.drawLine(tip, tip + QPointF(-3.2, 0.6));
+    }
     painter.setPen(QPen(colour, 1.3));
     if (m_formula) {
         QFont font = this->font();

@@ -9,6 +9,7 @@
 
 #include "editor/properties/origin_mark.h"
 #include "editor/properties/origin_words.h"
+#include "editor/properties/param_help.h"
 #include "editor/properties/row_editor.h"
 #include "editor/properties/scrub_label.h"
 #include "editor/properties/value_field.h"
@@ -100,10 +101,14 @@ void PropertyRow::display(const Row& row) {
     Standing strongest = v.standing;
     for (const FieldValue& other : row.values)
         if (other.standing == Standing::Override) strongest = Standing::Override;
-    m_mark->display(strongest, v.formula && !row.mixed());
+    m_mark->display(strongest, v.formula && !row.mixed(), row.afterReset);
     const QString place = v.given() ? placeWords(*row.loaded, v.place) : QString();
-    m_mark->setToolTip(originWords(v) + (place.isEmpty() ? QString() : QStringLiteral("\n") + place));
-    m_mark->setAccessibleName(tr("%1: %2").arg(row.label, originWords(v)));
+    const QString waits =
+        row.afterReset ? tr("Takes effect after a reset") : QString(); // said here: a line below would move the rows
+    QStringList tip{waits, originWords(v), place};
+    tip.removeAll(QString());
+    m_mark->setToolTip(tip.join(QLatin1Char('\n')));
+    m_mark->setAccessibleName(tr("%1: %2").arg(row.label, waits.isEmpty() ? originWords(v) : waits));
 }
 
 void PropertyRow::showLabel() {
@@ -117,7 +122,7 @@ void PropertyRow::showLabel() {
                          .arg(override ? 600 : 400)
                          .arg(ink(m_problem.isEmpty() ? Ink::Text : Ink::Error).name(), html));
     const QString range = v.property ? QString::fromStdString(unitAndRange(*v.property)) : QString();
-    const QString help = v.property ? QString::fromStdString(v.property->help) : QString();
+    const QString help = v.property ? QString::fromStdString(v.property->help) : paramHelp(*m_row.loaded, v.path);
     m_label->setToolTip(m_row.label + (range.isEmpty() ? QString() : QStringLiteral(" – ") + range) +
                         (help.isEmpty() ? QString() : QStringLiteral("\n") + help));
     m_label->setScrubbing(m_editor->canScrub());
@@ -144,14 +149,11 @@ void PropertyRow::setNow(const QString& text) {
 }
 
 void PropertyRow::showNote() {
-    QStringList notes;
-    if (!m_problem.isEmpty()) notes << m_problem;
-    if (m_row.afterReset) notes << tr("after reset");
-    m_note->setText(notes.join(QStringLiteral("  ·  ")));
-    m_note->setVisible(!notes.isEmpty());
-    const QColor colour = ink(!m_problem.isEmpty() ? Ink::Error : m_row.afterReset ? Ink::Warning : Ink::Faint);
-    const QString sheet = QStringLiteral("color: %1;").arg(colour.name()); // a palette loses against the window's style sheet
-    if (!notes.isEmpty() && m_note->styleSheet() != sheet) m_note->setStyleSheet(sheet);
+    m_note->setText(m_problem);
+    m_note->setVisible(!m_problem.isEmpty());
+    const QString sheet =
+        QStringLiteral("color: %1;").arg(ink(Ink::Error).name()); // a palette loses against the window's style sheet
+    if (!m_problem.isEmpty() && m_note->styleSheet() != sheet) m_note->setStyleSheet(sheet);
 }
 
 int PropertyRow::labelWidthWanted() const {

@@ -12,8 +12,6 @@
 namespace trundle {
 namespace {
 
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
 std::vector<std::string> pathsOf(const Row& row, Standing standing) {
     std::vector<std::string> paths;
     for (const FieldValue& v : row.values)
@@ -28,7 +26,9 @@ QAction* add(QMenu& menu, const char* name, const QString& title, const std::fun
     return action;
 }
 
-void tell(const RowDeeds& deeds, const Status& status) { deeds.failed(status ? QString() : text(status.error().message)); }
+void tell(const RowDeeds& deeds, const Status& status) {
+    deeds.failed(status ? QString() : QString::fromStdString(status.error().message));
+}
 
 void addValueDeeds(QMenu& menu, const Row& row, Document& document, const RowDeeds& deeds) {
     const std::string path = row.first().path;
@@ -67,9 +67,11 @@ void fillRowMenu(QMenu& menu, const Row& row, Document& document, const RowDeeds
     QAction* asText = add(menu, "rowAsText", QObject::tr("Edit as text or formula"), deeds.editAsText);
     asText->setCheckable(true);
     asText->setChecked(deeds.asText);
-    add(menu, "rowCopyPath", QObject::tr("Copy path"), [v] { QGuiApplication::clipboard()->setText(text(v.path)); });
+    add(menu, "rowCopyPath", QObject::tr("Copy path"),
+        [v] { QGuiApplication::clipboard()->setText(QString::fromStdString(v.path)); });
     if (!v.text.empty())
-        add(menu, "rowCopyValue", QObject::tr("Copy value"), [v] { QGuiApplication::clipboard()->setText(text(v.text)); });
+        add(menu, "rowCopyValue", QObject::tr("Copy value"),
+            [v] { QGuiApplication::clipboard()->setText(QString::fromStdString(v.text)); });
 }
 
 } // namespace trundle

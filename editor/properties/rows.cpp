@@ -122,7 +122,12 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
         if (!plan) return plan.error();
         return document.edit(QObject::tr("Reset %1").arg(what), plan.value().edits, mergeKey);
     }
-    return edits.empty() ? Status() : document.setValues(QObject::tr("Set %1").arg(what), edits, mergeKey);
+    if (edits.empty()) return {};
+    const QString value = values.size() == 1 ? text(edits[0].text).simplified() : QString();
+    constexpr int kLongest = 24;
+    const QString name = value.isEmpty() || value.size() > kLongest ? QObject::tr("Set %1").arg(what)
+                                                                    : QObject::tr("Set %1 to %2").arg(what, value);
+    return document.setValues(name, edits, mergeKey);
 }
 
 QString nowText(const RunSession& session, const std::string& robot, bool position) {

@@ -111,7 +111,7 @@ void PacketsPage::makeTools() {
 }
 
 void PacketsPage::makeView() {
-    m_view = makeLineTable("radioFrames", m_model, font());
+    m_view = makeLineTable("radioFrames", m_model, LineFont::Interface);
     m_view->setAccessibleName(tr("Packets"));
     const QFontMetrics metrics(m_view->font());
     const auto widthOf = [&](const char* text) { return metrics.horizontalAdvance(QLatin1String(text)) + 16; };
@@ -165,7 +165,7 @@ QWidget* PacketsPage::makeDetails() {
     m_bytes->setAccessibleName(tr("Bytes of the packet"));
     m_bytes->setReadOnly(true);
     m_bytes->setLineWrapMode(QPlainTextEdit::NoWrap);
-    m_bytes->setFont(monospaceFont());
+    useMonospaceFont(*m_bytes);
     m_bytes->setTabChangesFocus(true);
     column->addWidget(m_facts);
     column->addWidget(m_bytes, 1);

@@ -83,7 +83,7 @@ QWidget* ConsolePanel::makeTools() {
 }
 
 void ConsolePanel::makeView() {
-    m_view = makeLineTable("consoleLines", m_model, monospaceFont(), this);
+    m_view = makeLineTable("consoleLines", m_model, LineFont::Monospace, this);
     m_view->setColumnWidth(ConsoleModel::Time, 86);
     m_view->setColumnWidth(ConsoleModel::Who, 150);
     m_view->installEventFilter(this);

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QSplitter>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
 
@@ -22,6 +23,16 @@
 namespace trundle {
 namespace {
 
+/// A column that is as wide as its text ends well before the next one begins.
+class SpacedColumns final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        constexpr int kGap = 18;
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(kGap, 0);
+    }
+};
+
 QTreeWidget* table(const char* name, const QStringList& columns) {
     auto* made = new QTreeWidget;
     made->setObjectName(QLatin1String(name));
@@ -29,6 +40,7 @@ QTreeWidget* table(const char* name, const QStringList& columns) {
     made->setRootIsDecorated(false);
     made->setUniformRowHeights(true);
     made->setAllColumnsShowFocus(true);
+    made->setItemDelegate(new SpacedColumns(made));
     made->header()->setStretchLastSection(true);
     return made;
 }

@@ -97,12 +97,12 @@ void TransportBar::build() {
 
     m_time = new QLabel(this);
     m_time->setObjectName(QStringLiteral("transportTime"));
-    m_time->setFont(monospaceFont());
+    useMonospaceFont(*m_time);
     m_time->setToolTip(tr("Simulated time"));
     row->addWidget(m_time);
     m_factor = new QLabel(this);
     m_factor->setObjectName(QStringLiteral("transportFactor"));
-    m_factor->setFont(monospaceFont());
+    useMonospaceFont(*m_factor);
     m_factor->setToolTip(tr("Real-time factor: simulated seconds per second"));
     m_factor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row->addWidget(m_factor);

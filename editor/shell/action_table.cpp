@@ -40,7 +40,7 @@ static constexpr ActionRow kTable[] = {
     {"text.unfold",    "Edit/Text",   "U&nfold All",             "",            "",               "Show every line again."},
     {"text.wrap",      "Edit/Text",   "&Wrap Lines",             "",            "",               "Break long lines at the edge of the pane; Preferences has the choice for narrow panes.", true},
     {"edit.palette",   "|Edit",       "C&ommand Palette…",       "palette",     "Ctrl+Shift+P",   "Find any command by a few letters of its name."},
-    {"edit.preferences", "Edit",      "Prefere&nces…",           "preferences", "Ctrl+,",         "Shortcuts and trusted folders."},
+    {"edit.preferences", "Edit",      "Prefere&nces…",           "preferences", "Ctrl+,",         "Theme, font sizes, 3D navigation, shortcuts and trusted folders."},
 
     {"problems.next",  "|Edit/Problems", "&Next Problem",        "",            "F8",             "Go to the next problem in the texts."},
     {"problems.previous", "Edit/Problems", "&Previous Problem",  "",            "Shift+F8",       "Go to the problem before."},

@@ -11,6 +11,9 @@ constexpr int kVersion = 3; // raised when docks come or go, so that old setting
 
 const QString kGuide = QStringLiteral("guide");
 
+/// All side docks do not stand beside 3D view and text there: a screen of 1600 x 1000 at scale factor 2.
+bool isSmall(const QWidget& window) { return window.width() < 1000 && window.height() < 600; }
+
 QString settingOf(Layout layout) { return QStringLiteral("layouts/") + nameOf(layout); }
 
 } // namespace
@@ -68,7 +71,9 @@ void Layouts::save() const {
 
 void Layouts::restore() {
     const QByteArray kept = QSettings().value(settingOf(m_layout)).toByteArray();
-    if (kept.isEmpty() || !m_window.restoreState(kept, kVersion)) arrange(m_layout);
+    const bool restored = !kept.isEmpty() && m_window.restoreState(kept, kVersion);
+    const bool fits = !isSmall(m_window) || m_window.minimumSizeHint().width() <= m_window.width(); // kept on a larger screen
+    if (!restored || !fits) arrange(m_layout);
 }
 
 void Layouts::setShown(bool shown) {
@@ -127,15 +132,20 @@ void Layouts::arrange(Layout layout) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);
     }
+    const bool small = isSmall(m_window); // one column of tabs then
     for (const Place& place : layout == Layout::Edit ? edit : run) {
         QDockWidget* dock = m_docks.value(QLatin1String(place.name));
         if (!dock) continue;
-        m_window.addDockWidget(place.area, dock);
-        if (QDockWidget* other = m_docks.value(QLatin1String(place.tabWith))) m_window.tabifyDockWidget(other, dock);
+        const bool aside = small && place.area != Qt::BottomDockWidgetArea;
+        QString tabWith = QLatin1String(place.tabWith);
+        if (aside && tabWith.isEmpty()) tabWith = QStringLiteral("scene");
+        m_window.addDockWidget(aside ? Qt::LeftDockWidgetArea : place.area, dock);
+        if (QDockWidget* other = m_docks.value(tabWith); other && other != dock) m_window.tabifyDockWidget(other, dock);
         dock->setVisible(place.shown);
     }
     showTitles();
-    for (const char* front : {"scene", "properties", layout == Layout::Edit ? "problems" : "console"})
+    for (const char* front :
+         {small ? "properties" : "scene", small ? "scene" : "properties", layout == Layout::Edit ? "problems" : "console"})
         if (QDockWidget* dock = m_docks.value(QLatin1String(front))) dock->raise();
     sizeDocks();
     // Again once the window is laid out: docks that were hidden until now do not take a size before that.
@@ -159,6 +169,10 @@ void Layouts::sizeDocks() {
     const auto dock = [this](const char* name) { return m_docks.value(QLatin1String(name)); };
     const bool edit = m_layout == Layout::Edit;
     const int width = m_window.width();
+    if (isSmall(m_window)) {
+        m_window.resizeDocks({dock("scene")}, {300}, Qt::Horizontal);
+        return m_window.resizeDocks({dock(edit ? "problems" : "console")}, {120}, Qt::Vertical);
+    }
     m_window.resizeDocks({dock("scene"), dock("properties")},
                          {std::clamp(width * 18 / 100, 190, 280), std::clamp(width * 22 / 100, 300, 340)}, Qt::Horizontal);
     if (edit) m_window.resizeDocks({dock("scene"), dock("library")}, {430, 300}, Qt::Vertical);

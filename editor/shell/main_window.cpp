@@ -110,7 +110,6 @@ void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations
     m_viewport = new ViewportPanel(*m_document, *m_selection, *m_session, render, *m_actions);
     m_text = new TextPanel(*m_document, *m_selection, *m_actions);
     m_text->setFolders({{places.configs}, {places.resources}, {places.modules}});
-    m_text->setWrapLines(loadPreferences().wrapLines);
     m_work = new QSplitter(Qt::Horizontal);
     m_work->setObjectName(QStringLiteral("work"));
     m_work->addWidget(m_viewport);
@@ -249,7 +248,9 @@ void MainWindow::connectActions() {
     on("edit.redo", [this] { m_text->flush(), m_document->redo(); });
     on("edit.palette", [this] { openPalette(); });
     on("edit.preferences", [this] {
-        PreferencesDialog(*m_actions, this).exec();
+        PreferencesDialog dialog(*m_actions, this);
+        connect(&dialog, &PreferencesDialog::changed, this, &MainWindow::applyPreferences);
+        dialog.exec();
         m_controllers->commands().applyTrust();
     });
     on("view.text", [this](bool shown) { showText(shown); });
@@ -259,7 +260,8 @@ void MainWindow::connectActions() {
     on("view.layoutReset", [this] { m_layouts->resetCurrent(); });
     on("help.guide", [this] { showHelp(); });
     on("help.about", [this] { showAbout(); });
-    m_actions->at("view.theme").setChecked(currentTheme() == ThemeKind::Dark);
+    const Preferences preferences = loadPreferences();
+    applyPreferences(preferences, preferences);
     m_actions->at("view.text").setChecked(true);
     on("view.viewport", [this](bool shown) { showViewport(shown); });
     m_actions->at("view.viewport").setChecked(true);

@@ -14,6 +14,7 @@
 #include "editor/running/session.h"
 #include "editor/shell/layouts.h"
 #include "editor/widgets/actions.h"
+#include "editor/widgets/preferences.h"
 
 namespace trundle {
 
@@ -97,6 +98,7 @@ private:
     void offerRecovery();
     void showReadOnly(const QString& holder);
     void setDarkTheme(bool dark);
+    void applyPreferences(const Preferences& before, const Preferences& now);
     void openPalette();
     void showAbout();
 

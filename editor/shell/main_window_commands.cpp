@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 
 #include "editor/cameras/cameras_panel.h"
@@ -38,7 +39,8 @@ bool mayEndRecording(MainWindow& window) {
     question.setObjectName(QStringLiteral("movieQuestion"));
     question.setInformativeText(MainWindow::tr("The movie is not kept then."));
     question.addButton(MainWindow::tr("Stop Recording"), QMessageBox::DestructiveRole);
-    const auto* stay = question.addButton(MainWindow::tr("Go On"), QMessageBox::RejectRole);
+    QPushButton* stay = question.addButton(MainWindow::tr("Go On"), QMessageBox::RejectRole);
+    question.setDefaultButton(stay);
     question.exec();
     return question.clickedButton() != stay || !movie || !movie->isRecording();
 }
@@ -146,8 +148,18 @@ void MainWindow::showUndo() {
 }
 
 void MainWindow::setDarkTheme(bool dark) {
-    QSettings().setValue(QStringLiteral("darkTheme"), dark);
-    applyTheme(*qApp, dark ? ThemeKind::Dark : ThemeKind::Light);
+    Preferences now = loadPreferences();
+    now.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
+    savePreferences(now);
+    applyTheme(*qApp, themeOf(now.theme), now.fonts);
+}
+
+void MainWindow::applyPreferences(const Preferences& before, const Preferences& now) {
+    const bool newTheme = now.theme != before.theme; // else the one of the command line stays
+    if (newTheme || now.fonts != before.fonts) applyTheme(*qApp, newTheme ? themeOf(now.theme) : currentTheme(), now.fonts);
+    m_actions->at("view.theme").setChecked(currentTheme() == ThemeKind::Dark);
+    m_text->setWrapLines(now.wrapLines);
+    m_viewport->settings().setNavigation(now.navigation);
 }
 
 void MainWindow::offerRecovery() {
@@ -195,7 +207,8 @@ void MainWindow::askAboutDisk(const QString& file) {
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setInformativeText(tr("Theirs would change this here; it can be undone.") +
                                  diffAsHtml(inShort(diffLines(*mineNow, *theirs, 1))));
-    const auto* mine = question->addButton(tr("Keep Mine"), QMessageBox::RejectRole);
+    QPushButton* mine = question->addButton(tr("Keep Mine"), QMessageBox::RejectRole);
+    question->setDefaultButton(mine);
     question->addButton(tr("Take Theirs"), QMessageBox::AcceptRole);
     connect(question, &QMessageBox::buttonClicked, this, [this, file, mine](QAbstractButton* button) {
         (void)m_document->resolveDiskChange(file.toStdString(), button == mine ? Document::Keep::Mine : Document::Keep::Theirs);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QHeaderView>
 #include <QKeySequenceEdit>
 #include <QLabel>
@@ -11,8 +13,11 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
+
+#include "editor/viewport/navigation_style.h"
 
 namespace trundle {
 namespace {
@@ -35,6 +40,7 @@ PreferencesDialog::PreferencesDialog(Actions& actions, QWidget* parent) : QDialo
     setWindowTitle(tr("Preferences"));
     resize(620, 520);
     auto* tabs = new QTabWidget;
+    tabs->addTab(makeGeneral(), tr("General"));
     tabs->addTab(makeShortcuts(), tr("Shortcuts"));
     tabs->addTab(makeTrust(), tr("Trusted folders"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -43,7 +49,55 @@ PreferencesDialog::PreferencesDialog(Actions& actions, QWidget* parent) : QDialo
     layout->addWidget(tabs);
     layout->addWidget(buttons);
     for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false); // Enter in a field does nothing
-    m_filter->setFocus();
+}
+
+QWidget* PreferencesDialog::makeGeneral() {
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    const auto choice = [this, form](const char* name, const QString& label, const QStringList& words, int now) {
+        auto* box = new QComboBox;
+        box->setObjectName(QLatin1String(name));
+        box->addItems(words);
+        box->setCurrentIndex(now);
+        connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
+        form->addRow(label, box);
+        return box;
+    };
+    const auto size = [this, form](const char* name, const QString& label, int largest, int now) {
+        auto* box = new QSpinBox;
+        box->setObjectName(QLatin1String(name));
+        box->setRange(kSmallestFont, largest);
+        box->setSuffix(tr(" px"));
+        box->setValue(now);
+        connect(box, &QSpinBox::valueChanged, this, &PreferencesDialog::take);
+        form->addRow(label, box);
+        return box;
+    };
+    const Preferences& p = m_preferences;
+    m_theme = choice("themeChoice", tr("&Theme"), {tr("As the system"), tr("Light"), tr("Dark")}, int(p.theme));
+    m_interfaceFont = size("interfaceFont", tr("Font size of the &window"), kLargestInterfaceFont, p.fonts.interface);
+    m_textFont = size("textFont", tr("Font size of te&xts"), kLargestTextFont, p.fonts.text);
+    m_wrap = choice("wrapChoice", tr("Wrap &long lines"), {tr("In narrow panes"), tr("Always"), tr("Never")}, int(p.wrapLines));
+    m_navigation = choice("navigationChoice", tr("3D &navigation"), {tr("Trundle"), tr("Blender"), tr("CAD")}, int(p.navigation));
+    m_buttons = new QLabel;
+    m_buttons->setObjectName(QStringLiteral("navigationButtons"));
+    m_buttons->setWordWrap(true);
+    form->addRow(QString(), m_buttons);
+    m_buttons->setText(navigationWords(p.navigation));
+    return page;
+}
+
+void PreferencesDialog::take() {
+    if (!m_theme || !m_textFont || !m_wrap || !m_navigation) return; // still being made
+    const Preferences before = m_preferences;
+    m_preferences.theme = static_cast<ThemeChoice>(m_theme->currentIndex());
+    m_preferences.fonts = {m_interfaceFont->value(), m_textFont->value()};
+    m_preferences.wrapLines = static_cast<WrapLines>(m_wrap->currentIndex());
+    m_preferences.navigation = static_cast<NavigationStyle>(m_navigation->currentIndex());
+    if (m_preferences == before) return;
+    m_buttons->setText(navigationWords(m_preferences.navigation));
+    savePreferences(m_preferences);
+    Q_EMIT changed(before, m_preferences);
 }
 
 QWidget* PreferencesDialog::makeShortcuts() {

@@ -34,7 +34,7 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
     m_list->setObjectName(QStringLiteral("recoveries"));
     m_list->setMaximumHeight(110);
     m_preview->setObjectName(QStringLiteral("recoveryPreview"));
-    m_preview->setFont(monospaceFont());
+    useMonospaceFont(*m_preview);
     m_preview->setFrameShape(QFrame::StyledPanel);
     auto* back = new QPushButton(tr("Bring Back"));
     auto* drop = new QPushButton(tr("Throw Away"));
@@ -92,7 +92,11 @@ void RecoveryDialog::bringBack() {
 void RecoveryDialog::discard() {
     const int row = m_list->currentRow();
     if (row < 0) return;
-    if (QMessageBox::question(this, tr("Throw away?"), tr("These edits cannot be had back then.")) != QMessageBox::Yes) return;
+    QMessageBox question(QMessageBox::Warning, tr("Throw away?"), tr("These edits cannot be had back then."),
+                         QMessageBox::Discard | QMessageBox::Cancel, this);
+    question.setObjectName(QStringLiteral("throwAwayQuestion"));
+    question.setDefaultButton(QMessageBox::Cancel);
+    if (question.exec() != QMessageBox::Discard) return;
     discardRecovery(m_found[std::size_t(row)]);
     m_found.erase(m_found.begin() + row);
     delete m_list->takeItem(row);

@@ -1,6 +1,7 @@
 #include "editor/text/file_page.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <QScopedValueRollback>
 #include <QVBoxLayout>
@@ -8,6 +9,7 @@
 #include "editor/document/document.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/splice.h"
+#include "editor/text/typed_name.h"
 #include "lang/edit_style.h"
 
 namespace trundle {
@@ -94,8 +96,12 @@ bool FilePage::flush() {
     bool taken = true;
     {
         const QScopedValueRollback<bool> flushing(m_flushing, true);
-        for (Typing::Entry& entry : m_typing.take(m_edit->bytes()))
-            taken = taken && m_document.replaceText(entry.name, m_file, std::move(entry.bytes), entry.mergeKey).ok();
+        std::string before = m_base ? *m_base : std::string();
+        for (Typing::Entry& entry : m_typing.take(m_edit->bytes())) {
+            const QString name = nameOf(entry, before);
+            before = entry.bytes;
+            taken = taken && m_document.replaceText(name, m_file, std::move(entry.bytes), entry.mergeKey).ok();
+        }
     }
     m_cost = static_cast<int>(clock.elapsed());
     m_sinceFlush.start();
@@ -107,6 +113,14 @@ bool FilePage::flush() {
     showProblems();
     Q_EMIT flushed();
     return taken;
+}
+
+QString FilePage::nameOf(const Typing::Entry& entry, const std::string& before) {
+    if (entry.mergeKey != m_wordKey) {
+        m_wordKey = entry.mergeKey;
+        m_wordBase = before;
+    }
+    return entry.named ? entry.name : typedName(m_wordBase, entry.bytes, std::filesystem::path(m_file).filename().string());
 }
 
 void FilePage::follow() {

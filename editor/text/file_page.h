@@ -50,12 +50,14 @@ Q_SIGNALS:
 private:
     void start();
     void readWays();
+    [[nodiscard]] QString nameOf(const Typing::Entry& entry, const std::string& before);
 
     Document& m_document;
     std::string m_file;
     CodeEdit* m_edit;
     Typing m_typing;
     std::shared_ptr<const std::string> m_base; ///< the document's text that the widget's is made from
+    std::string m_wordKey, m_wordBase; ///< of the entry that goes on: the text before it
     std::vector<Diagnostic> m_problems;
     QTimer m_timer;
     int m_cost = 0; ///< ms that the last flush took

@@ -19,7 +19,7 @@ RenameField::RenameField(QWidget* viewport) : QFrame(viewport), m_name(new QLine
     m_name->setObjectName(QStringLiteral("renameText"));
     m_name->setAccessibleName(tr("New name"));
     m_name->setToolTip(tr("Enter renames it everywhere, Esc leaves it as it is"));
-    m_name->setFont(monospaceFont());
+    useMonospaceFont(*m_name);
     m_error->setObjectName(QStringLiteral("renameError"));
     m_error->setTextFormat(Qt::PlainText);
     m_error->setWordWrap(true);

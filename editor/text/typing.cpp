@@ -36,7 +36,7 @@ bool Typing::startsEntry(std::size_t at, std::size_t removed, std::string_view i
 }
 
 void Typing::close(std::string bytes) {
-    m_closed.push_back({name(), std::move(bytes), key()});
+    m_closed.push_back({name(), std::move(bytes), key(), !m_name.isEmpty()});
     begin();
 }
 
@@ -67,7 +67,7 @@ QString Typing::name() const {
 std::vector<Typing::Entry> Typing::take(std::string now) {
     std::vector<Entry> entries = std::move(m_closed);
     m_closed.clear();
-    if (m_dirty) entries.push_back({name(), std::move(now), key()});
+    if (m_dirty) entries.push_back({name(), std::move(now), key(), !m_name.isEmpty()});
     m_dirty = false;
     return entries;
 }

@@ -18,6 +18,7 @@ public:
     struct Entry {
         QString name;
         std::string bytes, mergeKey;
+        bool named = false; ///< by nameNext(); else the name says only what sort of change it is
     };
 
     /// A key press or a command begins: what it changes belongs together.

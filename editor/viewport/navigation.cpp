@@ -6,12 +6,14 @@
 #include <QKeyEvent>
 
 #include "editor/viewport/view.h"
+#include "editor/viewport/view_settings.h"
 
 namespace trundle {
 namespace {
 
 constexpr double kRadPerPixel = 0.0065;
 constexpr double kZoomPerStep = 0.87; // one notch of a wheel
+constexpr double kPixelsPerStep = 20; // of a drag that zooms
 constexpr double kClick = 3;          // pixels that the hand may tremble
 constexpr int kFlyMs = 16;
 constexpr int kFlyKeys[] = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E};
@@ -24,13 +26,20 @@ Vec3 onPlane(const ViewRay& ray, const Vec3& at, const Vec3& forward) {
 
 } // namespace
 
+QString Navigation::hint() const {
+    const bool orbits = m_mode == CameraDrag::Orbit, pans = m_view.parts().settings.navigation() == NavigationStyle::Trundle;
+    QString text = orbits ? tr("Drag goes round") + QStringLiteral(" · ") : QString();
+    if (pans) text += tr("Shift and drag shifts") + QStringLiteral(" · ");
+    return text + tr("W A S D, Q and E fly, the wheel sets how fast");
+}
+
 Navigation::Navigation(View& view) : m_view(view) { connect(&m_timer, &QTimer::timeout, this, &Navigation::fly); }
 
 bool Navigation::press(const Pointer& pointer) {
-    const bool alt = pointer.button == Qt::LeftButton && pointer.modifiers.testFlag(Qt::AltModifier);
-    if (pointer.button != Qt::MiddleButton && pointer.button != Qt::RightButton && !alt) return false;
+    const CameraDrag drag = cameraDrag(m_view.parts().settings.navigation(), pointer.button, pointer.modifiers);
+    if (drag == CameraDrag::None) return false;
     m_button = pointer.button;
-    m_mode = pointer.modifiers.testFlag(Qt::ShiftModifier) ? Mode::Pan : Mode::Orbit;
+    m_mode = drag;
     m_start = m_last = pointer.at;
     m_about = m_view.pointUnder(pointer.at);
     m_moved = m_flown = false;
@@ -40,33 +49,35 @@ bool Navigation::press(const Pointer& pointer) {
 void Navigation::drag(const Pointer& pointer) {
     if (!m_moved && (pointer.at - m_start).manhattanLength() < kClick) return;
     if (!m_moved && m_button == Qt::RightButton) // nobody finds flying by himself
-        m_view.setHint(tr("Drag goes round · Shift and drag shifts · W A S D, Q and E fly, the wheel sets how fast"));
+        m_view.setHint(hint());
     m_moved = true;
     const QPointF by = pointer.at - m_last;
     m_last = pointer.at;
     m_view.changeCamera([&](ViewCamera& camera) {
         if (m_flown) return camera.look(-kRadPerPixel * 0.5 * by.x(), -kRadPerPixel * 0.5 * by.y());
-        if (m_mode == Mode::Orbit) return camera.orbit(-kRadPerPixel * by.x(), -kRadPerPixel * by.y(), m_about);
+        if (m_mode == CameraDrag::Fly) return;
+        if (m_mode == CameraDrag::Orbit) return camera.orbit(-kRadPerPixel * by.x(), -kRadPerPixel * by.y(), m_about);
+        if (m_mode == CameraDrag::Zoom) return camera.zoom(std::pow(kZoomPerStep, -by.y() / kPixelsPerStep), m_about);
         camera.pan(m_about, onPlane(m_view.rayAt(pointer.at), m_about, camera.forward()));
     });
 }
 
 void Navigation::release(const Pointer& pointer) {
     const bool click = !m_moved && !m_flown && m_button == Qt::RightButton && pointer.button == Qt::RightButton;
-    m_mode = Mode::None;
+    m_mode = CameraDrag::None;
     m_view.setHint({});
     stopFlying();
     if (click) Q_EMIT m_view.menuWanted(pointer.at);
 }
 
 void Navigation::cancel() {
-    m_mode = Mode::None;
+    m_mode = CameraDrag::None;
     m_view.setHint({});
     stopFlying();
 }
 
 bool Navigation::key(QKeyEvent& event) {
-    if (m_mode == Mode::None || m_button != Qt::RightButton) return false;
+    if (m_mode == CameraDrag::None || m_button != Qt::RightButton) return false;
     if (std::find(std::begin(kFlyKeys), std::end(kFlyKeys), event.key()) == std::end(kFlyKeys)) return false;
     m_fast = event.modifiers().testFlag(Qt::ShiftModifier);
     m_keys.insert(event.key());
@@ -99,7 +110,7 @@ void Navigation::fly() {
 
 void Navigation::wheel(const QPointF& at, double delta) {
     const double steps = delta / 120;
-    if (m_flown && m_mode != Mode::None) {
+    if (m_flown && m_mode != CameraDrag::None) {
         m_speed = std::clamp(m_speed * std::pow(1.2, steps), 0.05, 20.0);
         return;
     }

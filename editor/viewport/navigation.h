@@ -6,14 +6,15 @@
 #include <QTimer>
 
 #include "editor/viewport/mouse_work.h"
+#include "editor/viewport/navigation_style.h"
 #include "scene/view.h"
 
 namespace trundle {
 
 class View;
 
-/// Moves a view's camera: the middle or right button or Alt+left orbits about what is under the cursor, with Shift pans; the
-/// wheel zooms to the cursor; with the right button down W A S D Q E fly (Shift: faster) and the mouse looks around.
+/// Moves a view's camera: buttons orbit about what is under the cursor, pan and zoom as the navigation style says; the wheel zooms
+/// to the cursor; with the right button down W A S D Q E fly (Shift: faster) and the mouse looks around.
 class Navigation final : public QObject, public MouseWork {
     Q_OBJECT
 public:
@@ -30,14 +31,14 @@ public:
     void wheel(const QPointF& at, double delta);
 
 private:
-    enum class Mode { None, Orbit, Pan };
     void fly();
+    [[nodiscard]] QString hint() const;
 
     View& m_view;
-    Mode m_mode = Mode::None;
+    CameraDrag m_mode = CameraDrag::None;
     Qt::MouseButton m_button = Qt::NoButton;
     QPointF m_start, m_last;
-    Vec3 m_about = Vec3::Zero(); ///< orbited about, or held while panning
+    Vec3 m_about = Vec3::Zero(); ///< orbited about, held while panning, zoomed to
     bool m_moved = false, m_flown = false, m_fast = false;
     double m_speed = 1; ///< of flying, of the distance looked at per second
     std::set<int> m_keys;

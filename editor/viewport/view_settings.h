@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 
+#include "editor/widgets/preferences.h"
 #include "render/look_choice.h"
 
 namespace trundle {
@@ -38,15 +39,18 @@ public:
     [[nodiscard]] double moveStep() const { return m_moveStep; } ///< m
     [[nodiscard]] double turnStep() const { return m_turnStep; } ///< degrees
     [[nodiscard]] LookChoice look() const { return m_look; }
+    [[nodiscard]] NavigationStyle navigation() const { return m_navigation; }
     [[nodiscard]] bool shows(Overlay overlay) const { return (m_overlays & overlay) != 0; }
 
     void setTool(Tool tool) { set(m_tool, tool); }
     void setAxes(AxesOf axes) { set(m_axes, axes); }
     void setSnaps(bool snaps) { set(m_snaps, snaps); }
     void setLook(LookChoice look) { set(m_look, look); }
+    void setNavigation(NavigationStyle style) { set(m_navigation, style); }
     /// Only steps above 0 are taken.
     void setSteps(double moveM, double turnDegrees);
-    /// As they were in the last window of this user; from now on every change is kept for the next. Not the tool.
+    /// As they were in the last window of this user; from now on every change is kept for the next. Neither the tool nor the
+    /// navigation style, which is a preference.
     void keepBetweenStarts();
     void show(Overlay overlay, bool shown) { set(m_overlays, shown ? m_overlays | overlay : m_overlays & ~unsigned(overlay)); }
 
@@ -62,6 +66,7 @@ private:
     Tool m_tool = Tool::Select;
     AxesOf m_axes = AxesOf::World;
     LookChoice m_look = LookChoice::Automatic;
+    NavigationStyle m_navigation = NavigationStyle::Trundle;
     bool m_snaps = true;
     double m_moveStep = 0.05, m_turnStep = 15;
     unsigned m_overlays = kOverlayGrid | kOverlayShadows;

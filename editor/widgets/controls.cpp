@@ -1,15 +1,39 @@
 #include "editor/widgets/controls.h"
 
+#include <QEvent>
 #include <QFontMetrics>
 #include <QHeaderView>
 
-namespace trundle {
+#include "editor/widgets/theme.h"
 
-QTableView* makeLineTable(const char* name, QAbstractItemModel* model, const QFont& font, QWidget* parent) {
+namespace trundle {
+namespace {
+
+/// Rows of a table stay as high as its font needs.
+class RowHeights final : public QObject {
+public:
+    explicit RowHeights(QTableView& table) : QObject(&table) {
+        table.installEventFilter(this);
+        fit(table);
+    }
+
+private:
+    static void fit(QTableView& table) {
+        table.verticalHeader()->setDefaultSectionSize(QFontMetrics(table.font()).height() + 4);
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::FontChange) fit(*static_cast<QTableView*>(watched));
+        return false;
+    }
+};
+
+} // namespace
+
+QTableView* makeLineTable(const char* name, QAbstractItemModel* model, LineFont font, QWidget* parent) {
     auto* table = new QTableView(parent);
     table->setObjectName(QLatin1String(name));
     table->setModel(model);
-    table->setFont(font);
+    if (font == LineFont::Monospace) useMonospaceFont(*table);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
@@ -18,7 +42,7 @@ QTableView* makeLineTable(const char* name, QAbstractItemModel* model, const QFo
     table->setTabKeyNavigation(false);
     table->verticalHeader()->hide();
     table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    table->verticalHeader()->setDefaultSectionSize(QFontMetrics(font).height() + 4);
+    new RowHeights(*table);
     table->horizontalHeader()->setStretchLastSection(true);
     table->horizontalHeader()->setHighlightSections(false);
     return table;

@@ -1,18 +1,29 @@
 #include "editor/widgets/preferences.h"
 
+#include <algorithm>
+
 #include <QSettings>
 
 namespace trundle {
 namespace {
 
-const QString kWrap = QStringLiteral("text/wrap");
+const QString kTheme = QStringLiteral("theme"), kDarkTheme = QStringLiteral("darkTheme"); // the second is of older programs
+const QString kInterfaceFont = QStringLiteral("fonts/interface"), kTextFont = QStringLiteral("fonts/text");
+const QString kWrap = QStringLiteral("text/wrap"), kNavigation = QStringLiteral("views/navigation");
 
-/// The words that stand for the values of an enumeration, in its order.
-const QStringList kWrapWords{QStringLiteral("narrow"), QStringLiteral("always"), QStringLiteral("never")};
+// The words that stand for the values of an enumeration, in its order.
+const QStringList kThemes{QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")};
+const QStringList kWraps{QStringLiteral("narrow"), QStringLiteral("always"), QStringLiteral("never")};
+const QStringList kNavigations{QStringLiteral("trundle"), QStringLiteral("blender"), QStringLiteral("cad")};
 
-template <class E> E read(const QSettings& settings, const QString& key, const QStringList& words, E usual) {
-    const qsizetype at = words.indexOf(settings.value(key).toString());
-    return at < 0 ? usual : static_cast<E>(at);
+template <class E> void read(const QSettings& settings, const QString& key, const QStringList& words, E& value) {
+    if (const qsizetype at = words.indexOf(settings.value(key).toString()); at >= 0) value = static_cast<E>(at);
+}
+
+void read(const QSettings& settings, const QString& key, int largest, int& value) {
+    bool number = false;
+    const int kept = settings.value(key).toInt(&number);
+    if (number) value = std::clamp(kept, kSmallestFont, largest);
 }
 
 } // namespace
@@ -20,13 +31,26 @@ template <class E> E read(const QSettings& settings, const QString& key, const Q
 Preferences loadPreferences() {
     const QSettings settings;
     Preferences p;
-    p.wrapLines = read(settings, kWrap, kWrapWords, p.wrapLines);
+    if (settings.contains(kDarkTheme)) p.theme = settings.value(kDarkTheme).toBool() ? ThemeChoice::Dark : ThemeChoice::Light;
+    read(settings, kTheme, kThemes, p.theme);
+    read(settings, kInterfaceFont, kLargestInterfaceFont, p.fonts.interface);
+    read(settings, kTextFont, kLargestTextFont, p.fonts.text);
+    read(settings, kWrap, kWraps, p.wrapLines);
+    read(settings, kNavigation, kNavigations, p.navigation);
     return p;
 }
 
 void savePreferences(const Preferences& preferences) {
     QSettings settings;
-    settings.setValue(kWrap, kWrapWords.at(static_cast<int>(preferences.wrapLines)));
+    settings.setValue(kTheme, kThemes.at(static_cast<int>(preferences.theme)));
+    settings.setValue(kInterfaceFont, preferences.fonts.interface);
+    settings.setValue(kTextFont, preferences.fonts.text);
+    settings.setValue(kWrap, kWraps.at(static_cast<int>(preferences.wrapLines)));
+    settings.setValue(kNavigation, kNavigations.at(static_cast<int>(preferences.navigation)));
+}
+
+ThemeKind themeOf(ThemeChoice choice) {
+    return choice == ThemeChoice::System ? systemTheme() : choice == ThemeChoice::Dark ? ThemeKind::Dark : ThemeKind::Light;
 }
 
 } // namespace trundle

@@ -78,6 +78,9 @@ static const char* const kSheet =
     "QPushButton:default { border-color: @accent; }"
     "QPushButton:pressed { background: @line; }"
     "QPushButton:disabled { color: @disabled; }"
+    "QProgressBar { background: @base; color: @text; border: 1px solid @line; border-radius: 5px; text-align: center; "
+    "min-height: 20px; }"
+    "QProgressBar::chunk { background: @chunk; border-radius: 4px; }" // pale: the text over it stays readable
     "QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }"
     "QScrollBar:vertical { background: transparent; width: 11px; margin: 0; }"
     "QScrollBar:horizontal { background: transparent; height: 11px; margin: 0; }"
@@ -99,6 +102,7 @@ QString styleSheet(const QMap<QString, QColor>& colours) {
                                 float(a.blueF() * share + b.blueF() * (1 - share)));
     };
     sheet.replace(QStringLiteral("@checked"), mixed(accent, window, 0.22).name());
+    sheet.replace(QStringLiteral("@chunk"), mixed(accent, colours.value(QStringLiteral("base")), 0.4).name());
     sheet.replace(QStringLiteral("@onaccent"), window.lightnessF() > 0.5 ? QStringLiteral("#ffffff") : QStringLiteral("#0d1117"));
     sheet.replace(QStringLiteral("@icons"), resourcePath(QStringLiteral("icons")));
     for (auto it = colours.begin(); it != colours.end(); ++it) sheet.replace(QLatin1Char('@') + it.key(), it.value().name());

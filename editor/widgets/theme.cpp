@@ -3,13 +3,15 @@
 #include <array>
 
 #include <QApplication>
+#include <QEvent>
 #include <QFile>
 #include <QFontDatabase>
 #include <QPalette>
-#include <QStyleFactory>
 #include <QSvgRenderer>
+#include <QWidget>
 
 #include "editor/widgets/painted_icon.h"
+#include "editor/widgets/program_style.h"
 #include "editor/widgets/resources.h"
 #include "editor/widgets/style_sheet.h"
 
@@ -31,6 +33,7 @@ constexpr Colours kDark{"#22262d", "#1a1d23", "#1f2329", "#e4e7ec", "#9aa3b2", "
                         "#8ddb8c", "#8b949e", "#ffb070", "#ff6b61", "#5fd068", "#5aa2ff"};
 
 ThemeKind g_kind = ThemeKind::Light; // as QApplication's own palette: one for the process
+FontSizes g_sizes;
 
 const Colours& colours() { return g_kind == ThemeKind::Dark ? kDark : kLight; }
 QColor colour(const char* name) { return QColor(QLatin1String(name)); }
@@ -84,12 +87,23 @@ void paintSvg(QPainter& painter, const QRectF& box, const QString& path, const Q
 
 } // namespace
 
-void applyTheme(QApplication& application, ThemeKind kind) {
+ThemeKind systemTheme() {
+    static const ThemeKind kind = [] {
+        const QPalette palette = QGuiApplication::palette();
+        return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness() ? ThemeKind::Dark
+                                                                                                             : ThemeKind::Light;
+    }();
+    return kind;
+}
+
+void applyTheme(QApplication& application, ThemeKind kind, const FontSizes& sizes) {
+    (void)systemTheme(); // before the palette is ours
     g_kind = kind;
+    g_sizes = sizes;
     loadFonts();
-    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setStyle(new ProgramStyle);
     QFont font(QStringLiteral("Inter"));
-    font.setPixelSize(13);
+    font.setPixelSize(sizes.interface);
     application.setFont(font);
     application.setPalette(paletteOf(colours()));
     const Colours& c = colours();
@@ -133,21 +147,54 @@ QFont monospaceFont() {
     loadFonts();
     QFont font(QStringLiteral("JetBrains Mono"));
     font.setStyleHint(QFont::Monospace);
-    font.setPixelSize(13);
+    font.setPixelSize(g_sizes.text);
     return font;
 }
 
-QIcon themedIcon(const QString& name) {
+namespace {
+
+/// Gives its widget the font anew whenever a theme is applied.
+class MonospaceFollower final : public QObject {
+public:
+    using QObject::QObject;
+
+private:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        auto& widget = *static_cast<QWidget*>(watched);
+        if (event->type() == QEvent::StyleChange && widget.font() != monospaceFont()) widget.setFont(monospaceFont());
+        return false;
+    }
+};
+
+} // namespace
+
+void useMonospaceFont(QWidget& widget) {
+    widget.installEventFilter(new MonospaceFollower(&widget));
+    widget.setFont(monospaceFont());
+}
+
+namespace {
+
+template <class Colour> QIcon svgIcon(const QString& name, Colour colourFor) {
     if (name.isEmpty()) return {};
     const QString path = resourcePath(QStringLiteral("icons/") + name + QStringLiteral(".svg"));
     if (!QFile::exists(path)) return {};
-    return paintedIcon([path](QPainter& painter, const QRectF& box, QIcon::Mode mode) {
-        const Colours& c = colours();
-        paintSvg(painter, box, path,
-                 colour(mode == QIcon::Disabled   ? c.disabled
-                        : mode == QIcon::Selected ? c.onAccent
-                                                  : c.text));
+    return paintedIcon([path, colourFor](QPainter& painter, const QRectF& box, QIcon::Mode mode) {
+        paintSvg(painter, box, path, colourFor(mode));
     });
+}
+
+} // namespace
+
+QIcon themedIcon(const QString& name) {
+    return svgIcon(name, [](QIcon::Mode mode) {
+        const Colours& c = colours();
+        return colour(mode == QIcon::Disabled ? c.disabled : mode == QIcon::Selected ? c.onAccent : c.text);
+    });
+}
+
+QIcon inkedIcon(const QString& name, Ink which) {
+    return svgIcon(name, [which](QIcon::Mode) { return ink(which); });
 }
 
 } // namespace trundle

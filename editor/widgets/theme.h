@@ -5,6 +5,7 @@
 #include <QString>
 
 class QApplication;
+class QWidget;
 
 namespace trundle {
 
@@ -30,12 +31,23 @@ enum class Ink {
     Line
 };
 
-/// Sets palette, style sheet and font of the application. The same on every platform and with no desktop.
-void applyTheme(QApplication& application, ThemeKind kind);
+/// Heights in logical pixels.
+struct FontSizes {
+    int interface = 13, text = 13; ///< `text`: of whatever is in the fixed-pitch font
+    bool operator==(const FontSizes&) const = default;
+};
+
+/// Sets palette, style sheet and fonts of the application. The same on every platform and with no desktop.
+void applyTheme(QApplication& application, ThemeKind kind, const FontSizes& sizes = {});
 [[nodiscard]] ThemeKind currentTheme();
+/// What the desktop asked for when the program started: dark where its windows are. To be called before the first applyTheme().
+[[nodiscard]] ThemeKind systemTheme();
 [[nodiscard]] QFont monospaceFont();
+/// The widget has the fixed-pitch font from now on, in the size that applyTheme() gives it.
+void useMonospaceFont(QWidget& widget);
 [[nodiscard]] QColor ink(Ink which);
 /// An icon of resources/icons, drawn in the theme's text colour, sharp at any scale. Empty where there is none of that name.
 [[nodiscard]] QIcon themedIcon(const QString& name);
+[[nodiscard]] QIcon inkedIcon(const QString& name, Ink which); ///< the same in another colour
 
 } // namespace trundle

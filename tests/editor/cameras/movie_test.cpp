@@ -186,6 +186,9 @@ private Q_SLOTS:
         dialog->show();
         auto* record = dialog->findChild<QPushButton*>(QStringLiteral("movieRecord"));
         auto* sum = dialog->findChild<QLabel*>(QStringLiteral("movieSum"));
+        auto* open = dialog->findChild<QPushButton*>(QStringLiteral("movieOpen"));
+        auto* show = dialog->findChild<QPushButton*>(QStringLiteral("movieShowInFolder"));
+        QVERIFY(!open->isVisible() && !show->isVisible()); // there is no movie yet
         QVERIFY(!record->isEnabled());
         QVERIFY(sum->text().contains(QStringLiteral(".webm")));
         dialog->findChild<QLineEdit*>(QStringLiteral("movieFile"))->setText(m_window->folder.filePath(QStringLiteral("run.mp4")));
@@ -200,6 +203,13 @@ private Q_SLOTS:
         QVERIFY(dialog->isRecording());
         QVERIFY(recorded.wait(60000));
         QCOMPARE(factsOf(m_window->folder.filePath(QStringLiteral("run.mp4"))), QByteArray("96,64,30/1,10"));
+        EVENTUALLY(open->isVisible() && show->isVisible());
+        QVERIFY(open->isDefault());
+        QStringList opened;
+        dialog->setOpener([&opened](const QString& path) { opened << path; });
+        open->click();
+        show->click();
+        QCOMPARE(opened, (QStringList{m_window->folder.filePath(QStringLiteral("run.mp4")), m_window->folder.path()}));
         dialog->close();
     }
 

@@ -47,6 +47,33 @@ private Q_SLOTS:
         QCOMPARE(list->count(), 0);
     }
 
+    void marksTheStateThatIsSaved() {
+        const Desk desk;
+        Document d(*m_parts);
+        HistoryPanel panel(d);
+        auto* list = panel.findChild<QListWidget*>(u"historyList"_qs);
+        const auto saved = [list] {
+            std::string rows;
+            for (int row = 0; row < list->count(); ++row)
+                if (list->item(row)->toolTip().contains(u"Saved"_qs)) rows += std::to_string(row);
+            return rows;
+        };
+        QVERIFY(d.open(desk.main).ok());
+        QCOMPARE(saved(), "0");
+        QVERIFY(d.setValues(u"Tick"_qs, {{"Tick", "5 ms"}}).ok());
+        QCOMPARE(saved(), "0");
+        QVERIFY(d.save().ok());
+        QCOMPARE(saved(), "1");
+        QVERIFY(d.setValues(u"Seed"_qs, {{"Seed", "5"}}).ok());
+        d.moveTo(0);
+        QCOMPARE(saved(), "1");
+        QVERIFY(d.setValues(u"Seed"_qs, {{"Seed", "6"}}).ok()); // what was saved cannot be gone back to
+        QCOMPARE(saved(), "");
+        QVERIFY(d.save().ok());
+        QCOMPARE(saved(), "1");
+        QVERIFY(!list->item(1)->icon().isNull());
+    }
+
     void staysWhereTheDocumentStays() {
         const Desk desk;
         Document d(*m_parts);

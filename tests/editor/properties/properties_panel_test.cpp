@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(desk.text(), longer);
         desk.type("Tick", QStringLiteral("5 ms"));
         QCOMPARE(desk.text(), replaced(longer, "Tick = 0.01", "Tick = 5 ms"));
-        QCOMPARE(desk.document.history().entries().back().name, QStringLiteral("Set Tick"));
+        QCOMPARE(desk.document.history().entries().back().name, QStringLiteral("Set Tick to 5 ms"));
         desk.picture("experiment");
         desk.document.undo();
         desk.document.undo();

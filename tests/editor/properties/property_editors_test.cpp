@@ -9,6 +9,8 @@
 #include <QFileDialog>
 #include <QToolButton>
 
+#include "editor/properties/param_help.h"
+
 using namespace trundle;
 
 namespace {
@@ -26,6 +28,24 @@ class PropertyEditorsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, ThemeKind::Light); }
+
+    void aParamIsExplainedByItsComment() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        const auto tip = [&desk](const char* id) { return desk.row(id)->findChild<QLabel*>(QStringLiteral("label"))->toolTip(); };
+        for (const char* path : {"robot0", "RobotConfig.Rover"}) { // where it is set and where it is declared
+            desk.selection.select(path);
+            QVERIFY2(tip("param.wheelRadius").endsWith(QStringLiteral("\nof both")), qPrintable(tip("param.wheelRadius")));
+            QCOMPARE(tip("param.track"), QStringLiteral("track"));
+        }
+        const auto loaded = desk.document.loaded();
+        QCOMPARE(paramHelp(*loaded, "robot0.wheelRadius"), QStringLiteral("of both"));
+        QCOMPARE(paramHelp(*loaded, "robot0.nothing"), QString());
+        std::string rover = desk.rover();
+        rover.replace(rover.find("  Param track"), 0, "  // Between the wheels,\n  // in metres.\n");
+        QVERIFY(desk.document.replaceText(QStringLiteral("Type"), desk.document.files()[1], rover).ok());
+        QCOMPARE(paramHelp(*desk.document.loaded(), "RobotConfig.Rover.track"), QStringLiteral("Between the wheels, in metres."));
+    }
 
     void draggingALabelIsOneEntry() {
         PanelDesk desk;

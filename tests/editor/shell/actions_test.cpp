@@ -1,12 +1,14 @@
 // The one table of actions: menus, palette and shortcuts come from it.
 
 #include <QApplication>
+#include <QComboBox>
 #include <QFile>
 #include <QKeySequenceEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
 #include <QtTest>
 
 #include "editor/shell/action_table.h"
@@ -61,6 +63,32 @@ private Q_SLOTS:
                 letters.insert(letter);
             }
         }
+    }
+
+    void preferencesWorkAtOnceAndAreKept() {
+        Actions actions(actionTable());
+        PreferencesDialog dialog(actions, nullptr);
+        QSignalSpy changed(&dialog, &PreferencesDialog::changed);
+        const auto choose = [&dialog](const char* name, int index) {
+            dialog.findChild<QComboBox*>(QLatin1String(name))->setCurrentIndex(index);
+        };
+        choose("themeChoice", 2);
+        QVERIFY(loadPreferences().theme == ThemeChoice::Dark);
+        choose("wrapChoice", 1);
+        QVERIFY(loadPreferences().wrapLines == WrapLines::Always);
+        auto* buttons = dialog.findChild<QLabel*>(QStringLiteral("navigationButtons"));
+        const QString before = buttons->text();
+        choose("navigationChoice", 1);
+        QVERIFY(loadPreferences().navigation == NavigationStyle::Blender);
+        QVERIFY(buttons->text() != before);
+        dialog.findChild<QSpinBox*>(QStringLiteral("interfaceFont"))->setValue(15);
+        dialog.findChild<QSpinBox*>(QStringLiteral("textFont"))->setValue(17);
+        QVERIFY(loadPreferences().fonts == (FontSizes{15, 17}));
+        QCOMPARE(changed.count(), 5);
+        choose("themeChoice", 2); // it is that already
+        QCOMPARE(changed.count(), 5);
+        PreferencesDialog again(actions, nullptr);
+        QCOMPARE(again.findChild<QSpinBox*>(QStringLiteral("textFont"))->value(), 17);
     }
 
     void aFewLettersFindACommand() {

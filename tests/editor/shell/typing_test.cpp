@@ -50,6 +50,21 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
+    void enterInTheTreePutsTheCaretInTheText() {
+        m_window->selection().select("middle");
+        auto* tree = m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"));
+        tree->setFocus();
+        QTest::keyClick(tree, Qt::Key_Return);
+        TextPanel& text = m_window->text();
+        EVENTUALLY(text.hasKeyboard());
+        CodeEdit& edit = text.page()->edit();
+        QCOMPARE(edit.selection().size(), 0u);
+        QCOMPARE(edit.caret(), static_cast<std::uint32_t>(kText.indexOf("Robot middle")));
+        QTest::keyClick(&edit, Qt::Key_X); // replaces nothing
+        text.flush();
+        QCOMPARE(QByteArray::fromStdString(edit.bytes()), QByteArray(kText).replace("Robot middle", "xRobot middle"));
+    }
+
     void aKey_data() {
         QTest::addColumn<QByteArray>("behind"); // where the caret stands
         QTest::addColumn<char>("letter");

@@ -10,8 +10,6 @@
 
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_parts.h"
-#include "editor/text/code_edit.h"
-#include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
 #include "eventually.h"
@@ -58,23 +56,6 @@ private Q_SLOTS:
         for (const char* subject : {"sample.blob_follow", "sample.camera_swarm", "sample.sensor_network_amr",
                                     "sample.directional_antenna", "sample.turn_angle", "sample.network_navigation"})
             QVERIFY2(m_window->findChild<QWidget*>(QLatin1String(subject)), subject);
-    }
-
-    void enterInTheTreePutsTheCaretInTheText() {
-        QVERIFY(m_window->open(path()));
-        EVENTUALLY(!m_window->document().isOpening());
-        m_window->selection().select("robot0");
-        auto* tree = m_window->findChild<QTreeView*>(QStringLiteral("outlineTree"));
-        tree->setFocus();
-        QTest::keyClick(tree, Qt::Key_Return);
-        auto* text = m_window->findChild<TextPanel*>();
-        EVENTUALLY(text->hasKeyboard());
-        CodeEdit& edit = text->page()->edit();
-        QCOMPARE(edit.selection().size(), 0u);
-        QCOMPARE(edit.caret(), static_cast<std::uint32_t>(kExperiment.indexOf("Robot robot0")));
-        QTest::keyClick(&edit, Qt::Key_X); // replaces nothing
-        text->flush();
-        QCOMPARE(QByteArray::fromStdString(edit.bytes()), QByteArray(kExperiment).replace("Robot robot0", "xRobot robot0"));
     }
 
     void onTheWelcomePageEveryCommandDoesNoHarm() {
@@ -283,6 +264,18 @@ private Q_SLOTS:
         }
     }
 
+    void scaleFactorTwoIsEnough() {
+        m_window->resize(792, 460); // 1600 x 1000 at scale factor 2, less the frame
+        openMine();
+        EVENTUALLY(m_window->text().isVisible() && m_window->viewport().isVisible());
+        const QSize least = m_window->minimumSizeHint();
+        QVERIFY2(least.width() <= 792 && least.height() <= 460,
+                 qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
+        QCOMPARE(m_window->size(), QSize(792, 460));
+        m_window->actions().at("view.layoutRun").trigger();
+        QVERIFY(m_window->minimumSizeHint().width() <= 792);
+    }
+
     void whatAnotherProgramWroteIsShownBeforeOneChooses() {
         openMine();
         QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
@@ -295,6 +288,7 @@ private Q_SLOTS:
         QVERIFY(question && question->isVisible());
         for (const char* line : {"- ", "Pos=1,0,0", "+ ", "Pos=7,0,0"})
             QVERIFY2(question->informativeText().contains(QLatin1String(line)), line);
+        QCOMPARE(question->buttonRole(question->defaultButton()), QMessageBox::RejectRole); // Enter loses nothing
         for (QAbstractButton* button : question->buttons())
             if (question->buttonRole(button) == QMessageBox::AcceptRole) button->click();
         QVERIFY(text().contains("Pos=7,0,0"));

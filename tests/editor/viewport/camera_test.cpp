@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "editor/viewport/navigation_style.h"
 #include "editor/viewport/view_camera.h"
 
 using namespace trundle;
@@ -127,6 +128,37 @@ private Q_SLOTS:
             const Vec3 forward(std::cos(heading), std::sin(heading), 0);
             QVERIFY(camera.forward().dot(forward) > 0.9);
         }
+    }
+
+    void buttonsDoWhatTheStyleSays_data() {
+        QTest::addColumn<int>("style");
+        QTest::addColumn<int>("button");
+        QTest::addColumn<int>("held");
+        QTest::addColumn<int>("drag");
+        const auto row = [](const char* name, NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers held,
+                            CameraDrag drag) { QTest::newRow(name) << int(style) << int(button) << int(held) << int(drag); };
+        const auto own = NavigationStyle::Trundle, blender = NavigationStyle::Blender, cad = NavigationStyle::Cad;
+        row("middle", own, Qt::MiddleButton, {}, CameraDrag::Orbit);
+        row("Shift middle", own, Qt::MiddleButton, Qt::ShiftModifier, CameraDrag::Pan);
+        row("right", own, Qt::RightButton, {}, CameraDrag::Orbit);
+        row("Alt left", own, Qt::LeftButton, Qt::AltModifier, CameraDrag::Orbit);
+        row("left selects", own, Qt::LeftButton, {}, CameraDrag::None);
+        row("Blender middle", blender, Qt::MiddleButton, {}, CameraDrag::Orbit);
+        row("Blender Shift middle", blender, Qt::MiddleButton, Qt::ShiftModifier, CameraDrag::Pan);
+        row("Blender Ctrl middle", blender, Qt::MiddleButton, Qt::ControlModifier, CameraDrag::Zoom);
+        row("Blender right", blender, Qt::RightButton, {}, CameraDrag::Fly);
+        row("Blender Ctrl left pushes", blender, Qt::LeftButton, Qt::ControlModifier, CameraDrag::None);
+        row("CAD middle", cad, Qt::MiddleButton, {}, CameraDrag::Pan);
+        row("CAD Shift middle", cad, Qt::MiddleButton, Qt::ShiftModifier, CameraDrag::Orbit);
+        row("CAD right", cad, Qt::RightButton, {}, CameraDrag::Orbit);
+        row("CAD left selects", cad, Qt::LeftButton, Qt::ShiftModifier, CameraDrag::None);
+    }
+    void buttonsDoWhatTheStyleSays() {
+        QFETCH(int, style);
+        QFETCH(int, button);
+        QFETCH(int, held);
+        QFETCH(int, drag);
+        QCOMPARE(int(cameraDrag(NavigationStyle(style), Qt::MouseButton(button), Qt::KeyboardModifiers(held))), drag);
     }
 
     void aViewTakenOverIsTheSameView() {

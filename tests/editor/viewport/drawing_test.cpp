@@ -123,6 +123,21 @@ private Q_SLOTS:
         QVERIFY(QLineF(*m_window->view().pixelOf(under), to).length() < 0.01);
     }
 
+    void inTheCadStyleTheMiddleButtonPansAndCtrlZooms() {
+        ViewSettings& settings = m_window->view().parts().settings;
+        settings.setNavigation(NavigationStyle::Cad);
+        const QPointF cursor(500, 420), to(620, 380);
+        Vec3 under = m_window->view().pointUnder(cursor);
+        m_window->drag(cursor, to, Qt::MiddleButton);
+        QVERIFY(QLineF(*m_window->view().pixelOf(under), to).length() < 0.01);
+        under = m_window->view().pointUnder(cursor);
+        const double before = m_window->view().camera().metresPerPixel(900, under);
+        m_window->drag(cursor, cursor - QPointF(0, 60), Qt::MiddleButton, Qt::ControlModifier); // up is nearer, as the wheel is
+        QVERIFY(m_window->view().camera().metresPerPixel(900, under) < 0.8 * before);
+        QVERIFY(QLineF(*m_window->view().pixelOf(under), cursor).length() < 0.01);
+        settings.setNavigation(NavigationStyle::Trundle);
+    }
+
     void whoTurnsTheViewIsToldOfFlying() {
         m_window->press({500, 420}, Qt::RightButton);
         m_window->move({520, 420}, {}, Qt::RightButton);

@@ -4,9 +4,14 @@
 
 #include <QApplication>
 #include <QImage>
+#include <QLabel>
+#include <QMessageBox>
 #include <QPainter>
+#include <QPushButton>
+#include <QSettings>
 #include <QtTest>
 
+#include "editor/widgets/preferences.h"
 #include "editor/widgets/theme.h"
 
 using namespace trundle;
@@ -54,6 +59,89 @@ private Q_SLOTS:
             QCOMPARE(middle.alpha(), 255);
             QCOMPARE(middle.rgb(), ink(Ink::Text).rgb());
         }
+    }
+
+    /// Of Qt's own there is none left: each has the colour that the theme gives its meaning, and a hole for its sign.
+    void messagesHaveTheProgramsIcons() {
+        using Message = std::pair<QMessageBox::Icon, Ink>;
+        for (const ThemeKind kind : {ThemeKind::Light, ThemeKind::Dark}) {
+            applyTheme(*qApp, kind);
+            for (const auto& [icon, which] :
+                 {Message(QMessageBox::Information, Ink::Accent), Message(QMessageBox::Question, Ink::Accent),
+                  Message(QMessageBox::Warning, Ink::Warning), Message(QMessageBox::Critical, Ink::Error)}) {
+                const QMessageBox box(icon, QStringLiteral("t"), QStringLiteral("x"));
+                const QImage image = box.iconPixmap().toImage();
+                QVERIFY(image.width() >= 16);
+                int inked = 0, empty = 0, others = 0;
+                for (int y = 0; y < image.height(); ++y)
+                    for (int x = 0; x < image.width(); ++x) {
+                        const QColor c = image.pixelColor(x, y);
+                        if (c.alpha() == 0) ++empty;
+                        else if (c.alpha() == 255) ++(c.rgb() == ink(which).rgb() ? inked : others);
+                    }
+                QVERIFY2(inked > image.width() * image.height() / 4 && empty > 0 && others == 0,
+                         qPrintable(QString::number(icon)));
+                QVERIFY(image.pixelColor(image.width() / 2, image.height() / 2).rgba() !=
+                            image.pixelColor(image.width() / 2, image.height() / 5).rgba() ||
+                        icon == QMessageBox::Critical);
+            }
+        }
+    }
+
+    void noQuestionHasDiscardAsItsDefault() {
+        applyTheme(*qApp, ThemeKind::Light);
+        const auto defaultOf = [](QMessageBox& box) {
+            box.show();
+            const QPushButton* chosen = nullptr;
+            for (QAbstractButton* button : box.buttons())
+                if (auto* push = qobject_cast<QPushButton*>(button); push && push->isDefault()) chosen = push;
+            return chosen ? chosen->text().remove(QLatin1Char('&')) : QString();
+        };
+        QMessageBox bare(QMessageBox::Question, QStringLiteral("t"), QStringLiteral("x"),
+                         QMessageBox::Discard | QMessageBox::Cancel);
+        QCOMPARE(defaultOf(bare), QStringLiteral("Cancel"));
+        QMessageBox chosen(QMessageBox::Question, QStringLiteral("t"), QStringLiteral("x"),
+                           QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+        chosen.setDefaultButton(QMessageBox::Discard);
+        QCOMPARE(defaultOf(chosen), QStringLiteral("Save"));
+        QMessageBox own;
+        own.addButton(QStringLiteral("Stop Recording"), QMessageBox::DestructiveRole);
+        own.addButton(QStringLiteral("Continue"), QMessageBox::RejectRole);
+        QCOMPARE(defaultOf(own), QStringLiteral("Continue"));
+        QMessageBox meant(QMessageBox::Question, QStringLiteral("t"), QStringLiteral("x"), QMessageBox::Yes | QMessageBox::No);
+        meant.setDefaultButton(QMessageBox::No);
+        QCOMPARE(defaultOf(meant), QStringLiteral("No"));
+    }
+
+    void fontsHaveTheirSizesAtOnce() {
+        applyTheme(*qApp, ThemeKind::Light);
+        QLabel plain, fixed;
+        useMonospaceFont(fixed);
+        plain.show();
+        fixed.show();
+        QCOMPARE(plain.font().pixelSize(), 13);
+        QCOMPARE(fixed.font().pixelSize(), 13);
+        applyTheme(*qApp, ThemeKind::Light, {16, 20});
+        QCOMPARE(plain.font().pixelSize(), 16);
+        QCOMPARE(fixed.font().pixelSize(), 20);
+        QCOMPARE(fixed.font().family(), monospaceFont().family());
+        applyTheme(*qApp, ThemeKind::Light);
+        QCOMPARE(fixed.font().pixelSize(), 13);
+    }
+
+    void preferencesAreKept() {
+        QSettings().clear();
+        QVERIFY(loadPreferences() == Preferences());
+        QSettings().setValue(QStringLiteral("darkTheme"), true); // as older programs kept it
+        QVERIFY(loadPreferences().theme == ThemeChoice::Dark);
+        const Preferences chosen{ThemeChoice::Light, {15, 18}, WrapLines::Never, NavigationStyle::Cad};
+        savePreferences(chosen);
+        QVERIFY(loadPreferences() == chosen);
+        QSettings().setValue(QStringLiteral("fonts/text"), 5000);
+        QSettings().setValue(QStringLiteral("theme"), QStringLiteral("purple"));
+        QCOMPARE(loadPreferences().fonts.text, kLargestTextFont);
+        QVERIFY(loadPreferences().theme == ThemeChoice::Dark);
+        QSettings().clear();
     }
 };
 

@@ -1,0 +1,62 @@
+#include "editor/properties/param_help.h"
+
+#include <QStringList>
+
+#include "lang/tree_edit.h"
+#include "project/object_place.h"
+
+namespace trundle {
+namespace {
+
+const PlacedParam* declarationOf(const Loaded& loaded, const std::string& path) {
+    const std::size_t dot = path.rfind('.');
+    const std::string name = path.substr(dot == std::string::npos ? 0 : dot + 1);
+    const std::string owner = dot == std::string::npos ? std::string() : path.substr(0, dot);
+    if (owner.empty() || owner == "Param") {
+        for (const PlacedParam& param : loaded.outline->params)
+            if (param.name->text == name) return &param;
+        return nullptr;
+    }
+    const std::optional<ObjectPlace> place = placeOf(loaded, owner);
+    if (!place || !place->part) return nullptr;
+    if (const PlacedParam* own = place->part->param(name)) return own;
+    const Part* config = place->part == place->instance ? configOf(loaded, *place->part) : nullptr;
+    return config ? config->param(name) : nullptr;
+}
+
+/// The words between the marks of a comment.
+QString commentText(std::string_view comment) {
+    QString text = QString::fromUtf8(comment.data(), static_cast<qsizetype>(comment.size()));
+    if (text.startsWith(QStringLiteral("//"))) {
+        while (text.startsWith(QLatin1Char('/'))) text.remove(0, 1);
+    } else {
+        text.remove(QStringLiteral("/*")).remove(QStringLiteral("*/"));
+    }
+    return text.simplified();
+}
+
+} // namespace
+
+QString paramHelp(const Loaded& loaded, const std::string& path) {
+    const PlacedParam* param = declarationOf(loaded, path);
+    if (!param || param->file >= loaded.trees.size()) return {};
+    const Tree& tree = *loaded.trees[param->file];
+    const SourceText& source = tree.source();
+    // A --set gives another value; the comment stands behind the declaration all the same.
+    const std::uint32_t from = param->valueFile == param->file ? param->value->range.end : param->name->range.end;
+    const std::uint32_t end = behindComments(tree, from);
+    QStringList words;
+    for (const Token& token : tree.tokens())
+        if (token.range.begin >= from && token.range.end <= end &&
+            (token.kind == TokenKind::LineComment || token.kind == TokenKind::BlockComment))
+            words << commentText(source.slice(token.range));
+    if (!words.isEmpty()) return words.join(QLatin1Char(' ')).simplified();
+    for (std::uint32_t line = source.position(param->name->range.begin).line; --line > 0;) {
+        const QString text = QString::fromStdString(std::string(source.line(line))).trimmed();
+        if (!text.startsWith(QStringLiteral("//"))) break;
+        words.prepend(commentText(text.toStdString()));
+    }
+    return words.join(QLatin1Char(' ')).simplified();
+}
+
+} // namespace trundle
