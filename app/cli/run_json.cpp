@@ -5,6 +5,7 @@
 #include "base/platform/memory.h"
 #include "cli/diagnostic_json.h"
 #include "cli/run_report.h"
+#include "model/passive.h"
 #include "run/signal_columns.h"
 
 namespace trundle {
@@ -47,6 +48,14 @@ Json robotsJson(const World& world) {
     return robots;
 }
 
+/// Names of those robots that nothing drives: balls, crates.
+Json objectsJson(const World& world) {
+    Json names = Json::array();
+    for (const RobotSpec& robot : world.experiment().robots)
+        if (isPassive(robot)) names.push_back(robot.name);
+    return names;
+}
+
 Json finishJson(const RunFinish* finish) {
     if (!finish) return nullptr;
     return {{"robot", finish->robot}, {"controller", finish->controller}, {"reason", finish->reason}, {"time", finish->time}};
@@ -69,6 +78,7 @@ std::string runJson(const RunReport& report) {
     json["interrupted"] = report.interrupted;
     json["finished"] = finishJson(report.runner ? report.runner->finished() : nullptr);
     json["robots"] = world ? robotsJson(*world) : Json::object();
+    json["objects"] = world ? objectsJson(*world) : Json::array();
     json["diagnostics"] = diagnosticsJson(report.diagnostics, report.sources);
     if (!report.unreadable.empty()) json["diagnostics"][0]["file"] = report.unreadable;
     return jsonText(json);

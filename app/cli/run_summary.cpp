@@ -6,6 +6,7 @@
 #include "cli/messages.h"
 #include "cli/numbers.h"
 #include "cli/run_report.h"
+#include "model/passive.h"
 
 namespace trundle {
 namespace {
@@ -61,9 +62,17 @@ std::string worstDriveRow(const std::vector<DriveTotals>& drives, const std::vec
     return text;
 }
 
+/// "2 robots, 5 objects".
+std::string worldText(const ExperimentSpec& experiment) {
+    const RobotCounts counts = countRobots(experiment);
+    if (counts.objects == 0) return counted(counts.robots, "robot");
+    return (counts.robots > 0 ? counted(counts.robots, "robot") + ", " : "") + counted(counts.objects, "object");
+}
+
 std::string robotRows(const RunReport& report, const World& world) {
     const std::vector<RobotSpec>& robots = world.experiment().robots;
-    std::string text;
+    const bool hasObjects = std::ranges::any_of(robots, [](const RobotSpec& robot) { return isPassive(robot); });
+    std::string text = hasObjects && robots.size() <= kMostListed ? row("world", worldText(world.experiment())) : "";
     for (std::size_t i = 0; i < robots.size() && robots.size() <= kMostListed; ++i) {
         text += row(robots[i].name, poseText(world.robotPose(i)));
         for (const DriveTotals& drive : report.drives)
@@ -79,7 +88,7 @@ std::string robotRows(const RunReport& report, const World& world) {
         high = high.cwiseMax(position);
         farthest = std::max(farthest, (position - robots[i].pose.position).norm());
     }
-    return row("robots", counted(robots.size(), "robot") + " between x " + fixedText(low.x(), 2) + " and " +
+    return row("robots", worldText(world.experiment()) + " between x " + fixedText(low.x(), 2) + " and " +
                              fixedText(high.x(), 2) + " m, y " + fixedText(low.y(), 2) + " and " + fixedText(high.y(), 2) +
                              " m; the farthest " + fixedText(farthest, 2) + " m from its start") +
            worstDriveRow(report.drives, robots);

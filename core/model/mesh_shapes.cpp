@@ -1,5 +1,7 @@
 #include "model/mesh_shapes.h"
 
+#include <algorithm>
+
 #include "model/convex_hull.h"
 #include "model/mass_properties.h"
 
@@ -49,6 +51,21 @@ Result<MassProperties> MeshShapes::solid(const Mesh& mesh) {
     Known& shapes = known(mesh);
     if (!shapes.solid) shapes.solid = solidOf(*mesh);
     return *shapes.solid;
+}
+
+MeshShapes::Mesh MeshShapes::originalOf(const Mesh& shape) {
+    const std::lock_guard lock(m_mutex);
+    const auto isMadeFrom = [](const Mesh& made, const Known& from) {
+        const auto same = [&](const auto& copy) { return copy.second.lock() == made; };
+        return from.hull.lock() == made || std::any_of(from.scaled.begin(), from.scaled.end(), same);
+    };
+    Mesh original = shape;
+    for (auto at = m_known.begin(); original && at != m_known.end();) {
+        const bool other = at->first != original.get() && isMadeFrom(original, at->second);
+        if (other) original = at->second.mesh.lock();
+        at = other ? m_known.begin() : std::next(at);
+    }
+    return original;
 }
 
 } // namespace trundle

@@ -23,6 +23,9 @@ public:
     /// Null where the points lie in one plane.
     [[nodiscard]] Mesh hull(const Mesh& mesh);
     [[nodiscard]] Result<MassProperties> solid(const Mesh& mesh);
+    /// The mesh that a scaled copy or a hull was made from, or what that was made from; itself where it was made from none. Null where that
+    /// is gone.
+    [[nodiscard]] Mesh originalOf(const Mesh& shape);
 
 private:
     struct Known {

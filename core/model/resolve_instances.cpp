@@ -1,6 +1,9 @@
 // Robots, statics, grids and scatters: which config with which values, where, under which controller. Instances with equal
 // values share one resolved config.
+#include <algorithm>
+
 #include "base/spelling.h"
+#include "model/instance_variants.h"
 #include "model/resolve_parts.h"
 #include "model/world_fields.h"
 #include "schema/value_words.h"
@@ -42,6 +45,33 @@ public:
         for (const Part* part : m_context.outline.world.all()) {
             if (part->kind->name == "Robot" || part->is(Role::Layout)) addRobots(*part);
         }
+    }
+
+    /// One Robot or Static alone, with these Params in place of what it gives.
+    void only(const Part& part, const InstanceVariants::Params& params) {
+        m_params = &params;
+        if (part.kind->name == "Static") addStatic(part);
+        else addRobots(part);
+    }
+
+    InstanceVariants::Params paramsOf(const Part& part) {
+        ParamScope scope(&m_context.globals), inner(&m_context.globals);
+        scope.declare(part.params);
+        Given given;
+        const Part* config = nullptr;
+        (void)readInstance(part, scope, given, config, part.kind->name == "Static" ? "StaticConfig" : "RobotConfig");
+        if (!config) return {};
+        inner.declare(config->params);
+        for (const auto& [name, value] : given.params) inner.preset(name, value);
+        InstanceVariants::Params all;
+        for (const PlacedParam& param : config->params) {
+            const std::string& name = param.name->text;
+            const auto set = std::find_if(given.params.begin(), given.params.end(), [&](const auto& p) { return p.first == name; });
+            std::optional<GivenValue> value =
+                set != given.params.end() ? set->second : m_context.evaluator.evaluate(*param.value, param.valueFile, inner);
+            if (value) all.emplace_back(name, std::move(*value));
+        }
+        return all;
     }
 
 private:
@@ -86,6 +116,11 @@ private:
         config = m_context.configOf(record, part, kind);
         if (!config) return record;
         for (const PlacedAssignment* a : taken) takeValue(part, *config, *a, scope, given);
+        for (const auto& [name, value] : m_params ? *m_params : InstanceVariants::Params{}) {
+            std::erase_if(given.params, [&, &name = name](const auto& p) { return p.first == name; });
+            given.params.emplace_back(name, value);
+            appendKey(given.key, name, value);
+        }
         return record;
     }
 
@@ -274,6 +309,7 @@ private:
     std::map<std::string, std::shared_ptr<const std::vector<GeomSpec>>> m_statics;
     std::map<const Part*, std::size_t> m_sizes;
     const Part* m_instance = nullptr; ///< whose config is being resolved
+    const InstanceVariants::Params* m_params = nullptr; ///< from outside; null: none
     double m_objects = 0;
     bool m_tooMany = false;
 };
@@ -281,5 +317,29 @@ private:
 } // namespace
 
 void resolveInstances(ResolveContext& context) { Instances(context).run(); }
+
+InstanceVariants::Params InstanceVariants::params() const {
+    Diagnostics silent;
+    ExperimentSpec nothing;
+    ResolveContext context(*m_outline, m_assets, silent, nothing);
+    return Instances(context).paramsOf(*m_instance);
+}
+
+std::optional<std::vector<ConfigGeom>> InstanceVariants::geoms(const Params& changed) const {
+    Diagnostics silent;
+    ExperimentSpec out;
+    ResolveContext context(*m_outline, m_assets, silent, out);
+    Instances(context).only(*m_instance, changed);
+    std::vector<ConfigGeom> all;
+    if (out.robots.size() == 1 && out.robots[0].config) {
+        for (const BodySpec& body : out.robots[0].config->bodies)
+            for (const GeomSpec& geom : body.geoms) all.push_back({geom, body.pose});
+    } else if (out.statics.size() == 1 && out.statics[0].geoms) {
+        for (const GeomSpec& geom : *out.statics[0].geoms) all.push_back({geom, Pose{}});
+    } else {
+        return std::nullopt;
+    }
+    return all;
+}
 
 } // namespace trundle

@@ -74,7 +74,8 @@ void StaticConfigFields::describe(Describe<StaticConfigFields>& d) {
 }
 
 void RobotFields::describe(Describe<RobotFields>& d) {
-    d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path.");
+    d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path. Without joints, "
+           "devices and a controller it is a movable object, a ball or a crate, and is counted as one.");
     describePlace(d, "RobotConfig", "Where its config frame stands at the start.");
 }
 

@@ -1,10 +1,13 @@
 #include "project/import_lines.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 
 #include "lang/edit_style.h"
 #include "project/search.h"
+#include "project/written_path.h"
 
 namespace trundle {
 
@@ -52,12 +55,15 @@ bool isFile(const std::string& absolute, const std::string& written) {
 std::string asWritten(const Loaded& loaded, FileId file, const std::string& path) {
     namespace fs = std::filesystem;
     if (!fs::path(path).is_absolute()) return path;
+    const fs::path own = fs::path(loaded.paths[file]).parent_path();
     const std::string shown = shownInProject(path, loaded.projectFolder);
-    for (const fs::path& folder : {fs::path(loaded.paths[file]).parent_path(), fs::path(loaded.projectFolder)}) {
-        std::error_code none;
-        if (fs::exists(folder / shown, none) && canonicalPath((folder / shown).string()) != path) return path; // another one
-    }
-    return shown;
+    const bool hidden = std::ranges::any_of(std::array{own, fs::path(loaded.projectFolder)}, [&](const fs::path& folder) {
+        std::error_code none; // another file is found first under that name
+        return fs::exists(folder / shown, none) && canonicalPath((folder / shown).string()) != path;
+    });
+    if (!hidden) return shown;
+    const bool inProject = pathBelow(path, std::array{loaded.projectFolder}).has_value();
+    return inProject ? fs::path(path).lexically_relative(own).generic_string() : path;
 }
 
 class Lines {

@@ -40,6 +40,7 @@ struct PictureRequest {
     /// Only a finer picture of what is shown already: it ends, with an Error of no words, as soon as a request waits that is none.
     bool yields = false;
     bool wireframe = false; ///< robots and statics as lines
+    bool floorLines = true; ///< metres marked on floors that have no picture
     SceneMarks marks;       ///< outlined; paths as "robot0/chassis/hull"
     OutlineStyle outline;
     std::vector<std::string> hidden; ///< left out, as the marks by path

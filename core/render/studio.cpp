@@ -166,6 +166,7 @@ Result<Image> Studio::drawOnce(const PictureRequest& request, bool rich) {
     Scene& scene = *set.value().stage->scene;
     scene.setMarks(request.marks);
     scene.setWireframe(request.wireframe);
+    scene.setFloorLines(request.floorLines);
     scene.setOverlay(request.overlay);
     if (request.mask & kMaskCollision) scene.makeCollision(*set.value().stage->experiment);
     const Result<SunMap*> sun = rich ? sunMap(request.width, request.height) : Result<SunMap*>(nullptr);

@@ -56,6 +56,7 @@ float gridInk(vec2 p, vec2 w, vec2 pixels) {
 
 inline constexpr const char* kFloorFragment = R"(
 uniform vec3 floorColour;
+uniform float floorLines;
 in vec2 onFloor;
 in vec3 inHaze, positionW;
 flat in vec3 floorShown;
@@ -68,7 +69,7 @@ void main() {
     vec2 tile = abs(fract(onFloor * 0.5) - 0.5);
     vec2 edge = clamp((tile - 0.25) * (2.0 * pixels), -0.5, 0.5);
     float checker = edge.x * edge.y * clamp(1.0 - 4.0 * max(w.x, w.y), 0.0, 1.0);
-    float left = (1.0 - ink) * (1.0 + 0.120 * checker); // of the floor's own colour
+    float left = (1.0 - ink * floorLines) * (1.0 + 0.120 * checker * floorLines); // of the floor's own colour
 #ifdef LIGHT_VARIES
     vec3 shown = floorColour * sqrt(left * floorLightAt(positionW));
 #elif defined(LAMPS)

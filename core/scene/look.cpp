@@ -114,6 +114,7 @@ void Look::applyTo(osg::StateSet& root, const SceneUniforms& uniforms) {
     root.setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     root.addUniform(uniforms.ground);
     root.addUniform(uniforms.haze);
+    root.addUniform(uniforms.floorLines);
 }
 
 } // namespace trundle

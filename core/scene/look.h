@@ -38,6 +38,8 @@ struct SceneUniforms {
     osg::ref_ptr<osg::Uniform> ground = new osg::Uniform("groundHeight", -1e6f);
     /// Distance (m) over which a floor fades into the horizon.
     osg::ref_ptr<osg::Uniform> haze = new osg::Uniform("hazeDistance", 100.f);
+    /// 1: floors without a picture have lines and a checker pattern; 0: their colour alone.
+    osg::ref_ptr<osg::Uniform> floorLines = new osg::Uniform("floorLines", 1.f);
 };
 
 class Look {

@@ -47,6 +47,8 @@ public:
     void setMarks(const SceneMarks& marks);
     [[nodiscard]] osg::Group& marks() { return *m_marks; }
     void setWireframe(bool on);
+    /// Lines and a checker pattern on floors without a picture; on at first.
+    void setFloorLines(bool on) { m_uniforms.floorLines->set(on ? 1.f : 0.f); }
     /// What kMaskOverlay shows. Shapes in bodies that there are not are passed over.
     void setOverlay(const SceneOverlay& overlay);
     /// Makes what kMaskCollision shows, once. The experiment is the one that the scene was made from.

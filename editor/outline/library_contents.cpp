@@ -79,17 +79,19 @@ QDateTime LibraryPanel::lastWritten() const {
     return last;
 }
 
-/// Of the opened file: they need no import.
+/// Of the opened file, and of files that are not on the disk yet: they need no import.
 std::vector<LibraryItem> LibraryPanel::ownConfigs() const {
     std::vector<LibraryItem> items;
     if (!m_document.isOpen()) return items;
     for (const Part* config : m_document.loaded()->outline->configs.all()) {
-        if (config->file != 0) continue;
+        const QString file = QString::fromStdString(m_document.loaded()->paths.at(config->file));
+        if (config->file != 0 && QFileInfo::exists(file)) continue;
         const bool robot = config->kind->name == "RobotConfig";
         LibraryItem item;
         item.section = robot ? LibrarySection::Robots : LibrarySection::Arenas;
         item.title = QString::fromStdString(config->name);
-        item.help = tr("Described in this file");
+        item.help = config->file == 0 ? tr("Described in this file")
+                                      : tr("Described in %1, which is not saved yet").arg(QFileInfo(file).fileName());
         item.icon = robot ? QStringLiteral("kind-robot") : QStringLiteral("kind-static");
         item.kind = robot ? "Robot" : "Static";
         item.text =

@@ -1,6 +1,7 @@
 #include "editor/outline/library_items.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <set>
@@ -10,6 +11,7 @@
 #include "editor/outline/kind_icons.h"
 #include "lang/tree.h"
 #include "project/search.h"
+#include "project/written_path.h"
 
 namespace trundle {
 namespace fs = std::filesystem;
@@ -55,7 +57,7 @@ std::string firstComment(const Tree& tree) {
 }
 
 std::string relativeTo(const std::string& folder, const std::string& file) {
-    return file.size() > folder.size() + 1 && file.starts_with(folder) ? file.substr(folder.size() + 1) : file;
+    return pathBelow(file, std::array{folder}).value_or(file);
 }
 
 const char* const kPictureFloor = "\nStaticConfig LibraryFloor { Plane floor { Material=concrete Surface=ground } }\n"

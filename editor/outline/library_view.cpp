@@ -13,7 +13,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kCell = 90, kCellHeight = 84, kRow = 44, kPad = 4, kIconSize = 28;
+constexpr int kCell = 90, kCellHeight = 84, kRow = 44, kPad = 4, kIconSize = 28, kDraggedSize = 24;
 constexpr QSize kListPicture(72, 34);
 
 } // namespace
@@ -148,14 +148,9 @@ void LibraryList::startDrag(Qt::DropActions) {
     if (!mime) return;
     auto* drag = new QDrag(this);
     drag->setMimeData(mime);
-    const QVariant picture = index.data(LibraryModel::PictureRole);
-    const qreal ratio = devicePixelRatioF();
-    QPixmap shown = picture.isValid()
-                        ? picture.value<QPixmap>().scaled(QSize(112, 53) * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation)
-                        : drawnIcon(index.data(LibraryModel::IconRole).toString(), 32, ratio);
-    shown.setDevicePixelRatio(ratio);
-    drag->setPixmap(shown);
-    drag->setHotSpot(QPoint(8, 8));
+    // Small and beside the cursor: the 3D view shows the thing itself there.
+    drag->setPixmap(drawnIcon(index.data(LibraryModel::IconRole).toString(), kDraggedSize, devicePixelRatioF()));
+    drag->setHotSpot(QPoint(-kDraggedSize / 2, -kDraggedSize / 2));
     drag->exec(Qt::CopyAction);
 }
 

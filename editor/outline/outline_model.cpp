@@ -1,5 +1,7 @@
 #include "editor/outline/outline_model.h"
 
+#include <algorithm>
+
 #include <QColor>
 
 #include "editor/outline/kind_icons.h"
@@ -19,11 +21,15 @@ QString iconOf(const OutlineRow& row) {
     case OutlineRow::Type::Experiment: return QStringLiteral("kind-settings");
     case OutlineRow::Type::File: return QStringLiteral("kind-file");
     case OutlineRow::Type::Module: return QStringLiteral("module");
-    case OutlineRow::Type::Object: return kindIcon(row.part->kind);
+    case OutlineRow::Type::Object:
+    case OutlineRow::Type::Members:
+        if (row.passive && (row.member || row.part->is(Role::Instance))) return QStringLiteral("kind-object");
+        return row.member ? QStringLiteral("kind-robot") : kindIcon(row.part->kind);
     case OutlineRow::Type::Group: break;
     }
     switch (row.group) {
     case OutlineGroup::Robots: return QStringLiteral("kind-robot");
+    case OutlineGroup::Objects: return QStringLiteral("kind-object");
     case OutlineGroup::Scenery: return QStringLiteral("kind-static");
     case OutlineGroup::Looks: return QStringLiteral("kind-look");
     case OutlineGroup::Radio: return QStringLiteral("kind-radio");
@@ -86,8 +92,11 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
     }
     const std::size_t word = path.find('.');
     const Part* layout = layoutOfMember(*m_rows->loaded()->outline, path.substr(0, word));
-    if (layout && layout->name != path.substr(0, word))
+    if (layout && layout->name != path.substr(0, word)) {
+        if (const QModelIndex member = indexOfMember(layout->name, path.substr(0, word)); member.isValid())
+            return word == std::string::npos ? member : indexOf(path); // what is in it is made now
         return indexOf(layout->name + (word == std::string::npos ? std::string() : path.substr(word)));
+    }
     // At the top level: in a group or a file that nobody has opened yet.
     for (const auto& top : m_root->children) {
         const QModelIndex group = indexOf(*top);
@@ -98,6 +107,24 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
     }
     const std::string block = definedAt(*m_rows->loaded(), path); // by file, what a robot is made of stands in its config alone
     return block.empty() || block == path ? QModelIndex() : indexOf(block);
+}
+
+/// Makes the rows that lead there: stretches of members, then the hundred it is among.
+QModelIndex OutlineModel::indexOfMember(const std::string& layout, const std::string& name) {
+    const std::vector<RobotSpec>& robots = m_rows->loaded()->experiment->robots;
+    const auto robot = std::size_t(std::ranges::find(robots, name, &RobotSpec::name) - robots.begin());
+    QModelIndex at = indexOf(layout);
+    while (at.isValid()) {
+        if (canFetchMore(at)) fetchMore(at);
+        QModelIndex next;
+        for (const auto& child : nodeOf(at).children) {
+            if (child->row.member && child->row.path == name) return indexOf(*child);
+            const bool holds = child->row.type == OutlineRow::Type::Members && child->row.first <= robot && robot < child->row.last;
+            if (holds) next = indexOf(*child);
+        }
+        at = next;
+    }
+    return {};
 }
 
 QModelIndex OutlineModel::index(int row, int column, const QModelIndex& parent) const {
@@ -173,7 +200,7 @@ Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsDropEnabled;
     if (!row->selectable) return flags;
     flags |= Qt::ItemIsSelectable;
-    if (row->type != OutlineRow::Type::Object) return flags;
+    if (row->type != OutlineRow::Type::Object || row->member) return flags;
     flags |= Qt::ItemIsDragEnabled;
     return index.column() == NameColumn ? flags | Qt::ItemIsEditable : flags;
 }

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const OutlineRow* rowAt(const QModelIndex& index) const; ///< nullptr: no row. Good until the next change
     /// Keys from the top down, joined: the same from load to load.
     [[nodiscard]] std::string keyOf(const QModelIndex& index) const;
-    /// The row of an object, made where it has not been looked at yet. Members of a Grid or Scatter have the row of that.
+    /// The row of an object, made where it has not been looked at yet.
     [[nodiscard]] QModelIndex indexOf(const std::string& path);
     /// Why a row's object cannot be called so; empty where it can.
     [[nodiscard]] QString nameRefusal(const QModelIndex& index, const QString& name) const;
@@ -73,6 +73,7 @@ private:
     struct Node;
     [[nodiscard]] Node& nodeOf(const QModelIndex& index) const;
     [[nodiscard]] QModelIndex indexOf(const Node& node, int column = 0) const;
+    [[nodiscard]] QModelIndex indexOfMember(const std::string& layout, const std::string& name);
     [[nodiscard]] std::vector<OutlineRow> rowsBelow(const Node& node) const;
     [[nodiscard]] QVariant markOf(const OutlineRow& row, bool hidden) const;
     void reset();

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <unordered_set>
 
+#include "model/passive.h"
 #include "project/object_place.h"
 #include "project/search.h"
 
@@ -29,7 +30,7 @@ std::vector<std::string> wordsOf(const std::string& filter) {
 
 bool isInstance(const Part& part) { return part.is(Role::Instance) || part.is(Role::Layout); }
 
-OutlineGroup groupOf(const Part& part) {
+OutlineGroup plainGroupOf(const Part& part) {
     if (!part.usable || !part.kind) return OutlineGroup::Misplaced;
     switch (part.kind->role) {
     case Role::Instance: return part.kind->name == "Static" ? OutlineGroup::Scenery : OutlineGroup::Robots;
@@ -45,9 +46,10 @@ OutlineGroup groupOf(const Part& part) {
     }
 }
 
-constexpr std::array<const char*, kOutlineGroups> kGroupNames{"Robots",    "Scenery",  "Light and views", "Radio",
-                                                              "Logs",      "Modules",  "Robot configs",   "Scenery configs",
-                                                              "Materials", "Surfaces", "Out of place"};
+constexpr std::array<const char*, kOutlineGroups> kGroupNames{"Robots",        "Objects",         "Scenery",   "Light and views",
+                                                              "Radio",         "Logs",            "Modules",   "Robot configs",
+                                                              "Scenery configs", "Materials",     "Surfaces",  "Out of place"};
+constexpr std::size_t kMostBeside = 100; // members below one row
 
 /// "10×10" from `Count = 10, 10`.
 std::string countOf(const Loaded& loaded, const Part& layout) {
@@ -72,7 +74,29 @@ OutlineRows::OutlineRows(std::shared_ptr<const Loaded> loaded, OutlineMode mode,
         m_blocks[part->file].push_back(part.get());
         gather(part->parts, part->file);
     }
+    findMembers();
     for (const MaterialSpec& material : m_loaded->experiment->materials) m_materials.emplace(material.name, &material);
+}
+
+OutlineGroup OutlineRows::groupOf(const Part& part) const {
+    const OutlineGroup group = plainGroupOf(part);
+    return group == OutlineGroup::Robots && isPassive(part, configOf(*m_loaded, part)) ? OutlineGroup::Objects : group;
+}
+
+/// The members of one Grid or Scatter follow each other.
+void OutlineRows::findMembers() {
+    std::unordered_map<std::uint64_t, const Part*> layouts; // by where their block begins
+    const auto placeOf = [](const SourceRange& r) { return (std::uint64_t(r.file) << 32) | r.range.begin; };
+    for (const auto& part : m_loaded->outline->parts)
+        if (part->is(Role::Layout) && part->usable) layouts.emplace(placeOf(part->range), part.get());
+    if (layouts.empty()) return;
+    const std::vector<RobotSpec>& robots = m_loaded->experiment->robots;
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+        const auto layout = layouts.find(placeOf(robots[i].range));
+        if (layout == layouts.end()) continue;
+        const auto [range, isNew] = m_members.try_emplace(layout->second, i, i);
+        range->second.second = i + 1;
+    }
 }
 
 void OutlineRows::gather(const std::vector<Part>& parts, FileId around) {
@@ -108,7 +132,10 @@ std::vector<OutlineRow> OutlineRows::below(const OutlineRow& row) const {
         for (const Part* part : m_groups[std::size_t(row.group)]) keep(rows, partRow(*part, row), row);
         if (row.group == OutlineGroup::Modules) addModules(rows, row);
         break;
+    case OutlineRow::Type::Members: addMembers(rows, row, row.first, row.last); break;
     case OutlineRow::Type::Object:
+        if (const auto members = m_members.find(row.part); members != m_members.end() && !row.member && !row.reached)
+            keep(rows, membersRow(row, members->second.first, members->second.second, true), row);
         if (row.config) addParts(rows, *row.config, row, true);
         addParts(rows, *row.part, row, row.reached);
     }
@@ -125,6 +152,49 @@ void OutlineRows::addParts(Rows& rows, const Part& part, const OutlineRow& above
         row.markable = above.markable && row.selectable && (inner.is(Role::Body) || inner.is(Role::Geom));
         keep(rows, std::move(row), above);
     }
+}
+
+/// At most a hundred rows, of members or of as many of them as that takes.
+void OutlineRows::addMembers(Rows& rows, const OutlineRow& above, std::size_t first, std::size_t last) const {
+    std::size_t stretch = 1;
+    while ((last - first + stretch - 1) / stretch > kMostBeside) stretch *= kMostBeside;
+    for (std::size_t i = first; i < last; i += stretch)
+        keep(rows, stretch == 1 ? memberRow(above, i) : membersRow(above, i, std::min(last, i + stretch), false), above);
+}
+
+OutlineRow OutlineRows::membersRow(const OutlineRow& above, std::size_t first, std::size_t last, bool all) const {
+    const std::vector<RobotSpec>& robots = m_loaded->experiment->robots;
+    OutlineRow row;
+    row.type = OutlineRow::Type::Members;
+    row.part = above.part;
+    row.config = above.config;
+    row.passive = above.passive;
+    row.markable = above.markable;
+    row.range = above.range;
+    row.first = first;
+    row.last = last;
+    row.hasRows = last > first;
+    row.name = all ? "Members" : robots[first].name + " … " + robots[last - 1].name;
+    row.key = all ? "members" : "members " + std::to_string(first - m_members.at(above.part).first);
+    row.detail = std::to_string(last - first);
+    row.tip = "They have no text of their own: replace the " + (above.part->kind ? above.part->kind->name : "Grid") +
+              " by single instances to change one of them.";
+    return row;
+}
+
+OutlineRow OutlineRows::memberRow(const OutlineRow& above, std::size_t robot) const {
+    OutlineRow row;
+    row.name = row.key = row.path = m_loaded->experiment->robots[robot].name;
+    row.member = row.selectable = true;
+    row.passive = above.passive;
+    row.markable = above.markable;
+    row.part = above.part;
+    row.config = above.config;
+    row.range = above.range;
+    row.detail = row.config ? row.config->name : "";
+    row.hasRows = row.config && !row.config->parts.empty();
+    row.tip = row.name + ", a member of " + above.part->title();
+    return row;
 }
 
 OutlineRow OutlineRows::experimentRow() const {
@@ -224,6 +294,9 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
         // One that stands in a config by mistake may stand in its own: there would be no end to it.
         if (m_mode == OutlineMode::ByOwner && above.type != OutlineRow::Type::Object) row.config = config;
         row.hasRows |= row.config && !row.config->parts.empty();
+        row.hasRows |= m_members.contains(&part);
+        row.passive = isPassive(part, config);
+        if (row.passive) row.tip = part.kind->name + " of a movable object: it has no joints, no devices and no controller.";
     }
     if (part.is(Role::Material))
         if (const auto it = m_materials.find(part.name); it != m_materials.end()) row.colour = it->second->colour;
@@ -250,8 +323,9 @@ void OutlineRows::name(OutlineRow& row, const Part& part, const OutlineRow& abov
 
 void OutlineRows::keep(Rows& rows, OutlineRow row, const OutlineRow& above) const {
     if (filtered()) {
-        const bool says = this->says(row.name, row.detail, row.part ? std::string_view(row.part->block->type.text) : "");
-        row.matches = above.matches || (says && row.type != OutlineRow::Type::Group);
+        const bool grouped = row.type == OutlineRow::Type::Group || row.type == OutlineRow::Type::Members;
+        const bool says = !grouped && this->says(row.name, row.detail, row.part ? std::string_view(row.part->block->type.text) : "");
+        row.matches = above.matches || says;
         row.leadsToMatch = leads(row);
         if (!row.matches && !row.leadsToMatch) return;
     }
@@ -266,7 +340,17 @@ bool OutlineRows::says(std::string_view name, std::string_view detail, std::stri
 
 bool OutlineRows::leads(const OutlineRow& row) const {
     switch (row.type) {
-    case OutlineRow::Type::Object: return leads(*row.part) || (row.config && leads(*row.config));
+    case OutlineRow::Type::Object: {
+        const auto members = row.member ? m_members.end() : m_members.find(row.part);
+        if (members != m_members.end() && leads(membersRow(row, members->second.first, members->second.second, true))) return true;
+        return leads(*row.part) || (row.config && leads(*row.config));
+    }
+    case OutlineRow::Type::Members: {
+        const auto from = m_loaded->experiment->robots.begin();
+        const std::string& detail = row.config ? row.config->name : row.part->name;
+        return std::any_of(from + std::ptrdiff_t(row.first), from + std::ptrdiff_t(row.last),
+                           [&](const RobotSpec& robot) { return says(robot.name, detail, ""); });
+    }
     case OutlineRow::Type::Group: {
         const auto& parts = m_groups[std::size_t(row.group)];
         if (std::any_of(parts.begin(), parts.end(), [&](const Part* part) {

@@ -18,6 +18,7 @@ enum class OutlineMode { ByOwner, ByFile };
 
 enum class OutlineGroup {
     Robots,
+    Objects, ///< robots that nothing drives
     Scenery,
     Looks,
     Radio,
@@ -29,10 +30,11 @@ enum class OutlineGroup {
     Surfaces,
     Misplaced
 };
-inline constexpr std::size_t kOutlineGroups = 11;
+inline constexpr std::size_t kOutlineGroups = 12;
 
 struct OutlineRow {
-    enum class Type { Experiment, Group, File, Module, Object };
+    /// Members: those of a Grid or Scatter, or a stretch of them where there are many.
+    enum class Type { Experiment, Group, File, Module, Object, Members };
     Type type = Type::Object;
     std::string key;           ///< differs from its siblings' and stays the same from load to load
     std::string path;          ///< dotted; of an Object that can be reached, "" of the Experiment
@@ -47,6 +49,9 @@ struct OutlineRow {
     const Part* part = nullptr;                  ///< of an Object
     const Part* config = nullptr;                ///< of an instance in the world: its parts are shown below it
     bool reached = false;                        ///< through an instance: its block is in the config
+    bool member = false;                         ///< one of a Grid or Scatter, whose block `part` is
+    bool passive = false;                        ///< a robot that nothing drives
+    std::size_t first = 0, last = 0;             ///< of Members: robots of the experiment, the last one behind them
     SourceRange range;                           ///< where it stands in the text
     ProblemCounts::Count problems;               ///< with those below
     std::optional<std::array<double, 3>> colour; ///< of a material
@@ -73,6 +78,11 @@ private:
     void name(OutlineRow& row, const Part& part, const OutlineRow& above) const;
     void addModules(Rows& rows, const OutlineRow& above) const;
     void addParts(Rows& rows, const Part& part, const OutlineRow& above, bool reached) const;
+    void addMembers(Rows& rows, const OutlineRow& above, std::size_t first, std::size_t last) const;
+    [[nodiscard]] OutlineRow membersRow(const OutlineRow& above, std::size_t first, std::size_t last, bool all) const;
+    [[nodiscard]] OutlineRow memberRow(const OutlineRow& above, std::size_t robot) const;
+    void findMembers();
+    [[nodiscard]] OutlineGroup groupOf(const Part& part) const;
     [[nodiscard]] Rows fileBlocks(const OutlineRow& above) const;
     void gather(const std::vector<Part>& parts, FileId around);
     void keep(Rows& rows, OutlineRow row, const OutlineRow& above) const;
@@ -87,6 +97,7 @@ private:
     std::array<std::vector<const Part*>, kOutlineGroups> m_groups;
     std::unordered_map<FileId, std::vector<const Part*>> m_blocks; // of each file, those in no other block of it
     std::unordered_map<std::string_view, const MaterialSpec*> m_materials;
+    std::unordered_map<const Part*, std::pair<std::size_t, std::size_t>> m_members; // of Grids and Scatters: robots from, to
     mutable std::unordered_map<const Part*, bool> m_leads; // whether something in a part matches
 };
 

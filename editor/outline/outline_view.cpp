@@ -63,7 +63,7 @@ OutlineView::OutlineView(OutlineModel& model, QWidget* parent) : QTreeView(paren
     forgetFolds();
 }
 
-void OutlineView::forgetFolds() { m_open = {"/Robots", "/Scenery", "/Logs"}; }
+void OutlineView::forgetFolds() { m_open = {"/Robots", "/Objects", "/Scenery", "/Logs"}; }
 
 void OutlineView::remember(const QModelIndex& index, bool open) {
     if (m_unfolding || !m_model.filter().empty()) return;

@@ -87,7 +87,7 @@ bool ControllerCommands::load(const QString& library) {
     if (!found) return refuse(QString::fromStdString(found.error().message));
     const std::string& path = found.value().library;
     if (!mayRun(QString::fromStdString(path))) return false;
-    const std::string written = writtenFor(path, *m_document.loaded(), m_session.parts().locations());
+    const std::string written = writtenFor(path, *m_document.loaded(), m_session.parts().locations(), m_given);
     for (const ModuleInfo& module : modules())
         if (module.library == path) return refuse(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
     if (!edit(tr("Load Module %1").arg(QString::fromStdString(written)), planLoadModule(*m_document.loaded(), written)))

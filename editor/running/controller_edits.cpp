@@ -1,12 +1,15 @@
 #include "editor/running/controller_edits.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 
 #include "lang/tree_edit.h"
 #include "model/outline.h"
 #include "project/import_lines.h"
+#include "project/search.h"
+#include "project/written_path.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -166,18 +169,19 @@ Result<EditPlan> planUnloadModule(const Loaded& loaded, const ModuleInfo& module
     return plan;
 }
 
-std::string writtenFor(const std::string& library, const Loaded& loaded, const Locations& places) {
+std::string writtenFor(const std::string& library, const Loaded& loaded, const Locations& places,
+                       const std::vector<std::string>& moduleFolders) {
     const fs::path path = fs::path(library).lexically_normal();
     std::string stem = path.stem().string();
     if (stem.starts_with("lib") && stem.size() > 3) stem.erase(0, 3);
-    const fs::path plain = path.parent_path() / stem;
-    const std::string opened = loaded.paths.empty() ? std::string() : fs::path(loaded.paths[0]).parent_path().string();
-    for (const std::string& folder : {places.modules, opened}) {
-        if (folder.empty()) continue;
-        const fs::path below = plain.lexically_relative(fs::path(folder).lexically_normal());
-        if (!below.empty() && *below.begin() != "..") return below.generic_string();
+    const std::string plain = (path.parent_path() / stem).generic_string();
+    const std::string own = loaded.paths.empty() ? std::string() : fs::path(loaded.paths[0]).parent_path().string();
+    if (const auto below = pathBelow(plain, std::array{places.modules, own})) return *below;
+    if (!own.empty() && pathBelow(plain, std::array{loaded.projectFolder})) { // as a catalog looks for it: from the file's folder
+        const fs::path there = fs::path(canonicalPath(path.parent_path().string())) / stem;
+        return there.lexically_relative(canonicalPath(own)).generic_string();
     }
-    return plain.generic_string();
+    return pathBelow(plain, moduleFolders).value_or(plain);
 }
 
 } // namespace trundle

@@ -53,7 +53,9 @@ struct ControllerChoice {
 /// Fails, naming who, where something has a kind of it.
 [[nodiscard]] Result<EditPlan> planUnloadModule(const Loaded& loaded, const ModuleInfo& module);
 
-/// How a #loadModule of the opened file names a library: from the program's module folder or the project's on, else absolute.
-[[nodiscard]] std::string writtenFor(const std::string& library, const Loaded& loaded, const Locations& places);
+/// How a #loadModule of the opened file names a library: from the program's module folder, its own folder or one of `moduleFolders`
+/// (those of the command line) on; `../` leads to another folder of the project. Absolute where it lies outside all of these.
+[[nodiscard]] std::string writtenFor(const std::string& library, const Loaded& loaded, const Locations& places,
+                                     const std::vector<std::string>& moduleFolders = {});
 
 } // namespace trundle

@@ -3,6 +3,7 @@
 #include <QStringList>
 
 #include "editor/running/session.h"
+#include "model/passive.h"
 
 namespace trundle {
 namespace {
@@ -33,7 +34,12 @@ RunStatus::RunStatus(RunSession& session, QObject* parent) : QObject(parent), m_
 void RunStatus::refresh() {
     QStringList parts;
     const auto experiment = m_session.experiment();
-    if (experiment) parts << counted(experiment->robots.size(), tr("1 robot"), tr("%1 robots"));
+    if (experiment) {
+        const RobotCounts counts = countRobots(*experiment);
+        QString text = counted(counts.robots, tr("1 robot"), tr("%1 robots"));
+        if (counts.objects > 0) text += tr(", ") + counted(counts.objects, tr("1 object"), tr("%1 objects"));
+        parts << text;
+    }
     if (const auto shot = m_session.snapshot()) {
         parts << counted(shot->contactCount, tr("1 contact"), tr("%1 contacts"));
         parts << tr("step %1 ms").arg(shot->stepMs, 0, 'f', shot->stepMs < 10 ? 2 : 0);

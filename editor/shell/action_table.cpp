@@ -60,7 +60,7 @@ static constexpr ActionRow kTable[] = {
     {"view.two",       "View/Views",  "&Two Views",              "view-two",      "",               "Two 3D views side by side."},
     {"view.three",     "View/Views",  "T&hree Views",            "view-three",  "",               "Perspective, and beside it top and side."},
     {"view.four",      "View/Views",  "&Four Views",             "views",       "",               "Perspective, top, front and side."},
-    {"view.overlayGrid", "View/Overlays", "&Grid and Scale",     "",            "",               "The floor with its lines, and how long they are.", true},
+    {"view.overlayGrid", "View/Overlays", "&Grid and Scale",     "",            "",               "Lines on the floor every 10 cm, 1 m and 10 m, and a scale bar. Without it the floor is plain.", true},
     {"view.overlayShadows", "View/Overlays", "&Shadows",         "",            "",               "Shadows on the floor.", true},
     {"view.overlayNames", "View/Overlays", "&Names",             "",            "N",              "Names of robots and statics.", true},
     {"view.overlayTrails", "View/Overlays", "&Trails",           "",            "",               "Where robots have been since this was switched on.", true},

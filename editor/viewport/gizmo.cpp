@@ -42,8 +42,9 @@ Gizmo::Gizmo(Tool tool, const GizmoPlace& place, const Projector& project) : m_p
     for (int axis = 0; axis < 3; ++axis) {
         if (tool == Tool::Move) addArrow(axis);
         if (tool != Tool::Scale) continue;
-        if (place.sizes[axis].hasTwoSides()) addSize(axis, -1);
-        addSize(axis, 1);
+        const Sides sides = place.sizes[axis].sides;
+        if (sides == Sides::Both || sides == Sides::Lower) addSize(axis, -1);
+        if (sides != Sides::Lower) addSize(axis, 1);
     }
     if (tool == Tool::Move) addScreen();
 }

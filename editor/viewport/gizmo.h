@@ -27,12 +27,21 @@ struct Handle {
     explicit operator bool() const { return kind != Kind::None; }
 };
 
+/// Which sides of a thing go when a length of it grows.
+enum class Sides {
+    Both,   ///< either, and the other stays: the Pos follows
+    Middle, ///< both at once, as with a radius
+    Upper,  ///< where the axis points: the thing has its Pos at the other side
+    Lower,
+};
+
 /// A length of a shape as its text has it: "Radius", "Size x".
 struct SizeName {
     QString name;
     double ofHalf = 2; ///< how much larger it is than half the extent
+    Sides sides = Sides::Both;
     /// From side to side, so that one side may stay where it is; not a radius, and no height above a base.
-    [[nodiscard]] bool hasTwoSides() const { return ofHalf == 2; }
+    [[nodiscard]] bool hasTwoSides() const { return sides == Sides::Both; }
 };
 
 /// Where a gizmo stands.

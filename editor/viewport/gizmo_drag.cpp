@@ -134,7 +134,9 @@ double GizmoDrag::degrees() const {
 }
 
 bool GizmoDrag::isOneSided() const {
-    return m_handle.kind == Handle::Kind::Size && !m_aboutCentre && m_place.sizes[m_handle.axis].hasTwoSides();
+    if (m_handle.kind != Handle::Kind::Size) return false;
+    const Sides sides = m_place.sizes[m_handle.axis].sides;
+    return sides == Sides::Upper || sides == Sides::Lower || (sides == Sides::Both && !m_aboutCentre);
 }
 
 Pose GizmoDrag::motion() const {

@@ -37,15 +37,22 @@ GizmoWork::GizmoWork(View& view) : m_view(view) {
     connect(&parts.world, &ShownWorld::posed, this, forget);
     connect(&parts.world, &ShownWorld::marked, this, forget);
     connect(&parts.selection, &Selection::changed, this, forget);
-    connect(&parts.settings, &ViewSettings::changed, this, [this] { m_hot = {}; });
+    connect(&parts.settings, &ViewSettings::changed, this, [this] {
+        m_hot = {};
+        m_held.reset(); // to be moved or to be scaled
+    });
     m_pace.setSingleShot(true);
     connect(&m_pace, &QTimer::timeout, this, [this] {
         if (m_pending) apply();
     });
 }
 
+HeldObjects::Purpose GizmoWork::purpose() const {
+    return m_view.parts().settings.tool() == Tool::Scale ? HeldObjects::Purpose::Scale : HeldObjects::Purpose::Move;
+}
+
 HeldObjects* GizmoWork::held() {
-    if (!m_held) m_held = std::make_unique<HeldObjects>(m_view.parts());
+    if (!m_held) m_held = std::make_unique<HeldObjects>(m_view.parts(), purpose());
     return m_held->empty() ? nullptr : m_held.get();
 }
 
@@ -61,6 +68,7 @@ std::optional<GizmoPlace> GizmoWork::place() {
     else if (settings.axes() == AxesOf::Parent) place.axes = held->pivotFrame().rotation.toRotationMatrix();
     place.origin = held->pivot().position;
     if (tool == Tool::Scale) {
+        place.origin = held->sizeCentre();
         place.half = held->halfExtent();
         place.sizes = held->sizeNames();
         if (place.half.isZero()) return std::nullopt;
@@ -93,7 +101,7 @@ bool GizmoWork::press(const Pointer& pointer) {
     if (!handle) return false;
     m_mergeKey = "gizmo " + std::to_string(m_view.parts().document.revision());
     m_startPlace = *place();
-    m_dragged = std::make_unique<HeldObjects>(m_view.parts());
+    m_dragged = std::make_unique<HeldObjects>(m_view.parts(), purpose());
     m_drag = std::make_unique<GizmoDrag>(handle, m_startPlace, m_view.rayAt(pointer.at), pointer.at);
     const QString title = m_dragged->title();
     m_name = handle.kind == Handle::Kind::Ring   ? tr("Turn %1").arg(title)

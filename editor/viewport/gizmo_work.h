@@ -32,6 +32,7 @@ public:
     [[nodiscard]] std::optional<QPointF> spot(const Handle& handle);
 
 private:
+    [[nodiscard]] HeldObjects::Purpose purpose() const;
     [[nodiscard]] HeldObjects* held();
     [[nodiscard]] std::optional<GizmoPlace> place();
     [[nodiscard]] std::optional<Gizmo> gizmo(bool asShown);

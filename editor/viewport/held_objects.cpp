@@ -30,12 +30,14 @@ std::array<double, 3> arrayOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 } // namespace
 
-HeldObjects::HeldObjects(const ViewParts& parts)
+HeldObjects::HeldObjects(const ViewParts& parts, Purpose purpose)
     : m_parts(parts), m_objects(parts.world.objects()), m_running(parts.world.isRunning()) {
     const std::vector<std::string>& paths = parts.selection.paths();
     for (const std::string& path : paths) {
         const bool goesAlong = std::any_of(paths.begin(), paths.end(), [&](const std::string& p) { return isInside(path, p); });
-        if (!goesAlong) take(path);
+        if (goesAlong) continue;
+        take(path);
+        if (purpose == Purpose::Scale && !m_running && !m_items.empty() && m_items.back().path == path) takeSizes(path);
     }
     if (!m_items.empty()) m_refusal.clear();
 }
@@ -84,6 +86,16 @@ void HeldObjects::take(const std::string& path) {
     item.posText = textOf(path + ".Pos");
     item.hprText = textOf(path + ".HPR");
     m_items.push_back(std::move(item));
+}
+
+void HeldObjects::takeSizes(const std::string& path) {
+    Item& item = m_items.back();
+    if (!item.object || (item.object->kind != ObjectKind::Robot && item.object->kind != ObjectKind::Static)) return;
+    item.sizes = ParamSizes::of(*m_parts.document.loaded(), path);
+    const std::string shape = item.sizes ? item.sizes->onlyShape() : std::string();
+    if (shape.empty()) return;
+    m_items.pop_back();
+    take(path + "." + shape);
 }
 
 void HeldObjects::takeLayout(const std::string& path) {
@@ -183,7 +195,22 @@ Status HeldObjects::moveEach(const std::vector<Vec3>& offsets, const QString& na
     return carryOut(edits, name, {});
 }
 
+Vec3 HeldObjects::sizeCentre() const {
+    const Item& pivot = m_items.back();
+    return pivot.sizes ? pivot.world * pivot.sizes->box().centre() : pivot.world.position;
+}
+
+QString HeldObjects::sizeRefusal() const {
+    return !m_items.empty() && m_items.back().sizes ? m_items.back().sizes->refusal() : QString();
+}
+
 Vec3 HeldObjects::halfExtent() const {
+    if (const auto& sizes = m_items.back().sizes) {
+        Vec3 half = 0.5 * sizes->box().size();
+        for (int k = 0; k < 3; ++k)
+            if (!sizes->canSize(k)) half[k] = 0;
+        return half;
+    }
     const auto& object = m_items.back().object;
     const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
     if (m_running || !geom) return Vec3::Zero();
@@ -198,15 +225,16 @@ Vec3 HeldObjects::halfExtent() const {
 }
 
 std::array<SizeName, 3> HeldObjects::sizeNames() const {
+    if (const auto& sizes = m_items.back().sizes) return {{sizes->sizeName(0), sizes->sizeName(1), sizes->sizeName(2)}};
     const auto& object = m_items.back().object;
     const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
     const QString size = QStringLiteral("Size "), radius = QStringLiteral("Radius"), length = QStringLiteral("Length");
     switch (geom ? geom->shape : GeomShape::Plane) {
     case GeomShape::Box: return {{{size + u'x'}, {size + u'y'}, {size + u'z'}}};
-    case GeomShape::Heightfield: return {{{size + u'x'}, {size + u'y'}, {size + u'z', 1}}};
-    case GeomShape::Sphere: return {{{radius, 1}, {radius, 1}, {radius, 1}}};
+    case GeomShape::Heightfield: return {{{size + u'x'}, {size + u'y'}, {size + u'z', 1, Sides::Middle}}};
+    case GeomShape::Sphere: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}}};
     case GeomShape::Cylinder:
-    case GeomShape::Capsule: return {{{radius, 1}, {radius, 1}, {length}}};
+    case GeomShape::Capsule: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {length}}};
     default: return {};
     }
 }
@@ -214,6 +242,27 @@ std::array<SizeName, 3> HeldObjects::sizeNames() const {
 void HeldObjects::follow(Item& item, const Vec3& before, const Vec3& after, int side, std::vector<ValueEdit>& edits) const {
     Pose local = item.local;
     local.position += item.local.rotation * (0.5 * side * (after - before));
+    for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
+}
+
+void HeldObjects::resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits) const {
+    const ParamSizes& sizes = *item.sizes;
+    int axis = item.sizedAxis;
+    for (int k = 0; k < 3; ++k)
+        if (growth[k] != 0) axis = k;
+    if (axis < 0 || !sizes.canSize(axis)) return;
+    item.sizedAxis = axis; // back at its size it keeps the value that a drag has written
+    const Bounds& box = sizes.box();
+    const double extent = std::max(kLeastLength, box.size()[axis] + 2 * growth[axis]);
+    const ParamSizes::Change change = sizes.resized(axis, extent, fineness);
+    edits.push_back({item.path + "." + change.param, change.text});
+    if (sizes.sizeName(axis).sides != Sides::Both) return;
+    Vec3 shift = Vec3::Zero();
+    shift[axis] = side > 0   ? box.low[axis] - change.box.low[axis]
+                  : side < 0 ? box.high[axis] - change.box.high[axis]
+                             : box.centre()[axis] - change.box.centre()[axis];
+    Pose local = item.local;
+    local.position += item.local.rotation * shift;
     for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
 }
 
@@ -231,6 +280,10 @@ Status HeldObjects::resize(const Vec3& growth, int side, const QString& name, co
         return by == 0 ? value : std::max(kLeastLength, fineness.lengthM * std::round(to / fineness.lengthM));
     };
     for (Item& item : m_items) {
+        if (item.sizes) {
+            resizeByParam(item, growth, side, fineness.lengthM, edits);
+            continue;
+        }
         const GeomSpec* geom = item.object ? m_objects->geomOf(*item.object) : nullptr;
         if (!geom) continue;
         const double radius = geom->radius, length = geom->length;

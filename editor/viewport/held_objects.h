@@ -9,7 +9,7 @@
 
 #include "base/result.h"
 #include "editor/document/document.h"
-#include "editor/viewport/gizmo.h"
+#include "editor/viewport/param_sizes.h"
 #include "scene/object_index.h"
 
 namespace trundle {
@@ -23,9 +23,11 @@ struct Fineness {
 
 class HeldObjects {
 public:
+    enum class Purpose { Move, Scale };
     /// What of the selection can be moved, without what moves along with something else in it. While a world runs these are
-    /// its robots, and they are placed there; else everything with a Pos, and the text is edited.
-    explicit HeldObjects(const ViewParts& parts);
+    /// its robots, and they are placed there; else everything with a Pos, and the text is edited. To Scale, an instance whose config has
+    /// one shape and no Param for it means that shape.
+    explicit HeldObjects(const ViewParts& parts, Purpose purpose = Purpose::Move);
 
     [[nodiscard]] bool empty() const { return m_items.empty(); }
     /// Why there is nothing to move although something is selected; empty where there is no such reason.
@@ -45,12 +47,16 @@ public:
     [[nodiscard]] std::vector<std::string> paths() const;
     [[nodiscard]] Bounds boundsOf(std::size_t item) const;
 
-    /// Lengths of the pivot object that can be dragged: a box has three, a ball one, a cylinder radius and length; else none.
-    /// Half the extent along each of its own axes; 0: not there.
+    /// Lengths of the pivot object that can be dragged: a box has three, a ball one, a cylinder radius and length, an instance those
+    /// that Params of its config set; else none. Half the extent along each of its own axes; 0: not there.
     [[nodiscard]] Vec3 halfExtent() const;
     [[nodiscard]] std::array<SizeName, 3> sizeNames() const; ///< of those lengths
+    [[nodiscard]] Vec3 sizeCentre() const;                   ///< from where they extend, in the world
+    /// Why the pivot object, an instance, cannot be sized along some axis; empty where it can.
+    [[nodiscard]] QString sizeRefusal() const;
     /// Grows the shapes by twice so much from side to side, radii and heights by so much, along their own axes. `side` says which
-    /// side goes: 1 where the axis points, -1 the other one, 0 both. The Pos follows, so that the other one stays.
+    /// side goes: 1 where the axis points, -1 the other one, 0 both. The Pos follows, so that the other one stays. Instances get other
+    /// values for the Params that set their extents.
     Status resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey, Fineness fineness);
 
     [[nodiscard]] bool movesWorld() const { return m_running; }
@@ -62,10 +68,15 @@ private:
         Pose world, frame, local;        ///< local: as in the text
         std::string posText, hprText;    ///< as written where it is to be edited; empty: not there
         bool posEdited = false, hprEdited = false;
+        std::optional<ParamSizes> sizes; ///< of an instance that is held to be scaled
+        int sizedAxis = -1;              ///< along which it was sized last
     };
+    void takeSizes(const std::string& path);
     void take(const std::string& path);
     void takeLayout(const std::string& path);
     [[nodiscard]] std::string textOf(const std::string& property) const;
+    /// The edits that size an instance: of the Param, and of the Pos where the side across stays.
+    void resizeByParam(Item& item, const Vec3& growth, int side, double fineness, std::vector<ValueEdit>& edits) const;
     /// Lengths from side to side became others: the edit of the Pos that keeps the other side.
     void follow(Item& item, const Vec3& before, const Vec3& after, int side, std::vector<ValueEdit>& edits) const;
     [[nodiscard]] std::vector<ValueEdit> editsOf(Item& item, const Pose& local, Fineness fineness) const;

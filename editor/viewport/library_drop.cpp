@@ -1,5 +1,7 @@
 #include "editor/viewport/library_drop.h"
 
+#include <filesystem>
+
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -7,7 +9,7 @@
 #include <QMimeData>
 
 #include "editor/document/document.h"
-#include "editor/document/selection.h"
+#include "editor/running/session.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
@@ -18,25 +20,10 @@ namespace trundle {
 namespace {
 
 const QString kMime = QStringLiteral("application/x-trundle-library");
-constexpr double kDefaultStep = 0.01; // m, where nothing snaps
+const char* const kThing = "droppedThing"; // its name while it is dragged
+constexpr double kDefaultStep = 0.01;      // m, where nothing snaps
 
 QString trDrop(const char* text) { return QCoreApplication::translate("LibraryDrop", text); }
-
-struct Cargo {
-    std::string kind, text;
-    std::vector<std::string> imports;
-};
-
-std::optional<Cargo> cargoOf(const QMimeData& data) {
-    const QJsonObject json = QJsonDocument::fromJson(data.data(kMime)).object();
-    Cargo cargo{json.value(QStringLiteral("kind")).toString().toStdString(),
-                json.value(QStringLiteral("text")).toString().toStdString(),
-                {}};
-    for (const QJsonValue& file : json.value(QStringLiteral("imports")).toArray())
-        cargo.imports.push_back(file.toString().toStdString());
-    if (cargo.text.empty()) return std::nullopt;
-    return cargo;
-}
 
 std::shared_ptr<const Tree> treeOf(const std::string& text) {
     return parse(std::make_shared<const SourceText>("block", text), 0);
@@ -49,24 +36,17 @@ const BlockItem* blockOf(const Tree& tree, std::string_view kind) {
     return nullptr;
 }
 
+bool hasConfig(const Tree& tree) { return blockOf(tree, "RobotConfig") || blockOf(tree, "StaticConfig"); }
+
 const AssignmentItem* assignmentOf(const BlockItem& block, std::string_view key) {
     for (const Item& item : block.items)
         if (const auto* a = item.as<AssignmentItem>(); a && a->path.size() == 1 && a->path[0].text == key) return a;
     return nullptr;
 }
 
-double numberIn(const BlockItem& block, std::string_view key, std::size_t index) {
-    const AssignmentItem* a = assignmentOf(block, key);
-    return a && index < a->value.elements.size() ? a->value.elements[index].number : 0;
-}
-
-/// How far the middle of a shape stands above what it lies on, where its own numbers say so.
-double restingHeight(const std::string& kind, const BlockItem& block) {
-    if (kind == "Box") return 0.5 * numberIn(block, "Size", 2);
-    if (kind == "Sphere") return numberIn(block, "Radius", 0);
-    if (kind == "Cylinder") return 0.5 * numberIn(block, "Length", 0);
-    if (kind == "Capsule") return 0.5 * numberIn(block, "Length", 0) + numberIn(block, "Radius", 0);
-    return 0;
+std::string edited(const std::string& text, const TextEdit& edit) {
+    const Result<std::string> changed = applyEdits(text, std::span(&edit, 1));
+    return changed ? changed.value() : text;
 }
 
 std::string withPos(const std::string& text, std::string_view kind, const Vec3& pos) {
@@ -76,123 +56,194 @@ std::string withPos(const std::string& text, std::string_view kind, const Vec3& 
     std::string value;
     for (int k = 0; k < 3; ++k) value += (k ? "," : "") + steppedNumber(pos[k], 1e-6);
     const AssignmentItem* a = assignmentOf(*block, "Pos");
-    const TextEdit edit = a ? editSetValue(*tree, a->value, value) : editAddAssignment(*tree, block, "Pos", value);
-    const Result<std::string> changed = applyEdits(text, std::span(&edit, 1));
-    return changed ? changed.value() : text;
+    return edited(text, a ? editSetValue(*tree, a->value, value) : editAddAssignment(*tree, block, "Pos", value));
 }
 
-/// What a drop falls on.
-struct Ground {
-    Vec3 point = Vec3::Zero();
-    std::optional<ObjectRef> geom;
-};
+std::string withName(const std::string& text, std::string_view kind, const std::string& name) {
+    const auto tree = treeOf(text);
+    const BlockItem* block = blockOf(*tree, kind);
+    if (!block) return text;
+    if (block->name) return edited(text, editReplace(*tree, block->name->range, name));
+    return edited(text, editReplace(*tree, block->type.range, block->type.text + " " + name));
+}
 
-class Drop {
-public:
-    Drop(View& view, Cargo cargo, Ground ground) : m_view(view), m_cargo(std::move(cargo)), m_ground(std::move(ground)) {}
-
-    void carryOut() {
-        Document& document = m_view.parts().document;
-        const Kind* kind = document.loaded()->registry->find(m_cargo.kind);
-        if (!kind && m_cargo.imports.empty())
-            return refuse(trDrop("Nothing is known of %1 here.").arg(QString::fromStdString(m_cargo.kind)));
-        if (!kind || kind->role == Role::Controller) return dropController();
-        if (kind->role == Role::Material && dropMaterial()) return;
-        std::string parent;
-        if (kind->role == Role::Instance || kind->role == Role::Layout) {
-            place(Pose{}, 0);
-        } else if (kind->role == Role::Geom || kind->role == Role::Body) {
-            const auto owner = ownerFor(*kind);
-            if (!owner) return;
-            parent = *owner;
-        } else if (const RobotSpec* robot = robotUnder(); robot && robot->config && kind->role != Role::Material) {
-            parent = "RobotConfig." + robot->config->name;
-        }
-        const QString title = trDrop("Insert %1").arg(QString::fromStdString(m_cargo.kind));
-        (void)document.carryOut(title, planInsert(*document.loaded(), parent, m_cargo.text, m_cargo.imports));
-    }
-
-private:
-    /// Of a module that may not be loaded yet: its cargo says which.
-    void dropController() {
-        const RobotSpec* robot = robotUnder();
-        if (!robot) return refuse(trDrop("A controller drives a robot: drop it onto one."));
-        Document& document = m_view.parts().document;
-        (void)document.carryOut(trDrop("Insert %1").arg(QString::fromStdString(m_cargo.kind)),
-                                planInsert(*document.loaded(), robot->name, m_cargo.text, m_cargo.imports));
-    }
-
-    void refuse(const QString& why) { Q_EMIT m_view.parts().document.refused(why); }
-
-    [[nodiscard]] const RobotSpec* robotUnder() const {
-        return m_ground.geom ? m_view.parts().world.objects()->robotOf(*m_ground.geom) : nullptr;
-    }
-
-    void place(const Pose& frame, double lift) {
-        const ViewSettings& settings = m_view.parts().settings;
-        Vec3 at = m_ground.point + Vec3(0, 0, lift);
-        const double step = settings.snaps() ? settings.moveStep() : kDefaultStep;
-        for (int k = 0; k < 2; ++k) at[k] = step * std::round(at[k] / step);
-        m_cargo.text = withPos(m_cargo.text, m_cargo.kind, frame.inverse() * at);
-    }
-
-    /// The path of the config (or body in it) that a shape or body goes into.
-    std::optional<std::string> ownerFor(const Kind& kind) {
-        const ShownWorld& world = m_view.parts().world;
-        const auto tree = treeOf(m_cargo.text);
-        const BlockItem* block = blockOf(*tree, m_cargo.kind);
-        const double lift = block ? restingHeight(m_cargo.kind, *block) : 0;
-        if (const RobotSpec* robot = robotUnder(); robot && robot->config) {
-            const ObjectRef body = *world.objects()->ownerOf(*m_ground.geom);
-            const std::string config = "RobotConfig." + robot->config->name;
-            const bool intoBody = kind.role == Role::Geom;
-            place(world.poseOf(intoBody ? body : ObjectRef{ObjectKind::Robot, body.instance}), lift);
-            return intoBody ? config + "." + robot->config->bodies[body.body].name : config;
-        }
-        const StaticSpec* fixed = m_ground.geom ? world.objects()->staticOf(*m_ground.geom) : nullptr;
-        if (fixed && kind.role == Role::Geom) {
-            place(fixed->pose, lift);
-            return "StaticConfig." + fixed->configName;
-        }
-        refuse(kind.role == Role::Geom ? trDrop("A shape is part of a robot or an arena: drop it onto one.")
-                                       : trDrop("A body is part of a robot: drop it onto one."));
-        return std::nullopt;
-    }
-
-    /// Onto a shape: the shape gets it. The material comes in by the import that holds it, or as a block of its own.
-    bool dropMaterial() {
-        if (!m_ground.geom) return false;
-        Document& document = m_view.parts().document;
-        const auto tree = treeOf(m_cargo.text);
-        const BlockItem* block = blockOf(*tree, m_cargo.kind);
-        if (!block || !block->name) return false;
-        const std::string key = "drop " + std::to_string(document.revision());
-        const QString title = trDrop("Use material %1").arg(QString::fromStdString(block->name->text));
-        if (!document.loaded()->outline->materials.find(block->name->text) &&
-            !document.carryOut(title, planInsert(*document.loaded(), {}, m_cargo.text, m_cargo.imports), key))
-            return true;
-        const std::string path = m_view.parts().world.objects()->pathOf(*m_ground.geom);
-        if (!document.setValues(title, {{path + ".Material", block->name->text}}, key)) document.withdraw(key);
-        document.endMerge();
-        return true;
-    }
-
-    View& m_view;
-    Cargo m_cargo;
-    Ground m_ground;
-};
+/// The robots and statics of one name, or the members of a Grid of that name.
+std::shared_ptr<const ExperimentSpec> thingIn(const ExperimentSpec& experiment) {
+    auto alone = std::make_shared<ExperimentSpec>();
+    alone->materials = experiment.materials;
+    alone->surfaces = experiment.surfaces;
+    for (const RobotSpec& robot : experiment.robots)
+        if (robot.name.starts_with(kThing) && robot.config) alone->robots.push_back(robot);
+    for (const StaticSpec& fixed : experiment.statics)
+        if (fixed.name.starts_with(kThing) && fixed.geoms) alone->statics.push_back(fixed);
+    return alone->robots.empty() && alone->statics.empty() ? nullptr : alone;
+}
 
 } // namespace
 
 bool canDrop(const QMimeData& data) { return data.hasFormat(kMime); }
 
-void dropBlocks(View& view, const QMimeData& data, const QPointF& at) {
-    const auto cargo = cargoOf(data);
-    if (!cargo || !view.parts().document.isOpen()) return;
-    const std::vector<RayHit> hits = view.parts().world.hitsAlong(view.rayAt(at), true);
-    Ground ground{view.pointUnder(at), std::nullopt};
-    if (!hits.empty()) ground.geom = hits.front().geom;
-    Drop(view, *cargo, ground).carryOut();
+LibraryDrop::LibraryDrop(View& view, const QMimeData& data, bool shown) : m_view(view), m_cargo(cargoOf(data)), m_shown(shown) {
+    if (m_cargo && view.parts().document.isOpen()) load();
+    else m_cargo.reset();
+}
+
+LibraryDrop::~LibraryDrop() {
+    if (m_shown) m_view.parts().world.showDragged(nullptr);
+}
+
+std::optional<LibraryDrop::Cargo> LibraryDrop::cargoOf(const QMimeData& data) {
+    const QJsonObject json = QJsonDocument::fromJson(data.data(kMime)).object();
+    Cargo cargo{json.value(QStringLiteral("kind")).toString().toStdString(),
+                json.value(QStringLiteral("text")).toString().toStdString(),
+                {}};
+    for (const QJsonValue& file : json.value(QStringLiteral("imports")).toArray())
+        cargo.imports.push_back(file.toString().toStdString());
+    if (cargo.text.empty()) return std::nullopt;
+    return cargo;
+}
+
+const Kind* LibraryDrop::kind() const {
+    return m_cargo ? m_view.parts().document.loaded()->registry->find(m_cargo->kind) : nullptr;
+}
+
+bool LibraryDrop::standsInWorld() const {
+    const Kind* kind = this->kind();
+    return kind && (kind->role == Role::Instance || kind->role == Role::Layout);
+}
+
+/// Reads what is dragged as a text beside the opened file, so that its shapes are known before it is dropped.
+void LibraryDrop::load() {
+    const Document& document = m_view.parts().document;
+    const Kind* kind = this->kind();
+    const bool isShape = kind && kind->role == Role::Geom, isBody = kind && kind->role == Role::Body;
+    if (!standsInWorld() && !isShape && !isBody) return;
+    const std::string opened = document.loaded()->paths[0], thing = kThing;
+    std::string text = withPos(m_cargo->text, m_cargo->kind, Vec3::Zero());
+    if (standsInWorld()) text = withName(text, m_cargo->kind, thing);
+    else if (isShape) text = "StaticConfig DroppedShape {\n" + text + "\n}\nStatic " + thing + " { Config=DroppedShape }";
+    else text = "RobotConfig DroppedParts {\n" + text + "\n}\nRobot " + thing + " { Config=DroppedParts }";
+    std::string before;
+    for (const std::string& directive : m_cargo->imports)
+        before += (directive.starts_with('#') ? directive : "#import \"" + directive + "\"") + "\n";
+    // What the opened file describes needs no import there.
+    if (before.empty() && !hasConfig(*treeOf(text)))
+        before = "#import \"" + std::filesystem::path(opened).filename().string() + "\"\n";
+    OpenOptions options = document.options();
+    for (const std::string& file : document.files()) options.texts.emplace(file, document.text(file));
+    options.texts.insert_or_assign(opened + ".dropped", std::make_shared<const std::string>(before + text + "\n"));
+    options.meshesLater = true;
+    const auto loaded = m_view.parts().session.parts().open(opened + ".dropped", options);
+    if (!loaded) return;
+    m_thing = thingIn(*loaded.value()->experiment);
+    if (!m_thing) return;
+    for (const RobotSpec& robot : m_thing->robots)
+        for (const BodySpec& body : robot.config->bodies)
+            for (const GeomSpec& geom : body.geoms) m_geoms.push_back({geom, robot.pose * body.pose});
+    for (const StaticSpec& fixed : m_thing->statics)
+        for (const GeomSpec& geom : *fixed.geoms) m_geoms.push_back({geom, fixed.pose});
+    if (m_shown) m_view.parts().world.showDragged(m_thing);
+}
+
+LibraryDrop::Ground LibraryDrop::groundAt(const QPointF& at) const {
+    Ground ground;
+    ground.hits = m_view.parts().world.hitsAlong(m_view.rayAt(at), true);
+    ground.point = m_view.pointUnder(at);
+    return ground;
+}
+
+bool LibraryDrop::findOwner(Ground& ground) const {
+    const ShownWorld& world = m_view.parts().world;
+    const Kind* kind = this->kind();
+    const RayHit* hit = ground.hit();
+    if (!kind || !hit) return false;
+    if (const RobotSpec* robot = world.objects()->robotOf(hit->geom); robot && robot->config) {
+        const ObjectRef body = *world.objects()->ownerOf(hit->geom);
+        const bool intoBody = kind->role == Role::Geom;
+        const ObjectRef owner = intoBody ? body : ObjectRef{ObjectKind::Robot, body.instance};
+        ground.owner = world.objects()->pathOf(owner);
+        ground.frame = world.poseOf(owner);
+        ground.isRobot = true;
+        return true;
+    }
+    const StaticSpec* fixed = world.objects()->staticOf(hit->geom);
+    if (!fixed || kind->role != Role::Geom) return false;
+    ground.owner = fixed->name;
+    ground.frame = fixed->pose;
+    return true;
+}
+
+Vec3 LibraryDrop::placeOn(const Ground& ground) const {
+    const ShownWorld& world = m_view.parts().world;
+    const ViewSettings& settings = m_view.parts().settings;
+    const double step = settings.snaps() ? settings.moveStep() : kDefaultStep;
+    std::vector<StandingGeom> turned = m_geoms;
+    for (StandingGeom& part : turned) part.body = Pose{Vec3::Zero(), ground.frame.rotation} * part.body;
+    const Standing standing(*world.objects(), *world.poses(), [&](const ObjectRef& geom) { return !world.isHidden(geom); });
+    return ground.isRobot && ground.hit() ? standing.placeAgainst(turned, *ground.hit(), step)
+                                          : standing.placeFor(turned, ground.hits, ground.point, step);
+}
+
+void LibraryDrop::hover(const QPointF& at) {
+    if (!m_shown || !m_thing) return;
+    Ground ground = groundAt(at);
+    const bool fits = standsInWorld() || findOwner(ground);
+    m_view.parts().world.moveDragged(fits ? std::optional(Pose{placeOn(ground), ground.frame.rotation}) : std::nullopt);
+}
+
+void LibraryDrop::refuse(const QString& why) { Q_EMIT m_view.parts().document.refused(why); }
+
+void LibraryDrop::drop(const QPointF& at) {
+    if (!m_cargo) return;
+    Document& document = m_view.parts().document;
+    const Kind* kind = this->kind();
+    Ground ground = groundAt(at);
+    if (!kind && m_cargo->imports.empty())
+        return refuse(trDrop("Nothing is known of %1 here.").arg(QString::fromStdString(m_cargo->kind)));
+    if (!kind || kind->role == Role::Controller) return dropController(ground);
+    if (kind->role == Role::Material && dropMaterial(ground)) return;
+    std::string parent;
+    if (standsInWorld() || kind->role == Role::Geom || kind->role == Role::Body) {
+        if (!standsInWorld() && !findOwner(ground))
+            return refuse(kind->role == Role::Geom ? trDrop("A shape is part of a robot or an arena: drop it onto one.")
+                                                   : trDrop("A body is part of a robot: drop it onto one."));
+        parent = ground.owner;
+        m_cargo->text = withPos(m_cargo->text, m_cargo->kind, ground.frame.inverse() * placeOn(ground));
+    } else if (const RayHit* hit = ground.hit(); hit && kind->role != Role::Material) {
+        const RobotSpec* robot = m_view.parts().world.objects()->robotOf(hit->geom);
+        if (robot && robot->config) parent = robot->name;
+    }
+    const QString title = trDrop("Insert %1").arg(QString::fromStdString(m_cargo->kind));
+    (void)document.carryOut(title, planInsert(*document.loaded(), parent, m_cargo->text, m_cargo->imports));
+}
+
+/// Of a module that may not be loaded yet: its cargo says which.
+void LibraryDrop::dropController(const Ground& ground) {
+    const RayHit* hit = ground.hit();
+    const RobotSpec* robot = hit ? m_view.parts().world.objects()->robotOf(hit->geom) : nullptr;
+    if (!robot) return refuse(trDrop("A controller drives a robot: drop it onto one."));
+    Document& document = m_view.parts().document;
+    (void)document.carryOut(trDrop("Insert %1").arg(QString::fromStdString(m_cargo->kind)),
+                            planInsert(*document.loaded(), robot->name, m_cargo->text, m_cargo->imports));
+}
+
+/// Onto a shape: the shape gets it. The material comes in by the import that holds it, or as a block of its own.
+bool LibraryDrop::dropMaterial(const Ground& ground) {
+    const RayHit* hit = ground.hit();
+    if (!hit) return false;
+    Document& document = m_view.parts().document;
+    const auto tree = treeOf(m_cargo->text);
+    const BlockItem* block = blockOf(*tree, m_cargo->kind);
+    if (!block || !block->name) return false;
+    const std::string key = "drop " + std::to_string(document.revision());
+    const QString title = trDrop("Use material %1").arg(QString::fromStdString(block->name->text));
+    if (!document.loaded()->outline->materials.find(block->name->text) &&
+        !document.carryOut(title, planInsert(*document.loaded(), {}, m_cargo->text, m_cargo->imports), key))
+        return true;
+    const std::string path = m_view.parts().world.objects()->pathOf(hit->geom);
+    if (!document.setValues(title, {{path + ".Material", block->name->text}}, key)) document.withdraw(key);
+    document.endMerge();
+    return true;
 }
 
 } // namespace trundle

@@ -11,6 +11,7 @@
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
 #include "project/plans.h"
+#include "scene/standing.h"
 
 namespace trundle {
 namespace {
@@ -18,19 +19,27 @@ namespace {
 const QString kRowsMime = QStringLiteral("application/x-trundle-objects"); // which tree of which program, then paths, a line each
 constexpr double kFreeStep = 0.01, kLevel = 0.002; // m: where nothing snaps; what stands so near to the floor stands on it
 
-/// Where a ray falls, what is moved left out.
-Vec3 groundUnder(const View& view, const QPointF& at, const std::vector<ObjectRef>& moved) {
-    const ShownWorld& world = view.parts().world;
+/// Where a ray falls where nothing is in its way.
+Vec3 groundUnder(const View& view, const QPointF& at) {
     const ViewRay ray = view.rayAt(at);
-    for (const RayHit& hit : world.hitsAlong(ray, true)) {
-        std::optional<ObjectRef> object = hit.geom;
-        while (object && std::find(moved.begin(), moved.end(), *object) == moved.end())
-            object = world.objects()->ownerOf(*object);
-        if (!object) return hit.point;
-    }
     const double down = -ray.origin.z() / ray.direction.z();
     if (std::isfinite(down) && down > 0) return ray.origin + down * ray.direction;
     return view.pointUnder(at);
+}
+
+/// The geoms of an object as they stand, seen from a place.
+void addGeoms(const ShownWorld& world, const ObjectRef& object, const Vec3& from, std::vector<StandingGeom>& out) {
+    const ObjectIndex& objects = *world.objects();
+    const auto add = [&](const std::vector<GeomSpec>& geoms, Pose owner) {
+        owner.position -= from;
+        for (const GeomSpec& geom : geoms) out.push_back({geom, owner});
+    };
+    if (const GeomSpec* geom = objects.geomOf(object)) return add({*geom}, objects.frameOf(object, *world.poses()));
+    if (const StaticSpec* fixed = objects.staticOf(object)) return fixed->geoms ? add(*fixed->geoms, fixed->pose) : void();
+    const RobotSpec* robot = objects.robotOf(object);
+    for (std::uint32_t i = 0; robot->config && i < robot->config->bodies.size(); ++i)
+        if (object.kind == ObjectKind::Robot || object.body == i)
+            add(robot->config->bodies[i].geoms, world.poseOf({ObjectKind::Body, object.instance, i}));
 }
 
 /// From where the object selected last stands to where it is to stand.
@@ -40,11 +49,18 @@ Vec3 wayTo(const View& view, const QPointF& at, const HeldObjects& held) {
     const std::vector<std::string> paths = held.paths();
     for (const std::string& path : paths)
         for (const ObjectRef& object : parts.world.objectsOf(path)) moved.push_back(object);
-    const Vec3 ground = groundUnder(view, at, moved), from = held.pivot().position;
-    const Bounds box = held.boundsOf(paths.size() - 1);
+    const ShownWorld& world = parts.world;
+    const Vec3 from = held.pivot().position;
     const double step = parts.settings.snaps() ? parts.settings.moveStep() : kFreeStep;
-    Vec3 way(0, 0, ground.z() - (box.empty() ? from.z() : box.low.z()));
-    for (int k = 0; k < 2; ++k) way[k] = step * std::round(ground[k] / step) - from[k];
+    std::vector<StandingGeom> geoms; // of the one selected last
+    for (const ObjectRef& object : world.objectsOf(paths.back())) addGeoms(world, object, from, geoms);
+    const auto counts = [&](const ObjectRef& geom) {
+        std::optional<ObjectRef> object = geom;
+        while (object && std::find(moved.begin(), moved.end(), *object) == moved.end()) object = world.objects()->ownerOf(*object);
+        return !object && !world.isHidden(geom);
+    };
+    const Standing standing(*world.objects(), *world.poses(), counts);
+    Vec3 way = standing.placeFor(geoms, world.hitsAlong(view.rayAt(at), true), groundUnder(view, at), step) - from;
     if (std::abs(way.z()) < kLevel) way.z() = 0; // its exact number stays
     return way;
 }

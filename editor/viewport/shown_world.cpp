@@ -36,6 +36,7 @@ ShownWorld::ShownWorld(Document& document, RunSession& session, RenderService* r
 }
 
 ShownWorld::~ShownWorld() {
+    removeDraggedScene();
     if (m_render && m_scene != SceneId::None) m_render->removeScene(m_scene);
 }
 
@@ -63,6 +64,7 @@ void ShownWorld::look() {
         m_scene = m_render->addScene(experiment, runs ? nullptr : ghosts());
         if (before != SceneId::None) m_render->removeScene(before);
     }
+    if (m_dragged) addDraggedScene();
     listHidden();
     Q_EMIT replaced();
 }
@@ -178,6 +180,62 @@ void ShownWorld::setHidden(std::vector<std::string> paths) {
 void ShownWorld::setLocked(std::vector<std::string> paths) {
     m_locked = std::move(paths);
     Q_EMIT marked();
+}
+
+void ShownWorld::showDragged(std::shared_ptr<const ExperimentSpec> thing) {
+    m_dragged = std::move(thing);
+    m_draggedPose.reset();
+    if (m_dragged) addDraggedScene();
+    else removeDraggedScene();
+    Q_EMIT draggedMoved();
+}
+
+void ShownWorld::moveDragged(const std::optional<Pose>& pose) {
+    m_draggedPose = pose;
+    Q_EMIT draggedMoved();
+}
+
+std::shared_ptr<const BodyPoses> ShownWorld::drawnPoses() const {
+    if (!m_draggedPose || !isDragging()) return m_poses;
+    auto all = std::make_shared<BodyPoses>(*m_poses);
+    for (const Pose& body : m_draggedBodies) all->push_back(*m_draggedPose * body);
+    return all;
+}
+
+/// A scene with what is dragged as robots behind all others: each picture puts them where they are, and nothing else is made anew.
+void ShownWorld::addDraggedScene() {
+    removeDraggedScene();
+    if (!m_render || !m_experiment) return;
+    auto drawn = std::make_shared<ExperimentSpec>(*m_experiment);
+    const auto materials = static_cast<std::uint32_t>(drawn->materials.size());
+    drawn->materials.insert(drawn->materials.end(), m_dragged->materials.begin(), m_dragged->materials.end());
+    m_draggedBodies.clear();
+    const auto body = [&](const std::vector<GeomSpec>& geoms, const Pose& pose) {
+        BodySpec one;
+        one.name = "body" + std::to_string(m_draggedBodies.size());
+        one.pose = pose;
+        for (GeomSpec geom : geoms) {
+            if (geom.shape == GeomShape::Plane) continue; // it would hide what there is
+            geom.material += materials;
+            one.geoms.push_back(std::move(geom));
+        }
+        m_draggedBodies.push_back(pose);
+        return one;
+    };
+    auto config = std::make_shared<RobotConfigSpec>();
+    for (const RobotSpec& robot : m_dragged->robots)
+        for (const BodySpec& each : robot.config->bodies) config->bodies.push_back(body(each.geoms, robot.pose * each.pose));
+    for (const StaticSpec& fixed : m_dragged->statics) config->bodies.push_back(body(*fixed.geoms, fixed.pose));
+    RobotSpec dragged;
+    dragged.name = ".dragged"; // no name of a text
+    dragged.config = std::move(config);
+    drawn->robots.push_back(std::move(dragged));
+    m_draggedScene = m_render->addScene(std::move(drawn), m_running ? nullptr : ghosts());
+}
+
+void ShownWorld::removeDraggedScene() {
+    if (m_render && isDragging()) m_render->removeScene(m_draggedScene);
+    m_draggedScene = SceneId::None;
 }
 
 void ShownWorld::listHidden() {

@@ -50,6 +50,16 @@ public:
     /// What is seen along a ray, nearest first; what is locked only where asked for.
     [[nodiscard]] std::vector<RayHit> hitsAlong(const ViewRay& ray, bool alsoLocked = false) const;
 
+    /// Draws what is dragged into the views beside all else: its robots and statics as they stand there, at moveDragged(). Nothing picks
+    /// or measures it. Null: no longer.
+    void showDragged(std::shared_ptr<const ExperimentSpec> thing);
+    /// Where its origin is now; nothing: it is not seen.
+    void moveDragged(const std::optional<Pose>& pose);
+    [[nodiscard]] const std::optional<Pose>& dragged() const { return m_draggedPose; }
+    /// What pictures are drawn of: scene() and poses(), and what is dragged.
+    [[nodiscard]] SceneId drawnScene() const { return m_draggedPose && isDragging() ? m_draggedScene : m_scene; }
+    [[nodiscard]] std::shared_ptr<const BodyPoses> drawnPoses() const;
+
     /// Paths of objects; what is in them is meant too.
     void setHidden(std::vector<std::string> paths);
     void setLocked(std::vector<std::string> paths);
@@ -62,11 +72,15 @@ Q_SIGNALS:
     void replaced(); ///< another experiment: poses too
     void posed();    ///< the same, elsewhere
     void marked();   ///< hidden or locked
+    void draggedMoved();
 
 private:
     void look();
     void lookAtPoses();
     void listHidden();
+    [[nodiscard]] bool isDragging() const { return m_draggedScene != SceneId::None; }
+    void addDraggedScene();
+    void removeDraggedScene();
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> ghosts() const;
     [[nodiscard]] bool holds(const std::vector<std::string>& marks, const ObjectRef& object) const;
 
@@ -78,7 +92,10 @@ private:
     std::shared_ptr<const ObjectIndex> m_objects;
     std::shared_ptr<const BodyPoses> m_poses;
     std::vector<CameraModel> m_cameras;
-    SceneId m_scene = SceneId::None;
+    SceneId m_scene = SceneId::None, m_draggedScene = SceneId::None;
+    std::shared_ptr<const ExperimentSpec> m_dragged;
+    std::vector<Pose> m_draggedBodies; // from its origin
+    std::optional<Pose> m_draggedPose;
     mutable std::optional<Bounds> m_bounds; // made when somebody asks
     bool m_running = false;
     std::vector<std::string> m_hidden, m_locked, m_hiddenInScene;

@@ -9,6 +9,7 @@
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
 #include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/library_drop.h"
 #include "editor/viewport/measure_work.h"
 #include "editor/viewport/navigation.h"
 #include "editor/viewport/overlays.h"
@@ -82,6 +83,7 @@ View::View(const ViewParts& parts, ViewKind kind, QWidget* parent)
         redraw();
     });
     connect(&m_parts.world, &ShownWorld::marked, this, &View::redraw);
+    connect(&m_parts.world, &ShownWorld::draggedMoved, this, &View::redraw);
     connect(&m_parts.settings, &ViewSettings::changed, this, &View::redraw);
     connect(&m_parts.settings, &ViewSettings::changed, this, qOverload<>(&View::update)); // handles need no other picture
     connect(&m_parts.selection, &Selection::changed, this, [this] {
@@ -231,15 +233,16 @@ PictureRequest View::request(bool fine) const {
     const ViewSettings& settings = m_parts.settings;
     // Beyond what is drawn at most, a pixel of the picture is larger than one of the screen.
     const double scale = std::min(devicePixelRatioF(), kMostPixels / double(std::max({1, width(), height()})));
-    r.scene = m_parts.world.scene();
+    r.scene = m_parts.world.drawnScene();
     r.view = cameraView();
     r.width = std::uint32_t(std::clamp(int(std::lround(width() * scale)), 1, int(kMostPixels)));
     r.height = std::uint32_t(std::clamp(int(std::lround(height() * scale)), 1, int(kMostPixels)));
-    r.poses = m_parts.world.poses();
+    r.poses = m_parts.world.drawnPoses();
     r.samples = fine || !m_software ? 4 : 1;
     r.yields = fine;
-    r.mask = kMaskRobots | kMaskStatics | kMaskSky | kMaskGhosts;
-    if (settings.shows(kOverlayGrid)) r.mask |= kMaskFloor | kMaskGuide;
+    r.mask = kMaskRobots | kMaskStatics | kMaskFloor | kMaskSky | kMaskGhosts;
+    r.floorLines = settings.shows(kOverlayGrid);
+    if (r.floorLines) r.mask |= kMaskGuide;
     if (settings.shows(kOverlayCollision)) r.mask |= kMaskCollision;
     if (m_parts.radios && (m_parts.radios->inScene().shapes || m_parts.radios->inScene().floor)) {
         r.mask |= kMaskOverlay;

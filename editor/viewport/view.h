@@ -21,6 +21,7 @@ namespace trundle {
 
 class Document;
 class GizmoWork;
+class LibraryDrop;
 class Measurement;
 class Navigation;
 class PinnedValues;
@@ -173,6 +174,7 @@ private:
     Frame m_frame;
     QString m_failure, m_hint, m_hoverHint;
     std::string m_hovered;
+    std::unique_ptr<LibraryDrop> m_drop; // a drag from the Library is over this view
     QPointF m_cursor, m_dropAt{-1, -1};
     QTimer m_pumpTimer, m_settle, m_glide;
     QElapsedTimer m_sinceAsked, m_gliding;

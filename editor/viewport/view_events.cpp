@@ -131,12 +131,16 @@ void View::showEvent(QShowEvent*) { redraw(); }
 void View::dragEnterEvent(QDragEnterEvent* event) {
     m_dropMoves = canMoveHere(*this, *event->mimeData());
     m_dropping = takesDrop(*event);
+    m_dropAt = event->position();
+    if (m_dropping && !m_dropMoves) m_drop = std::make_unique<LibraryDrop>(*this, *event->mimeData(), true);
+    if (m_drop) m_drop->hover(m_dropAt);
 }
 
 void View::dragMoveEvent(QDragMoveEvent* event) {
     if (!m_dropping) return;
     m_dropAt = event->position();
     m_dropping = takesDrop(*event);
+    if (m_drop) m_drop->hover(m_dropAt);
     update();
 }
 
@@ -151,16 +155,18 @@ bool View::takesDrop(QDropEvent& event) const {
 
 void View::dragLeaveEvent(QDragLeaveEvent*) {
     m_dropping = false;
+    m_drop.reset();
     update();
 }
 
 void View::dropEvent(QDropEvent* event) {
     m_dropping = false;
+    m_drop.reset(); // what it brings is read anew: it may have been another drag
     update();
     if (!takesDrop(*event)) return;
     if (event->dropAction() == Qt::MoveAction) moveHere(*this, event->position());
     else if (m_dropMoves) copyHere(*this, event->position());
-    else dropBlocks(*this, *event->mimeData(), event->position());
+    else LibraryDrop(*this, *event->mimeData(), false).drop(event->position());
 }
 
 void View::paintMessage(QPainter& painter, const QString& text) const {
@@ -198,7 +204,8 @@ void View::paintHints(QPainter& painter) const {
         painter.setPen(QPen(ink(Ink::Accent), 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
-        if (const auto at = pixelOf(pointUnder(m_dropAt))) painter.drawEllipse(*at, 9, 5);
+        const auto at = m_parts.world.dragged() ? std::nullopt : pixelOf(pointUnder(m_dropAt));
+        if (at) painter.drawEllipse(*at, 9, 5);
     }
 }
 

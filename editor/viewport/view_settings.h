@@ -12,7 +12,7 @@ enum class AxesOf { World, Parent, Local };
 
 /// What can be drawn over a view.
 enum Overlay : unsigned {
-    kOverlayGrid = 1u << 0, ///< floor, its lines and the scale bar
+    kOverlayGrid = 1u << 0, ///< the lines of the floor and the scale bar
     kOverlayNames = 1u << 1,
     kOverlayJoints = 1u << 2,
     kOverlayContacts = 1u << 3,

@@ -209,15 +209,17 @@ void ViewportPanel::setHidden(const std::vector<std::string>& paths) { m_world->
 void ViewportPanel::setLocked(const std::vector<std::string>& paths) { m_world->setLocked(paths); }
 
 void ViewportPanel::showBanner() {
+    if (m_current && m_current->mouseIsBusy() && !m_banner->isVisible()) return; // a drag says what it does by itself
     m_inTheWay.clear();
     QString text, button;
     const Tool tool = m_settings.tool();
     const bool edits = tool == Tool::Move || tool == Tool::Rotate || tool == Tool::Scale;
     if (edits && !m_selection.empty() && m_document.isOpen()) {
-        const HeldObjects held(*m_parts);
+        const HeldObjects held(*m_parts, tool == Tool::Scale ? HeldObjects::Purpose::Scale : HeldObjects::Purpose::Move);
         text = held.refusal();
         m_inTheWay = held.layoutInTheWay();
         if (!m_inTheWay.empty()) button = tr("Replace by Single Instances");
+        if (text.isEmpty() && tool == Tool::Scale) text = held.sizeRefusal();
         if (text.isEmpty() && tool == Tool::Scale && !held.empty() && held.halfExtent().isZero())
             text = m_world->isRunning()
                        ? tr("Sizes change at the start of a run only.")

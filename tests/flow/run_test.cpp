@@ -56,7 +56,7 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     QStringList keys = json.keys();
     keys.sort();
     QStringList expected{"ticks",       "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash",
-                         "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks",  "finished"};
+                         "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks",  "finished", "objects"};
     expected.sort();
     QCOMPARE(keys, expected);
     QCOMPARE(json["ticks"].toInt(), 1200);

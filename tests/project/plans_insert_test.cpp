@@ -235,6 +235,19 @@ private Q_SLOTS:
         QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
     }
 
+    void aFileOfTheProjectIsNeverNamedByItsWholePath() {
+        // The importing file has a file of the same name beside it, which would be found first.
+        for (const char* name : {"configs/trials/robots/a.sim", "configs/robots/a.sim"}) {
+            std::filesystem::create_directories(std::filesystem::path(m_desk.path(name)).parent_path());
+            std::ofstream(m_desk.path(name)) << "StaticConfig A { Box b { Size=1,1,1 } }\n";
+        }
+        const auto loaded = m_desk.open(std::map<std::string, std::string>{{"configs/trials/main.sim", ""}}, "configs/trials/main.sim");
+        const auto plan = planInsert(*loaded, "", "Static a { Config=A }", {m_desk.path("configs/robots/a.sim")});
+        QCOMPARE(m_desk.text(loaded, plan, "configs/trials/main.sim"), "#import ../robots/a.sim\nStatic a { Config=A }\n");
+        const auto again = m_desk.carryOut(loaded, plan);
+        QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
+    }
+
     void controllers() {
         const std::string more = "Robot a { Config=Cart Walker brain { Speed=1 } }\nRobot b {\n  Config=Cart\n}\nGrid g { "
                                  "Config=Cart Count=2 Spacing=9 }\n";

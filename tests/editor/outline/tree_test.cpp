@@ -19,7 +19,9 @@ private Q_SLOTS:
     void makesChildrenOnlyWhenTheyAreLookedAt();
     void aClickSelectsTheObject();
     void selectionElsewhereIsShownHere();
-    void membersOfAGridAreShownAsTheGrid();
+    void membersOfAGridAreReached();
+    void tenThousandMembersMakeFewRows();
+    void whatNothingDrivesIsAnObject();
     void whatIsUnfoldedStaysSoThroughEdits();
     void fromTheFilterOneGoesToWhatIsFound();
     void anUndoneDeletionComesBackUnfolded();
@@ -118,15 +120,58 @@ void TreeTest::selectionElsewhereIsShownHere() {
     QCOMPARE(o.selected(), QStringLiteral("nobody")); // not the tree's to change
 }
 
-void TreeTest::membersOfAGridAreShownAsTheGrid() {
+void TreeTest::membersOfAGridAreReached() {
     Outlined o;
     QVERIFY(o.open(kRovers + "Grid swarm { Config=Rover Pos=5,5,0 Count=2,2 Spacing=1 }\n"));
     o.selection.select("swarm_3");
-    QCOMPARE(o.marked(), QStringLiteral("swarm"));
+    QCOMPARE(o.marked(), QStringLiteral("swarm_3"));
     QCOMPARE(o.selected(), QStringLiteral("swarm_3"));
     o.selection.select("swarm_3.chassis");
-    QCOMPARE(o.marked(), QStringLiteral("swarm.chassis"));
+    QCOMPARE(o.marked(), QStringLiteral("swarm_3.chassis"));
     QCOMPARE(o.at("swarm").data(OutlineModel::DetailRole).toString(), QStringLiteral("2×2 Rover"));
+    const QModelIndex members = o.at("swarm_3").parent();
+    QCOMPARE(members.data().toString(), QStringLiteral("Members"));
+    QCOMPARE(members.data(OutlineModel::DetailRole).toString(), QStringLiteral("4"));
+    QCOMPARE(members.model()->rowCount(members), 4);
+    QVERIFY(!(members.flags() & Qt::ItemIsSelectable)); // no object
+    // It has no text of its own: no other name, and nowhere to be dragged to.
+    QVERIFY(!(o.at("swarm_3").flags() & (Qt::ItemIsEditable | Qt::ItemIsDragEnabled)));
+    o.click(o.at("swarm_1"));
+    QCOMPARE(o.selected(), QStringLiteral("swarm_1"));
+    // Another count: the rows follow.
+    QVERIFY(o.document.setValues(QStringLiteral("Set Count"), {{"swarm.Count", "1,2"}}).ok());
+    QCOMPARE(members.model()->rowCount(o.at("swarm_1").parent()), 2);
+}
+
+void TreeTest::tenThousandMembersMakeFewRows() {
+    Outlined o;
+    QVERIFY(o.open("RobotConfig Pea { Body b { Sphere s { Radius=0.01 Mass=0.01 } } }\n"
+                   "Grid peas { Config=Pea Count=100,100 Spacing=0.1 }\n"));
+    const std::size_t before = o.model().made();
+    o.selection.select("peas_4711");
+    QCOMPARE(o.marked(), QStringLiteral("peas_4711"));
+    QVERIFY2(o.model().made() - before < 250, qPrintable(QString::number(o.model().made() - before)));
+    QCOMPARE(o.at("peas_4711").parent().data().toString(), QStringLiteral("peas_4700 … peas_4799"));
+    o.model().setFilter("peas_9998");
+    QVERIFY(o.at("peas_9998").isValid());
+    QVERIFY2(o.model().made() < 20, qPrintable(QString::number(o.model().made())));
+}
+
+void TreeTest::whatNothingDrivesIsAnObject() {
+    Outlined o;
+    QVERIFY(o.open(kRovers + "RobotConfig Ball { Body b { Sphere s { Radius=0.1 Mass=0.1 } } }\nRobot ball { Config=Ball Pos=3,3,0 }\n"
+                             "Grid balls { Config=Ball Pos=5,5,0 Count=2,2 Spacing=1 }\n"));
+    const auto groupOf = [&](const char* path) { return o.at(path).parent().data().toString(); };
+    QCOMPARE(groupOf("ball"), QStringLiteral("Objects"));
+    QCOMPARE(groupOf("balls"), QStringLiteral("Objects"));
+    QCOMPARE(o.at("ball").parent().data(OutlineModel::DetailRole).toString(), QStringLiteral("2"));
+    QCOMPARE(o.at("ball").data(OutlineModel::IconRole).toString(), QStringLiteral("kind-object"));
+    QCOMPARE(o.at("balls_2").data(OutlineModel::IconRole).toString(), QStringLiteral("kind-object"));
+    // With something that senses it is a robot.
+    QByteArray text = o.text();
+    text.replace("Mass=0.1 } } }\nRobot ball", "Mass=0.1 } } Camera eye { Body=b } }\nRobot ball");
+    QVERIFY(o.document.replaceText(QStringLiteral("camera"), o.document.path(), text.toStdString()).ok());
+    QCOMPARE(groupOf("ball"), QStringLiteral("Robots"));
 }
 
 void TreeTest::whatIsUnfoldedStaysSoThroughEdits() {

@@ -171,6 +171,36 @@ private Q_SLOTS:
         QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
     }
 
+    void aModuleOfAnotherFolderOfTheProjectIsWrittenRelative() {
+        OpenedSession o;
+        QVERIFY(QDir(o.folder.path()).mkpath(QStringLiteral(".trundle")) && QDir(o.folder.path()).mkpath(QStringLiteral("trials/one")));
+        QVERIFY(o.open(kTeam, "trials/one/trial.sim"));
+        const QString library = copiedModule(o, "random_drive", "wander");
+        ControllerCommands commands(o.document, o.session);
+        commands.setAsk([](const QString&, const QString&) { return true; });
+        QVERIFY(commands.load(library));
+        QVERIFY2(textOf(o).find("#loadModule ../../mine/wander\n") != std::string::npos, textOf(o).c_str());
+        QVERIFY(textOf(o).find(o.folder.path().toStdString()) == std::string::npos);
+        QCOMPARE(commands.modules()[1].library, QFileInfo(library).canonicalFilePath().toStdString());
+        QVERIFY2(commands.modules()[1].trusted, qPrintable(commands.modules()[1].trouble));
+        QVERIFY(commands.assign({"idle"}, choice(commands, "RandomDrive")));
+        QVERIFY(!o.document.loaded()->diagnostics.hasErrors());
+    }
+
+    void aModuleBelowAFolderOfTheCommandLineIsWrittenFromThere() {
+        OpenedSession o;
+        QTemporaryDir shelf;
+        QVERIFY(o.open(kTeam));
+        const std::string library = shelf.filePath(QStringLiteral("drives/libwander.so")).toStdString();
+        const Locations& places = o.session.parts().locations();
+        QCOMPARE(writtenFor(library, *o.document.loaded(), places, {shelf.path().toStdString()}), std::string("drives/wander"));
+        QCOMPARE(writtenFor(library, *o.document.loaded(), places), shelf.filePath(QStringLiteral("drives/wander")).toStdString());
+        // The project was opened through a link: the folder is the same.
+        QVERIFY(QFile::link(o.folder.path(), shelf.filePath(QStringLiteral("link"))));
+        QCOMPARE(writtenFor(shelf.filePath(QStringLiteral("link/mine/libwander.so")).toStdString(), *o.document.loaded(), places),
+                 std::string("mine/wander"));
+    }
+
     void anOpenedExperimentWithAnUntrustedModuleDoesNotRunUntilItIsTrusted() {
         OpenedSession o;
         const QString library = copiedModule(o, "random_drive", "wander");

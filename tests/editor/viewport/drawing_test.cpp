@@ -257,6 +257,26 @@ private Q_SLOTS:
         QCOMPARE(with.pixel(hull), without.pixel(hull));
     }
 
+    void withoutTheGridTheFloorIsPlainAndStillThere() {
+        m_window->look({0, -2.5, 2.5}, {0, 0, 0});
+        const auto look = [this](std::vector<int>& shades) { // along 40 cm of open floor, across four lines
+            EVENTUALLY(m_window->panel->isSettled());
+            const QImage& picture = m_window->view().picture();
+            const QPoint from = m_window->at({-0.2, -0.85, 0}), to = m_window->at({0.2, -0.85, 0});
+            for (int x = from.x(); x < to.x(); ++x) shades.push_back(qGray(picture.pixel(x, from.y())));
+            std::ranges::sort(shades);
+        };
+        std::vector<int> lined, plain;
+        m_window->trigger("view.overlayShadows");
+        look(lined);
+        m_window->trigger("view.overlayGrid");
+        look(plain);
+        QVERIFY(!lined.empty() && !plain.empty());
+        QVERIFY2(lined.back() - lined.front() > 8, qPrintable(QString::number(lined.back() - lined.front())));
+        QVERIFY2(plain.back() - plain.front() <= 2, qPrintable(QString::number(plain.back() - plain.front()))); // but for the haze
+        QVERIFY(std::abs(plain.back() - lined.back()) < 24); // of the floor, not of what lies below it
+    }
+
     void withoutOpenGlAllButThePictureWorks() {
         ViewWindow window(nullptr);
         QVERIFY(window.open(kRoom));

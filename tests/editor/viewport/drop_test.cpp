@@ -7,6 +7,7 @@
 
 #include "editor/viewport/library_drop.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 
 using namespace trundle;
 
@@ -58,6 +59,67 @@ private Q_SLOTS:
         drop("Material", "Material blue { ColorRGB=0,0,1 }", {}, {0, 0, 0.5});
         QVERIFY2(m_window->text().contains("crate.Material"), m_window->text().constData());
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+    }
+
+    void whatFallsOnASideFaceStandsBesideIt() {
+        QVERIFY(m_window->open("#import arenas/open_floor.sim\n#import objects/wall.sim\nStatic ground { Config=OpenFloor }\n"
+                               "Static wall { Config=Wall Pos=0,0,0 HPR=30,0,0 }\n"));
+        m_window->look({1.2, -2.5, 1.5}, {0, 0, 0.2});
+        const Vec3 normal = rotationFromHpr({M_PI / 6, 0, 0}) * Vec3(0, -1, 0), face = 0.05 * normal + Vec3(0, 0, 0.3);
+        drop("Robot", "Robot crate { Config=Crate Pos=0,0,0 }", {QStringLiteral("objects/crate.sim")}, face);
+        const ExperimentSpec& experiment = *m_window->document.loaded()->experiment;
+        QCOMPARE(experiment.robots.size(), std::size_t(1));
+        const Vec3 at = experiment.robots[0].pose.position;
+        QCOMPARE(at.z(), 0.0);
+        const double reach = 0.125 * (std::abs(normal.x()) + std::abs(normal.y())); // of its corner towards the wall
+        QVERIFY2(std::abs(normal.dot(at) - 0.05 - reach) < 1e-4, m_window->text().constData());
+        // On top of the wall it stands on top.
+        drop("Robot", "Robot crate { Config=Crate Pos=0,0,0 }", {QStringLiteral("objects/crate.sim")}, {0, 0, 0.5});
+        QVERIFY(std::abs(m_window->document.loaded()->experiment->robots.at(1).pose.position.z() - 0.5) < 1e-5);
+    }
+
+    void whatIsDraggedIsSeenWhereItWillStand() {
+        QVERIFY(m_window->open("#import arenas/open_floor.sim\nStatic ground { Config=OpenFloor }\n"));
+        m_window->look({0, -2.5, 2.5}, {0, 0, 0});
+        m_window->trigger("view.overlayShadows");
+        EVENTUALLY(m_window->panel->isSettled());
+        View& view = m_window->view();
+        const QImage before = view.picture();
+        const Vec3 places[] = {{0.5, 0.2, 0}, {-0.5, -0.3, 0}};
+        QMimeData data;
+        fill(data, "Robot", "Robot ball { Config=RollingBall Pos=1,1,1 }", {QStringLiteral("objects/rolling_ball.sim")});
+        const auto isSeen = [&](const Vec3& where) {
+            const QPoint at = m_window->at(where + Vec3(0, 0, 0.08));
+            return qRed(view.picture().pixel(at)) > qRed(before.pixel(at)) + 40; // an orange ball on a grey floor
+        };
+        const auto drag = [&](QDragMoveEvent&& event) { QCoreApplication::sendEvent(&view, &event); };
+        drag(QDragEnterEvent(m_window->at(places[0]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
+        EVENTUALLY(m_window->panel->isUpToDate() && isSeen(places[0]) && !isSeen(places[1]));
+        const SceneId scene = m_window->panel->world().drawnScene();
+        drag(QDragMoveEvent(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
+        EVENTUALLY(m_window->panel->isUpToDate() && isSeen(places[1]) && !isSeen(places[0]));
+        QVERIFY(scene == m_window->panel->world().drawnScene()); // nothing was made anew
+        QVERIFY(m_window->document.loaded()->experiment->robots.empty() && m_window->document.history().entries().empty());
+        QDragLeaveEvent leave;
+        QCoreApplication::sendEvent(&view, &leave);
+        EVENTUALLY(m_window->panel->isSettled());
+        QVERIFY(view.picture() == before);
+        // The drop puts it where it was seen.
+        drag(QDragEnterEvent(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
+        const Pose shown = m_window->panel->world().dragged().value();
+        QDropEvent event(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view, &event);
+        QVERIFY((m_window->document.loaded()->experiment->robots.at(0).pose.position - shown.position).norm() < 1e-9);
+        QVERIFY(!m_window->panel->world().dragged());
+    }
+
+    void aShapeOnARobotTouchesTheFaceItFallsOn() {
+        m_window->look({-0.5, -2.5, 1.0}, {-0.5, 0, 0.1});
+        drop("Sphere", "Sphere nose { Radius=0.03 }", {}, {-0.5, -0.1, 0.1}); // the right side of robot0's hull
+        const BodySpec& chassis = m_window->document.loaded()->experiment->robots.at(0).config->bodies.at(0);
+        const auto nose = std::ranges::find(chassis.geoms, std::string("nose"), &GeomSpec::name);
+        QVERIFY2(nose != chassis.geoms.end(), m_window->text().constData());
+        QVERIFY2(std::abs(nose->pose.position.y() + 0.13) < 1e-4, qPrintable(QString::number(nose->pose.position.y())));
     }
 
     // ---- rows of the scene tree ----
@@ -118,7 +180,7 @@ private Q_SLOTS:
         QFETCH(const QByteArray, json);
         QMimeData data;
         data.setData(QStringLiteral("application/x-trundle-library"), json);
-        dropBlocks(m_window->view(), data, {300, 300});
+        LibraryDrop(m_window->view(), data, false).drop({300, 300});
         QCOMPARE(m_window->text(), kRoom);
     }
 
@@ -141,12 +203,16 @@ private:
                                                                                                     : Qt::IgnoreAction;
     }
 
-    void drop(const char* kind, const char* text, const QStringList& imports, const Vec3& where) {
-        QMimeData data;
+    static void fill(QMimeData& data, const char* kind, const char* text, const QStringList& imports) {
         const QJsonObject json{{QStringLiteral("kind"), QLatin1String(kind)},
                                {QStringLiteral("text"), QLatin1String(text)},
                                {QStringLiteral("imports"), QJsonArray::fromStringList(imports)}};
         data.setData(QStringLiteral("application/x-trundle-library"), QJsonDocument(json).toJson());
+    }
+
+    void drop(const char* kind, const char* text, const QStringList& imports, const Vec3& where) {
+        QMimeData data;
+        fill(data, kind, text, imports);
         const QPoint at = m_window->at(where);
         QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&m_window->view(), &enter);

@@ -1,7 +1,6 @@
 #include <QtTest>
 
-#include "editor/viewport/gizmo_work.h"
-#include "editor/viewport/view_window.h"
+#include "editor/viewport/gizmo_hand.h"
 
 using namespace trundle;
 
@@ -341,22 +340,7 @@ private:
     }
     /// Drags a handle so that what it holds at `origin` goes by `by`.
     void dragBy(const Handle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, Vec3 origin = {-0.5, 0, 0}) {
-        View& view = m_window->view();
-        const auto spot = view.gizmo().spot(handle);
-        QVERIFY(spot);
-        // The place that the handle's pixel means: on its axis or plane.
-        const ViewRay ray = view.rayAt(*spot);
-        Vec3 start;
-        if (handle.kind == Handle::Kind::Plane) {
-            start = ray.origin + (origin - ray.origin)[handle.axis] / ray.direction[handle.axis] * ray.direction;
-        } else {
-            const Vec3 axis = by.normalized();
-            const Vec3 between = origin - ray.origin;
-            const double b = axis.dot(ray.direction), n = 1 - b * b;
-            start = origin + (b * ray.direction.dot(between) - axis.dot(between)) / n * axis;
-        }
-        const QPointF to = view.pixelOf(start + by).value();
-        m_window->drag(*spot, to, Qt::LeftButton, modifiers);
+        QVERIFY(dragHandle(*m_window, handle, by, origin, modifiers));
     }
 
     std::unique_ptr<RenderService> m_render;

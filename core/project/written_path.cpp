@@ -1,0 +1,21 @@
+#include "project/written_path.h"
+
+#include <filesystem>
+
+#include "project/search.h"
+
+namespace trundle {
+
+std::optional<std::string> pathBelow(const std::string& absolute, std::span<const std::string> folders) {
+    namespace fs = std::filesystem;
+    // The last name may be a link to a file elsewhere, or that of a file without its ending: only the folder is resolved.
+    const fs::path file = fs::path(canonicalPath(fs::path(absolute).parent_path().string())) / fs::path(absolute).filename();
+    for (const std::string& folder : folders) {
+        if (folder.empty()) continue;
+        const fs::path below = file.lexically_relative(canonicalPath(folder));
+        if (!below.empty() && *below.begin() != ".." && below != ".") return below.generic_string();
+    }
+    return std::nullopt;
+}
+
+} // namespace trundle

@@ -1,0 +1,192 @@
+// needs: the shapes of the thing and of all that collides.
+// assumes: what is below a plane is solid; of a mesh that collides as one its faces are.
+// method: the thing is put with its lowest point at the height of what the ray met, or of the ground at the foot of a steep face, and
+//   pushed out of that face along the level. Then, as long as it is in something, it goes the shortest way out, up or level: up where
+//   that is the ground it was put on. If that leads nowhere it goes up until nothing is in its way.
+// data: convex pieces of the thing, moved along; bounds of all that collides.
+#include "scene/standing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/convex_hull.h"
+#include "scene/shape_mesh.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kSteep = 0.5;    // of a normal's z: below it nothing stands on the face
+constexpr double kDepth = 2e-6;   // m: so deep is not inside
+constexpr double kGap = 2e-6;     // m: between things that touch, more than what numbers in a text are rounded by
+constexpr int kSteps = 40, kWays = 16;
+constexpr double kDigit = 1e-6; // m, of a Pos
+
+/// The shape that a thing takes along: a mesh as its hull.
+std::optional<ConvexPiece> pieceOf(const StandingGeom& part) {
+    GeomSpec geom = part.geom;
+    if (geom.shape == GeomShape::Mesh && geom.mesh && !geom.collideAsHull) {
+        auto hull = convexHull(geom.mesh->points);
+        geom.hull = hull ? std::make_shared<const TriangleMesh>(std::move(*hull)) : geom.mesh;
+        geom.collideAsHull = true;
+    }
+    std::vector<ConvexPiece> pieces = ConvexPiece::of(geom, part.body, Bounds{});
+    return pieces.size() == 1 ? std::optional(pieces.front()) : std::nullopt;
+}
+
+double rounded(double value, double step) { return step > 0 ? step * std::round(value / step) : value; }
+
+} // namespace
+
+struct Standing::Moved {
+    std::vector<ConvexPiece> pieces;
+    Vec3 pos = Vec3::Zero();
+    Bounds bounds;
+
+    void move(const Vec3& by) {
+        for (ConvexPiece& piece : pieces) piece.move(by);
+        pos += by;
+        bounds.low += by;
+        bounds.high += by;
+    }
+    [[nodiscard]] bool isInside(const ConvexPiece& fixed) const {
+        return std::any_of(pieces.begin(), pieces.end(), [&](const ConvexPiece& piece) { return piece.isInside(fixed, kDepth); });
+    }
+    /// Of all its pieces that are inside.
+    [[nodiscard]] double wayOut(const ConvexPiece& fixed, const Vec3& direction) const {
+        double way = 0;
+        for (const ConvexPiece& piece : pieces)
+            if (piece.isInside(fixed, kDepth)) way = std::max(way, piece.wayOut(fixed, direction));
+        return way;
+    }
+};
+
+Standing::Standing(const ObjectIndex& objects, const BodyPoses& poses, std::function<bool(const ObjectRef& geom)> counts)
+    : m_objects(objects), m_poses(poses), m_counts(std::move(counts)) {
+    const auto add = [&](ObjectRef ref, const std::vector<GeomSpec>& geoms, const Pose& owner) {
+        for (std::uint32_t i = 0; i < geoms.size(); ++i) {
+            ref.geom = i;
+            const bool solid = geoms[i].collide && !isPlaceholder(geoms[i]) && m_counts(ref);
+            const Bounds bounds = solid ? boundsOf(geoms[i], owner) : Bounds{};
+            if (solid && (geoms[i].shape == GeomShape::Plane || !bounds.empty())) m_solids.push_back({ref, &geoms[i], owner, bounds});
+        }
+    };
+    const ExperimentSpec& e = objects.experiment();
+    for (std::uint32_t r = 0; r < e.robots.size(); ++r)
+        for (std::uint32_t b = 0; e.robots[r].config && b < e.robots[r].config->bodies.size(); ++b)
+            add({ObjectKind::Geom, r, b}, e.robots[r].config->bodies[b].geoms, objects.poseOf({ObjectKind::Body, r, b}, poses));
+    for (std::uint32_t s = 0; s < e.statics.size(); ++s)
+        if (e.statics[s].geoms) add({ObjectKind::StaticGeom, s}, *e.statics[s].geoms, e.statics[s].pose);
+}
+
+std::vector<ConvexPiece> Standing::inTheWay(const Moved& thing, const ObjectRef* only) const {
+    std::vector<ConvexPiece> all;
+    for (const Solid& solid : m_solids) {
+        if (only && solid.object != *only) continue;
+        const Bounds& b = solid.bounds;
+        if (!b.empty() && ((b.low.array() > thing.bounds.high.array()).any() || (b.high.array() < thing.bounds.low.array()).any()))
+            continue;
+        for (const ConvexPiece& piece : ConvexPiece::of(*solid.geom, solid.owner, thing.bounds))
+            if (thing.isInside(piece)) all.push_back(piece);
+    }
+    return all;
+}
+
+double Standing::groundBelow(const Vec3& point) const {
+    for (const RayHit& hit : castRay(m_objects, m_poses, {point, -Vec3::UnitZ()})) {
+        const GeomSpec* geom = m_objects.geomOf(hit.geom);
+        if (geom && geom->collide && m_counts(hit.geom)) return hit.point.z();
+    }
+    return std::min(0.0, point.z());
+}
+
+void Standing::pushOut(Moved& thing, const ObjectRef& from, const Vec3& direction) const {
+    for (int i = 0; i < kSteps; ++i) {
+        double way = 0;
+        for (const ConvexPiece& piece : inTheWay(thing, &from)) way = std::max(way, thing.wayOut(piece, direction));
+        if (!(way > 0) || !std::isfinite(way)) return;
+        thing.move((way + kGap) * direction);
+    }
+}
+
+void Standing::settle(Moved& thing, const ObjectRef* ground) const {
+    std::vector<Vec3> ways{Vec3::UnitZ()};
+    for (int i = 0; i < kWays; ++i) {
+        const double angle = 2 * M_PI * i / kWays;
+        ways.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    if (ground) // to stand on it comes first
+        pushOut(thing, *ground, Vec3::UnitZ());
+    for (int i = 0; i < kSteps; ++i) {
+        const std::vector<ConvexPiece> obstacles = inTheWay(thing, nullptr);
+        if (obstacles.empty()) return;
+        double best = std::numeric_limits<double>::infinity();
+        Vec3 out = Vec3::Zero();
+        for (const Vec3& way : ways) {
+            double far = 0;
+            for (const ConvexPiece& piece : obstacles) far = std::max(far, thing.wayOut(piece, way));
+            if (far < best) best = far, out = way;
+        }
+        if (!std::isfinite(best) || i > kSteps / 2) out = Vec3::UnitZ(), best = 0;
+        if (best == 0)
+            for (const ConvexPiece& piece : obstacles)
+                if (const double up = thing.wayOut(piece, Vec3::UnitZ()); std::isfinite(up)) best = std::max(best, up);
+        thing.move((best + kGap) * out);
+    }
+}
+
+/// Without shapes where it is ground itself, or nothing that could be in the way.
+Standing::Moved Standing::movedOf(const std::vector<StandingGeom>& thing) {
+    const auto isGround = [](const StandingGeom& part) {
+        return part.geom.shape == GeomShape::Plane || part.geom.shape == GeomShape::Heightfield;
+    };
+    const bool collides = std::any_of(thing.begin(), thing.end(), [](const StandingGeom& part) { return part.geom.collide; });
+    Moved moved;
+    if (std::any_of(thing.begin(), thing.end(), isGround)) return moved;
+    for (const StandingGeom& part : thing) {
+        if (collides ? !part.geom.collide : !part.geom.visible) continue;
+        if (auto piece = pieceOf(part)) {
+            moved.bounds.add(piece->bounds());
+            moved.pieces.push_back(std::move(*piece));
+        }
+    }
+    return moved;
+}
+
+Vec3 Standing::placeAgainst(const std::vector<StandingGeom>& thing, const RayHit& hit, double step) const {
+    Vec3 at = hit.point;
+    for (int k = 0; k < 3; ++k) // along the face, not out of it
+        if (std::abs(hit.normal[k]) < 1e-6) at[k] = rounded(at[k], step);
+    Moved moved = movedOf(thing);
+    if (moved.pieces.empty()) return at;
+    moved.move(at);
+    pushOut(moved, hit.geom, hit.normal);
+    return moved.pos;
+}
+
+Vec3 Standing::placeFor(const std::vector<StandingGeom>& thing, const std::vector<RayHit>& hits, const Vec3& otherwise,
+                        double step) const {
+    const auto solid = std::find_if(hits.begin(), hits.end(), [&](const RayHit& hit) {
+        const GeomSpec* geom = m_objects.geomOf(hit.geom);
+        return m_counts(hit.geom) && geom && geom->collide;
+    });
+    const Vec3 point = solid != hits.end() ? solid->point : otherwise;
+    const Vec3 onGrid(rounded(point.x(), step), rounded(point.y(), step), point.z());
+    Moved moved = movedOf(thing);
+    if (moved.pieces.empty()) return onGrid;
+    const double low = moved.bounds.low.z();
+    const Vec3 normal = solid != hits.end() ? solid->normal : Vec3(Vec3::UnitZ());
+    const Vec3 level(normal.x(), normal.y(), 0);
+    if (normal.z() >= kSteep || level.norm() < 1e-6) {
+        moved.move(onGrid - Vec3(0, 0, low));
+        settle(moved, solid != hits.end() ? &solid->geom : nullptr);
+    } else {
+        const Vec3 out = level.normalized();
+        moved.move({onGrid.x(), onGrid.y(), groundBelow(point + 1e-3 * out) - low});
+        pushOut(moved, solid->geom, out);
+        settle(moved, nullptr);
+    }
+    moved.pos.z() = kDigit * std::ceil(moved.pos.z() / kDigit - 1e-3);
+    return moved.pos;
+}
+
+} // namespace trundle

@@ -1,0 +1,29 @@
+#pragma once
+#include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/view.h"
+#include "editor/viewport/view_window.h"
+
+namespace trundle {
+
+/// Drags a handle of the gizmo, whose origin is there, so far along its axis or plane. False where there is no such handle.
+inline bool dragHandle(ViewWindow& window, const Handle& handle, const Vec3& by, const Vec3& origin,
+                       Qt::KeyboardModifiers modifiers = {}) {
+    View& view = window.view();
+    const auto spot = view.gizmo().spot(handle);
+    if (!spot) return false;
+    // The place that the handle's pixel means: on its axis or plane.
+    const ViewRay ray = view.rayAt(*spot);
+    Vec3 start;
+    if (handle.kind == Handle::Kind::Plane) {
+        start = ray.origin + (origin - ray.origin)[handle.axis] / ray.direction[handle.axis] * ray.direction;
+    } else {
+        const Vec3 axis = by.normalized();
+        const Vec3 between = origin - ray.origin;
+        const double b = axis.dot(ray.direction), n = 1 - b * b;
+        start = origin + (b * ray.direction.dot(between) - axis.dot(between)) / n * axis;
+    }
+    window.drag(*spot, view.pixelOf(start + by).value(), Qt::LeftButton, modifiers);
+    return true;
+}
+
+} // namespace trundle

@@ -1,0 +1,142 @@
+// Robots and Statics scaled through the Params of their configs.
+#include <QtTest>
+
+#include <QLabel>
+
+#include "editor/viewport/gizmo_hand.h"
+#include "scene/extents.h"
+
+using namespace trundle;
+
+class ScaleTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_render = RenderService::startInBackground(); }
+    void init() { m_window = std::make_unique<ViewWindow>(m_render.get()); }
+    void cleanup() { m_window.reset(); }
+
+    void aWallIsSizedThroughItsParams() {
+        const QByteArray walled = "#import objects/wall.sim\nStatic wall { Config=Wall Pos=1,0.5,0 HPR=90,0,0 }\n";
+        open(walled);
+        take("wall", "tool.scale");
+        const Vec3 middle(1, 0.5, 0.25);
+        // Its x points along y of the world: one side goes, the other one stays.
+        dragBy({Handle::Kind::Size, 0}, {0, 0.5, 0}, Qt::NoModifier, middle);
+        QVERIFY2(m_window->text().contains("Pos=1,0.75,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Resize wall"));
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), walled);
+        dragBy({Handle::Kind::Size, 0, -1}, {0, -0.5, 0}, Qt::NoModifier, middle);
+        QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
+        // Up from the floor, and there is no handle that goes into it.
+        QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Size, 2, -1}));
+        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {1, 0.25, 0.25});
+        QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 height=0.7 }"), m_window->text().constData());
+        const GeomSpec& bricks = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
+        QVERIFY((bricks.size - Vec3(2.5, 0.1, 0.7)).norm() < 1e-9);
+        QVERIFY(std::abs(bricks.pose.position.z() - 0.35) < 1e-9); // on the floor
+        // A typed number is the Param.
+        const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Size, 0});
+        m_window->press(from);
+        m_window->move(from + QPointF(12, 12), {}, Qt::LeftButton);
+        m_window->type(QStringLiteral("3"));
+        m_window->key(Qt::Key_Return);
+        m_window->release(from);
+        QVERIFY2(m_window->text().contains("length=3 "), m_window->text().constData());
+        const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
+        QVERIFY(!banner->isVisible());
+    }
+
+    void paramsAreSizedWhateverTheirFormulaAndUnit_data() {
+        QTest::addColumn<QByteArray>("config"); // of Thing; one drag makes it 0.2 m larger along its x
+        QTest::addColumn<QByteArray>("own");    // what the instance sets before
+        QTest::addColumn<QByteArray>("after");
+        QTest::newRow("centimetres") << QByteArray("Param long = 80 cm\nBox b { Size=$long,0.2,0.2 }") << QByteArray()
+                                     << QByteArray("Pos=0.1,0,0.5 long=100 cm }");
+        QTest::newRow("on the instance") << QByteArray("Param long = 1\nBox b { Size=$long,0.2,0.2 }") << QByteArray("long=800mm ")
+                                         << QByteArray("Pos=0.1,0,0.5 long=1000mm }");
+        QTest::newRow("half of it") << QByteArray("Param half = 0.4\nBox b { Size=$(2*half),0.2,0.2 }") << QByteArray()
+                                    << QByteArray("Pos=0.1,0,0.5 half=0.5 }");
+        QTest::newRow("a radius") << QByteArray("Param r = 0.4\nSphere s { Radius=$r }") << QByteArray()
+                                  << QByteArray("Pos=0,0,0.5 r=0.6 }"); // the middle stays: the side goes by 0.2
+        QTest::newRow("made of others") << QByteArray("Param high = 0.2\nParam long = $(4*high)\nBox b { Size=$long,0.2,$high }")
+                                        << QByteArray() << QByteArray("Pos=0.1,0,0.5 long=1 }");
+        QTest::newRow("of a formula with a unit") << QByteArray("Param base = 40 cm\nParam long = $(2*base)\n"
+                                                                "Box b { Size=$long,0.2,0.2 }")
+                                                  << QByteArray() << QByteArray("Pos=0.1,0,0.5 long=1 m }");
+        QTest::newRow("a square") << QByteArray("Param area = 0.64\nBox b { Size=$(sqrt(area)),0.2,0.2 }") << QByteArray()
+                                  << QByteArray("Pos=0.1,0,0.5 area=1 }");
+        QTest::newRow("a turned shape") << QByteArray("Param long = 0.8\nCylinder c { Radius=0.1 Length=$long HPR=0,90,0 }")
+                                        << QByteArray() << QByteArray("Pos=0.1,0,0.5 long=1 }");
+    }
+    void paramsAreSizedWhateverTheirFormulaAndUnit() {
+        QFETCH(QByteArray, config);
+        QFETCH(QByteArray, own);
+        QFETCH(QByteArray, after);
+        open("StaticConfig Thing {\n" + config + "\n}\nStatic other { Config=Thing Pos=9,9,0 }\n"
+             "Static thing { Config=Thing Pos=0,0,0.5 " + own + "}\n");
+        take("thing", "tool.scale");
+        m_window->panel->settings().setSteps(0.1, 15);
+        dragBy({Handle::Kind::Size, 0}, {0.2, 0, 0}, Qt::NoModifier, {0, 0, 0.5});
+        QVERIFY2(m_window->text().contains("Static thing { Config=Thing " + after), m_window->text().constData());
+        const StaticSpec& other = m_window->document.loaded()->experiment->statics.at(0);
+        const StaticSpec& thing = m_window->document.loaded()->experiment->statics.at(1);
+        const double grown = boundsOf(thing.geoms->at(0), Pose{}).size().x() - boundsOf(other.geoms->at(0), Pose{}).size().x();
+        if (own.isEmpty()) QVERIFY(std::abs(grown - (config.contains("Sphere") ? 0.4 : 0.2)) < 1e-9);
+    }
+
+    void whatNoOneParamSizesIsSaid() {
+        open("StaticConfig Pair {\nParam a = 0.5\nParam b = 0.3\nParam high = 0.4\n"
+             "Box box { Size=$(a+b),0.2,$high Pos=0,0,$(high/2) }\n}\nStatic pair { Config=Pair }\n");
+        take("pair", "tool.scale");
+        QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Size, 0}));
+        QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Size, 1}));
+        QVERIFY(m_window->view().gizmo().spot({Handle::Kind::Size, 2}));
+        const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
+        QVERIFY(banner->isVisible());
+        const QString said = banner->findChild<QLabel*>()->text();
+        for (const char* word : {"pair", "along x it depends on a and b", "along y no Param sets it", "a, b, high"})
+            QVERIFY2(said.contains(QLatin1String(word)), qPrintable(said));
+    }
+
+    void aThingWithOneShapeAndNoParamIsSizedByItsShape() {
+        open("StaticConfig Lump {\nBox lump { Size=0.4,0.4,0.4 Pos=0,0,0.2 }\n}\nStatic lump { Config=Lump }\n");
+        take("lump", "tool.scale");
+        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {0, 0, 0.2});
+        const GeomSpec& lump = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
+        QVERIFY2((lump.size - Vec3(0.4, 0.4, 0.6)).norm() < 1e-9, m_window->text().constData());
+        QVERIFY((lump.pose.position - Vec3(0, 0, 0.3)).norm() < 1e-9);
+    }
+
+    void robotsWithParamsAreSizedToo() {
+        open("#import objects/crate.sim\n#import objects/barrel.sim\nRobot crate { Config=Crate Pos=0,0,0 }\n"
+             "Robot barrel { Config=Barrel Pos=1,0,0 }\n");
+        take("crate", "tool.scale");
+        dragBy({Handle::Kind::Size, 2}, {0, 0, 0.15}, Qt::NoModifier, {0, 0, 0.125});
+        QVERIFY2(m_window->text().contains("Pos=0,0,0 side=0.4 }"), m_window->text().constData());
+        take("barrel", "tool.scale");
+        dragBy({Handle::Kind::Size, 0}, {0.1, 0, 0}, Qt::NoModifier, {1, 0, 0.175});
+        QVERIFY2(m_window->text().contains("Pos=1,0,0 radius=0.22 }"), m_window->text().constData()); // about its middle
+    }
+
+private:
+    void open(const QByteArray& text) {
+        QVERIFY(m_window->open(text));
+        m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
+        m_window->view().setFocus();
+    }
+    void take(const std::string& path, const char* tool) {
+        m_window->selection.select(path);
+        m_window->trigger(tool);
+    }
+    void dragBy(const Handle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, const Vec3& origin) {
+        QVERIFY(dragHandle(*m_window, handle, by, origin, modifiers));
+    }
+
+    std::unique_ptr<RenderService> m_render;
+    std::unique_ptr<ViewWindow> m_window;
+};
+
+QTEST_MAIN(ScaleTest)
+#include "scale_test.moc"
