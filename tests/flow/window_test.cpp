@@ -3,6 +3,9 @@
 #include <csignal>
 #include <future>
 
+#include <QDataStream>
+#include <QRect>
+#include <QSettings>
 #include <QtEndian>
 
 #include "flow/cli.h"
@@ -84,6 +87,28 @@ private Q_SLOTS:
         const QByteArray settings = kept.readAll();
         QVERIFY2(!settings.contains("arc_motion") && !settings.contains("layouts") && !settings.contains("windowGeometry"),
                  settings);
+    }
+
+    void theSizeHoldsAfterAMaximizedWindow() {
+        const QString home = m_folder.filePath(QStringLiteral("maximized"));
+        QByteArray geometry; // as QWidget::saveGeometry() writes it
+        QDataStream stream(&geometry, QIODevice::WriteOnly);
+        stream.setVersion(QDataStream::Qt_4_0);
+        const QRect plain(20, 40, 640, 480), whole(0, 0, 800, 800);
+        stream << quint32(0x1D9D0CB) << quint16(3) << quint16(0) << plain << plain << qint32(0) << quint8(1) << quint8(0)
+               << qint32(800) << whole;
+        QDir().mkpath(home + QStringLiteral("/Trundle"));
+        QSettings(home + QStringLiteral("/Trundle/Trundle.conf"), QSettings::IniFormat)
+            .setValue(QStringLiteral("windowGeometry"), geometry);
+        qputenv("XDG_CONFIG_HOME", home.toUtf8());
+        const QString picture = m_folder.filePath(QStringLiteral("sized.png"));
+        const Outcome outcome =
+            call({"--open", configPath("experiments/arc_motion.sim"), "--size", "1000x700", "--screenshot", picture, "--quit"});
+        qunsetenv("XDG_CONFIG_HOME");
+        QVERIFY2(outcome.code == 0, shown(outcome));
+        const QByteArray png = contentOf(picture);
+        QCOMPARE(qFromBigEndian<quint32>(png.constData() + 16), 1000u);
+        QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
     }
 
     void saysWhyThereIsNone_data() {
