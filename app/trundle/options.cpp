@@ -46,7 +46,7 @@ WindowOptions readOptions(const QCoreApplication& application) {
     parser.addOptions(
         {{QStringLiteral("open"), QStringLiteral("Open FILE."), QStringLiteral("FILE")},
          {QStringLiteral("run-for"), QStringLiteral("Run for S simulated seconds, then hold."), QStringLiteral("S")},
-         {QStringLiteral("view"), QStringLiteral("perspective, top, front, side, follow, chase or text."),
+         {QStringLiteral("view"), QStringLiteral("perspective, top, front, side, follow, chase, text, or a View of FILE."),
           QStringLiteral("NAME")},
          {QStringLiteral("select"), QStringLiteral("Select an object, as robot0 or robot0.chassis (may be repeated)."),
           QStringLiteral("PATH")},

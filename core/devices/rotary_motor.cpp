@@ -37,6 +37,7 @@ void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.command("servo", "", "Holds targetRate with up to the stall torque instead of following the voltage.", 1,
               TRUNDLE_BOOLEAN_SIGNAL);
     d.output("current", "A", "Through the winding.");
+    d.output("terminalVoltage", "V", "Across the winding: the voltage as clipped, or what a servo's rate takes.");
     d.output("torque", "N m", "At the joint, given in the last tick.");
     d.output("rate", "rad/s", "Of the joint.");
 }
@@ -56,6 +57,7 @@ void RotaryMotor::setup(Mount& mount) {
     m_targetRate.bind(mount, "targetRate");
     m_servo.bind(mount, "servo");
     m_current = mount.signal("current");
+    m_terminalVoltage = mount.signal("terminalVoltage");
     m_torque = mount.signal("torque");
     m_rate = mount.signal("rate");
     // Seen from the joint the rotor weighs G^2 times as much (energy: J (G w)^2 / 2).
@@ -82,10 +84,13 @@ void RotaryMotor::act(Actuation& world) {
 }
 
 void RotaryMotor::sense(Sensing& world) {
-    const double torque = world.jointMotorEffort(m_joint);
+    const double torque = world.jointMotorEffort(m_joint), rate = world.jointRate(m_joint);
+    const double current = torque / m_motor.torquePerAmpere(), change = (current - m_current.get()) / world.tick();
+    m_terminalVoltage.set(m_motor.resistance * current + m_motor.inductance * change +
+                          m_motor.gearRatio * rate / m_motor.speedConstant);
     m_torque.set(torque);
-    m_current.set(torque / m_motor.torquePerAmpere());
-    m_rate.set(world.jointRate(m_joint));
+    m_current.set(current);
+    m_rate.set(rate);
 }
 
 } // namespace trundle

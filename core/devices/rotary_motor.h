@@ -52,7 +52,7 @@ private:
 
     JointId m_joint;
     CommandSlot m_voltage, m_targetRate, m_servo;
-    Slot m_current, m_torque, m_rate;
+    Slot m_current, m_terminalVoltage, m_torque, m_rate;
 };
 
 } // namespace trundle

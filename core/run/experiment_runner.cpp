@@ -254,7 +254,10 @@ void ExperimentRunner::settleFinish() {
 }
 
 void ExperimentRunner::flushLogs() {
-    for (const auto& file : m_folder.files()) file->flush();
+    for (const auto& file : m_folder.files()) {
+        file->flush();
+        if (file->failure()) (void)fail(*file->failure(), {});
+    }
 }
 
 Status ExperimentRunner::finish() {

@@ -11,6 +11,7 @@ namespace trundle {
 LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared<Shared>()) {
     m_shared->running = options.startsRunning;
     m_shared->steps = options.startsRunning ? 0 : options.steps;
+    m_shared->goesOn = options.goesOn;
     m_shared->contacts = options.contacts;
     m_shared->radio.want(options.radio);
     m_shared->changed = std::move(options.changed);
@@ -96,7 +97,7 @@ bool replaces(const decltype(Command::what)& later, const decltype(Command::what
 
 void LiveRun::command(decltype(Command::what) what) {
     const std::scoped_lock guard(m_shared->lock);
-    if (m_shared->phase == LivePhase::Ended) return;
+    if (m_shared->phase == LivePhase::Ended && !(m_shared->end && m_shared->end->goesOn)) return;
     for (auto& earlier : m_shared->commands)
         if (replaces(what, earlier)) {
             earlier = std::move(what);

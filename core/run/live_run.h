@@ -18,7 +18,7 @@
 namespace trundle {
 
 /// Running also while single ticks are under way; with Paused comes the snapshot of the tick it stands at.
-/// Ended: by Duration, by a controller's finish(), by a fault, by a failed controller, or because nothing could be built; logs are closed by then.
+/// Ended: by Duration (see Options::goesOn), by a controller's finish(), by a fault, by a failed controller, or because nothing could be built; logs are closed by then.
 enum class LivePhase { Building, Paused, Running, Ended };
 
 /// A contact that outlives the world.
@@ -67,6 +67,7 @@ struct LiveEnd {
     double time = 0;                   ///< s, simulated
     std::vector<Diagnostic> problems;  ///< of building
     std::vector<std::string> logFiles;
+    bool goesOn = false; ///< it stands at its Duration, its logs written so far but open: run() and step() go on without limit
 };
 
 /// Makes the runner; called once, on the run's thread. What it holds on to must live as long as the run.
@@ -79,6 +80,7 @@ public:
         double speed = 1;                     ///< see setSpeed()
         bool startsRunning = false;           ///< runs as soon as it is built, else it is paused at tick 0
         std::uint64_t steps = 0;              ///< ticks to take first of all, unless it runs anyway
+        bool goesOn = false; ///< at its Duration it does not close its logs, and can go on; else it is over
         bool contacts = false, radio = false; ///< as by wantContacts(), wantRadio()
         /// Called on the run's thread when phase() changed or a step was done. Must not block.
         std::function<void()> changed;

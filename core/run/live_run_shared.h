@@ -18,7 +18,7 @@ struct LiveRun::Shared {
     std::condition_variable ends;   ///< whoever waits for its end
 
     // in
-    bool stop = false, running = false, contacts = false, showAgain = false;
+    bool stop = false, running = false, contacts = false, showAgain = false, goesOn = false;
     std::uint64_t steps = 0;
     double speed = 1;
     std::vector<decltype(Command::what)> commands;

@@ -110,7 +110,7 @@ void LiveThread::build(const RunnerMaker& maker) {
 }
 
 void LiveThread::loop() {
-    while (!atEnd()) {
+    while (!atEnd() || holdAtDuration()) {
         switch (awaitNext()) {
         case Next::Stop: return;
         case Next::Show: publish(true); break;
@@ -119,6 +119,27 @@ void LiveThread::loop() {
             break;
         }
     }
+}
+
+/// Says that it is at its end, for who goes on from there. False where the end is one for good.
+bool LiveThread::holdAtDuration() {
+    if (m_runner->finished()) return false;
+    m_runner->flushLogs();
+    auto shot = look(true, true);
+    {
+        const std::scoped_lock guard(m_shared->lock);
+        if (!m_shared->goesOn || m_shared->stop || m_runner->failure()) return false;
+        m_ticks = 0; // nothing limits it from here on
+        m_shared->running = false;
+        m_shared->steps = 0;
+        m_shared->end = endNow();
+        m_shared->end->goesOn = true;
+        m_shared->snapshot = std::move(shot);
+        m_shared->fetched = false;
+        m_shared->phase = LivePhase::Ended;
+    }
+    tellChanged();
+    return true;
 }
 
 /// Sleeps until there is something to do. Leaves the coming tick's commands in m_commands.
@@ -141,6 +162,7 @@ LiveThread::Next LiveThread::awaitNext() {
             m_pace.restart(now);
             m_meter.restart(now, m_runner->world().time());
         }
+        m_shared->end.reset();
         if (std::exchange(m_shared->phase, LivePhase::Running) != LivePhase::Running &&
             runs) { // a single tick is told when it is done
             guard.unlock();
@@ -236,9 +258,22 @@ void LiveThread::publish(bool stands) {
         const std::scoped_lock guard(m_shared->lock);
         m_shared->snapshot = std::move(shot);
         m_shared->fetched = false;
-        if (stands && !m_shared->running && m_shared->steps == 0) m_shared->phase = LivePhase::Paused;
+        if (stands && !m_shared->running && m_shared->steps == 0 && !m_shared->end) m_shared->phase = LivePhase::Paused;
     }
     if (stands) tellChanged();
+}
+
+LiveEnd LiveThread::endNow() const {
+    LiveEnd end;
+    end.time = m_runner->world().time();
+    if (const Diagnostic* failure = m_runner->failure()) end.failure = *failure;
+    if (const RunFinish* finish = m_runner->finished()) end.finish = *finish;
+    if (const Fault* fault = m_runner->world().fault()) {
+        end.body = fault->body;
+        end.time = fault->time;
+    }
+    end.logFiles = m_runner->logFiles();
+    return end;
 }
 
 /// Closes the logs, then says that it is over.
@@ -248,15 +283,7 @@ void LiveThread::end() {
     if (m_runner) {
         (void)m_runner->finish(); // what fails here stands in failure()
         passWarnings();
-        end.emplace();
-        end->time = m_runner->world().time();
-        if (const Diagnostic* failure = m_runner->failure()) end->failure = *failure;
-        if (const RunFinish* finish = m_runner->finished()) end->finish = *finish;
-        if (const Fault* fault = m_runner->world().fault()) {
-            end->body = fault->body;
-            end->time = fault->time;
-        }
-        end->logFiles = m_runner->logFiles();
+        end = endNow();
         last = look(true, true);
     }
     {

@@ -34,6 +34,8 @@ private:
     void passWarnings();
     void publish(bool stands);
     [[nodiscard]] std::shared_ptr<const LiveSnapshot> look(bool stands, bool contacts);
+    [[nodiscard]] bool holdAtDuration();
+    [[nodiscard]] LiveEnd endNow() const;
     void end();
     void fail(const std::string& why);
     void tellChanged();

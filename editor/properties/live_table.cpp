@@ -117,7 +117,7 @@ void LiveTable::style() {
     figures.setPixelSize(kFigurePixels);
     const int digit = QFontMetrics(figures).horizontalAdvance(u'0');
     m_table->header()->resizeSection(kNow, nowWidth(digit));
-    m_table->header()->resizeSection(kUnit, fontMetrics().horizontalAdvance(QStringLiteral("rad/s")) + 10);
+    m_table->header()->resizeSection(kUnit, fontMetrics().horizontalAdvance(QStringLiteral("mN m")) + 12);
     for (int i = 0; i < m_table->topLevelItemCount(); ++i) {
         m_table->topLevelItem(i)->setFont(kNow, figures);
         m_table->topLevelItem(i)->setForeground(kUnit, ink(Ink::Faint));

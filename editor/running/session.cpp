@@ -67,6 +67,7 @@ RunSession::RunSession(Document& document, Parts& parts, QObject* parent)
         if (!m_valuesPause.isActive()) showValues();
     });
     connect(&document, &Document::opened, this, &RunSession::reset);
+    connect(&document, &Document::opened, this, [this] { setLogsAt({}); });
     connect(&document, &Document::changed, this, &RunSession::followDocument);
 }
 
@@ -167,14 +168,14 @@ bool RunSession::refuse(const QString& reason) {
 }
 
 /// Logs go where the command line puts them. Into the user's own folder go those of a sample that came with an installed program,
-/// and may not be written beside it, and of a window that only looks: the other one writes them there.
+/// and may not be written beside it, of an experiment that is in no file yet, and of a window that only looks: the other one writes
+/// them there.
 std::string RunSession::logFolder() const {
     namespace fs = std::filesystem;
-    if (m_document.isNew()) return {};
     const std::string stem = fs::path(m_document.path()).stem().string();
     const std::string name = stem.empty() || stem == "." || stem == ".." ? "experiment" : stem;
     const fs::path project = m_document.loaded()->projectFolder;
-    if (!m_document.isReadOnly() && QFileInfo(QString::fromStdString(project.string())).isWritable())
+    if (!m_document.isNew() && !m_document.isReadOnly() && QFileInfo(QString::fromStdString(project.string())).isWritable())
         return (project / "logs" / name).string();
     const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     return own.isEmpty() ? std::string() : (fs::path(own.toStdString()) / "logs" / name).string();
@@ -195,13 +196,15 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     options.speed = m_speed;
     options.startsRunning = running;
     options.steps = steps;
+    options.goesOn = true;
     options.contacts = m_contacts;
     options.radio = m_radio;
     options.changed = [bell = m_doorbell] { bell->ring(); };
     options.after = m_leaving.empty() ? nullptr : m_leaving.back().get();
     Parts* parts = &m_parts; // its makeRunner() uses nothing of it that a window's end could take away
     if (options.logFolder.empty() && !m_experiment->logs.empty())
-        tell(TRUNDLE_WARNING, tr("no logs are written until the experiment is saved in a folder"));
+        tell(TRUNDLE_WARNING, tr("no logs are written: there is no folder for them"));
+    setLogsAt(m_experiment->logs.empty() ? QString() : QString::fromStdString(options.logFolder));
     m_run = std::make_unique<LiveRun>(
         [parts, loaded = m_built](RunOptions runOptions, Diagnostics& problems) {
             return parts->makeRunner(*loaded, std::move(runOptions), problems);
@@ -223,7 +226,7 @@ void RunSession::leave() {
 }
 
 void RunSession::run() {
-    if (m_state == RunState::Ended) reset();
+    if (m_state == RunState::Ended && !canGoOn()) reset();
     if (m_state == RunState::Start) begin(true);
     else if (m_run) m_run->run();
 }
@@ -233,13 +236,13 @@ void RunSession::pause() {
 }
 
 void RunSession::step() {
-    if (m_state == RunState::Ended) return;
+    if (m_state == RunState::Ended && !canGoOn()) return;
     if (m_state == RunState::Start) begin(false, 1);
     else m_run->step();
 }
 
 void RunSession::runFor(double seconds) {
-    if (m_state == RunState::Ended) return;
+    if (m_state == RunState::Ended && !canGoOn()) return;
     const auto experiment = m_experiment ? m_experiment : m_document.loaded() ? m_document.loaded()->experiment : nullptr;
     const std::uint64_t ticks = experiment ? ticksFor(seconds, experiment->settings.tick) : 0;
     if (m_state == RunState::Start) begin(false, ticks);
@@ -326,8 +329,8 @@ void RunSession::look() {
     if (m_run.get() != run) return;
     switch (view.phase) {
     case LivePhase::Building: return setState(RunState::Building);
-    case LivePhase::Running: return setState(RunState::Running);
-    case LivePhase::Paused: return setState(RunState::Paused);
+    case LivePhase::Running: return goOn(RunState::Running);
+    case LivePhase::Paused: return goOn(RunState::Paused);
     case LivePhase::Ended: break;
     }
     if (m_state == RunState::Ended) return;
@@ -345,6 +348,16 @@ void RunSession::look() {
     setState(RunState::Ended);
     if (failure) Q_EMIT ended(*failure);
     if (neverBuilt && m_state == RunState::Ended) backToStart(); // there is no world to look at; why is read until the next edit
+}
+
+void RunSession::goOn(RunState state) {
+    if (canGoOn()) {
+        const double end = m_end->time;
+        m_end.reset();
+        tell(TRUNDLE_INFO, m_logsAt.isEmpty() ? tr("goes on past its end at t = %1 s").arg(end)
+                                              : tr("goes on past its end at t = %1 s, and so do its logs").arg(end));
+    }
+    setState(state);
 }
 
 void RunSession::takeReports() {
@@ -377,7 +390,9 @@ void RunSession::tellLogs() {
     else if (!m_end->failure) tell(TRUNDLE_INFO, tr("finished at t = %1 s").arg(m_end->time));
     QStringList files;
     for (const std::string& file : m_end->logFiles) files.append(QString::fromStdString(m_document.shown(file)));
-    if (!files.empty()) tell(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
+    if (files.empty()) return;
+    tell(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
+    setLogsAt(QString::fromStdString(logFolder())); // a controller may have opened one
 }
 
 QString RunSession::finishText() const {
@@ -387,6 +402,12 @@ QString RunSession::finishText() const {
     const QString reason = QString::fromStdString(finish.reason).simplified();
     return reason.isEmpty() ? tr("finished by %1 at t = %2 s").arg(who).arg(finish.time)
                             : tr("finished by %1 at t = %2 s: %3").arg(who).arg(finish.time).arg(reason);
+}
+
+void RunSession::setLogsAt(const QString& folder) {
+    if (folder == m_logsAt) return;
+    m_logsAt = folder;
+    Q_EMIT logsAtChanged();
 }
 
 void RunSession::tell(int severity, const QString& text) {

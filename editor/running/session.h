@@ -58,8 +58,7 @@ public:
     /// The newest tick with its figures; null at Start and while it is built.
     [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const { return m_snapshot; }
     [[nodiscard]] std::shared_ptr<const SignalLayout> layout() const { return m_layout; }
-    /// What "robot0.leftMotor" measures and does now ("": the run itself), as all parts of the window show it; empty at Start, and for
-    /// what has no values or is not in this run. Good until the next call.
+    /// What "robot0.leftMotor" measures and does now; "": the run itself. Empty for what is not in this run. Good until the next call.
     [[nodiscard]] const std::vector<LiveValue>& liveValues(const std::string& path) const;
     /// The same as rich text for a tooltip; empty where there are none.
     [[nodiscard]] QString liveTip(const std::string& path) const;
@@ -68,6 +67,10 @@ public:
     /// What flies between the radios is kept from now on, for takeRadio(); no longer.
     void wantRadio(bool wanted);
     [[nodiscard]] LiveRadio takeRadio(); ///< of the present run; nothing at Start
+    /// It stands at its Duration: run(), step() and runFor() go on past it, and so do its logs.
+    [[nodiscard]] bool canGoOn() const { return m_state == RunState::Ended && m_end && m_end->goesOn; }
+    /// The folder that this run or the last one writes its logs into; empty where it has none.
+    [[nodiscard]] const QString& logsAt() const { return m_logsAt; }
     /// How and why it ended; nothing before.
     [[nodiscard]] const std::optional<LiveEnd>& end() const { return m_end; }
     /// "finished by robot_0/brain at t = 83.5 s: reached"; empty where no controller ended the run.
@@ -116,8 +119,7 @@ public:
     [[nodiscard]] bool waitsForReset(const std::string& propertyPath) const;
 
 public Q_SLOTS:
-    void
-    run(); ///< builds the world where there is none; refused while the text has errors, see refused(); begins anew after its end
+    void run(); ///< builds the world where there is none; goes on past its Duration, begins anew after another end; see refused()
     void pause();
     void step();                 ///< one tick
     void runFor(double seconds); ///< simulated s from now as fast as possible, then pauses
@@ -134,6 +136,7 @@ Q_SIGNALS:
     void experimentChanged(); ///< experiment() is another one: built, changed live or gone
     void waitingChanged();    ///< needsReset() or what waits
     void heldUpChanged();     ///< heldUpText() is another one
+    void logsAtChanged();
     void problemsChanged();
     void consoleLines(const std::vector<trundle::LiveLine>& lines, quint64 dropped);
     void ended(const trundle::Diagnostic& reason); ///< blew up, a controller failed or nothing could be built
@@ -150,6 +153,7 @@ private:
     void look();
     void showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot);
     void showValues();
+    void goOn(RunState state);
     void takeReports();
     void setState(RunState state);
     void followDocument();
@@ -159,13 +163,13 @@ private:
     [[nodiscard]] std::string logFolder() const;
     void watch();
     void tellLogs();
+    void setLogsAt(const QString& folder);
     void tell(int severity, const QString& text);
 
     Document& m_document;
     Parts& m_parts;
     std::shared_ptr<Doorbell> m_doorbell;
-    QTimer m_frames, m_watch; // m_watch: whether a tick comes to its end
-    QTimer m_valuesPause;     // after valuesChanged(): till it may come again
+    QTimer m_frames, m_watch, m_valuesPause; // m_watch: whether a tick comes to its end; m_valuesPause: after valuesChanged()
     bool m_valuesWait = false;
     QString m_saidHeldUp;
     bool m_toldHeldUp = false;
@@ -185,6 +189,7 @@ private:
     std::vector<PlaceCommand> m_placed; // at m_placedTick, not yet in a snapshot
     std::uint64_t m_placedTick = 0;
     std::optional<LiveEnd> m_end;
+    QString m_logsAt;
     std::vector<Diagnostic> m_problems;
     std::vector<std::string> m_waiting;
     std::string m_driven;

@@ -135,7 +135,7 @@ void TransportBar::showState() {
     QAction &run = m_actions.at("sim.run"), &pause = m_actions.at("sim.pause");
     run.setEnabled(open && !goes);
     pause.setEnabled(goes);
-    m_actions.at("sim.step").setEnabled(open && state != RunState::Ended && !goes);
+    m_actions.at("sim.step").setEnabled(open && (state != RunState::Ended || m_session.canGoOn()) && !goes);
     m_actions.at("sim.reset").setEnabled(state != RunState::Start);
     m_actions.at("sim.keepPoses").setEnabled(state == RunState::Paused || state == RunState::Ended);
     QAction& shown = goes ? pause : run;
@@ -159,6 +159,7 @@ void TransportBar::showRefusal() {
     QString why = m_session.heldUpText();
     if (m_session.state() == RunState::Start && open) why = m_session.refusal();
     else if (m_session.end() && m_session.end()->failure) why = QString::fromStdString(m_session.end()->failure->message);
+    else if (m_session.canGoOn()) why = tr("At its Duration. F5 goes on past it, F10 by one tick; Shift+F5 goes back to the start.");
     m_state->setToolTip(why);
     m_run->setToolTip(why.isEmpty() || m_session.isActive() ? m_run->defaultAction()->toolTip() : why);
 }

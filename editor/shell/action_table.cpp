@@ -70,7 +70,7 @@ static constexpr ActionRow kTable[] = {
     {"view.overlayLobes", "|View/Overlays", "&Antenna Lobes",    "",            "",               "How strongly each antenna sends and hears in each direction; of what is selected, or of all.", true},
     {"view.overlayLinks", "View/Overlays", "Radio &Links",       "",            "",               "Which radios reach each other, and with how much to spare; of what is selected, or of all.", true},
     {"view.overlayCoverage", "View/Overlays", "&Radio Coverage", "",            "",               "What arrives on the floor of what the selected radio sends.", true},
-    {"view.overlayContacts", "View/Overlays", "&Contacts and Forces", "",       "",               "Where things touch in a run, and how hard.", true},
+    {"view.overlayContacts", "View/Overlays", "&Contacts and Forces", "",       "",               "Where things touch in a run, and how hard: arrows as long as the force, up to a limit; thick ones are cut there.", true},
     {"view.overlayCollision", "View/Overlays", "C&ollision Shapes", "",         "",               "What collides, as lines.", true},
     {"view.overlayWireframe", "View/Overlays", "&Wireframe",     "",            "",               "Robots and statics as lines.", true},
     {"view.lookAutomatic", "View/Look", "&Automatic",            "",            "",               "Rich on a graphics card, fast without one.", true},
@@ -98,7 +98,7 @@ static constexpr ActionRow kTable[] = {
     {"tool.distribute", "Tools",      "D&istribute…",            "",            "",               "Space the selected objects evenly."},
     {"tool.array",     "Tools",       "Arra&y Copy…",            "array",       "",               "Copy the selected objects in rows."},
 
-    {"sim.run",        "Simulation",  "&Run",                    "run",         "F5",             "Run the experiment, or go on."},
+    {"sim.run",        "Simulation",  "&Run",                    "run",         "F5",             "Run the experiment, or go on, past its Duration too."},
     {"sim.pause",      "Simulation",  "&Pause",                  "pause",       "F6",             "Hold the run."},
     {"sim.step",       "Simulation",  "&Single Tick",            "step",        "F10",            "Run one tick and hold."},
     {"sim.reset",      "Simulation",  "Rese&t",                  "reset",       "Shift+F5",       "Go back to the start of the experiment."},
@@ -108,6 +108,8 @@ static constexpr ActionRow kTable[] = {
     {"sim.drive",      "Simulation",  "&Drive with the Keyboard", "drive",      "Ctrl+K",         "Steer the selected robot with the arrow keys.", true},
 
     {"sim.record",     "|Simulation", "Record &Movie…",          "record",      "",               "Make a movie of the experiment, or of this run."},
+
+    {"sim.openLogs",   "Simulation",  "Open Lo&g Folder",          "open",        "",               "Show the folder with the logs of this run or the last one."},
 
     {"controllers.load", "Controllers", "&Load Module…",         "module",      "",               "Use a library of controllers or components in this experiment."},
     {"controllers.assign", "Controllers", "&Assign to Selected Robots…", "",    "",               "Choose the controller of the selected robots."},

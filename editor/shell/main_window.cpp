@@ -186,6 +186,8 @@ void MainWindow::connectPanels() {
     connect(m_document, &Document::openingCancelled, this, notOpened);
     connect(m_document, &Document::openFailed, this, notOpened);
     connect(m_document, &Document::opened, this, &MainWindow::showDocument);
+    connect(m_document, &Document::opened, this, [this] { m_problemsMayCome = true; });
+    connect(m_document, &Document::changed, this, &MainWindow::raiseProblemsOnce); // comes behind opened()
     connect(m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::refused, m_status, &StatusLine::refuse);
     connect(m_document, &Document::selectionWanted, m_selection, [this](const auto& paths) { m_selection->set(paths); });
@@ -255,9 +257,14 @@ void MainWindow::connectActions() {
     });
     on("view.text", [this](bool shown) { showText(shown); });
     on("view.theme", [this](bool dark) { setDarkTheme(dark); });
-    on("view.layoutEdit", [this] { m_layouts->use(Layout::Edit); });
-    on("view.layoutRun", [this] { m_layouts->use(Layout::Run); });
-    on("view.layoutReset", [this] { m_layouts->resetCurrent(); });
+    on("view.layoutEdit", [this] { setLayout(Layout::Edit); });
+    on("view.layoutRun", [this] { setLayout(Layout::Run); });
+    on("view.layoutReset", [this] {
+        m_layouts->resetCurrent();
+        showText(m_layouts->current() == Layout::Edit);
+        showViewport(true);
+    });
+    connectLogs();
     on("help.guide", [this] { showHelp(); });
     on("help.about", [this] { showAbout(); });
     const Preferences preferences = loadPreferences();

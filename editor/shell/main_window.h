@@ -57,7 +57,8 @@ public:
 
     /// Asks about unsaved changes, then opens. False where it did not come to that.
     bool open(const QString& path);
-    void setLayout(Layout layout) { m_layouts->use(layout); }
+    /// For running the 3D view takes the centre; for editing the text comes back where it was.
+    void setLayout(Layout layout);
     /// Shows the text beside the 3D view, or not.
     void showText(bool shown);
     void showHelp();
@@ -87,6 +88,8 @@ private:
     void showPages(bool work);
     void showDocument();
     void showTitle();
+    void connectLogs();
+    void raiseProblemsOnce();
     void showPlace(const std::string& file, TextRange range);
     void showViewport(bool shown);
     void doEdit(const char* id);
@@ -129,7 +132,7 @@ private:
     TransportBar* m_transport = nullptr;
     StatusLine* m_status = nullptr;
     WindowMemory* m_memory = nullptr;
-    bool m_leavesTraces = true;
+    bool m_leavesTraces = true, m_textForEditing = true, m_problemsMayCome = false;
     std::map<QString, QMenu*> m_menus;
 };
 

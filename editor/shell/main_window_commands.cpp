@@ -1,13 +1,17 @@
 // What the window's own commands do.
 
 #include <functional>
+#include <utility>
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QUrl>
 
 #include "editor/cameras/cameras_panel.h"
 #include "editor/cameras/movie_dialog.h"
@@ -21,6 +25,7 @@
 #include "editor/shell/line_diff.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/recovery_dialog.h"
+#include "editor/shell/status_line.h"
 #include "editor/shell/window_memory.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
@@ -88,6 +93,39 @@ void MainWindow::useView(const QString& name) {
     if (name.isEmpty()) return;
     if (name == QStringLiteral("text")) return showViewport(false);
     m_viewport->showView(name);
+}
+
+void MainWindow::setLayout(Layout layout) {
+    const Layout before = m_layouts->current();
+    if (before == Layout::Edit && layout == Layout::Run) m_textForEditing = m_text->isVisibleTo(m_work);
+    m_layouts->use(layout);
+    if (layout == before) return;
+    showViewport(true);
+    showText(layout == Layout::Edit && m_textForEditing);
+}
+
+void MainWindow::connectLogs() {
+    QAction& open = m_actions->at("sim.openLogs");
+    const auto show = [this, &open] {
+        const QString& folder = m_session->logsAt();
+        open.setEnabled(!folder.isEmpty() && QFileInfo::exists(folder));
+        m_status->setLogs(open.isEnabled() ? folder : QString());
+    };
+    connect(m_session, &RunSession::logsAtChanged, this, show);
+    connect(m_session, &RunSession::stateChanged, this, show); // the folder is made with the first of them
+    connect(m_status, &StatusLine::logsWanted, &open, &QAction::trigger);
+    connect(&open, &QAction::triggered, this, [this] {
+        const QString& folder = m_session->logsAt();
+        if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
+            m_status->refuse(tr("No program here opens folders. The logs are in %1").arg(folder));
+    });
+    show();
+}
+
+/// What is wrong with a file that was just opened is not to be looked for.
+void MainWindow::raiseProblemsOnce() {
+    if (!std::exchange(m_problemsMayCome, false) || !m_document->isOpen()) return;
+    if (m_document->loaded()->diagnostics.errorCount() > 0) m_layouts->raise(QStringLiteral("problems"));
 }
 
 bool MainWindow::isSettled() const {

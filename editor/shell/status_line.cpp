@@ -17,21 +17,24 @@ QString painted(const QString& text, Ink which) {
 
 StatusLine::StatusLine(QStatusBar& bar, Document& document)
     : QObject(&bar), m_bar(bar), m_document(document), m_file(new QLabel), m_saved(new QLabel), m_problems(new QLabel),
-      m_run(new QLabel) {
+      m_logs(new QLabel), m_run(new QLabel) {
     m_bar.setSizeGripEnabled(false);
     m_file->setObjectName(QStringLiteral("status.file"));
     m_saved->setObjectName(QStringLiteral("status.saved"));
     m_problems->setObjectName(QStringLiteral("status.problems"));
+    m_logs->setObjectName(QStringLiteral("status.logs"));
     m_run->setObjectName(QStringLiteral("status.run"));
-    for (QLabel* label : {m_file, m_saved, m_problems}) {
+    for (QLabel* label : {m_file, m_saved, m_problems, m_logs}) {
         label->setContentsMargins(8, 2, 8, 2);
         m_bar.addWidget(label);
     }
     m_run->setContentsMargins(8, 2, 10, 2);
     m_run->setTextFormat(Qt::PlainText); // it may hold words of a module
     m_bar.addPermanentWidget(m_run);
-    m_problems->setCursor(Qt::PointingHandCursor);
-    m_problems->installEventFilter(this);
+    for (QLabel* label : {m_problems, m_logs}) {
+        label->setCursor(Qt::PointingHandCursor);
+        label->installEventFilter(this);
+    }
     connect(&document, &Document::changed, this, [this] {
         if (!m_refused.isEmpty() && m_bar.currentMessage() == m_refused) m_bar.clearMessage();
         m_refused.clear();
@@ -48,6 +51,7 @@ void StatusLine::refuse(const QString& reason) {
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_problems && event->type() == QEvent::MouseButtonRelease) Q_EMIT problemsWanted();
+    if (watched == m_logs && event->type() == QEvent::MouseButtonRelease) Q_EMIT logsWanted();
     return QObject::eventFilter(watched, event);
 }
 
@@ -59,6 +63,12 @@ void StatusLine::refresh() {
     m_saved->setText(m_document.isNew() ? painted(tr("not saved yet"), Ink::Warning)
                      : modified         ? painted(tr("modified"), Ink::Warning)
                                         : painted(tr("saved"), Ink::Faint));
+}
+
+void StatusLine::setLogs(const QString& folder) {
+    const QString shown = QString::fromStdString(m_document.shown(folder.toStdString()));
+    m_logs->setText(folder.isEmpty() ? QString() : painted(tr("logs in %1").arg(shown), Ink::Accent));
+    m_logs->setToolTip(folder.isEmpty() ? QString() : tr("Open %1").arg(folder));
 }
 
 void StatusLine::setProblems(int errors, int warnings) {

@@ -15,11 +15,14 @@ public:
     void setRunText(const QString& text) { m_run->setText(text); }
     /// Stands for some seconds, or until the document changes: what was refused may be possible then.
     void refuse(const QString& reason);
+    /// Where the run writes its logs, to be clicked; empty: nowhere.
+    void setLogs(const QString& folder);
     /// Of the texts and of the run, as the Problems panel lists them.
     void setProblems(int errors, int warnings);
 
 Q_SIGNALS:
     void problemsWanted();
+    void logsWanted();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -29,7 +32,7 @@ private:
 
     QStatusBar& m_bar;
     Document& m_document;
-    QLabel *m_file, *m_saved, *m_problems, *m_run;
+    QLabel *m_file, *m_saved, *m_problems, *m_logs, *m_run;
     QString m_refused;
 };
 

@@ -6,6 +6,7 @@
 
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
+#include "editor/viewport/contact_arrows.h"
 #include "editor/viewport/frusta.h"
 #include "editor/viewport/pinned_values.h"
 #include "editor/viewport/radio_legend.h"
@@ -19,7 +20,7 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostNames = 150, kMostRobots = 300, kMostContacts = 600;
+constexpr std::size_t kMostNames = 150, kMostRobots = 300;
 const QColor kShade(10, 12, 16, 110), kJoint(214, 92, 214), kContact(255, 196, 40), kForce(255, 120, 40), kLight(245, 246, 248);
 
 void line(QPainter& painter, const QPointF& a, const QPointF& b, const QColor& colour, double width) {
@@ -98,23 +99,31 @@ void paintJoints(QPainter& painter, const View& view, bool all) {
     }
 }
 
+/// How long an arrow of how much force is, and what is left out.
+void paintContactScale(QPainter& painter, const View& view, double unit, std::size_t count) {
+    const QPointF from(76, view.height() - 52), to = from + QPointF(kForcePixels, 0);
+    arrow(painter, from, to, kForce, 1.6);
+    QString text = QObject::tr("%1 N").arg(QString::fromStdString(steppedNumber(unit, 0.001)));
+    if (count > kMostContacts) text += QObject::tr("  ·  the %1 strongest of %2 contacts").arg(kMostContacts).arg(count);
+    shaded(painter, to + QPointF(10, 4), text);
+}
+
 void paintContacts(QPainter& painter, const View& view) {
     const auto snapshot = view.parts().session.snapshot();
     if (!snapshot || !snapshot->contacts) return;
-    std::size_t shown = 0;
-    for (const LiveContact& contact : *snapshot->contacts) {
-        if (++shown > kMostContacts) break;
+    const double unit = forceUnit(view.parts().world.objects()->experiment());
+    for (const ContactArrow& shown : contactArrows(*snapshot->contacts, unit)) {
+        const LiveContact& contact = *shown.contact;
         const auto at = view.shownPixelOf(contact.position);
         if (!at) continue;
-        // Lengths grow with the logarithm: 1 N and 1 kN both fit.
-        const double pixels = 12 * std::log2(1 + std::max(0.0, contact.force));
-        const double m = pixels * view.camera().metresPerPixel(view.width(), contact.position);
-        if (const auto to = view.shownPixelOf(contact.position + m * contact.normal); to && pixels > 2)
-            arrow(painter, *at, *to, kForce, 1.6);
+        const double m = shown.pixels * view.camera().metresPerPixel(view.width(), contact.position);
+        if (const auto to = view.shownPixelOf(contact.position + m * contact.normal); to && shown.pixels > 2)
+            arrow(painter, *at, *to, kForce, shown.isCut ? 3.2 : 1.6);
         painter.setPen(QPen(kShade, 1));
         painter.setBrush(kContact);
         painter.drawEllipse(*at, 2.5, 2.5);
     }
+    paintContactScale(painter, view, unit, snapshot->contacts->size());
 }
 
 void massMark(QPainter& painter, const QPointF& at, double radius) {
@@ -159,12 +168,6 @@ void paintTrails(QPainter& painter, const View& view) {
     }
 }
 
-/// 1, 2 or 5 times a power of ten, at most so long.
-double roundLength(double most) {
-    const double ten = std::pow(10.0, std::floor(std::log10(most)));
-    return most >= 5 * ten ? 5 * ten : most >= 2 * ten ? 2 * ten : ten;
-}
-
 QString lengthText(double m) {
     if (m < 0.01) return QStringLiteral("%1 mm").arg(QString::fromStdString(steppedNumber(m * 1000, 0.001)));
     if (m < 1) return QStringLiteral("%1 cm").arg(QString::fromStdString(steppedNumber(m * 100, 0.001)));
@@ -176,7 +179,7 @@ QString lengthText(double m) {
 void paintSideGrid(QPainter& painter, const View& view) {
     const ViewCamera& camera = view.camera();
     if (!camera.isParallel() || std::abs(camera.forward().z()) > 0.02) return;
-    const double metresPerPixel = camera.metresPerPixel(view.width(), camera.middle()), step = roundLength(130 * metresPerPixel);
+    const double metresPerPixel = camera.metresPerPixel(view.width(), camera.middle()), step = roundNumber(130 * metresPerPixel);
     const Mat3 axes = cameraAxes(view.cameraView());
     const Vec3 right = axes.col(0), middle = camera.middle();
     const double half = 0.5 * view.width() * metresPerPixel, high = 0.5 * view.height() * metresPerPixel;
@@ -199,7 +202,7 @@ void paintSideGrid(QPainter& painter, const View& view) {
 void paintScale(QPainter& painter, const View& view) {
     const double metresPerPixel = view.camera().metresPerPixel(view.width(), view.camera().middle());
     const double x = 76, y = view.height() - 20, room = std::clamp(view.width() - x - 30, 30.0, 130.0);
-    const double length = roundLength(room * metresPerPixel), pixels = length / metresPerPixel;
+    const double length = roundNumber(room * metresPerPixel), pixels = length / metresPerPixel;
     const QPolygonF bar{{x, y - 5}, {x, y}, {x + pixels, y}, {x + pixels, y - 5}};
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(10, 12, 16, 150), 4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));

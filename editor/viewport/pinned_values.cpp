@@ -33,7 +33,7 @@ public:
         m_nameWidth += 12;
         m_numberWidth = figures.horizontalAdvance(QString(kPinDigits, u'0'));
         m_numbersWidth = double(std::min(double(numbers), kPinNumbers)) * m_numberWidth;
-        m_unitWidth = words.horizontalAdvance(QStringLiteral("rad/s")) + 8;
+        m_unitWidth = words.horizontalAdvance(QStringLiteral("mN m")) + 8;
         if (values.empty()) m_nameWidth = words.horizontalAdvance(none()), m_numbersWidth = m_unitWidth = 0;
         m_width = std::max(m_nameWidth + m_numbersWidth + m_unitWidth, QFontMetricsF(m_bold).horizontalAdvance(m_title));
     }

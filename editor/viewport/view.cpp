@@ -19,6 +19,7 @@
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_settings.h"
 #include "editor/widgets/theme.h"
+#include "scene/framing.h"
 
 namespace trundle {
 namespace {
@@ -161,11 +162,14 @@ std::optional<ObjectRef> View::followedRobot() const {
 
 void View::followSelection() {
     followCamera();
+    followNamed();
     if (const auto robot = followedRobot()) m_camera.follow(m_parts.world.poseOf(*robot));
 }
 
 CameraView View::cameraView() const {
     if (const CameraModel* camera = throughCamera()) return throughView(*camera, *m_parts.world.poses());
+    if (!m_named.empty())
+        if (const auto view = namedView(m_parts.world.objects()->experiment(), m_named, *m_parts.world.poses())) return *view;
     if (!m_camera.isParallel()) return m_camera.view();
     const Bounds all = m_parts.world.bounds();
     return m_camera.view(all.empty() ? 0 : (all.centre() - m_camera.middle()).norm() + all.radius());

@@ -64,6 +64,11 @@ public:
     void changeCamera(const std::function<void(ViewCamera&)>& change);
     /// Looks through a robot's camera, "robot0/eye", and goes with it until the view is moved by itself. "": back to where it was.
     void lookThrough(const std::string& camera);
+    /// Looks as a View of the experiment does, and goes with it until the view is moved by itself.
+    void showNamed(const std::string& name);
+    [[nodiscard]] const std::string& named() const { return m_named; } ///< empty: none
+    /// The text of a View that looks as this one does now: "View view { Eye=... }".
+    [[nodiscard]] std::string asViewBlock() const;
     [[nodiscard]] const CameraModel* throughCamera() const; ///< null where it looks through none
     /// What is drawn in a picture of another size, without marks: all that the view shows is in it.
     [[nodiscard]] PictureRequest still(std::uint32_t width, std::uint32_t height) const;
@@ -151,6 +156,7 @@ private:
     void followSelection();
     [[nodiscard]] std::optional<ObjectRef> followedRobot() const;
     void followCamera();
+    void followNamed();
     bool leaveCamera();
     [[nodiscard]] CameraView throughView(const CameraModel& camera, const BodyPoses& poses) const;
     void paintThrough(QPainter& painter) const;
@@ -165,6 +171,7 @@ private:
     ViewParts m_parts;
     ViewCamera m_camera, m_glideFrom, m_glideTo, m_beforeThrough;
     std::string m_through; // camera that it looks through
+    std::string m_named;   // View of the experiment that it looks as
     std::shared_ptr<Inbox> m_inbox;
     std::vector<std::unique_ptr<MouseWork>> m_works;
     MouseWork* m_working = nullptr; // has the mouse

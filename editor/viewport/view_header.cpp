@@ -9,12 +9,14 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
+#include "editor/document/document.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/theme.h"
 #include "lang/number_text.h"
+#include "project/plans.h"
 
 namespace trundle {
 namespace {
@@ -64,6 +66,7 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
         if (kind == ViewKind::Top || kind == ViewKind::Follow) menu->addSeparator();
         connect(menu->addAction(viewKindName(kind)), &QAction::triggered, this, [this, kind] { m_view.setKind(kind); });
     }
+    addNamedViews(*menu);
     auto* through = menu->addMenu(tr("Through Camera"));
     through->setObjectName(QStringLiteral("throughMenu"));
     connect(menu, &QMenu::aboutToShow, this, [this, through] {
@@ -82,9 +85,34 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
 }
 
 void ViewCorner::show() {
-    m_button->setText(m_view.throughCamera() ? tr("Camera") : viewKindName(m_view.camera().kind()));
+    m_button->setText(!m_view.named().empty() ? QString::fromStdString(m_view.named())
+                      : m_view.throughCamera() ? tr("Camera") : viewKindName(m_view.camera().kind()));
     m_button->adjustSize();
     resize(m_button->size());
+}
+
+/// The Views that the experiment's text has, as they are when the menu opens, and what makes one.
+void ViewCorner::addNamedViews(QMenu& menu) {
+    menu.addSeparator();
+    auto* views = menu.addMenu(tr("View of the Experiment"));
+    views->setObjectName(QStringLiteral("namedViews"));
+    QAction* make = menu.addAction(tr("Make View from This"));
+    make->setObjectName(QStringLiteral("makeView"));
+    make->setToolTip(tr("Writes a View block that looks as this view does now"));
+    connect(make, &QAction::triggered, this, [this] {
+        Document& document = m_view.parts().document;
+        if (document.isOpen())
+            (void)document.carryOut(tr("Make View"), planInsert(*document.loaded(), {}, m_view.asViewBlock()));
+    });
+    connect(&menu, &QMenu::aboutToShow, this, [this, views, make] {
+        views->clear();
+        for (const ComponentSpec& look : m_view.parts().world.objects()->experiment().looks)
+            if (look.kind == "View" && views->actions().size() < kMostInMenu)
+                connect(views->addAction(QString::fromStdString(look.name)), &QAction::triggered, this,
+                        [this, name = look.name] { m_view.showNamed(name); });
+        views->menuAction()->setVisible(!views->isEmpty());
+        make->setEnabled(m_view.parts().document.isOpen());
+    });
 }
 
 ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QToolBar(parent), m_settings(settings) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <QToolBar>
 
+class QMenu;
 class QToolButton;
 
 namespace trundle {
@@ -20,6 +21,7 @@ public:
     explicit ViewCorner(View& view);
 
 private:
+    void addNamedViews(QMenu& menu);
     void show();
     View& m_view;
     QToolButton* m_button;

@@ -1,13 +1,18 @@
 // A view that looks through a robot's camera, and pictures of a view in other shapes than its own.
 
+#include <cmath>
+#include <numbers>
+
 #include <QPainter>
 #include <QPainterPath>
 
 #include "editor/viewport/plate.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
+#include "lang/number_text.h"
 #include "render/service.h"
 #include "scene/camera_model.h"
+#include "scene/framing.h"
 
 namespace trundle {
 namespace {
@@ -61,9 +66,42 @@ void View::followCamera() {
 }
 
 bool View::leaveCamera() {
-    const bool was = !m_through.empty();
+    const bool was = !m_through.empty() || !m_named.empty();
     m_through.clear();
+    m_named.clear();
     return was;
+}
+
+void View::showNamed(const std::string& name) {
+    m_glide.stop();
+    leaveCamera();
+    m_camera.setKind(ViewKind::Perspective);
+    m_named = name;
+    followNamed();
+    Q_EMIT kindChanged();
+    redraw();
+}
+
+void View::followNamed() {
+    if (m_named.empty()) return;
+    const auto view = namedView(m_parts.world.objects()->experiment(), m_named, *m_parts.world.poses());
+    if (view) return m_camera.setView(*view);
+    m_named.clear();
+    Q_EMIT kindChanged();
+}
+
+std::string View::asViewBlock() const {
+    CameraView view = cameraView();
+    if (view.orthographicWidth > 0) { // a View has perspective: from as far as shows the same width
+        const Vec3 back = (view.eye - view.target).normalized();
+        view.target = m_camera.middle();
+        view.eye = view.target + 0.5 * view.orthographicWidth / std::tan(0.5 * view.fieldOfView) * back;
+    }
+    const auto triple = [](const Vec3& v) {
+        return steppedNumber(v.x(), 0.001) + "," + steppedNumber(v.y(), 0.001) + "," + steppedNumber(v.z(), 0.001);
+    };
+    return "View view { Eye=" + triple(view.eye) + " Target=" + triple(view.target) +
+           " FieldOfView=" + steppedNumber(view.fieldOfView * 180 / std::numbers::pi, 0.1) + " }\n";
 }
 
 PictureRequest View::still(std::uint32_t width, std::uint32_t height) const {
@@ -81,6 +119,10 @@ std::function<CameraView(const BodyPoses&)> View::movingView(std::uint32_t width
     if (const CameraModel* camera = throughCamera())
         return [camera = *camera, to](const BodyPoses& poses) {
             return reshaped(viewOf(camera, camera.body < poses.size() ? poses[camera.body] : Pose{}), aspectOf(camera), to);
+        };
+    if (!m_named.empty())
+        return [objects = m_parts.world.objects(), name = m_named, now = cameraView(), from, to](const BodyPoses& poses) {
+            return reshaped(namedView(objects->experiment(), name, poses).value_or(now), from, to);
         };
     const auto robot = followedRobot();
     if (!robot) return [view = reshaped(cameraView(), from, to)](const BodyPoses&) { return view; };

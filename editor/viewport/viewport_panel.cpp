@@ -153,6 +153,12 @@ bool ViewportPanel::showView(const QString& name) {
             m_current->frame(m_world->bounds(), false);
         return true;
     }
+    const std::string view = name.toStdString();
+    for (const ComponentSpec& look : m_world->objects()->experiment().looks) {
+        if (look.kind != "View" || look.name != view) continue;
+        m_current->showNamed(view);
+        return true;
+    }
     return false;
 }
 

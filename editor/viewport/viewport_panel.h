@@ -44,7 +44,7 @@ public:
     [[nodiscard]] ShownWorld& world() { return *m_world; }
     [[nodiscard]] RadioOverlays& radios() { return *m_radios; }
     [[nodiscard]] PinnedValues& pinned() { return *m_pinned; }
-    /// "perspective", "top", "chase" ...: the current view. False where there is none of that name.
+    /// "perspective", "top", "chase" ..., or the name of a View of the experiment: the current view. False where there is none of that name.
     bool showView(const QString& name);
     /// Of all four, whether they are shown or not.
     [[nodiscard]] std::vector<ViewStand> stands() const;

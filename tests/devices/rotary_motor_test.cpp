@@ -74,6 +74,24 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.signal("motor/rate")[0] + 40. / 3) < 1e-6);
     }
 
+    /// Whatever drives it: what a meter at its terminals would show.
+    void theTerminalsShowTheVoltage() {
+        BenchRobot robot(.01);
+        robot.joint("axle").inertia = .0405;
+        addMotor(robot, "motor", "axle").numbers["Inductance"] = {.002};
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = 6;
+        for (int i = 0; i < 20; ++i) {
+            robot.tick();
+            QVERIFY(std::abs(robot.signal("motor/terminalVoltage")[0] - 6) < 1e-6);
+        }
+        robot.signal("motor/servo")[0] = 1;
+        robot.signal("motor/targetRate")[0] = 5;
+        robot.run(1);
+        QVERIFY(std::abs(robot.signal("motor/rate")[0] - 5) < 1e-6);
+        QVERIFY(std::abs(robot.signal("motor/terminalVoltage")[0] - 30 * 5 * .03) < 1e-3); // without load: the back EMF
+    }
+
     void inductanceDelaysTheCurrent() {
         BenchRobot robot(1e-5);
         robot.joint("axle").inertia = 1e9;                              // held

@@ -146,6 +146,35 @@ private Q_SLOTS:
         QVERIFY(run.waitUntilGone(10s));
     }
 
+    void goesOnPastItsDuration() {
+        m_duration = 2;
+        LiveRun::Options options = fast();
+        options.startsRunning = options.goesOn = true;
+        options.logFolder = m_folder.filePath("goes_on").toStdString();
+        LiveRun run(maker(), options);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
+        QVERIFY(run.end()->goesOn && !run.end()->failure && !run.gone());
+        QCOMPARE(tickOf(run), 200u);
+        const auto rows = [this] {
+            QFile log(m_folder.filePath("goes_on/path.csv"));
+            return log.open(QIODevice::ReadOnly) ? log.readAll().count('\n') : -1;
+        };
+        QCOMPARE(rows(), 202); // all there is so far can be read
+        run.wantContacts(true); // what stands is shown once more, and is at its end as before
+        EVENTUALLY(run.snapshot()->contacts != nullptr);
+        QCOMPARE(run.phase(), LivePhase::Ended);
+        run.step();
+        EVENTUALLY_EQUAL(tickOf(run), 201u);
+        EVENTUALLY_EQUAL(run.phase(), LivePhase::Paused);
+        QVERIFY(!run.end());
+        run.run();
+        EVENTUALLY(tickOf(run) > 400); // without limit
+        run.stop();
+        QVERIFY(run.waitUntilGone(10s));
+        QVERIFY(run.end() && !run.end()->goesOn);
+        QCOMPARE(rows(), int(tickOf(run)) + 2); // one log of it all
+    }
+
     void takesSingleTicks() {
         LiveRun run(maker(), fast());
         run.step(); // asked for while it is still built

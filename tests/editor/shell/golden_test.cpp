@@ -163,7 +163,6 @@ private:
         open(QStringLiteral("rover.sim"));
         m_window->selection().select("rover");
         act("view.layoutRun");
-        act("view.text");
         for (const char* overlay : {"view.overlayNames", "view.overlayTrails", "view.overlayJoints", "view.overlayMass",
                                     "view.overlayContacts", "view.overlayCollision"})
             act(overlay);

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "editor/viewport/contact_arrows.h"
 #include "editor/viewport/gizmo_work.h"
 #include "editor/viewport/pinned_values.h"
 #include "editor/viewport/shown_world.h"
@@ -144,6 +145,26 @@ private Q_SLOTS:
         QVERIFY(m_window->open(kRoom));
         EVENTUALLY(m_window->view().pixelOf({-0.5, 0, 0}));
         EVENTUALLY(m_window->view().rect().contains(m_window->view().pixelOf({-0.5, 0, 0})->toPoint()));
+    }
+
+    void arrowsAreAsLongAsTheForceUpToALimit() {
+        const double unit = forceUnit(m_window->panel->world().objects()->experiment());
+        QCOMPARE(unit, 20.0); // SimpleRobot weighs 24 N
+        std::vector<LiveContact> contacts(2000);
+        for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].force = 0.1 * double(i % 7);
+        contacts[1500].force = 20;
+        contacts[1600].force = 5;
+        contacts[1700].force = 1e6;
+        const auto arrows = contactArrows(contacts, unit);
+        QCOMPARE(arrows.size(), kMostContacts);
+        const auto of = [&](double force) {
+            return *std::ranges::find_if(arrows, [&](const ContactArrow& a) { return a.contact->force == force; });
+        };
+        QCOMPARE(of(20).pixels, kForcePixels);
+        QCOMPARE(of(5).pixels, kForcePixels / 4);
+        QVERIFY(!of(20).isCut && of(1e6).isCut);
+        QCOMPARE(of(1e6).pixels, kMostForcePixels);
+        QVERIFY(std::ranges::all_of(arrows, [](const ContactArrow& a) { return a.contact->force > 0.3; })); // the strongest
     }
 
     void contactsAndTrailsAreDrawn() {

@@ -1,6 +1,10 @@
 // A view that looks through a robot's camera, and the frusta of cameras.
 
+#include <numbers>
+
+#include <QMenu>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
 
 #include "editor/viewport/shown_world.h"
@@ -64,6 +68,45 @@ private Q_SLOTS:
         QVERIFY(!straight.isNull() && straight.copy(0, 0, view.width(), words) != bent.copy(0, 0, view.width(), words));
         const QRect below(0, words, view.width(), view.height() - words);
         QCOMPARE(bent.copy(below), straight.copy(below));
+    }
+
+    void viewsOfTheExperimentAreChosenAndMade() {
+        View& view = m_window->view();
+        QVERIFY(m_window->open(kEye + "View ahead { Mode=chase Robot=robot0 Eye=-1,0,0.5 Target=0,0,0.2 FieldOfView=40 }\n"));
+        auto* button = view.findChild<QToolButton*>(QStringLiteral("viewKind"));
+        QMenu* menu = button->menu();
+        Q_EMIT menu->aboutToShow();
+        const auto* views = menu->findChild<QMenu*>(QStringLiteral("namedViews"));
+        QCOMPARE(views->actions().size(), 1);
+        QCOMPARE(views->actions()[0]->text(), QStringLiteral("ahead"));
+        views->actions()[0]->trigger();
+        QCOMPARE(button->text(), QStringLiteral("ahead"));
+        QVERIFY((view.cameraView().eye - Vec3(-1.5, 0, 0.5)).norm() < 1e-6);
+        QCOMPARE(view.cameraView().fieldOfView, 40 * std::numbers::pi / 180);
+        // It rides with its robot, until one moves the view.
+        m_window->session.step();
+        EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
+        QVERIFY(m_window->session.place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
+        EVENTUALLY((view.cameraView().eye - Vec3(-0.5, 0.5, 0.5)).norm() < 1e-6);
+        m_window->session.reset();
+        m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
+        QCOMPARE(button->text(), QStringLiteral("Perspective"));
+        // And one is made from what the view shows.
+        const CameraView before = view.cameraView();
+        const QByteArray text = m_window->text();
+        menu->findChild<QAction*>(QStringLiteral("makeView"))->trigger();
+        QVERIFY2(m_window->text().contains("View view {"), m_window->text());
+        Q_EMIT menu->aboutToShow();
+        QCOMPARE(views->actions().size(), 2);
+        views->actions()[1]->trigger();
+        QVERIFY((view.cameraView().eye - before.eye).norm() < 0.002 && (view.cameraView().target - before.target).norm() < 0.002);
+        QVERIFY(std::abs(view.cameraView().fieldOfView - before.fieldOfView) < 0.002);
+        view.setKind(ViewKind::Top); // what a parallel view shows is seen from as far as shows as much
+        menu->findChild<QAction*>(QStringLiteral("makeView"))->trigger();
+        QVERIFY2(m_window->text().contains("View view2 {"), m_window->text());
+        m_window->document.undo();
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), text);
     }
 
     void itGoesAlongWithTheRobot() {

@@ -1,0 +1,111 @@
+// What the window itself does for a run: problems come forward, logs are found, the 3D view takes the centre.
+
+#include <QDesktopServices>
+#include <QFile>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <QtWidgets>
+
+#include "editor/shell/window_parts.h"
+#include "editor/text/text_panel.h"
+#include "editor/viewport/viewport_panel.h"
+#include "eventually.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kRobot = "#import robots/simple_robot.sim\n"
+                          "#import arenas/medium_arena.sim\n"
+                          "Static arena { Config=MediumArena }\n"
+                          "Robot robot0 { Config=SimpleRobot Pos=-1,0,0 }\n";
+
+} // namespace
+
+/// In place of the desktop's file manager.
+class OpenedUrls : public QObject {
+    Q_OBJECT
+public:
+    QList<QUrl> all;
+public Q_SLOTS:
+    void take(const QUrl& url) { all.append(url); }
+};
+
+class RunningWindowTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts.start(); }
+    void init() {
+        QSettings().clear();
+        m_window = m_parts.window();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        open("mine.sim", kRobot);
+    }
+    void cleanup() { m_window.reset(); }
+
+    void problemsComeForwardWithAFileThatHasErrors() {
+        const auto* problems = m_window->findChild<QDockWidget*>(QStringLiteral("dock.problems"));
+        auto* console = m_window->findChild<QDockWidget*>(QStringLiteral("dock.console"));
+        console->raise();
+        EVENTUALLY(problems->visibleRegion().isEmpty());
+        open("broken.sim", QByteArray(kRobot).replace("Config=SimpleRobot", "Config=SimpelRobot"));
+        QVERIFY(m_window->document().loaded()->diagnostics.hasErrors());
+        EVENTUALLY(!problems->visibleRegion().isEmpty());
+        console->raise(); // whoever goes elsewhere then stays there
+        EVENTUALLY(problems->visibleRegion().isEmpty());
+        QVERIFY(m_window->document().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
+        QVERIFY(problems->visibleRegion().isEmpty());
+    }
+
+    void theWindowSaysWhereTheLogsAreAndOpensThem() {
+        QAction& show = m_window->actions().at("sim.openLogs");
+        auto* label = m_window->findChild<QLabel*>(QStringLiteral("status.logs"));
+        QVERIFY(!show.isEnabled() && label->text().isEmpty());
+        open("logged.sim", kRobot + "PoseLog path { Robot=robot0 }\n");
+        m_window->actions().at("sim.step").trigger();
+        EVENTUALLY_EQUAL(m_window->session().state(), RunState::Paused);
+        QVERIFY(show.isEnabled());
+        QVERIFY2(label->text().contains(QStringLiteral("logs/logged")), qPrintable(label->text()));
+        OpenedUrls urls;
+        QDesktopServices::setUrlHandler(QStringLiteral("file"), &urls, "take");
+        const auto before = qScopeGuard([] { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); });
+        show.trigger();
+        QCOMPARE(urls.all, QList<QUrl>{QUrl::fromLocalFile(m_folder.filePath(QStringLiteral("logs/logged")))});
+        QTest::mouseClick(label, Qt::LeftButton);
+        QCOMPARE(urls.all.size(), 2);
+        m_window->actions().at("sim.reset").trigger(); // they are still there
+        QVERIFY(show.isEnabled());
+    }
+
+    void forRunningTheViewTakesTheCentre() {
+        QVERIFY(m_window->text().isVisible());
+        m_window->actions().at("view.layoutRun").trigger();
+        QVERIFY(m_window->viewport().isVisible() && !m_window->text().isVisible());
+        QVERIFY(!m_window->actions().at("view.text").isChecked());
+        m_window->actions().at("view.layoutEdit").trigger();
+        QVERIFY(m_window->text().isVisible());
+        m_window->showText(false); // and one who edits without the text gets none back
+        m_window->actions().at("view.layoutRun").trigger();
+        m_window->actions().at("view.layoutEdit").trigger();
+        QVERIFY(!m_window->text().isVisible());
+    }
+
+private:
+    void open(const char* name, const QByteArray& text) {
+        QFile file(m_folder.filePath(QLatin1String(name)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        QVERIFY(m_window->open(file.fileName()));
+        EVENTUALLY(m_window->document().isOpen() && m_window->document().path() == file.fileName().toStdString());
+    }
+
+    QTemporaryDir m_folder;
+    WindowParts m_parts;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(RunningWindowTest)
+#include "running_window_test.moc"
