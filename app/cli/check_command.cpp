@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/clean_text.h"
 #include "cli/commands.h"
-#include "cli/console.h"
 #include "cli/diagnostic_json.h"
 #include "cli/messages.h"
 #include "cli/open_options.h"
@@ -60,7 +60,7 @@ ExitCode check(Parts& parts, const CheckArguments& arguments) {
         }
         printDiagnostics(diagnostics.all(), loaded.sources);
         const std::string counts = countText(diagnostics.all());
-        writeOut(safeText(file) + ": " + (counts.empty() ? "ok" : counts) + "\n");
+        writeOut(cleanLine(file) + ": " + (counts.empty() ? "ok" : counts) + "\n");
     }
     if (arguments.json && !writeOut(jsonText(all)) && code == kExitDone) code = kExitText;
     return code;

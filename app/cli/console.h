@@ -4,8 +4,6 @@
 
 namespace trundle {
 
-/// Text from outside (a controller, a file name) made fit for a terminal: no control bytes but tabs, one line.
-[[nodiscard]] std::string safeText(std::string_view text);
 /// `[0.42 robot0] touch`, one such line for each line of the text, line ends included.
 [[nodiscard]] std::string consoleLines(double time, std::string_view who, int severity, std::string_view text);
 

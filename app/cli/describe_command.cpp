@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/clean_text.h"
 #include "base/spelling.h"
 #include "cli/commands.h"
 #include "cli/diagnostic_json.h"
@@ -57,13 +58,14 @@ ExitCode describeKinds(Parts& parts, const DescribeArguments& arguments) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
         for (const Kind* kind : kinds) all.push_back(manualJson(*kind));
         const bool told =
-            writeOut(arguments.json ? jsonText(all) : manualList(kinds) + "\n`trundle-cli describe KIND` tells more of each.\n");
+            writeOut(arguments.json ? jsonText(all)
+                                    : cleanText(manualList(kinds)) + "\n`trundle-cli describe KIND` tells more of each.\n");
         return told ? kExitDone : kExitText;
     }
     std::vector<std::string> names;
     for (const Kind* kind : kinds) {
         if (kind->name == arguments.kind) {
-            return writeOut(arguments.json ? jsonText(manualJson(*kind)) : manualPage(*kind)) ? kExitDone : kExitText;
+            return writeOut(arguments.json ? jsonText(manualJson(*kind)) : cleanText(manualPage(*kind))) ? kExitDone : kExitText;
         }
         names.push_back(kind->name);
     }
@@ -86,18 +88,18 @@ constexpr const char* kDescribeExamples = R"(Examples:
 void addDescribe(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     CLI::App* command = app.add_subcommand("describe", "The manual: every kind, its properties and its signals");
     auto arguments = std::make_shared<DescribeArguments>();
-    command->add_option("KIND", arguments->kind, "The kind to describe; without it, a list of all")->type_name("")->check(&emptyProblem);
+    command->add_option("KIND", arguments->kind, "The kind to describe; without it, a list of all")
+        ->type_name("")
+        ->check(&emptyProblem);
     command->add_flag("--json", arguments->json, "As JSON");
     command->add_option("--modules", arguments->open.modules, "Also the kinds of the modules in DIR (may be repeated)")
         ->type_name("DIR")
         ->check(CLI::ExistingDirectory)
         ->allow_extra_args(false);
     command->add_option("--module", arguments->module, "Load a module and write its description file")
-                              ->type_name("LIB")
-                              ->group("");
-    command->add_option("--output", arguments->output, "Where to; by default LIB.kinds.json")
-        ->type_name("FILE")
+        ->type_name("LIB")
         ->group("");
+    command->add_option("--output", arguments->output, "Where to; by default LIB.kinds.json")->type_name("FILE")->group("");
     command->footer(kDescribeExamples);
     command->callback([arguments, &parts, &chosen] {
         if (!arguments->output.empty() && arguments->module.empty()) throw CLI::ValidationError("--output", "needs --module LIB");

@@ -1,6 +1,11 @@
 #include "cli/diagnostic_json.h"
 
+#include <cstdio>
+
 #include <nlohmann/json.hpp>
+
+#include "base/clean_text.h"
+#include "base/utf8.h"
 
 namespace trundle {
 namespace {
@@ -63,11 +68,33 @@ Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics, const SourceTab
     return all;
 }
 
+namespace {
+
+// The library escapes what is below U+0020, as it must. A terminal obeys others too; they can only be inside strings.
+std::string escaped(const std::string& text) {
+    std::string safe;
+    safe.reserve(text.size());
+    for (std::size_t at = 0; at < text.size();) {
+        const CodePoint point = codePointAt(text, at);
+        if (point.value >= 0x7F && isControl(point.value)) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(point.value));
+            safe += escape;
+        } else {
+            safe.append(text, at, point.length);
+        }
+        at += point.length;
+    }
+    return safe;
+}
+
+} // namespace
+
 std::string diagnosticEntries(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources) {
-    const std::string list = diagnosticsJson(diagnostics, sources).dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string list = escaped(diagnosticsJson(diagnostics, sources).dump(-1, ' ', false, Json::error_handler_t::replace));
     return list.substr(1, list.size() - 2);
 }
 
-std::string jsonText(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string jsonText(const Json& json) { return escaped(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n"; }
 
 } // namespace trundle

@@ -14,7 +14,7 @@ namespace trundle {
 [[nodiscard]] nlohmann::ordered_json diagnosticsJson(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources);
 /// The entries of that list as text, without its brackets.
 [[nodiscard]] std::string diagnosticEntries(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources);
-/// The object's text; bytes that are no UTF-8 become U+FFFD.
+/// The object's text; bytes that are no UTF-8 become U+FFFD, control characters are escaped.
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json);
 
 } // namespace trundle

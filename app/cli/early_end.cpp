@@ -82,9 +82,9 @@ void sayCrash(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
     sayTime(words, facts);
     words << ": " << crashName(end.signal);
     if (culprit(facts, end)) return;
-    words << (!end.onRunsThread     ? ", in a thread that code of a module left behind or that the program works with"
-              : isInSolver(facts)   ? ", in the solver; the fault is the program's own, or damage that code of a module did before"
-                                    : "; the fault is the program's own, or damage that code of a module did before");
+    words << (!end.onRunsThread   ? ", in a thread that code of a module left behind or that the program works with"
+              : isInSolver(facts) ? ", in the solver; the fault is the program's own, or damage that code of a module did before"
+                                  : "; the fault is the program's own, or damage that code of a module did before");
 }
 
 void sayExit(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
@@ -137,9 +137,10 @@ void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) 
         out.add(", \"contacts\": ").add(static_cast<std::uint64_t>(facts.calls->clusterContacts()));
         out.add(", \"body\": ").addJson(body);
     }
-    out.add(", \"reason\": ").addJson(end.kind == EarlyEndKind::Crash  ? crashName(end.signal)
-                                      : end.kind == EarlyEndKind::Exit ? "exit"
-                                                                       : "not responding");
+    out.add(", \"reason\": ")
+        .addJson(end.kind == EarlyEndKind::Crash  ? crashName(end.signal)
+                 : end.kind == EarlyEndKind::Exit ? "exit"
+                                                  : "not responding");
     out.add("}");
 }
 
@@ -153,12 +154,14 @@ void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end)
     out.add(",\n  \"wall_s\": ").add(wall);
     out.add(",\n  \"real_time_factor\": ").add(wall > 0 ? simulated / wall : 0);
     out.add(",\n  \"peak_memory_kb\": ").add(static_cast<std::uint64_t>(used.ru_maxrss));
-    out.add(",\n  \"state_hash\": null,\n  \"quick_ticks\": null,\n  \"rescued_ticks\": null,\n  \"finished\": null,\n  \"interrupted\": ");
+    out.add(",\n  \"state_hash\": null,\n  \"quick_ticks\": null,\n  \"rescued_ticks\": null,\n  \"finished\": null,\n  "
+            "\"interrupted\": ");
     out.add(end.kind == EarlyEndKind::NotResponding || end.kind == EarlyEndKind::Interrupted ? "true" : "false");
     out.add(",\n  \"robots\": {},\n  \"diagnostics\": [");
     if (const std::string* before = facts.diagnostics.load(); before && !before->empty())
         out.add(before->data(), before->size()).add(",");
-    out.add("{\"file\": \"\", \"line\": 0, \"column\": 0, \"end_line\": 0, \"end_column\": 0, \"severity\": \"error\", \"code\": \"E");
+    out.add("{\"file\": \"\", \"line\": 0, \"column\": 0, \"end_line\": 0, \"end_column\": 0, \"severity\": \"error\", \"code\": "
+            "\"E");
     const int exit = exitCodeOf(facts, end);
     out.add(static_cast<std::uint64_t>(exit == kExitController    ? Code::ControllerFailed
                                        : exit == kExitInterrupted ? Code::Interrupted

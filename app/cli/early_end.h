@@ -18,18 +18,18 @@ enum class EarlyEndKind {
 
 struct EarlyEnd {
     EarlyEndKind kind = EarlyEndKind::Crash;
-    int signal = 0;              ///< of a crash
-    bool onRunsThread = true;    ///< false: a thread that code of a module left behind, most likely
-    std::uint32_t waitedS = 0;   ///< NotResponding
+    int signal = 0;            ///< of a crash
+    bool onRunsThread = true;  ///< false: a thread that code of a module left behind, most likely
+    std::uint32_t waitedS = 0; ///< NotResponding
 };
 
 /// What there is to be told, prepared while all was well.
 struct EarlyEndFacts {
     const CallMonitor* calls = nullptr;
-    const char* activity = "run"; ///< what it interrupts: "run", "description"
-    double startS = 0;            ///< of the monotonic clock
-    bool simulates = true;        ///< there is a simulated time
-    bool terminal = false;        ///< standard error is one: a progress bar may stand in the last line
+    const char* activity = "run";  ///< what it interrupts: "run", "description"
+    double startS = 0;             ///< of the monotonic clock
+    bool simulates = true;         ///< there is a simulated time
+    bool terminal = false;         ///< standard error is one: a progress bar may stand in the last line
     std::atomic<bool> json{false}; ///< --json, and its object has not been printed
     /// Entries of "diagnostics" so far, without brackets.
     std::atomic<const std::string*> diagnostics{nullptr};

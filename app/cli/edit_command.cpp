@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/clean_text.h"
 #include "base/platform/atomic_file.h"
 #include "base/platform/file_lock.h"
 #include "cli/commands.h"
-#include "cli/console.h"
 #include "cli/messages.h"
 #include "cli/open_options.h"
 #include "lang/tree_edit.h"
@@ -43,7 +43,7 @@ ExitCode writeAll(const std::vector<ChangedFile>& changed) {
             printProblem(written.error().message);
             return kExitText;
         }
-        writeOut("changed " + safeText(file.path) + "\n");
+        writeOut("changed " + cleanLine(file.path) + "\n");
     }
     if (changed.empty()) writeOut("nothing to change\n");
     return kExitDone;
@@ -95,7 +95,7 @@ ExitCode edit(Parts& parts, const EditArguments& arguments) {
     if (now.code != kExitDone) return now.code;
     for (const ChangedFile& file : now.files) {
         // Standard output is the new text alone where one file changes, as it mostly is.
-        if (now.files.size() > 1) writeOut("// " + safeText(file.path) + "\n");
+        if (now.files.size() > 1) writeOut("// " + cleanLine(file.path) + "\n");
         if (!writeOut(file.bytes)) return kExitText;
     }
     if (now.files.empty()) printProblem("nothing to change");

@@ -1,8 +1,8 @@
+#include "base/clean_text.h"
 #include "base/platform/atomic_file.h"
 #include "base/platform/file_lock.h"
 #include "base/platform/read_file.h"
 #include "cli/commands.h"
-#include "cli/console.h"
 #include "cli/messages.h"
 #include "lang/formatter.h"
 #include "lang/tree.h"
@@ -42,14 +42,14 @@ ExitCode formatFile(const std::string& file, const FormatArguments& arguments) {
     if (!arguments.check && !arguments.write) return writeOut(formatted) ? kExitDone : kExitText;
     if (formatted == source->bytes()) return kExitDone;
     if (arguments.check) {
-        writeOut("would change " + safeText(file) + "\n");
+        writeOut("would change " + cleanLine(file) + "\n");
         return kExitText;
     }
     if (const Status written = writeFileAtomically(file, formatted); !written) {
         printProblem(written.error().message);
         return kExitText;
     }
-    writeOut("formatted " + safeText(file) + "\n");
+    writeOut("formatted " + cleanLine(file) + "\n");
     return kExitDone;
 }
 

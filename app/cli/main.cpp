@@ -13,9 +13,9 @@
 #include <CLI/CLI.hpp>
 #include <trundle/abi.h>
 
+#include "base/clean_text.h"
 #include "base/spelling.h"
 #include "cli/commands.h"
-#include "cli/console.h"
 #include "cli/messages.h"
 #include "cli/standard_streams.h"
 #include "cli/usage_json.h"
@@ -33,8 +33,9 @@ constexpr const char* kFooter = R"(Examples:
 std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** argv) {
     if (argc < 2) return std::nullopt;
     if (argv[1][0] == '-')
-        return app.get_option_no_throw(argv[1]) ? std::nullopt
-                                                : std::optional("there is no option " + std::string(argv[1]) + " before a command");
+        return app.get_option_no_throw(argv[1])
+                   ? std::nullopt
+                   : std::optional("there is no option " + std::string(argv[1]) + " before a command");
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(command->get_name());
@@ -48,7 +49,8 @@ std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** 
 int refuse(int argc, char** argv, const std::string& why) {
     const std::string command = argc > 1 && argv[1][0] != '-' ? argv[1] : "";
     trundle::printProblem(why);
-    std::fprintf(stderr, "`trundle-cli %s--help` says how it is used.\n", trundle::safeText(command.empty() ? "" : command + " ").c_str());
+    std::fprintf(stderr, "`trundle-cli %s--help` says how it is used.\n",
+                 trundle::cleanLine(command.empty() ? "" : command + " ").c_str());
     if (trundle::asksForJson(argc, argv)) trundle::writeOut(trundle::usageJson(command, why));
     return trundle::kExitUsage;
 }

@@ -4,12 +4,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-
 #include <string_view>
 
 #include <unistd.h>
 
-#include "cli/console.h"
+#include "base/clean_text.h"
 #include "cli/numbers.h"
 #include "cli/standard_streams.h"
 #include "lang/render.h"
@@ -42,7 +41,7 @@ void printDiagnostics(const std::vector<Diagnostic>& diagnostics, const SourceTa
     if (hidden) std::fprintf(stderr, "... and %s\n", counted(hidden, "more message").c_str());
 }
 
-void printProblem(const std::string& text) { std::fprintf(stderr, "trundle-cli: %s\n", safeText(text).c_str()); }
+void printProblem(const std::string& text) { std::fprintf(stderr, "trundle-cli: %s\n", cleanLine(text).c_str()); }
 
 std::string countText(const std::vector<Diagnostic>& diagnostics) {
     const auto count = [&](Severity severity) {

@@ -72,8 +72,9 @@ std::string finiteProblem(const std::string& text) {
 
 std::string emptyProblem(const std::string& text) {
     if (text.empty()) return "a name is missing";
-    return text.starts_with("--") ? "a name is missing before " + text + " (write ./" + text + " for a file or folder of that name)"
-                                  : std::string();
+    return text.starts_with("--")
+               ? "a name is missing before " + text + " (write ./" + text + " for a file or folder of that name)"
+               : std::string();
 }
 
 void refuseSizeOfCamera(const CLI::Option& camera, const CLI::Option& size) {

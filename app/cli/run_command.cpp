@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "base/clean_text.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/diagnostic_json.h"
@@ -70,12 +71,6 @@ private:
     bool m_endless = false;
 };
 
-/// It names a folder, which `..` (the stem of a file called "...") must not.
-std::string experimentName(const std::string& file) {
-    const std::string stem = std::filesystem::path(file).stem().string();
-    return stem.empty() || stem == "." || stem == ".." ? "experiment" : stem;
-}
-
 ExitCode RunCommand::go() {
     m_report.name = experimentName(m_arguments.file);
     // A seed is a setting like any other; it must be known before a Scatter is placed.
@@ -84,7 +79,7 @@ ExitCode RunCommand::go() {
     printDiagnostics(m_report.diagnostics, m_report.sources);
     if (std::ranges::count(m_report.diagnostics, Severity::Error, &Diagnostic::severity) > 0) {
         const std::string counts = countText(m_report.diagnostics);
-        std::fprintf(stderr, "%s: not run, the text has %s\n", safeText(m_arguments.file).c_str(), counts.c_str());
+        std::fprintf(stderr, "%s: not run, the text has %s\n", cleanLine(m_arguments.file).c_str(), counts.c_str());
         return tell(kExitText);
     }
     if (!planTicks() || !openMovie()) return tell(kExitUsage);
@@ -138,7 +133,7 @@ bool RunCommand::openMovie() {
 
 bool RunCommand::movieProblem(const Status& status) {
     if (status) return true;
-    const std::string message = safeText(status.error().message);
+    const std::string message = cleanLine(status.error().message);
     if (m_progress) m_progress->line("error: " + message + "\n");
     else printProblem(message);
     m_report.diagnostics.push_back({Severity::Error, status.error().code, status.error().message, {}, {}, {}, {}});
@@ -155,10 +150,9 @@ bool RunCommand::endMovie() { return !m_movie || movieProblem(m_movie->finish())
 
 RunOptions RunCommand::runOptions() {
     RunOptions options;
-    const std::filesystem::path folder =
-        !m_arguments.logDir.empty() ? std::filesystem::path(m_arguments.logDir)
-                                    : std::filesystem::path(m_loaded->projectFolder) / "logs" / m_report.name;
-    options.logFolder = std::filesystem::absolute(folder).string(); // wherever a module changes the working folder to
+    // What the user names may be a link; what came with the project may not. Absolute, wherever a module changes the working folder to.
+    options.logFolder = m_arguments.logDir.empty() ? defaultLogs(m_loaded->projectFolder, m_arguments.file)
+                                                   : LogLocation(std::filesystem::absolute(m_arguments.logDir).string());
     options.calls = m_calls;
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
         const std::string lines = consoleLines(time, who, severity, text);
@@ -168,7 +162,7 @@ RunOptions RunCommand::runOptions() {
     options.pictures = [this](const ExperimentSpec& experiment, const SignalLayout& layout) {
         return openFrameSource(m_parts.locations().modules, experiment, layout,
                                {m_arguments.look, [this](const std::string& line) {
-                                    if (m_progress) m_progress->line("warning: " + line + "\n");
+                                    if (m_progress) m_progress->line("warning: " + cleanLine(line) + "\n");
                                     else printProblem(line);
                                 }});
     };
@@ -275,7 +269,7 @@ ExitCode RunCommand::tell(ExitCode code) {
     if (m_arguments.json) {
         text = runJson(m_report);
     } else if (m_runner) {
-        if (!m_arguments.quiet) text = runSummary(m_report);
+        if (!m_arguments.quiet) text = cleanText(runSummary(m_report));
         if (m_arguments.hash)
             text += "state-hash " + hashText(m_runner->world().stateHash()) + " tick " +
                     std::to_string(m_runner->world().ticks()) + "\n";
@@ -314,7 +308,9 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
         ->type_name("N")
         ->check(&seedProblem);
     addSetOption(*command, a.open);
-    command->add_option("--log-dir", a.logDir, "Folder for the logs; by default logs/<experiment> in the project folder")
+    command
+        ->add_option("--log-dir", a.logDir,
+                     "Folder for the logs, may be a link; by default logs/<experiment> in the project folder, which may not")
         ->type_name("DIR")
         ->check(&emptyProblem);
     CLI::Option* movie = command->add_option("--movie", a.movie.path, "A movie of the run, made by ffmpeg: .mp4 or .webm")

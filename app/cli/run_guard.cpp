@@ -32,7 +32,7 @@ namespace {
 
 constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 constexpr int kRequests[] = {SIGINT, SIGTERM, SIGHUP};
-constexpr std::uint32_t kCallPatienceS = 3; // with one call, after a request to end
+constexpr std::uint32_t kCallPatienceS = 3;  // with one call, after a request to end
 constexpr std::uint32_t kTickPatienceS = 10; // with all the calls of a tick
 constexpr long kLookEveryNs = 100'000'000;
 
@@ -193,7 +193,7 @@ void watch() {
             call = t;
         }
         if (!s_calls->target()) continue;
-        const std::uint32_t waited = t - call >= kCallPatienceS                     ? kCallPatienceS
+        const std::uint32_t waited = t - call >= kCallPatienceS                 ? kCallPatienceS
                                      : s_ticking && t - asked >= kTickPatienceS ? kTickPatienceS
                                                                                 : 0;
         if (waited) endEarly({EarlyEndKind::NotResponding, 0, true, waited});

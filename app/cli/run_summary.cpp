@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "cli/console.h"
+#include "base/clean_text.h"
 #include "cli/messages.h"
 #include "cli/numbers.h"
 #include "cli/run_report.h"
@@ -108,7 +108,7 @@ std::string solverRows(const World& world) {
 
 std::string logRows(const std::vector<std::string>& files) {
     std::string text;
-    for (std::size_t i = 0; i < files.size() && i < kMostListed; ++i) text += row(i == 0 ? "logs" : "", safeText(files[i]));
+    for (std::size_t i = 0; i < files.size() && i < kMostListed; ++i) text += row(i == 0 ? "logs" : "", cleanLine(files[i]));
     if (files.size() > kMostListed)
         text += row("", "and " + std::to_string(files.size() - kMostListed) + " more in the same folder");
     return text;
@@ -125,15 +125,15 @@ std::string hashText(std::uint64_t hash) {
 std::string runSummary(const RunReport& report) {
     const World& world = report.runner->world();
     const double simulated = world.time();
-    std::string text = row("experiment", safeText(report.name) + (report.interrupted         ? ", interrupted"
-                                                                  : report.runner->failure() ? ", stopped by an error"
-                                                                                             : ""));
+    std::string text = row("experiment", cleanLine(report.name) + (report.interrupted         ? ", interrupted"
+                                                                   : report.runner->failure() ? ", stopped by an error"
+                                                                                              : ""));
     text += row("simulated", shortText(simulated, 9) + " s in " + counted(world.ticks(), "tick") + " of " +
                                  exactText(world.experiment().settings.tick) + " s");
     if (const RunFinish* finish = report.runner->finished())
-        text +=
-            row("finished", "by " + safeText(finish->robot + "/" + finish->controller) + " at t = " + shortText(finish->time, 9) +
-                                " s" + (finish->reason.empty() ? "" : ": ") + safeText(finish->reason));
+        text += row("finished", "by " + cleanLine(finish->robot + "/" + finish->controller) +
+                                    " at t = " + shortText(finish->time, 9) + " s" + (finish->reason.empty() ? "" : ": ") +
+                                    cleanLine(finish->reason));
     if (world.ticks() > 0 && report.wallS > 0)
         text += row("took", shortText(report.wallS) + " s, " + shortText(simulated / report.wallS) + " x real time");
     if (!world.experiment().robots.empty()) text += robotRows(report, world);

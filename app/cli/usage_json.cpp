@@ -10,7 +10,8 @@
 namespace trundle {
 
 bool asksForJson(int argc, char** argv) {
-    return std::any_of(argv + std::min(argc, 1), argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+    return std::any_of(argv + std::min(argc, 1), argv + argc,
+                       [](const char* word) { return std::string_view(word) == "--json"; });
 }
 
 std::string usageJson(std::string_view command, const std::string& message) {

@@ -21,6 +21,7 @@
 #include "render/service.h"
 #include "trundle/options.h"
 #include "trundle/picture_taker.h"
+#include "trundle/problem.h"
 
 namespace {
 
@@ -28,16 +29,19 @@ QtMessageHandler g_report = nullptr; // Qt's own
 
 /// Without a screen Qt says with each window what it cannot do there; whoever takes pictures so has nothing of that.
 void report(QtMsgType type, const QMessageLogContext& context, const QString& message) {
-    if (!message.startsWith(QStringLiteral("This plugin does not support"))) g_report(type, context, message);
+    if (!message.startsWith(QStringLiteral("This plugin does not support")))
+        g_report(type, context, trundle::forTerminal(message)); // it may name a file
 }
 
 /// While Qt looks for a display. Where it finds none it would tell of plugins and abort.
 void reportStart(QtMsgType type, const QMessageLogContext& context, const QString& message) {
     if (type == QtFatalMsg) {
         const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
-        const std::string why = platform.isEmpty() ? "there is no display for a window"
-                                                   : "no window can be opened with QT_QPA_PLATFORM=" + platform.toStdString();
-        std::fprintf(stderr, "trundle: %s: set QT_QPA_PLATFORM=offscreen for --screenshot, or use trundle-cli\n", why.c_str());
+        const QString why =
+            platform.isEmpty()
+                ? QStringLiteral("there is no display for a window")
+                : QStringLiteral("no window can be opened with QT_QPA_PLATFORM=%1").arg(QString::fromLocal8Bit(platform));
+        trundle::printProblem(QStringLiteral("%1: set QT_QPA_PLATFORM=offscreen for --screenshot, or use trundle-cli").arg(why));
         std::_Exit(2);
     }
     if (!std::string_view(context.category ? context.category : "").starts_with("qt.qpa.")) report(type, context, message);

@@ -1,15 +1,16 @@
 #include "trundle/options.h"
 
-#include <cstdio>
 #include <cstdlib>
 
 #include <QCommandLineParser>
+
+#include "trundle/problem.h"
 
 namespace trundle {
 namespace {
 
 [[noreturn]] void refuse(const QString& message) {
-    std::fprintf(stderr, "trundle: %s\n", qPrintable(message));
+    printProblem(message);
     std::exit(2);
 }
 

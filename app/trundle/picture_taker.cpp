@@ -1,12 +1,11 @@
 #include "trundle/picture_taker.h"
 
-#include <cstdio>
-
 #include <QApplication>
 #include <QFileInfo>
 
 #include "editor/widgets/actions.h"
 #include "project/object_place.h"
+#include "trundle/problem.h"
 
 namespace trundle {
 
@@ -67,7 +66,7 @@ void PictureTaker::next() {
 }
 
 void PictureTaker::say(const QString& reason, int code) {
-    std::fprintf(stderr, "trundle: %s\n", qPrintable(reason));
+    printProblem(reason);
     m_code = code;
 }
 
@@ -118,7 +117,7 @@ bool PictureTaker::isStuck() const {
 void PictureTaker::take() {
     if (m_options.screenshot.isEmpty()) return;
     if (!m_window.grab().save(m_options.screenshot)) {
-        std::fprintf(stderr, "trundle: %s could not be written\n", qPrintable(m_options.screenshot));
+        printProblem(QStringLiteral("%1 could not be written").arg(m_options.screenshot));
         QApplication::exit(m_code = 2);
     }
 }

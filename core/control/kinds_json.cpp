@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/clean_text.h"
 #include "base/platform/atomic_file.h"
 #include "control/module_kinds.h"
 #include "control/module_store.h"
@@ -92,7 +93,7 @@ Property propertyFromJson(const Json& j) {
     p.name = j.at("name").get<std::string>();
     p.type = typeOf(j.at("type").get<std::string>());
     p.unit = j.at("unit").get<std::string>();
-    p.help = j.at("help").get<std::string>();
+    p.help = cleanText(j.at("help").get<std::string>());
     p.choices = j.at("choices").get<std::vector<std::string>>();
     p.scale = j.at("scale").get<double>();
     p.minimum = j.at("minimum").is_null() ? -kInfinity : j.at("minimum").get<double>();
@@ -110,7 +111,7 @@ Property propertyFromJson(const Json& j) {
 Kind kindFromJson(const Json& j, const std::string& library) {
     Kind kind;
     kind.name = j.at("name").get<std::string>();
-    kind.help = j.at("help").get<std::string>();
+    kind.help = cleanText(j.at("help").get<std::string>());
     kind.module = library;
     const std::string role = j.at("role").get<std::string>();
     if (role != "controller" && role != "device") throw std::runtime_error("'" + role + "' is no role of a kind");
@@ -122,7 +123,8 @@ Kind kindFromJson(const Json& j, const std::string& library) {
         for (const Json& a : j.at("exactly_one_of"))
             kind.alternatives.push_back({a.at("names").get<std::vector<std::string>>(), a.at("likely").get<std::string>()});
     for (const Json& s : j.at("signals"))
-        kind.signals.push_back({s.at("name").get<std::string>(), s.at("unit").get<std::string>(), s.at("help").get<std::string>(),
+        kind.signals.push_back({s.at("name").get<std::string>(), s.at("unit").get<std::string>(),
+                                cleanText(s.at("help").get<std::string>()),
                                 indexOf(kSignalTypes, s.at("type").get<std::string>()), s.at("count").get<std::uint32_t>(),
                                 indexOf(kDirections, s.at("direction").get<std::string>())});
     if (const std::string fault = kindFault(kind); !fault.empty()) throw std::runtime_error("'" + kind.name + "' " + fault);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <set>
 
+#include "base/clean_text.h"
 #include "model/component_spec.h"
 
 namespace trundle {
@@ -64,7 +65,7 @@ bool copyField(const TrundleField& from, FieldInfo& to) {
     bool ok = true;
     to.name = copied(from.name, ok);
     to.unit = copied(from.unit, ok);
-    to.help = copied(from.help, ok);
+    to.help = cleanText(copied(from.help, ok));
     to.choices = copied(from.choices, ok);
     to.scale = from.scale;
     to.minimum = from.minimum;
@@ -107,7 +108,7 @@ bool copyAlternatives(const TrundleKind& from, Kind& to) {
 std::string copyKind(const TrundleKind& from, Kind& to) {
     bool ok = true;
     to.name = copied(from.name, ok);
-    to.help = copied(from.help, ok);
+    to.help = cleanText(copied(from.help, ok));
     if (!ok) return "has no name or no end";
     if (from.role != TRUNDLE_CONTROLLER && from.role != TRUNDLE_DEVICE) return "is neither a controller nor a device";
     if (!hasFunctions(from)) return "lacks one of its functions";
@@ -124,7 +125,8 @@ std::string copyKind(const TrundleKind& from, Kind& to) {
     }
     for (std::uint32_t i = 0; i < from.signalCount; ++i) {
         const TrundleSignal& s = from.signals[i];
-        to.signals.push_back({copied(s.name, ok), copied(s.unit, ok), copied(s.help, ok), s.type, s.count, s.direction});
+        to.signals.push_back(
+            {copied(s.name, ok), copied(s.unit, ok), cleanText(copied(s.help, ok)), s.type, s.count, s.direction});
         if (!ok) return "has a broken signal, number " + std::to_string(i + 1);
     }
     if (!copyAlternatives(from, to)) return "has a broken table of alternatives";

@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "base/spelling.h"
+#include "base/utf8.h"
 #include "lang/parser.h"
-#include "lang/utf8.h"
 
 namespace trundle {
 namespace {

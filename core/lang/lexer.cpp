@@ -1,7 +1,7 @@
 #include "lang/lexer.h"
 
+#include "base/utf8.h"
 #include "lang/characters.h"
-#include "lang/utf8.h"
 
 namespace trundle {
 

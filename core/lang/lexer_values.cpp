@@ -5,9 +5,9 @@
 #include <string>
 
 #include "base/units.h"
+#include "base/utf8.h"
 #include "lang/characters.h"
 #include "lang/lexer.h"
-#include "lang/utf8.h"
 
 namespace trundle {
 

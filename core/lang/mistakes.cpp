@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
 #include "lang/characters.h"
 #include "lang/parser.h"
-#include "lang/utf8.h"
 
 namespace trundle {
 namespace {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "lang/utf8.h"
+#include "base/clean_text.h"
+#include "base/utf8.h"
 
 namespace trundle {
 namespace {
@@ -25,10 +26,7 @@ Shown show(std::string_view line, std::size_t from, std::size_t to) {
     Shown shown;
     for (std::size_t at = from; at < std::min(to, line.size());) {
         const CodePoint point = codePointAt(line, at);
-        const bool control = point.value != '\t' &&
-                             (point.value < 0x20 || (point.value >= 0x7F && point.value < 0xA0) ||
-                              (point.value >= 0x202A && point.value <= 0x202E) ||
-                              (point.value >= 0x2066 && point.value <= 0x2069) || point.value == 0x2028 || point.value == 0x2029);
+        const bool control = point.value != '\t' && isControl(point.value);
         if (point.valid && point.value == 0xFEFF) { // takes no column
             at += point.length;
             continue;
@@ -55,29 +53,13 @@ std::string severityName(Severity severity) {
 
 std::string place(const SourceText& text, std::uint32_t offset) {
     const LineColumn at = text.position(offset);
-    return text.path() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
-}
-
-/// Words of people's texts in a message must not break its line.
-std::string oneLine(std::string_view text) {
-    std::string line;
-    for (std::size_t at = 0; at < text.size();) {
-        const CodePoint point = codePointAt(text, at);
-        const bool plain = point.valid && point.value >= 0x20 && point.value != 0x7F;
-        if (plain) line += text.substr(at, point.length);
-        else
-            line += point.valid && (point.value == '\n' || point.value == '\r' || point.value == '\t')
-                        ? " "
-                        : std::string(kReplacement);
-        at += point.length;
-    }
-    return line;
+    return cleanLine(text.path()) + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
 }
 
 std::string advice(const Diagnostic& d) {
-    if (!d.fixes.empty()) return "fix: " + oneLine(d.fixes[0].title);
+    if (!d.fixes.empty()) return "fix: " + cleanLine(d.fixes[0].title);
     if (d.suggestions.empty() || d.message.find("did you mean") != std::string::npos) return {};
-    return "did you mean " + oneLine(d.suggestions[0]) + "?";
+    return "did you mean " + cleanLine(d.suggestions[0]) + "?";
 }
 
 /// The source line and the line of carets under it.
@@ -126,7 +108,7 @@ std::string excerpt(const Diagnostic& d, const SourceText& text) {
 } // namespace
 
 std::string render(const Diagnostic& d, const SourceTable& sources) {
-    const std::string head = severityName(d.severity) + " " + codeName(d.code) + ": " + oneLine(d.message) + "\n";
+    const std::string head = severityName(d.severity) + " " + codeName(d.code) + ": " + cleanLine(d.message) + "\n";
     const bool placed = d.range.file < sources.size() && sources[d.range.file].text;
     std::string out;
     if (placed) {
@@ -139,13 +121,13 @@ std::string render(const Diagnostic& d, const SourceTable& sources) {
     for (const auto& [words, range] : d.notes) {
         if (range.file < sources.size() && sources[range.file].text)
             out += place(*sources[range.file].text, range.range.begin) + ": ";
-        out += "note: " + oneLine(words) + "\n";
+        out += "note: " + cleanLine(words) + "\n";
     }
     if (!placed) return out;
     SourceRange from = sources[d.range.file].importedFrom;
     for (int i = 0; i < kLongestChain && from.file < sources.size() && sources[from.file].text; ++i) {
         const SourceText& text = *sources[from.file].text;
-        out += "imported from " + text.path() + ":" + std::to_string(text.position(from.range.begin).line) + "\n";
+        out += "imported from " + cleanLine(text.path()) + ":" + std::to_string(text.position(from.range.begin).line) + "\n";
         from = sources[from.file].importedFrom;
     }
     return out;

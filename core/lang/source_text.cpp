@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lang/utf8.h"
+#include "base/utf8.h"
 
 namespace trundle {
 

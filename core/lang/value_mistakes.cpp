@@ -4,9 +4,9 @@
 #include <charconv>
 
 #include "base/units.h"
+#include "base/utf8.h"
 #include "lang/characters.h"
 #include "lang/parser.h"
-#include "lang/utf8.h"
 
 namespace trundle {
 namespace {

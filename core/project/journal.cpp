@@ -38,13 +38,13 @@ Journal::~Journal() = default;
 
 Status Journal::makeFile() {
     static std::atomic<unsigned> counter{0};
-    const std::string work = makeWorkFolder(m_projectFolder);
-    if (work.empty()) return Error{Code::FileUnwritable, "there is no folder that a journal can be written in"};
+    const std::string folder = projectStateFolder(m_projectFolder) + "/journal";
     std::error_code failed;
-    fs::create_directories(work + "/journal", failed);
+    fs::create_directories(folder, failed);
+    if (failed) return Error{Code::FileUnwritable, "no journal can be written in " + folder + ": " + failed.message()};
     for (int attempt = 0; attempt < 100; ++attempt) {
         const ProcessIdentity self = thisProcess();
-        const std::string path = work + "/journal/" + std::to_string(self.pid) + "-" + std::to_string(self.start) + "-" +
+        const std::string path = folder + "/" + std::to_string(self.pid) + "-" + std::to_string(self.start) + "-" +
                                  std::to_string(counter++) + ".journal";
         Result<LockedFile> made = LockedFile::make(path);
         if (!made && fs::exists(path, failed)) continue;
@@ -53,7 +53,7 @@ Status Journal::makeFile() {
         m_bytes = 0;
         return append(headBytes(m_head));
     }
-    return Error{Code::FileUnwritable, "a journal cannot be made in " + work};
+    return Error{Code::FileUnwritable, "a journal cannot be made in " + folder};
 }
 
 Status Journal::append(const std::string& record) {

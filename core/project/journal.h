@@ -19,8 +19,8 @@ struct JournalHead {
     std::string name;   ///< "" for a text that has a file
 };
 
-/// The writing side. The file is made at the first note, in `<work folder>/journal/`, and is locked as long as it is open. Records
-/// carry checksums; one that was cut off by a crash is left out when the journal is read.
+/// The writing side. The file is made at the first note, in `journal/` of projectStateFolder(), and is locked as long as it is open.
+/// Records carry checksums; one that was cut off by a crash is left out when the journal is read.
 class Journal {
 public:
     Journal(std::string projectFolder, JournalHead head);
@@ -62,13 +62,19 @@ struct RecoveredText {
 /// What a window that did not end well has left.
 struct Recovery {
     std::string journal; ///< the file
+    std::string project; ///< the folder that it was looked for with
     JournalHead head;
     std::int64_t time = 0; ///< of the last note, s since 1970
     std::map<std::string, RecoveredText> files;
 };
 
-/// Journals of a project whose windows are gone, newest first.
+/// Journals of a project whose windows are gone, newest first. Only those in the user's own state folder, which this user wrote and
+/// nobody else may: what comes with a project could say anything, and who restores and saves it would write that to any file.
 [[nodiscard]] std::vector<Recovery> findRecoveries(const std::string& projectFolder);
+/// Journals inside the project's folder, where an earlier version kept them, or somebody put them. They are not read.
+[[nodiscard]] std::vector<std::string> journalsInProject(const std::string& projectFolder);
+/// Files of a journal that are really below none of the folders.
+[[nodiscard]] std::vector<std::string> filesOutside(const Recovery& recovery, const std::vector<std::string>& folders);
 /// Removes the journal: it was brought back, or is not wanted.
 void discardRecovery(const Recovery& recovery);
 /// What a journal's bytes say, as far as they are whole. Nothing where they say nothing.

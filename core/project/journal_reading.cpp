@@ -3,10 +3,11 @@
 #include <chrono>
 #include <filesystem>
 
+#include "base/platform/folder_handle.h"
 #include "base/platform/process_identity.h"
-#include "base/platform/read_file.h"
 #include "project/journal.h"
 #include "project/journal_record.h"
+#include "project/search.h"
 #include "project/state_folder.h"
 #include "project/text_splice.h"
 
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kMostJournalBytes = 1u << 30;
+constexpr std::size_t kMostListed = 100;     ///< journals inside a project
 constexpr std::chrono::hours kWorthless{24}; ///< after which a journal that says nothing is taken away
 
 template <class Number> std::optional<Number> numberIn(const std::string& text) {
@@ -107,23 +109,44 @@ std::optional<Recovery> readJournal(std::string_view bytes) {
 
 std::vector<Recovery> findRecoveries(const std::string& projectFolder) {
     std::vector<Recovery> found;
-    for (const std::string& folder : workFolders(projectFolder)) {
-        std::error_code none;
-        for (fs::directory_iterator at(folder + "/journal", none), end; !none && at != end; at.increment(none)) {
-            const std::string path = at->path().string();
-            if (path.ends_with(".journal.new")) removeWorthless(path);
-            if (!path.ends_with(".journal")) continue;
-            const Result<std::string> bytes = readRegularFile(path, kMostJournalBytes);
-            if (!bytes) continue;
-            std::optional<Playback> playback = play(bytes.value());
-            if (!playback) removeWorthless(path);
-            if (!playback || !writerIsGone(path, playback->writer)) continue;
-            playback->recovery.journal = path;
-            found.push_back(std::move(playback->recovery));
-        }
+    const std::string path = projectStateFolder(projectFolder) + "/journal";
+    const Result<FolderHandle> folder = FolderHandle::open(path);
+    std::error_code none;
+    for (fs::directory_iterator at(path, none), end; folder && !none && at != end; at.increment(none)) {
+        const std::string name = at->path().filename().string(), file = at->path().string();
+        if (!folder.value().hasOwnFile(name)) continue;
+        if (name.ends_with(".journal.new")) removeWorthless(file);
+        if (!name.ends_with(".journal")) continue;
+        const Result<std::string> bytes = folder.value().readFile(name, kMostJournalBytes);
+        if (!bytes) continue;
+        std::optional<Playback> playback = play(bytes.value());
+        if (!playback) removeWorthless(file);
+        if (!playback || !writerIsGone(file, playback->writer)) continue;
+        playback->recovery.journal = file;
+        playback->recovery.project = projectFolder;
+        found.push_back(std::move(playback->recovery));
     }
     std::ranges::stable_sort(found, [](const Recovery& a, const Recovery& b) { return a.time > b.time; });
     return found;
+}
+
+std::vector<std::string> journalsInProject(const std::string& projectFolder) {
+    std::vector<std::string> found;
+    const fs::path own = fs::path(projectFolder) / ".trundle", folder = own / "journal";
+    std::error_code none;
+    for (const fs::path& each : {own, folder})
+        if (!fs::is_directory(fs::symlink_status(each, none))) return found;
+    for (fs::directory_iterator at(folder, none), end; !none && at != end && found.size() < kMostListed; at.increment(none))
+        if (at->path().extension() == ".journal") found.push_back(at->path().string());
+    std::ranges::sort(found);
+    return found;
+}
+
+std::vector<std::string> filesOutside(const Recovery& recovery, const std::vector<std::string>& folders) {
+    std::vector<std::string> outside;
+    for (const auto& [path, text] : recovery.files)
+        if (!liesInside(path, folders)) outside.push_back(path);
+    return outside;
 }
 
 void discardRecovery(const Recovery& recovery) {

@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <sstream>
 
+#include "base/clean_text.h"
 #include "base/platform/read_file.h"
 #include "project/state_folder.h"
 
 namespace trundle {
 
 namespace {
+
+constexpr std::size_t kMostShown = 64; ///< bytes of a host's name, which a file says
 
 std::string written(const LockHolder& holder) {
     std::ostringstream out;
@@ -51,7 +54,8 @@ std::string LockHolder::said() const {
     std::tm local{};
     char clock[32] = "";
     if (since > 0 && ::localtime_r(&when, &local)) std::strftime(clock, sizeof clock, ", since %H:%M", &local);
-    return "another window (process " + std::to_string(process.pid) + " on " + process.host + clock + ")";
+    return "another window (process " + std::to_string(process.pid) + " on " + cleanLine(process.host).substr(0, kMostShown) +
+           clock + ")";
 }
 
 ProjectLock::ProjectLock(const std::string& projectFolder, const std::string& opened) {

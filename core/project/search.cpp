@@ -43,6 +43,20 @@ std::string canonicalPath(const std::string& path) {
     return ec ? path : canonical.string();
 }
 
+bool liesInside(const std::string& file, const std::vector<std::string>& folders) {
+    if (!fs::path(file).is_absolute() || file.find('\0') != std::string::npos) return false;
+    const fs::path real = canonicalPath(file);
+    fs::path part; // what is still a link leads to nothing, and a file that is written would be made there
+    for (const fs::path& name : real) {
+        std::error_code none;
+        part /= name;
+        if (name == ".." || fs::is_symlink(fs::symlink_status(part, none))) return false;
+    }
+    return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+        return !folder.empty() && real != fs::path(canonicalPath(folder)) && liesUnder(real, canonicalPath(folder));
+    });
+}
+
 std::string shownPath(const std::string& absolute, const std::string& from) {
     std::error_code ec;
     const fs::path here = from.empty() ? fs::current_path(ec) : fs::path(from);

@@ -20,6 +20,10 @@ namespace trundle {
 /// program are, is named as its own project names it, "robots/amr.sim".
 [[nodiscard]] std::string shownInProject(const std::string& absolute, const std::string& folder);
 
+/// Whether a file is really below one of the folders: links on the way are followed, and one that leads to nothing yet is none of
+/// theirs. `file` and the folders are absolute.
+[[nodiscard]] bool liesInside(const std::string& file, const std::vector<std::string>& folders);
+
 class FileSearch {
 public:
     /// Folders after the importing file's own, in order. A path of `texts`, which outlives this, is found like a file.

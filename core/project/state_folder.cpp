@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/platform/locked_file.h"
+#include "base/platform/user_folder.h"
 
 namespace trundle {
 
@@ -28,6 +29,11 @@ bool isMarked(const fs::path& folder) {
     return folder.filename() == "configs" || fs::is_directory(folder / ".trundle", none);
 }
 
+bool isLink(const fs::path& path) {
+    std::error_code none;
+    return fs::is_symlink(fs::symlink_status(path, none));
+}
+
 bool canWriteIn(const std::string& folder) {
     std::error_code failed;
     fs::create_directories(folder, failed);
@@ -44,16 +50,19 @@ std::string userStateFolder() {
     // A relative path in either variable is no place: it would wander with the working folder.
     if (const char* state = std::getenv("XDG_STATE_HOME"); state && fs::path(state).is_absolute())
         return (fs::path(state) / "trundle").string();
-    if (const char* home = std::getenv("HOME"); home && fs::path(home).is_absolute())
-        return (fs::path(home) / ".local" / "state" / "trundle").string();
-    std::error_code none;
-    return (fs::temp_directory_path(none) / "trundle-state").string();
+    if (const std::string home = homeFolder(); !home.empty()) return home + "/.local/state/trundle";
+    return privateTemporaryFolder() + "/trundle";
+}
+
+std::string projectStateFolder(const std::string& projectFolder) {
+    return userStateFolder() + "/projects/" + shortName(projectFolder);
 }
 
 std::vector<std::string> workFolders(const std::string& projectFolder) {
     std::vector<std::string> folders;
-    if (isMarked(projectFolder)) folders.push_back((fs::path(projectFolder) / ".trundle").string());
-    folders.push_back(userStateFolder() + "/projects/" + shortName(projectFolder));
+    const fs::path own = fs::path(projectFolder) / ".trundle";
+    if (isMarked(projectFolder) && !isLink(own)) folders.push_back(own.string());
+    folders.push_back(projectStateFolder(projectFolder));
     return folders;
 }
 

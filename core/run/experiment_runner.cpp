@@ -6,6 +6,7 @@
 
 #include <trundle/abi.h>
 
+#include "base/clean_text.h"
 #include "run/log_kinds.h"
 #include "schema/value_words.h"
 
@@ -36,7 +37,7 @@ void ExperimentRunner::say(const std::string& who, int severity, const std::stri
     if (!m_options.console) return;
     const std::string_view part = m_console.pass(who, m_world->ticks(), text);
     if (!part.empty() || text.empty())
-        m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, std::string(part));
+        m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, cleanText(part));
 }
 
 void ExperimentRunner::tellDropped() {

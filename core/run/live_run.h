@@ -76,7 +76,7 @@ using RunnerMaker = std::function<std::unique_ptr<Runner>(RunOptions, Diagnostic
 class LiveRun {
 public:
     struct Options {
-        std::string logFolder;
+        LogLocation logFolder;
         double speed = 1;                     ///< see setSpeed()
         bool startsRunning = false;           ///< runs as soon as it is built, else it is paused at tick 0
         std::uint64_t steps = 0;              ///< ticks to take first of all, unless it runs anyway

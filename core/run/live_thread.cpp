@@ -52,7 +52,7 @@ void LiveThread::waitForFormer() {
         if (m_after->ends.wait_for(guard, m_patience, [&] { return m_after->gone; })) return m_after.reset();
     }
     m_after.reset();
-    m_logFolder.clear();
+    m_logFolder = {};
     say({0, "", TRUNDLE_WARNING,
          "the run before has not ended: code of one of its controllers does not come back. This run writes no logs"});
 }

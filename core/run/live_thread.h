@@ -10,7 +10,7 @@ namespace trundle {
 
 class LiveThread {
 public:
-    LiveThread(std::shared_ptr<LiveRun::Shared> shared, std::string logFolder)
+    LiveThread(std::shared_ptr<LiveRun::Shared> shared, LogLocation logFolder)
         : m_shared(std::move(shared)), m_logFolder(std::move(logFolder)) {}
     LiveThread& after(std::shared_ptr<LiveRun::Shared> former, std::chrono::milliseconds patience) {
         m_after = std::move(former);
@@ -42,7 +42,7 @@ private:
 
     std::shared_ptr<LiveRun::Shared> m_shared, m_after;
     std::chrono::milliseconds m_patience{0};
-    std::string m_logFolder;
+    LogLocation m_logFolder;
     std::unique_ptr<Runner> m_runner;
     Medium* m_medium = nullptr;      ///< of its world; null without radios
     std::uint64_t m_ticks = 0;       ///< of the whole run; 0: until stopped

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "base/platform/read_file.h"
+#include "base/clean_text.h"
 
 namespace trundle {
 namespace {
@@ -19,34 +19,10 @@ Error unwritable(const std::string& path, const std::string& why) {
     return Error{Code::LogUnwritable, "cannot write " + path + ": " + why};
 }
 
-/// Makes the folders between the log folder and the file, following no link on the way.
-Status makeFolders(const fs::path& root, const fs::path& inner) {
-    std::error_code failed;
-    fs::create_directories(root, failed);
-    if (!fs::is_directory(root)) return unwritable(root.string(), failed ? failed.message() : "it is not a folder");
-    fs::path at = root;
-    for (const fs::path& part : inner) {
-        at /= part;
-        const fs::file_status status = fs::symlink_status(at, failed);
-        if (fs::is_symlink(status))
-            return unwritable(at.string(), "it is a symbolic link, which could lead out of the log folder");
-        if (fs::exists(status) && !fs::is_directory(status))
-            return unwritable(at.string(), "a file stands where a folder is needed");
-        if (!fs::exists(status) && !fs::create_directory(at, failed)) return unwritable(at.string(), failed.message());
-    }
-    return {};
-}
-
-bool isPlainFile(const fs::path& path) {
-    std::error_code failed;
-    return fs::is_regular_file(fs::symlink_status(path, failed));
-}
-
 /// The names of a list that could be ours; of anything else none.
-std::vector<std::string> listedNames(const fs::path& list) {
+std::vector<std::string> listedNames(const FolderHandle& folder) {
     std::vector<std::string> names;
-    if (!isPlainFile(list)) return names;
-    const Result<std::string> bytes = readRegularFile(list.string(), kMostListBytes);
+    const Result<std::string> bytes = folder.readFile(std::string(kLogList), kMostListBytes);
     if (!bytes || !bytes.value().starts_with(std::string(kListTitle) + "\n")) return names;
     std::string_view rest = std::string_view(bytes.value()).substr(kListTitle.size() + 1);
     for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos; rest.remove_prefix(end + 1)) {
@@ -81,10 +57,7 @@ Status LogFile::close() {
 
 Result<std::string> cleanLogName(std::string_view name) {
     const auto refused = [&](const char* why) {
-        std::string shown(name);
-        for (char& c : shown)
-            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-        return Error{Code::LogUnwritable, "a log file cannot be called '" + shown + "': " + why};
+        return Error{Code::LogUnwritable, "a log file cannot be called '" + cleanLine(name) + "': " + why};
     };
     if (name.size() > 1000) return Error{Code::LogUnwritable, "a log file's name is longer than 1000 bytes"};
     std::string clean;
@@ -113,47 +86,75 @@ Result<std::string> cleanLogName(std::string_view name) {
     return clean;
 }
 
+std::string experimentName(const std::string& experimentFile) {
+    const std::string stem = fs::path(experimentFile).stem().string();
+    return stem.empty() || stem == "." || stem == ".." ? "experiment" : stem; // `..` is the stem of a file called "..."
+}
+
+LogLocation defaultLogs(const std::string& projectFolder, const std::string& experimentFile) {
+    return {projectFolder, "logs/" + experimentName(experimentFile)};
+}
+
+Result<FolderHandle> LogFolder::folderOf(const std::string& name, bool make) const {
+    fs::path shown = m_location.folder;
+    Result<FolderHandle> folder = make ? FolderHandle::make(shown.string()) : FolderHandle::open(shown.string());
+    const auto enter = [&](const fs::path& way) {
+        for (const fs::path& part : way) {
+            if (!folder) return;
+            shown /= part;
+            folder = make ? folder.value().makeFolder(part.string()) : folder.value().openFolder(part.string());
+        }
+    };
+    enter(m_location.below);
+    if (!folder && !m_location.below.empty())
+        return unwritable(shown.string(), folder.error().message + "; trundle-cli run --log-dir DIR writes logs elsewhere");
+    enter(fs::path(name).parent_path());
+    if (!folder) return unwritable(shown.string(), folder.error().message);
+    return folder;
+}
+
 Result<LogFile*> LogFolder::create(std::string_view name) {
-    if (m_path.empty()) return Error{Code::LogUnwritable, "this run keeps no logs"};
+    if (m_location.empty()) return Error{Code::LogUnwritable, "this run keeps no logs"};
     Result<std::string> clean = cleanLogName(name);
     if (!clean) return clean.error();
     if (m_names.contains(clean.value())) return Error{Code::LogUnwritable, clean.value() + " is already written by this run"};
-
-    const fs::path inner = clean.value();
-    if (const Status made = makeFolders(m_path, inner.parent_path()); !made) return made.error();
-    const fs::path path = fs::path(m_path) / inner;
-    std::error_code failed;
-    const fs::file_status status = fs::symlink_status(path, failed);
-    if (fs::is_symlink(status)) return unwritable(path.string(), "it is a symbolic link, which could lead out of the log folder");
-    if (fs::exists(status) && !fs::is_regular_file(status))
-        return unwritable(path.string(), "something that is no file stands there");
-    // A new file, not the old one emptied: a hard link elsewhere keeps its content.
-    if (fs::exists(status) && !fs::remove(path, failed)) return unwritable(path.string(), failed.message());
-    std::FILE* file = std::fopen(path.c_str(), "wbxe");
-    if (!file) return unwritable(path.string(), std::strerror(errno));
+    const Result<FolderHandle> folder = folderOf(clean.value(), true);
+    if (!folder) return folder.error();
+    const std::string path = (fs::path(m_location.path()) / clean.value()).string();
+    const Result<std::FILE*> file = folder.value().makeFile(fs::path(clean.value()).filename().string());
+    if (!file) return unwritable(path, file.error().message);
     m_names.insert(clean.value());
-    m_files.push_back(std::make_unique<LogFile>(clean.value(), path.string(), file));
+    m_files.push_back(std::make_unique<LogFile>(clean.value(), path, file.value()));
     return m_files.back().get();
 }
 
+void LogFolder::remove(const LogFile& file) {
+    if (const Result<FolderHandle> folder = folderOf(file.name(), false))
+        folder.value().removeFile(fs::path(file.name()).filename().string());
+}
+
 void LogFolder::settle() {
-    if (m_path.empty()) return;
-    const fs::path folder = m_path, list = folder / kLogList;
+    if (m_location.empty()) return;
     std::set<std::string> own;
     for (const auto& file : m_files)
         if (file->name().find('/') == std::string::npos) own.insert(file->name());
 
     // The list is for tidiness alone: a run is none the worse where it cannot be kept.
-    std::error_code ignored;
-    for (const std::string& name : listedNames(list))
-        if (!own.contains(name) && isPlainFile(folder / name)) fs::remove(folder / name, ignored);
-    if (isPlainFile(list)) fs::remove(list, ignored);
-    std::FILE* file = own.empty() ? nullptr : std::fopen(list.c_str(), "wbxe"); // a new one: no link is followed
+    const std::string list(kLogList);
+    const Result<FolderHandle> folder = folderOf(list, false);
+    if (!folder) return;
+    for (const std::string& name : listedNames(folder.value()))
+        if (!own.contains(name)) folder.value().removeFile(name);
+    if (own.empty()) {
+        folder.value().removeFile(list);
+        return;
+    }
+    const Result<std::FILE*> file = folder.value().makeFile(list);
     if (!file) return;
     std::string text = std::string(kListTitle) + "\n";
     for (const std::string& name : own) text += name + "\n";
-    (void)std::fwrite(text.data(), 1, text.size(), file);
-    std::fclose(file);
+    (void)std::fwrite(text.data(), 1, text.size(), file.value());
+    std::fclose(file.value());
 }
 
 } // namespace trundle

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "base/platform/buffered_file.h"
+#include "base/platform/folder_handle.h"
 #include "base/result.h"
+#include "run/log_location.h"
 
 namespace trundle {
 
@@ -48,22 +50,28 @@ inline constexpr std::string_view kLogList = ".trundle-logs";
 
 class LogFolder {
 public:
-    /// Made on disk only when the first file is opened. An empty path refuses every file.
-    explicit LogFolder(std::string path) : m_path(std::move(path)) {}
+    /// Made on disk only when the first file is opened. An empty location refuses every file.
+    explicit LogFolder(LogLocation location) : m_location(std::move(location)) {}
 
     /// Opens a new file in place of one that an earlier run left there. Refused: a name already open in this run, a name that
-    /// leaves the folder, a way through a symbolic link, anything in its place that is no regular file.
+    /// leaves the folder, a way through a symbolic link (also one that is made meanwhile), anything in its place that is no regular
+    /// file.
     [[nodiscard]] Result<LogFile*> create(std::string_view name);
+
+    /// Removes a file that create() gave and that is closed.
+    void remove(const LogFile& file);
 
     /// Removes what an earlier run wrote and this one did not, going by the list that run left, and leaves a list of its own. Only
     /// regular files right inside the folder are removed, whatever the list says. Files are to be closed before.
     void settle();
 
     [[nodiscard]] const std::vector<std::unique_ptr<LogFile>>& files() const { return m_files; }
-    [[nodiscard]] const std::string& path() const { return m_path; }
 
 private:
-    std::string m_path;
+    /// The folder that a clean name's file is in, opened part by part; made where it is missing if `make`.
+    [[nodiscard]] Result<FolderHandle> folderOf(const std::string& name, bool make) const;
+
+    LogLocation m_location;
     std::vector<std::unique_ptr<LogFile>> m_files;
     std::unordered_set<std::string> m_names; ///< of them; pictures may be many
 };

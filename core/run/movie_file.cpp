@@ -1,6 +1,10 @@
 #include "run/movie_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 #include "base/platform/fed_process.h"
 
@@ -13,22 +17,27 @@ Error unmade(const std::string& path, const std::string& why) {
     return {Code::FileUnwritable, "the movie " + path + " cannot be made: " + why};
 }
 
-/// Beside the movie, with its ending, by which ffmpeg knows what to write.
-std::string partOf(const std::string& path) {
-    const std::filesystem::path whole(path);
-    return (whole.parent_path() / ("." + whole.stem().string() + ".part" + whole.extension().string())).string();
+bool isWebm(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return ending == ".webm";
 }
 
 } // namespace
 
 MovieFile::MovieFile(std::string path, double framesPerSecond)
-    : m_path(std::move(path)), m_part(partOf(m_path)), m_framesPerSecond(framesPerSecond) {}
+    : m_path(std::move(path)), m_part("." + std::filesystem::path(m_path).filename().string() + ".part"),
+      m_framesPerSecond(framesPerSecond) {}
 
 MovieFile::~MovieFile() {
-    if (!m_ffmpeg) return;
     m_ffmpeg.reset(); // it has the part open
-    std::error_code none;
-    std::filesystem::remove(m_part, none);
+    removePart();
+}
+
+void MovieFile::removePart() {
+    if (!m_file) return;
+    std::fclose(std::exchange(m_file, nullptr));
+    m_folder->removeFile(m_part);
 }
 
 Result<std::unique_ptr<MovieFile>> MovieFile::open(std::string path, double framesPerSecond) {
@@ -38,7 +47,19 @@ Result<std::unique_ptr<MovieFile>> MovieFile::open(std::string path, double fram
     return std::unique_ptr<MovieFile>(new MovieFile(std::move(path), framesPerSecond));
 }
 
+Status MovieFile::makePart() {
+    const std::filesystem::path folder = std::filesystem::path(m_path).parent_path();
+    Result<FolderHandle> opened = FolderHandle::open(folder.empty() ? "." : folder.string());
+    if (!opened) return unmade(m_path, opened.error().message);
+    m_folder = std::move(opened).value();
+    const Result<std::FILE*> file = m_folder->makeFile(m_part);
+    if (!file) return unmade(m_path, m_part + " beside it: " + file.error().message);
+    m_file = file.value();
+    return {};
+}
+
 Status MovieFile::start(std::uint32_t width, std::uint32_t height) {
+    if (Status made = makePart(); !made) return made;
     // Even sides, which the common formats need; a name is never taken for an option.
     std::vector<std::string> words{"-nostdin",  "-hide_banner",
                                    "-loglevel", "error",
@@ -51,9 +72,9 @@ Status MovieFile::start(std::uint32_t width, std::uint32_t height) {
                                    "-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
                                    "-pix_fmt",  "yuv420p"};
     // Left alone the encoder of WebM takes seconds for a picture.
-    if (m_path.ends_with(".webm")) words.insert(words.end(), {"-cpu-used", "5", "-row-mt", "1"});
-    words.push_back("file:" + m_part);
-    Result<std::unique_ptr<FedProcess>> ffmpeg = FedProcess::start("ffmpeg", words);
+    if (isWebm(m_path)) words.insert(words.end(), {"-cpu-used", "5", "-row-mt", "1"});
+    words.insert(words.end(), {"-f", isWebm(m_path) ? "webm" : "mp4", std::string("file:") + FedProcess::kGivenFile});
+    Result<std::unique_ptr<FedProcess>> ffmpeg = FedProcess::start("ffmpeg", words, ::fileno(m_file));
     if (!ffmpeg) return unmade(m_path, ffmpeg.error().message);
     m_ffmpeg = std::move(ffmpeg).value();
     return {};
@@ -62,7 +83,8 @@ Status MovieFile::start(std::uint32_t width, std::uint32_t height) {
 Status MovieFile::failure() {
     (void)m_ffmpeg->finish();
     std::string words = m_ffmpeg->lastWords();
-    if (const std::size_t at = words.find(m_part); at != std::string::npos) words.replace(at, m_part.size(), m_path);
+    const std::string_view given = FedProcess::kGivenFile;
+    if (const std::size_t at = words.find(given); at != std::string::npos) words.replace(at, given.size(), m_path);
     return unmade(m_path, words.empty() ? "ffmpeg gave up without a word" : words);
 }
 
@@ -82,9 +104,9 @@ Status MovieFile::finish() {
     if (!m_ffmpeg) return {};
     // Of a disk that is full at the very end it tells, and leaves as if all were well.
     if (!m_ffmpeg->finish() || !m_ffmpeg->lastWords().empty()) return failure();
-    std::error_code fault;
-    std::filesystem::rename(m_part, m_path, fault);
-    if (fault) return unmade(m_path, fault.message());
+    const Status renamed = m_folder->rename(m_part, std::filesystem::path(m_path).filename().string());
+    if (!renamed) return unmade(m_path, renamed.error().message);
+    std::fclose(std::exchange(m_file, nullptr));
     m_ffmpeg.reset();
     return {};
 }

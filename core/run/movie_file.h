@@ -1,8 +1,11 @@
 #pragma once
 #include <cstdint>
+#include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "base/platform/folder_handle.h"
 #include "base/result.h"
 #include "signals/frame.h"
 
@@ -12,10 +15,10 @@ class FedProcess;
 
 /// A movie, made by the program ffmpeg while its pictures come. They are equally far apart in simulated time, whatever the ticks
 /// are: one that stands for several moments is shown for as long. The file is there only once the movie is whole; until then what
-/// was there stays.
+/// was there stays. It is written into a file that is opened here, so that no link in its folder leads the program elsewhere.
 class MovieFile {
 public:
-    /// `path`: .mp4, .webm, whatever ffmpeg writes by its ending. Fails with words for the user where there is no ffmpeg.
+    /// `path`: .mp4 or .webm. Fails with words for the user where there is no ffmpeg.
     [[nodiscard]] static Result<std::unique_ptr<MovieFile>> open(std::string path, double framesPerSecond);
     /// Without finish() nothing is left of it.
     ~MovieFile();
@@ -30,10 +33,14 @@ public:
 
 private:
     MovieFile(std::string path, double framesPerSecond);
+    [[nodiscard]] Status makePart();
+    void removePart();
     [[nodiscard]] Status start(std::uint32_t width, std::uint32_t height);
     [[nodiscard]] Status failure();
 
-    std::string m_path, m_part; // what it grows in
+    std::string m_path, m_part; // the name of what it grows in, beside it
+    std::optional<FolderHandle> m_folder;
+    std::FILE* m_file = nullptr; // the part, while it is written
     double m_framesPerSecond;
     std::uint64_t m_frames = 0;
     std::unique_ptr<FedProcess> m_ffmpeg;

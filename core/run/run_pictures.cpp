@@ -1,7 +1,5 @@
 // What controllers ask of their cameras.
 
-#include <filesystem>
-
 #include "run/experiment_runner.h"
 
 namespace trundle {
@@ -69,8 +67,7 @@ Status ExperimentRunner::writePicture(const Result<std::string>& bytes, const st
     ++m_pictures;
     file.value()->write(bytes.value());
     const Status written = file.value()->close();
-    std::error_code none;
-    if (!written) std::filesystem::remove(file.value()->path(), none); // half a picture is of no use
+    if (!written) m_folder.remove(*file.value()); // half a picture is of no use
     return written;
 }
 

@@ -12,6 +12,7 @@
 #include "control/backend.h"
 #include "run/camera_desk.h"
 #include "run/command.h"
+#include "run/log_location.h"
 #include "world/world.h"
 
 namespace trundle {
@@ -21,7 +22,7 @@ using BackendFactory =
     std::function<Result<std::unique_ptr<ControllerBackend>>(const RobotSpec& robot, const SettingsSpec& settings)>;
 
 struct RunOptions {
-    std::string logFolder; ///< this run's own files in it are replaced; nothing is written outside it. Empty: no logs
+    LogLocation logFolder; ///< this run's own files in it are replaced; nothing is written outside it. Empty: no logs
     std::function<void(double time, const std::string& robot, int severity, const std::string& text)> console;
     FrameSourceMaker pictures; ///< none: cameras take no pictures
     std::shared_ptr<CallMonitor> calls; ///< for whoever watches from elsewhere; the run makes one where there is none

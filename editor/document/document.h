@@ -126,8 +126,7 @@ public:
     /// Another window has the project: edits are refused until editAnyway().
     [[nodiscard]] bool isReadOnly() const;
     void editAnyway();
-    /// Asks once more for a project that another window had: once that is gone, this one may edit. Called by itself before an edit
-    /// and by lookAtDisk().
+    /// Asks once more for a project that another window had. Called by itself before an edit and by lookAtDisk().
     void askForProject();
     /// Journals of the open project, or of new texts where nothing is open, that hold something the disk does not; newest first.
     [[nodiscard]] std::vector<Recovery> recoveries() const;
@@ -135,8 +134,9 @@ public:
     [[nodiscard]] bool isReplacedBy(const Recovery& recovery) const;
     /// What recover() makes of a file as the disk has it now.
     [[nodiscard]] static std::string recoveredText(const std::string& path, const RecoveredText& kept);
-    /// Puts a journal's texts in place as one entry of the history, opening what it had open where that is something else.
+    /// Puts a journal's texts in place as one entry of the history, opening what it had open; but no file outside foldersOf().
     Status recover(const Recovery& recovery);
+    [[nodiscard]] std::vector<std::string> foldersOf(const std::string& project) const; ///< whose files may be written
 
 Q_SIGNALS:
     void aboutToOpen(); ///< it is read; opened() follows in an event of its own, so that neither makes the other wait

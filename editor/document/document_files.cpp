@@ -43,6 +43,10 @@ Status Document::mayWrite(const std::vector<std::string>& files) {
         if (isSample(path))
             return Error{Code::FileUnwritable, shown(path) + " came with the program and stays as it is, so nothing was saved; " +
                                                    "use Save As: it puts a copy of it beside your own file"};
+        if (!liesInside(path, foldersOf(m_loaded->projectFolder)))
+            return Error{Code::FileUnwritable,
+                         shown(path) +
+                             " is not in the project any more, perhaps a symbolic link now, so nothing was saved; use Save As"};
         OpenFile& file = *m_state->files.find(path);
         std::error_code none;
         const bool exists = fs::exists(path, none);

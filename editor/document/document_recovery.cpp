@@ -1,15 +1,23 @@
 // One window for each project, and what a window that ended badly left.
 
+#include <algorithm>
 #include <filesystem>
 
+#include "base/clean_text.h"
 #include "base/platform/read_file.h"
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
+#include "editor/document/found_journals.h"
 #include "project/line_merge.h"
 #include "project/search.h"
 #include "project/state_folder.h"
 
 namespace trundle {
+namespace {
+
+QString onOneLine(const std::string& text) { return QString::fromStdString(cleanLine(text)); }
+
+} // namespace
 
 // Samples and new texts have their journals in the user's own folder, whatever program folder or working folder there is.
 std::string Document::workPlace() const {
@@ -63,6 +71,12 @@ std::vector<Recovery> Document::recoveries() const {
 
 namespace {
 
+std::string listed(const std::vector<std::string>& paths) {
+    std::string text;
+    for (const std::string& path : paths) text += (text.empty() ? "" : ", ") + path;
+    return text;
+}
+
 /// A text of a journal against what the disk holds now.
 struct Recovered {
     SharedText text;
@@ -82,6 +96,23 @@ Recovered recoveredOver(const RecoveredText& kept, const std::string& disk) {
 std::string Document::recoveredText(const std::string& path, const RecoveredText& kept) {
     const Result<std::string> disk = readRegularFile(path);
     return *recoveredOver(kept, disk ? disk.value() : kept.base).text;
+}
+
+std::vector<std::string> Document::foldersOf(const std::string& project) const {
+    std::vector<std::string> folders{project, m_parts.locations().configs};
+    folders.insert(folders.end(), m_options.includes.begin(), m_options.includes.end());
+    return folders;
+}
+
+QString journalsNotRead(const Document& document) {
+    if (!document.isOpen() || document.isNew() || document.isSample(document.path())) return {};
+    const std::string& project = document.loaded()->projectFolder;
+    if (journalsInProject(project).empty()) return {};
+    return Document::tr(
+               "%1 holds journals of unsaved edits, which an earlier version of Trundle left there, or which came with this "
+               "folder. They are not restored, since a journal of somebody else could change any file of yours. If they "
+               "are your own, move them to %2 and open this file again; if not, delete them.")
+        .arg(onOneLine(project + "/.trundle/journal"), onOneLine(projectStateFolder(project) + "/journal"));
 }
 
 Status Document::openFor(const Recovery& recovery) {
@@ -109,11 +140,16 @@ bool Document::isReplacedBy(const Recovery& recovery) const {
 }
 
 Status Document::recover(const Recovery& recovery) {
+    const std::vector<std::string> folders = foldersOf(recovery.project), outside = filesOutside(recovery, folders);
+    if (outside.size() == recovery.files.size() || !liesInside(recovery.head.opened, folders))
+        return answer(Error{Code::FileUnwritable, "these edits are not restored: " + cleanLine(recovery.head.opened) +
+                                                      " lies outside the project " + cleanLine(recovery.project)});
     if (Status opened = openFor(recovery); !opened) return answer(opened);
     lookAtDisk();
     FileTexts texts;
     std::vector<std::string> both;
     for (const auto& [path, kept] : recovery.files) {
+        if (std::ranges::find(outside, path) != outside.end()) continue;
         if (!m_state->files.find(path)) { // a file that is imported only by what is recovered
             const Result<std::string> disk = readRegularFile(path);
             m_state->files.take(path, disk ? disk.value() : kept.base);
@@ -130,7 +166,8 @@ Status Document::recover(const Recovery& recovery) {
     }
     if (Status entered = enter(tr("Recovered"), std::move(texts), {}); !entered) return answer(entered);
     m_state->journal.writeNow(); // before the old journal goes
-    discardRecovery(recovery);
+    if (outside.empty()) discardRecovery(recovery);
+    else Q_EMIT notice(tr("Not restored, as outside the project: %1").arg(onOneLine(listed(outside))));
     sayModified();
     for (const std::string& path : both) Q_EMIT diskChanged(QString::fromStdString(path));
     return {};

@@ -4,9 +4,9 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPixmapCache>
-#include <QToolTip>
 
 #include "editor/outline/outline_model.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -142,7 +142,7 @@ QWidget* OutlineDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
         const auto* model = qobject_cast<const OutlineModel*>(at.model());
         const QString reason = model ? model->nameRefusal(at, typed) : QString();
         line->setToolTip(reason);
-        QToolTip::showText(line->mapToGlobal(QPoint(0, line->height())), reason, line); // none where there is no reason
+        showToolTip(line->mapToGlobal(QPoint(0, line->height())), reason, line); // none where there is no reason
     });
     return line;
 }

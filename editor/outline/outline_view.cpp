@@ -12,6 +12,7 @@
 
 #include "editor/outline/outline_delegate.h"
 #include "editor/outline/outline_model.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -174,14 +175,16 @@ void OutlineView::dragMoveEvent(QDragMoveEvent* event) { takeAsMeant(*event, &Ou
 
 void OutlineView::dropEvent(QDropEvent* event) { takeAsMeant(*event, &OutlineView::dropInTree); }
 
-/// Rich text where there is more than the model has; lines stay lines.
-QString OutlineView::tipAt(const QModelIndex& index) const {
+/// HTML where there is more than the model has; lines stay lines.
+OutlineView::Tip OutlineView::tipAt(const QModelIndex& index) const {
     const QString always = index.data(Qt::ToolTipRole).toString();
     const OutlineRow* row = m_model.rowAt(index);
     const bool named = row && row->selectable && index.column() == OutlineModel::NameColumn;
     const QString more = named && m_moreTip ? m_moreTip(row->path) : QString();
-    if (more.isEmpty()) return always;
-    return always.isEmpty() ? more : QStringLiteral("<p style='white-space:pre'>%1</p>").arg(always.toHtmlEscaped()) + more;
+    if (more.isEmpty()) return {always, false};
+    return {(always.isEmpty() ? QString() : QStringLiteral("<p style='white-space:pre'>%1</p>").arg(always.toHtmlEscaped())) +
+                more,
+            true};
 }
 
 bool OutlineView::viewportEvent(QEvent* event) {
@@ -190,16 +193,20 @@ bool OutlineView::viewportEvent(QEvent* event) {
     m_tipRow = indexAt(help->pos());
     m_tipPlace = help->globalPos();
     m_tip = tipAt(m_tipRow);
-    QToolTip::showText(m_tipPlace, m_tip, viewport(), visualRect(m_tipRow));
+    showTip();
     return true;
 }
 
+void OutlineView::showTip() {
+    (m_tip.isHtml ? showHtmlToolTip : showToolTip)(m_tipPlace, m_tip.text, viewport(), visualRect(m_tipRow));
+}
+
 void OutlineView::renewTip() {
-    if (m_tip.isEmpty() || !m_tipRow.isValid() || !QToolTip::isVisible() || QToolTip::text() != m_tip) return;
-    const QString tip = tipAt(m_tipRow);
-    if (tip == m_tip) return;
-    m_tip = tip;
-    QToolTip::showText(m_tipPlace, tip, viewport(), visualRect(m_tipRow));
+    if (m_tip.text.isEmpty() || !m_tipRow.isValid() || !QToolTip::isVisible() || QToolTip::text() != m_tip.text) return;
+    Tip tip = tipAt(m_tipRow);
+    if (tip.text == m_tip.text) return;
+    m_tip = std::move(tip);
+    showTip();
 }
 
 void OutlineView::paintEvent(QPaintEvent* event) {

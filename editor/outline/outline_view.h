@@ -54,13 +54,18 @@ private:
     void dropInTree(QDropEvent* event) { QTreeView::dropEvent(event); }
     [[nodiscard]] bool onMark(QMouseEvent* event, QModelIndex& index) const;
 
-    [[nodiscard]] QString tipAt(const QModelIndex& index) const;
+    struct Tip {
+        QString text;
+        bool isHtml = false;
+    };
+    [[nodiscard]] Tip tipAt(const QModelIndex& index) const;
+    void showTip();
 
     OutlineModel& m_model;
     std::function<QString(const std::string&)> m_moreTip;
     QPersistentModelIndex m_tipRow;
-    QPoint m_tipPlace; // on the screen
-    QString m_tip;     // as it was shown last
+    QPoint m_tipPlace;            // on the screen
+    Tip m_tip;                    // as it was shown last
     std::set<std::string> m_open; // keys, of both modes
     QString m_emptyText;
     bool m_unfolding = false;

@@ -98,7 +98,7 @@ void ObjectHeader::showOne(const ObjectValues& object) {
     m_name->setFocusPolicy(experiment ? Qt::NoFocus : Qt::StrongFocus);
     m_name->setFaint(part && !part->block->name);
     m_name->setValue(experiment ? tr("Experiment") : text(part->name));
-    m_kind->setText(faint(experiment ? QString() : text(part->block->type.text)));
+    m_kind->setText(faint(experiment ? QString() : text(part->block->type.text).toHtmlEscaped()));
     m_kind->setToolTip(m_help);
     m_singles->setVisible(part && part->is(Role::Layout) && object.isInstance());
     showPath(object);

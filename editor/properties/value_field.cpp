@@ -6,8 +6,8 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QStyleOptionFrame>
-#include <QToolTip>
 
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -95,7 +95,7 @@ void ValueField::closeList() {
 
 bool ValueField::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip && isCut()) {
-        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text(), this);
+        showToolTip(static_cast<QHelpEvent*>(event)->globalPos(), text(), this);
         return true;
     }
     if (event->type() == QEvent::ShortcutOverride && !isModified()) {

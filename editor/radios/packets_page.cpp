@@ -13,12 +13,12 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
-#include <QSaveFile>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
 
+#include "base/platform/atomic_file.h"
 #include "editor/radios/fate_bar.h"
 #include "editor/radios/frame_words.h"
 #include "editor/widgets/controls.h"
@@ -288,10 +288,8 @@ void PacketsPage::copySelected() {
 
 void PacketsPage::exportTo(const QString& path) {
     const std::string bytes = path.endsWith(QStringLiteral(".pcap"), Qt::CaseInsensitive) ? m_model->pcap() : m_model->csv();
-    QSaveFile file(path);
-    const bool done = file.open(QIODevice::WriteOnly) && file.write(bytes.data(), qint64(bytes.size())) == qint64(bytes.size()) &&
-                      file.commit();
-    Q_EMIT said(done ? tr("Wrote %1").arg(path) : tr("%1 could not be written: %2").arg(path, file.errorString()));
+    const Status written = writeFileAtomically(path.toStdString(), bytes);
+    Q_EMIT said(written ? tr("Wrote %1").arg(path) : QString::fromStdString(written.error().message));
 }
 
 /// The window's own Copy and Select All are of objects; here they are of packets.

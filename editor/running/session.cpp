@@ -1,7 +1,6 @@
 #include "editor/running/session.h"
 
 #include <chrono>
-#include <filesystem>
 #include <mutex>
 
 #include <QFileInfo>
@@ -170,15 +169,12 @@ bool RunSession::refuse(const QString& reason) {
 /// Logs go where the command line puts them. Into the user's own folder go those of a sample that came with an installed program,
 /// and may not be written beside it, of an experiment that is in no file yet, and of a window that only looks: the other one writes
 /// them there.
-std::string RunSession::logFolder() const {
-    namespace fs = std::filesystem;
-    const std::string stem = fs::path(m_document.path()).stem().string();
-    const std::string name = stem.empty() || stem == "." || stem == ".." ? "experiment" : stem;
-    const fs::path project = m_document.loaded()->projectFolder;
-    if (!m_document.isNew() && !m_document.isReadOnly() && QFileInfo(QString::fromStdString(project.string())).isWritable())
-        return (project / "logs" / name).string();
+LogLocation RunSession::logFolder() const {
+    const std::string& project = m_document.loaded()->projectFolder;
+    if (!m_document.isNew() && !m_document.isReadOnly() && QFileInfo(QString::fromStdString(project)).isWritable())
+        return defaultLogs(project, m_document.path());
     const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    return own.isEmpty() ? std::string() : (fs::path(own.toStdString()) / "logs" / name).string();
+    return own.isEmpty() ? LogLocation() : defaultLogs(own.toStdString(), m_document.path());
 }
 
 bool RunSession::begin(bool running, std::uint64_t steps) {
@@ -204,7 +200,7 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     Parts* parts = &m_parts; // its makeRunner() uses nothing of it that a window's end could take away
     if (options.logFolder.empty() && !m_experiment->logs.empty())
         tell(TRUNDLE_WARNING, tr("no logs are written: there is no folder for them"));
-    setLogsAt(m_experiment->logs.empty() ? QString() : QString::fromStdString(options.logFolder));
+    setLogsAt(m_experiment->logs.empty() ? QString() : QString::fromStdString(options.logFolder.path()));
     m_run = std::make_unique<LiveRun>(
         [parts, loaded = m_built](RunOptions runOptions, Diagnostics& problems) {
             return parts->makeRunner(*loaded, std::move(runOptions), problems);
@@ -392,7 +388,7 @@ void RunSession::tellLogs() {
     for (const std::string& file : m_end->logFiles) files.append(QString::fromStdString(m_document.shown(file)));
     if (files.empty()) return;
     tell(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
-    setLogsAt(QString::fromStdString(logFolder())); // a controller may have opened one
+    setLogsAt(QString::fromStdString(logFolder().path())); // a controller may have opened one
 }
 
 QString RunSession::finishText() const {

@@ -160,7 +160,7 @@ private:
     bool refuse(const QString& reason);
     [[nodiscard]] const RobotSpec* robotNamed(const std::string& name) const;
     [[nodiscard]] KeptPoses posesNow() const;
-    [[nodiscard]] std::string logFolder() const;
+    [[nodiscard]] LogLocation logFolder() const;
     void watch();
     void tellLogs();
     void setLogsAt(const QString& folder);

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include "editor/shell/recent_files.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/resources.h"
 #include "editor/widgets/save_question.h"
 
@@ -41,7 +42,7 @@ QMenu* FileCommands::makeRecentMenu() {
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
         menu->clear();
         for (const QString& file : recentFiles())
-            menu->addAction(QDir::toNativeSeparators(file).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+            menu->addAction(shownLine(QDir::toNativeSeparators(file).toStdString()).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
                             [this, file] { open(file); });
         if (menu->isEmpty()) menu->addAction(tr("Nothing yet"))->setEnabled(false);
     });

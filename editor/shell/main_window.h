@@ -99,6 +99,7 @@ private:
     [[nodiscard]] QString pictureFile(const QString& ending) const;
     void askAboutDisk(const QString& file);
     void offerRecovery();
+    void tellOfJournals();
     void showReadOnly(const QString& holder);
     void setDarkTheme(bool dark);
     void applyPreferences(const Preferences& before, const Preferences& now);
@@ -133,6 +134,7 @@ private:
     StatusLine* m_status = nullptr;
     WindowMemory* m_memory = nullptr;
     bool m_leavesTraces = true, m_textForEditing = true, m_problemsMayCome = false;
+    QString m_toldJournals; ///< what tellOfJournals() said last
     std::map<QString, QMenu*> m_menus;
 };
 

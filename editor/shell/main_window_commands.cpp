@@ -15,6 +15,7 @@
 
 #include "editor/cameras/cameras_panel.h"
 #include "editor/cameras/movie_dialog.h"
+#include "editor/document/found_journals.h"
 #include "editor/outline/library_panel.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/outline_panel.h"
@@ -29,6 +30,7 @@
 #include "editor/shell/window_memory.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 #include "project/object_place.h"
 
@@ -202,6 +204,7 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
 
 void MainWindow::offerRecovery() {
     if (m_document->isReadOnly()) return; // once it may be edited
+    tellOfJournals();
     std::vector<Recovery> found = m_document->recoveries();
     if (found.empty()) return;
     for (auto* asked : findChildren<RecoveryDialog*>()) asked->close(); // this one offers the same, and more
@@ -209,6 +212,16 @@ void MainWindow::offerRecovery() {
         *m_document, std::move(found), [this] { return m_files->mayLeave(); }, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
+}
+
+/// Once for each: who has read it may go on without them.
+void MainWindow::tellOfJournals() {
+    const QString text = journalsNotRead(*m_document);
+    if (text.isEmpty() || text == std::exchange(m_toldJournals, text)) return;
+    auto* message = new QMessageBox(QMessageBox::Information, tr("Unsaved edits were not restored"), text, QMessageBox::Ok, this);
+    message->setObjectName(QStringLiteral("journalsNotRead"));
+    message->setAttribute(Qt::WA_DeleteOnClose);
+    message->open();
 }
 
 void MainWindow::showReadOnly(const QString& holder) {
@@ -243,8 +256,8 @@ void MainWindow::askAboutDisk(const QString& file) {
     question->setObjectName(QStringLiteral("diskQuestion"));
     question->setProperty("file", file);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(tr("Theirs would change this here; it can be undone.") +
-                                 diffAsHtml(inShort(diffLines(*mineNow, *theirs, 1))));
+    setHtmlInformation(*question, tr("Theirs would change this here; it can be undone.") +
+                                      diffAsHtml(inShort(diffLines(*mineNow, *theirs, 1))));
     QPushButton* mine = question->addButton(tr("Keep Mine"), QMessageBox::RejectRole);
     question->setDefaultButton(mine);
     question->addButton(tr("Take Theirs"), QMessageBox::AcceptRole);
@@ -268,8 +281,10 @@ void MainWindow::showAbout() {
     QMessageBox about(this);
     about.setObjectName(QStringLiteral("about"));
     about.setWindowTitle(tr("About Trundle"));
+    about.setTextFormat(Qt::RichText);
     about.setText(tr("<p style='font-size:18px; font-weight:600'>Trundle %1</p>").arg(QApplication::applicationVersion()));
-    about.setInformativeText(
+    setHtmlInformation(
+        about,
         tr("<p>Describe robots, run them in 3D, measure, repeat.</p>"
            "<p>Free software under the GNU General Public License, version 3 or later. The headers for controllers "
            "(<i>core/sdk</i>) are under the 2-clause BSD licence.</p>"

@@ -1,5 +1,7 @@
 #include "editor/shell/recovery_dialog.h"
 
+#include <algorithm>
+
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -11,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "editor/shell/line_diff.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -34,6 +37,7 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
     m_list->setObjectName(QStringLiteral("recoveries"));
     m_list->setMaximumHeight(110);
     m_preview->setObjectName(QStringLiteral("recoveryPreview"));
+    m_preview->setOpenLinks(false);
     useMonospaceFont(*m_preview);
     m_preview->setFrameShape(QFrame::StyledPanel);
     auto* back = new QPushButton(tr("Bring Back"));
@@ -60,7 +64,9 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
     for (const Recovery& r : m_found) {
         const QFileInfo file(QString::fromStdString(r.head.opened));
         const QString name =
-            r.head.name.empty() ? tr("%1 in %2").arg(file.fileName(), file.dir().dirName()) : QString::fromStdString(r.head.name);
+            r.head.name.empty()
+                ? tr("%1 in %2").arg(shownLine(file.fileName().toStdString()), shownLine(file.dir().dirName().toStdString()))
+                : shownLine(r.head.name);
         const QString when = QLocale().toString(QDateTime::fromSecsSinceEpoch(r.time), QLocale::ShortFormat);
         const std::size_t files = r.files.size();
         m_list->addItem(files == 1 ? tr("%1, %2").arg(name, when) : tr("%1, %2, %3 files").arg(name, when).arg(files));
@@ -70,10 +76,25 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
 
 void RecoveryDialog::show(int row) {
     if (row < 0 || row >= int(m_found.size())) return m_preview->clear();
-    QString html;
-    for (const auto& [path, recovered] : m_found[std::size_t(row)].files) {
-        html += QStringLiteral("<p style='font-weight:600'>%1</p>").arg(QString::fromStdString(path).toHtmlEscaped());
-        html += diffAsHtml(diffLines(onDisk(path).toStdString(), Document::recoveredText(path, recovered)));
+    const Recovery& recovery = m_found[std::size_t(row)];
+    const std::vector<std::string> outside = filesOutside(recovery, m_document.foldersOf(recovery.project));
+    const auto isOutside = [&](const std::string& path) { return std::ranges::find(outside, path) != outside.end(); };
+    const auto heading = [](const std::string& path) { return shownLine(path).toHtmlEscaped(); };
+    QString html = QStringLiteral("<p>%1</p><ul>")
+                       .arg(recovery.files.size() == 1 ? tr("This file changes:").toHtmlEscaped()
+                                                       : tr("These files change:").toHtmlEscaped());
+    for (const auto& [path, recovered] : recovery.files) {
+        html += QStringLiteral("<li>%1").arg(heading(path));
+        if (isOutside(path))
+            html += QStringLiteral(" <span style='color:%1'>%2</span>")
+                        .arg(ink(Ink::Error).name(), tr("– not restored: it is outside the project").toHtmlEscaped());
+        html += QStringLiteral("</li>");
+    }
+    html += QStringLiteral("</ul>");
+    for (const auto& [path, recovered] : recovery.files) {
+        html += QStringLiteral("<p style='font-weight:600'>%1</p>").arg(heading(path));
+        html += isOutside(path) ? diffAsHtml(diffLines(recovered.base, recovered.text)) // what is on the disk is not its business
+                                : diffAsHtml(diffLines(onDisk(path).toStdString(), Document::recoveredText(path, recovered)));
     }
     m_preview->setHtml(html);
 }

@@ -24,6 +24,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
     m_problems->setObjectName(QStringLiteral("status.problems"));
     m_logs->setObjectName(QStringLiteral("status.logs"));
     m_run->setObjectName(QStringLiteral("status.run"));
+    for (QLabel* label : {m_saved, m_problems, m_logs}) label->setTextFormat(Qt::RichText);
     for (QLabel* label : {m_file, m_saved, m_problems, m_logs}) {
         label->setContentsMargins(8, 2, 8, 2);
         m_bar.addWidget(label);
@@ -67,7 +68,7 @@ void StatusLine::refresh() {
 
 void StatusLine::setLogs(const QString& folder) {
     const QString shown = QString::fromStdString(m_document.shown(folder.toStdString()));
-    m_logs->setText(folder.isEmpty() ? QString() : painted(tr("logs in %1").arg(shown), Ink::Accent));
+    m_logs->setText(folder.isEmpty() ? QString() : painted(tr("logs in %1").arg(shown.toHtmlEscaped()), Ink::Accent));
     m_logs->setToolTip(folder.isEmpty() ? QString() : tr("Open %1").arg(folder));
 }
 

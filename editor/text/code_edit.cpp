@@ -9,9 +9,9 @@
 #include <QScopedValueRollback>
 #include <QToolTip>
 
+#include "base/utf8.h"
 #include "editor/text/splice.h"
 #include "lang/lexer.h"
-#include "lang/utf8.h"
 
 namespace trundle {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include <QKeyEvent>
-#include <QToolTip>
 
 #include "editor/document/document.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/completion_popup.h"
+#include "editor/widgets/plain_text.h"
 #include "lang/characters.h"
 
 namespace trundle {
@@ -93,8 +93,8 @@ void Completing::list(FilePage& page, bool asked, bool fresh) {
     m_asked = asked;
     show(page);
     if (asked && !isShown())
-        QToolTip::showText(page.edit().viewport()->mapToGlobal(page.edit().placeOf(caret)), tr("Nothing to complete here"),
-                           &page.edit());
+        showToolTip(page.edit().viewport()->mapToGlobal(page.edit().placeOf(caret)), tr("Nothing to complete here"),
+                    &page.edit());
 }
 
 /// The letters typed since, or taken back, choose among what was found.

@@ -15,6 +15,7 @@
 #include "editor/text/text_panel.h"
 #include "editor/text/text_place.h"
 #include "editor/widgets/actions.h"
+#include "editor/widgets/plain_text.h"
 #include "lang/formatter.h"
 
 namespace trundle {
@@ -48,8 +49,7 @@ FileEdits editsOf(const Fix& fix) {
 void TextPanel::tell(const QString& text) {
     Q_EMIT said(text);
     FilePage* page = this->page();
-    if (page)
-        QToolTip::showText(page->edit().viewport()->mapToGlobal(page->edit().placeOf(page->edit().caret())), text, &page->edit());
+    if (page) showToolTip(page->edit().viewport()->mapToGlobal(page->edit().placeOf(page->edit().caret())), text, &page->edit());
 }
 
 void TextPanel::showHover(FilePage& page, std::uint32_t offset, const QPoint& globalPos) {
@@ -61,7 +61,7 @@ void TextPanel::showHover(FilePage& page, std::uint32_t offset, const QPoint& gl
         if (touches(problem.range.range, offset)) problems.push_back(&problem);
     const std::string html = hoverHtml(hoverAt(*m_document.loaded(), file, offset), problems);
     if (html.empty()) QToolTip::hideText();
-    else QToolTip::showText(globalPos, QString::fromStdString(html), page.edit().viewport());
+    else showHtmlToolTip(globalPos, QString::fromStdString(html), page.edit().viewport());
 }
 
 void TextPanel::showLink(FilePage& page, std::uint32_t offset) {

@@ -1,6 +1,6 @@
 #include "editor/text/text_search.h"
 
-#include "lang/utf8.h"
+#include "base/utf8.h"
 
 namespace trundle {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <QCoreApplication>
 
-#include "lang/utf8.h"
+#include "base/utf8.h"
 
 namespace trundle {
 namespace {

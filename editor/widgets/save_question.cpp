@@ -1,5 +1,9 @@
 #include "editor/widgets/save_question.h"
 
+#include <QFileInfo>
+
+#include "editor/widgets/plain_text.h"
+
 namespace trundle {
 
 QString askWhereToSave(QWidget* parent, const QString& title, const QString& start, const QString& filter, const QString& suffix,
@@ -8,7 +12,10 @@ QString askWhereToSave(QWidget* parent, const QString& title, const QString& sta
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOptions(options);
     dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(start);
+    const QFileInfo proposed(start); // the name may come from a file or an object of somebody else
+    QString name = shownLine(proposed.fileName().toStdString());
+    name.replace(QChar::ReplacementCharacter, QLatin1Char('_'));
+    dialog.selectFile(start.contains(QLatin1Char('/')) ? proposed.path() + QLatin1Char('/') + name : name);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 

@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include "editor/widgets/painted_icon.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/program_style.h"
 #include "editor/widgets/resources.h"
 #include "editor/widgets/style_sheet.h"
@@ -100,6 +101,7 @@ void applyTheme(QApplication& application, ThemeKind kind, const FontSizes& size
     (void)systemTheme(); // before the palette is ours
     g_kind = kind;
     g_sizes = sizes;
+    showTextPlainly(application);
     loadFonts();
     application.setStyle(new ProgramStyle);
     QFont font(QStringLiteral("Inter"));

@@ -37,7 +37,7 @@ struct FontSizes {
     bool operator==(const FontSizes&) const = default;
 };
 
-/// Sets palette, style sheet and fonts of the application. The same on every platform and with no desktop.
+/// Sets palette, style sheet and fonts of the application, and that text is shown plainly (plain_text.h). The same on every platform and with no desktop.
 void applyTheme(QApplication& application, ThemeKind kind, const FontSizes& sizes = {});
 [[nodiscard]] ThemeKind currentTheme();
 /// What the desktop asked for when the program started: dark where its windows are. To be called before the first applyTheme().

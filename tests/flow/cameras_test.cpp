@@ -217,6 +217,24 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), (QStringList{"a.mp4", "ffmpeg"}));
     }
 
+    /// What a movie grows in is a link that came with the folder: it leads nowhere.
+    void aMovieIsWrittenThroughNoLink() {
+        QTemporaryDir folder, outside;
+        const QString movie = folder.filePath("a.mp4"), precious = outside.filePath("precious");
+        QVERIFY(writeFile(precious, "precious"));
+        QVERIFY(QFile::link(precious, folder.filePath(".a.mp4.part")) && QFile::link(precious, folder.filePath(".a.part.mp4")));
+        const Outcome run = cli({"run", kExperiment, "--duration", "0.2", "--movie", movie, "--camera", "seeker_0/eye",
+                                 "--log-dir", folder.filePath("logs")});
+        QVERIFY2(run.code == 1 && run.err.contains("symbolic link"), shown(run));
+        QCOMPARE(contentOf(precious), QByteArray("precious"));
+        // The movie itself a link: it is replaced, not followed.
+        QVERIFY(QFile::remove(folder.filePath(".a.mp4.part")) && QFile::link(precious, movie));
+        const Outcome again = cli({"run", kExperiment, "--duration", "0.2", "--movie", movie, "--camera", "seeker_0/eye",
+                                   "--log-dir", folder.filePath("logs")});
+        QVERIFY2(again.code == 0 && !QFileInfo(movie).isSymLink() && QFileInfo(movie).size() > 100, shown(again));
+        QCOMPARE(contentOf(precious), QByteArray("precious"));
+    }
+
     void whatIsOfAMovieNeedsOne_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("camera") << QStringList{"--camera", "seeker_0/eye"};

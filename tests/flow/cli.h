@@ -1,6 +1,7 @@
 #pragma once
 // trundle-cli as a test calls it.
 
+#include <QStringDecoder>
 #include <QtTest>
 
 #include "base/platform/process.h"
@@ -59,3 +60,22 @@ inline QStringList allConfigs() {
 inline QByteArray shown(const Outcome& outcome) {
     return "exit code " + QByteArray::number(outcome.code) + "\n--- stdout\n" + outcome.out + "\n--- stderr\n" + outcome.err;
 }
+
+/// A name of a file with commands for a terminal in it.
+inline const QByteArray kHostileName = "\x1b]0;mine\x07\xc2\x9b"
+                                       "2J\xe2\x80\xae"
+                                       "mis.sim";
+
+/// What is wrong with bytes for a terminal; empty where nothing is.
+inline QByteArray dirt(const QByteArray& bytes) {
+    QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+    const QString text = decoder(bytes);
+    if (decoder.hasError()) return "no UTF-8";
+    for (const QChar c : text) {
+        const bool control = (c.category() == QChar::Other_Control && c != u'\n' && c != u'\t') ||
+                             (c >= QChar(0x202a) && c <= QChar(0x202e)) || (c >= QChar(0x2066) && c <= QChar(0x2069));
+        if (control) return "U+" + QByteArray::number(c.unicode(), 16);
+    }
+    return {};
+}
+inline QByteArray dirt(const Outcome& outcome) { return dirt(outcome.err) + dirt(outcome.out); }

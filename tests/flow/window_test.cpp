@@ -111,6 +111,25 @@ private Q_SLOTS:
         QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
     }
 
+    /// Names of files, words of modules, what was typed: a terminal gets nothing of it that it would obey.
+    void whatItSaysIsClean_data() {
+        QTest::addColumn<QStringList>("arguments");
+        const QString name = QString::fromUtf8(kHostileName);
+        QTest::newRow("no file") << QStringList{"--open", "/nowhere/" + name};
+        QTest::newRow("a file with an error") << QStringList{"--open", m_folder.filePath(name), "--run-for", "1"};
+        QTest::newRow("no object") << QStringList{"--open", configPath("experiments/arc_motion.sim"), "--select", name};
+        QTest::newRow("no view") << QStringList{"--view", name};
+        QTest::newRow("no option") << QStringList{"--" + name};
+        QTest::newRow("no picture") << QStringList{"--screenshot", "/nowhere/" + name};
+    }
+    void whatItSaysIsClean() {
+        QFETCH(QStringList, arguments);
+        QVERIFY(writeFile(m_folder.filePath(QString::fromUtf8(kHostileName)), "Robot r { Config=None }\n"));
+        const Outcome outcome = call(arguments + QStringList{"--quit"});
+        QVERIFY2(outcome.code != 0 && !outcome.err.isEmpty(), shown(outcome));
+        QCOMPARE(dirt(outcome), QByteArray());
+    }
+
     void saysWhyThereIsNone_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("reason");

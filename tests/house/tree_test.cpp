@@ -121,6 +121,45 @@ private Q_SLOTS:
         QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
     }
 
+    // Qt guesses whether a text is HTML; a name of somebody else's file must not be. See editor/widgets/plain_text.h.
+    void textOfOthersIsShownPlainly() {
+        const QRegularExpression guessing(
+            "Qt::AutoText|QToolTip::showText|mightBeRichText|QWhatsThis|setWhatsThis|QErrorMessage|QStaticText");
+        const QRegularExpression html(
+            "RichText|MarkdownText|[sS]etHtml|insertHtml|appendHtml|setMarkdown|HtmlToolTip|HtmlInformation");
+        // Where HTML is made, and all in it that is not ours goes through toHtmlEscaped(), or escaped() of hover.cpp. A new one is
+        // looked at for that, then listed.
+        const QStringList made = {"editor/outline/outline_view.cpp",       "editor/properties/help_strip.cpp",
+                                  "editor/properties/object_header.cpp",   "editor/properties/property_row.cpp",
+                                  "editor/shell/main_window_commands.cpp", "editor/shell/recovery_dialog.cpp",
+                                  "editor/shell/status_line.cpp",          "editor/text/text_panel_help.cpp"};
+        QStringList found;
+        for (const SourceFile& file : sourceFiles({"editor", "app"}, kCode)) {
+            if (file.path.startsWith("editor/widgets/plain_text.")) continue;
+            if (const auto hit = guessing.match(file.text); hit.hasMatch()) found << file.path + " uses " + hit.captured();
+            if (const auto hit = html.match(file.text); hit.hasMatch() && !made.contains(file.path))
+                found << file.path + " makes HTML by " + hit.captured();
+        }
+        QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
+    }
+
+    // What a program says goes through few places, each of which takes out what a terminal would obey (base/clean_text.h).
+    void whatIsSaidOnATerminalIsCleaned() {
+        const QStringList cleaned = {"app/cli/main.cpp",        "app/cli/messages.cpp", "app/cli/progress.cpp",
+                                     "app/cli/run_command.cpp", "app/cli/standard_streams.cpp", "app/trundle/main.cpp", "app/trundle/problem.cpp",
+                                     "app/meshreader/main.cpp"};
+        const QRegularExpression saying(
+            "stderr|stdout|std::cerr|std::cout|\\bprintf\\(|\\bputs\\(|qWarning|qCritical|qInfo|qDebug");
+        QStringList found;
+        for (const SourceFile& file : sourceFiles({"core", "editor", "app"}, {".cpp"})) {
+            QString code = file.text;
+            code.remove(QRegularExpression("//[^\\n]*"));
+            if (const auto hit = saying.match(code); hit.hasMatch() && !cleaned.contains(file.path))
+                found << file.path + ": " + hit.captured();
+        }
+        QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
+    }
+
     void headersAreGuardedAndLiveInTheNamespace() {
         for (const SourceFile& file : sourceFiles({"core", "editor", "app"}, {".h"})) {
             if (file.path.section('/', -1).startsWith("abi")) continue; // read by C too

@@ -61,6 +61,7 @@ private Q_SLOTS:
         QVERIFY(found[0].time > 1700000000);
         discardRecovery(found[0]);
         QVERIFY(findRecoveries(m_project).empty());
+        QCOMPARE(entriesIn(journals()), 0u);
         QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
     }
 
@@ -87,11 +88,12 @@ private Q_SLOTS:
     void theLastOneSavedTakesTheFileAlong() {
         Journal journal(m_project, {m_project + "/main.sim", {}});
         QVERIFY(journal.note("a.sim", "a", "a1").ok());
-        QVERIFY(entriesIn(m_project + "/.trundle") > 0);
+        QVERIFY(entriesIn(journals()) > 0);
         QVERIFY(journal.forget("a.sim").ok());
-        QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
+        QCOMPARE(entriesIn(journals()), 0u);
         QVERIFY(journal.note("a.sim", "a1", "a2").ok());
-        QVERIFY(entriesIn(m_project + "/.trundle") > 0);
+        QVERIFY(entriesIn(journals()) > 0);
+        QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
     }
 
     void aSaveInBetweenIsANewBase() {
@@ -140,13 +142,13 @@ private Q_SLOTS:
             for (std::uint32_t count = random() % 200; count > 0; --count) bytes += static_cast<char>(random() % 256);
             QVERIFY(!readJournal(bytes));
         }
-        fs::create_directories(m_project + "/.trundle/journal/folder.journal");
-        write(m_project + "/.trundle/journal/empty.journal", "");
+        fs::create_directories(journals() + "/folder.journal");
+        write(journals() + "/empty.journal", "");
         QVERIFY(findRecoveries(m_project).empty());
     }
 
     void whatSaysNothingGoesAfterADay() {
-        const std::string folder = m_project + "/.trundle/journal";
+        const std::string folder = journals();
         fs::create_directories(folder);
         for (const char* name : {"/old.journal", "/old.journal.new", "/young.journal"})
             write(folder + name, "TRUNDLE JOURNAL 1\n");
@@ -189,12 +191,12 @@ private Q_SLOTS:
     }
 
     void aFolderThatCannotBeWritten() {
-        write(m_project + "/blocked", "");
-        fs::create_directories(m_folder + "/other");
-        write(m_folder + "/other/.trundle", "a file where a folder should be");
-        Journal journal(m_folder + "/other", {m_folder + "/other/main.sim", {}});
-        QVERIFY(journal.note("a.sim", "a", "b").ok());
-        QVERIFY(journal.file()->path().starts_with(m_folder + "/state/"));
+        write(m_folder + "/state", "a file where a folder should be");
+        Journal journal(m_project, {m_project + "/main.sim", {}});
+        const Status noted = journal.note("a.sim", "a", "b");
+        QVERIFY(!noted.ok());
+        QVERIFY2(noted.error().message.find(m_folder + "/state/") != std::string::npos, noted.error().message.c_str());
+        QVERIFY(findRecoveries(m_project).empty());
     }
 
     void oneWindowForEachProject() {
@@ -246,7 +248,40 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(m_folder + "/precious"), "kept");
     }
 
+    // The folder of the project's own is a link into another one: nothing is written there.
+    void aLinkInTheProjectsFolderIsNotUsed() {
+        fs::create_directories(m_folder + "/elsewhere");
+        write(m_folder + "/elsewhere/lock", "kept");
+        write(m_folder + "/elsewhere/probe", "kept");
+        fs::remove_all(m_project + "/.trundle");
+        fs::create_symlink(m_folder + "/elsewhere", m_project + "/.trundle");
+        {
+            const ProjectLock lock(m_project, "a");
+            QVERIFY(lock.taken());
+            QVERIFY(!ProjectLock(m_project, "b").taken()); // it is held all the same, elsewhere
+        }
+        QCOMPARE(bytesOf(m_folder + "/elsewhere/lock"), "kept");
+        QCOMPARE(bytesOf(m_folder + "/elsewhere/probe"), "kept");
+    }
+
+    void aHardLinkInTheLocksPlaceIsNotWritten() {
+        write(m_folder + "/precious", "kept");
+        fs::create_hard_link(m_folder + "/precious", m_project + "/.trundle/lock");
+        const ProjectLock lock(m_project, "a");
+        QCOMPARE(bytesOf(m_folder + "/precious"), "kept");
+    }
+
+    void aHostileHolderIsNamedInOneLine() {
+        write(m_project + "/.trundle/lock", "1\n0\n\x1b[2J<b>" + std::string(500, 'x') + "\xff\n5\n/x.sim\n");
+        LockHolder holder;
+        holder.process = {1, 0, "\x1b[2J<b>" + std::string(500, 'x') + "\xff"};
+        QVERIFY(holder.said().size() < 200);
+        QVERIFY(holder.said().find('\x1b') == std::string::npos);
+    }
+
 private:
+    [[nodiscard]] std::string journals() const { return projectStateFolder(m_project) + "/journal"; }
+
     /// Bytes of the journal that a window leaves which noted these texts one after the other.
     std::string leave(const std::string& base, const std::vector<std::string>& texts) {
         Journal journal(m_project, {m_project + "/main.sim", {}});

@@ -24,7 +24,7 @@ Error failure(const std::string& path, const std::string& why) {
     return Error{Code::FileUnwritable, "cannot write " + path + ": " + why};
 }
 
-// A rename would replace a link itself, so we go to what it points at, even where that does not exist yet.
+// A rename would replace a link itself, so we go to what it points at.
 std::optional<fs::path> targetOf(const std::string& path) {
     fs::path target = path;
     for (int hops = 0; hops < 40; ++hops) {
@@ -112,6 +112,8 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
     if (!target) return failure(path, "its chain of links has no end");
     struct stat old {};
     const bool exists = ::stat(target->c_str(), &old) == 0;
+    if (!exists && *target != path)
+        return failure(path, "it is a symbolic link to " + target->string() + ", which does not exist");
     if (exists && S_ISDIR(old.st_mode)) return failure(path, "it is a folder");
     if (exists && !S_ISREG(old.st_mode)) return failure(path, "it is not a regular file");
     // A rename asks only the folder; a file that its owner made read-only stays as it is.

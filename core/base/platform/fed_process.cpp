@@ -28,7 +28,8 @@ bool isInstalled(const std::string& program) {
     return false;
 }
 
-Result<std::unique_ptr<FedProcess>> FedProcess::start(const std::string& program, const std::vector<std::string>& arguments) {
+Result<std::unique_ptr<FedProcess>> FedProcess::start(const std::string& program, const std::vector<std::string>& arguments,
+                                                      int file) {
     std::unique_ptr<FedProcess> made(new FedProcess);
     // A socket and not a pipe: a reader that is gone is an error there, and no SIGPIPE.
     int ends[2];
@@ -44,6 +45,7 @@ Result<std::unique_ptr<FedProcess>> FedProcess::start(const std::string& program
     posix_spawn_file_actions_adddup2(&files, ends[1], STDIN_FILENO);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     if (made->m_words >= 0) posix_spawn_file_actions_adddup2(&files, made->m_words, STDERR_FILENO);
+    if (file >= 0) posix_spawn_file_actions_adddup2(&files, file, 3); // the last one: it may take the place of another
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);

@@ -13,9 +13,11 @@ namespace trundle {
 /// A program that is fed through its standard input while it works. It has a process group of its own: Ctrl+C is not for it.
 class FedProcess {
 public:
-    /// `program` is looked for in PATH.
+    /// The name under which the program finds the open file that it is given.
+    static constexpr const char* kGivenFile = "/proc/self/fd/3";
+    /// `program` is looked for in PATH. `file`: a descriptor that it gets as kGivenFile; -1: none.
     [[nodiscard]] static Result<std::unique_ptr<FedProcess>> start(const std::string& program,
-                                                                   const std::vector<std::string>& arguments);
+                                                                   const std::vector<std::string>& arguments, int file = -1);
     /// One that has not finished is told to end, and waited for.
     ~FedProcess();
     FedProcess(const FedProcess&) = delete;

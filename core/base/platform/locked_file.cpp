@@ -50,6 +50,7 @@ Result<std::optional<LockedFile>> LockedFile::take(const std::string& path) {
         if (opened.m_file < 0) return cannot(path, errno);
         struct stat kind {};
         if (::fstat(opened.m_file, &kind) != 0 || !S_ISREG(kind.st_mode)) return cannot(path, EINVAL);
+        if (kind.st_nlink > 1) return cannot(path, EMLINK); // what is written here would be in another file too
         if (!lock(opened.m_file)) return std::optional<LockedFile>();
         if (stillAt(opened.m_file, path)) return std::optional<LockedFile>(std::move(opened));
     }

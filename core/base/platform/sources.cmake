@@ -6,6 +6,7 @@ set(BASE_PLATFORM_SOURCES
   platform/end_requests.cpp
   platform/fed_process.cpp
   platform/file_lock.cpp
+  platform/folder_handle.cpp
   platform/limits.cpp
   platform/locked_file.cpp
   platform/memory.cpp
@@ -14,4 +15,5 @@ set(BASE_PLATFORM_SOURCES
   platform/program_path.cpp
   platform/quiet_errors.cpp
   platform/read_file.cpp
-  platform/thread_priority.cpp)
+  platform/thread_priority.cpp
+  platform/user_folder.cpp)

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "eventually.h"
+#include "project/state_folder.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -22,18 +23,18 @@ private Q_SLOTS:
     void editsAreNotedWithinTwoSeconds() {
         Document& d = *m_document;
         QVERIFY(d.open(m_desk->main).ok());
-        QVERIFY(!fs::exists(m_desk->path("configs/.trundle/journal")));
+        QVERIFY(!fs::exists(journals()));
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
-        QTRY_VERIFY_WITH_TIMEOUT(fs::exists(m_desk->path("configs/.trundle/journal")), 2000);
+        QTRY_VERIFY_WITH_TIMEOUT(fs::exists(journals()), 2000);
         QVERIFY(d.recoveries().empty()); // ours
         QCOMPARE(why(d.save()), "");
-        QVERIFY(!fs::exists(m_desk->path("configs/.trundle/journal")));
+        QVERIFY(!fs::exists(journals()));
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.03"}}).ok());
-        EVENTUALLY(fs::exists(m_desk->path("configs/.trundle/journal")));
+        EVENTUALLY(fs::exists(journals()));
         d.undo();
-        EVENTUALLY(!fs::exists(m_desk->path("configs/.trundle/journal"))); // nothing is unsaved
+        EVENTUALLY(!fs::exists(journals())); // nothing is unsaved
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.04"}}).ok());
-        EVENTUALLY(fs::exists(m_desk->path("configs/.trundle/journal")));
+        EVENTUALLY(fs::exists(journals()));
         d.close(); // whoever closes has been asked
         QVERIFY(!fs::exists(m_desk->path("configs/.trundle")));
     }
@@ -43,11 +44,11 @@ private Q_SLOTS:
         Document& d = *m_document;
         QVERIFY(d.open(m_desk->main).ok());
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
-        QVERIFY(!fs::exists(m_desk->path("configs/.trundle/journal")));
+        QVERIFY(!fs::exists(journals()));
         QMetaObject::invokeMethod(
             qApp, [] { QCoreApplication::exit(143); }, Qt::QueuedConnection);
         QCOMPARE(QCoreApplication::exec(), 143);
-        QVERIFY(fs::exists(m_desk->path("configs/.trundle/journal")));
+        QVERIFY(fs::exists(journals()));
     }
 
     void recovers() {
@@ -64,7 +65,7 @@ private Q_SLOTS:
         QVERIFY(d.isModified());
         QCOMPARE(d.history().entries().size(), 1u);
         QVERIFY(d.recoveries().empty());
-        QVERIFY(fs::exists(m_desk->path("configs/.trundle/journal"))); // now in ours
+        QVERIFY(fs::exists(journals())); // now in ours
         d.undo();
         QVERIFY(!d.isModified());
         QCOMPARE(bytesOf(m_desk->main), kMain);
@@ -198,6 +199,7 @@ private Q_SLOTS:
     }
 
 private:
+    [[nodiscard]] std::string journals() const { return projectStateFolder(m_desk->path("configs")) + "/journal"; }
     static std::vector<std::string> journalsBelow(const std::string& folder) {
         std::vector<std::string> found;
         std::error_code none;

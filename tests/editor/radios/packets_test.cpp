@@ -209,7 +209,7 @@ private Q_SLOTS:
         QVERIFY(m_window->runTo(20));
         m_window->panel.packets().exportTo(m_window->folder.filePath(QStringLiteral("nowhere/packets.csv")));
         QCOMPARE(m_window->said.size(), std::size_t(1));
-        QVERIFY(m_window->said.front().contains(QStringLiteral("could not be written")));
+        QVERIFY(m_window->said.front().contains(QStringLiteral("cannot write")));
     }
 
     void aDoubleClickOpensItsLink() {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTextBrowser>
 #include <QtTest>
 
 #include "editor/shell/recent_files.h"
@@ -76,6 +77,57 @@ private Q_SLOTS:
         m_window->actions().at("file.save").trigger();
         m_window->actions().at("file.close").trigger();
         QCOMPARE(recent()->text(), QStringLiteral("mine.sim"));
+    }
+
+    // Every file by its whole path, before any text; one that is not restored is marked, and names are no HTML.
+    void thePreviewListsEveryFileFirst() {
+        QTemporaryDir folder, outside;
+        const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
+        const QString part = QDir(folder.path()).canonicalPath() + QStringLiteral("/<b>part</b>.sim");
+        const QString evil = QDir(outside.path()).canonicalPath() + QStringLiteral("/.bashrc\x1b[2J\n");
+        write(path, kText);
+        write(part, kText);
+        {
+            Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}});
+            for (const QString& file : {path, part}) QVERIFY(left.note(file.toStdString(), kText, "Duration = 3\n").ok());
+            QVERIFY(left.note(evil.toStdString(), {}, "curl evil.example\n").ok());
+        }
+        m_window = m_parts.window();
+        m_window->show();
+        QVERIFY(m_window->open(path));
+        EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
+        const QString said = m_window->findChild<QTextBrowser*>(QStringLiteral("recoveryPreview"))->toPlainText();
+        const QStringList lines = said.split(u'\n');
+        const QString marked = QDir(outside.path()).canonicalPath() + QStringLiteral("/.bashrc\uFFFD[2J");
+        QVERIFY2(lines.size() > 6, qPrintable(said));
+        QCOMPARE(lines[0], QStringLiteral("These files change:"));
+        QVERIFY2(lines.mid(1, 3).contains(path) && lines.mid(1, 3).contains(part), qPrintable(said));
+        QCOMPARE(lines.mid(1, 3).filter(marked).size(), 1);
+        QVERIFY(lines.mid(1, 3).filter(marked).front().contains(QStringLiteral("not restored")));
+        QTest::mouseClick(m_window->findChild<QAbstractButton*>(QStringLiteral("bringBack")), Qt::LeftButton);
+        m_window->actions().at("file.save").trigger();
+        QVERIFY(QDir(outside.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
+    }
+
+    void journalsInTheProjectAreSaidOnce() {
+        QTemporaryDir folder;
+        const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
+        write(path, kText);
+        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral(".trundle/journal")));
+        write(folder.filePath(QStringLiteral(".trundle/journal/1.journal")), "from yesterday");
+        m_window = m_parts.window();
+        m_window->show();
+        const auto message = [this] { return m_window->findChild<QMessageBox*>(QStringLiteral("journalsNotRead")); };
+        QVERIFY(m_window->open(path));
+        EVENTUALLY(message());
+        QVERIFY(message()->text().contains(QDir(folder.path()).canonicalPath() + QStringLiteral("/.trundle/journal")));
+        message()->button(QMessageBox::Ok)->click();
+        EVENTUALLY(!message());
+        QSignalSpy opened(&m_window->document(), &Document::opened);
+        QVERIFY(m_window->open(path));
+        EVENTUALLY(opened.count() == 1);
+        QCoreApplication::processEvents();
+        QVERIFY(!message());
     }
 
     void whatIsBroughtBackDoesNotCostWhatWasBroughtBackBefore() {

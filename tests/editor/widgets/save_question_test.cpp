@@ -43,6 +43,14 @@ private Q_SLOTS:
         QCOMPARE(name, path("fresh.sim"));
     }
 
+    void aNameOfSomebodyElseIsCleaned() {
+        QString name;
+        QCOMPARE(
+            asked(path("evil\x1b[2J\n\xe2\x80\xae.sim"), [&](QFileDialog& dialog) { name = dialog.selectedFiles().value(0); }),
+            QString());
+        QCOMPARE(name, path("evil_[2J _.sim"));
+    }
+
     void aNameWithoutAnEndingGetsOne() {
         QCOMPARE(asked(path("a.sim"), [](QFileDialog& dialog) { enter(dialog, QStringLiteral("other")); }), path("other.sim"));
         QCOMPARE(asked(path("a.sim"), [](QFileDialog& dialog) { enter(dialog, QStringLiteral("other.txt")); }),
@@ -64,7 +72,7 @@ private Q_SLOTS:
     }
 
 private:
-    QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    QString path(const char* name) const { return m_folder.filePath(QString::fromUtf8(name)); }
 
     QTemporaryDir m_folder;
 };

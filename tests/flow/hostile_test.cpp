@@ -1,0 +1,105 @@
+// A project, a module and names of somebody else: no file of the user changes, and no terminal gets what it would obey.
+
+#include "flow/cli.h"
+
+namespace {
+
+const QString kModules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/hostile");
+
+} // namespace
+
+class HostileFlowTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
+    [[nodiscard]] QString experiment(const QByteArray& rest, const QByteArray& name = "x.sim") const {
+        const QString file = path("project/" + QString::fromUtf8(name));
+        return writeFile(file, "Tick = 0.01  Duration = 0.1\n#import robots/simple_robot.sim\n" + rest) ? file : QString();
+    }
+
+private Q_SLOTS:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(QDir(m_folder->path()).mkpath("project/.trundle") && QDir(m_folder->path()).mkpath("outside"));
+        QVERIFY(writeFile(path("outside/authorized_keys"), "mine"));
+    }
+
+    void aLinkedLogFolderIsRefused_data() {
+        QTest::addColumn<QString>("link");
+        QTest::newRow("logs") << "logs";
+        QTest::newRow("logs of the experiment") << "logs/x";
+    }
+    void aLinkedLogFolderIsRefused() {
+        QFETCH(QString, link);
+        if (link.contains('/')) QVERIFY(QDir(m_folder->path()).mkpath("project/logs"));
+        QVERIFY(QFile::link(path("outside"), path("project/" + link)));
+        const QString file = experiment("Robot r { Config=SimpleRobot }\nPoseLog p { File=authorized_keys }\n");
+        const Outcome run = cli({"run", file});
+        QVERIFY2(run.code == 1 && run.err.contains("E503") && run.err.contains("symbolic link"), shown(run));
+        QVERIFY2(run.err.contains("--log-dir"), shown(run));
+        QCOMPARE(contentOf(path("outside/authorized_keys")), QByteArray("mine"));
+        QCOMPARE(QDir(path("outside")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 1);
+        // Who names the folder means it.
+        const Outcome named = cli({"run", file, "--log-dir", path("project/" + link)});
+        QVERIFY2(named.code == 0, shown(named));
+        QVERIFY(contentOf(path("outside/authorized_keys")).startsWith("time"));
+    }
+
+    void wordsOfAModuleAreClean_data() {
+        QTest::addColumn<bool>("fails");
+        QTest::newRow("said") << false;
+        QTest::newRow("failed with") << true;
+    }
+    void wordsOfAModuleAreClean() {
+        QFETCH(bool, fails);
+        const QString file = experiment("#loadModule hostile\nRobot r { Config=SimpleRobot Hostile brain { Fails=" +
+                                        QByteArray(fails ? "true" : "false") + " } }\n");
+        for (const bool json : {false, true}) {
+            const Outcome run =
+                cli(QStringList{"run", file, "--modules", kModules} + (json ? QStringList{"--json"} : QStringList{}));
+            QVERIFY2(run.code == (fails ? 4 : 0), shown(run));
+            QVERIFY2(run.err.contains("mis.exe"), shown(run));
+            QVERIFY2(run.err.contains("cannot be called"), shown(run));          // the log it asked for
+            QVERIFY2(!run.err.contains("\n[0 robot1] all is well"), shown(run)); // a line has the name of who said it
+            QCOMPARE(dirt(run), QByteArray());
+        }
+    }
+    void theHelpOfAModuleIsClean() {
+        for (const QStringList& more : {QStringList{}, {"--json"}, {"Hostile"}, {"Hostile", "--json"}}) {
+            const Outcome told = cli(QStringList{"describe", "--modules", kModules} + more);
+            QVERIFY2(told.code == 0 && told.out.contains("Hostile"), shown(told));
+            QCOMPARE(dirt(told), QByteArray());
+        }
+    }
+
+    void namesOfFilesAreClean() {
+        const QString file = experiment("Robot r { Config=SimpleRobot Sped=1 }\n", kHostileName),
+                      none = path("none") + QString::fromUtf8(kHostileName);
+        const QString importing =
+            experiment("#import \"" + kHostileName + "\"\n#import \"none" + kHostileName + "\"\n", "importing.sim");
+        for (const QString& each : {file, none, importing})
+            for (const QStringList& before :
+                 {QStringList{"check"}, {"run"}, {"check", "--json"}, {"run", "--json"}, {"render", "-o", "x.png"}}) {
+                const Outcome said = cli(before + QStringList{each});
+                QVERIFY2(said.err.size() + said.out.size() > 0, shown(said));
+                QCOMPARE(dirt(said), QByteArray());
+            }
+    }
+    void wordsOfTheCommandLineAreClean() {
+        const QString name = QString::fromUtf8(kHostileName);
+        for (const QStringList& words : {QStringList{name},
+                                         {"run", "--" + name},
+                                         {"run", "x.sim", name},
+                                         {"describe", name},
+                                         {"run", "x.sim", "--fps", name},
+                                         {"describe", "--modules", name}}) {
+            const Outcome said = cli(words, m_folder->path());
+            QVERIFY2(said.code == 2 && !said.err.isEmpty(), shown(said));
+            QCOMPARE(dirt(said), QByteArray());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(HostileFlowTest)
+#include "hostile_test.moc"

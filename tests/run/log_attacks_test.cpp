@@ -1,0 +1,301 @@
+// Attacks on the log folder: what comes with a project of somebody else, and what a log may be called. Whatever is tried, nothing
+// outside the project's own `logs/<experiment>` is made, changed or removed.
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <QtTest>
+
+#include "run/log_folder.h"
+
+using namespace trundle;
+namespace fs = std::filesystem;
+
+namespace {
+
+QByteArray contentOf(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(missing)");
+}
+
+bool write(const std::string& path, const QByteArray& text) {
+    QFile file(QString::fromStdString(path));
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+}
+
+/// A foreign project, and files of the user beside it.
+struct Desk {
+    QTemporaryDir folder;
+    std::string root = fs::canonical(folder.path().toStdString()).string();
+    std::string project = root + "/project", logs = project + "/logs", own = logs + "/attack", outside = root + "/outside";
+
+    Desk() {
+        fs::create_directories(own);
+        fs::create_directories(outside + "/folder");
+        write(outside + "/precious.csv", "precious");
+        write(outside + "/folder/x.csv", "precious too");
+        write(project + "/attack.sim", "Tick = 1 ms\n");
+    }
+    [[nodiscard]] LogLocation location() const { return defaultLogs(project, project + "/attack.sim"); }
+    /// Every entry outside, by its path: what kind it is, and what it holds.
+    [[nodiscard]] std::map<std::string, QByteArray> state() const {
+        std::map<std::string, QByteArray> all;
+        for (const auto& entry : fs::recursive_directory_iterator(outside)) {
+            const fs::file_status status = entry.symlink_status();
+            all[entry.path().string()] =
+                QByteArray::number(int(status.type())) + (fs::is_regular_file(status) ? contentOf(entry.path().string()) : "");
+        }
+        return all;
+    }
+    void replaceByLink(const std::string& at, const std::string& target) const {
+        fs::remove_all(at);
+        fs::create_symlink(target, at);
+    }
+};
+
+enum class Outcome { Refused, Inside }; // Inside: written, to a new file that really is in the project
+
+struct Attack {
+    const char* name;
+    Outcome outcome;
+    std::string file; ///< what the log is called
+    std::function<void(const Desk&)> prepare;
+    const char* says = ""; ///< words of the refusal
+};
+
+void makeSocket(const std::string& path) {
+    const int made = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
+    QCOMPARE(::bind(made, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+    ::close(made);
+}
+
+const std::vector<Attack>& attacks() {
+    using enum Outcome;
+    const auto nothing = [](const Desk&) {};
+    static const std::vector<Attack> all{
+        {"logs is a link", Refused, "precious.csv", [](const Desk& d) { d.replaceByLink(d.logs, d.outside); }, "symbolic link"},
+        {"the experiment's folder is a link", Refused, "precious.csv", [](const Desk& d) { d.replaceByLink(d.own, d.outside); },
+         "symbolic link"},
+        {"a folder below it is a link", Refused, "way/precious.csv",
+         [](const Desk& d) { d.replaceByLink(d.own + "/way", d.outside); }, "symbolic link"},
+        {"the folder of pictures is a link", Refused, "eye/frames/eye_000000.png",
+         [](const Desk& d) {
+             fs::create_directories(d.own + "/eye");
+             d.replaceByLink(d.own + "/eye/frames", d.outside + "/folder");
+         },
+         "symbolic link"},
+        {"the log file is a link", Refused, "x.csv",
+         [](const Desk& d) { d.replaceByLink(d.own + "/x.csv", d.outside + "/precious.csv"); }, "symbolic link"},
+        {"logs is a link to nothing yet", Refused, "x.csv", [](const Desk& d) { d.replaceByLink(d.logs, d.outside + "/new"); },
+         "symbolic link"},
+        {"the experiment's folder is a link to nothing yet", Refused, "x.csv",
+         [](const Desk& d) { d.replaceByLink(d.own, d.outside + "/new"); }, "symbolic link"},
+        {"the log file is a link to nothing yet", Refused, "x.csv",
+         [](const Desk& d) { d.replaceByLink(d.own + "/x.csv", d.outside + "/new.csv"); }, "symbolic link"},
+        {"a relative link", Refused, "precious.csv", [](const Desk& d) { d.replaceByLink(d.logs, "../outside"); },
+         "symbolic link"},
+        {"a link to a link", Refused, "precious.csv",
+         [](const Desk& d) {
+             fs::create_symlink(d.outside, d.project + "/way");
+             d.replaceByLink(d.logs, "way");
+         },
+         "symbolic link"},
+        {"a link that leads back to itself", Refused, "x.csv", [](const Desk& d) { d.replaceByLink(d.logs, "logs"); },
+         "symbolic link"},
+        {"a link into the project itself", Refused, "attack.sim", [](const Desk& d) { d.replaceByLink(d.own, "../.."); },
+         "symbolic link"},
+        {"a link of the system", Refused, "x.csv", [](const Desk& d) { d.replaceByLink(d.own, "/proc/self/cwd"); },
+         "symbolic link"},
+        {"a link to a device", Refused, "x.csv", [](const Desk& d) { d.replaceByLink(d.own + "/x.csv", "/dev/null"); },
+         "symbolic link"},
+        {"logs is a file", Refused, "x.csv",
+         [](const Desk& d) {
+             fs::remove_all(d.logs);
+             write(d.logs, "a file");
+         },
+         "not a folder"},
+        {"the experiment's folder is a file", Refused, "x.csv",
+         [](const Desk& d) {
+             fs::remove_all(d.own);
+             write(d.own, "a file");
+         },
+         "not a folder"},
+        {"the log file is a folder", Refused, "x.csv", [](const Desk& d) { fs::create_directories(d.own + "/x.csv"); },
+         "it is a folder"},
+        {"the log file is a pipe", Refused, "x.csv",
+         [](const Desk& d) { QCOMPARE(::mkfifo((d.own + "/x.csv").c_str(), 0666), 0); }, "it is a pipe"},
+        {"the log file is a socket", Refused, "x.csv", [](const Desk& d) { makeSocket(d.own + "/x.csv"); }, "it is a socket"},
+        {"the log file is a hard link to one outside", Inside, "x.csv",
+         [](const Desk& d) { fs::create_hard_link(d.outside + "/precious.csv", d.own + "/x.csv"); }},
+        {"two dots", Refused, "../../../outside/precious.csv", nothing, "leaves the log folder"},
+        {"two dots behind a folder", Refused, "a/../../../../outside/precious.csv", nothing, "leaves the log folder"},
+        {"two dots with backslashes", Refused, "..\\..\\..\\outside\\precious.csv", nothing, "leaves the log folder"},
+        {"an absolute path", Refused, "/etc/trundle-attack.csv", nothing, "inside the log folder"},
+        {"a drive", Refused, "C:\\x.csv", nothing, "inside the log folder"},
+        {"a zero byte", Refused, std::string("x.csv\0.png", 10), nothing, "control character"},
+        {"a line break", Refused, "x\n[0] robot0] all is well.csv", nothing, "control character"},
+        {"an escape sequence", Refused, "\x1b]0;x\x07.csv", nothing, "control character"},
+        {"the list of logs", Refused, "./.trundle-logs", nothing, "has that name"},
+        {"a folder and no file", Refused, "a/.", nothing, "names no file"},
+        {"a name too long for any file", Refused, std::string(300, 'a'), nothing, "longer than 255"},
+    };
+    return all;
+}
+
+} // namespace
+
+class LogAttacksTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void nothingOutsideIsTouched_data() {
+        QTest::addColumn<int>("row");
+        for (std::size_t i = 0; i < attacks().size(); ++i) QTest::newRow(attacks()[i].name) << int(i);
+        QVERIFY(attacks().size() >= 22);
+    }
+    void nothingOutsideIsTouched() {
+        QFETCH(int, row);
+        const Attack& attack = attacks()[std::size_t(row)];
+        const Desk desk;
+        attack.prepare(desk);
+        const auto before = desk.state();
+        const QByteArray text = contentOf(desk.project + "/attack.sim");
+        {
+            LogFolder logs(desk.location());
+            const Result<LogFile*> file = logs.create(attack.file);
+            QCOMPARE(file.ok(), attack.outcome == Outcome::Inside);
+            if (file) file.value()->write("a log");
+            if (!file) {
+                QCOMPARE(file.error().code, Code::LogUnwritable);
+                QVERIFY2(file.error().message.find(attack.says) != std::string::npos, file.error().message.c_str());
+                QVERIFY2(file.error().message.find_first_of("\n\x1b\x07") == std::string::npos, "the message is clean");
+            }
+            for (const auto& each : logs.files()) QVERIFY(each->close().ok());
+            logs.settle();
+            if (file) logs.remove(*file.value());
+        }
+        QCOMPARE(desk.state(), before);
+        QCOMPARE(contentOf(desk.project + "/attack.sim"), text);
+        QVERIFY(!fs::exists("/etc/trundle-attack.csv"));
+    }
+
+    // The folder was right when the first log was opened, and is exchanged while the run goes on.
+    void aFolderThatIsExchangedLater() {
+        const Desk desk;
+        LogFolder logs(desk.location());
+        LogFile* const first = logs.create("folder/x.csv").value();
+        QVERIFY(logs.create("precious.csv").ok());
+        for (const auto& each : logs.files()) QVERIFY(each->close().ok());
+        const auto before = desk.state();
+        for (const bool all : {false, true}) {
+            desk.replaceByLink(all ? desk.logs : desk.own, desk.outside);
+            logs.remove(*first); // half a picture
+            logs.settle();
+            QVERIFY(!logs.create(all ? "b.csv" : "a.csv").ok());
+            QCOMPARE(desk.state(), before);
+            if (!all) fs::remove(desk.own);
+        }
+    }
+
+    // The list of an earlier run, as it comes with the project: lies in it remove nothing outside, and nothing that is a link.
+    void aHostileListOfLogs() {
+        const Desk desk;
+        fs::create_symlink(desk.outside + "/precious.csv", desk.own + "/way.csv");
+        QVERIFY(write(desk.own + "/.trundle-logs",
+                      "logs of the last run, removed by the next\n../../attack.sim\n/etc/hostname\nway.csv\n"
+                      "../../../outside/precious.csv\n"));
+        const auto before = desk.state();
+        LogFolder(desk.location()).settle();
+        QCOMPARE(desk.state(), before);
+        QVERIFY(fs::is_symlink(desk.own + "/way.csv"));
+        QVERIFY(fs::exists(desk.project + "/attack.sim"));
+        desk.replaceByLink(desk.own + "/.trundle-logs", desk.outside + "/precious.csv");
+        LogFolder logs(desk.location());
+        QVERIFY(logs.create("x.csv").ok());
+        logs.settle();
+        QCOMPARE(desk.state(), before);
+    }
+
+    // A folder and a link to one outside change places all the time: no moment between looking and opening is of use.
+    void aRaceIsNotWon_data() {
+        QTest::addColumn<int>("level");
+        for (int level = 0; level < 3; ++level) QTest::newRow(qPrintable(QString::number(level))) << level;
+    }
+    void aRaceIsNotWon() {
+        QFETCH(int, level);
+        const Desk desk;
+        fs::create_directories(desk.own + "/sub");
+        fs::create_directories(desk.outside + "/attack/sub");
+        const std::string place = level == 0 ? desk.logs : level == 1 ? desk.own : desk.own + "/sub";
+        const std::string link = desk.project + "/link";
+        fs::create_symlink(level == 0   ? desk.outside
+                           : level == 1 ? desk.outside + "/attack"
+                                        : desk.outside + "/attack/sub",
+                           link);
+        const auto before = desk.state();
+        std::atomic<bool> done{false};
+        std::atomic<long> exchanges{0};
+        std::thread other([&] {
+            while (!done)
+                if (::renameat2(AT_FDCWD, place.c_str(), AT_FDCWD, link.c_str(), RENAME_EXCHANGE) == 0) ++exchanges;
+        });
+        int written = 0, refused = 0;
+        for (int round = 0; round < 100000 && (round < 3000 || written < 200 || refused < 200 || exchanges < 200); ++round) {
+            LogFolder logs(desk.location());
+            const Result<LogFile*> file = logs.create("sub/x.csv");
+            (file ? written : refused)++;
+            if (file) file.value()->write("a log");
+        }
+        done = true;
+        other.join();
+        QVERIFY2(written >= 200 && refused >= 200, "both were met");
+        QCOMPARE(desk.state(), before);
+    }
+
+    void twoLogsOfOneFile() {
+        const Desk desk;
+        LogFolder logs(desk.location());
+        QVERIFY(logs.create("a/x.csv").ok());
+        for (const char* name : {"a/x.csv", "a//./x.csv", "a\\x.csv", "a", "a/x.csv/y.csv"})
+            QVERIFY2(!logs.create(name).ok(), name);
+    }
+
+    // Who names a folder means it, wherever it leads.
+    void aFolderThatIsNamedMayBeALink() {
+        const Desk desk;
+        const std::string link = desk.root + "/results";
+        fs::create_symlink(desk.outside, link);
+        for (const std::string& named : {link, link + "/new/deep"}) {
+            LogFolder logs{LogLocation(named)};
+            LogFile* const file = logs.create("log.csv").value();
+            file->write("a log");
+            QVERIFY(file->close().ok());
+        }
+        QCOMPARE(contentOf(desk.outside + "/log.csv"), QByteArray("a log"));
+        QCOMPARE(contentOf(desk.outside + "/new/deep/log.csv"), QByteArray("a log"));
+        fs::create_symlink(desk.project, desk.outside + "/way"); // below it a link is refused as ever
+        QVERIFY(!LogFolder(LogLocation(link)).create("way/x.csv").ok());
+    }
+
+    void theDefaultIsOneFolderOfTheProject() {
+        QCOMPARE(defaultLogs("/p", "/p/a/run.sim").path(), std::string("/p/logs/run"));
+        for (const char* file : {"/p/...", "/p/..sim", "/p/.", "", "/"}) {
+            const std::string name = experimentName(file);
+            QVERIFY2(!name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos, file);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(LogAttacksTest)
+#include "log_attacks_test.moc"
