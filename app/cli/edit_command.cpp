@@ -108,7 +108,8 @@ constexpr const char* kEditExamples = R"(Examples:
   trundle-cli edit my.sim --set RobotConfig.SimpleRobot.leftMotor.Resistance=3 --write
 
 A path that starts in the world writes into that instance's block, as an override where needed; one that starts with a kind edits
-the definition, in the file that owns it. Nothing else in the files changes. Several edits of one file at once all land.
+the definition, in the file that owns it. The path decides: nothing is asked or copied, as the window does for shared configs.
+Nothing else in the files changes. Several edits of one file at once all land.
 Exit codes: 0 done, 1 a wrong path or value or a file that cannot be written, 2 wrong usage or unreadable FILE.)";
 
 } // namespace

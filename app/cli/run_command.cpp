@@ -20,6 +20,7 @@
 #include "cli/run_report.h"
 #include "lang/render.h"
 #include "parts/frame_library.h"
+#include "project/described.h"
 
 namespace trundle {
 namespace {
@@ -57,6 +58,7 @@ private:
     ExitCode tell(ExitCode code);
     RunOptions runOptions();
     void warn(const Diagnostic& warning);
+    void sayNothingPlaced() const;
 
     Parts& m_parts;
     RunArguments m_arguments;
@@ -82,8 +84,21 @@ ExitCode RunCommand::go() {
         std::fprintf(stderr, "%s: not run, the text has %s\n", cleanLine(m_arguments.file).c_str(), counts.c_str());
         return tell(kExitText);
     }
+    if (!m_arguments.quiet) sayNothingPlaced();
     if (!planTicks() || !openMovie()) return tell(kExitUsage);
     return runLoaded();
+}
+
+/// A robot's own file runs as what it is: a world with nothing in it.
+void RunCommand::sayNothingPlaced() const {
+    std::string names;
+    for (const Part* config : describedAlone(*m_loaded)) names += (names.empty() ? "" : ", ") + config->name;
+    if (names.empty()) return;
+    const std::string file = cleanLine(m_arguments.file);
+    std::fprintf(stderr,
+                 "%s: note: this file describes %s and places nothing, so the world that runs is empty; import it in an "
+                 "experiment and add a Robot or Static with that Config\n",
+                 file.c_str(), cleanLine(names).c_str());
 }
 
 bool RunCommand::load() {

@@ -132,6 +132,8 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     std::vector<std::string> folders{loaded->projectFolder};
     folders.insert(folders.end(), m_options.includeFolders.begin(), m_options.includeFolders.end());
     folders.push_back(m_options.shippedConfigs);
+    loaded->importFolders = folders;
+    if (!m_options.shippedConfigs.empty()) loaded->shippedConfigs = canonicalPath(m_options.shippedConfigs);
     const FileSearch imports(folders, &m_options.texts);
     const std::vector<std::string> importable = folders;
     if (!m_options.resources.empty()) {

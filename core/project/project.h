@@ -49,13 +49,15 @@ struct Loaded {
     std::shared_ptr<const Registry> registry;         ///< built-in kinds and those of the loaded modules
     Diagnostics diagnostics;                          ///< in the order of the text, each once
     std::string projectFolder;
+    std::vector<std::string> importFolders; ///< in which imports are looked for after the importing file's own folder
+    std::string shippedConfigs;             ///< canonical; "" where the program's own texts are not known
     std::shared_ptr<const Outline> outline; ///< what stands where: for provenance (model/provenance.h), navigation and edits
     std::vector<SetTarget> sets;            ///< where the options' sets lead; see project/set_path.h
     /// By the text that names them, and the words there.
     std::map<std::pair<FileId, std::string>, NamedFile> named;
-    std::shared_ptr<MeshShapes> shapes;     ///< what was worked out from meshes; a load takes over the previous one's
-    bool pending = false;                   ///< some mesh or height map is not read yet; see OpenOptions::meshesLater
-    std::size_t parses = 0;                 ///< texts that were parsed for this load; the others came from the previous one
+    std::shared_ptr<MeshShapes> shapes; ///< what was worked out from meshes; a load takes over the previous one's
+    bool pending = false;               ///< some mesh or height map is not read yet; see OpenOptions::meshesLater
+    std::size_t parses = 0;             ///< texts that were parsed for this load; the others came from the previous one
 };
 
 class Project {

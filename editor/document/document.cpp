@@ -13,6 +13,7 @@ namespace trundle {
 namespace fs = std::filesystem;
 
 Document::Document(Parts& parts, QObject* parent) : QObject(parent), m_parts(parts), m_state(std::make_unique<State>()) {
+    m_state->structure = std::make_unique<StructureEdits>(*this);
     m_state->pool.setMaxThreadCount(4); // a file that is slow to read does not keep the next one waiting
     connect(&m_state->watch, &DiskWatch::touched, this, &Document::lookAtDisk);
     connect(&m_state->journal, &JournalKeeper::failed, this,
@@ -144,6 +145,14 @@ void Document::readAgain() {
     if (!isOpen()) return;
     if (const Status read = put({}); !read) return;
     Q_EMIT changed();
+}
+
+StructureEdits& Document::structure() const { return *m_state->structure; }
+
+Result<std::shared_ptr<const Loaded>> Document::loadedWith(const FileTexts& texts) const {
+    OpenOptions options = optionsNow();
+    for (const auto& [file, text] : texts) options.texts.insert_or_assign(file, text);
+    return m_parts.open(m_state->opened, options);
 }
 
 std::string Document::path() const { return m_state->isNew() ? m_state->name : m_state->opened; }

@@ -13,6 +13,7 @@
 
 #include "base/result.h"
 #include "base/text_edit.h"
+#include "editor/document/companions.h"
 #include "editor/document/history.h"
 #include "parts/parts.h"
 #include "project/journal.h"
@@ -22,19 +23,12 @@
 namespace trundle {
 
 struct SavePlan;
+class StructureEdits;
 
 /// A value to set: dotted path of the property ("robot0.leftMotor.Resistance", "Tick") and its new text ("3", "12 cm").
 struct ValueEdit {
     std::string path, text;
 };
-
-/// Files that are no texts, that the texts name, and that would not be found from another place.
-struct Companions {
-    std::vector<std::string> files, modules; ///< absolute: meshes and pictures; libraries
-    [[nodiscard]] bool empty() const { return files.empty() && modules.empty(); }
-};
-/// Name: the text gives the whole path of the module where it is, and it is not copied.
-enum class ModuleCopies { Make, Name };
 
 class Document final : public QObject {
     Q_OBJECT
@@ -85,8 +79,12 @@ public:
     Status replaceText(const QString& name, const std::string& file, std::string bytes, const std::string& mergeKey = {});
     /// Carries out a plan, and selects what it made.
     Status carryOut(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey = {});
-    /// Sets values, all or none. A value that does not fit is refused with the reason, and the texts stay.
+    /// Sets values, all or none, where StructureEdits says. One that does not fit is refused with the reason, and the texts stay.
     Status setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey = {});
+    /// Edits that insert, remove, move or rename blocks, and where values go.
+    [[nodiscard]] StructureEdits& structure() const;
+    /// What the texts would mean with these in their place. Nothing is changed.
+    [[nodiscard]] Result<std::shared_ptr<const Loaded>> loadedWith(const FileTexts& texts) const;
     /// Ends a drag: the next edit is an entry of its own whatever its merge key.
     void endMerge();
     /// Takes back what was edited under this key since the last entry of another one, as if it had never been: no entry is left, and
@@ -102,6 +100,7 @@ public:
 
     [[nodiscard]] bool isModified() const; ///< some file's bytes differ from the disk's
     [[nodiscard]] bool isModified(const std::string& file) const;
+    [[nodiscard]] std::vector<std::string> modifiedFiles() const; ///< absolute, the opened one first
     /// Every modified file, each atomically; none where one of them cannot be. Says which and why: a sample, one that may not be
     /// written, one whose bytes on the disk have not been seen here.
     [[nodiscard]] Status save();
@@ -168,6 +167,7 @@ private:
     /// put() as an entry of the history.
     [[nodiscard]] Status enter(const QString& name, FileTexts after, const std::string& mergeKey, const Judge& judge = {});
     [[nodiscard]] Result<FileTexts> textsAfter(const FileEdits& edits) const;
+    [[nodiscard]] Status enterSets(const QString& name, const std::vector<std::string>& sets, const std::string& mergeKey);
     [[nodiscard]] Status mayEdit();
     Status answer(Status status); ///< says refused() where it failed
     void sayEdited();

@@ -2,6 +2,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
+#include "editor/document/structure_edits.h"
 #include "lang/tree_edit.h"
 #include "project/set_path.h"
 
@@ -127,18 +128,34 @@ Status Document::carryOut(const QString& name, const Result<EditPlan>& plan, con
 
 Status Document::setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey) {
     if (Status may = mayEdit(); !may) return answer(may);
+    std::vector<std::string> asked;
+    for (const ValueEdit& value : values) asked.push_back(value.path);
+    // A step of a drag joins the copy by its own key.
+    const bool copies = mergeKey.empty() &&
+                        std::ranges::any_of(asked, [&](const std::string& path) { return structure().targetOf(path).isShipped; });
+    const std::string key = copies ? "copy " + std::to_string(m_revision) : mergeKey;
+    const Result<std::vector<std::string>> paths = structure().pathsForValues(asked, key);
+    if (!paths) return answer(paths.error());
     std::vector<std::string> sets;
-    for (const ValueEdit& value : values) sets.push_back(value.path + "=" + value.text);
+    for (std::size_t i = 0; i < values.size(); ++i) sets.push_back(paths.value()[i] + "=" + values[i].text);
+    const Status done = answer(enterSets(name, sets, key));
+    if (key == mergeKey) return done;
+    if (!done) withdraw(key);
+    endMerge();
+    if (done) Q_EMIT selectionWanted({paths.value()[0].substr(0, paths.value()[0].rfind('.'))});
+    return done;
+}
+
+Status Document::enterSets(const QString& name, const std::vector<std::string>& sets, const std::string& mergeKey) {
     const Result<FileEdits> edits = editsForSets(*m_loaded, sets);
-    if (!edits) return answer(edits.error());
+    if (!edits) return edits.error();
     Result<FileTexts> after = textsAfter(edits.value());
-    if (!after) return answer(after.error());
+    if (!after) return after.error();
     std::vector<SourceRange> places;
     for (const auto& [file, changes] : edits.value())
         for (const SourceRange& place : placesAfter(file, changes)) places.push_back(place);
     // Read once, with the values in their places: a drag does this with every step.
-    return answer(
-        enter(name, std::move(after).value(), mergeKey, [&](const Loaded& tried) { return reasonAgainst(tried, places); }));
+    return enter(name, std::move(after).value(), mergeKey, [&](const Loaded& tried) { return reasonAgainst(tried, places); });
 }
 
 void Document::endMerge() { m_history.endMerge(); }

@@ -23,6 +23,13 @@ bool Document::isModified(const std::string& file) const {
     return known && known->modified();
 }
 
+std::vector<std::string> Document::modifiedFiles() const {
+    std::vector<std::string> files = m_state->files.modified();
+    const auto opened = std::ranges::find(files, m_state->opened);
+    if (opened != files.end()) std::rotate(files.begin(), opened, opened + 1);
+    return files;
+}
+
 void Document::sayModified() {
     m_state->journal.later();
     const std::vector<std::string> modified = m_state->files.modified();

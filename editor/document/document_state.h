@@ -11,6 +11,7 @@
 #include "editor/document/document.h"
 #include "editor/document/journal_keeper.h"
 #include "editor/document/open_files.h"
+#include "editor/document/structure_edits.h"
 #include "project/project_lock.h"
 
 namespace trundle {
@@ -26,7 +27,8 @@ struct Document::State {
     bool readOnly = false;
     bool readsNamed = false;    ///< a thread reads meshes and pictures
     std::uint64_t openings = 0; ///< which openLater() is the newest
-    QThreadPool pool;           ///< reads files; the last member, so that it ends first
+    std::unique_ptr<StructureEdits> structure;
+    QThreadPool pool; ///< reads files; the last member, so that it ends first
 
     [[nodiscard]] bool isNew() const { return !name.empty(); }
 };

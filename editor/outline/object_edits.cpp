@@ -10,6 +10,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/outline/block_mime.h"
 #include "editor/outline/duplicate_offset.h"
 #include "editor/outline/object_marks.h"
@@ -45,6 +46,13 @@ std::string blankless(std::string text) {
 bool isParam(const Loaded& loaded, const std::string& text) {
     return std::ranges::any_of(loaded.outline->params,
                                [&](const PlacedParam& p) { return text.starts_with("Param " + p.name->text + " "); });
+}
+
+using Renamed = StructureEdits::Renamed;
+
+std::vector<std::string> renamedAll(std::vector<std::string> paths, const Renamed& renamed) {
+    for (std::string& path : paths) path = renamed(path);
+    return paths;
 }
 
 /// The experiment itself is no block.
@@ -87,23 +95,30 @@ QString ObjectEdits::nameRefusal(const std::string& path, const std::string& nam
 
 Status ObjectEdits::rename(const std::string& path, const std::string& name) {
     if (Status may = mayChange({path}, tr("rename")); !may) return may;
-    return m_document.carryOut(tr("Rename %1 to %2").arg(shown(lastName(path)), shown(name)),
-                               planRename(*m_document.loaded(), path, name));
+    return m_document.structure().rename(tr("Rename %1 to %2").arg(shown(lastName(path)), shown(name)), path, name);
 }
 
 Status ObjectEdits::remove(const std::vector<std::string>& paths) {
     const std::vector<std::string> objects = objectsOf(paths);
     if (Status may = mayChange(objects, tr("delete")); !may) return may;
-    return m_document.carryOut(tr("Delete %1").arg(named(objects)), planRemove(*m_document.loaded(), objects));
+    return remove(tr("Delete %1").arg(named(objects)), objects);
+}
+
+Status ObjectEdits::remove(const QString& name, const std::vector<std::string>& objects) {
+    return m_document.structure().apply(name, objects, [objects](const Loaded& loaded, const Renamed& renamed) {
+        return planRemove(loaded, renamedAll(objects, renamed));
+    });
 }
 
 Status ObjectEdits::duplicate(const std::vector<std::string>& paths) {
     const std::vector<std::string> objects = objectsOf(paths);
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     if (objects.empty()) return refuse(tr("select an object to duplicate first"));
-    const Loaded& loaded = *m_document.loaded();
-    return m_document.carryOut(tr("Duplicate %1").arg(named(objects)),
-                               planDuplicate(loaded, objects, duplicateOffset(loaded, objects)));
+    const QString title = tr("Duplicate %1").arg(named(objects));
+    return m_document.structure().apply(title, objects, [objects](const Loaded& loaded, const Renamed& renamed) {
+        const std::vector<std::string> paths = renamedAll(objects, renamed);
+        return planDuplicate(loaded, paths, duplicateOffset(loaded, paths));
+    });
 }
 
 Status ObjectEdits::copy(const std::vector<std::string>& paths) {
@@ -118,7 +133,7 @@ Status ObjectEdits::cut(const std::vector<std::string>& paths) {
     const std::vector<std::string> objects = objectsOf(paths);
     if (Status may = mayChange(objects, tr("cut")); !may) return may;
     std::unique_ptr<QMimeData> mime(mimeOf(*m_document.loaded(), objects));
-    const Status removed = m_document.carryOut(tr("Cut %1").arg(named(objects)), planRemove(*m_document.loaded(), objects));
+    const Status removed = remove(tr("Cut %1").arg(named(objects)), objects);
     if (removed) QGuiApplication::clipboard()->setMimeData(mime.release());
     return removed;
 }
@@ -161,12 +176,17 @@ Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const
         needed += block.text + "\n";
         ++count;
     }
-    Result<EditPlan> plan = planInsert(loaded, place, needed + blocks.text, blocks.imports, file);
-    if (plan) { // what was asked for is selected
-        std::vector<std::string>& selects = plan.value().selects;
+    const std::string inFile = file < loaded.paths.size() ? loaded.paths[file] : std::string();
+    const auto plan = [=, text = needed + blocks.text, imports = blocks.imports](const Loaded& now, const Renamed& renamed) {
+        const auto at = std::ranges::find(now.paths, inFile); // a copy may have moved the numbers of the files
+        const FileId to = at == now.paths.end() ? FileId{0} : static_cast<FileId>(at - now.paths.begin());
+        Result<EditPlan> plan = planInsert(now, renamed(place), text, imports, to);
+        if (!plan) return plan;
+        std::vector<std::string>& selects = plan.value().selects; // what was asked for is selected
         selects.erase(selects.begin(), selects.begin() + std::min(count, std::ptrdiff_t(selects.size())));
-    }
-    return m_document.carryOut(name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name, plan);
+        return plan;
+    };
+    return m_document.structure().apply(name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name, {place}, plan);
 }
 
 Status ObjectEdits::insertFrom(const QMimeData& mime, const std::string& place, FileId file) {
@@ -180,17 +200,23 @@ Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
     const Kind* one[] = {&kind};
     const std::optional<std::string> parent = placeFor(*m_document.loaded(), place, one);
     if (!parent) return refuse(tr("%1 stands in %2; select one first").arg(shown(kind.name), shown(placesOf(kind))));
-    const Loaded& loaded = *m_document.loaded();
-    const Result<Blocks> blocks = blocksFrom(templateOf(loaded, kind, *parent));
-    if (!blocks) return refuse(shown(blocks.error().message));
-    Result<EditPlan> plan = planInsert(loaded, place, blocks.value().text);
-    if (!plan) return m_document.carryOut({}, plan);
-    EditPlan todo = std::move(plan).value();
-    // A joint may bring a body to hang on: what was asked for is selected.
-    const std::vector<std::string>& kinds = blocks.value().kinds;
-    for (std::size_t i = todo.selects.size(); i-- > 0;)
-        if (i < kinds.size() && kinds[i] != kind.name) todo.selects.erase(todo.selects.begin() + std::ptrdiff_t(i));
-    return m_document.carryOut(tr("Add %1").arg(shown(kind.name)), todo);
+    const auto plan = [place, name = kind.name](const Loaded& loaded, const Renamed& renamed) -> Result<EditPlan> {
+        const Kind* kind = loaded.registry->find(name);
+        const Kind* one[] = {kind};
+        const std::optional<std::string> parent = kind ? placeFor(loaded, renamed(place), one) : std::nullopt;
+        if (!parent) return Error{Code::WrongPlace, name + " has no place there any more"};
+        const Result<Blocks> blocks = blocksFrom(templateOf(loaded, *kind, *parent));
+        if (!blocks) return blocks.error();
+        Result<EditPlan> plan = planInsert(loaded, renamed(place), blocks.value().text);
+        if (!plan) return plan;
+        // A joint may bring a body to hang on: what was asked for is selected.
+        std::vector<std::string>& selects = plan.value().selects;
+        const std::vector<std::string>& kinds = blocks.value().kinds;
+        for (std::size_t i = selects.size(); i-- > 0;)
+            if (i < kinds.size() && kinds[i] != name) selects.erase(selects.begin() + std::ptrdiff_t(i));
+        return plan;
+    };
+    return m_document.structure().apply(tr("Add %1").arg(shown(kind.name)), {place}, plan);
 }
 
 Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
@@ -204,8 +230,15 @@ Status ObjectEdits::move(const std::vector<std::string>& paths, const std::strin
     const QString where = !parent.empty()   ? shown(lastName(parent))
                           : file != kNoFile ? shown(m_document.shown(loaded.paths.at(file)))
                                             : tr("the top level");
-    return m_document.carryOut(stays ? tr("Reorder %1").arg(named(objects)) : tr("Move %1 to %2").arg(named(objects), where),
-                               planMove(loaded, objects, parent, before, file));
+    const QString title = stays ? tr("Reorder %1").arg(named(objects)) : tr("Move %1 to %2").arg(named(objects), where);
+    std::vector<std::string> touched = objects;
+    touched.push_back(parent);
+    const std::string inFile = file == kNoFile ? std::string() : loaded.paths.at(file);
+    return m_document.structure().apply(title, touched, [=](const Loaded& now, const Renamed& renamed) {
+        const auto at = std::ranges::find(now.paths, inFile);
+        const FileId to = inFile.empty() || at == now.paths.end() ? kNoFile : static_cast<FileId>(at - now.paths.begin());
+        return planMove(now, renamedAll(objects, renamed), renamed(parent), renamed(before), to);
+    });
 }
 
 Status ObjectEdits::replaceBySingles(const std::string& path) {

@@ -59,6 +59,7 @@ private:
     [[nodiscard]] Result<Blocks> read(const QMimeData& mime) const;
     [[nodiscard]] Status mayChange(const std::vector<std::string>& paths, const QString& deed);
     Status refuse(const QString& reason);
+    Status remove(const QString& name, const std::vector<std::string>& objects);
     /// Takes away what is selected, and asks before what refers to it goes along.
     void takeAway(const QString& deed, const QString& title, const QString& all, const QString& done,
                   Status (ObjectEdits::*take)(const std::vector<std::string>&));

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "editor/document/structure_edits.h"
 #include "editor/properties/origin_words.h"
 #include "editor/properties/value_field.h"
 #include "editor/widgets/theme.h"
@@ -74,10 +75,9 @@ ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
 
 void ObjectHeader::rename(const QString& name) {
     const std::string path = m_object;
-    const Result<EditPlan> plan = planRename(*m_document.loaded(), path, name.trimmed().toStdString());
     const QPointer<ValueField> field(m_name);
-    Status done =
-        plan ? m_document.carryOut(tr("Rename %1 to %2").arg(m_name->value(), name.trimmed()), plan) : Status(plan.error());
+    const Status done = m_document.structure().rename(tr("Rename %1 to %2").arg(m_name->value(), name.trimmed()), path,
+                                                      name.trimmed().toStdString());
     if (!done && field) field->refuse(text(done.error().message));
 }
 
@@ -150,6 +150,8 @@ void ObjectHeader::showConfig(const ObjectValues& object) {
         m_configPlace = part->nameRange();
         line = faint(tr("in")) + QLatin1Char(' ') + link(QStringLiteral("jump"), placeWords(object.loaded(), m_configPlace));
     }
+    if (const QString target = targetWords(object, m_document); !target.isEmpty() && !object.member())
+        line += QStringLiteral("<br>") + faint(target.toHtmlEscaped());
     if (object.member())
         line += QStringLiteral("<br>") +
                 faint(tr("One of %1: a change here is made in all of them.").arg(text(object.path())).toHtmlEscaped());

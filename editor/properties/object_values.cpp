@@ -168,9 +168,13 @@ FieldValue ObjectValues::read(const Property& property, const std::string& path,
     if (m_part) field.place = m_part->nameRange();
     const bool throughInstance = !overrideKey.empty();
     const PlacedAssignment* over = throughInstance && m_instance ? m_instance->assignments.find(overrideKey) : nullptr;
-    if (over) fill(field, {over->value, over->file, m_instanceScope, Standing::Override});
-    else if (const PlacedAssignment* a = list->find(property.name))
+    const PlacedAssignment* a = list->find(property.name);
+    if (over) {
+        fill(field, {over->value, over->file, m_instanceScope, Standing::Override});
+        fillInherited(field, a ? a->value : nullptr, a ? a->file : kNoFile);
+    } else if (a) {
         fill(field, {a->value, a->file, scope, throughInstance ? Standing::Config : Standing::Own});
+    }
     if (field.given() || !property.defaultValue) return field;
     field.value = property.defaultValue;
     for (const std::string& element : elementsOf(property, *property.defaultValue)) {
@@ -185,8 +189,10 @@ FieldValue ObjectValues::read(const Property& property, const std::string& path,
 FieldValue ObjectValues::readParam(const PlacedParam& param, ParamScope* scope, const PlacedAssignment* own) {
     FieldValue field;
     field.path = below(param.name->text);
-    if (own) fill(field, {own->value, own->file, m_instanceScope, Standing::Override});
-    else fill(field, {param.value, param.valueFile, scope, isInstance() ? Standing::Config : Standing::Own});
+    if (own) {
+        fill(field, {own->value, own->file, m_instanceScope, Standing::Override});
+        fillInherited(field, param.value, param.valueFile);
+    } else fill(field, {param.value, param.valueFile, scope, isInstance() ? Standing::Config : Standing::Own});
     return field;
 }
 
@@ -205,6 +211,21 @@ void ObjectValues::fill(FieldValue& field, const Written& written) {
     if (!given) return;
     if (field.property) field.value = readValue(*field.property, *given, m_silent);
     if (field.formula) showFormula(field, *given);
+}
+
+/// What would hold without the override: the config's text, or the default.
+void ObjectValues::fillInherited(FieldValue& field, const Value* value, FileId file) const {
+    if (m_config) field.config = m_config->name;
+    const Property* property = field.property;
+    bool bare = true; // numbers without a unit of their own
+    if (value) {
+        field.inherited = m_loaded->outline->texts().slice({file, value->range});
+        bare = std::ranges::all_of(value->elements,
+                                   [](const Element& e) { return e.kind == Element::Kind::Number && e.unit.empty(); });
+    } else if (property && property->defaultValue) {
+        field.inherited = joined(elementsOf(*property, *property->defaultValue), ",");
+    }
+    if (property && !property->unit.empty() && bare && !field.inherited.empty()) field.inherited += " " + property->unit;
 }
 
 void ObjectValues::showFormula(FieldValue& field, const GivenValue& given) {

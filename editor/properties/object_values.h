@@ -34,7 +34,8 @@ struct FieldValue {
     std::optional<PropertyValue> value; ///< what it comes to; nothing where it is not given or faulty
     std::string shown;                  ///< of a formula: what it comes to, in words
     std::string separator = ",";        ///< between elements, as the file writes it
-    std::vector<std::string> parts;     ///< of a formula: the same for each element, where they match the elements
+    std::string config, inherited;  ///< of an override: the config's name, and what it has there, with its unit; empty: nothing
+    std::vector<std::string> parts; ///< of a formula: the same for each element, where they match the elements
 
     [[nodiscard]] bool given() const { return standing != Standing::Default; }
     [[nodiscard]] std::string element(std::size_t i) const;
@@ -88,6 +89,7 @@ private:
                                   ParamScope* scope, const std::string& overrideKey);
     [[nodiscard]] FieldValue readParam(const PlacedParam& param, ParamScope* scope, const PlacedAssignment* own);
     void fill(FieldValue& field, const Written& written);
+    void fillInherited(FieldValue& field, const Value* value, FileId file) const;
     void showFormula(FieldValue& field, const GivenValue& given);
     [[nodiscard]] std::string below(std::string_view name) const;
     [[nodiscard]] const std::string& separator();

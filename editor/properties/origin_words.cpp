@@ -1,7 +1,12 @@
 #include "editor/properties/origin_words.h"
 
+#include <algorithm>
+
 #include <QObject>
 
+#include "editor/document/document.h"
+#include "editor/document/structure_edits.h"
+#include "project/edit_target.h"
 #include "project/search.h"
 
 namespace trundle {
@@ -14,11 +19,55 @@ QString placeWords(const Loaded& loaded, const SourceRange& place) {
     return QStringLiteral("%1:%2").arg(name).arg(source.position(place.range.begin).line);
 }
 
+QString overrideWords(const FieldValue& value) {
+    constexpr qsizetype kMost = 40;
+    const QString config = QString::fromStdString(value.config);
+    QString inherited = QString::fromStdString(value.inherited).simplified();
+    if (inherited.size() > kMost) inherited = inherited.left(kMost - 1) + QStringLiteral("…");
+    if (config.isEmpty()) return QObject::tr("override here");
+    return inherited.isEmpty() ? QObject::tr("override here; %1 has no value").arg(config)
+                               : QObject::tr("override here; %1 has %2").arg(config, inherited);
+}
+
+QString targetWords(const ObjectValues& object, const Document& document) {
+    const Part *config = object.config(), *instance = object.instance();
+    if (!config || !object.kind()) return {};
+    const QString name = QString::fromStdString(config->name);
+    const Loaded& loaded = object.loaded();
+    const auto fileOf = [&](FileId file) { return QString::fromStdString(document.shown(loaded.paths.at(file))); };
+    if (isShippedFile(loaded, config->file) && !instance)
+        return QObject::tr("%1 came with Trundle and is read-only: a change makes a copy of it in %2.").arg(name, fileOf(0));
+    if (!instance) {
+        const std::size_t instances = instancesOf(loaded, *config).size();
+        return instances < 2 ? QString() : QObject::tr("A change here is for all %1 instances of %2.").arg(instances).arg(name);
+    }
+    if (!object.inConfig() && !object.isInstance()) return {};
+    const std::string below = object.inConfig() ? object.path().substr(instance->name.size() + 1) + "." : std::string();
+    std::vector<std::string> keys; // of values that belong to the config
+    if (object.inConfig())
+        for (const Property& p : object.kind()->properties) keys.push_back(p.name);
+    for (const PlacedParam& p : object.isInstance() ? config->params : std::vector<PlacedParam>()) keys.push_back(p.name->text);
+    if (object.isInstance() && config->kind)
+        for (const Property& p : config->kind->properties)
+            if (!instance->kind->find(p.name)) keys.push_back(p.name);
+    const auto key = std::ranges::find_if(keys, [&](const std::string& k) { return !instance->assignments.find(below + k); });
+    if (key == keys.end()) return {};
+    const EditTarget target = document.structure().targetOf(object.path() + "." + *key);
+    const QString owner = QString::fromStdString(instance->name);
+    if (target.isOverride)
+        return QObject::tr("Values of %1 that are changed here become overrides of %2 in %3.")
+            .arg(name, owner, fileOf(target.file));
+    if (target.config)
+        return QObject::tr("Values of %1 that are changed here go into %1 in %2: only %3 is made from it.")
+            .arg(name, fileOf(target.file), owner);
+    return {};
+}
+
 QString originWords(const FieldValue& value) {
     switch (value.standing) {
     case Standing::Default: return value.text.empty() ? QObject::tr("not set") : QObject::tr("the default");
     case Standing::Own: return QObject::tr("set here");
-    case Standing::Override: return QObject::tr("set for this one alone");
+    case Standing::Override: return overrideWords(value);
     case Standing::Config: return QObject::tr("set in the config");
     case Standing::CommandLine: return QObject::tr("set on the command line");
     }

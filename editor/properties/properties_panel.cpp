@@ -237,6 +237,12 @@ void PropertiesPanel::addRow(const Row& row, EditorKind kind, Section& section) 
     connect(widget, &PropertyRow::scrubEnded, this, [this] { m_document.endMerge(); });
     connect(widget, &PropertyRow::scrubAbandoned, this,
             [this, widget] { m_document.withdraw("scrub " + widget->row().first().path); });
+    connect(widget, &PropertyRow::resetWanted, this, [this, id, widget] {
+        const Setter set = widget->row().set; // the row is another one then
+        showFailure(id, set([](const FieldValue&) { return std::string(); }, {}));
+    });
+    connect(widget, &PropertyRow::pushWanted, this,
+            [this, widget, id] { showFailure(id, pushOverride(m_document, std::string(widget->row().first().path))); });
     connect(widget, &PropertyRow::menuWanted, this,
             [this, widget](const QPoint& place, QMenu* under) { openMenu(widget, place, under); });
 }
@@ -261,6 +267,12 @@ void PropertiesPanel::showHelp() {
     else m_strip->displayText(m_header->kindHelp());
 }
 
+void PropertiesPanel::showFailure(const std::string& id, const Status& status) {
+    m_current = id;
+    const QString reason = status ? QString() : QString::fromStdString(status.error().message);
+    if (const PropertyRow* shown = rowOf(id)) m_strip->display(shown->row(), reason, m_session && m_session->isActive());
+}
+
 void PropertiesPanel::openMenu(PropertyRow* row, const QPoint& place, QMenu* under) {
     QMenu* menu = under ? under : new QMenu(this);
     menu->setObjectName(QStringLiteral("rowMenu"));
@@ -270,10 +282,7 @@ void PropertiesPanel::openMenu(PropertyRow* row, const QPoint& place, QMenu* und
     RowDeeds deeds;
     deeds.jump = [this](const SourceRange& range) { jump(range); };
     deeds.editAsText = [this, id] { setAsText(id); };
-    deeds.failed = [this, id](const QString& reason) {
-        m_current = id;
-        if (const PropertyRow* shown = rowOf(id)) m_strip->display(shown->row(), reason, m_session && m_session->isActive());
-    };
+    deeds.failed = [this, id](const Status& status) { showFailure(id, status); };
     deeds.asText = m_asText.count(id) > 0;
     fillRowMenu(*menu, row->row(), m_document, deeds);
     menu->popup(place);

@@ -66,6 +66,7 @@ private:
     void showLive();
     void showNow();
     [[nodiscard]] QString liveHint(const std::string& path) const;
+    void showFailure(const std::string& id, const Status& status); ///< in the strip of help; nothing where all went well
     void openMenu(PropertyRow* row, const QPoint& place, QMenu* under);
     void setAsText(const std::string& id);
     void jump(const SourceRange& place);

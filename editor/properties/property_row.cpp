@@ -36,7 +36,7 @@ QString labelHtml(const Row& row, const QFontMetrics& metrics, int room) {
 
 PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     : QWidget(parent), m_row(row), m_label(new ScrubLabel(this)), m_editor(makeEditor(kind, this)), m_mark(new OriginMark(this)),
-      m_now(new QLabel(this)), m_note(new QLabel(this)) {
+      m_now(new QLabel(this)), m_note(new QLabel(this)), m_override(new QLabel(this)) {
     setObjectName(QStringLiteral("row.") + QString::fromStdString(row.id));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(10, 1, 2, 1);
@@ -47,6 +47,7 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     grid->addWidget(m_mark, 0, 2, Qt::AlignTop);
     grid->addWidget(m_now, 1, 0, 1, 2);
     grid->addWidget(m_note, 2, 1, 1, 2);
+    grid->addWidget(m_override, 3, 1, 1, 2);
     grid->setColumnStretch(1, 1);
     m_label->setObjectName(QStringLiteral("label"));
     m_label->setTextFormat(Qt::RichText);
@@ -62,6 +63,14 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     m_now->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // never wider than the row
     m_note->setObjectName(QStringLiteral("note"));
     m_note->setWordWrap(true); // never wider than the row
+    m_override->setObjectName(QStringLiteral("override"));
+    m_override->setWordWrap(true);
+    m_override->setTextFormat(Qt::RichText);
+    connect(m_override, &QLabel::linkActivated, this, [this](const QString& link) {
+        Q_EMIT entered();
+        if (link == QLatin1String("reset")) Q_EMIT resetWanted();
+        else Q_EMIT pushWanted();
+    });
     connect(m_label, &ScrubLabel::dragged, this, [this](double steps) { m_editor->scrub(steps); });
     connect(m_label, &ScrubLabel::ended, m_editor, &RowEditor::scrubEnded);
     connect(m_label, &ScrubLabel::abandoned, this, [this] {
@@ -97,6 +106,7 @@ void PropertyRow::display(const Row& row) {
     showLabel();
     setNow(row.now ? row.now() : QString());
     showNote();
+    showOverride();
     const FieldValue& v = row.first();
     Standing strongest = v.standing;
     for (const FieldValue& other : row.values)
@@ -154,6 +164,29 @@ void PropertyRow::showNote() {
     const QString sheet =
         QStringLiteral("color: %1;").arg(ink(Ink::Error).name()); // a palette loses against the window's style sheet
     if (!m_problem.isEmpty() && m_note->styleSheet() != sheet) m_note->setStyleSheet(sheet);
+}
+
+/// What an override takes the place of, and both ways to be rid of it.
+void PropertyRow::showOverride() {
+    const auto isOverride = [](const FieldValue& v) { return v.standing == Standing::Override; };
+    const auto count = std::count_if(m_row.values.begin(), m_row.values.end(), isOverride);
+    m_override->setVisible(count > 0);
+    if (count == 0) return m_override->clear();
+    const bool one = m_row.values.size() == 1;
+    const auto link = [](const char* name, const QString& shown) {
+        return QStringLiteral("<a href='%1' style='color:%2; text-decoration:none'>%3</a>")
+            .arg(QLatin1String(name), ink(Ink::Accent).name(), QString(shown).replace(QLatin1Char(' '), QChar(QChar::Nbsp)));
+    };
+    QString text = QStringLiteral("<span style='color:%1'>%2</span> &nbsp;")
+                       .arg(ink(Ink::Faint).name(),
+                            (one ? overrideWords(m_row.first()) : tr("override in %1 of %2").arg(count).arg(m_row.values.size()))
+                                .toHtmlEscaped());
+    text += link("reset", tr("Reset"));
+    if (one) text += QStringLiteral(" &nbsp;") + link("push", tr("Push Up"));
+    m_override->setText(text);
+    m_override->setToolTip(one ? tr("Reset takes the override out; Push Up writes the value into %1")
+                                     .arg(QString::fromStdString(m_row.first().config))
+                               : tr("Reset takes the overrides out"));
 }
 
 int PropertyRow::labelWidthWanted() const {

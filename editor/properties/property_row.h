@@ -32,6 +32,8 @@ Q_SIGNALS:
     void refusedChanged();
     void scrubEnded();
     void scrubAbandoned();
+    void resetWanted();
+    void pushWanted();                                  ///< the override is to go into the config
     void menuWanted(const QPoint& place, QMenu* under); ///< `under`: a menu that the row's entries join, or null
 
 protected:
@@ -42,6 +44,7 @@ private:
     [[nodiscard]] QString problemInText() const;
     void showLabel();
     void showNote();
+    void showOverride();
     void watch(QWidget* widget);
     void fieldMenu(class QLineEdit* field, const QPoint& place);
 
@@ -51,7 +54,7 @@ private:
     RowEditor* m_editor;
     int m_labelWidth = 0; ///< 0: not aligned yet
     OriginMark* m_mark;
-    QLabel *m_now, *m_note;
+    QLabel *m_now, *m_note, *m_override;
 };
 
 } // namespace trundle

@@ -26,31 +26,24 @@ QAction* add(QMenu& menu, const char* name, const QString& title, const std::fun
     return action;
 }
 
-void tell(const RowDeeds& deeds, const Status& status) {
-    deeds.failed(status ? QString() : QString::fromStdString(status.error().message));
-}
-
 void addValueDeeds(QMenu& menu, const Row& row, Document& document, const RowDeeds& deeds) {
     const std::string path = row.first().path;
     if (row.given()) {
         QAction* reset = add(menu, "rowReset", QObject::tr("Reset"),
-                             [row, deeds] { tell(deeds, row.set([](const FieldValue&) { return std::string(); }, {})); });
+                             [row, deeds] { deeds.failed(row.set([](const FieldValue&) { return std::string(); }, {})); });
         const bool inConfigOnly = pathsOf(row, Standing::Own).empty() && pathsOf(row, Standing::Override).empty();
         reset->setEnabled(!inConfigOnly);
         reset->setIcon(themedIcon(QStringLiteral("reset")));
     }
     if (row.values.size() != 1) return;
     if (row.first().standing == Standing::Override)
-        add(menu, "rowPush", QObject::tr("Push into the config"), [path, &document, deeds] {
-            const Result<EditPlan> plan = planPushOverride(*document.loaded(), path);
-            tell(deeds, plan ? document.edit(QObject::tr("Push %1 into the config").arg(shortName(path)), plan.value().edits)
-                             : Status(plan.error()));
-        });
+        add(menu, "rowPush", QObject::tr("Push into the config"),
+            [path, &document, deeds] { deeds.failed(pushOverride(document, path)); });
     if (row.first().standing == Standing::Config)
         add(menu, "rowPull", QObject::tr("Override here"), [path, &document, deeds] {
             const Result<EditPlan> plan = planPullOverride(*document.loaded(), path);
-            tell(deeds, plan ? document.edit(QObject::tr("Override %1").arg(shortName(path)), plan.value().edits)
-                             : Status(plan.error()));
+            deeds.failed(plan ? document.edit(QObject::tr("Override %1").arg(shortName(path)), plan.value().edits)
+                              : Status(plan.error()));
         });
 }
 

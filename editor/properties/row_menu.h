@@ -12,8 +12,8 @@ namespace trundle {
 struct RowDeeds {
     std::function<void(const SourceRange&)> jump;
     std::function<void()> editAsText;
-    std::function<void(const QString& reason)> failed;
-    bool asText = false; ///< it is edited as text now
+    std::function<void(const Status& status)> failed; ///< also where all went well
+    bool asText = false;                              ///< it is edited as text now
 };
 
 /// Entries that mean something for the row as it stands: go there, reset, push into the config, pull a copy, copy path or value.

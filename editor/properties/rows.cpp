@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "editor/document/structure_edits.h"
 #include "editor/properties/fitting_names.h"
 #include "editor/properties/sections.h"
 #include "editor/properties/value_text.h"
@@ -118,9 +119,16 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
             ? shortName(values[0].path)
             : QObject::tr("%1 of %2 objects").arg(text(values[0].path.substr(values[0].path.rfind('.') + 1))).arg(values.size());
     if (!resets.empty()) {
-        const Result<EditPlan> plan = planReset(*document.loaded(), resets);
-        if (!plan) return plan.error();
-        return document.edit(QObject::tr("Reset %1").arg(what), plan.value().edits, mergeKey);
+        if (const Result<EditPlan> plan = planReset(*document.loaded(), resets); !plan) return plan.error(); // shown in the row
+        const bool copies =
+            std::ranges::any_of(resets, [&](const auto& path) { return document.structure().targetOf(path).isShipped; });
+        const auto plan = [resets](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+            std::vector<std::string> paths;
+            for (const std::string& path : resets) paths.push_back(renamed(path));
+            return planReset(loaded, paths);
+        };
+        if (copies) return document.structure().apply(QObject::tr("Reset %1").arg(what), {}, plan, mergeKey);
+        return document.edit(QObject::tr("Reset %1").arg(what), planReset(*document.loaded(), resets).value().edits, mergeKey);
     }
     if (edits.empty()) return {};
     const QString value = values.size() == 1 ? text(edits[0].text).simplified() : QString();
@@ -179,6 +187,14 @@ QString shortName(const std::string& path) {
     const std::size_t last = path.rfind('.');
     const std::size_t before = last == std::string::npos || last == 0 ? std::string::npos : path.rfind('.', last - 1);
     return text(before == std::string::npos ? path : path.substr(before + 1));
+}
+
+Status pushOverride(Document& document, const std::string& propertyPath) {
+    const std::string object = propertyPath.substr(0, propertyPath.rfind('.'));
+    return document.structure().apply(QObject::tr("Push %1 into the config").arg(shortName(propertyPath)), {object},
+                                      [propertyPath](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+                                          return planPushOverride(loaded, renamed(propertyPath));
+                                      });
 }
 
 Objects objectsAt(const std::shared_ptr<const Loaded>& loaded, const std::vector<std::string>& paths) {

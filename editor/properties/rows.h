@@ -20,6 +20,9 @@ using Objects = std::vector<std::unique_ptr<ObjectValues>>;
 /// Rows that all of the objects have, in the order of the first. `session` may be missing.
 [[nodiscard]] std::vector<Row> rowsOf(const Objects& objects, Document& document, const RunSession* session);
 
+/// Moves an override into its config, or into the copy of it that the user chooses.
+Status pushOverride(Document& document, const std::string& propertyPath);
+
 /// "leftMotor.Resistance" of "robot0.leftMotor.Resistance": how edits are named.
 [[nodiscard]] QString shortName(const std::string& path);
 

@@ -9,9 +9,9 @@
 #include <trundle/abi.h>
 
 #include "control/module_store.h"
-#include "editor/document/described.h"
 #include "editor/running/live_edits.h"
 #include "editor/running/pose_overlay.h"
+#include "project/described.h"
 #include "run/runner.h"
 
 namespace trundle {
@@ -21,10 +21,13 @@ constexpr int kFrameMs = 16, kWatchMs = 250, kValuesMs = 100;
 constexpr double kRemarkablyLongS = 1;
 constexpr std::chrono::milliseconds kLastWait(2000);
 
-/// A robot or an arena by itself has no world to run in.
+/// In an arena by itself nothing would move.
 QString nothingToRun(const Document& document) {
     QStringList names;
-    for (const Part* config : describedAlone(*document.loaded())) names.append(QString::fromStdString(config->name));
+    for (const Part* config : describedAlone(*document.loaded())) {
+        if (config->kind && config->kind->name == "RobotConfig") return {}; // it runs on a floor of its own
+        names.append(QString::fromStdString(config->name));
+    }
     if (names.isEmpty()) return {};
     const QString why = RunSession::tr("There is nothing to run: this file describes %1 and places nothing. To run it, import "
                                        "the file in an experiment and drag it in from the Library.")
@@ -48,7 +51,7 @@ struct RunSession::Doorbell {
 };
 
 RunSession::RunSession(Document& document, Parts& parts, QObject* parent)
-    : QObject(parent), m_document(document), m_parts(parts), m_doorbell(std::make_shared<Doorbell>()) {
+    : QObject(parent), m_document(document), m_parts(parts), m_preview(parts), m_doorbell(std::make_shared<Doorbell>()) {
     m_doorbell->session = this;
     m_frames.setInterval(kFrameMs);
     m_frames.setTimerType(Qt::PreciseTimer);
@@ -90,6 +93,11 @@ bool RunSession::waitForRuns() const {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
         return run->waitUntilGone(std::max(left, std::chrono::milliseconds(0)));
     });
+}
+
+std::shared_ptr<const ExperimentSpec> RunSession::shown() const {
+    const std::shared_ptr<const Loaded> loaded = m_preview.show(m_document);
+    return loaded ? loaded->experiment : nullptr;
 }
 
 double RunSession::time() const { return m_snapshot ? m_snapshot->time : 0; }
@@ -182,7 +190,7 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     if (const auto& loaded = m_document.loaded(); loaded && describedAnew(*loaded->experiment, *loaded->registry))
         m_document.readAgain();
     if (const QString why = refusal(); !why.isEmpty()) return refuse(why);
-    m_built = m_document.loaded();
+    m_built = m_preview.show(m_document);
     m_experiment = m_built->experiment;
     m_sameRobots.begin(m_built);
     m_end.reset();
@@ -239,7 +247,7 @@ void RunSession::step() {
 
 void RunSession::runFor(double seconds) {
     if (m_state == RunState::Ended && !canGoOn()) return;
-    const auto experiment = m_experiment ? m_experiment : m_document.loaded() ? m_document.loaded()->experiment : nullptr;
+    const auto experiment = m_experiment ? m_experiment : shown();
     const std::uint64_t ticks = experiment ? ticksFor(seconds, experiment->settings.tick) : 0;
     if (m_state == RunState::Start) begin(false, ticks);
     else if (ticks > 0) m_run->step(ticks);
@@ -417,8 +425,7 @@ void RunSession::followDocument() {
     if (m_state == RunState::Start) forgetProblems(); // of a run that could not be built
     if (!m_built || !m_run || !m_document.loaded()) return;
     m_sameRobots.follow(m_document.loaded());
-    const Loaded& now = *m_document.loaded();
-    LiveEdits edits = liveEdits(*m_built, *m_experiment, now);
+    LiveEdits edits = liveEdits(*m_built, *m_experiment, *m_preview.show(m_document));
     for (auto& command : edits.commands) m_run->command(std::move(command));
     if (edits.experiment) {
         m_experiment = std::move(edits.experiment);

@@ -15,6 +15,7 @@
 
 #include "base/diagnostic.h"
 #include "editor/document/document.h"
+#include "editor/running/preview_scene.h"
 #include "editor/running/same_robots.h"
 #include "run/live_run.h"
 #include "run/live_values.h"
@@ -49,6 +50,10 @@ public:
     [[nodiscard]] QString refusal() const;
     /// The text is whole, but places nothing that could run.
     [[nodiscard]] bool describesOnly() const;
+    /// What would run: the document's experiment; where that places nothing, a PreviewScene. Null where nothing is open.
+    [[nodiscard]] std::shared_ptr<const ExperimentSpec> shown() const;
+    /// The same of the newest text that had no errors; null before there was one.
+    [[nodiscard]] std::shared_ptr<const ExperimentSpec> lastGood() const { return m_preview.lastGood(m_document); }
     /// What runs, as built but with what was changed live; null at Start. Other edits made since are in the document only.
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> experiment() const { return m_experiment; }
     /// The texts it was built from: where its diagnostics point. Null at Start.
@@ -168,6 +173,7 @@ private:
 
     Document& m_document;
     Parts& m_parts;
+    mutable PreviewScene m_preview; // keeps what it read last
     std::shared_ptr<Doorbell> m_doorbell;
     QTimer m_frames, m_watch, m_valuesPause; // m_watch: whether a tick comes to its end; m_valuesPause: after valuesChanged()
     bool m_valuesWait = false;

@@ -5,6 +5,7 @@
 #include "editor/running/kept_poses.h"
 #include "editor/running/pose_overlay.h"
 #include "editor/running/session.h"
+#include "project/described.h"
 
 namespace trundle {
 namespace {
@@ -97,6 +98,8 @@ void RunSession::stopDriving() {
 
 QString RunSession::keepRefusal() const {
     if (!m_snapshot || !m_document.loaded()) return tr("Nothing has moved yet: run the experiment first.");
+    if (!describedAlone(*m_document.loaded()).empty())
+        return tr("This file places no robot: the one that runs is there to be looked at, and has no pose in the text.");
     if (m_state == RunState::Running) return tr("Pause the run first.");
     return posesNow().refusal;
 }

@@ -8,12 +8,22 @@
 #include <QStandardPaths>
 
 #include "editor/shell/recent_files.h"
+#include "editor/shell/unsaved_files.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/resources.h"
 #include "editor/widgets/save_question.h"
 
 namespace trundle {
 namespace {
+
+constexpr qsizetype kMostLines = 20;
+
+/// One name a line.
+QString linesOf(const QStringList& names) {
+    QStringList lines = names.mid(0, kMostLines);
+    if (const auto more = names.size() - kMostLines; more > 0) lines += FileCommands::tr("and %1 more").arg(more);
+    return lines.join(QLatin1Char('\n'));
+}
 
 const char* const kFilter = QT_TRANSLATE_NOOP("trundle::FileCommands", "Trundle texts (*.sim *.txt);;All files (*)");
 
@@ -154,10 +164,13 @@ bool FileCommands::saveAs() {
 bool FileCommands::mayLeave() {
     m_flush();
     if (!m_document.isOpen() || !m_document.isModified()) return true;
+    const QStringList names = unsavedFiles(m_document);
     QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
-                         tr("Save the changes in %1?").arg(QFileInfo(QString::fromStdString(m_document.path())).fileName()),
+                         names.size() == 1 ? tr("Save the changes in %1?").arg(names.front())
+                                           : tr("Save the changes in these %1 files?").arg(names.size()),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    question.setInformativeText(tr("They are lost otherwise."));
+    const QString lost = tr("They are lost otherwise.");
+    question.setInformativeText(names.size() == 1 ? lost : linesOf(names) + QStringLiteral("\n\n") + lost);
     question.setDefaultButton(QMessageBox::Save);
     question.setObjectName(QStringLiteral("unsavedQuestion"));
     switch (question.exec()) {

@@ -36,7 +36,9 @@
 #include "editor/shell/menus.h"
 #include "editor/shell/preferences_dialog.h"
 #include "editor/shell/recent_files.h"
+#include "editor/shell/share_dialog.h"
 #include "editor/shell/status_line.h"
+#include "editor/shell/unsaved_files.h"
 #include "editor/shell/welcome_page.h"
 #include "editor/shell/window_memory.h"
 #include "editor/text/text_panel.h"
@@ -233,6 +235,9 @@ void MainWindow::connectPanels() {
     });
     connect(m_text, &TextPanel::said, m_status, &StatusLine::refuse);
     connect(m_radios, &RadiosPanel::said, m_status, &StatusLine::refuse);
+    m_document->structure().setAsker([this](const ShareQuestion& question, const StructureEdits::Answer& answer) {
+        askAboutSharedConfig(this, question, answer);
+    });
     m_files->setFlush([this] { m_text->flush(); });
     m_text->installEventFilter(this);
     new FileDrop(*this, [this](const QString& path) { m_files->open(path); });
@@ -317,7 +322,7 @@ void MainWindow::showDocument() {
 
 void MainWindow::showTitle() {
     if (!m_document->isOpen()) return setWindowTitle(tr("Trundle"));
-    setWindowTitle(QStringLiteral("%1[*] – Trundle").arg(QFileInfo(QString::fromStdString(m_document->path())).fileName()));
+    setWindowTitle(trundle::windowTitle(*m_document));
     setWindowModified(m_document->isModified() || m_document->isNew());
 }
 

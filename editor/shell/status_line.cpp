@@ -2,12 +2,14 @@
 
 #include <QEvent>
 
+#include "editor/shell/unsaved_files.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
 namespace {
 
 constexpr int kRefusalMs = 8000;
+constexpr qsizetype kMostUnsavedNamed = 3; ///< files that are not saved
 
 QString painted(const QString& text, Ink which) {
     return QStringLiteral("<span style=\"color:%1\">%2</span>").arg(ink(which).name(), text.toHtmlEscaped());
@@ -60,10 +62,14 @@ void StatusLine::refresh() {
     if (!m_document.isOpen()) return; // the bar is hidden then; the labels are not: the bar hides them while it shows a message
     m_file->setText(QString::fromStdString(m_document.shown(m_document.path())));
     m_file->setToolTip(QString::fromStdString(m_document.path()));
-    const bool modified = m_document.isModified();
-    m_saved->setText(m_document.isNew() ? painted(tr("not saved yet"), Ink::Warning)
-                     : modified         ? painted(tr("modified"), Ink::Warning)
-                                        : painted(tr("saved"), Ink::Faint));
+    const QStringList unsaved = unsavedFiles(m_document);
+    m_saved->setText(unsaved.isEmpty() ? painted(tr("saved"), Ink::Faint)
+                     : m_document.isNew() && unsaved.size() == 1
+                         ? painted(tr("not saved yet"), Ink::Warning)
+                         : painted(tr("unsaved: %1").arg(listed(unsaved, kMostUnsavedNamed)), Ink::Warning));
+    m_saved->setToolTip(unsaved.isEmpty()
+                            ? tr("Every file is as it is on the disk")
+                            : tr("Files with unsaved changes:") + QLatin1Char('\n') + unsaved.join(QLatin1Char('\n')));
 }
 
 void StatusLine::setLogs(const QString& folder) {

@@ -40,9 +40,8 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     : QWidget(parent), m_document(document), m_selection(selection), m_actions(actions), m_tabs(new QTabWidget(this)),
       m_nothing(new QLabel(tr("No experiment is open."), this)), m_files(new QToolButton(this)),
       m_commands(new TextCommands(actions, this)), m_uses(new ResultsList(QStringLiteral("uses"), this)),
-      m_found(new ResultsList(QStringLiteral("found"), this)),
-      m_completing(new Completing(
-          document, [this] { return m_folders; }, this)) {
+      m_found(new ResultsList(QStringLiteral("found"), this)), m_completing(new Completing(
+                                                                   document, [this] { return m_folders; }, this)) {
     setObjectName(QStringLiteral("textPanel"));
     m_tabs->setObjectName(QStringLiteral("textTabs"));
     m_tabs->setMovable(true);
@@ -84,8 +83,9 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     connect(m_uses, &ResultsList::chosen, this, &TextPanel::reveal);
     connect(&m_document, &Document::opened, this, &TextPanel::onOpened);
     connect(&m_document, &Document::changed, this, &TextPanel::onChanged);
-    m_finding = new Finding(m_document, *this, *m_bar, *m_found); // hears of a change behind the pages: it marks what they show then
-    connect(&m_document, &Document::modifiedChanged, this, &TextPanel::showTitles);
+    m_finding =
+        new Finding(m_document, *this, *m_bar, *m_found); // hears of a change behind the pages: it marks what they show then
+    connect(&m_document, &Document::modifiedChanged, this, &TextPanel::showModified);
     connect(&m_selection, &Selection::changed, this, &TextPanel::onSelectionChanged);
     addCommands();
     onOpened();
@@ -267,14 +267,23 @@ void TextPanel::removePage(FilePage& page) {
     page.deleteLater(); // one of its own signals may have led here
 }
 
+/// Every file with unsaved changes has a tab; one that the user closes stays closed until another edit.
+void TextPanel::showModified() {
+    const std::vector<std::string> modified = m_document.modifiedFiles();
+    for (const std::string& file : modified)
+        if (!m_opened.empty() && !std::ranges::count(m_modified, file) && !pageOf(file)) addPage(file);
+    m_modified = modified;
+    showTitles();
+}
+
 void TextPanel::showTitles() {
     for (FilePage* page : pages()) {
         const int tab = m_tabs->indexOf(page);
         const bool modified = m_document.isModified(page->file());
         QString title = page->file() == m_opened ? nameOf(m_document.path()) : nameOf(page->file());
-        m_tabs->setTabText(tab, modified ? title + QStringLiteral(" ●") : title);
+        m_tabs->setTabText(tab, modified ? title + QLatin1Char('*') : title);
         QString tip = QString::fromStdString(m_document.shown(page->file()));
-        if (modified) tip += QLatin1Char('\n') + tr("Changed since it was saved");
+        if (modified) tip += QLatin1Char('\n') + tr("Unsaved changes");
         m_tabs->setTabToolTip(tab, tip);
     }
 }

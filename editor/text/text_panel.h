@@ -85,6 +85,7 @@ private:
     void onOpened();
     void onChanged();
     void onSelectionChanged();
+    void showModified();
     void showTitles();
     void showWrap();
     void fillFileMenu();
@@ -117,7 +118,8 @@ private:
     WrapLines m_wrap = WrapLines::InNarrowPanes;
     QPointer<RenameField> m_rename;
     QTimer m_caretTimer;
-    std::string m_opened; ///< path of the opened file, as last seen
+    std::string m_opened;                ///< path of the opened file, as last seen
+    std::vector<std::string> m_modified; ///< files that were not saved, as last seen
     std::size_t m_historyAt = 0, m_historySize = 0;
     bool m_stepping = false;  ///< the document goes back or forth in its history
     bool m_selecting = false; ///< the selection changes because of this panel

@@ -1,12 +1,14 @@
 #include "editor/viewport/arrange.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include <QCoreApplication>
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/viewport/held_objects.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
@@ -158,6 +160,39 @@ void makeGrid(const ViewParts& parts, const ArrayCopy& copy) {
 
 } // namespace
 
+namespace {
+
+/// All copies of these objects; what has one parent is inserted together. Selects the originals and the copies.
+Result<EditPlan> planCopies(const Loaded& loaded, const std::vector<std::string>& originals, const ArrayCopy& copy,
+                            const StructureEdits::Renamed& renamed) {
+    std::map<std::string, std::string> blocks; // by parent
+    EditPlan all;
+    const int total = copy.count[0] * copy.count[1] * copy.count[2];
+    for (const std::string& original : originals) {
+        const std::string path = renamed(original),
+                          parent = path.substr(0, path.find('.') == std::string::npos ? 0 : path.rfind('.'));
+        const std::string text = textOf(loaded, {path});
+        const auto place = placeOf(loaded, path);
+        const Vec3 at = place ? poseAt(loaded, *place).position : Vec3::Zero();
+        for (int i = 1; i < total; ++i) {
+            const Vec3 steps(i % copy.count[0], i / copy.count[0] % copy.count[1], i / (copy.count[0] * copy.count[1]));
+            PlacedText block(text);
+            block.shift("Pos", steps.cwiseProduct(copy.spacing), at);
+            blocks[parent] += block.text() + "\n";
+        }
+        all.selects.push_back(path);
+    }
+    for (const auto& [parent, text] : blocks) {
+        Result<EditPlan> plan = planInsert(loaded, parent, text);
+        if (!plan) return plan;
+        for (auto& [file, edits] : plan.value().edits) std::ranges::move(edits, std::back_inserter(all.edits[file]));
+        std::ranges::move(plan.value().selects, std::back_inserter(all.selects));
+    }
+    return all;
+}
+
+} // namespace
+
 void copyInRows(const ViewParts& parts, const ArrayCopy& copy) {
     if (!parts.document.isOpen()) return;
     if (copy.asGrid) {
@@ -171,32 +206,17 @@ void copyInRows(const ViewParts& parts, const ArrayCopy& copy) {
         return refuse(
             parts,
             trArrange("That would be %1 copies; at most %2 are made, a Grid can hold more.").arg(total - 1).arg(kMostCopies));
-    const std::string key = "array " + std::to_string(parts.document.revision());
-    std::vector<std::string> all = originals;
-    parts.document.endMerge();
     for (const std::string& path : originals) {
-        const Loaded& loaded = *parts.document.loaded();
-        const auto place = placeOf(loaded, path);
-        if (!place || place->member) {
-            refuse(parts, trArrange("%1 has no text of its own to copy.").arg(QString::fromStdString(path)));
-            break;
-        }
-        const std::string text = textOf(loaded, {path}),
-                          parent = path.substr(0, path.rfind('.') == std::string::npos ? 0 : path.rfind('.'));
-        const Vec3 at = poseAt(loaded, *place).position;
-        std::string blocks;
-        for (int i = 1; i < total; ++i) {
-            const Vec3 steps(i % copy.count[0], i / copy.count[0] % copy.count[1], i / (copy.count[0] * copy.count[1]));
-            PlacedText block(text);
-            block.shift("Pos", steps.cwiseProduct(copy.spacing), at);
-            blocks += block.text() + "\n";
-        }
-        const Result<EditPlan> plan = planInsert(loaded, parent, blocks);
-        if (!parts.document.carryOut(trArrange("Array copy of %1").arg(QString::fromStdString(path)), plan, key)) break;
-        all.insert(all.end(), plan.value().selects.begin(), plan.value().selects.end());
+        const auto place = placeOf(*parts.document.loaded(), path);
+        if (place && !place->member) continue;
+        return refuse(parts, trArrange("%1 has no text of its own to copy.").arg(QString::fromStdString(path)));
     }
     parts.document.endMerge();
-    parts.selection.set(std::move(all));
+    const QString title = originals.size() == 1 ? trArrange("Array copy of %1").arg(QString::fromStdString(originals.front()))
+                                                : trArrange("Array copy of %1 objects").arg(originals.size());
+    (void)parts.document.structure().apply(title, originals, [originals, copy](const Loaded& loaded, const auto& renamed) {
+        return planCopies(loaded, originals, copy, renamed);
+    });
 }
 
 } // namespace trundle

@@ -9,6 +9,7 @@
 #include <QMimeData>
 
 #include "editor/document/document.h"
+#include "editor/document/structure_edits.h"
 #include "editor/running/session.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
@@ -214,7 +215,10 @@ void LibraryDrop::drop(const QPointF& at) {
         if (robot && robot->config) parent = robot->name;
     }
     const QString title = trDrop("Insert %1").arg(QString::fromStdString(m_cargo->kind));
-    (void)document.carryOut(title, planInsert(*document.loaded(), parent, m_cargo->text, m_cargo->imports));
+    const auto plan = [parent, cargo = *m_cargo](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+        return planInsert(loaded, renamed(parent), cargo.text, cargo.imports);
+    };
+    (void)document.structure().apply(title, {parent}, plan);
 }
 
 /// Of a module that may not be loaded yet: its cargo says which.

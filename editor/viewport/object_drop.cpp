@@ -6,6 +6,7 @@
 #include <QMimeData>
 
 #include "editor/document/selection.h"
+#include "editor/document/structure_edits.h"
 #include "editor/viewport/held_objects.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
@@ -93,9 +94,13 @@ void moveHere(View& view, const QPointF& at) {
 void copyHere(View& view, const QPointF& at) {
     const HeldObjects held(view.parts());
     if (held.empty()) return refuse(view, held);
-    Document& document = view.parts().document;
     const Vec3 inFrame = held.pivotFrame().rotation.conjugate() * wayTo(view, at, held);
-    (void)document.carryOut(trObject("Copy %1").arg(held.title()), planDuplicate(*document.loaded(), held.paths(), inFrame));
+    const auto plan = [paths = held.paths(), inFrame](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+        std::vector<std::string> now;
+        for (const std::string& path : paths) now.push_back(renamed(path));
+        return planDuplicate(loaded, now, inFrame);
+    };
+    (void)view.parts().document.structure().apply(trObject("Copy %1").arg(held.title()), held.paths(), plan);
 }
 
 } // namespace trundle

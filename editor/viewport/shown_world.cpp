@@ -25,7 +25,7 @@ bool hasBrokenSyntax(const Loaded& loaded) {
 } // namespace
 
 ShownWorld::ShownWorld(Document& document, RunSession& session, RenderService* render, QObject* parent)
-    : QObject(parent), m_document(document), m_session(session), m_render(render), m_stage(session.parts()) {
+    : QObject(parent), m_document(document), m_session(session), m_render(render) {
     connect(&m_document, &Document::changed, this, &ShownWorld::look);
     connect(&m_session, &RunSession::experimentChanged, this, &ShownWorld::look);
     connect(&m_session, &RunSession::stateChanged, this, &ShownWorld::look);
@@ -42,7 +42,7 @@ ShownWorld::~ShownWorld() {
 
 void ShownWorld::look() {
     const bool runs = m_session.experiment() && m_session.poses();
-    std::shared_ptr<const ExperimentSpec> experiment = runs ? m_session.experiment() : m_stage.show(m_document);
+    std::shared_ptr<const ExperimentSpec> experiment = runs ? m_session.experiment() : m_session.shown();
     if (experiment == m_experiment) {
         if (runs == m_running) return lookAtPoses();
         m_running = runs;
@@ -79,7 +79,7 @@ void ShownWorld::lookAtPoses() {
 }
 
 std::shared_ptr<const ExperimentSpec> ShownWorld::ghosts() const {
-    const std::shared_ptr<const ExperimentSpec> good = m_document.isOpen() ? m_stage.lastGood(m_document) : nullptr;
+    const std::shared_ptr<const ExperimentSpec> good = m_document.isOpen() ? m_session.lastGood() : nullptr;
     if (!good || !m_document.loaded()->diagnostics.hasErrors()) return nullptr;
     const Loaded& now = *m_document.loaded();
     const bool broken = hasBrokenSyntax(now);
@@ -153,6 +153,11 @@ bool ShownWorld::holds(const std::vector<std::string>& marks, const ObjectRef& o
         if (path.starts_with(mark) && (path.size() == mark.size() || path[mark.size()] == '.')) return true;
         return isMemberOf(path.substr(0, path.find('.')), mark);
     });
+}
+
+bool ShownWorld::isLocked(const ObjectRef& object) const {
+    const StaticSpec* fixed = m_objects->staticOf(object);
+    return (fixed && fixed->configName == kPreviewFloor) || holds(m_locked, object);
 }
 
 const Bounds& ShownWorld::bounds() const {

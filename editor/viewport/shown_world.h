@@ -8,7 +8,6 @@
 
 #include <QObject>
 
-#include "editor/viewport/stage.h"
 #include "render/service.h"
 #include "scene/camera_model.h"
 #include "scene/object_index.h"
@@ -66,7 +65,7 @@ public:
     /// As the render service names them.
     [[nodiscard]] const std::vector<std::string>& hiddenInScene() const { return m_hiddenInScene; }
     [[nodiscard]] bool isHidden(const ObjectRef& object) const { return holds(m_hidden, object); }
-    [[nodiscard]] bool isLocked(const ObjectRef& object) const { return holds(m_locked, object); }
+    [[nodiscard]] bool isLocked(const ObjectRef& object) const;
 
 Q_SIGNALS:
     void replaced(); ///< another experiment: poses too
@@ -87,7 +86,6 @@ private:
     Document& m_document;
     RunSession& m_session;
     RenderService* m_render;
-    Stage m_stage;
     std::shared_ptr<const ExperimentSpec> m_experiment;
     std::shared_ptr<const ObjectIndex> m_objects;
     std::shared_ptr<const BodyPoses> m_poses;

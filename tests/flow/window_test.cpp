@@ -162,7 +162,7 @@ private Q_SLOTS:
                                 "Static floor { Config=OpenFloor }\n";
         QTest::newRow("errors") << QByteArray(team + "Robot r { Config=SimpleRobot Possition=1,2,3 }\n") << 1
                                 << QByteArray("did not run: The text has an error");
-        QTest::newRow("nothing") << QByteArray("RobotConfig Lone { Body b { Box { Size=1,1,1 Mass=1 } } }\n") << 1
+        QTest::newRow("nothing") << QByteArray("StaticConfig Lone { Box { Size=1,1,1 } }\n") << 1
                                  << QByteArray("did not run: There is nothing to run");
         QTest::newRow("not trusted") << QByteArray("#loadModule mine\n" + team +
                                                    "Robot r { Config=SimpleRobot Failing brain { } }\n")

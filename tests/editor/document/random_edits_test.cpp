@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "editor/document/structure_edits.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -13,10 +14,19 @@ namespace {
 
 class RandomEdits {
 public:
-    RandomEdits(Document& document, const Desk& desk, unsigned seed) : m_document(document), m_desk(desk), m_random(seed) {}
+    RandomEdits(Document& document, const Desk& desk, unsigned seed)
+        : m_document(document), m_desk(desk), m_seed(seed), m_random(seed) {
+        document.structure().setAsker([this](const ShareQuestion&, const StructureEdits::Answer& answer) {
+            static constexpr ShareChoice kChoices[] = {ShareChoice::Cancel, ShareChoice::MakeCopy, ShareChoice::Cancel,
+                                                       ShareChoice::ChangeForAll};
+            const ShareChoice choice = kChoices[(m_seed + m_asked++) % 4]; // each of them, whatever the length of the walk
+            ++answers[choice];
+            answer(choice);
+        });
+    }
 
     void oneEdit() {
-        switch (below(8)) {
+        switch (below(10)) {
         case 0:
         case 1: return setValue();
         case 2: return type();
@@ -24,11 +34,16 @@ public:
         case 4: return m_document.undo();
         case 5: return m_document.redo();
         case 6: return leap();
+        case 7:
+        case 8: return changeStructure();
         default: return below(10) == 0 ? save() : setValue();
         }
     }
 
     std::size_t below(std::size_t count) { return m_random() % count; }
+
+    std::map<ShareChoice, int> answers; ///< that were given
+    int structures = 0, copies = 0;     ///< changes of structure that were made, and copies among them
 
 private:
     void setValue() {
@@ -45,6 +60,28 @@ private:
         std::vector<ValueEdit> values{choices[below(choices.size())]};
         if (below(3) == 0) values.push_back(choices[below(choices.size())]);
         (void)m_document.setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path);
+    }
+
+    /// Through an instance, in the config, or in a copy of it that an earlier edit made.
+    void changeStructure() {
+        const Loaded& before = *m_document.loaded();
+        std::vector<std::string> objects{"robot0", "robot1"};
+        for (const Part* config : before.outline->configs.all())
+            if (config->kind) objects.push_back(config->kind->name + "." + config->name);
+        const std::string object = objects[below(objects.size())], body = object + ".chassis";
+        const std::size_t configs = before.outline->configs.all().size(), which = below(4);
+        const std::string name = "part" + std::to_string(below(100));
+        const Status done = m_document.structure().apply(
+            u"Structure"_qs, {object}, [&](const Loaded& loaded, const auto& renamed) -> Result<EditPlan> {
+                switch (which) {
+                case 0: return planInsert(loaded, renamed(object), "Body " + name + " { Sphere ball { Radius=0.1 Mass=1 } }");
+                case 1: return planDuplicate(loaded, {renamed(body)}, Vec3(0.1, 0, 0));
+                case 2: return planRename(loaded, renamed(object + ".leftAxle"), name);
+                default: return planRemove(loaded, {renamed(object + ".rightAxle")});
+                }
+            });
+        structures += done.ok();
+        copies += m_document.loaded()->outline->configs.all().size() > configs;
     }
 
     void type() {
@@ -81,6 +118,8 @@ private:
 
     Document& m_document;
     const Desk& m_desk;
+    const unsigned m_seed;
+    unsigned m_asked = 0;
     std::mt19937 m_random;
 };
 
@@ -107,6 +146,10 @@ private Q_SLOTS:
             for (const std::string& file : {desk.main, desk.robot}) QCOMPARE(d.isModified(file), bytesOf(file) != *d.text(file));
             QCOMPARE(d.isModified(), d.isModified(desk.main) || d.isModified(desk.robot));
         }
+        QVERIFY(random.structures > edits / 50);
+        QVERIFY(!random.answers.empty());
+        m_answers.merge(random.answers);
+        m_copies += random.copies;
         d.moveTo(d.history().entries().size());
         QVERIFY(d.history().entries().size() > 5);
         const std::string endMain = *d.text(desk.main), endRobot = *d.text(desk.robot);
@@ -119,8 +162,15 @@ private Q_SLOTS:
         QCOMPARE(*d.text(desk.robot), endRobot);
     }
 
+    void everyChoiceWasTaken() {
+        QCOMPARE(m_answers.size(), 3u);
+        QVERIFY(m_copies > 0);
+    }
+
 private:
     std::unique_ptr<Parts> m_parts;
+    std::map<ShareChoice, int> m_answers;
+    int m_copies = 0;
 };
 
 QTEST_GUILESS_MAIN(RandomEditsTest)

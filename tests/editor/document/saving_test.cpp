@@ -168,7 +168,7 @@ private Q_SLOTS:
         const std::string copy = m_desk->path("configs/robots/simple_robot.sim");
         QVERIFY(d.open(mine).ok());
         set("a.Pos", "1,0,0");
-        set("RobotConfig.SimpleRobot.leftMotor.Resistance", "3");
+        typeResistance();
         set("Seed", "2");
         Status saved;
         {
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(d.open(sample).ok());
         QVERIFY(d.isSample(sample));
         set("robot0.Pos", "0.5,0,0");
-        set("RobotConfig.SimpleRobot.leftMotor.Resistance", "3");
+        typeResistance();
         const Status saved = d.save();
         QVERIFY(!saved.ok());
         QVERIFY(saved.error().message.find("Save As") != std::string::npos);
@@ -432,9 +432,13 @@ private Q_SLOTS:
     }
 
 private:
+    void typeResistance() {
+        const std::string robot = canonicalPath(TRUNDLE_SOURCE_DIR "/configs/robots/simple_robot.sim");
+        QByteArray text = QByteArray::fromStdString(*m_document->text(robot));
+        QVERIFY(m_document->replaceText(u"Typing"_qs, robot, text.replace("Resistance=2", "Resistance=3").toStdString()).ok());
+    }
     void set(const std::string& path, const std::string& text) {
-        const Status status = m_document->setValues(u"Set"_qs, {{path, text}});
-        QVERIFY2(status.ok(), why(status).c_str());
+        QCOMPARE(why(m_document->setValues(u"Set"_qs, {{path, text}})), "");
     }
 
     std::unique_ptr<Parts> m_parts;

@@ -15,6 +15,7 @@
 #include "eventually.h"
 #include "outlined.h"
 #include "parts/locations.h"
+#include "project/described.h"
 #include "render/service.h"
 
 using namespace trundle;
@@ -296,8 +297,10 @@ void LibraryTest::templatesLoadWithoutAWord() {
     QVERIFY(o.open(file.readAll()));
     for (const Diagnostic& d : o.document.loaded()->diagnostics.all()) QFAIL(d.message.c_str());
     const ExperimentSpec& experiment = *o.document.loaded()->experiment;
-    QVERIFY(!experiment.statics.empty());
-    QCOMPARE(experiment.robots.empty(), name == QStringLiteral("arena"));
+    const bool places = name == QStringLiteral("experiment"); // the others hold what they describe alone
+    QCOMPARE(experiment.robots.empty(), !places);
+    QCOMPARE(experiment.statics.empty(), !places);
+    QCOMPARE(describedAlone(*o.document.loaded()).size(), std::size_t(places ? 0 : 1));
 }
 
 QTEST_MAIN(LibraryTest)

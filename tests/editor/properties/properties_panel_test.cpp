@@ -181,7 +181,7 @@ private Q_SLOTS:
                                 << "rover.sim:14";
         QTest::newRow("override") << "robot0.leftMotor"
                                   << "Resistance"
-                                  << "set for this one alone"
+                                  << "override here; Rover has 2 ohm"
                                   << "main.sim:4";
         QTest::newRow("own") << "RobotConfig.Rover.leftMotor"
                              << "Resistance"

@@ -256,6 +256,56 @@ private Q_SLOTS:
         QVERIFY(desk.choose("Solver", "rowAsText"));
         QVERIFY(desk.field<QComboBox>("Solver"));
     }
+
+    void anOverrideSaysWhatItReplaces() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        desk.selection.select("robot0.leftMotor");
+        desk.picture("override_row");
+        const auto words = [&desk](const char* id) {
+            const auto* label = desk.field<QLabel>(id, "override");
+            return label && label->isVisible() ? label->text() : QString();
+        };
+        QVERIFY2(words("Resistance").contains(QStringLiteral("override here; Rover has 2 ohm")), qPrintable(words("Resistance")));
+        QVERIFY(words("MaxVoltage").isEmpty()); // the config's own
+        Q_EMIT desk.field<QLabel>("Resistance", "override")->linkActivated(QStringLiteral("push"));
+        QVERIFY(desk.rover().find("leftAxle TorqueConstant=0.02 SpeedConstant=50 Resistance=3") != std::string::npos);
+        QVERIFY(desk.text().find("Resistance") == std::string::npos);
+        QVERIFY(words("Resistance").isEmpty());
+        desk.document.undo();
+        Q_EMIT desk.field<QLabel>("Resistance", "override")->linkActivated(QStringLiteral("reset"));
+        QVERIFY(desk.rover().find("Resistance=3") == std::string::npos);
+        QVERIFY(desk.text().find("Resistance") == std::string::npos);
+        desk.document.undo();
+        desk.selection.set({"robot0.leftMotor", "robot1.leftMotor"});
+        QVERIFY2(words("Resistance").contains(QStringLiteral("override in 1 of 2")), qPrintable(words("Resistance")));
+        desk.selection.select("robot0");
+        desk.type("param.track", QStringLiteral("0.3"));
+        QVERIFY2(words("param.track").contains(QStringLiteral("Rover has 0.25")), qPrintable(words("param.track")));
+    }
+
+    /// Before anything is changed the header says where it goes.
+    void theHeaderSaysWhereAChangeGoes() {
+        PanelDesk desk;
+        QVERIFY(desk.open(kRobots));
+        const auto header = [&desk] {
+            QString all;
+            for (const QLabel* label : desk.panel.findChildren<QLabel*>())
+                if (label->isVisible() && label->textFormat() == Qt::RichText) all += label->text() + QLatin1Char('\n');
+            return all;
+        };
+        desk.selection.select("robot0.leftMotor");
+        QVERIFY2(header().contains(QStringLiteral("become overrides of robot0 in main.sim")), qPrintable(header()));
+        desk.selection.select("RobotConfig.Rover.leftMotor");
+        QVERIFY2(header().contains(QStringLiteral("for all 2 instances of Rover")), qPrintable(header()));
+        const std::string one = std::string(kRoverFile) + "Robot only { Config=Rover }\n";
+        QVERIFY(desk.document.open(desk.write("one.sim", one)).ok());
+        desk.selection.select("only.leftMotor");
+        EVENTUALLY(header().contains(QStringLiteral("go into Rover in one.sim: only only is made from it")));
+        desk.picture("header_config");
+        desk.type("Resistance", QStringLiteral("7"));
+        QCOMPARE(desk.text(), replaced(one, "Resistance=2", "Resistance=7"));
+    }
 };
 
 QTEST_MAIN(PropertyEditorsTest)

@@ -84,7 +84,7 @@ private Q_SLOTS:
         Actions actions(kRows);
         TransportBar bar(o.session, actions);
         QVERIFY(o.open("Surface rubber { Friction=1 }\nMaterial grey { }\n"
-                       "RobotConfig Cart { Body a { Box { Size=1,1,1 Mass=1 Material=grey Surface=rubber } } }\n"));
+                       "StaticConfig Yard { Box { Size=1,1,1 Material=grey Surface=rubber } }\n"));
         QCOMPARE(label(bar, "transportState"), QStringLiteral("Nothing to run"));
         o.session.run();
         QVERIFY(!o.session.isActive());

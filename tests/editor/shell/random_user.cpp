@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QScrollArea>
 #include <QTest>
@@ -104,9 +105,22 @@ void RandomUser::step() {
     for (const Deed& deed : kDeeds) {
         if (at < std::size_t(deed.share)) {
             m_doing = deed.name;
-            return (this->*deed.go)();
+            (this->*deed.go)();
+            return answerQuestion();
         }
         at -= std::size_t(deed.share);
+    }
+}
+
+/// What is asked about a config that others use too.
+void RandomUser::answerQuestion() {
+    while (auto* question = m_window.findChild<QMessageBox*>(QStringLiteral("shareQuestion"))) {
+        static const std::vector<const char*> buttons{"changeForAll", "makeCopy", nullptr};
+        const char* name = oneOf(buttons);
+        question->setObjectName({}); // it is deleted later
+        ++m_answers[name ? name : "cancel"];
+        if (name) question->findChild<QAbstractButton*>(QLatin1String(name))->click();
+        else question->reject();
     }
 }
 

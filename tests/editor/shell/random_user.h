@@ -3,6 +3,7 @@
 // What it does follows from the seed and from what the window shows.
 
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ public:
     void step();
     [[nodiscard]] const char* doing() const { return m_doing; }        ///< what the last step was
     [[nodiscard]] const QString& trouble() const { return m_trouble; } ///< what went wrong in it; empty: nothing
+    /// How often each button of the question about a shared config was pressed.
+    [[nodiscard]] const std::map<std::string, int>& answers() const { return m_answers; }
 
 private:
     struct Deed {
@@ -94,6 +97,7 @@ private:
     void caretSomewhere();
     void mendText();
     void waitForRun();
+    void answerQuestion();
     [[nodiscard]] std::string number();
 
     void waitFor(const std::function<bool()>& done, const char* what);
@@ -102,6 +106,7 @@ private:
     std::mt19937 m_random;
     const char* m_doing = "";
     QString m_trouble;
+    std::map<std::string, int> m_answers;
 };
 
 } // namespace trundle

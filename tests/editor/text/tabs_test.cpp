@@ -37,7 +37,7 @@ void TabsTest::tabsFollowTheDocument() {
     w.keys("1");
     w.panel.flush();
     QVERIFY(w.text(parts).contains("Param size = 10.1"));
-    QCOMPARE(tabs->tabText(1), QStringLiteral("parts.sim \u25CF"));
+    QCOMPARE(tabs->tabText(1), QStringLiteral("parts.sim*"));
     QCOMPARE(tabs->tabText(0), QStringLiteral("drive.sim"));
     w.document.undo();
     QCOMPARE(tabs->tabText(1), QStringLiteral("parts.sim"));

@@ -1,27 +1,45 @@
-#include "editor/viewport/stage.h"
+#include "editor/running/preview_scene.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
-#include "editor/document/described.h"
 #include "editor/document/document.h"
+#include "project/described.h"
 #include "scene/object_index.h"
 
 namespace trundle {
 namespace {
 
-constexpr double kGap = 0.3; // m
+constexpr double kGap = 0.3, kBelow = 1e-3; // m: between two of them; how far one may reach into the floor
+
+/// Floors like those of an open hall. Its names are no one else's.
+constexpr const char* kFloor = "Material trundlePreviewFloor { ColorRGB=0.60,0.59,0.56 }\n"
+                               "Surface trundlePreviewFloor { Friction=1 Restitution=0 }\n"
+                               "StaticConfig TrundlePreviewFloor { Plane floor { Material=trundlePreviewFloor "
+                               "Surface=trundlePreviewFloor } }\n"
+                               "Static trundlePreviewFloor { Config=TrundlePreviewFloor }\n";
+
+bool isRobot(const Part& config) { return config.kind && config.kind->name == "RobotConfig"; }
+
+bool hasFloor(const std::vector<const Part*>& configs) {
+    return std::ranges::any_of(configs, [](const Part* config) {
+        return std::ranges::any_of(
+            config->parts, [](const Part& p) { return p.kind && (p.kind->name == "Plane" || p.kind->name == "Heightfield"); });
+    });
+}
 
 /// A text beside the opened file that imports it and places each config once, in their order.
 std::string placing(const std::string& file, const std::vector<const Part*>& configs) {
     std::string text = "#import \"" + std::filesystem::path(file).filename().string() + "\"\n";
     for (std::size_t i = 0; i < configs.size(); ++i)
-        text += std::string(configs[i]->kind->name == "RobotConfig" ? "Robot" : "Static") + " stage" + std::to_string(i) +
+        text += std::string(isRobot(*configs[i]) ? "Robot" : "Static") + " preview" + std::to_string(i) +
                 " { Config=" + configs[i]->name + " }\n";
-    return text;
+    const bool robots = std::ranges::any_of(configs, [](const Part* config) { return isRobot(*config); });
+    return robots && !hasFloor(configs) ? text + kFloor : text;
 }
 
-/// Under the paths that their texts have, those behind the first one to its right.
+/// Under the paths that their texts have, those behind the first one to its right, none of them in the floor.
 std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
     const ObjectIndex index(std::make_shared<ExperimentSpec>(placed));
     const BodyPoses poses = startPoses(placed);
@@ -39,6 +57,7 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
         if (bounds.empty()) continue; // a floor alone
         const double shift = first ? 0 : right - kGap - bounds.high.y();
         (rover ? rover->pose : yard->pose).position.y() += shift;
+        if (rover && bounds.low.z() < -kBelow) rover->pose.position.z() -= bounds.low.z();
         right = bounds.low.y() + shift;
         first = false;
     }
@@ -47,31 +66,33 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
 
 } // namespace
 
-std::shared_ptr<const ExperimentSpec> Stage::show(const Document& document) {
+std::shared_ptr<const Loaded> PreviewScene::show(const Document& document) {
     const std::shared_ptr<const Loaded>& loaded = document.loaded();
     if (loaded == m_of) return m_shown;
-    m_of = loaded;
-    m_shown = loaded ? loaded->experiment : nullptr;
+    m_of = m_shown = loaded;
     if (!document.lastGood()) m_good = nullptr; // another document
-    const auto before = std::exchange(m_staged, nullptr);
+    const auto before = std::exchange(m_read, nullptr);
     const std::vector<const Part*> configs = loaded ? describedAlone(*loaded) : std::vector<const Part*>();
     if (configs.empty()) return m_shown;
     OpenOptions options = document.options();
     for (const std::string& file : document.files()) options.texts.emplace(file, document.text(file));
-    const std::string root = loaded->paths[0] + ".stage";
+    const std::string root = loaded->paths[0] + ".preview";
     options.texts.insert_or_assign(root, std::make_shared<const std::string>(placing(loaded->paths[0], configs)));
     options.previous = before;
+    options.shownFromProject = true;
     options.meshesLater = true; // the document reads them, and is another one then
-    const auto staged = m_parts.open(root, options);
-    if (!staged) return m_shown;
-    m_staged = staged.value();
-    m_shown = arranged(*m_staged->experiment);
-    if (!loaded->diagnostics.hasErrors()) m_good = m_shown;
+    const auto read = m_parts.open(root, options);
+    if (!read) return m_shown;
+    m_read = read.value();
+    auto shown = std::make_shared<Loaded>(*m_read);
+    shown->experiment = arranged(*m_read->experiment);
+    m_shown = std::move(shown);
+    if (!loaded->diagnostics.hasErrors()) m_good = m_shown->experiment;
     return m_shown;
 }
 
-std::shared_ptr<const ExperimentSpec> Stage::lastGood(const Document& document) const {
-    if (m_staged) return m_good;
+std::shared_ptr<const ExperimentSpec> PreviewScene::lastGood(const Document& document) const {
+    if (m_read) return m_good;
     return document.lastGood() ? document.lastGood()->experiment : nullptr;
 }
 

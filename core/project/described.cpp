@@ -1,4 +1,4 @@
-#include "editor/document/described.h"
+#include "project/described.h"
 
 #include <algorithm>
 

@@ -1,9 +1,11 @@
-// Files that only describe a robot or an arena: they are seen, taken hold of and edited where they are, and there is nothing to run.
+// Files that only describe a robot or an arena: they are seen, selected and edited where they are, and a robot runs on a floor that no
+// text has.
 #include <QtTest>
 
 #include "editor/viewport/gizmo_work.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "eventually.h"
 #include "project/plans.h"
 
 using namespace trundle;
@@ -20,7 +22,7 @@ const QByteArray kYard = "StaticConfig Yard {\n  Box wall { Size=0.4,0.4,0.4 Pos
 
 } // namespace
 
-class StageTest : public QObject {
+class PreviewSceneTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() { m_render = RenderService::startInBackground(); }
@@ -85,12 +87,63 @@ private Q_SLOTS:
         QVERIFY(world.find("RobotConfig.Rover.chassis"));
     }
 
+    /// It falls a little and lies on the floor, which cannot be selected; the text stays as it is.
+    void aRobotRunsOnAFloor() {
+        const QByteArray high = QByteArray(kRover).replace("Pos=0,0,0.1", "Pos=0,0,0.3");
+        open(high);
+        const ShownWorld& world = m_window->view().parts().world;
+        QCOMPARE(world.objects()->instances().size(), std::size_t(2));
+        QCOMPARE(selectedAt({2, 0, 0}), std::string());
+        RunSession& session = m_window->session;
+        QVERIFY(session.refusal().isEmpty());
+        session.setSpeed(0);
+        session.runFor(1);
+        EVENTUALLY(session.state() == RunState::Paused && session.time() >= 1);
+        const auto pose = session.robotPose("RobotConfig.Rover");
+        QVERIFY(pose && std::abs(pose->position.z() + 0.2) < 0.01); // the hull, 0.2 m above the floor before
+        QVERIFY(world.find("RobotConfig.Rover.chassis.mast"));
+        QVERIFY(!session.keepRefusal().isEmpty());
+        QCOMPARE(m_window->text(), high);
+        QVERIFY(!m_window->document.isModified());
+        QVERIFY(m_window->document.setValues({}, {{"RobotConfig.Rover.chassis.mast.Mass", "2"}}).ok());
+        QVERIFY(session.waitsForReset("RobotConfig.Rover.chassis.mast.Mass"));
+        session.reset();
+    }
+
+    /// What reaches below its own frame is lifted onto the floor.
+    void noRobotStartsInTheFloor() {
+        open(QByteArray(kRover).replace("Pos=0,0,0.1", "Pos=0,0,0"));
+        const ShownWorld& world = m_window->view().parts().world;
+        const auto rover = world.find("RobotConfig.Rover");
+        QVERIFY(rover && std::abs(world.boundsOf(*rover).low.z()) < 1e-9);
+    }
+
+    void theTemplateHoldsItsRobotAlone() {
+        QFile file(QStringLiteral(TRUNDLE_SOURCE_DIR "/resources/templates/robot.sim"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray text = file.readAll();
+        QVERIFY(m_window->document.openNew("robot.sim", text.toStdString()).ok());
+        QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
+        QVERIFY(m_window->document.loaded()->experiment->robots.empty());
+        const ShownWorld& world = m_window->view().parts().world;
+        QVERIFY(world.find("RobotConfig.NewRobot"));
+        RunSession& session = m_window->session;
+        session.setSpeed(0);
+        session.step();
+        EVENTUALLY(session.state() == RunState::Paused && session.time() > 0);
+        QVERIFY(session.drive("RobotConfig.NewRobot", 0.2, 0));
+        session.runFor(2);
+        EVENTUALLY(session.time() >= 2);
+        QVERIFY(session.robotPose("RobotConfig.NewRobot")->position.x() > 0.2); // it drives
+        session.reset();
+    }
+
     void runSaysWhyThereIsNothingToRun() {
-        open(kRover);
+        open(kYard);
         QSignalSpy refused(&m_window->session, &RunSession::refused);
         m_window->session.run();
         QCOMPARE(refused.size(), 1);
-        QVERIFY2(refused[0][0].toString().contains(QStringLiteral("describes Rover")), qPrintable(refused[0][0].toString()));
+        QVERIFY2(refused[0][0].toString().contains(QStringLiteral("describes Yard")), qPrintable(refused[0][0].toString()));
         QCOMPARE(m_window->session.state(), RunState::Start);
         open("Tick = 0.01\n"); // nothing is described: an empty world may run
         QVERIFY(m_window->session.refusal().isEmpty());
@@ -128,5 +181,5 @@ private:
     std::unique_ptr<ViewWindow> m_window;
 };
 
-QTEST_MAIN(StageTest)
-#include "stage_test.moc"
+QTEST_MAIN(PreviewSceneTest)
+#include "preview_scene_test.moc"

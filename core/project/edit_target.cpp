@@ -1,0 +1,123 @@
+#include "project/edit_target.h"
+
+#include <algorithm>
+
+#include "project/plan_targets.h"
+#include "project/search.h"
+
+namespace trundle {
+
+namespace {
+
+/// Of an instance: the config that a path below it leads into, and the path there. Null where it leads to what is the instance's own.
+struct ConfigPath {
+    const Part* config = nullptr;
+    const Part* holder = nullptr; ///< block that has the value
+    std::string within;           ///< "leftMotor.Resistance", "trackWidth"
+};
+
+ConfigPath configPathOf(const Loaded& loaded, const ObjectPlace& place, const std::string& key) {
+    const Part* config = place.instance ? configOf(loaded, *place.instance) : nullptr;
+    if (!config || !place.part) return {};
+    if (place.part == place.instance) {
+        const bool own = place.instance->kind && place.instance->kind->find(key);
+        const bool theirs = config->param(key) || (config->kind && config->kind->find(key));
+        return own || !theirs ? ConfigPath{} : ConfigPath{config, config, key};
+    }
+    const bool through = place.above.empty() || place.above.front() == config;
+    return through ? ConfigPath{config, place.part, place.within + "." + key} : ConfigPath{};
+}
+
+std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
+
+/// Anything but the block's own first characters.
+bool isInside(const SourceRange& edit, const SourceRange& block) {
+    return edit.file == block.file && block.range.begin < edit.range.begin && edit.range.end <= block.range.end &&
+           edit.range.begin < block.range.end;
+}
+
+bool changesInside(const Part& part, const std::vector<TextEdit>& edits) {
+    return std::any_of(edits.begin(), edits.end(), [&](const TextEdit& edit) { return isInside(edit.range, part.range); });
+}
+
+bool isChanged(const Part& part, const FileEdits& edits) {
+    const auto here = edits.find(part.range.file);
+    if (here != edits.end() && changesInside(part, here->second)) return true;
+    return std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& inner) {
+        return inner.range.file != part.range.file && isChanged(inner, edits); // from a file that the block imports
+    });
+}
+
+} // namespace
+
+bool isShippedFile(const Loaded& loaded, FileId file) {
+    if (file == 0 || file >= loaded.paths.size() || loaded.shippedConfigs.empty()) return false;
+    return loaded.paths[file].starts_with(loaded.shippedConfigs + "/");
+}
+
+std::vector<const Part*> instancesOf(const Loaded& loaded, const Part& config) {
+    std::vector<const Part*> instances;
+    for (const auto& part : loaded.outline->parts)
+        if (isPlaced(*part) && configOf(loaded, *part) == &config) instances.push_back(part.get());
+    return instances;
+}
+
+bool EditTarget::isShared(const Loaded& loaded) const {
+    if (!config || isOverride) return false;
+    if (config->file != 0 || (instance && instances > 1)) return true;
+    return std::any_of(users.begin(), users.end(), [&](const std::string& user) { return user != loaded.paths[0]; });
+}
+
+EditTarget targetOfStructure(const Loaded& loaded, const Part& config, const Part* instance, ConfigUsers& users) {
+    EditTarget target;
+    target.path = pathOfConfig(config);
+    target.file = config.file;
+    target.config = &config;
+    target.instance = instance;
+    target.isShipped = isShippedFile(loaded, config.file);
+    target.instances = instancesOf(loaded, config).size();
+    if (!target.isShipped) target.users = users.of(loaded, config);
+    return target;
+}
+
+EditTarget targetOfValue(const Loaded& loaded, const std::string& propertyPath, ConfigUsers& users) {
+    EditTarget target;
+    target.path = propertyPath;
+    const std::size_t dot = propertyPath.rfind('.');
+    if (dot == std::string::npos) return target;
+    const std::string key = propertyPath.substr(dot + 1);
+    const std::optional<ObjectPlace> place = placeOf(loaded, propertyPath.substr(0, dot));
+    if (!place || !place->part || place->member) return target;
+    target.file = place->part->file;
+    const Part* top = place->above.empty() ? place->part : place->above.front();
+    if (!place->instance) {
+        if (top->is(Role::Config)) target.config = top;
+        target.isShipped = target.config && isShippedFile(loaded, target.file);
+        return target;
+    }
+    target.instance = place->instance;
+    const ConfigPath inConfig = configPathOf(loaded, *place, key);
+    if (!inConfig.config) return target;
+    target.config = inConfig.config;
+    target.isOverride = true;
+    target.file = place->instance->file;
+    target.instances = instancesOf(loaded, *inConfig.config).size();
+    const bool apart = inConfig.config->file != target.file || inConfig.holder->file != target.file;
+    if (apart || target.instances != 1 || place->instance->assignments.find(inConfig.within)) return target;
+    std::vector<std::string> all = users.of(loaded, *inConfig.config);
+    if (std::any_of(all.begin(), all.end(), [&](const std::string& user) { return user != loaded.paths[target.file]; }))
+        return target;
+    target.isOverride = false;
+    target.path = pathOfConfig(*inConfig.config) + "." + inConfig.within;
+    target.users = std::move(all);
+    return target;
+}
+
+std::vector<const Part*> configsChangedBy(const Loaded& loaded, const EditPlan& plan) {
+    std::vector<const Part*> changed;
+    for (const Part* config : loaded.outline->configs.all())
+        if (isChanged(*config, plan.edits)) changed.push_back(config);
+    return changed;
+}
+
+} // namespace trundle

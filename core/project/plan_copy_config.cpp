@@ -1,0 +1,184 @@
+// needs        a config and the instances that are to use a copy of it
+// assumptions  what the config names is found by name wherever the copy is; only files are looked for from the folder of the text
+// method       the block's text, with its name and the words of files changed, before the first instance; each instance's Config is set
+// data         edits of the block count from its first byte
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "lang/characters.h"
+#include "lang/edit_style.h"
+#include "lang/tree_edit.h"
+#include "project/edit_sheet.h"
+#include "project/edit_target.h"
+#include "project/import_lines.h"
+#include "project/object_names.h"
+#include "project/plan_targets.h"
+#include "project/search.h"
+
+namespace trundle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The beginning of the line of a block, or of the comments right above it.
+std::uint32_t aboveBlock(const Tree& tree, std::uint32_t at) {
+    const std::string_view bytes = tree.source().bytes();
+    const auto lineStart = [&](std::uint32_t from) {
+        while (from > 0 && bytes[from - 1] != '\n' && bytes[from - 1] != '\r') --from;
+        return from;
+    };
+    std::uint32_t start = lineStart(at);
+    if (!std::all_of(bytes.begin() + start, bytes.begin() + at, isBlank)) return at; // behind another item of its line
+    const auto& tokens = tree.tokens();
+    for (;;) {
+        std::uint32_t end = start; // of the line above
+        if (end > 0 && bytes[end - 1] == '\n') --end;
+        if (end > 0 && bytes[end - 1] == '\r') --end;
+        if (end == start) return start;
+        const std::uint32_t begin = lineStart(end);
+        const auto comment = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
+            return token.kind == TokenKind::LineComment && begin <= token.range.begin && token.range.end <= end;
+        });
+        if (comment == tokens.end() || !std::all_of(bytes.begin() + begin, bytes.begin() + comment->range.begin, isBlank))
+            return start;
+        start = begin;
+    }
+}
+
+class ConfigCopy {
+public:
+    ConfigCopy(const Loaded& loaded, const Part& config, std::vector<const Part*> instances)
+        : m_loaded(loaded), m_config(config), m_instances(std::move(instances)), m_sheet(loaded) {
+        std::stable_sort(m_instances.begin(), m_instances.end(),
+                         [](const Part* a, const Part* b) { return a->range.range.begin < b->range.range.begin; });
+        if (!m_instances.empty()) m_home = m_instances.front()->file;
+    }
+
+    Result<EditPlan> plan() {
+        const std::string name = TakenNames(m_loaded, nullptr, m_config.kind).take(m_config.name);
+        const Result<std::string> text = block(name);
+        if (!text.ok()) return text.error();
+        write(text.value());
+        for (const Part* instance : m_instances) {
+            const PlacedAssignment* a = instance->assignments.find("Config");
+            if (a && a->file == m_home) m_sheet.add(editSetValue(*m_loaded.trees[m_home], *a->value, name));
+        }
+        if (Status status = import(); !status.ok()) return status.error();
+        return m_sheet.plan({m_config.kind->name + "." + name});
+    }
+
+private:
+    /// The block under its new name, without the indent of its place.
+    Result<std::string> block(const std::string& name) {
+        const SourceRange whole = m_config.range;
+        std::vector<TextEdit> edits{{{whole.file, m_config.block->name->range}, name}};
+        if (fs::path(m_loaded.paths[m_home]).parent_path() != fs::path(m_loaded.paths[whole.file]).parent_path())
+            collectFiles(*m_config.block, edits);
+        for (TextEdit& edit : edits) {
+            edit.range.range.begin -= whole.range.begin;
+            edit.range.range.end -= whole.range.begin;
+        }
+        const Result<std::string> text = applyEdits(m_loaded.outline->texts().slice(whole), edits);
+        if (!text.ok()) return text.error();
+        const std::size_t indent = indentOfLine(m_loaded.trees[whole.file]->source().bytes(), whole.range.begin).size();
+        std::string from;
+        if (whole.file != m_home)
+            from = "// A copy of " + m_config.name + " in " + shownInProject(m_loaded.paths[whole.file], m_loaded.projectFolder) +
+                   ", for this file alone.\n";
+        return from + dedented(text.value(), indent);
+    }
+
+    /// Words of files that mean another one, or none, from the folder of the copy.
+    void collectFiles(const BlockItem& block, std::vector<TextEdit>& edits) const {
+        const Kind* kind = m_loaded.registry->find(block.type.text);
+        for (const Item& item : block.items) {
+            if (const auto* inner = item.as<BlockItem>()) collectFiles(*inner, edits);
+            if (const auto* import = item.as<ImportItem>()) {
+                const auto& imports = m_loaded.outline->texts().imports;
+                if (const auto file = imports.find(import); file != imports.end())
+                    change(import->pathRange, import->path, m_loaded.paths[file->second], edits);
+            }
+            const auto* a = item.as<AssignmentItem>();
+            const Property* property = a && kind && a->path.size() == 1 ? kind->find(a->path[0].text) : nullptr;
+            if (!property || property->type != PropertyType::File) continue;
+            for (const Element& e : a->value.elements) {
+                const auto named = m_loaded.named.find({m_config.file, e.text});
+                if (named != m_loaded.named.end() && !named->second.path.empty())
+                    change(e.range, e.text, named->second.path, edits);
+            }
+        }
+    }
+
+    void change(TextRange range, const std::string& written, const std::string& path, std::vector<TextEdit>& edits) const {
+        const fs::path here = fs::path(m_loaded.paths[m_home]).parent_path();
+        const FileSearch search(m_loaded.importFolders);
+        const auto leads = [&](const std::string& words) {
+            const Result<std::string> found = search.find(words, here.string());
+            return found && found.value() == path;
+        };
+        std::error_code none;
+        const fs::path before = fs::path(m_loaded.paths[m_config.file]).parent_path();
+        const bool beside = fs::weakly_canonical(before / written, none) == path;
+        if (!beside || leads(written)) return; // it was found in a folder that is searched from anywhere
+        std::vector<std::string> words;
+        for (const std::string& folder : m_loaded.importFolders)
+            if (!folder.empty()) words.push_back(fs::path(path).lexically_relative(folder).string());
+        words.push_back(fs::path(path).lexically_relative(here).string());
+        const auto fit = std::find_if(words.begin(), words.end(),
+                                      [&](const std::string& w) { return !w.empty() && !w.starts_with("..") && leads(w); });
+        edits.push_back({{m_config.file, range}, "\"" + (fit == words.end() ? words.back() : *fit) + "\""});
+    }
+
+    void write(const std::string& text) {
+        if (m_instances.empty()) return m_sheet.addItem(m_home, nullptr, text);
+        const Tree& tree = *m_loaded.trees[m_home];
+        const std::uint32_t at = aboveBlock(tree, m_instances.front()->range.range.begin);
+        const std::string lineEnd = editStyle(tree).lineEnd;
+        const std::string_view bytes = tree.source().bytes();
+        const bool first =
+            at == 0 || bytes[at - 1] == '\n' || bytes[at - 1] == '\r' || (at == 3 && bytes.starts_with("\xEF\xBB\xBF"));
+        std::string out = first ? "" : lineEnd;
+        for (const char c : text) out += c == '\n' ? lineEnd : std::string(1, c);
+        m_sheet.add({{m_home, {at, at}}, out + lineEnd + lineEnd});
+    }
+
+    /// What the block names, where the new text would not get it from what it imports already.
+    Status import() {
+        if (m_config.file == m_home) return {};
+        std::vector<std::string> paths;
+        for (const Mention& mention : mentionsIn(m_loaded)) {
+            if (!mention.user || !isWithin(mention.user->range, m_config.range)) continue;
+            for (const auto& part : m_loaded.outline->parts)
+                if (mention.target == part->block && part->file != m_home) paths.push_back(m_loaded.paths[part->file]);
+            for (const PlacedParam& param : m_loaded.outline->params)
+                if (mention.param && param.name == &mention.param->name && param.file != m_home)
+                    paths.push_back(m_loaded.paths[param.file]);
+        }
+        Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, m_home, paths);
+        if (!edits.ok()) return edits.error();
+        for (TextEdit& edit : edits.value()) m_sheet.addFirst(std::move(edit));
+        return {};
+    }
+
+    const Loaded& m_loaded;
+    const Part& m_config;
+    std::vector<const Part*> m_instances;
+    EditSheet m_sheet;
+    FileId m_home = 0;
+};
+
+} // namespace
+
+Result<EditPlan> planCopyConfig(const Loaded& loaded, const Part& config, const std::vector<const Part*>& instances) {
+    if (!config.kind || !config.block->name) return Error{Code::WrongPlace, config.title() + " cannot be copied: it has no name"};
+    for (const Part* instance : instances)
+        if (isShippedFile(loaded, instance->file))
+            return Error{Code::FileUnwritable, instance->title() + " is in " + loaded.trees[instance->file]->source().path() +
+                                                   ", which came with the program and is read-only; place one in your own file"};
+    return ConfigCopy(loaded, config, instances).plan();
+}
+
+} // namespace trundle

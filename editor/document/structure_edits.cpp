@@ -1,0 +1,248 @@
+// needs        a plan, and the objects that it was asked for
+// method       the plan is made; for each config that it changes it is decided whether that one is changed or a copy; a copy is made in
+//              texts in memory, which are read, and the plan is made again for them; at last all goes into the document as one edit
+
+#include "editor/document/structure_edits.h"
+
+#include <algorithm>
+#include <set>
+
+#include "editor/document/document.h"
+#include "lang/tree_edit.h"
+#include "project/text_splice.h"
+
+namespace trundle {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+std::string keyOf(const Loaded& loaded, const Part& config) { return loaded.paths[config.file] + "#" + config.name; }
+
+std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
+
+bool startsWithPath(const std::string& path, const std::string& start) { return path == start || path.starts_with(start + "."); }
+
+} // namespace
+
+struct StructureEdits::Work {
+    QString name;
+    std::vector<std::string> paths;
+    Plan plan;
+    std::string mergeKey;
+    std::uint64_t revision = 0;                ///< of the document that `loaded` comes from
+    std::shared_ptr<const Loaded> loaded;      ///< with the copies that are made
+    FileTexts texts;                           ///< that differ from the document's
+    std::map<std::string, std::string> copies; ///< paths of configs and of their copies
+    std::set<std::string> decided;             ///< keys of configs that are changed themselves
+    QStringList notices;
+    Status status;
+    bool answered = false;
+
+    [[nodiscard]] std::string renamed(const std::string& path) const {
+        for (const auto& [from, to] : copies)
+            if (startsWithPath(path, from)) return to + path.substr(from.size());
+        return path;
+    }
+};
+
+QString StructureEdits::shown(const std::string& file) const { return text(m_document.shown(file)); }
+
+Status StructureEdits::apply(const QString& name, const std::vector<std::string>& paths, Plan plan, const std::string& mergeKey) {
+    if (!m_document.isOpen() || m_document.isReadOnly()) return m_document.edit({}, {}); // says why it is refused
+    auto work = std::make_shared<Work>();
+    work->name = name;
+    work->paths = paths;
+    work->plan = std::move(plan);
+    work->mergeKey = mergeKey;
+    work->loaded = m_document.loaded();
+    work->revision = m_document.revision();
+    return advance(work);
+}
+
+Status StructureEdits::rename(const QString& name, const std::string& path, const std::string& to) {
+    if (!m_document.isOpen()) return m_document.edit({}, {}); // says why it is refused
+    const auto place = placeOf(*m_document.loaded(), path);
+    const Part* top = !place || !place->part ? nullptr : place->above.empty() ? place->part : place->above.front();
+    if (!top || !top->is(Role::Config)) return m_document.carryOut(name, planRename(*m_document.loaded(), path, to));
+    return apply(name, {path},
+                 [path, to](const Loaded& loaded, const Renamed& renamed) { return planRename(loaded, renamed(path), to); });
+}
+
+Status StructureEdits::advance(const std::shared_ptr<Work>& work) {
+    constexpr int kMostCopies = 100;
+    for (int copies = 0; copies < kMostCopies; ++copies) {
+        const Loaded& loaded = *work->loaded;
+        Result<EditPlan> plan = work->plan(loaded, [&work](const std::string& path) { return work->renamed(path); });
+        if (!plan) return m_document.carryOut(work->name, plan);
+        const Part* next = nullptr;
+        for (const Part* config : configsChangedBy(loaded, plan.value()))
+            if (!next && !work->decided.contains(keyOf(loaded, *config))) next = config;
+        if (!next) return finish(*work, plan.value());
+        const std::string key = keyOf(loaded, *next);
+        if (work->copies.contains(pathOfConfig(*next)))
+            return m_document.carryOut({}, Error{Code::WrongPlace, next->title() + " is changed by this as well as its copy; "
+                                                                                   "change it for all instead"});
+        const EditTarget target = targetOfStructure(loaded, *next, nullptr, m_users);
+        const bool isOwn = std::ranges::none_of(target.users, [&](const std::string& user) { return user != loaded.paths[0]; }) &&
+                           next->file == 0 && copyUsers(*work, *next).size() == target.instances;
+        const auto known = m_chosen.find(key);
+        if (target.isShipped || (known != m_chosen.end() && known->second == ShareChoice::MakeCopy && !isOwn)) {
+            if (Status done = copy(*work, *next); !done) return m_document.carryOut({}, done.error());
+        } else if (isOwn || known != m_chosen.end() || !m_asker) {
+            work->decided.insert(key);
+        } else {
+            return ask(work, *next);
+        }
+    }
+    return m_document.carryOut({}, Error{Code::Internal, "this changes too many configs at once"});
+}
+
+/// The instances that get a copy: those through which the config is edited where it is in their file, else all of that file.
+std::vector<const Part*> StructureEdits::copyUsers(const Work& work, const Part& config) const {
+    const Loaded& loaded = *work.loaded;
+    std::vector<const Part*> edited;
+    for (const std::string& path : work.paths) {
+        const auto place = placeOf(loaded, work.renamed(path));
+        const Part* instance = place ? place->instance : nullptr;
+        if (instance && configOf(loaded, *instance) == &config && std::ranges::find(edited, instance) == edited.end())
+            edited.push_back(instance);
+    }
+    const FileId home = edited.empty() ? FileId{0} : edited.front()->file;
+    std::vector<const Part*> all = instancesOf(loaded, config);
+    std::erase_if(all, [&](const Part* p) {
+        return p->file != home || (config.file == home && !edited.empty() && std::ranges::find(edited, p) == edited.end());
+    });
+    return all;
+}
+
+Status StructureEdits::ask(const std::shared_ptr<Work>& work, const Part& config) {
+    const Loaded& loaded = *work->loaded;
+    const std::vector<const Part*> instances = copyUsers(*work, config);
+    ShareQuestion question;
+    question.config = text(config.name);
+    question.file = shown(loaded.paths[config.file]);
+    question.copyFile = shown(loaded.paths[instances.empty() ? FileId{0} : instances.front()->file]);
+    for (const std::string& user : m_users.of(loaded, config)) question.users += shown(user);
+    for (const Part* instance : instances) question.copyFor += text(instance->name);
+    question.instances = instancesOf(loaded, config).size();
+    const std::string key = keyOf(loaded, config);
+    m_asker(question, [this, work, key](ShareChoice choice) {
+        if (std::exchange(work->answered, true)) return;
+        if (choice == ShareChoice::Cancel) return;
+        m_chosen[key] = choice;
+        if (work->revision != m_document.revision()) { // edited meanwhile: begin with what there is now
+            work->loaded = m_document.loaded();
+            work->revision = m_document.revision();
+            work->texts.clear(), work->copies.clear(), work->decided.clear(), work->notices.clear();
+        }
+        work->answered = false;
+        work->status = m_document.isOpen() ? advance(work) : Status();
+    });
+    return work->status;
+}
+
+Status StructureEdits::copy(Work& work, const Part& config) {
+    const Loaded& loaded = *work.loaded;
+    const std::vector<const Part*> instances = copyUsers(work, config);
+    const bool isShipped = isShippedFile(loaded, config.file);
+    const Result<EditPlan> plan = planCopyConfig(loaded, config, instances);
+    if (!plan) return plan.error();
+    const std::string from = pathOfConfig(config), to = plan.value().selects.front();
+    const QString copyName = text(to.substr(to.rfind('.') + 1));
+    const QString file = shown(loaded.paths[instances.empty() ? FileId{0} : instances.front()->file]);
+    const QString made = instances.empty() ? QObject::tr("%1 is a copy of it in %2").arg(copyName, file)
+                         : instances.size() == 1
+                             ? QObject::tr("%1 uses %2, a copy of it in %3").arg(text(instances[0]->name), copyName, file)
+                             : QObject::tr("%1 instances use %2, a copy of it in %3").arg(instances.size()).arg(copyName, file);
+    work.notices += (isShipped ? QObject::tr("%1 came with Trundle and is read-only: %2") : QObject::tr("%1 stays as it is: %2"))
+                        .arg(text(config.name), made);
+    if (Status read = reload(work, plan.value()); !read) return read;
+    work.copies[from] = to;
+    const auto copied = placeOf(*work.loaded, to);
+    if (!copied || !copied->part) return Error{Code::Internal, from + " could not be copied"};
+    work.decided.insert(keyOf(*work.loaded, *copied->part));
+    return {};
+}
+
+Status StructureEdits::reload(Work& work, const EditPlan& plan) {
+    for (const auto& [file, edits] : plan.edits) {
+        Result<std::string> bytes = applyEdits(work.loaded->trees[file]->source().bytes(), edits);
+        if (!bytes) return bytes.error();
+        work.texts.insert_or_assign(work.loaded->paths[file], std::make_shared<const std::string>(std::move(bytes).value()));
+    }
+    Result<std::shared_ptr<const Loaded>> loaded = m_document.loadedWith(work.texts);
+    if (!loaded) return loaded.error();
+    work.loaded = std::move(loaded).value();
+    return {};
+}
+
+Status StructureEdits::finish(Work& work, const EditPlan& plan) {
+    const Loaded& loaded = *work.loaded;
+    for (const auto& [file, edits] : plan.edits)
+        if (isShippedFile(loaded, file))
+            return m_document.carryOut({},
+                                       Error{Code::FileUnwritable, m_document.shown(loaded.paths[file]) +
+                                                                       " came with the program and is read-only; copy what you "
+                                                                       "want to change into your own file"});
+    if (work.copies.empty()) return m_document.carryOut(work.name, plan, work.mergeKey);
+    const std::vector<std::string> selects = plan.selects;
+    if (Status read = reload(work, plan); !read) return m_document.carryOut({}, read.error());
+    EditPlan all{{}, selects};
+    const std::vector<std::string>& paths = m_document.loaded()->paths;
+    for (const auto& [path, after] : work.texts) {
+        const auto file = static_cast<FileId>(std::ranges::find(paths, path) - paths.begin());
+        if (file == paths.size()) return m_document.carryOut({}, Error{Code::Internal, path + " is no file of this project"});
+        const TextSplice splice = spliceBetween(*m_document.text(path), *after);
+        const auto begin = static_cast<std::uint32_t>(splice.at), end = begin + static_cast<std::uint32_t>(splice.removed.size());
+        if (!splice.empty()) all.edits[file].push_back({{file, {begin, end}}, splice.inserted});
+    }
+    const Status done = m_document.carryOut(work.name, all, work.mergeKey);
+    if (done && !work.notices.isEmpty()) Q_EMIT m_document.notice(work.notices.join(u"; "_qs));
+    return done;
+}
+
+EditTarget StructureEdits::targetOf(const std::string& propertyPath) {
+    return targetOfValue(*m_document.loaded(), propertyPath, m_users);
+}
+
+Result<std::vector<std::string>> StructureEdits::pathsForValues(const std::vector<std::string>& asked,
+                                                                const std::string& mergeKey) {
+    if (m_gesture != mergeKey || !m_document.history().canWithdraw(mergeKey)) m_targets.clear(), m_copies.clear();
+    m_gesture = mergeKey;
+    std::vector<std::string> paths;
+    for (const std::string& path : asked) {
+        if (!m_targets.contains(path)) {
+            const EditTarget target = targetOf(path);
+            const std::string config = target.isShipped ? pathOfConfig(*target.config) : std::string();
+            if (target.isShipped && !m_copies.contains(config)) {
+                Result<std::string> copy = copyConfig(config, mergeKey);
+                if (!copy) return copy.error();
+                m_copies.emplace(config, std::move(copy).value());
+            }
+            m_targets.emplace(path, target.isShipped ? m_copies.at(config) + path.substr(config.size()) : target.path);
+        }
+        paths.push_back(m_targets.at(path));
+    }
+    return paths;
+}
+
+Result<std::string> StructureEdits::copyConfig(const std::string& path, const std::string& mergeKey) {
+    Work work;
+    work.paths = {path};
+    work.loaded = m_document.loaded();
+    const auto place = placeOf(*work.loaded, path);
+    const Part* top = !place || !place->part ? nullptr : place->above.empty() ? place->part : place->above.front();
+    const Part* config = place && place->instance ? configOf(*work.loaded, *place->instance) : top;
+    if (!config || !config->is(Role::Config)) return Error{Code::NoSuchPath, path + " is no part of a config"};
+    const std::string from = pathOfConfig(*config);
+    if (Status done = copy(work, *config); !done) return done.error();
+    EditPlan none;
+    work.name = QObject::tr("Copy %1").arg(text(config->name));
+    work.mergeKey = mergeKey;
+    if (mergeKey.empty()) none.selects = {work.copies.at(from)};
+    if (Status done = finish(work, none); !done) return done.error();
+    return work.copies.at(from);
+}
+
+} // namespace trundle

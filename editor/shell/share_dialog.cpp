@@ -1,0 +1,55 @@
+#include "editor/shell/share_dialog.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "editor/shell/unsaved_files.h"
+
+namespace trundle {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ShareDialog", text); }
+
+constexpr qsizetype kMostUsersNamed = 8;
+
+QString usersOf(const ShareQuestion& question) {
+    const auto files = question.users.size();
+    if (files > 1) return tr("%1 files use it").arg(files);
+    if (question.instances > 1) return tr("%1 instances use it").arg(question.instances);
+    return files == 1 ? tr("1 file uses it") : tr("no file uses it yet");
+}
+
+} // namespace
+
+void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const StructureEdits::Answer& answer) {
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Shared config"),
+                        tr("This changes the structure of %1, which is defined in %2.").arg(question.config, question.file),
+                        QMessageBox::Cancel, parent);
+    box->setObjectName(QStringLiteral("shareQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const bool one = question.copyFor.size() == 1;
+    QString more =
+        question.users.isEmpty() ? QString() : tr("Used by %1.").arg(listed(question.users, kMostUsersNamed)) + QStringLiteral("\n\n");
+    more +=
+        question.copyFor.isEmpty() ? tr("A copy goes into %1.").arg(question.copyFile)
+        : one
+            ? tr("A copy goes into %1, and %2 uses it from then on.").arg(question.copyFile, question.copyFor.front())
+            : tr("A copy goes into %1, and %2 use it from then on.").arg(question.copyFile, listed(question.copyFor, kMostUsersNamed));
+    box->setInformativeText(more + QLatin1Char(' ') +
+                            tr("The answer holds for %1 until this window closes.").arg(question.config));
+    QPushButton* all =
+        box->addButton(tr("Change %1 for all (%2)").arg(question.config, usersOf(question)), QMessageBox::AcceptRole);
+    all->setObjectName(QStringLiteral("changeForAll"));
+    QPushButton* copy = box->addButton(tr("Make a copy for this experiment"), QMessageBox::AcceptRole);
+    copy->setObjectName(QStringLiteral("makeCopy"));
+    box->setDefaultButton(copy);
+    QObject::connect(box, &QMessageBox::finished, box, [box, all, copy, answer] {
+        const QAbstractButton* clicked = box->clickedButton();
+        answer(clicked == all ? ShareChoice::ChangeForAll : clicked == copy ? ShareChoice::MakeCopy : ShareChoice::Cancel);
+    });
+    box->open();
+}
+
+} // namespace trundle

@@ -1,0 +1,48 @@
+#include "editor/shell/unsaved_files.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace trundle {
+namespace {
+
+constexpr qsizetype kMostInTitle = 3;
+
+QString tr(const char* text, int count) { return QCoreApplication::translate("UnsavedFiles", text, nullptr, count); }
+
+} // namespace
+
+QStringList unsavedFiles(const Document& document) {
+    QStringList names;
+    if (!document.isOpen()) return names;
+    for (const std::string& file : document.modifiedFiles()) names += QString::fromStdString(document.shown(file));
+    const QString opened = QString::fromStdString(document.shown(document.path()));
+    if (document.isNew() && !names.contains(opened)) names.prepend(opened);
+    return names;
+}
+
+QString listed(const QStringList& names, qsizetype most) {
+    if (names.size() <= most) return names.join(QStringLiteral(", "));
+    const auto more = int(names.size() - most);
+    return names.mid(0, most).join(QStringLiteral(", ")) + QLatin1Char(' ') + tr("and %1 more", more).arg(more);
+}
+
+QString windowTitle(const Document& document) {
+    const QStringList unsaved = unsavedFiles(document);
+    const QString opened = QString::fromStdString(document.shown(document.path()));
+    QString title = QFileInfo(opened).fileName();
+    bool marked = unsaved.isEmpty() || unsaved.front() == opened;
+    if (marked) title += QStringLiteral("[*]");
+    QStringList others = unsaved;
+    others.removeOne(opened);
+    const QStringList named = others.size() > kMostInTitle ? others.mid(0, kMostInTitle - 1) : others;
+    for (const QString& file : named) {
+        title += QStringLiteral(", ") + QFileInfo(file).fileName() + (marked ? QStringLiteral("*") : QStringLiteral("[*]"));
+        marked = true;
+    }
+    if (const auto more = int(others.size() - named.size()); more > 0)
+        title += QLatin1Char(' ') + tr("and %1 more files*", more).arg(more);
+    return title + QStringLiteral(" – Trundle");
+}
+
+} // namespace trundle

@@ -1,0 +1,208 @@
+// Edits of what a config holds: for all that use it, or in a copy; and values where the rule puts them.
+
+#include <QTest>
+
+#include <fstream>
+
+#include "editor/document/structure_edits.h"
+#include "sample_document.h"
+
+using namespace trundle;
+using namespace sample;
+
+namespace {
+
+const char* const kBall = "Body arm { Sphere ball { Radius=0.1 Mass=1 } }";
+
+/// A second experiment beside the first one, which uses the same robot.
+const char* const kOther = "#import robots/rover.sim\nRobot other { Config=Rover }\n";
+
+class Asked {
+public:
+    Asked(Document& document, ShareChoice choice) {
+        document.structure().setAsker([this, choice](const ShareQuestion& question, const StructureEdits::Answer& answer) {
+            questions.push_back(question);
+            answer(choice);
+        });
+    }
+    std::vector<ShareQuestion> questions;
+};
+
+Status insert(Document& d, const std::string& at, const std::string& block = kBall) {
+    return d.structure().apply(u"Insert"_qs, {at},
+                               [=](const Loaded& loaded, const auto& renamed) { return planInsert(loaded, renamed(at), block); });
+}
+
+} // namespace
+
+class StructureEditsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts = makeParts(); }
+
+    void changesForAll() {
+        const Desk desk;
+        desk.write("configs/other.sim", kOther);
+        Document d(*m_parts);
+        QVERIFY(d.open(desk.main).ok());
+        const Asked asked(d, ShareChoice::ChangeForAll);
+        QVERIFY(insert(d, "robot0").ok());
+        QCOMPARE(asked.questions.size(), 1u);
+        const ShareQuestion& q = asked.questions[0];
+        QCOMPARE(q.config, u"Rover"_qs);
+        QCOMPARE(q.file, u"robots/rover.sim"_qs);
+        QCOMPARE(q.users, (QStringList{u"main.sim"_qs, u"other.sim"_qs}));
+        QVERIFY(holds(*d.text(desk.robot), "Body arm"));
+        QCOMPARE(*d.text(desk.main), kMain);
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{desk.robot});
+        QVERIFY(insert(d, "robot1").ok()); // once for each config
+        QCOMPARE(asked.questions.size(), 1u);
+    }
+
+    void makesACopy() {
+        const Desk desk;
+        Document d(*m_parts);
+        QVERIFY(d.open(desk.main).ok());
+        const Asked asked(d, ShareChoice::MakeCopy);
+        QSignalSpy selected(&d, &Document::selectionWanted), notices(&d, &Document::notice);
+        QVERIFY(insert(d, "robot0.chassis", "Sphere ball { Radius=0.1 Pos=0,0,0.2 }").ok());
+        QCOMPARE(asked.questions.at(0).copyFor, (QStringList{u"robot0"_qs, u"robot1"_qs}));
+        QCOMPARE(*d.text(desk.robot), kRover);
+        const std::string main = *d.text(desk.main);
+        QVERIFY2(holds(main, "RobotConfig Rover2 {\n  Body chassis {"), main.c_str());
+        QVERIFY2(holds(main, "// two kilograms"), main.c_str());
+        QVERIFY2(holds(main, "Config=Rover2   Pos=0,0,0  // start"), main.c_str());
+        QVERIFY(main.find("RobotConfig Rover2") < main.find("Robot robot0"));
+        QCOMPARE(messages(*d.loaded()), "");
+        QCOMPARE(selected.at(0).at(0).value<std::vector<std::string>>(), std::vector<std::string>{"robot0.chassis.ball"});
+        QVERIFY2(holds(said(notices), "Rover2"), said(notices).c_str());
+        QCOMPARE(d.history().entries().size(), 1u);
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{desk.main});
+        d.undo();
+        QCOMPARE(*d.text(desk.main), kMain);
+        QVERIFY(d.modifiedFiles().empty());
+    }
+
+    /// The path of the config itself leads into the copy as well.
+    void aCopyOfTheConfigByItsOwnPath() {
+        const Desk desk;
+        Document d(*m_parts);
+        QVERIFY(d.open(desk.main).ok());
+        const Asked asked(d, ShareChoice::MakeCopy);
+        QVERIFY(d.structure().rename(u"Rename"_qs, "RobotConfig.Rover.leftAxle", "axle").ok());
+        QCOMPARE(*d.text(desk.robot), kRover);
+        QVERIFY(holds(*d.text(desk.main), "Hinge axle { Parent=chassis"));
+        QCOMPARE(messages(*d.loaded()), "");
+    }
+
+    /// In one file: the robot that was edited gets the copy, the other one keeps what it has.
+    void aCopyForOneOfTwo() {
+        const Desk desk;
+        const std::string file =
+            desk.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\nRobot b { Config=Rover }\n");
+        Document d(*m_parts);
+        QVERIFY(d.open(file).ok());
+        const Asked asked(d, ShareChoice::MakeCopy);
+        QVERIFY(insert(d, "b").ok());
+        QCOMPARE(asked.questions.at(0).copyFor, QStringList{u"b"_qs});
+        QVERIFY(holds(*d.text(file), "Robot a { Config=Rover }\n"));
+        QVERIFY(holds(*d.text(file), "Robot b { Config=Rover2 }\n"));
+        QVERIFY(insert(d, "b").ok()); // nobody else has that one
+        QCOMPARE(asked.questions.size(), 1u);
+    }
+
+    void cancelChangesNothing() {
+        const Desk desk;
+        Document d(*m_parts);
+        QVERIFY(d.open(desk.main).ok());
+        const Asked asked(d, ShareChoice::Cancel);
+        (void)insert(d, "robot0");
+        (void)insert(d, "robot0");
+        QCOMPARE(asked.questions.size(), 2u); // no answer is no answer
+        QVERIFY(!d.isModified());
+        QVERIFY(d.history().entries().empty());
+    }
+
+    /// The answer may come when the texts are other ones.
+    void answeredLater() {
+        const Desk desk;
+        Document d(*m_parts);
+        QVERIFY(d.open(desk.main).ok());
+        StructureEdits::Answer answer;
+        d.structure().setAsker([&](const ShareQuestion&, const StructureEdits::Answer& a) { answer = a; });
+        QVERIFY(insert(d, "robot0").ok());
+        QVERIFY(!d.isModified());
+        QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
+        answer(ShareChoice::MakeCopy);
+        QVERIFY(holds(*d.text(desk.main), "Tick = 0.02"));
+        QVERIFY(holds(*d.text(desk.main), "RobotConfig Rover2"));
+        QCOMPARE(d.history().entries().size(), 2u);
+    }
+
+    void whatIsNotSharedIsNotAsked() {
+        const Desk desk;
+        const std::string file = desk.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
+        Document d(*m_parts);
+        QVERIFY(d.open(file).ok());
+        const Asked asked(d, ShareChoice::Cancel);
+        QVERIFY(insert(d, "a").ok());
+        QVERIFY(insert(d, "", "Light sun { Mode=sun }").ok());
+        QVERIFY(d.open(desk.robot).ok()); // others use it, but main.sim is not one of them here
+        QVERIFY(asked.questions.empty());
+    }
+
+    void shippedConfigsAreCopied() {
+        const Desk desk;
+        const std::string main =
+            desk.write("configs/mine.sim", "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n");
+        Document d(*m_parts);
+        QVERIFY(d.open(main).ok());
+        const std::string shipped = m_parts->locations().configs + "/robots/simple_robot.sim", before = bytesOf(shipped);
+        QVERIFY(d.text(canonicalPath(shipped)));
+        const Asked asked(d, ShareChoice::ChangeForAll);
+        QVERIFY(insert(d, "r").ok());
+        QVERIFY(asked.questions.empty());
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
+        QCOMPARE(messages(*d.loaded()), "");
+        QVERIFY(holds(*d.text(main), "Robot r { Config=SimpleRobot2 }"));
+        QVERIFY(d.save().ok());
+        QCOMPARE(bytesOf(shipped), before);
+        // A value of the config itself goes the same way.
+        QVERIFY(d.structure().rename(u"Rename"_qs, "RobotConfig.SimpleRobot2", "Mine").ok());
+        QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", "0.06"}}).ok());
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
+        QVERIFY(holds(*d.text(main), "Param wheelRadius = 0.06"));
+        const std::size_t entries = d.history().entries().size();
+        QVERIFY(!d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", "-6"}}).ok());
+        QCOMPARE(d.history().entries().size(), entries);
+        // A drag makes one copy and one entry.
+        for (const char* radius : {"0.07", "0.08", "0.09"})
+            QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", radius}}, "drag").ok());
+        QCOMPARE(d.history().entries().size(), entries + 1);
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
+    }
+
+    /// A value on the only instance of a config in the same file goes into the config, by whatever gesture.
+    void valuesGoWhereTheRuleSays() {
+        const Desk desk;
+        const std::string file = desk.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
+        Document d(*m_parts);
+        QVERIFY(d.open(file).ok());
+        QVERIFY(d.setValues(u"Set"_qs, {{"a.chassis.hull.Mass", "3"}}).ok());
+        QVERIFY(holds(*d.text(file), "Mass=3 } } // two kilograms"));
+        QVERIFY(holds(*d.text(file), "Robot a { Config=Rover }\n"));
+        // While it is dragged the decision stays.
+        for (const char* mass : {"4", "5"}) QVERIFY(d.setValues(u"Set"_qs, {{"a.chassis.hull.Mass", mass}}, "drag").ok());
+        QVERIFY(holds(*d.text(file), "Mass=5 } } // two kilograms"));
+        QVERIFY(d.open(desk.main).ok());
+        QVERIFY(d.setValues(u"Set"_qs, {{"robot1.chassis.hull.Mass", "3"}}).ok());
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{desk.main});
+        QVERIFY(holds(*d.text(desk.main), "chassis.hull.Mass=3"));
+    }
+
+private:
+    std::unique_ptr<Parts> m_parts;
+};
+
+QTEST_GUILESS_MAIN(StructureEditsTest)
+#include "structure_edits_test.moc"

@@ -1,0 +1,160 @@
+// What is edited and where it is saved, as the window says it: unsaved files by their names, and the question about a shared config.
+
+#include <QMessageBox>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "editor/document/structure_edits.h"
+#include "editor/shell/unsaved_files.h"
+#include "editor/shell/window_parts.h"
+#include "eventually.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kMain =
+    "#import rover.sim\n#import looks.sim\nRobot robot0 { Config=Rover }\nRobot robot1 { Config=Rover Pos=1,0,0 }\n";
+const QByteArray kRover = "RobotConfig Rover { Body b { Box hull { Size=0.1,0.1,0.1 Mass=1 } } }\n";
+const QByteArray kLooks = "Material red { ColorRGB=1,0,0 }\n";
+
+} // namespace
+
+class UnsavedTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { m_parts.start(); }
+    void init() {
+        QSettings().clear();
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("configs")));
+        write("main.sim", kMain);
+        write("rover.sim", kRover);
+        write("looks.sim", kLooks);
+        m_window = m_parts.window();
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(m_window->open(path("main.sim")));
+        EVENTUALLY(document().isOpen());
+        QVERIFY(!document().loaded()->diagnostics.hasErrors());
+    }
+    void cleanup() {
+        while (document().history().canUndo()) document().undo();
+        m_window.reset();
+    }
+
+    void everyUnsavedFileIsNamed() {
+        QCOMPARE(m_window->windowTitle(), QStringLiteral("main.sim[*] – Trundle"));
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(saved().contains(QStringLiteral("saved")) && !saved().contains(QStringLiteral("unsaved")));
+
+        edit("rover.sim"); // the opened file is as it was
+        QCOMPARE(m_window->windowTitle(), QStringLiteral("main.sim, rover.sim[*] – Trundle"));
+        QVERIFY(m_window->isWindowModified());
+        QVERIFY2(saved().contains(QStringLiteral("unsaved: rover.sim<")), qPrintable(saved()));
+        QCOMPARE(tabs(), (QStringList{QStringLiteral("main.sim"), QStringLiteral("rover.sim*")}));
+
+        edit("main.sim");
+        edit("looks.sim");
+        QCOMPARE(m_window->windowTitle(), QStringLiteral("main.sim[*], looks.sim*, rover.sim* – Trundle"));
+        QVERIFY2(saved().contains(QStringLiteral("unsaved: main.sim, looks.sim, rover.sim")), qPrintable(saved()));
+        QCOMPARE(tabs(), (QStringList{QStringLiteral("main.sim*"), QStringLiteral("rover.sim*"), QStringLiteral("looks.sim*")}));
+
+        const QString asked = question();
+        for (const char* name : {"main.sim", "rover.sim", "looks.sim"}) QVERIFY2(asked.contains(QLatin1String(name)), name);
+        document().undo(); // looks.sim
+        QVERIFY(!question().contains(QStringLiteral("looks.sim")));
+        QVERIFY(document().save().ok());
+        QCOMPARE(m_window->windowTitle(), QStringLiteral("main.sim[*] – Trundle"));
+        QCOMPARE(tabs(), (QStringList{QStringLiteral("main.sim"), QStringLiteral("rover.sim"), QStringLiteral("looks.sim")}));
+    }
+
+    void longListsAreCut() {
+        const QStringList names{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("d")};
+        QCOMPARE(listed(names, 4), QStringLiteral("a, b, c, d"));
+        QCOMPARE(listed(names, 2), QStringLiteral("a, b and 2 more"));
+    }
+
+    void aSharedConfigIsAskedAbout() {
+        insert();
+        auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
+        QVERIFY(box && box->isVisible());
+        QVERIFY2(box->text().contains(QStringLiteral("Rover")) && box->text().contains(QStringLiteral("rover.sim")),
+                 qPrintable(box->text()));
+        QVERIFY2(box->informativeText().contains(QStringLiteral("main.sim")), qPrintable(box->informativeText()));
+        QVERIFY(!document().isModified()); // nothing before the answer
+        box->findChild<QAbstractButton*>(QStringLiteral("makeCopy"))->click();
+        QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("main.sim")});
+        document().undo();
+        EVENTUALLY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
+        insert(); // once is enough
+        QVERIFY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
+        QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("main.sim")});
+    }
+
+    void escapeIsNoAnswer() {
+        insert();
+        auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
+        QVERIFY(box);
+        QTest::keyClick(box, Qt::Key_Escape);
+        QVERIFY(!document().isModified());
+        EVENTUALLY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
+        insert();
+        box = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
+        QVERIFY(box);
+        box->findChild<QAbstractButton*>(QStringLiteral("changeForAll"))->click();
+        QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("rover.sim")});
+    }
+
+private:
+    [[nodiscard]] Document& document() { return m_window->document(); }
+    [[nodiscard]] QString path(const char* name) const {
+        return QDir(m_folder->path()).canonicalPath() + QStringLiteral("/configs/") + QLatin1String(name);
+    }
+    void write(const char* name, const QByteArray& bytes) const {
+        QFile file(QDir(m_folder->path()).canonicalPath() + QStringLiteral("/configs/") + QLatin1String(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+    void edit(const char* name) {
+        const std::string file = path(name).toStdString();
+        QVERIFY(document().replaceText(QStringLiteral("Typing"), file, *document().text(file) + "// more\n").ok());
+    }
+    void insert() {
+        QVERIFY(document()
+                    .structure()
+                    .apply(QStringLiteral("Insert"), {"robot0"},
+                           [](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+                               return planInsert(loaded, renamed("robot0"), "Body arm { Sphere ball { Radius=0.1 Mass=1 } }");
+                           })
+                    .ok());
+    }
+    [[nodiscard]] QString saved() const { return m_window->findChild<QLabel*>(QStringLiteral("status.saved"))->text(); }
+    [[nodiscard]] QStringList tabs() const {
+        const auto* tabs = m_window->findChild<QTabWidget*>(QStringLiteral("textTabs"));
+        QStringList texts;
+        for (int i = 0; i < tabs->count(); ++i) texts += tabs->tabText(i);
+        return texts;
+    }
+    /// What is asked before the file is closed; the answer is Cancel.
+    [[nodiscard]] QString question() {
+        QString asked;
+        QTimer::singleShot(0, this, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box) return;
+            asked = box->text() + QLatin1Char('\n') + box->informativeText();
+            box->reject();
+        });
+        m_window->actions().at("file.close").trigger();
+        return asked;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    WindowParts m_parts;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(UnsavedTest)
+#include "unsaved_test.moc"

@@ -1,0 +1,194 @@
+// Where an edit goes: into an instance, its config, or a copy of the config.
+#include <QTest>
+
+#include <fstream>
+
+#include "plan_desk.h"
+#include "project/edit_target.h"
+
+using namespace trundle;
+using sample::PlanDesk;
+
+namespace {
+
+const char* const kRover = R"(// rovers
+#import common.sim
+RobotConfig Rover {
+  Param width = 0.3
+  // The only body.
+  Body chassis { Box hull { Size=$width,0.2,0.1 Mass=2 Material=red Surface=floor } }
+}
+)";
+const char* const kCommon = "Material red { ColorRGB=1,0,0 }\nSurface floor { Friction=1 }\n";
+
+/// The config and one or more robots in one text.
+std::string alone(const std::string& robots) {
+    return std::string(kCommon) +
+           "RobotConfig Rover {\n  Param width = 0.3\n"
+           "  Body chassis { Box hull { Size=$width,0.2,0.1 Mass=2 Material=red Surface=floor } }\n}\n" +
+           robots;
+}
+
+const Part& config(const Loaded& loaded, const char* name = "Rover") { return *loaded.outline->configs.find(name); }
+
+} // namespace
+
+class EditTargetTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void values_data() {
+        QTest::addColumn<QString>("main");
+        QTest::addColumn<QString>("asked");
+        QTest::addColumn<QString>("set");
+        QTest::addColumn<bool>("isOverride");
+        const auto row = [](const char* name, const std::string& main, const char* asked, const char* set, bool isOverride) {
+            QTest::newRow(name) << QString::fromStdString(main) << asked << set << isOverride;
+        };
+        const std::string one = alone("Robot r { Config=Rover }\n"),
+                          two = alone("Robot r { Config=Rover }\nRobot s { Config=Rover }\n"),
+                          imported = "#import rover.sim\nRobot r { Config=Rover }\n";
+        row("config in the same file", one, "r.chassis.hull.Mass", "RobotConfig.Rover.chassis.hull.Mass", false);
+        row("its Param", one, "r.width", "RobotConfig.Rover.width", false);
+        row("its own property", one, "r.SelfCollision", "RobotConfig.Rover.SelfCollision", false);
+        row("what is the instance's", one, "r.Pos", "r.Pos", false);
+        row("two instances", two, "s.chassis.hull.Mass", "s.chassis.hull.Mass", true);
+        row("the config itself", two, "RobotConfig.Rover.chassis.hull.Mass", "RobotConfig.Rover.chassis.hull.Mass", false);
+        row("a Grid is one instance", alone("Grid g { Config=Rover Count=3 Spacing=1 }\n"), "g.chassis.hull.Mass",
+            "RobotConfig.Rover.chassis.hull.Mass", false);
+        row("config in another file", imported, "r.chassis.hull.Mass", "r.chassis.hull.Mass", true);
+        row("a Param there", imported, "r.width", "r.width", true);
+        row("overridden already", alone("Robot r { Config=Rover chassis.hull.Mass=3 }\n"), "r.chassis.hull.Mass",
+            "r.chassis.hull.Mass", true);
+        row("a setting", one, "Tick", "Tick", false);
+        row("nothing", one, "nobody.Mass", "nobody.Mass", false);
+    }
+    void values() {
+        QFETCH(QString, main);
+        QFETCH(QString, asked);
+        QFETCH(QString, set);
+        QFETCH(bool, isOverride);
+        PlanDesk desk;
+        const auto loaded = desk.open({{"main.sim", main.toStdString()}, {"rover.sim", kRover}, {"common.sim", kCommon}});
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::rendered(*loaded).c_str());
+        ConfigUsers users;
+        const EditTarget target = targetOfValue(*loaded, asked.toStdString(), users);
+        QCOMPARE(QString::fromStdString(target.path), set);
+        QCOMPARE(target.isOverride, isOverride);
+    }
+
+    /// An instance in a file that is not open counts as well.
+    void anotherFileOfTheProject() {
+        PlanDesk desk;
+        const auto loaded = desk.open({{"configs/main.sim", alone("Robot r { Config=Rover }\n")}}, "configs/main.sim");
+        ConfigUsers users;
+        QVERIFY(!targetOfValue(*loaded, "r.width", users).isOverride);
+        const std::string other = desk.path("configs/deep/other.sim");
+        std::filesystem::create_directories(desk.path("configs/deep"));
+        std::ofstream(other) << "#import main.sim\nRobot second { Config=Rover Pos=2,0,0 }\n";
+        std::ofstream(desk.path("configs/main.sim")) << alone("Robot r { Config=Rover }\n"); // what other.sim finds
+        QVERIFY(targetOfValue(*loaded, "r.width", users).isOverride);
+        const std::vector<std::string> both{other, desk.path("configs/main.sim")};
+        QCOMPARE(users.of(*loaded, config(*loaded)), both);
+        const EditTarget structure = targetOfStructure(*loaded, config(*loaded), nullptr, users);
+        QVERIFY(structure.isShared(*loaded));
+        std::ofstream(other) << "#import main.sim\nRobotConfig Other { Body b { Sphere s { Radius=1 Mass=1 } } }\n"
+                                "Robot second { Config=Other }\n";
+        QVERIFY(!targetOfStructure(*loaded, config(*loaded), nullptr, users).isShared(*loaded));
+    }
+
+    void shippedIsReadOnly() {
+        PlanDesk desk;
+        desk.options.shippedConfigs = TRUNDLE_SOURCE_DIR "/configs";
+        const auto loaded = desk.open("#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot }\n");
+        ConfigUsers users;
+        QVERIFY(targetOfStructure(*loaded, config(*loaded, "SimpleRobot"), nullptr, users).isShipped);
+        QVERIFY(targetOfValue(*loaded, "RobotConfig.SimpleRobot.wheelRadius", users).isShipped);
+        const EditTarget through = targetOfValue(*loaded, "r.wheelRadius", users);
+        QVERIFY(through.isOverride);
+        QVERIFY(!through.isShipped);
+        QCOMPARE(through.file, FileId{0});
+    }
+
+    void configsThatAPlanChanges() {
+        PlanDesk desk;
+        const auto loaded = desk.open(
+            {{"main.sim", "#import rover.sim\nRobot r { Config=Rover }\n"}, {"rover.sim", kRover}, {"common.sim", kCommon}});
+        const auto changed = [&](const Result<EditPlan>& plan) {
+            return plan.ok() ? configsChangedBy(*loaded, plan.value()) : std::vector<const Part*>{nullptr};
+        };
+        const std::vector<const Part*> rover{&config(*loaded)}, none;
+        QCOMPARE(changed(planInsert(*loaded, "r", "Body arm { Sphere ball { Radius=0.1 Mass=1 } }")), rover);
+        QCOMPARE(changed(planInsert(*loaded, "r.chassis", "Sphere ball { Radius=0.1 }")), rover);
+        QCOMPARE(changed(planRemove(*loaded, {"r.chassis.hull"})), rover);
+        QCOMPARE(changed(planRename(*loaded, "r.chassis", "base")), rover);
+        QCOMPARE(changed(planDuplicate(*loaded, {"r"}, Vec3::Zero())), none);
+        QCOMPARE(changed(planInsert(*loaded, "", "Light sun { Mode=sun }")).empty(), true);
+        QCOMPARE(changed(planRemove(*loaded, {"r"})), none);
+    }
+
+    void copies() {
+        PlanDesk desk;
+        const std::string main = "#import rover.sim\n\nTick = 0.02\n\n// The first.\nRobot r { Config=Rover width=0.4 } // here\n"
+                                 "Robot s { Pos=1,0,0 Config = Rover }\n";
+        const auto loaded = desk.open({{"main.sim", main}, {"rover.sim", kRover}, {"common.sim", kCommon}});
+        const auto plan = planCopyConfig(*loaded, config(*loaded), instancesOf(*loaded, config(*loaded)));
+        QCOMPARE(QString::fromStdString(desk.text(loaded, plan)), QString::fromUtf8(R"(#import rover.sim
+
+Tick = 0.02
+
+// A copy of Rover in rover.sim, for this file alone.
+RobotConfig Rover2 {
+  Param width = 0.3
+  // The only body.
+  Body chassis { Box hull { Size=$width,0.2,0.1 Mass=2 Material=red Surface=floor } }
+}
+
+// The first.
+Robot r { Config=Rover2 width=0.4 } // here
+Robot s { Pos=1,0,0 Config = Rover2 }
+)"));
+        QCOMPARE(plan.value().edits.size(), 1u);
+        QCOMPARE(plan.value().selects, std::vector<std::string>{"RobotConfig.Rover2"});
+        const auto after = desk.carryOut(loaded, plan);
+        QVERIFY2(!after->diagnostics.hasErrors(), sample::rendered(*after).c_str());
+        QCOMPARE(after->experiment->robots[0].config->name, "Rover2");
+    }
+
+    /// A robot in a folder of its own, with a mesh beside it and lines that end as on Windows in the experiment.
+    void copiesFindTheirFiles() {
+        PlanDesk desk;
+        std::filesystem::create_directories(desk.path("configs/robots/parts"));
+        std::filesystem::copy_file(TRUNDLE_SOURCE_DIR "/resources/meshes/" + std::string(firstMesh()),
+                                   desk.path("configs/robots/parts/hull.obj"));
+        const std::string robot = "RobotConfig Shell { Body b { Mesh m { File=parts/hull.obj Mass=1 } } }\n";
+        const auto loaded =
+            desk.open({{"configs/experiments/main.sim", "#import robots/shell.sim\r\nRobot r { Config=Shell }\r\n"},
+                       {"configs/robots/shell.sim", robot}},
+                      "configs/experiments/main.sim");
+        const auto plan = planCopyConfig(*loaded, config(*loaded, "Shell"), instancesOf(*loaded, config(*loaded, "Shell")));
+        const std::string text = desk.text(loaded, plan, "configs/experiments/main.sim");
+        QVERIFY2(text.find("Mesh m { File=\"robots/parts/hull.obj\" Mass=1 }") != std::string::npos, text.c_str());
+        QCOMPARE(QString::fromStdString(text).count('\n'), QString::fromStdString(text).count("\r\n"));
+        const auto after = desk.carryOut(loaded, plan);
+        for (const auto& [use, file] : after->named) QCOMPARE(file.path, desk.path("configs/robots/parts/hull.obj"));
+        QCOMPARE(after->named.size(), 2u);
+    }
+
+    void copiesOfNothing() {
+        PlanDesk desk;
+        const auto loaded = desk.open({{"main.sim", "#import rover.sim\n"}, {"rover.sim", kRover}, {"common.sim", kCommon}});
+        const std::string text = desk.text(loaded, planCopyConfig(*loaded, config(*loaded), {}));
+        QVERIFY2(text.starts_with("#import rover.sim\n"), text.c_str());
+        QVERIFY2(text.find("RobotConfig Rover2 {") != std::string::npos, text.c_str());
+    }
+
+private:
+    static std::string firstMesh() {
+        for (const auto& entry : std::filesystem::directory_iterator(TRUNDLE_SOURCE_DIR "/resources/meshes"))
+            if (entry.is_regular_file()) return entry.path().filename().string();
+        return {};
+    }
+};
+
+QTEST_APPLESS_MAIN(EditTargetTest)
+#include "edit_target_test.moc"
