@@ -63,6 +63,7 @@ Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics, const SourceTab
         Json fixes = Json::array();
         for (const Fix& fix : diagnostic.fixes) fixes.push_back(fixJson(fix, sources));
         entry["fixes"] = std::move(fixes);
+        if (diagnostic.more > 0) entry["more"] = diagnostic.more;
         all.push_back(std::move(entry));
     }
     return all;

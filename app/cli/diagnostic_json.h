@@ -10,7 +10,8 @@
 namespace trundle {
 
 /// [{file, line, column, end_line, end_column, severity, code, message, suggestions, fixes: [{title, edits}]}], end exclusive. Lines and
-/// columns count from 1; 0 and an empty file where a message has no place.
+/// columns count from 1; 0 and an empty file where a message has no place. `more` stands only with E116, the last message of a file that
+/// has more mistakes than are listed: how many.
 [[nodiscard]] nlohmann::ordered_json diagnosticsJson(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources);
 /// The entries of that list as text, without its brackets.
 [[nodiscard]] std::string diagnosticEntries(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources);

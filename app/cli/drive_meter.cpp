@@ -48,8 +48,23 @@ void DriveMeter::addCommand(Drive& drive, std::span<const double> slots) {
     else if (distance == 0 && rate != 0) distance = speed * std::fabs(angle / rate);
     drive.totals.commandedDistance += distance;
     drive.totals.commandedAngle += angle;
+    drive.amountDistance = distance;
+    drive.amountAngle = angle;
+    drive.drivenBefore = drive.totals.drivenDistance;
+    drive.turnedBefore = drive.totals.drivenAngle;
+    drive.running = true; // one that another takes the place of has not ended
     drive.lastSequence = slots[drive.sequence];
     drive.commanded = true;
+}
+
+void DriveMeter::endAmount(Drive& drive) {
+    DriveTotals& totals = drive.totals;
+    const double distance = totals.drivenDistance - drive.drivenBefore - drive.amountDistance;
+    const double angle = totals.drivenAngle - drive.turnedBefore - drive.amountAngle;
+    totals.distanceError += distance;
+    totals.angleError += angle;
+    ++totals.ended;
+    drive.running = false;
 }
 
 void DriveMeter::afterTick(const World& world) {
@@ -68,6 +83,7 @@ void DriveMeter::afterTick(const World& world) {
         const double half = turn / 2;
         drive.totals.drivenDistance += std::fabs(half) > 1e-6 ? chord * half / std::sin(half) : chord;
         drive.totals.drivenAngle += turn;
+        if (drive.running && !drive.totals.underWay) endAmount(drive);
         drive.x = x;
         drive.y = y;
         drive.heading = heading;

@@ -15,6 +15,9 @@ struct DriveTotals {
     std::size_t robot = 0; ///< index into the experiment's robots
     double commandedDistance = 0, commandedAngle = 0;
     double drivenDistance = 0, drivenAngle = 0;
+    /// Of the amounts that ran to their end alone: how far they were off.
+    double distanceError = 0, angleError = 0;
+    std::size_t ended = 0; ///< how many those are
     bool underWay = false; ///< the last amount has not ended
     bool freely = false;   ///< at times it drove at a speed without an amount: there is no sum to compare with
 };
@@ -34,9 +37,12 @@ private:
         std::array<std::uint32_t, 4> commands{};            // slots of linear and angular velocity, linear and angular amount
         std::uint32_t pose = 0, sequence = 0, done = 0;     // slots
         double x = 0, y = 0, heading = 0, lastSequence = 0; // of the last tick
-        bool commanded = false;
+        double amountDistance = 0, amountAngle = 0;         // of the amount that goes on: commanded
+        double drivenBefore = 0, turnedBefore = 0;          // driven when it began
+        bool commanded = false, running = false;
     };
     static void addCommand(Drive& drive, std::span<const double> slots);
+    static void endAmount(Drive& drive);
 
     std::vector<Drive> m_drives;
 };

@@ -26,8 +26,12 @@ void printDiagnostics(const std::vector<Diagnostic>& diagnostics, const SourceTa
     std::size_t errorsLeft = kMostShown;
     const auto errors = static_cast<std::size_t>(std::ranges::count(diagnostics, Severity::Error, &Diagnostic::severity));
     std::size_t othersLeft = kMostShown - std::min(errors, kMostShown);
-    std::size_t hidden = 0;
+    std::uint64_t hidden = 0;
     for (const Diagnostic& diagnostic : diagnostics) {
+        if (diagnostic.more > 0 && hidden + errors > kMostShown) {
+            hidden += diagnostic.more;
+            continue;
+        }
         std::size_t& left = diagnostic.severity == Severity::Error ? errorsLeft : othersLeft;
         if (left == 0) {
             ++hidden;
@@ -45,7 +49,10 @@ void printProblem(const std::string& text) { std::fprintf(stderr, "trundle-cli: 
 
 std::string countText(const std::vector<Diagnostic>& diagnostics) {
     const auto count = [&](Severity severity) {
-        return static_cast<std::uint64_t>(std::ranges::count(diagnostics, severity, &Diagnostic::severity));
+        std::uint64_t count = 0;
+        for (const Diagnostic& d : diagnostics)
+            if (d.severity == severity) count += d.more > 0 ? d.more : 1;
+        return count;
     };
     const std::uint64_t errors = count(Severity::Error), warnings = count(Severity::Warning);
     std::string text;

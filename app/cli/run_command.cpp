@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/clean_text.h"
+#include "check/model_check.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/diagnostic_json.h"
@@ -59,6 +60,7 @@ private:
     RunOptions runOptions();
     void warn(const Diagnostic& warning);
     void sayNothingPlaced() const;
+    void warnOfModel();
 
     Parts& m_parts;
     RunArguments m_arguments;
@@ -86,6 +88,7 @@ ExitCode RunCommand::go() {
     }
     if (!m_arguments.quiet) sayNothingPlaced();
     if (!planTicks() || !openMovie()) return tell(kExitUsage);
+    warnOfModel();
     return runLoaded();
 }
 
@@ -117,6 +120,16 @@ bool RunCommand::load() {
         if (diagnostic.code == Code::ModuleNotTrusted || diagnostic.code == Code::ModuleUndescribed)
             diagnostic.severity = Severity::Error;
     return true;
+}
+
+/// What starts badly is said before the run shows it. What a run refuses it says itself.
+void RunCommand::warnOfModel() {
+    Diagnostics found, warnings;
+    checkModel(*m_loaded, found);
+    for (const Diagnostic& d : found.all())
+        if (d.severity == Severity::Warning) warnings.append({d});
+    printDiagnostics(warnings.all(), m_report.sources);
+    m_report.diagnostics.insert(m_report.diagnostics.end(), warnings.all().begin(), warnings.all().end());
 }
 
 bool RunCommand::planTicks() {

@@ -49,15 +49,17 @@ std::string driveRows(const DriveTotals& drive) {
 /// Many drives in one row: how many were told to go somewhere, and where that went worst.
 std::string worstDriveRow(const std::vector<DriveTotals>& drives, const std::vector<RobotSpec>& robots) {
     if (drives.empty()) return {};
-    const auto distanceError = [](const DriveTotals& d) { return std::fabs(d.drivenDistance - d.commandedDistance); };
-    const auto angleError = [](const DriveTotals& d) { return std::fabs(d.drivenAngle - d.commandedAngle); };
+    const auto distanceError = [](const DriveTotals& d) { return std::fabs(d.distanceError); };
+    const auto angleError = [](const DriveTotals& d) { return std::fabs(d.angleError); };
     const DriveTotals& distance = *std::ranges::max_element(drives, {}, distanceError);
     const DriveTotals& angle = *std::ranges::max_element(drives, {}, angleError);
     const auto underWay = static_cast<std::size_t>(std::ranges::count(drives, true, &DriveTotals::underWay));
-    std::string text =
-        row("", counted(drives.size(), "drive") + " with commanded amounts: at most " +
-                    fixedText(distanceError(distance) * 1000, 4) + " mm off (" + robots[distance.robot].name + "), " +
-                    fixedText(angleError(angle) * kDegrees, 4) + " deg off (" + robots[angle.robot].name + ")");
+    const auto ended = std::ranges::count_if(drives, [](const DriveTotals& d) { return d.ended > 0; });
+    const std::string off = "at most " + fixedText(distanceError(distance) * 1000, 4) + " mm off (" +
+                            robots[distance.robot].name + "), " + fixedText(angleError(angle) * kDegrees, 4) + " deg off (" +
+                            robots[angle.robot].name + ") in the amounts that ran to their end";
+    std::string text = row("", counted(drives.size(), "drive") +
+                                   " with commanded amounts: " + (ended > 0 ? off : "none has run to its end yet"));
     if (underWay > 0) text += row("", "the last command of " + std::to_string(underWay) + " was still under way");
     return text;
 }
@@ -96,9 +98,10 @@ std::string robotRows(const RunReport& report, const World& world) {
 
 std::string solverRows(const World& world) {
     std::string text;
+    const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.quickTicks() > 0)
-        text += row("solver", counted(world.quickTicks(), "tick") +
-                                  " taken by the quick solver (more than 60 contacts hung together" +
+        text += row("solver", counted(world.quickTicks(), "tick") + " taken by the quick solver (" +
+                                  (asked ? "Solver = quick" : "more than 60 contacts hung together") +
                                   (world.rescuedTicks() > 0 ? ", or the exact one could not" : "") + ")");
     if (world.rescuedTicks() > 0)
         text += row(text.empty() ? "solver" : "",

@@ -25,6 +25,7 @@ enum class Code : int {
     BadExpression,
     ReservedWord,
     TooLarge,
+    TooManyMistakes,
     // values
     UnknownKey = 201,
     WrongType,
@@ -66,6 +67,11 @@ enum class Code : int {
     FileUnreadable,
     ReplaceBySingles,
     TurnRate,
+    StartOverlap,
+    BelowFloor,
+    Unsupported,
+    MassRatio,
+    WheelGeometry,
     // modules
     ModuleNotFound = 401,
     ModuleNotTrusted,

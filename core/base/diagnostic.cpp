@@ -1,21 +1,122 @@
 #include "base/diagnostic.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace trundle {
 
+namespace {
+
+constexpr std::size_t kLongestShownWord = 200, kLongestShownMessage = 2000; // bytes
+constexpr std::size_t kMostFingerprints = 100'000;
+constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
+
+bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
+/// About `most` bytes of a text: two thirds of them from its beginning, the rest from its end.
+std::string cutInside(std::string_view text, std::size_t most) {
+    std::size_t begin = most * 2 / 3, end = text.size() - (most - begin);
+    while (begin > 0 && continues(text[begin])) --begin;
+    while (end < text.size() && continues(text[end])) ++end;
+    std::string cut(text.substr(0, begin));
+    cut += kEllipsis;
+    return cut += text.substr(end);
+}
+
+std::string countedOf(std::uint64_t count, const char* what) {
+    return std::to_string(count) + " more " + what + (count == 1 ? "" : "s");
+}
+
+} // namespace
+
+std::string shortenedMessage(std::string text) {
+    if (text.size() <= kLongestShownWord) return text;
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::string_view word = std::string_view(text).substr(at, end - at);
+        out += word.size() > kLongestShownWord ? cutInside(word, kLongestShownWord) : std::string(word);
+        if (end < text.size()) out += ' ';
+        at = end + 1;
+    }
+    return out.size() > kLongestShownMessage ? cutInside(out, kLongestShownMessage) : out;
+}
+
+/// Of a config that many robots share each message comes many times.
+bool Diagnostics::isRepeated(const Diagnostic& d) {
+    std::uint64_t print = std::hash<std::string>()(d.message);
+    for (const std::uint64_t part : {std::uint64_t(d.severity), std::uint64_t(d.code), std::uint64_t(d.range.file),
+                                     std::uint64_t(d.range.range.begin), std::uint64_t(d.range.range.end)})
+        print = (print ^ part) * 0x9E3779B97F4A7C15ull + (print >> 29);
+    if (m_fingerprints.size() >= kMostFingerprints) return m_fingerprints.contains(print);
+    return !m_fingerprints.insert(print).second;
+}
+
+Diagnostic& Diagnostics::take(Diagnostic d) {
+    const bool error = d.severity == Severity::Error;
+    m_errors += error;
+    if (isRepeated(d)) return m_unkept = std::move(d);
+    Count& file = m_counts[d.range.file];
+    const bool room = error ? file.errors < kMostOfOneFile && m_total.errors < kMostOfAll
+                            : file.others < kMostOfOneFile && m_total.others < kMostOfAll;
+    if (room) {
+        ++(error ? file.errors : file.others);
+        ++(error ? m_total.errors : m_total.others);
+        return m_all.emplace_back(std::move(d));
+    }
+    if (file.unkeptErrors + file.unkeptOthers == 0) file.firstUnkept = d.range;
+    ++(error ? file.unkeptErrors : file.unkeptOthers);
+    return m_unkept = std::move(d);
+}
+
 Diagnostic& Diagnostics::add(Severity severity, Code code, SourceRange range, std::string message) {
-    if (severity == Severity::Error) ++m_errors;
-    Diagnostic& d = m_all.emplace_back();
+    Diagnostic d;
     d.severity = severity;
     d.code = code;
     d.range = range;
-    d.message = std::move(message);
-    return d;
+    d.message = shortenedMessage(std::move(message));
+    return take(std::move(d));
 }
 
 void Diagnostics::append(std::vector<Diagnostic> more) {
     for (Diagnostic& d : more) {
-        if (d.severity == Severity::Error) ++m_errors;
+        d.message = shortenedMessage(std::move(d.message));
+        for (Fix& fix : d.fixes) fix.title = shortenedMessage(std::move(fix.title));
+        (void)take(std::move(d));
+    }
+}
+
+void Diagnostics::addUnkept(const Diagnostics& other) {
+    for (const auto& [file, count] : other.m_counts) {
+        if (count.unkeptErrors + count.unkeptOthers == 0) continue;
+        Count& mine = m_counts[file];
+        if (mine.unkeptErrors + mine.unkeptOthers == 0) mine.firstUnkept = count.firstUnkept;
+        mine.unkeptErrors += count.unkeptErrors;
+        mine.unkeptOthers += count.unkeptOthers;
+        m_errors += count.unkeptErrors;
+    }
+}
+
+void Diagnostics::addLast(Diagnostic d) {
+    m_errors += d.severity == Severity::Error;
+    m_all.push_back(std::move(d));
+}
+
+void Diagnostics::summarize() {
+    for (auto& [file, count] : m_counts) {
+        const std::uint64_t unkept = count.unkeptErrors + count.unkeptOthers;
+        if (unkept == 0) continue;
+        Diagnostic d;
+        d.severity = count.unkeptErrors > 0 ? Severity::Error : Severity::Warning;
+        d.code = Code::TooManyMistakes;
+        d.range = count.firstUnkept;
+        d.message = "and " + (count.unkeptErrors > 0 ? countedOf(count.unkeptErrors, "error") : std::string()) +
+                    (count.unkeptErrors > 0 && count.unkeptOthers > 0 ? " and " : "") +
+                    (count.unkeptOthers > 0 ? countedOf(count.unkeptOthers, "warning") : std::string()) +
+                    (file == kNoFile ? "" : " in this file") + "; fix the ones above first";
+        d.more = unkept;
         m_all.push_back(std::move(d));
+        count.unkeptErrors = count.unkeptOthers = 0;
     }
 }
 

@@ -86,6 +86,7 @@ bool Parser::closedHere(const OpenBlock& block) const {
 }
 
 void Parser::reportUnclosed(const OpenBlock& open, std::uint32_t place) {
+    if (atEnd() && m_tree->m_extent != Tree::Extent::Whole) return; // its end has not been read
     const std::string_view bytes = m_source->bytes();
     if (atEnd()) m_unclosed = true;
     Diagnostic& d = error(Code::UnclosedBlock, open.name, "block `" + std::string(slice(open.name)) + "` lacks its closing `}`");

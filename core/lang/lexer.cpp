@@ -6,11 +6,18 @@
 namespace trundle {
 
 std::vector<Token> Lexer::lex() {
-    m_tokens.reserve(m_text.size() / 4);
     if (m_text.starts_with(kBom)) emit(TokenKind::Bom, kBom.size());
     while (m_at < m_text.size()) next();
     emit(TokenKind::End, m_at);
     return std::move(m_tokens);
+}
+
+void Lexer::lexSome(std::vector<Token>& out, std::size_t most) {
+    m_tokens = std::move(out);
+    const std::size_t enough = m_tokens.size() + most;
+    if (m_at == 0 && m_text.starts_with(kBom)) emit(TokenKind::Bom, kBom.size());
+    while (m_at < m_text.size() && m_tokens.size() < enough) next();
+    out = std::move(m_tokens);
 }
 
 void Lexer::emit(TokenKind kind, std::size_t end) {

@@ -14,7 +14,12 @@ namespace trundle {
 class Lexer {
 public:
     explicit Lexer(std::string_view text) : m_text(text) {}
+    /// All tokens, the one for the end too.
     [[nodiscard]] std::vector<Token> lex();
+    /// Adds the next tokens, about `most`, without the one for the end.
+    void lexSome(std::vector<Token>& out, std::size_t most);
+    [[nodiscard]] bool atEnd() const { return m_at >= m_text.size(); }
+    [[nodiscard]] std::size_t offset() const { return m_at; }
 
 private:
     enum class Place { Structure, Value, AfterElement };

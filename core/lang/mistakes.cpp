@@ -282,7 +282,7 @@ void Parser::checkBytes() {
         return;
     }
     bool inRun = false;
-    for (std::size_t i = 0; i < bytes.size();) {
+    for (std::size_t i = 0; i < bytes.size() && m_diagnostics.size() <= kMostDiagnostics;) {
         const auto byte = static_cast<unsigned char>(bytes[i]);
         const CodePoint point = byte < 0x80 ? CodePoint{byte, 1, byte != 0} : codePointAt(bytes, i);
         if (!point.valid && !inRun) {

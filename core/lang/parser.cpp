@@ -9,8 +9,8 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostDiagnostics = 100; ///< per file; a text of garbage would otherwise cost its size in messages
-constexpr int kMostRuns = 4;                  ///< the first and three with a `}` assumed
+constexpr std::size_t kNearCut = 8; ///< tokens before a place where reading ended: what is missing there stands behind it
+constexpr int kMostRuns = 4;        ///< the first and three with a `}` assumed
 
 bool isReserved(std::string_view word) { return word == "Param" || word == "true" || word == "false" || word == "world"; }
 
@@ -20,30 +20,20 @@ bool isName(std::string_view word) {
 
 } // namespace
 
-Parser::Parser(std::shared_ptr<const SourceText> source, FileId file) : m_source(std::move(source)), m_file(file) {}
+Parser::Parser(std::shared_ptr<const SourceText> source, FileId file, std::size_t mostTokens)
+    : m_source(std::move(source)), m_file(file), m_mostTokens(mostTokens), m_lexer(m_source->bytes()) {}
 
 std::shared_ptr<const Tree> Parser::parse() {
     m_tree = std::make_shared<Tree>();
     m_tree->m_file = m_file;
     m_tree->m_source = m_source;
-    m_tree->m_tokens = Lexer(m_source->bytes()).lex();
     const std::string_view bytes = m_source->bytes();
     if (const std::size_t first = bytes.find_first_of("\r\n"); first != std::string_view::npos)
         m_lineEnd = bytes.substr(first, bytes.substr(first, 2) == "\r\n" ? 2 : 1);
-    bool newLine = true;
-    const std::vector<Token>& tokens = m_tree->m_tokens;
-    for (std::uint32_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i].kind == TokenKind::LineEnd || tokens[i].kind == TokenKind::Bom) newLine = true;
-        if (isTrivia(tokens[i].kind)) continue;
-        if (tokens[i].kind == TokenKind::Unknown && checkedAsBytes(tokens[i].range)) {
-            m_invisible.push_back(i);
-            continue;
-        }
-        m_significant.push_back({i, newLine});
-        newLine = false;
-    }
+    if (isUtf16()) endTokens(Tree::Extent::Hopeless);
+    else readTokens();
     run();
-    for (int i = 1; i < kMostRuns && assume(); ++i) {}
+    for (int i = 1; i < kMostRuns && m_tree->m_extent == Tree::Extent::Whole && assume(); ++i) {}
     std::stable_sort(m_diagnostics.begin(), m_diagnostics.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.range.range.begin < b.range.range.begin; });
     m_tree->m_diagnostics = std::move(m_diagnostics);
@@ -62,10 +52,11 @@ void Parser::run() {
     m_strays = 0;
     m_unclosed = false;
     checkBytes();
-    checkInvisible();
-    checkComments();
     if (isUtf16()) return;
     items(m_tree->m_items, 0);
+    checkInvisible();
+    checkLongWords();
+    checkComments();
 }
 
 const Token& Parser::token(std::size_t ahead) const {
@@ -101,9 +92,9 @@ bool Parser::startsItem() const {
 }
 
 Diagnostic& Parser::report(Severity severity, Code code, TextRange r, std::string message) {
-    if (m_diagnostics.size() > kMostDiagnostics) return m_unsaid = {};
+    if (m_diagnostics.size() > kMostDiagnostics || isCutOff(r)) return m_unsaid = {};
     if (m_diagnostics.size() == kMostDiagnostics) {
-        code = Code::UnexpectedText;
+        code = Code::TooManyMistakes;
         message = "too many mistakes, the rest of this file is not reported";
         severity = Severity::Error;
     }
@@ -113,6 +104,12 @@ Diagnostic& Parser::report(Severity severity, Code code, TextRange r, std::strin
     d.message = std::move(message);
     d.range = {m_file, r};
     return d;
+}
+
+/// Whether a mistake may be one only because reading ended there.
+bool Parser::isCutOff(TextRange r) const {
+    if (m_tree->m_extent == Tree::Extent::Whole || m_significant.size() <= kNearCut) return false;
+    return r.begin >= m_tree->m_tokens[m_significant[m_significant.size() - kNearCut].token].range.begin;
 }
 
 Diagnostic* Parser::lastAt(TextRange r) {
@@ -134,6 +131,7 @@ void Parser::refuseReserved(const Name& name, std::string_view use) {
 
 void Parser::items(std::vector<Item>& out, int depth) {
     while (!atEnd()) {
+        m_itemAt = m_at;
         if (depth > 0 && closedHere(m_open.back())) return;
         if (depth > 0 && foreignClose()) return;
         if (depth > 0) noteIndent();

@@ -1,17 +1,19 @@
 #pragma once
 // Tokens to items, with recovery. Needs: the lexer's tokens. Gives: items, diagnostics. Method: recursive descent over the tokens that
 // are no trivia; what cannot be read is reported once, where it can be mended, and skipped to the next key, brace or line.
-// Promises: every loop consumes a token; blocks and expressions nest to fixed depths; the number of diagnostics is bounded.
+// Promises: every loop consumes a token; blocks and expressions nest to fixed depths; the number of diagnostics is bounded. Tokens are
+// read as they are needed, so that a large text of mistakes costs no more than its beginning.
 
 #include <map>
 
+#include "lang/lexer.h"
 #include "lang/tree.h"
 
 namespace trundle {
 
 class Parser {
 public:
-    Parser(std::shared_ptr<const SourceText> source, FileId file);
+    Parser(std::shared_ptr<const SourceText> source, FileId file, std::size_t mostTokens);
     [[nodiscard]] std::shared_ptr<const Tree> parse();
 
 private:
@@ -57,13 +59,24 @@ private:
     }
     void advance() {
         if (m_at + 1 < m_significant.size()) ++m_at;
+        if (!m_allRead && m_at + kLookAhead >= m_significant.size()) readTokens();
     }
+
+    // token_reader.cpp: tokens as they are needed
+    static constexpr std::size_t kLookAhead = 256;       ///< more than any rule looks ahead
+    static constexpr std::size_t kMostDiagnostics = 100; ///< a text of garbage would otherwise cost its size in messages
+    void readTokens();
+    void takeToken(std::uint32_t index);
+    [[nodiscard]] bool isHopeless();
+    void endTokens(Tree::Extent extent);
+    void checkLongWords();
 
     // parser.cpp: saying
     Diagnostic& report(Severity severity, Code code, TextRange r, std::string message);
     Diagnostic& error(Code code, TextRange r, std::string message) {
         return report(Severity::Error, code, r, std::move(message));
     }
+    [[nodiscard]] bool isCutOff(TextRange r) const;
     [[nodiscard]] Diagnostic* lastAt(TextRange r); ///< the last one said, when it is at `r`
     void fix(Diagnostic& d, std::string title, std::vector<TextEdit> edits) const;
     [[nodiscard]] const std::string& lineEnd() const { return m_lineEnd; } ///< as the file has it
@@ -145,9 +158,15 @@ private:
 
     std::shared_ptr<const SourceText> m_source;
     FileId m_file;
+    std::size_t m_mostTokens;
+    Lexer m_lexer;
+    bool m_allRead = false;   ///< no more tokens come
+    bool m_newLine = true;    ///< a line end stands before the next token
+    std::size_t m_itemAt = 0; ///< where the item that is being read begins
     std::shared_ptr<Tree> m_tree;
     std::vector<Significant> m_significant;
     std::vector<std::uint32_t> m_invisible; ///< tokens that the grammar does not see
+    std::vector<std::uint32_t> m_long;      ///< likewise, for their length
     std::vector<Diagnostic> m_diagnostics;
     Diagnostic m_unsaid; ///< takes what is said beyond the limit
     std::size_t m_at = 0;

@@ -6,39 +6,75 @@
 
 namespace trundle {
 
-SourceText::SourceText(std::string path, std::string bytes) : m_path(std::move(path)), m_bytes(std::move(bytes)) {
-    m_lineStarts.push_back(0);
-    for (std::size_t i = 0; i < m_bytes.size(); ++i) {
-        const bool crOfCrLf = m_bytes[i] == '\r' && i + 1 < m_bytes.size() && m_bytes[i + 1] == '\n';
-        if ((m_bytes[i] == '\n' || m_bytes[i] == '\r') && !crOfCrLf) m_lineStarts.push_back(static_cast<std::uint32_t>(i + 1));
-    }
+namespace {
+
+constexpr std::uint32_t kMarkEvery = 4096; // bytes
+
+} // namespace
+
+SourceText::SourceText(std::string path, std::string bytes)
+    : SourceText(std::move(path), std::make_shared<const std::string>(std::move(bytes))) {}
+
+SourceText::SourceText(std::string path, std::shared_ptr<const std::string> bytes)
+    : m_path(std::move(path)), m_bytes(std::move(bytes)) {
+    Mark at;
+    if (m_bytes->starts_with(kBom)) at.offset = static_cast<std::uint32_t>(kBom.size());
+    m_marks.push_back({0, at.place});
+    if (at.offset > 0) m_marks.push_back(at);
+    for (std::uint32_t next = kMarkEvery; at.offset < m_bytes->size(); step(at))
+        if (at.offset >= next) {
+            m_marks.push_back(at);
+            next = at.offset + kMarkEvery;
+        }
+    m_lines = at.place.line;
+}
+
+/// Over one code point.
+void SourceText::step(Mark& mark) const {
+    const std::string& bytes = *m_bytes;
+    const char c = bytes[mark.offset];
+    const bool crOfCrLf = c == '\r' && mark.offset + 1 < bytes.size() && bytes[mark.offset + 1] == '\n';
+    mark.offset += static_cast<unsigned char>(c) < 0x80 ? 1 : codePointAt(bytes, mark.offset).length;
+    if ((c == '\n' || c == '\r') && !crOfCrLf) mark.place = {mark.place.line + 1, 1};
+    else ++mark.place.column;
+}
+
+const SourceText::Mark& SourceText::markBefore(std::uint32_t offset) const {
+    const auto after = [](std::uint32_t o, const Mark& mark) { return o < mark.offset; };
+    return *(std::upper_bound(m_marks.begin(), m_marks.end(), offset, after) - 1);
 }
 
 std::string_view SourceText::slice(TextRange range) const {
-    const std::size_t begin = std::min<std::size_t>(range.begin, m_bytes.size());
-    const std::size_t end = std::clamp<std::size_t>(range.end, begin, m_bytes.size());
-    return std::string_view(m_bytes).substr(begin, end - begin);
+    const std::size_t begin = std::min<std::size_t>(range.begin, m_bytes->size());
+    const std::size_t end = std::clamp<std::size_t>(range.end, begin, m_bytes->size());
+    return std::string_view(*m_bytes).substr(begin, end - begin);
 }
 
 LineColumn SourceText::position(std::uint32_t offset) const {
-    offset = std::min(offset, static_cast<std::uint32_t>(m_bytes.size()));
-    const auto next = std::upper_bound(m_lineStarts.begin(), m_lineStarts.end(), offset);
-    LineColumn place{static_cast<std::uint32_t>(next - m_lineStarts.begin()), 1};
-    std::size_t at = *(next - 1);
-    if (at == 0 && std::string_view(m_bytes).starts_with(kBom)) at = kBom.size();
-    while (at < offset) {
-        at += codePointAt(m_bytes, at).length;
-        if (at <= offset) ++place.column; // an offset inside a code point is that code point's
+    offset = std::min(offset, static_cast<std::uint32_t>(m_bytes->size()));
+    if (offset < kBom.size() && m_bytes->starts_with(kBom)) return {};
+    Mark at = markBefore(offset);
+    while (at.offset < offset) {
+        Mark next = at;
+        step(next);
+        if (next.offset > offset) break; // an offset inside a code point is that code point's
+        at = next;
     }
-    return place;
+    return at.place;
 }
 
 std::string_view SourceText::line(std::uint32_t line) const {
-    if (line == 0 || line > m_lineStarts.size()) return {};
-    const std::uint32_t begin = m_lineStarts[line - 1];
-    std::uint32_t end = line < m_lineStarts.size() ? m_lineStarts[line] : static_cast<std::uint32_t>(m_bytes.size());
-    while (end > begin && (m_bytes[end - 1] == '\n' || m_bytes[end - 1] == '\r')) --end;
-    return std::string_view(m_bytes).substr(begin, end - begin);
+    if (line == 0 || line > m_lines) return {};
+    const auto earlier = [](const Mark& mark, std::uint32_t l) { return mark.place.line < l; };
+    const auto later = std::lower_bound(m_marks.begin(), m_marks.end(), line, earlier); // the first mark on the line, or beyond
+    Mark at = later == m_marks.begin() ? m_marks.front() : *(later - 1);
+    while (at.place.line < line && at.offset < m_bytes->size()) step(at);
+    const auto beyond = std::lower_bound(m_marks.begin(), m_marks.end(), line + 1, earlier);
+    const std::size_t limit = beyond == m_marks.end() ? m_bytes->size() : beyond->offset;
+    const std::size_t search = std::max(at.offset, beyond == m_marks.begin() ? 0 : (beyond - 1)->offset);
+    std::size_t end = std::min(m_bytes->find_first_of("\r\n", search), limit);
+    if (end > at.offset && (*m_bytes)[end - 1] == '\r') --end; // the search began inside CR LF
+    return std::string_view(*m_bytes).substr(at.offset, end - at.offset);
 }
 
 FileId SourceTable::add(std::shared_ptr<const SourceText> text, SourceRange importedFrom) {

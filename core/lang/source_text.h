@@ -20,19 +20,29 @@ struct LineColumn {
 class SourceText {
 public:
     SourceText(std::string path, std::string bytes);
+    SourceText(std::string path, std::shared_ptr<const std::string> bytes);
 
     [[nodiscard]] const std::string& path() const { return m_path; } ///< as shown to the user
-    [[nodiscard]] std::string_view bytes() const { return m_bytes; }
+    [[nodiscard]] std::string_view bytes() const { return *m_bytes; }
     [[nodiscard]] std::string_view slice(TextRange range) const;
     [[nodiscard]] LineColumn position(std::uint32_t offset) const;
     /// The text of a 1-based line without its line end.
     [[nodiscard]] std::string_view line(std::uint32_t line) const;
-    [[nodiscard]] std::uint32_t lineCount() const { return static_cast<std::uint32_t>(m_lineStarts.size()); }
+    [[nodiscard]] std::uint32_t lineCount() const { return m_lines; }
 
 private:
+    /// The line and column of an offset, about one in each 4 KiB: any other is found from the last one before it.
+    struct Mark {
+        std::uint32_t offset = 0;
+        LineColumn place;
+    };
+    [[nodiscard]] const Mark& markBefore(std::uint32_t offset) const;
+    void step(Mark& mark) const;
+
     std::string m_path;
-    std::string m_bytes;
-    std::vector<std::uint32_t> m_lineStarts;
+    std::shared_ptr<const std::string> m_bytes;
+    std::vector<Mark> m_marks;
+    std::uint32_t m_lines = 1;
 };
 
 /// The texts that SourceRanges of one load refer to. A value: copying copies pointers.

@@ -44,4 +44,11 @@ struct Token {
 
 [[nodiscard]] inline bool isTrivia(TokenKind kind) { return kind <= TokenKind::BlockComment; }
 
+/// Whether a word, number, path or quoted text is longer than any that means something.
+[[nodiscard]] inline bool isTooLong(const Token& token) {
+    constexpr std::uint32_t kLongestWord = 4096, kLongestString = 65536; // bytes
+    if (isTrivia(token.kind)) return false;
+    return token.range.size() > (token.kind == TokenKind::String ? kLongestString : kLongestWord);
+}
+
 } // namespace trundle

@@ -4,8 +4,8 @@
 
 namespace trundle {
 
-std::shared_ptr<const Tree> parse(std::shared_ptr<const SourceText> source, FileId file) {
-    return Parser(std::move(source), file).parse();
+std::shared_ptr<const Tree> parse(std::shared_ptr<const SourceText> source, FileId file, std::size_t mostTokens) {
+    return Parser(std::move(source), file, mostTokens).parse();
 }
 
 std::string print(const Tree& tree) {

@@ -93,9 +93,19 @@ public:
     /// What the parser had to say; ranges carry the FileId given to parse().
     [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return m_diagnostics; }
     [[nodiscard]] FileId file() const { return m_file; }
+    /// How much of the text has been read. The rest is one token, and in no item.
+    enum class Extent {
+        Whole,
+        Hopeless, ///< up to where the mistakes were too many; a diagnostic says so
+        Limited,  ///< up to the tokens that parse() was allowed
+    };
+    [[nodiscard]] Extent extent() const { return m_extent; }
+    [[nodiscard]] std::uint32_t readTo() const { return m_readTo; } ///< offset; the text's size where all was read
 
 private:
     friend class Parser;
+    Extent m_extent = Extent::Whole;
+    std::uint32_t m_readTo = 0;
     FileId m_file = kNoFile;
     std::shared_ptr<const SourceText> m_source;
     std::vector<Token> m_tokens;
@@ -104,8 +114,10 @@ private:
 };
 
 /// Never fails: what cannot be read is skipped with a diagnostic, everything else stands in the tree.
-/// Blocks nest at most kMaxBlockDepth deep, expressions kMaxExpressionDepth.
-[[nodiscard]] std::shared_ptr<const Tree> parse(std::shared_ptr<const SourceText> source, FileId file);
+/// Blocks nest at most kMaxBlockDepth deep, expressions kMaxExpressionDepth. Reading ends early in a large text of mistakes, and after
+/// about `mostTokens`.
+[[nodiscard]] std::shared_ptr<const Tree> parse(std::shared_ptr<const SourceText> source, FileId file,
+                                                std::size_t mostTokens = static_cast<std::size_t>(-1));
 
 /// The bytes of the file, put together from the tokens.
 [[nodiscard]] std::string print(const Tree& tree);

@@ -201,14 +201,11 @@ private:
     /// Adds to what has just been said whose values these are: the place is in the config, the cause in the instance.
     void nameInstance(std::size_t said) {
         if (m_context.diagnostics.all().size() == said || manyAlready(m_context.diagnostics)) return;
-        std::vector<Diagnostic> all = m_context.diagnostics.all();
-        for (std::size_t i = said; i < all.size(); ++i) {
-            if (all[i].range.file != m_instance->file || !inside(all[i].range, m_instance->range)) {
-                all[i].notes.push_back({"with the values of " + m_instance->title(), m_instance->nameRange()});
-            }
+        for (std::size_t i = said; i < m_context.diagnostics.all().size(); ++i) {
+            Diagnostic& d = m_context.diagnostics.at(i);
+            if (d.range.file != m_instance->file || !inside(d.range, m_instance->range))
+                d.notes.push_back({"with the values of " + m_instance->title(), m_instance->nameRange()});
         }
-        m_context.diagnostics = Diagnostics();
-        m_context.diagnostics.append(std::move(all));
     }
     static bool inside(const SourceRange& a, const SourceRange& b) {
         return a.range.begin >= b.range.begin && a.range.end <= b.range.end;

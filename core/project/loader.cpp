@@ -1,5 +1,6 @@
 #include "project/loader.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "schema/value_words.h"
@@ -7,6 +8,12 @@
 namespace trundle {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMostNotFound = 500; // imports: enough for Project to give up on the rest
+
+} // namespace
 
 Status Loader::open(const std::string& path) {
     const std::string absolute = canonicalPath(path);
@@ -40,7 +47,8 @@ std::shared_ptr<const Tree> Loader::sameAsBefore(FileId file, const std::string&
     const Loaded* before = m_options.previous;
     if (!before || absolute.empty() || file >= before->paths.size() || before->paths[file] != absolute) return nullptr;
     const std::shared_ptr<const Tree>& tree = before->trees[file];
-    return tree->source().path() == shown && tree->source().bytes() == bytes ? tree : nullptr;
+    const bool same = tree->source().path() == shown && tree->source().bytes() == bytes;
+    return same && tree->extent() != Tree::Extent::Limited ? tree : nullptr;
 }
 
 FileId Loader::add(std::string shown, std::string absolute, Bytes bytes, const std::string& folder, SourceRange importedFrom) {
@@ -48,9 +56,12 @@ FileId Loader::add(std::string shown, std::string absolute, Bytes bytes, const s
     const auto file = static_cast<FileId>(m_sources.size());
     std::shared_ptr<const Tree> tree = sameAsBefore(file, shown, absolute, bytes.view());
     if (!tree) {
-        tree = parse(std::make_shared<const SourceText>(std::move(shown), bytes.take()), file);
+        const std::size_t left = m_options.mostTokens - std::min(m_tokens, m_options.mostTokens);
+        tree = parse(std::make_shared<const SourceText>(std::move(shown), bytes.take()), file, left);
         ++m_parses;
     }
+    m_tokens += tree->tokens().size();
+    if (tree->extent() == Tree::Extent::Limited && m_limited == kNoFile) m_limited = file;
     m_sources.add(tree->sharedSource(), importedFrom);
     m_texts.trees.push_back(tree);
     m_folders.push_back(folder);
@@ -72,10 +83,12 @@ void Loader::visit(const std::vector<Item>& items, FileId file, int depth) {
 void Loader::import(const ImportItem& item, FileId file, int depth) {
     if (item.path.empty()) return; // said by the parser
     const SourceRange range{file, item.pathRange};
+    if (m_notFound > kMostNotFound) return; // a search for each would take minutes
     Result<std::string> found = m_search.find(item.path, m_folders[file]);
     if (!found.ok()) {
         Diagnostic& d = m_diagnostics.error(found.error().code, range, found.error().message);
-        if (found.error().code == Code::ImportNotFound) suggestWords(d, m_search.nearest(item.path, m_folders[file]), range);
+        if (++m_notFound > kMostNotFound) d.message = "too many imports are not found; those from here on are not looked for";
+        else if (found.error().code == Code::ImportNotFound) suggestWords(d, m_search.nearest(item.path, m_folders[file]), range);
         return;
     }
     const std::string& path = found.value();

@@ -28,6 +28,7 @@ struct LoadOptions {
     const TextOverlay* texts = nullptr; ///< instead of the files
     const Loaded* previous = nullptr;   ///< trees of it that are still right are taken over
     std::string shownFrom;              ///< folder that shown paths start from; empty: the opened file as given, others from here
+    std::size_t mostTokens = static_cast<std::size_t>(-1); ///< of all files together; what is behind them is not read
 };
 
 /// The one assignment that a `--set` text is; nullptr where it is something else, which is said.
@@ -50,6 +51,8 @@ public:
     /// Absolute, by FileId; "" for a `--set` text.
     [[nodiscard]] std::vector<std::string> takePaths() { return std::move(m_paths); }
     [[nodiscard]] std::size_t parses() const { return m_parses; }
+    /// The first file that mostTokens cut short; kNoFile where all were read.
+    [[nodiscard]] FileId limitedFile() const { return m_limited; }
     /// The folder of a file, by FileId.
     [[nodiscard]] std::vector<std::string> takeFolders() { return std::move(m_folders); }
 
@@ -59,7 +62,9 @@ private:
         std::string own;
         std::shared_ptr<const std::string> shared;
         [[nodiscard]] std::string_view view() const { return shared ? std::string_view(*shared) : std::string_view(own); }
-        [[nodiscard]] std::string take() { return shared ? *shared : std::move(own); }
+        [[nodiscard]] std::shared_ptr<const std::string> take() {
+            return shared ? shared : std::make_shared<const std::string>(std::move(own));
+        }
     };
     /// `path` is what to read, `absolute` what it is called in the overlay.
     [[nodiscard]] Result<Bytes> read(const std::string& path, const std::string& absolute, std::size_t most) const;
@@ -80,7 +85,9 @@ private:
     std::vector<ModuleMention> m_modules;
     std::unordered_map<std::string, FileId> m_byPath; ///< canonical
     std::vector<FileId> m_open;                       ///< the chain of imports being followed
-    std::size_t m_bytes = 0;
+    std::size_t m_bytes = 0, m_tokens = 0;
+    FileId m_limited = kNoFile;
+    std::size_t m_notFound = 0; ///< imports
     bool m_tooMany = false;
 };
 

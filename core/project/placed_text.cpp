@@ -28,6 +28,20 @@ std::string shifted(const Element& e, std::string_view written, double by) {
 
 } // namespace
 
+std::optional<std::string> shiftedPosition(const Value& value, std::string_view source, const Vec3& offset) {
+    if (value.elements.size() != 3) return std::nullopt;
+    std::string text;
+    std::uint32_t done = value.range.begin;
+    for (int i = 0; i < 3; ++i) {
+        const Element& e = value.elements[static_cast<std::size_t>(i)];
+        const std::string element = shifted(e, source.substr(e.range.begin, e.range.size()), offset[i]);
+        if (element.empty()) return std::nullopt;
+        text += std::string(source.substr(done, e.range.begin - done)) + element;
+        done = e.range.end;
+    }
+    return text;
+}
+
 PlacedText::PlacedText(std::string text) : m_text(std::move(text)) {
     m_tree = parse(std::make_shared<const SourceText>("the text", m_text), 0);
 }
@@ -61,18 +75,8 @@ void PlacedText::rename(const std::string& name) {
 
 void PlacedText::shift(std::string_view key, const Vec3& offset, const Vec3& otherwise) {
     const AssignmentItem* a = find(key);
-    if (!a || a->value.elements.size() != 3) return set(key, positionText(otherwise + offset));
-    std::string value;
-    std::uint32_t done = a->value.range.begin;
-    for (int i = 0; i < 3; ++i) {
-        const Element& e = a->value.elements[static_cast<std::size_t>(i)];
-        const std::string_view source = m_tree->source().bytes();
-        const std::string element = shifted(e, source.substr(e.range.begin, e.range.size()), offset[i]);
-        if (element.empty()) return set(key, positionText(otherwise + offset));
-        value += std::string(source.substr(done, e.range.begin - done)) + element;
-        done = e.range.end;
-    }
-    set(key, value);
+    const auto value = a ? shiftedPosition(a->value, m_tree->source().bytes(), offset) : std::nullopt;
+    set(key, value.value_or(positionText(otherwise + offset)));
 }
 
 } // namespace trundle

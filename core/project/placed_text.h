@@ -1,6 +1,7 @@
 #pragma once
 // The text of one block while its place changes.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,10 @@
 #include "lang/tree.h"
 
 namespace trundle {
+
+/// The text of a position moved by `offset` (m), as shift() below writes it; nothing where it is not three numbers or formulas.
+/// `source` is the file's.
+[[nodiscard]] std::optional<std::string> shiftedPosition(const Value& value, std::string_view source, const Vec3& offset);
 
 class PlacedText {
 public:

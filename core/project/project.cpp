@@ -54,7 +54,7 @@ std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
 }
 
 /// In the order of the text, each message once: a config resolved for several instances repeats itself.
-Diagnostics tidied(std::vector<Diagnostic> all) {
+Diagnostics tidied(const Diagnostics& given, std::vector<Diagnostic> all) {
     std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.range.file, a.range.range.begin) < std::pair(b.range.file, b.range.range.begin);
     });
@@ -65,7 +65,53 @@ Diagnostics tidied(std::vector<Diagnostic> all) {
         if (said.emplace(static_cast<int>(d.code), d.range, d.message).second) kept.push_back(std::move(d));
     }
     tidy.append(oncePerValue(std::move(kept)));
+    tidy.addUnkept(given);
+    tidy.summarize();
     return tidy;
+}
+
+constexpr std::size_t kFirstTokens = 250'000; // about 1 MiB of text
+constexpr std::ptrdiff_t kHopelessMistakes = 500;
+
+/// Mistakes that no text behind them can take away.
+bool isLasting(Code code) {
+    switch (code) {
+    case Code::UnknownKey:
+    case Code::DuplicateKey:
+    case Code::DuplicateName:
+    case Code::WrongType:
+    case Code::OutOfRange:
+    case Code::WrongCount:
+    case Code::UnknownUnit:
+    case Code::WrongDimension:
+    case Code::UnknownChoice:
+    case Code::MissingName:
+    case Code::WrongPlace:
+    case Code::LooseGeom:
+    case Code::ImportNotFound:
+    case Code::TooLarge:
+    case Code::TooManyMistakes: return true;
+    default: return false;
+    }
+}
+
+/// Whether what was read of a large text is so wrong that nobody needs the rest. A kind may still come with a module.
+bool isHopeless(const Loaded& loaded, FileId file, const Diagnostics& diagnostics) {
+    const Tree& tree = *loaded.trees[file];
+    const bool modulesMayCome = tree.source().bytes().find('#', tree.readTo()) != std::string_view::npos;
+    return std::ranges::count_if(diagnostics.all(), [&](const Diagnostic& d) {
+               return d.severity == Severity::Error && (isLasting(d.code) || (d.code == Code::UnknownKind && !modulesMayCome));
+           }) >= kHopelessMistakes;
+}
+
+Diagnostic restUnread(const Tree& tree) {
+    const auto size = static_cast<std::uint32_t>(tree.source().bytes().size());
+    Diagnostic d;
+    d.code = Code::TooManyMistakes;
+    d.range = {tree.file(), {tree.readTo(), tree.readTo()}};
+    d.message = "too many mistakes before this place: the last " + std::to_string((size - tree.readTo()) >> 10) +
+                " KiB of this file are not read";
+    return d;
 }
 
 FileStamp stampOf(const std::string& path) {
@@ -126,7 +172,34 @@ AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch
 Project::Project(std::shared_ptr<const Registry> builtIn, ModuleCatalog& catalog, MeshSource& meshes, ProjectOptions options)
     : m_builtIn(std::move(builtIn)), m_catalog(catalog), m_meshes(meshes), m_options(std::move(options)) {}
 
+/// A load of as much text as it was allowed to read.
+struct Project::Attempt {
+    std::shared_ptr<Loaded> loaded;
+    Diagnostics diagnostics;      ///< as they came
+    std::vector<Diagnostic> said; ///< the same with fixes that modules and imports offer
+    FileId limitedFile = kNoFile;
+};
+
 Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
+    std::shared_ptr<const Loaded> previous = m_options.previous;
+    for (std::size_t most = kFirstTokens;; most *= 4) {
+        Result<Attempt> tried = attempt(path, most, previous);
+        if (!tried.ok()) return tried.error();
+        Attempt& a = tried.value();
+        const FileId limited = a.limitedFile;
+        if (limited != kNoFile && !isHopeless(*a.loaded, limited, a.diagnostics)) {
+            previous = std::move(a.loaded); // its other trees are right
+            continue;
+        }
+        a.loaded->diagnostics = tidied(a.diagnostics, std::move(a.said));
+        if (limited != kNoFile) a.loaded->diagnostics.addLast(restUnread(*a.loaded->trees[limited]));
+        return std::shared_ptr<const Loaded>(std::move(a.loaded));
+    }
+}
+
+Result<Project::Attempt> Project::attempt(const std::string& path, std::size_t mostTokens,
+                                          std::shared_ptr<const Loaded> previous) {
+    Attempt attempt;
     auto loaded = std::make_shared<Loaded>();
     loaded->projectFolder = projectFolderOf(path);
     std::vector<std::string> folders{loaded->projectFolder};
@@ -141,10 +214,10 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     }
     const FileSearch pictures(folders);
 
-    Diagnostics diagnostics;
+    Diagnostics& diagnostics = attempt.diagnostics;
     Loader loader(
         imports, diagnostics,
-        {&m_options.texts, m_options.previous.get(), m_options.shownFromProject ? loaded->projectFolder : std::string()});
+        {&m_options.texts, previous.get(), m_options.shownFromProject ? loaded->projectFolder : std::string(), mostTokens});
     if (Status status = loader.open(path); !status.ok()) return status.error();
     auto registry = std::make_shared<Registry>(withControllerProperties(*m_builtIn));
     FoundModules modules = findModules(loader.modules(), m_catalog, *registry, diagnostics);
@@ -161,7 +234,7 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     std::shared_ptr<Outline> outline = Outline::build(texts, registry, diagnostics);
     AppliedSets sets = applySets(*outline, diagnostics);
     AssetLookup assets = assetsFrom(fileFolders, pictures, m_meshes, *loaded);
-    if (m_options.previous && m_options.previous->shapes) assets.shapes = m_options.previous->shapes;
+    if (previous && previous->shapes) assets.shapes = previous->shapes;
     loaded->shapes = assets.shapes;
     std::shared_ptr<ExperimentSpec> experiment = resolve(*outline, assets, diagnostics);
     experiment->modules = std::move(modules.modules);
@@ -170,11 +243,12 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
     loaded->sets = std::move(sets.targets);
     loaded->outline = std::move(outline);
     loaded->experiment = std::move(experiment);
-    std::vector<Diagnostic> said = diagnostics.all();
-    offerModules(*loaded, m_catalog, said);
-    offerImports(*loaded, imports, importable, said);
-    loaded->diagnostics = tidied(std::move(said));
-    return std::shared_ptr<const Loaded>(std::move(loaded));
+    attempt.said = diagnostics.all();
+    offerModules(*loaded, m_catalog, attempt.said);
+    offerImports(*loaded, imports, importable, attempt.said);
+    attempt.limitedFile = loader.limitedFile();
+    attempt.loaded = std::move(loaded);
+    return attempt;
 }
 
 } // namespace trundle

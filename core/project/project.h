@@ -66,10 +66,14 @@ public:
     Project(std::shared_ptr<const Registry> builtIn, ModuleCatalog& catalog, MeshSource& meshes, ProjectOptions options);
 
     /// Reads the file and all it imports. Fails only when the file itself cannot be read. Touches nothing but its own parts: loads
-    /// may go on in several threads.
+    /// may go on in several threads. Of a large text that begins with mistakes alone the rest is not read.
     [[nodiscard]] Result<std::shared_ptr<const Loaded>> open(const std::string& path);
 
 private:
+    struct Attempt;
+    [[nodiscard]] Result<Attempt> attempt(const std::string& path, std::size_t mostTokens,
+                                          std::shared_ptr<const Loaded> previous);
+
     std::shared_ptr<const Registry> m_builtIn;
     ModuleCatalog& m_catalog;
     MeshSource& m_meshes;

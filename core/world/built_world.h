@@ -1,6 +1,6 @@
 #pragma once
 // The world behind world.h. Building: world_build.cpp and device_mount.cpp; the tick: world_tick.cpp and device_services.cpp;
-// what others read: world_state.cpp.
+// what others read: world_state.cpp; how it ends badly: world_fault.cpp.
 
 #include <memory>
 #include <string>
@@ -139,6 +139,11 @@ private:
     [[nodiscard]] bool failed(Device& device);
     void publish();
     void publishRobot(const BuiltRobot& robot, double* slots) const;
+
+    // world_fault.cpp
+    [[nodiscard]] std::pair<const BuiltRobot*, std::size_t> ownerOf(BodyHandle body) const; ///< and which of its bodies
+    [[nodiscard]] std::string faultAdvice(BodyHandle body) const;
+    [[nodiscard]] Status stopAt(const EngineFault& fault);
     [[nodiscard]] Status stop(Code code, Fault fault);
     [[nodiscard]] Status stopped() const;
 

@@ -122,13 +122,16 @@ public:
     virtual void setMotor(JointHandle joint, const MotorRow& row) = 0;
     virtual void addJointTorque(JointHandle joint, double torque) = 0;
     virtual void addForce(BodyHandle body, const Vec3& force, const Vec3& point) = 0;
-    virtual void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) = 0; ///< in the geom's frame, until replaced
+    virtual void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) = 0;  ///< in the geom's frame, until replaced
     virtual void setSurface(std::size_t surface, const SurfaceSpec& values) = 0; ///< by its index in the settings
     /// Moves a whole actor rigidly and stops it; joint positions stay.
     virtual void moveActor(ActorHandle actor, const Pose& motion) = 0;
 
     /// Adds kg m^2 about a joint's axis to its child, before the first step: a geared rotor that turns with it. Not for sliders.
     [[nodiscard]] virtual Status addAxialInertia(JointHandle joint, double inertia) = 0;
+
+    /// Finds the contacts of everything as it is, without a step: contactCount() and contact() then give them, with no forces.
+    virtual void findContacts() = 0;
 
     /// The whole tick: writes, pairs, contacts, dynamics, publication.
     [[nodiscard]] virtual std::optional<EngineFault> step(double h) = 0;
@@ -146,7 +149,7 @@ public:
     [[nodiscard]] virtual std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
                                                     ActorHandle without) const = 0;
 
-    /// Steps that the quick solver took unasked.
+    /// Steps that the quick solver took, asked or not.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
     /// Steps that the exact solver could not take at the first attempt, however they ended.
     [[nodiscard]] virtual std::uint64_t rescuedTicks() const = 0;

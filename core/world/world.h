@@ -68,7 +68,7 @@ public:
 
     [[nodiscard]] virtual std::uint64_t ticks() const = 0;
     [[nodiscard]] double time() const { return static_cast<double>(ticks()) * experiment().settings.tick; }
-    /// Ticks the quick solver took unasked: large clusters under Solver = auto, and what the exact one could not solve at all.
+    /// Ticks the quick solver took: all under Solver = quick, large clusters under auto, and what the exact one could not solve at all.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
     /// Ticks that the exact solver could not take at the first attempt: taken again with more give, at last by the quick one.
     [[nodiscard]] virtual std::uint64_t rescuedTicks() const = 0;

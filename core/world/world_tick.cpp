@@ -31,13 +31,7 @@ Status BuiltWorld::tick() {
     if (good) {
         airTime();
         m_contactsReady = false;
-        if (const auto fault = stepEngine()) {
-            const double time = static_cast<double>(m_ticks + 1) * m_experiment->settings.tick;
-            const bool known = fault->body.valid() && fault->body.index < m_bodyPaths.size();
-            return stop(known ? Code::BlowUp : Code::EngineFault,
-                        {known ? m_bodyPaths[fault->body.index] : "", time, fault->reason,
-                         known ? m_bodyRanges[fault->body.index] : SourceRange{}});
-        }
+        if (const auto fault = stepEngine()) return stopAt(*fault);
         ++m_ticks;
         placeRadios();
         publish(); // before sense, so that devices may read what is true as signals too
@@ -109,19 +103,6 @@ Pose BuiltWorld::framePose(const BuiltRobot& robot) const {
     const BodyState& first = m_engine->state(robot.handles.bodies[0]);
     const Pose body{first.position, first.rotation};
     return robot.frameIsFirst ? body : body * robot.frameInFirst;
-}
-
-Status BuiltWorld::stop(Code code, Fault fault) {
-    m_fault = std::move(fault);
-    m_faultCode = code;
-    return stopped();
-}
-
-Status BuiltWorld::stopped() const {
-    char time[32];
-    std::snprintf(time, sizeof time, "%.6g", m_fault->time);
-    const std::string who = m_fault->body.empty() ? "the simulation" : m_fault->body;
-    return Error{m_faultCode, who + " stopped at t = " + time + " s: " + m_fault->reason};
 }
 
 } // namespace trundle

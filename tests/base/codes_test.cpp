@@ -41,6 +41,54 @@ private Q_SLOTS:
         QCOMPARE(all.all()[2].message, std::string("an error"));
         QCOMPARE(all.all()[2].suggestions.size(), std::size_t(1));
     }
+
+    /// Of each file a fixed number is kept; errors are not crowded out by warnings, nor one file by another.
+    void keepsABoundedNumberOfEachFile() {
+        Diagnostics all;
+        for (std::uint32_t i = 0; i < 5000; ++i) all.warning(Code::DefaultUsed, {0, {i, i}}, "a warning");
+        for (std::uint32_t i = 0; i < 3000; ++i) all.error(Code::BadMass, {0, {i, i}}, "an error");
+        all.error(Code::BadMass, {1, {0, 0}}, "in another file");
+        QCOMPARE(all.errorCount(), std::size_t(3001));
+        QCOMPARE(all.all().size(), 2 * Diagnostics::kMostOfOneFile + 1);
+        QCOMPARE(all.all().back().message, std::string("in another file"));
+        all.summarize();
+        QCOMPARE(all.all().back().code, Code::TooManyMistakes);
+        QCOMPARE(all.all().back().more, std::uint64_t(2000 + 4000));
+        QCOMPARE(all.all().back().message,
+                 std::string("and 2000 more errors and 4000 more warnings in this file; fix the ones above first"));
+        QCOMPARE(all.all().back().range.range.begin, 1000u);
+
+        Diagnostics files;
+        for (std::uint32_t file = 0; file < 100; ++file)
+            for (std::uint32_t i = 0; i < 1000; ++i) files.error(Code::BadMass, {file, {i, i}}, "an error");
+        QCOMPARE(files.all().size(), Diagnostics::kMostOfAll);
+    }
+
+    /// A config that many robots share says the same of each: it is kept once, and still counts as an error of each.
+    void keepsEachMessageOnce() {
+        Diagnostics all;
+        for (int i = 0; i < 10; ++i) all.error(Code::BadMass, {0, {1, 2}}, "an error").fixes.push_back({"x", {}});
+        QCOMPARE(all.all().size(), std::size_t(1));
+        QCOMPARE(all.errorCount(), std::size_t(10));
+        all.error(Code::BadMass, {0, {1, 2}}, "another");
+        QCOMPARE(all.all().size(), std::size_t(2));
+        all.summarize();
+        QCOMPARE(all.all().size(), std::size_t(2));
+    }
+
+    void cutsLongNames() {
+        Diagnostics all;
+        const std::string umlauts = QString(QChar(0xe4)).repeated(100000).toStdString();
+        const std::string& message = all.error(Code::UnknownKey, {}, "unknown property " + umlauts + " of Box").message;
+        QVERIFY(message.size() < 300);
+        QVERIFY(message.starts_with("unknown property \xC3\xA4") && message.ends_with(" of Box"));
+        QVERIFY(QString::fromStdString(message).contains(QChar(0x2026)) &&
+                !QString::fromStdString(message).contains(QChar(0xfffd)));
+        QCOMPARE(shortenedMessage("short words stay"), std::string("short words stay"));
+        std::string words;
+        for (int i = 0; i < 1000; ++i) words += "word ";
+        QVERIFY(shortenedMessage(words).size() < 2100);
+    }
 };
 
 QTEST_APPLESS_MAIN(CodesTest)

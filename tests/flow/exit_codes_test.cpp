@@ -1,5 +1,20 @@
 #include "flow/cli.h"
 
+namespace {
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TRUNDLE_SANITIZED // their shadow memory fits into no limit
+#endif
+#endif
+#ifdef TRUNDLE_SANITIZED
+const QString kMemoryLimit;
+#else
+const QString kMemoryLimit = QStringLiteral("ulimit -v 300000; "); // KiB of address space
+#endif
+
+} // namespace
+
 class ExitCodesTest : public QObject {
     Q_OBJECT
 
@@ -36,6 +51,9 @@ private Q_SLOTS:
     void aFullStandardOutputIsSaid_data();
     void aFullStandardOutputIsSaid();
     void aThousandMistakesAreNotAWallOfText();
+    void sixtyFourMebibytesOfMistakesFitIntoLittleMemory_data();
+    void sixtyFourMebibytesOfMistakesFitIntoLittleMemory();
+    void checkSaysWhatARunWouldShow();
     void noFileNameLeadsTheLogsElsewhere();
 };
 
@@ -113,7 +131,8 @@ void ExitCodesTest::everyMisuseIsNamed_data() {
     QTest::addColumn<QByteArray>("said");
     const QString good = experiment("good.sim", "");
     const auto row = [](const QStringList& arguments, const QByteArray& said) {
-        QTest::newRow(arguments.join(' ').section('/', -1).prepend(arguments.value(0) + ": ").toUtf8().constData()) << arguments << said;
+        QTest::newRow(arguments.join(' ').section('/', -1).prepend(arguments.value(0) + ": ").toUtf8().constData())
+            << arguments << said;
     };
     row({}, "subcommand");
     row({"runn", good}, "did you mean run?");
@@ -128,7 +147,8 @@ void ExitCodesTest::everyMisuseIsNamed_data() {
     row({"run", good, "--fast"}, "--fast");
     row({"run", good, "-x"}, "-x");
     row({"run", good, "--duration"}, "--duration");
-    for (const char* wrong : {"long", "-1", "nan", "inf", "1e18", "5s", "", "0x10"}) row({"run", good, "--duration", wrong}, "duration");
+    for (const char* wrong : {"long", "-1", "nan", "inf", "1e18", "5s", "", "0x10"})
+        row({"run", good, "--duration", wrong}, "duration");
     row({"run", good, "--duration", "1", "--duration", "2"}, "--duration");
     for (const char* wrong : {"x", "-1", "1.5", "", "9007199254740993"}) row({"run", good, "--seed", wrong}, "seed");
     for (const char* wrong : {"Duration", "=5", ""}) row({"run", good, "--set", wrong}, "PATH=VALUE");
@@ -178,7 +198,8 @@ void ExitCodesTest::everyMisuseIsNamed() {
     QVERIFY2(plain.out.isEmpty() && !plain.err.contains('\x1b'), shown(plain));
     for (const qsizetype place : {qsizetype(0), qsizetype(1), arguments.size()}) {
         if (place > arguments.size()) continue;
-        const Outcome json = callProgram(programPath(), arguments.mid(0, place) + QStringList("--json") + arguments.mid(place), here.path());
+        const Outcome json =
+            callProgram(programPath(), arguments.mid(0, place) + QStringList("--json") + arguments.mid(place), here.path());
         QJsonParseError error;
         const QJsonDocument document = QJsonDocument::fromJson(json.out, &error);
         QVERIFY2(json.code == 2 && error.error == QJsonParseError::NoError, shown(json));
@@ -327,6 +348,59 @@ void ExitCodesTest::aThousandMistakesAreNotAWallOfText() {
     QVERIFY2(check.err.endsWith("... and 900 more messages\n"), shown(check));
     QVERIFY2(check.out.contains("1000 errors"), shown(check));
     QCOMPARE(QJsonDocument::fromJson(cli({"check", path, "--json"}).out).array().size(), 1000);
+}
+
+void ExitCodesTest::sixtyFourMebibytesOfMistakesFitIntoLittleMemory_data() {
+    QTest::addColumn<QByteArray>("head");
+    QTest::addColumn<QByteArray>("piece");
+    QTest::newRow("unknown settings") << QByteArray() << QByteArray("a=1\n");
+    QTest::newRow("unknown blocks") << QByteArray() << QByteArray("Foo x { A=1 }\n");
+    QTest::newRow("no values") << QByteArray() << QByteArray("a=\n");
+    QTest::newRow("braces") << QByteArray() << QByteArray("{");
+    QTest::newRow("one line") << QByteArray("Tick=") << QByteArray("1,");
+    QTest::newRow("one name") << QByteArray("Robot ") << QByteArray("a");
+    QTest::newRow("bytes") << QByteArray() << QByteArray("\x01\xfe{\xff=");
+}
+
+/// 64 MiB are the text itself; the program with its libraries takes another 100.
+void ExitCodesTest::sixtyFourMebibytesOfMistakesFitIntoLittleMemory() {
+    QFETCH(QByteArray, head);
+    QFETCH(QByteArray, piece);
+    const QString path = m_folder.filePath("large.sim");
+    QVERIFY(writeFile(path, head + piece.repeated(((64 << 20) - 100) / int(piece.size()))));
+    const Outcome check =
+        callProgram("/bin/sh", {"-c", kMemoryLimit + QStringLiteral("exec \"$0\" check \"$1\" --json"), programPath(), path});
+    QVERIFY2(check.code == 1, shown({check.code, check.out.left(2000), check.err.left(2000)}));
+    const QJsonArray messages = QJsonDocument::fromJson(check.out).array();
+    QVERIFY2(!messages.isEmpty() && messages.size() <= 2002, check.out.left(2000));
+    QVERIFY(check.out.size() < 4'000'000);
+    QFile::remove(path);
+}
+
+void ExitCodesTest::checkSaysWhatARunWouldShow() {
+    const auto text = [this](const char* name, const QByteArray& robot) {
+        const QString path = m_folder.filePath(name);
+        (void)writeFile(path, "Duration = 0.1\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
+                              "Static floor { Config=OpenFloor }\n"
+                              "RobotConfig Crate { Body b { Box g { Size=0.2,0.2,0.2 Mass=1 } } }\n" +
+                                  robot);
+        return path;
+    };
+    // A port that the robot does not have is said without a run.
+    const QString lacking = text("lacking.sim", "Robot r { Config=Crate Pos=0,0,0.1 LinearMotion brain { } }\n");
+    const Outcome refused = cli({"check", lacking});
+    QVERIFY2(refused.code == 1 && refused.err.contains("E411"), shown(refused));
+    QCOMPARE(cli({"run", lacking}).code, 4);
+    // What starts in the floor is a warning, with its fix, in all three forms; it keeps nothing from running.
+    const QString deep = text("deep.sim", "Robot r { Config=Crate Pos=0,0,0.03 }\n");
+    const Outcome warned = cli({"check", deep});
+    QVERIFY2(warned.code == 0 && warned.err.contains("warning E325") && warned.err.contains("fix: Pos=0,0,0.1"), shown(warned));
+    const QJsonArray messages = QJsonDocument::fromJson(cli({"check", deep, "--json"}).out).array();
+    QVERIFY(std::any_of(messages.begin(), messages.end(), [](const QJsonValue& m) {
+        return m["code"].toString() == "E325" && m["fixes"].toArray().size() == 1 && m["line"].toInt() == 6;
+    }));
+    const Outcome ran = cli({"run", deep, "--quiet"});
+    QVERIFY2(ran.code == 0 && ran.err.contains("warning E325"), shown(ran));
 }
 
 void ExitCodesTest::noFileNameLeadsTheLogsElsewhere() {

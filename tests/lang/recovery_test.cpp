@@ -76,6 +76,73 @@ private Q_SLOTS:
         QVERIFY(tree->diagnostics().back().message.find("too many mistakes") != std::string::npos);
     }
 
+    void largeMistakesAreReadInPart_data() {
+        QTest::addColumn<QByteArray>("head");
+        QTest::addColumn<QByteArray>("piece");
+        QTest::newRow("lines of nonsense") << QByteArray() << QByteArray("a b c\n");
+        QTest::newRow("keys without values") << QByteArray() << QByteArray("a=\n");
+        QTest::newRow("braces") << QByteArray() << QByteArray("{");
+        QTest::newRow("open blocks") << QByteArray() << QByteArray("A {");
+        QTest::newRow("signs") << QByteArray() << QByteArray("@");
+        QTest::newRow("a list without an end") << QByteArray("Tick=") << QByteArray("1,");
+        QTest::newRow("an expression without an end") << QByteArray("Tick=$(") << QByteArray("1+");
+        QTest::newRow("a path without an end") << QByteArray() << QByteArray("a.");
+        QTest::newRow("bytes that are no text") << QByteArray() << QByteArray("\xff a ");
+    }
+    /// The memory that a mistake costs does not grow with the text; the text stays whole, and what stands before it is read.
+    void largeMistakesAreReadInPart() {
+        QFETCH(QByteArray, head);
+        QFETCH(QByteArray, piece);
+        const std::string text =
+            "Robot first { Mass=1 }\n" + head.toStdString() + piece.repeated(2'000'000 / int(piece.size())).toStdString();
+        const auto tree = parsed(text);
+        QCOMPARE(tree->extent(), Tree::Extent::Hopeless);
+        QVERIFY(tree->readTo() > 0 && tree->readTo() < text.size());
+        QVERIFY2(tree->tokens().size() < 300'000, QByteArray::number(qulonglong(tree->tokens().size())));
+        QVERIFY(print(*tree) == text);
+        QVERIFY(tree->diagnostics().size() <= 101);
+        QVERIFY(std::any_of(tree->diagnostics().begin(), tree->diagnostics().end(), [](const Diagnostic& d) {
+            return d.message.find("the rest of this file is not read") != std::string::npos;
+        }));
+        QVERIFY(tree->items().front().as<BlockItem>() && tree->items().front().as<BlockItem>()->items.size() == 1);
+    }
+
+    void wordsOfAMegabyteAreNamedInShort_data() {
+        QTest::addColumn<QByteArray>("before");
+        QTest::addColumn<QByteArray>("after");
+        QTest::newRow("name") << QByteArray("Robot ") << QByteArray(" { }");
+        QTest::newRow("key") << QByteArray() << QByteArray(" = 1");
+        QTest::newRow("text") << QByteArray("Title = \"") << QByteArray("\"");
+        QTest::newRow("path") << QByteArray("#import ") << QByteArray();
+        QTest::newRow("unit") << QByteArray("Tick = 1") << QByteArray();
+        QTest::newRow("param") << QByteArray("Tick = $") << QByteArray();
+    }
+    void wordsOfAMegabyteAreNamedInShort() {
+        QFETCH(QByteArray, before);
+        QFETCH(QByteArray, after);
+        const auto tree = parsed((before + QByteArray(1 << 20, 'a') + after + "\nLast = 3\n").toStdString());
+        QVERIFY(!tree->diagnostics().empty());
+        for (const Diagnostic& d : tree->diagnostics()) QVERIFY2(d.message.size() < 300, d.message.substr(0, 300).c_str());
+        QCOMPARE(std::count_if(tree->diagnostics().begin(), tree->diagnostics().end(),
+                               [](const Diagnostic& d) { return d.code == Code::TooLarge; }),
+                 1);
+        QVERIFY(tree->items().back().as<AssignmentItem>());
+        QCOMPARE(tree->items().back().as<AssignmentItem>()->path[0].text, std::string("Last"));
+    }
+
+    void aLimitOfTokensIsNoMistake() {
+        std::string text;
+        for (int i = 0; i < 20'000; ++i) text += "Robot r" + std::to_string(i) + " { Mass=1 Pos=1,2,3 }\n";
+        const auto source = std::make_shared<const SourceText>("t", text);
+        const auto part = parse(source, 0, 50'000), whole = parse(source, 0);
+        QCOMPARE(part->extent(), Tree::Extent::Limited);
+        QVERIFY(part->diagnostics().empty());
+        QVERIFY(part->tokens().size() < 60'000 && print(*part) == text);
+        QVERIFY(part->items().size() > 1000 && part->items().size() < whole->items().size());
+        QCOMPARE(whole->extent(), Tree::Extent::Whole);
+        QCOMPARE(whole->items().size(), std::size_t(20'000));
+    }
+
 private:
     static std::shared_ptr<const Tree> applied(const Tree& tree, const Fix& fix) { return applyEdits(tree, fix.edits).value(); }
 };

@@ -1,5 +1,7 @@
 #include <QTest>
 
+#include "base/utf8.h"
+
 #include "lang/texts.h"
 
 using namespace trundle;
@@ -64,6 +66,36 @@ private Q_SLOTS:
         QCOMPARE(q(text.line(4)), QByteArray(""));
         QCOMPARE(q(text.line(5)), QByteArray(""));
         QCOMPARE(q(text.line(0)), QByteArray(""));
+    }
+
+    /// Places are found from marks that are far apart: the same as by counting from the beginning.
+    void placesInLongTextsAreExact() {
+        std::string bytes = "\xEF\xBB\xBF";
+        const char* const pieces[] = {"a", "\n", "\r\n", "\r", "\xC3\xA4", "\xF0\x9F\x98\x80", "\xFF", "long words here", "\t"};
+        std::uint32_t dice = 1;
+        for (int i = 0; i < 12'000; ++i) bytes += pieces[((dice = dice * 1664525 + 1013904223) >> 20) % 9];
+        bytes += std::string(20'000, 'x') + "\r\nend";
+        const SourceText text("t", bytes);
+        std::uint32_t line = 1, column = 1, begin = 0;
+        for (std::uint32_t at = 3; at < bytes.size();) {
+            const LineColumn place = text.position(at);
+            QVERIFY2(place.line == line && place.column == column, std::to_string(at).c_str());
+            const std::uint32_t length = codePointAt(bytes, at).length;
+            const bool crOfCrLf = bytes[at] == '\r' && at + 1 < bytes.size() && bytes[at + 1] == '\n';
+            if ((bytes[at] == '\n' || bytes[at] == '\r') && !crOfCrLf) {
+                std::uint32_t end = at;
+                if (bytes[at] == '\n' && end > begin && bytes[end - 1] == '\r') --end;
+                QVERIFY2(text.line(line) == std::string_view(bytes).substr(begin, end - begin), std::to_string(line).c_str());
+                ++line;
+                column = 1;
+                begin = at + 1;
+            } else {
+                ++column;
+            }
+            at += length;
+        }
+        QCOMPARE(text.lineCount(), line);
+        QCOMPARE(text.line(line), std::string_view("end"));
     }
 
     void slicesStayInside() {

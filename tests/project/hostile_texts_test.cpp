@@ -151,6 +151,45 @@ private Q_SLOTS:
         QVERIFY(loaded->diagnostics.errorCount() > 20000);
     }
 
+    void largeTextsOfMistakesAreReadInPart_data() {
+        QTest::addColumn<QByteArray>("head");
+        QTest::addColumn<QByteArray>("piece");
+        QTest::newRow("unknown kinds") << QByteArray() << QByteArray("Foo x { A=1 }\n");
+        QTest::newRow("unknown settings") << QByteArray() << QByteArray("a=1\n");
+        QTest::newRow("settings twice") << QByteArray() << QByteArray("Tick=1\n");
+        QTest::newRow("Params twice") << QByteArray() << QByteArray("Param a=1\n");
+        QTest::newRow("values of a wrong type") << QByteArray() << QByteArray("Robot r { Pos=abc }\n");
+        QTest::newRow("properties twice") << QByteArray("RobotConfig R { Body b {") << QByteArray(" Mass=1");
+        QTest::newRow("imports of nothing") << QByteArray() << QByteArray("#import nothing.sim\n");
+        QTest::newRow("behind a good text") << QByteArray::fromStdString(scene()) << QByteArray("Foo x { A=1 }\n");
+    }
+    /// What is kept does not grow with the text, and the last message of the file says how much was not read or listed.
+    void largeTextsOfMistakesAreReadInPart() {
+        QFETCH(QByteArray, head);
+        QFETCH(QByteArray, piece);
+        Desk desk;
+        const auto loaded = desk.open((head + piece.repeated(3'000'000 / int(piece.size()))).toStdString());
+        const Tree& tree = *loaded->trees[0];
+        QCOMPARE(tree.extent(), Tree::Extent::Limited);
+        QVERIFY(tree.tokens().size() < 300'000 && tree.readTo() < tree.source().bytes().size());
+        QVERIFY(loaded->diagnostics.hasErrors());
+        QVERIFY(loaded->diagnostics.all().size() <= 2 * Diagnostics::kMostOfOneFile + 2);
+        QVERIFY(std::any_of(loaded->diagnostics.all().begin(), loaded->diagnostics.all().end(), [](const Diagnostic& d) {
+            return d.code == Code::TooManyMistakes && d.message.find("of this file are not read") != std::string::npos;
+        }));
+    }
+
+    /// A large text that is right is read whole, also where what it needs comes last.
+    void largeTextsThatAreRightAreReadWhole() {
+        Desk desk;
+        std::string text = "#loadModule walker\n";
+        for (int i = 0; i < 12'000; ++i) text += "Robot r" + std::to_string(i) + " { Config=Rover Pos=1,2,3 HPR=0,0,0 }\n";
+        const auto loaded = desk.open(text + sample::kGoodRobot);
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::rendered(*loaded).substr(0, 2000).c_str());
+        QCOMPARE(loaded->trees[0]->extent(), Tree::Extent::Whole);
+        QCOMPARE(loaded->experiment->robots.size(), std::size_t(12'000));
+    }
+
     void longChainsOfParams() {
         Desk desk;
         std::string text = "Param p0 = 1\n", lists = "Param q0 = 1,1\n";

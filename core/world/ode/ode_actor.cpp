@@ -9,6 +9,7 @@ namespace trundle {
 
 namespace {
 
+constexpr const char* kRefused = "its shape cannot be simulated; check its sizes, or build it from boxes, spheres and cylinders";
 constexpr double kFewestSupports = 3; // contacts that share an actor's weight, unless it is one ball
 
 /// Bound of a turned box: how far it reaches along each axis of the outer frame.
@@ -22,7 +23,7 @@ Result<ActorHandles> OdeEngine::addActor(const ActorDef& def) {
     try {
         prepareThread();
         buildActor(def, handles, failure);
-    } catch (const OdeFault& fault) { failure = "the engine refused it: " + fault.text; }
+    } catch (const OdeFault&) { failure = kRefused; }
     if (!failure.empty()) return Error{Code::BadGeometry, failure};
     return handles;
 }
@@ -158,7 +159,7 @@ Result<GeomHandle> OdeEngine::addStatic(const GeomSpec& spec, const Pose& at) {
         m_boxes.push_back({{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}});
         m_staticsDone = false;
         return GeomHandle{index, 0};
-    } catch (const OdeFault& fault) { return Error{Code::BadGeometry, spec.name + ": the engine refused it: " + fault.text}; }
+    } catch (const OdeFault&) { return Error{Code::BadGeometry, spec.name + ": " + kRefused}; }
 }
 
 void OdeEngine::finishStatics() {

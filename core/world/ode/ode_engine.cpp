@@ -7,19 +7,25 @@
 
 namespace trundle {
 
+namespace {
+
+/// Each interrupted step loses the memory that ODE had taken for it (some 10 kB to 1 MB); a world that needs more of them is left to
+/// the quick solver.
+constexpr std::uint32_t kMostInterruptedSteps = 300;
+
+} // namespace
+
 Result<std::unique_ptr<Engine>> makeOdeEngine(const EngineSettings& settings) {
     try {
         startOde();
         prepareThread();
         return std::unique_ptr<Engine>(std::make_unique<OdeEngine>(settings));
-    } catch (const OdeFault& fault) { return Error{Code::EngineFault, fault.text}; }
+    } catch (const OdeFault&) { return Error{Code::EngineFault, "the physics engine cannot be started on this machine"}; }
 }
 
 OdeEngine::OdeEngine(const EngineSettings& settings) : m_settings(settings) {
     m_world = dWorldCreate();
-    m_threading = dThreadingAllocateSelfThreadedImplementation();
-    if (m_threading)
-        dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
+    makeThreading();
     m_contactGroup = dJointGroupCreate(0);
     dWorldSetGravity(m_world, settings.gravity.x(), settings.gravity.y(), settings.gravity.z());
     dWorldSetCFM(m_world, kWorldCfm); // before any joint: joints copy these at birth
@@ -30,6 +36,12 @@ OdeEngine::OdeEngine(const EngineSettings& settings) : m_settings(settings) {
     dWorldSetAutoDisableFlag(m_world, 0);
     m_ray = dCreateRay(nullptr, 1);
     dGeomRaySetClosestHit(m_ray, 1);
+}
+
+void OdeEngine::makeThreading() {
+    m_threading = dThreadingAllocateSelfThreadedImplementation();
+    if (m_threading)
+        dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
 }
 
 OdeEngine::~OdeEngine() {
@@ -75,6 +87,17 @@ void OdeEngine::setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) {
     g.moves = velocity.squaredNorm() > 0;
 }
 
+void OdeEngine::findContacts() {
+    try {
+        prepareThread();
+        if (!m_staticsDone) finishStatics();
+        updateBoxes();
+        collide();
+    } catch (const OdeFault&) { // contacts found so far stay: a step would say what is wrong
+    }
+    m_contactFeedbacks.assign(m_contacts.size(), {});
+}
+
 std::optional<EngineFault> OdeEngine::step(double h) {
     if (m_fault) return m_fault;
     const std::uint64_t before = odeMessages();
@@ -89,9 +112,9 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         ++m_tick;
         m_fault = findFault();
         if (!m_fault) publish(h);
-    } catch (const OdeFault& fault) {
+    } catch (const OdeFault&) {
         m_interrupted = true;
-        m_fault = faultFrom(fault);
+        m_fault = interruptedFault();
     }
     m_complaints += odeMessages() - before;
     return m_fault;
@@ -133,16 +156,30 @@ void OdeEngine::applyMotion(const Motion& write) {
     }
 }
 
-/// In a rare tick the exact solver's pivoting meets a singular row, says so and leaves nonsense behind. The tick is then taken again
-/// from the same state with a little more give in every row. False where no give helped: the state is as before the tick.
+/// One exact step. False where the solver met a singular row: it says so and leaves nonsense behind, or fails an assertion in the
+/// middle of its work.
+bool OdeEngine::tryExactStep(double h) {
+    const std::uint64_t before = odeMessages();
+    try {
+        dWorldStep(m_world, h);
+    } catch (const OdeFault&) {
+        ++m_interruptedSteps;
+        abandon(m_threading); // its list of jobs is half done
+        makeThreading();
+        return false;
+    }
+    return odeMessages() == before;
+}
+
+/// In a rare tick the exact solver cannot do its work. The tick is then taken again from the same state with a little more give in
+/// every row. False where no give helped: the state is as before the tick.
 bool OdeEngine::stepExactly(double h) {
+    if (m_interruptedSteps >= kMostInterruptedSteps) return false;
     saveState();
     bool solved = false, rescued = false;
     for (const double give : {kWorldCfm, 1e2 * kWorldCfm, 1e4 * kWorldCfm}) {
-        const std::uint64_t before = odeMessages();
         dWorldSetCFM(m_world, give);
-        dWorldStep(m_world, h);
-        solved = odeMessages() == before;
+        solved = tryExactStep(h);
         if (solved) break;
         restoreState();
         rescued = true;
@@ -153,7 +190,7 @@ bool OdeEngine::stepExactly(double h) {
 }
 
 void OdeEngine::stepQuickly(double h) {
-    if (m_settings.solver != SolverChoice::Quick) ++m_quickTicks;
+    ++m_quickTicks;
     dRandSetSeed(static_cast<unsigned long>(randomBits(m_settings.seed, 0, m_tick, 0) &
                                             0xffffffffu)); // ODE's stream belongs to the process
     dWorldQuickStep(m_world, h);

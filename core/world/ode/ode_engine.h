@@ -31,6 +31,7 @@ public:
     void setSurface(std::size_t surface, const SurfaceSpec& values) override;
     void moveActor(ActorHandle actor, const Pose& motion) override;
     [[nodiscard]] Status addAxialInertia(JointHandle joint, double inertia) override;
+    void findContacts() override;
     [[nodiscard]] std::optional<EngineFault> step(double h) override;
     [[nodiscard]] const BodyState& state(BodyHandle body) const override { return m_states[body.index]; }
     [[nodiscard]] double jointPosition(JointHandle joint) const override { return m_joints[joint.index].position; }
@@ -93,6 +94,8 @@ private:
     void applyTorque(const JointTorque& write);
     void applyMotion(const Motion& write);
     void solve(double h);
+    void makeThreading();
+    [[nodiscard]] bool tryExactStep(double h);
     [[nodiscard]] bool stepExactly(double h);
     void stepQuickly(double h);
     void saveState();
@@ -137,7 +140,7 @@ private:
     void publish(double h);
     void publishBody(std::uint32_t body);
     [[nodiscard]] std::optional<EngineFault> findFault() const;
-    [[nodiscard]] EngineFault faultFrom(const OdeFault& fault) const;
+    [[nodiscard]] EngineFault interruptedFault() const;
 
     // rays (ode_ray.cpp)
     [[nodiscard]] std::optional<RayHit> rayOnGeom(std::uint32_t geom, const Vec3& origin, const Vec3& direction,
@@ -182,7 +185,8 @@ private:
     std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0, m_complaints = 0;
     std::size_t m_largestExactCluster = 0;
     bool m_quick = false;
-    bool m_interrupted = false; ///< a fault was thrown out of the middle of ODE
+    bool m_interrupted = false;           ///< a fault was thrown out of the middle of ODE, and the world is dead
+    std::uint32_t m_interruptedSteps = 0; ///< exact steps that ended so and were taken again
     std::optional<EngineFault> m_fault;
 };
 

@@ -1,7 +1,6 @@
 #include "world/ode/ode_fault.h"
 
 #include <cstdarg>
-#include <cstdio>
 #include <mutex>
 #include <vector>
 
@@ -13,14 +12,7 @@ namespace {
 
 thread_local std::uint64_t t_messages = 0;
 
-[[noreturn]] void fault(const char* text, va_list arguments) {
-    char buffer[512];
-    std::vsnprintf(buffer, sizeof buffer, text, arguments);
-    throw OdeFault{buffer};
-}
-
-void onError(int, const char* text, va_list arguments) { fault(text, arguments); }
-void onDebug(int, const char* text, va_list arguments) { fault(text, arguments); }
+[[noreturn]] void onFault(int, const char*, va_list) { throw OdeFault{}; }
 void onMessage(int, const char*, va_list) { ++t_messages; }
 
 } // namespace
@@ -29,8 +21,8 @@ void startOde() {
     static std::once_flag once;
     std::call_once(once, [] {
         dInitODE2(0);
-        dSetErrorHandler(onError);
-        dSetDebugHandler(onDebug);
+        dSetErrorHandler(onFault);
+        dSetDebugHandler(onFault);
         dSetMessageHandler(onMessage);
     });
 }

@@ -3,14 +3,11 @@
 // and every entry of this folder catches. Never call ODE's space callbacks from here: a throw would leave a space locked.
 
 #include <cstdint>
-#include <string>
 
 namespace trundle {
 
-/// What ODE would have died of.
-struct OdeFault {
-    std::string text;
-};
+/// ODE would have ended the process here. Its own words are about its source text and help no user: they are dropped.
+struct OdeFault {};
 
 /// Starts ODE and takes over its handlers; any thread, any number of times.
 void startOde();

@@ -98,7 +98,7 @@ Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
             for (int column = 0; column < 3; ++column)
                 mass.I[4 * row + column] += inertia * joint.childAxis[row] * joint.childAxis[column];
         dBodySetMass(m_bodies[joint.child].id, &mass);
-    } catch (const OdeFault& fault) { return Error{Code::BadJoint, "the engine refused the axial inertia: " + fault.text}; }
+    } catch (const OdeFault&) { return Error{Code::BadJoint, "takes no such axial inertia"}; }
     return {};
 }
 

@@ -106,13 +106,21 @@ std::optional<EngineFault> OdeEngine::findFault() const {
     return {};
 }
 
-EngineFault OdeEngine::faultFrom(const OdeFault& fault) const {
+/// After a step that ODE could not finish: the body whose state is lost, else the lightest one, which mostly is the cause.
+EngineFault OdeEngine::interruptedFault() const {
+    std::uint32_t lightest = 0;
+    dReal least = HUGE_VAL;
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
         const Body& b = m_bodies[i];
         if (!isFinite(b.p, 3) || !isFinite(b.q, 4) || !isFinite(b.v, 3) || !isFinite(b.w, 3))
             return {{i, 0}, "its state is no longer a number"};
+        dMass mass;
+        dBodyGetMass(b.id, &mass);
+        if (mass.mass >= least) continue;
+        least = mass.mass;
+        lightest = i;
     }
-    return {{}, "the engine gave up: " + fault.text};
+    return {{lightest, 0}, "the solver finds no forces that hold for it"};
 }
 
 EngineContact OdeEngine::contact(std::size_t index) const {

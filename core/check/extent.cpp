@@ -1,0 +1,68 @@
+#include "check/extent.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trundle {
+
+namespace {
+
+/// Of the points of a mesh, in the geom's frame.
+Extent extentOfPoints(const TriangleMesh& mesh, const Vec3& direction) {
+    Extent extent{HUGE_VAL, -HUGE_VAL};
+    for (const auto& p : mesh.points) {
+        const double at = direction.dot(Vec3(p[0], p[1], p[2]));
+        extent.low = std::min(extent.low, at);
+        extent.high = std::max(extent.high, at);
+    }
+    return mesh.points.empty() ? Extent{} : extent;
+}
+
+} // namespace
+
+Extent extentAlong(const GeomSpec& geom, const Pose& X_WG, const Vec3& direction) {
+    const Vec3 d = X_WG.rotation.conjugate() * direction; // in the geom's frame
+    const double centre = direction.dot(X_WG.position);
+    double half = 0;
+    switch (geom.shape) {
+    case GeomShape::Box: half = 0.5 * d.cwiseAbs().dot(geom.size); break;
+    case GeomShape::Sphere: half = geom.radius; break;
+    case GeomShape::Capsule: half = geom.radius + 0.5 * geom.length * std::abs(d.z()); break;
+    case GeomShape::Cylinder:
+        half = 0.5 * geom.length * std::abs(d.z()) + geom.radius * std::sqrt(std::max(0.0, 1 - d.z() * d.z()));
+        break;
+    case GeomShape::Convex:
+    case GeomShape::Mesh:
+        if (const auto& mesh = geom.hull ? geom.hull : geom.mesh) {
+            const Extent points = extentOfPoints(*mesh, d);
+            return {centre + points.low, centre + points.high};
+        }
+        break;
+    case GeomShape::Plane:
+    case GeomShape::Heightfield: break;
+    }
+    return {centre - half, centre + half};
+}
+
+double smallestWidth(const GeomSpec& geom) {
+    switch (geom.shape) {
+    case GeomShape::Box: return geom.size.minCoeff();
+    case GeomShape::Sphere:
+    case GeomShape::Capsule: return 2 * geom.radius;
+    case GeomShape::Cylinder: return std::min(2 * geom.radius, geom.length);
+    case GeomShape::Convex:
+    case GeomShape::Mesh: {
+        double width = HUGE_VAL;
+        for (int k = 0; k < 3; ++k) {
+            const Extent e = extentAlong(geom, {}, Vec3::Unit(k));
+            width = std::min(width, e.high - e.low);
+        }
+        return width;
+    }
+    case GeomShape::Plane:
+    case GeomShape::Heightfield: break;
+    }
+    return HUGE_VAL;
+}
+
+} // namespace trundle

@@ -1,0 +1,16 @@
+#pragma once
+// How far shapes reach.
+
+#include "model/body_spec.h"
+
+namespace trundle {
+
+/// The lowest and the highest value of `direction . x` (direction a unit vector, world) over a geom whose frame is at `X_WG`.
+struct Extent {
+    double low = 0, high = 0;
+};
+[[nodiscard]] Extent extentAlong(const GeomSpec& geom, const Pose& X_WG, const Vec3& direction);
+/// A geom's smallest width, m.
+[[nodiscard]] double smallestWidth(const GeomSpec& geom);
+
+} // namespace trundle

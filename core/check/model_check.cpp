@@ -1,0 +1,35 @@
+#include "check/model_check.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "check/check_parts.h"
+#include "world/validate.h"
+
+namespace trundle {
+
+std::string figureText(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::string lengthText(double metres) {
+    return std::abs(metres) < 1 ? figureText(1e3 * metres) + " mm" : figureText(metres) + " m";
+}
+
+void checkModel(const Loaded& loaded, Diagnostics& diagnostics) {
+    if (loaded.diagnostics.hasErrors() || loaded.pending) return;
+    const ExperimentSpec& experiment = *loaded.experiment;
+    Diagnostics silent;
+    if (!isBuildable(experiment, silent)) return; // a run says why
+    checkMasses(experiment, diagnostics);
+    checkDrives(loaded, diagnostics);
+    if (experiment.robots.empty()) return;
+    const std::optional<StartScene> scene = StartScene::build(experiment);
+    if (!scene) return; // likewise
+    checkStart(loaded, *scene, diagnostics);
+    checkSupport(loaded, *scene, diagnostics);
+}
+
+} // namespace trundle

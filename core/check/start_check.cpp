@@ -1,0 +1,140 @@
+// What starts inside something else or below a floor. Needs: the contacts at the start. Method: contacts of one pair of things are one
+// finding, pairs of the same two configs are told once with their number; a robot's way out is the shortest move that ends the
+// contacts with scenery, or with the one other robot.
+
+#include <algorithm>
+#include <map>
+
+#include "check/check_parts.h"
+#include "check/extent.h"
+#include "check/pose_fix.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kLeastDepth = 1e-3; // m
+constexpr double kLeastShare = 0.02; // of the smaller thing's width
+constexpr double kMargin = 1e-4;     // m that a fix leaves
+constexpr double kLevel = 0.7;       // cosine: ground that one can stand on
+constexpr int kRounds = 60;          // of finding a way out of several contacts
+
+/// A robot and what it is in: another robot or a Static.
+struct Pair {
+    std::uint32_t robot = 0, other = 0;
+    bool withStatic = false;
+    EngineContact deepest;
+    std::vector<std::pair<Vec3, double>> ways; ///< directions out of each contact, and how far
+};
+
+struct Group {
+    const Pair* first = nullptr;
+    std::size_t count = 0;
+};
+
+class StartCheck {
+public:
+    StartCheck(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics)
+        : m_loaded(loaded), m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics) {}
+
+    void check() {
+        collect();
+        std::map<std::pair<std::string, std::string>, Group> groups;
+        for (const Pair& pair : m_pairs) {
+            Group& group = groups[{kindOf(pair.robot),
+                                   pair.withStatic ? "static " + m_experiment.statics[pair.other].name : kindOf(pair.other)}];
+            if (group.count++ == 0) group.first = &pair;
+        }
+        for (const auto& [kinds, group] : groups) report(*group.first, group.count - 1);
+    }
+
+private:
+    [[nodiscard]] std::string kindOf(std::uint32_t robot) const { return m_experiment.robots[robot].config->name; }
+
+    [[nodiscard]] static double leastDepth(const GeomSpec& a, const GeomSpec& b) {
+        return std::max(kLeastDepth, kLeastShare * std::min(smallestWidth(a), smallestWidth(b)));
+    }
+
+    void collect() {
+        for (std::size_t i = 0; i < m_scene.contactCount(); ++i) {
+            const EngineContact c = m_scene.contact(i);
+            const GeomOwner &a = m_scene.owner(c.first), &b = m_scene.owner(c.second);
+            if (c.depth <= leastDepth(*a.spec, *b.spec)) {
+                m_touches[a.object].push_back(c.normal);
+                if (!b.isStatic) m_touches[b.object].push_back(-c.normal);
+                continue;
+            }
+            // What comes later in the text is what is moved.
+            const bool swapped = !b.isStatic && b.object > a.object;
+            const GeomOwner &mover = swapped ? b : a, &other = swapped ? a : b;
+            if (m_pairs.empty() || m_pairs.back().robot != mover.object || m_pairs.back().withStatic != other.isStatic ||
+                m_pairs.back().other != other.object)
+                m_pairs.push_back({mover.object, other.object, other.isStatic, c, {}});
+            Pair& pair = m_pairs.back();
+            if (c.depth > pair.deepest.depth) pair.deepest = c;
+            pair.ways.emplace_back(swapped ? Vec3(-c.normal) : c.normal, c.depth);
+        }
+    }
+
+    void report(const Pair& pair, std::size_t others) {
+        const RobotSpec& robot = m_experiment.robots[pair.robot];
+        const bool swapped = m_scene.owner(pair.deepest.first).object != pair.robot || m_scene.owner(pair.deepest.first).isStatic;
+        const std::uint32_t own = swapped ? pair.deepest.second : pair.deepest.first;
+        const std::string partner = m_scene.pathOf(swapped ? pair.deepest.first : pair.deepest.second);
+        const Vec3 out = swapped ? Vec3(-pair.deepest.normal) : pair.deepest.normal;
+        const bool below = pair.withStatic && out.dot(m_scene.up()) > kLevel && isBeyond(own, out, pair.deepest.depth);
+        std::string message = robot.name + (below ? " starts below " : " starts inside ") + partner + ": its geom " +
+                              m_scene.pathOf(own) + " is " + lengthText(pair.deepest.depth) +
+                              " deep in it, and would be thrown out";
+        if (others > 0) message += " (and " + std::to_string(others) + " more like it)";
+        Diagnostic& d = m_diagnostics.warning(below ? Code::BelowFloor : Code::StartOverlap, robot.nameRange, std::move(message));
+        const RobotSpec* second = pair.withStatic || pair.other == pair.robot ? nullptr : &m_experiment.robots[pair.other];
+        if (second) d.notes.push_back({"what it starts in", second->nameRange});
+        else if (pair.withStatic) d.notes.push_back({"what it starts in", m_experiment.statics[pair.other].nameRange});
+        if (pair.other == pair.robot && !pair.withStatic) return; // its own bodies: no place of the robot helps
+        if (auto fix = moveFix(m_loaded, robot, wayOut(pair))) d.fixes.push_back(std::move(*fix));
+    }
+
+    /// Whether a geom is wholly behind the surface that it is `depth` deep in.
+    [[nodiscard]] bool isBeyond(std::uint32_t geom, const Vec3& out, double depth) const {
+        const GeomOwner& o = m_scene.owner(geom);
+        const RobotSpec& robot = m_experiment.robots[o.object];
+        const Extent e = extentAlong(*o.spec, robot.pose * robot.config->bodies[o.body].pose * o.spec->pose, out);
+        return depth >= (e.high - e.low) * (1 - 1e-9);
+    }
+
+    /// Out of everything that the pair's robot touches deeply: scenery, or the other robot.
+    [[nodiscard]] Vec3 wayOut(const Pair& pair) const {
+        Vec3 way = Vec3::Zero();
+        const auto touches = m_touches.find(pair.robot);
+        for (int round = 0; round < kRounds; ++round) {
+            if (touches != m_touches.end()) // nor into what it only touches
+                for (const Vec3& direction : touches->second) way += std::max(0.0, -direction.dot(way)) * direction;
+            for (const Pair& p : m_pairs) {
+                if (p.robot != pair.robot || (!p.withStatic && p.other != pair.other)) continue;
+                for (const auto& [direction, depth] : p.ways) {
+                    const double missing = depth + kMargin - direction.dot(way);
+                    if (missing > 1e-12) way += missing * direction;
+                }
+            }
+        }
+        for (int k = 0; k < 3; ++k)
+            if (std::abs(way[k]) < 1e-7) way[k] = 0;
+        return way;
+    }
+
+    const Loaded& m_loaded;
+    const StartScene& m_scene;
+    const ExperimentSpec& m_experiment;
+    Diagnostics& m_diagnostics;
+    std::vector<Pair> m_pairs;
+    std::map<std::uint32_t, std::vector<Vec3>> m_touches; ///< by robot: directions out of what it only touches
+};
+
+} // namespace
+
+void checkStart(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics) {
+    StartCheck(loaded, scene, diagnostics).check();
+}
+
+} // namespace trundle

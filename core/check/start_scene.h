@@ -1,0 +1,51 @@
+#pragma once
+// All shapes of an experiment where they start, in the engine that would run it: what touches what, and what is below what.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/experiment_spec.h"
+#include "world/engine.h"
+
+namespace trundle {
+
+/// Whose a geom of the engine is: of a robot's body, or of a Static.
+struct GeomOwner {
+    bool isStatic = false;
+    std::uint32_t object = 0; ///< robot or static, by its place in the experiment
+    std::uint32_t body = 0;   ///< of the robot's config
+    const GeomSpec* spec = nullptr;
+};
+
+class StartScene {
+public:
+    /// Nothing where a shape cannot be built. The experiment must be buildable, and outlive the scene.
+    [[nodiscard]] static std::optional<StartScene> build(const ExperimentSpec& experiment);
+
+    [[nodiscard]] const ExperimentSpec& experiment() const { return *m_experiment; }
+    [[nodiscard]] std::size_t contactCount() const { return m_engine->contactCount(); }
+    [[nodiscard]] EngineContact contact(std::size_t index) const { return m_engine->contact(index); }
+    [[nodiscard]] const GeomOwner& owner(std::uint32_t geom) const { return m_owners[geom]; }
+    /// Nearest hit on anything but one robot.
+    [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
+                                            std::size_t withoutRobot) const {
+        return m_engine->ray(origin, direction, range, m_actors[withoutRobot]);
+    }
+    /// "robot0/chassis/hull", "arena/north".
+    [[nodiscard]] std::string pathOf(std::uint32_t geom) const;
+    /// Against gravity; zero where there is none.
+    [[nodiscard]] Vec3 up() const;
+
+private:
+    [[nodiscard]] bool addStatics();
+    [[nodiscard]] bool addRobots();
+
+    const ExperimentSpec* m_experiment = nullptr;
+    std::unique_ptr<Engine> m_engine;
+    std::vector<GeomOwner> m_owners;   ///< by engine geom
+    std::vector<ActorHandle> m_actors; ///< by robot
+};
+
+} // namespace trundle

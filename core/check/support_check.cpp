@@ -1,0 +1,194 @@
+// What starts in the air. Needs: the contacts at the start. Method: bodies that joints hold together are one piece; a piece that
+// touches nothing and is not joined to the world is measured: how far it would fall, by rays down from its lowest level.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "check/check_parts.h"
+#include "check/extent.h"
+#include "check/pose_fix.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kHigh = 0.05;             // m: less is a start with a little drop
+constexpr double kHighForMachines = 0.5;   // m: what has joints is often set down from a little above
+constexpr double kFar = 1e4;               // m that a ray looks
+constexpr double kLeave = 1e-4;            // m that a fix leaves
+constexpr std::size_t kMostMeasured = 300; // pieces; the others of their config are only counted
+
+/// A piece of one robot: bodies joined to each other.
+struct Piece {
+    std::uint32_t robot = 0;
+    std::vector<std::uint32_t> bodies;
+};
+
+class SupportCheck {
+public:
+    SupportCheck(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics)
+        : m_loaded(loaded), m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics), m_up(scene.up()) {}
+
+    void check() {
+        if (m_up.isZero() || m_experiment.statics.empty()) return; // no ground is meant to be there
+        markTouching();
+        for (std::uint32_t r = 0; r < m_experiment.robots.size(); ++r)
+            for (const Piece& piece : loosePieces(r)) measure(piece);
+        for (Finding& f : m_findings) report(f);
+    }
+
+private:
+    struct Finding {
+        Piece piece;
+        std::optional<double> height; ///< nothing: there is nothing beneath
+        std::string ground;
+        std::size_t others = 0;
+    };
+
+    void markTouching() {
+        for (std::size_t i = 0; i < m_scene.contactCount(); ++i) {
+            const EngineContact c = m_scene.contact(i);
+            for (const std::uint32_t geom : {c.first, c.second})
+                if (const GeomOwner& o = m_scene.owner(geom); !o.isStatic) m_touching.insert({o.object, o.body});
+        }
+    }
+
+    /// Pieces that touch nothing and hang on no joint to the world.
+    [[nodiscard]] std::vector<Piece> loosePieces(std::uint32_t r) const {
+        const RobotConfigSpec& config = *m_experiment.robots[r].config;
+        std::vector<std::uint32_t> piece(config.bodies.size());
+        std::iota(piece.begin(), piece.end(), 0u);
+        const auto root = [&](std::uint32_t b) {
+            while (piece[b] != b) b = piece[b] = piece[piece[b]];
+            return b;
+        };
+        std::vector<bool> held(config.bodies.size());
+        for (const JointSpec& j : config.joints) {
+            const auto child = static_cast<std::uint32_t>(j.child);
+            if (j.parent == kWorldBody) held[child] = true;
+            else piece[root(child)] = root(static_cast<std::uint32_t>(j.parent));
+        }
+        std::map<std::uint32_t, Piece> pieces;
+        std::set<std::uint32_t> supported;
+        for (std::uint32_t b = 0; b < config.bodies.size(); ++b) {
+            pieces[root(b)].bodies.push_back(b);
+            if (held[b] || m_touching.contains({r, b})) supported.insert(root(b));
+        }
+        std::vector<Piece> loose;
+        for (auto& [at, p] : pieces) {
+            p.robot = r;
+            if (!supported.contains(at)) loose.push_back(std::move(p));
+        }
+        return loose;
+    }
+
+    void measure(const Piece& piece) {
+        const RobotConfigSpec* config = m_experiment.robots[piece.robot].config.get();
+        const auto known = m_byConfig.find({config->name, piece.bodies.front()});
+        if (m_measured >= kMostMeasured) {
+            if (known != m_byConfig.end()) ++m_findings[known->second].others;
+            return;
+        }
+        ++m_measured;
+        Finding finding{piece, std::nullopt, {}, 0};
+        const double high = piece.bodies.size() > 1 ? kHighForMachines : kHigh;
+        if (!fall(finding) || (finding.height && *finding.height <= high)) return;
+        if (known != m_byConfig.end()) {
+            ++m_findings[known->second].others;
+            return;
+        }
+        m_byConfig.emplace(std::pair(config->name, piece.bodies.front()), m_findings.size());
+        m_findings.push_back(std::move(finding));
+    }
+
+    /// Fills in how far the piece would fall, and onto what. False where it has no shape.
+    [[nodiscard]] bool fall(Finding& finding) const {
+        const RobotSpec& robot = m_experiment.robots[finding.piece.robot];
+        bool hasShape = false;
+        for (const std::uint32_t b : finding.piece.bodies)
+            for (const GeomSpec& g : robot.config->bodies[b].geoms) {
+                if (!g.collide) continue;
+                hasShape = true;
+                for (const Vec3& from : lowestPoints(g, robot.pose * robot.config->bodies[b].pose * g.pose)) {
+                    const auto hit = m_scene.ray(from, -m_up, kFar, finding.piece.robot);
+                    if (!hit || (finding.height && hit->distance >= *finding.height)) continue;
+                    finding.height = hit->distance;
+                    finding.ground = m_scene.pathOf(hit->geom.index);
+                }
+            }
+        return hasShape;
+    }
+
+    /// At the level of a geom's lowest point: its middle and four points round it.
+    [[nodiscard]] std::vector<Vec3> lowestPoints(const GeomSpec& g, const Pose& pose) const {
+        const Vec3 side = m_up.unitOrthogonal(), other = m_up.cross(side);
+        const Extent height = extentAlong(g, pose, m_up), x = extentAlong(g, pose, side), y = extentAlong(g, pose, other);
+        const Vec3 middle = 0.5 * (x.low + x.high) * side + 0.5 * (y.low + y.high) * other + height.low * m_up;
+        const Vec3 dx = 0.35 * (x.high - x.low) * side, dy = 0.35 * (y.high - y.low) * other;
+        return {middle, middle + dx, middle - dx, middle + dy, middle - dy};
+    }
+
+    void report(const Finding& f) {
+        const RobotSpec& robot = m_experiment.robots[f.piece.robot];
+        const bool whole = f.piece.bodies.size() == robot.config->bodies.size();
+        const BodySpec& body = robot.config->bodies[f.piece.bodies.front()];
+        const std::string who = whole ? robot.name : robot.name + "/" + body.name + ", which no joint holds,";
+        const std::string more = f.others > 0 ? " (and " + std::to_string(f.others) + " more like it)" : "";
+        if (!f.height) return nothingBeneath(f, who, more);
+        Diagnostic& d = m_diagnostics.hint(Code::Unsupported, whole ? robot.nameRange : body.nameRange,
+                                           who + " starts " + lengthText(*f.height) + " above " + f.ground +
+                                               " and falls onto it; to start there, lower it" + more);
+        if (!whole) d.notes.push_back({"of this robot", robot.nameRange});
+        if (auto fix = moveFix(m_loaded, robot, -(*f.height - kLeave) * m_up); fix && whole) d.fixes.push_back(std::move(*fix));
+    }
+
+    /// Below the scenery it is, or there is none under it.
+    void nothingBeneath(const Finding& f, const std::string& who, const std::string& more) {
+        const RobotSpec& robot = m_experiment.robots[f.piece.robot];
+        const Vec3 at = robot.pose.position;
+        const auto roof = m_scene.ray(at, m_up, kFar, f.piece.robot);
+        if (!roof) {
+            m_diagnostics.hint(Code::Unsupported, robot.nameRange,
+                               "nothing is beneath " + who +
+                                   " at the start: it falls without an end; a Static with a Plane is a floor" + more);
+            return;
+        }
+        Diagnostic& d =
+            m_diagnostics.warning(Code::BelowFloor, robot.nameRange,
+                                  who + " starts " + lengthText(roof->distance) + " below " + m_scene.pathOf(roof->geom.index) +
+                                      ", with nothing beneath: it falls without an end" + more);
+        const auto top = m_scene.ray(at + kFar * m_up, -m_up, 2 * kFar, f.piece.robot);
+        if (!top) return;
+        const double level = (at + (kFar - top->distance) * m_up).dot(m_up);
+        if (auto fix = moveFix(m_loaded, robot, (level - lowestOf(robot) + kLeave) * m_up)) d.fixes.push_back(std::move(*fix));
+    }
+
+    [[nodiscard]] double lowestOf(const RobotSpec& robot) const {
+        double low = HUGE_VAL;
+        for (const BodySpec& body : robot.config->bodies)
+            for (const GeomSpec& g : body.geoms)
+                if (g.collide) low = std::min(low, extentAlong(g, robot.pose * body.pose * g.pose, m_up).low);
+        return low;
+    }
+
+    const Loaded& m_loaded;
+    const StartScene& m_scene;
+    const ExperimentSpec& m_experiment;
+    Diagnostics& m_diagnostics;
+    Vec3 m_up;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> m_touching; ///< robot and body
+    std::vector<Finding> m_findings;
+    std::map<std::pair<std::string, std::uint32_t>, std::size_t> m_byConfig; ///< config and first body of the piece
+    std::size_t m_measured = 0;
+};
+
+} // namespace
+
+void checkSupport(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics) {
+    SupportCheck(loaded, scene, diagnostics).check();
+}
+
+} // namespace trundle
