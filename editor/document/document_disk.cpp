@@ -19,6 +19,7 @@ void Document::lookAtDisk() {
         if (!file) return; // who heard of the last one has closed the project
         std::error_code none;
         if (!std::filesystem::exists(path, none)) {
+            if (file->made && file->disk->empty()) continue; // it was never there
             if (!std::exchange(file->gone, true))
                 Q_EMIT notice(tr("%1 is gone from the disk; saving writes it again").arg(QString::fromStdString(shown(path))));
         } else if (Result<std::string> bytes = readRegularFile(path); bytes) {

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <filesystem>
 
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
 #include "editor/document/structure_edits.h"
 #include "lang/tree_edit.h"
+#include "project/search.h"
 #include "project/set_path.h"
 
 namespace trundle {
@@ -40,6 +42,15 @@ std::string reasonAgainst(const Loaded& loaded, const std::vector<SourceRange>& 
         if (comesOfIt && reason.empty()) reason = d.message;
     }
     return reason;
+}
+
+/// A file that is not there yet can be made where the project has its files.
+Status mayMake(const std::string& path, const std::string& folder) {
+    std::error_code none;
+    if (canonicalPath(path) != path || !path.starts_with(canonicalPath(folder) + "/"))
+        return Error{Code::Internal, path + " is no file of this project"};
+    if (std::filesystem::exists(path, none)) return Error{Code::DuplicateName, path + " is there already"};
+    return {};
 }
 
 } // namespace
@@ -116,7 +127,14 @@ Status Document::edit(const QString& name, const FileEdits& edits, const std::st
 Status Document::replaceText(const QString& name, const std::string& file, std::string bytes, const std::string& mergeKey) {
     if (Status may = mayEdit(); !may) return answer(may);
     const std::string path = isNew() && file == m_state->name ? m_state->opened : file;
-    return answer(enter(name, {{path, std::make_shared<const std::string>(std::move(bytes))}}, mergeKey));
+    const bool makes = !m_state->files.find(path);
+    if (makes) {
+        if (Status may = mayMake(path, m_loaded->projectFolder); !may) return answer(may);
+        m_state->files.make(path);
+    }
+    const Status entered = enter(name, {{path, std::make_shared<const std::string>(std::move(bytes))}}, mergeKey);
+    if (makes && !entered) m_state->files.remove(path);
+    return answer(entered);
 }
 
 Status Document::carryOut(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey) {

@@ -101,6 +101,14 @@ public:
         m_before.emplace_back(path, old ? std::optional(std::move(old).value()) : std::nullopt);
         return {};
     }
+    Status remove(const std::string& path) {
+        std::error_code failed;
+        Result<std::string> old = readRegularFile(path);
+        if (old && !fs::remove(path, failed))
+            return Error{Code::FileUnwritable, path + " cannot be removed: " + failed.message()};
+        if (old) m_before.emplace_back(path, std::move(old).value());
+        return {};
+    }
     /// The last one first: then there is room for each older text on a disk that is full, as there was before. Gives why all
     /// this was needed, and what is not as it was all the same.
     Error takeBack(Error why) {
@@ -138,8 +146,12 @@ Status Document::save() {
     m_state->journal.writeNow(); // who is killed in between finds the bytes of the disk in the journal, and nothing to bring back
     Writing writing;
     Status saved;
-    for (const std::string& path : modified)
-        if (saved) saved = writing.write(path, *m_state->files.text(path));
+    for (const std::string& path : modified) {
+        const OpenFile& file = *m_state->files.find(path);
+        std::error_code none;
+        if (file.made) fs::create_directories(fs::path(path).parent_path(), none);
+        if (saved) saved = file.made && file.text->empty() ? writing.remove(path) : writing.write(path, *file.text);
+    }
     if (!saved) saved = writing.takeBack(saved.error());
     for (const std::string& path : modified) {
         OpenFile& file = *m_state->files.find(path);

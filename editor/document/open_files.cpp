@@ -9,6 +9,11 @@ void OpenFiles::take(const std::string& path, std::string_view bytes) {
     at->second.disk = at->second.text;
 }
 
+void OpenFiles::make(const std::string& path) {
+    take(path, {});
+    m_files.at(path).made = true;
+}
+
 OpenFile* OpenFiles::find(const std::string& path) {
     const auto at = m_files.find(path);
     return at == m_files.end() ? nullptr : &at->second;

@@ -17,6 +17,7 @@ struct OpenFile {
     SharedText text;   ///< here
     SharedText disk;   ///< the last bytes of the disk that were seen; what a new text began with
     bool gone = false; ///< no longer on the disk
+    bool made = false; ///< by an edit: no text is no file
     SharedText theirs; ///< what another program wrote over edits made here, until someone decides; else null
 
     [[nodiscard]] bool edited() const { return text != disk && *text != *disk; }
@@ -28,6 +29,7 @@ public:
     void clear() { m_files.clear(); }
     /// Takes a file in as the disk holds it. One that is known stays as it is.
     void take(const std::string& path, std::string_view bytes);
+    void make(const std::string& path); ///< one that is on no disk, without a text
     void remove(const std::string& path) { m_files.erase(path); }
 
     [[nodiscard]] OpenFile* find(const std::string& path);

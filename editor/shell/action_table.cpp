@@ -22,6 +22,7 @@ static constexpr ActionRow kTable[] = {
     {"edit.paste",     "Edit",        "&Paste",                  "paste",       "Ctrl+V",         "Insert objects from the text on the clipboard."},
     {"edit.delete",    "Edit",        "&Delete",                 "delete",      "Del",            "Remove the selected objects."},
     {"edit.duplicate", "Edit",        "Dup&licate",              "duplicate",   "Ctrl+D",         "Copy the selected objects beside themselves."},
+    {"edit.group",     "Edit",        "&Group into Piece…",      "",            "Ctrl+G",         "Make one piece of the selected scenery or movable objects, in a file of its own, to be placed again."},
     {"edit.rename",    "Edit",        "Rena&me…",                "rename",      "F2",             "Give the selected object, or what is named at the caret, another name, also where others refer to it."},
     {"edit.selectAll", "Edit",        "Select &All",             "",            "Ctrl+A",         "Select all robots and statics."},
     {"edit.find",      "|Edit",       "&Find…",                  "find",        "Ctrl+F",         "Find in the text, or in all files of the experiment."},

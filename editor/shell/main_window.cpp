@@ -32,6 +32,7 @@
 #include "editor/shell/command_palette.h"
 #include "editor/shell/file_commands.h"
 #include "editor/shell/file_drop.h"
+#include "editor/shell/group_dialog.h"
 #include "editor/shell/help_panel.h"
 #include "editor/shell/menus.h"
 #include "editor/shell/preferences_dialog.h"
@@ -280,6 +281,7 @@ void MainWindow::connectActions() {
     for (const char* id :
          {"edit.cut", "edit.copy", "edit.paste", "edit.delete", "edit.duplicate", "edit.rename", "edit.selectAll", "edit.find"})
         on(id, [this, id] { doEdit(id); });
+    on("edit.group", [this] { askForGroup(this, *m_document, m_selection->paths(), m_session->parts().locations().configs); });
     on("edit.filter", [this] {
         m_layouts->raise(QStringLiteral("scene"));
         m_outline->focusFilter();

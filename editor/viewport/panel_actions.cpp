@@ -213,7 +213,7 @@ void ViewportPanel::showMenu(View& view, const QPointF& at) {
     QMenu menu(this);
     menu.setObjectName(QStringLiteral("viewMenu"));
     if (!m_selection.empty()) {
-        for (const char* id : {"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete"})
+        for (const char* id : {"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.group", "edit.delete"})
             menu.addAction(&m_actions.at(id));
         menu.addSeparator();
         for (const char* id : {"tool.drop", "tool.align", "tool.distribute", "tool.array"}) menu.addAction(&m_actions.at(id));

@@ -1,0 +1,102 @@
+// Several objects made one piece in a file of its own.
+#include <QTest>
+
+#include "plan_desk.h"
+#include "project/plan_group.h"
+
+using namespace trundle;
+using sample::PlanDesk;
+
+class PlansGroupTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aGroupKeepsEveryShapeWhereItIs_data() {
+        QTest::addColumn<QString>("objects");
+        QTest::addColumn<QStringList>("names");
+        QTest::newRow("scenery") << "Static a { Config=Wall Pos=1.25,0.5,0 HPR=37.5,0,0 length=3 }\n"
+                                    "Static b { Config=Wall Pos=-2/**/,0.1,0.2 HPR=10,20,30 bricks.Material=own bricks.Size=1,0.2,0.3 }\n"
+                                    "Static keep { Config=Wall Pos=9,9,0 }\n"
+                                    "Static arch { Config=Arch Pos=$(far/3),1,0 HPR=$far,0,0 }\n"
+                                 << QStringList{"a", "arch", "b"};
+        QTest::newRow("objects") << "Robot a { Config=Crate Pos=1,2,0.5 HPR=15,0,0 side=0.4 }\nRobot b { Config=Crate Pos=1,2,0 }\n"
+                                 << QStringList{"a", "b"};
+        QTest::newRow("one") << "Static a { Config=Arch Pos=0.123456789,2,3 HPR=5,6,7 }\n" << QStringList{"a"};
+    }
+    /// World pose and size of each geom, the pose first.
+    static std::vector<std::pair<Pose, GeomSpec>> shapesOf(const ExperimentSpec& e) {
+        std::vector<std::pair<Pose, GeomSpec>> all;
+        for (const StaticSpec& fixed : e.statics)
+            for (const GeomSpec& geom : *fixed.geoms) all.emplace_back(fixed.pose * geom.pose, geom);
+        for (const RobotSpec& robot : e.robots)
+            for (const BodySpec& body : robot.config->bodies)
+                for (const GeomSpec& geom : body.geoms) all.emplace_back(robot.pose * body.pose * geom.pose, geom);
+        return all;
+    }
+    void aGroupKeepsEveryShapeWhereItIs() {
+        QFETCH(QString, objects);
+        QFETCH(QStringList, names);
+        const std::string main = "Param far = 1.7\n#import parts.sim\nMaterial own { ColorRGB=1,0,0 }\n" + objects.toStdString() +
+                                 "Static last { Config=Wall bricks.Material=own Pos=20,0,0 }\n";
+        const std::map<std::string, std::string> files{
+            {"configs/main.sim", main},
+            {"configs/paint.sim", "Material white { ColorRGB=1,1,1 }\nSurface rough { Friction=1 }\n"},
+            {"configs/parts.sim", "#import paint.sim\nStaticConfig Wall {\n  Param length=2\n  Box bricks { Pos=0,0,0.25 Size=$length,0.1,0.5 Material=white }\n}\n"
+                                  "StaticConfig Arch {\n  Cylinder left { Pos=-0.5,0,0.5 Radius=0.1 Length=1 Surface=rough }\n"
+                                  "  Box top { Pos=0,0,1.1 HPR=0,$(2*5),0 Size=1.2,0.2,0.2 Collide=false }\n}\n"
+                                  "RobotConfig Crate {\n  Param side=0.25\n  Body body {\n    Box planks { Pos=0,0,$(side/2) Size=$side,$side,$side Mass=1.5 Material=white }\n  }\n}\n"}};
+        const auto before = m_desk.open(files, "configs/main.sim");
+        QVERIFY2(!before->diagnostics.hasErrors(), sample::messages(*before).c_str());
+        std::vector<std::string> paths;
+        for (const QString& name : names) paths.push_back(name.toStdString());
+        const auto group = planGroup(*before, paths, "RedCorner");
+        QVERIFY2(group.ok(), group.ok() ? "" : group.error().message.c_str());
+        QCOMPARE(QString::fromStdString(group.value().file), QString::fromStdString(m_desk.path("configs/objects/red_corner.sim")));
+        sample::Texts texts = sample::PlanDesk::after(*before, group.value().plan);
+        QVERIFY(!texts.empty());
+        texts[group.value().file] = group.value().text;
+        const auto after = m_desk.read(texts);
+        const std::string said = sample::messages(*after) + group.value().text + texts[m_desk.path("configs/main.sim")];
+        QVERIFY2(!after->diagnostics.hasErrors(), said.c_str());
+        QCOMPARE(group.value().plan.selects, std::vector<std::string>{"redCorner"});
+        QCOMPARE(after->experiment->statics.size() + after->experiment->robots.size(),
+                 before->experiment->statics.size() + before->experiment->robots.size() - paths.size() + 1);
+        const auto was = shapesOf(*before->experiment), is = shapesOf(*after->experiment);
+        QCOMPARE(is.size(), was.size());
+        for (const auto& [pose, geom] : was) {
+            const auto same = std::ranges::find_if(is, [&, &pose = pose, &geom = geom](const auto& other) {
+                return (other.first.position - pose.position).norm() < 1e-9 && other.first.rotation.angularDistance(pose.rotation) < 1e-9 &&
+                       other.second.shape == geom.shape && (other.second.size - geom.size).norm() < 1e-12 &&
+                       other.second.radius == geom.radius && other.second.length == geom.length && other.second.collide == geom.collide &&
+                       other.second.mass == geom.mass &&
+                       after->experiment->materials.at(other.second.material).name == before->experiment->materials.at(geom.material).name &&
+                       after->experiment->surfaces.at(other.second.surface).name == before->experiment->surfaces.at(geom.surface).name;
+            });
+            QVERIFY2(same != is.end(), (geom.name + "\n" + said).c_str());
+        }
+    }
+
+    void whatCannotBeGroupedIsSaid() {
+        const auto loaded = m_desk.open("#import other.sim\nStaticConfig S { Box b { Size=1,1,1 } }\nStatic s { Config=S }\n"
+                                        "RobotConfig C { Body b { Mass=1 Box x { Size=1,1,1 } } }\nRobot r { Config=C }\n"
+                                        "RobotConfig D { Body b { Mass=1 Box x { Size=1,1,1 } } Camera eye { Body=b } }\nRobot d { Config=D }\n"
+                                        "Grid g { Config=C Count=2 Spacing=9 }\nPoseLog l { Robot=r }\n");
+        const auto why = [&](const std::vector<std::string>& paths, const char* name = "Piece") {
+            const auto plan = planGroup(*loaded, paths, name);
+            return plan.ok() ? std::string() : plan.error().message;
+        };
+        QCOMPARE(why({"s"}), std::string());
+        QVERIFY(why({"s", "r"}).find("cannot be one piece") != std::string::npos);
+        QVERIFY(why({"d"}).find("without joints, devices and controller") != std::string::npos);
+        QVERIFY(why({"g_1"}).find("one of many") != std::string::npos);
+        QVERIFY(why({"r"}).find("named by PoseLog l") != std::string::npos);
+        QVERIFY(why({}).find("select") != std::string::npos);
+        QVERIFY(why({"s"}, "S").find("already") != std::string::npos);
+        QVERIFY(why({"s"}, "my piece").find("no name") != std::string::npos);
+    }
+
+private:
+    PlanDesk m_desk;
+};
+
+QTEST_APPLESS_MAIN(PlansGroupTest)
+#include "plans_group_test.moc"
