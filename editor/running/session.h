@@ -60,8 +60,7 @@ public:
     [[nodiscard]] std::shared_ptr<const Loaded> built() const { return m_built; }
     /// Where the bodies of experiment() stand now; null at Start and while it is built.
     [[nodiscard]] std::shared_ptr<const BodyPoses> poses() const { return m_poses; }
-    /// The newest tick with its figures; null at Start and while it is built.
-    [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const { return m_snapshot; }
+    [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const { return m_snapshot; } ///< the newest tick with its figures
     [[nodiscard]] std::shared_ptr<const SignalLayout> layout() const { return m_layout; }
     /// What "robot0.leftMotor" measures and does now; "": the run itself. Empty for what is not in this run. Good until the next call.
     [[nodiscard]] const std::vector<LiveValue>& liveValues(const std::string& path) const;
@@ -69,25 +68,21 @@ public:
     [[nodiscard]] QString liveTip(const std::string& path) const;
     /// Contacts come with snapshot() from now on, also while paused.
     void wantContacts(bool wanted);
-    /// What flies between the radios is kept from now on, for takeRadio(); no longer.
-    void wantRadio(bool wanted);
+    void wantRadio(bool wanted); ///< what flies between the radios is kept for takeRadio() from now on
     [[nodiscard]] LiveRadio takeRadio(); ///< of the present run; nothing at Start
     /// It stands at its Duration: run(), step() and runFor() go on past it, and so do its logs.
     [[nodiscard]] bool canGoOn() const { return m_state == RunState::Ended && m_end && m_end->goesOn; }
     /// The folder that this run or the last one writes its logs into; empty where it has none.
     [[nodiscard]] const QString& logsAt() const { return m_logsAt; }
-    /// How and why it ended; nothing before.
-    [[nodiscard]] const std::optional<LiveEnd>& end() const { return m_end; }
+    [[nodiscard]] const std::optional<LiveEnd>& end() const { return m_end; } ///< how and why it ended; nothing before
     /// "finished by robot_0/brain at t = 83.5 s: reached"; empty where no controller ended the run.
     [[nodiscard]] QString finishText() const;
     /// What building and running had to say, until Reset, in built()'s texts.
     [[nodiscard]] const std::vector<Diagnostic>& problems() const { return m_problems; }
     /// Wall s that one tick (or building) has taken so far, where that is remarkably long; else 0.
     [[nodiscard]] double heldUpS() const;
-    /// By which controller: "robot0's Wanderer"; empty where it is none.
-    [[nodiscard]] QString heldUpBy() const;
-    /// The same in a sentence; empty while nothing is held up.
-    [[nodiscard]] QString heldUpText() const;
+    [[nodiscard]] QString heldUpBy() const;   ///< "robot0's Wanderer"; empty where it is no controller
+    [[nodiscard]] QString heldUpText() const; ///< the same in a sentence; empty while nothing is held up
     /// Where a robot's config frame stands now (with a placement that waits for the next tick).
     [[nodiscard]] std::optional<Pose> robotPose(const std::string& robot) const;
     /// The document's robot of that name is the one that runs, not another that took its name since.

@@ -83,7 +83,7 @@ private Q_SLOTS:
     void thePreviewListsEveryFileFirst() {
         QTemporaryDir folder, outside;
         const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
-        const QString part = QDir(folder.path()).canonicalPath() + QStringLiteral("/<b>part</b>.sim");
+        const QString part = QDir(folder.path()).canonicalPath() + QStringLiteral("/<b>part<b>.sim");
         const QString evil = QDir(outside.path()).canonicalPath() + QStringLiteral("/.bashrc\x1b[2J\n");
         write(path, kText);
         write(part, kText);
