@@ -46,7 +46,7 @@ private Q_SLOTS:
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         QVERIFY(!fs::exists(journals()));
         QMetaObject::invokeMethod(
-            qApp, [] { QCoreApplication::exit(143); }, Qt::QueuedConnection);
+            QCoreApplication::instance(), [] { QCoreApplication::exit(143); }, Qt::QueuedConnection);
         QCOMPARE(QCoreApplication::exec(), 143);
         QVERIFY(fs::exists(journals()));
     }
