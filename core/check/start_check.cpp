@@ -3,6 +3,7 @@
 // contacts with scenery, or with the one other robot.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "check/check_parts.h"
@@ -24,7 +25,8 @@ struct Pair {
     std::uint32_t robot = 0, other = 0;
     bool withStatic = false;
     EngineContact deepest;
-    std::vector<std::pair<Vec3, double>> ways; ///< directions out of each contact, and how far
+    std::vector<std::pair<Vec3, double>> ways;                  ///< directions out of each contact, and how far
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> geoms; ///< of each contact: the robot's and the other's
 };
 
 struct Group {
@@ -69,11 +71,41 @@ private:
             const GeomOwner &mover = swapped ? b : a, &other = swapped ? a : b;
             if (m_pairs.empty() || m_pairs.back().robot != mover.object || m_pairs.back().withStatic != other.isStatic ||
                 m_pairs.back().other != other.object)
-                m_pairs.push_back({mover.object, other.object, other.isStatic, c, {}});
+                m_pairs.push_back({mover.object, other.object, other.isStatic, c, {}, {}});
             Pair& pair = m_pairs.back();
             if (c.depth > pair.deepest.depth) pair.deepest = c;
             pair.ways.emplace_back(swapped ? Vec3(-c.normal) : c.normal, c.depth);
+            pair.geoms.emplace_back(swapped ? c.second : c.first, swapped ? c.first : c.second);
         }
+        for (Pair& pair : m_pairs) leaveSideways(pair);
+    }
+
+    [[nodiscard]] Pose poseOf(std::uint32_t geom) const {
+        const GeomOwner& o = m_scene.owner(geom);
+        if (o.isStatic) return m_experiment.statics[o.object].pose * o.spec->pose;
+        const RobotSpec& robot = m_experiment.robots[o.object];
+        return robot.pose * robot.config->bodies[o.body].pose * o.spec->pose;
+    }
+
+    /// Nothing leaves a wall downwards, through the floor: where that is the shortest way, the whole robot leaves to the nearest side.
+    void leaveSideways(Pair& pair) const {
+        const Vec3 up = m_scene.up();
+        const bool down = std::ranges::any_of(pair.ways, [&](const auto& way) { return way.first.dot(up) < -kLevel; });
+        const GeomShape shape = m_scene.owner(pair.geoms[0].second).spec->shape;
+        if (!down || !pair.withStatic || shape == GeomShape::Plane || shape == GeomShape::Heightfield) return;
+        std::pair<Vec3, double> best{Vec3::Zero(), HUGE_VAL};
+        for (int k = 0; k < 6; ++k) {
+            Vec3 side = poseOf(pair.geoms[0].second).rotation * Vec3::Unit(k / 2) * (k % 2 == 0 ? 1.0 : -1.0);
+            side -= side.dot(up) * up;
+            if (side.norm() < 1e-3) continue;
+            side.normalize();
+            double missing = 0;
+            for (const auto& [own, other] : pair.geoms)
+                missing = std::max(missing, extentAlong(*m_scene.owner(other).spec, poseOf(other), side).high -
+                                                extentAlong(*m_scene.owner(own).spec, poseOf(own), side).low);
+            if (missing < best.second) best = {side, missing};
+        }
+        pair.ways = {best};
     }
 
     void report(const Pair& pair, std::size_t others) {
@@ -98,8 +130,7 @@ private:
     /// Whether a geom is wholly behind the surface that it is `depth` deep in.
     [[nodiscard]] bool isBeyond(std::uint32_t geom, const Vec3& out, double depth) const {
         const GeomOwner& o = m_scene.owner(geom);
-        const RobotSpec& robot = m_experiment.robots[o.object];
-        const Extent e = extentAlong(*o.spec, robot.pose * robot.config->bodies[o.body].pose * o.spec->pose, out);
+        const Extent e = extentAlong(*o.spec, poseOf(geom), out);
         return depth >= (e.high - e.low) * (1 - 1e-9);
     }
 

@@ -55,6 +55,14 @@ private Q_SLOTS:
             "StaticConfig W { Box w { Size=2,0.1,1 Pos=0,0.5,0.5 } }\nStatic wall { Config=W Pos=1,0,0 HPR=30,0,0 }\n"
             "Robot a { Config=Crate Pos=0.8,0.4,0.1 }",
             in, "wall/w", "a", true);
+        row("deep in a turned wall, nearest way out through the floor",
+            "StaticConfig W { Box w { Size=2,0.5,1 Pos=0,0,0.5 } }\nStatic wall { Config=W HPR=30,0,0 }\n"
+            "Robot a { Config=Crate Pos=0.1,0.1,0.1 HPR=77,0,0 }",
+            in, "wall/w", "a", true);
+        row("in a wall, a little above the floor",
+            "StaticConfig W { Box w { Size=2,0.5,1 Pos=0,0,0.5 } }\nStatic wall { Config=W }\n"
+            "Robot a { Config=Crate Pos=0.1,0.05,0.101 }",
+            in, "wall/w", "a", true);
         row("in a capsule",
             "StaticConfig W { Capsule w { Radius=0.2 Length=1 Pos=0,0,0.7 } }\nStatic pole { Config=W }\n"
             "Robot a { Config=Ball Pos=0.25,0,0.1 }",
@@ -114,7 +122,10 @@ private Q_SLOTS:
         const Diagnostics after = CheckDesk::check(*again);
         const std::string afterStory = mended + "\n" + story + "---\n" + CheckDesk::shown(*again, after);
         QVERIFY2(!again->diagnostics.hasErrors(), afterStory.c_str());
-        for (const Diagnostic& d : after.all()) QVERIFY2(static_cast<int>(d.code) != code, afterStory.c_str());
+        for (const Diagnostic& d : after.all()) {
+            QVERIFY2(static_cast<int>(d.code) != code, afterStory.c_str());
+            QVERIFY2(d.code != Code::BelowFloor, afterStory.c_str()); // nor a worse place
+        }
     }
 
     void whatIsRightRaisesNoAlarm_data() {
