@@ -42,6 +42,13 @@ void ProblemsModel::setLoaded(std::shared_ptr<const Loaded> loaded) {
     // While somebody types, the list mostly stays as it is: it keeps its place then, and what is unfolded.
     const std::shared_ptr<const Loaded> kept = std::exchange(m_loaded, std::move(loaded));
     const std::vector<Entry> before = m_entries;
+    std::vector<Diagnostic> modelBefore;
+    if (m_modelTexts != m_loaded) modelBefore.swap(m_modelProblems); // `before` points at them
+    rebuildAfter(before);
+}
+
+/// The list anew, as a reset only where it looks otherwise. What `before` points at must still be there.
+void ProblemsModel::rebuildAfter(const std::vector<Entry>& before) {
     rebuild();
     if (looksAs(before)) {
         if (!m_entries.empty()) Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(m_entries.size()) - 1, ColumnCount - 1));
@@ -57,7 +64,7 @@ void ProblemsModel::setLoaded(std::shared_ptr<const Loaded> loaded) {
 bool ProblemsModel::looksAs(const std::vector<Entry>& before) const {
     return std::equal(m_entries.begin(), m_entries.end(), before.begin(), before.end(), [&](const Entry& a, const Entry& b) {
         const Diagnostic &x = *a.diagnostic, &y = *b.diagnostic;
-        return a.ofRun == b.ofRun && x.severity == y.severity && x.code == y.code && x.message == y.message &&
+        return a.source == b.source && x.severity == y.severity && x.code == y.code && x.message == y.message &&
                childCount(x) == childCount(y);
     });
 }
@@ -69,6 +76,17 @@ void ProblemsModel::setRun(std::vector<Diagnostic> problems, std::shared_ptr<con
     rebuild();
     endResetModel();
     Q_EMIT countsChanged(m_errors, m_warnings);
+}
+
+void ProblemsModel::setModelProblems(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts) {
+    const std::shared_ptr<const Loaded> kept = std::exchange(m_modelTexts, std::move(texts));
+    if (m_modelProblems.empty() && problems.empty()) return;
+    const std::vector<Diagnostic> modelBefore = std::exchange(m_modelProblems, std::move(problems));
+    rebuildAfter(std::vector<Entry>(m_entries));
+}
+
+const std::shared_ptr<const Loaded>& ProblemsModel::textsOf(const Entry& entry) const {
+    return entry.source == Source::Run ? m_runTexts : entry.source == Source::Model ? m_modelTexts : m_loaded;
 }
 
 void ProblemsModel::setFilter(bool errors, bool warnings, const QString& words) {
@@ -96,15 +114,16 @@ bool ProblemsModel::wanted(const Diagnostic& d) const {
 void ProblemsModel::rebuild() {
     m_entries.clear();
     m_errors = m_warnings = 0;
-    const auto take = [&](const Diagnostic& d, bool ofRun) {
+    const auto take = [&](const Diagnostic& d, Source source) {
         if (d.severity == Severity::Error) ++m_errors;
         else ++m_warnings;
-        if (wanted(d)) m_entries.push_back({&d, ofRun});
+        if (wanted(d)) m_entries.push_back({&d, source});
     };
-    for (const Diagnostic& d : m_run) take(d, true);
+    for (const Diagnostic& d : m_run) take(d, Source::Run);
     const std::size_t ofRun = m_entries.size();
     if (m_loaded)
-        for (const Diagnostic& d : m_loaded->diagnostics.all()) take(d, false);
+        for (const Diagnostic& d : m_loaded->diagnostics.all()) take(d, Source::Texts);
+    for (const Diagnostic& d : m_modelProblems) take(d, Source::Model);
     std::stable_sort(m_entries.begin() + static_cast<std::ptrdiff_t>(ofRun), m_entries.end(),
                      [](const Entry& a, const Entry& b) { return before(a.diagnostic->range, b.diagnostic->range); });
     if (m_order == ProblemOrder::Severity)
@@ -126,7 +145,7 @@ const Diagnostic* ProblemsModel::diagnosticAt(const QModelIndex& index) const {
 
 std::shared_ptr<const Loaded> ProblemsModel::textsAt(const QModelIndex& index) const {
     const Entry* entry = entryAt(index);
-    return !entry ? nullptr : entry->ofRun ? m_runTexts : m_loaded;
+    return entry ? textsOf(*entry) : nullptr;
 }
 
 SourceRange ProblemsModel::placeAt(const QModelIndex& index) const {
@@ -138,7 +157,7 @@ SourceRange ProblemsModel::placeAt(const QModelIndex& index) const {
 
 const Fix* ProblemsModel::fixAt(const QModelIndex& index) const {
     const Entry* entry = entryAt(index);
-    if (!entry || (entry->ofRun && m_runTexts != m_loaded)) return nullptr;
+    if (!entry || textsOf(*entry) != m_loaded) return nullptr;
     const Diagnostic& d = *entry->diagnostic;
     if (index.internalId() == 0) return d.fixes.empty() ? nullptr : &d.fixes.front();
     const std::size_t row = static_cast<std::size_t>(index.row());
@@ -170,9 +189,9 @@ int ProblemsModel::rowCount(const QModelIndex& parent) const {
 int ProblemsModel::columnCount(const QModelIndex&) const { return ColumnCount; }
 
 QString ProblemsModel::placeText(const SourceRange& place, const Entry& entry) const {
-    const auto& texts = entry.ofRun ? m_runTexts : m_loaded;
+    const auto& texts = textsOf(entry);
     const QString where = texts ? problemPlace(*texts, place) : QString();
-    return where.isEmpty() && entry.ofRun ? tr("run") : where;
+    return where.isEmpty() && entry.source == Source::Run ? tr("run") : where;
 }
 
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {

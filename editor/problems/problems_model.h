@@ -23,6 +23,8 @@ public:
     void setLoaded(std::shared_ptr<const Loaded> loaded);
     /// Of a run, with the texts it was built from.
     void setRun(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts);
+    /// What the model check found, with the texts that it checked. Shown until the next call, or until there are other texts.
+    void setModelProblems(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts);
     void setFilter(bool errors, bool warnings, const QString& words);
     void setOrder(ProblemOrder order);
 
@@ -48,11 +50,14 @@ Q_SIGNALS:
     void countsChanged(int errors, int warnings);
 
 private:
+    enum class Source { Texts, Model, Run };
     struct Entry {
         const Diagnostic* diagnostic = nullptr;
-        bool ofRun = false;
+        Source source = Source::Texts;
     };
+    [[nodiscard]] const std::shared_ptr<const Loaded>& textsOf(const Entry& entry) const;
     void rebuild();
+    void rebuildAfter(const std::vector<Entry>& before);
     [[nodiscard]] bool looksAs(const std::vector<Entry>& before) const;
     [[nodiscard]] bool wanted(const Diagnostic& diagnostic) const;
     [[nodiscard]] const Entry* entryAt(const QModelIndex& index) const;
@@ -60,8 +65,8 @@ private:
     [[nodiscard]] QVariant childData(const Diagnostic& d, const Entry& entry, int row, int column, int role) const;
     [[nodiscard]] QString placeText(const SourceRange& place, const Entry& entry) const;
 
-    std::shared_ptr<const Loaded> m_loaded, m_runTexts;
-    std::vector<Diagnostic> m_run;
+    std::shared_ptr<const Loaded> m_loaded, m_runTexts, m_modelTexts;
+    std::vector<Diagnostic> m_run, m_modelProblems;
     std::vector<Entry> m_entries; ///< shown, in order
     int m_errors = 0, m_warnings = 0;
     bool m_showErrors = true, m_showWarnings = true;

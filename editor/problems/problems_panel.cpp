@@ -14,6 +14,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/problems/model_checker.h"
 #include "editor/problems/problem_icons.h"
 #include "editor/problems/problems_model.h"
 #include "editor/widgets/theme.h"
@@ -38,7 +39,7 @@ QToolButton* makeFilter(QWidget* parent, const char* name, const QIcon& icon, co
 
 ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_model(new ProblemsModel(this)),
-      m_view(new QTreeView(this)), m_none(new QLabel(tr("No problems"), m_view)),
+      m_checker(new ModelChecker(this)), m_view(new QTreeView(this)), m_none(new QLabel(tr("No problems"), m_view)),
       m_errors(makeFilter(this, "showErrors", severityIcon(Severity::Error), tr("Show errors"))),
       m_warnings(makeFilter(this, "showWarnings", severityIcon(Severity::Warning), tr("Show warnings and hints"))),
       m_order(new QToolButton(this)), m_fix(new QToolButton(this)), m_words(new QLineEdit(this)) {
@@ -64,6 +65,11 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
     connect(m_model, &ProblemsModel::countsChanged, this, &ProblemsPanel::countsChanged);
     connect(&document, &Document::changed, this, &ProblemsPanel::follow);
     connect(&document, &Document::opened, this, &ProblemsPanel::clearRunProblems);
+    connect(m_checker, &ModelChecker::checked, this,
+            [this](const std::shared_ptr<const Loaded>& loaded, const std::vector<Diagnostic>& found) {
+                m_model->setModelProblems(found, loaded);
+                showCounts();
+            });
     follow();
 }
 
@@ -111,6 +117,7 @@ void ProblemsPanel::follow() {
     const int row =
         m_view->currentIndex().parent().isValid() ? m_view->currentIndex().parent().row() : m_view->currentIndex().row();
     m_model->setLoaded(m_document.loaded());
+    m_checker->request(m_document.loaded());
     showCounts();
     if (row >= 0 && !m_view->currentIndex().isValid() && m_model->rowCount() > 0) // the next one is where the fixed one was
         m_view->setCurrentIndex(m_model->index(std::min(row, m_model->rowCount() - 1), 0));

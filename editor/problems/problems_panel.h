@@ -15,6 +15,7 @@ class QTreeView;
 namespace trundle {
 
 class Document;
+class ModelChecker;
 class ProblemsModel;
 class Selection;
 
@@ -57,6 +58,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     ProblemsModel* m_model;
+    ModelChecker* m_checker;
     QTreeView* m_view;
     QLabel* m_none;
     QToolButton *m_errors, *m_warnings, *m_order, *m_fix;

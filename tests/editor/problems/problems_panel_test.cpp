@@ -6,11 +6,13 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/problems/model_checker.h"
 #include "editor/problems/problems_model.h"
 #include "editor/problems/problems_panel.h"
 #include "editor/widgets/theme.h"
@@ -65,6 +67,20 @@ RobotConfig Crate { Body box { Box hull { Size=1,1,-1 Mass=1 Material=default Su
 Robot crate { Config=Crat Pos=0,0,1 }
 Robot crate { Config=Crate Pos=0,0,1 }
 )";
+
+const std::string kInWall = R"(Tick = 0.01 Duration = 1
+StaticConfig Floor { Plane ground { Material=default Surface=default } }
+Static floor { Config=Floor }
+StaticConfig Wall { Box side { Size=0.2,4,1 Material=default Surface=default } }
+Static wall { Config=Wall Pos=1,0,0.5 }
+RobotConfig Crate { Body b { Box hull { Size=0.2,0.2,0.2 Mass=1 Material=default Surface=default } } }
+Robot crate { Config=Crate Pos=0.85,0,0.1 }
+)";
+
+/// How often the model check ended.
+void countChecks(ProblemsDesk& desk, int& count) {
+    QObject::connect(desk.panel.findChild<ModelChecker*>(), &ModelChecker::checked, &desk.panel, [&count] { ++count; });
+}
 
 } // namespace
 
@@ -196,6 +212,57 @@ private Q_SLOTS:
         desk.click(desk.model().index(0, 0)); // its place is in a text of the past
         desk.panel.clearRunProblems();
         QCOMPARE(desk.panel.errors(), 0);
+    }
+
+    void whatTheModelCheckFindsIsListed() {
+        ProblemsDesk desk;
+        QVERIFY(desk.open(kInWall));
+        QCOMPARE(desk.messages(), QStringList()); // opening does not wait for it
+        QTRY_COMPARE(desk.model().rowCount(), 1);
+        QVERIFY2(desk.messages().at(0).contains(QStringLiteral("starts inside wall")), qPrintable(desk.messages().at(0)));
+        QCOMPARE(desk.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:7:7"));
+        QCOMPARE(desk.panel.warnings(), 1);
+        desk.view().expandAll();
+        desk.picture("model_check");
+        desk.click(desk.model().index(0, 0));
+        QCOMPARE(desk.selection.current(), std::string("crate"));
+
+        int checks = 0;
+        countChecks(desk, checks);
+        QVERIFY(desk.button("applyFix").isEnabled());
+        QTest::mouseClick(&desk.button("applyFix"), Qt::LeftButton);
+        QVERIFY(desk.text() != kInWall);
+        QTRY_COMPARE(checks, 1);
+        QCOMPARE(desk.messages(), QStringList());
+        desk.document.undo();
+        QCOMPARE(desk.text(), kInWall);
+        QTRY_COMPARE(desk.model().rowCount(), 1);
+    }
+
+    void theModelCheckFollowsTheText() {
+        ProblemsDesk desk;
+        QVERIFY(desk.open(kInWall));
+        QTRY_COMPARE(desk.model().rowCount(), 1);
+        int checks = 0;
+        countChecks(desk, checks);
+        const std::string file = desk.document.files()[0];
+        QVERIFY(desk.document.replaceText(QStringLiteral("Typing"), file, kInWall + "// more\n").ok());
+        QCOMPARE(desk.messages(), QStringList()); // what was found in the old text is gone at once
+        QTRY_COMPARE(checks, 1);
+        QCOMPARE(desk.model().rowCount(), 1);
+        QVERIFY(desk.document.replaceText(QStringLiteral("Typing"), file, kInWall + "Robot other { Config=Crat }\n").ok());
+        QTRY_COMPARE(checks, 2);
+        QVERIFY(desk.panel.errors() > 0); // the errors first; a text that means nothing is not checked
+        for (const QString& message : desk.messages()) QVERIFY(!message.contains(QStringLiteral("starts inside")));
+    }
+
+    void thePanelMayGoWhileItChecks() {
+        for (int i = 0; i < 3; ++i) {
+            ProblemsDesk desk;
+            QVERIFY(desk.open(kInWall));
+            auto* checker = desk.panel.findChild<ModelChecker*>();
+            QVERIFY(QMetaObject::invokeMethod(checker->findChild<QTimer*>(), "timeout")); // starts at once
+        }
     }
 
     void tenThousand() {

@@ -1,0 +1,46 @@
+#include "editor/problems/model_checker.h"
+
+#include "check/model_check.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr int kDelayMs = 300; // after the last edit
+
+} // namespace
+
+ModelChecker::ModelChecker(QObject* parent) : QObject(parent) {
+    m_pool.setMaxThreadCount(1);
+    m_delay.setSingleShot(true);
+    m_delay.setInterval(kDelayMs);
+    connect(&m_delay, &QTimer::timeout, this, &ModelChecker::start);
+}
+
+ModelChecker::~ModelChecker() { m_pool.waitForDone(); }
+
+void ModelChecker::request(std::shared_ptr<const Loaded> loaded) {
+    m_wanted = std::move(loaded);
+    m_delay.start();
+}
+
+void ModelChecker::start() {
+    if (m_busy) return; // finish() starts the next
+    if (!m_wanted) return Q_EMIT checked(nullptr, {});
+    m_busy = true;
+    m_pool.start([this, loaded = m_wanted]() mutable {
+        Diagnostics found;
+        checkModel(*loaded, found); // runs no code of modules
+        // Moved: a load that nobody else keeps ends in this object's thread.
+        QMetaObject::invokeMethod(
+            this, [this, loaded = std::move(loaded), all = found.all()] { finish(loaded, all); }, Qt::QueuedConnection);
+    });
+}
+
+void ModelChecker::finish(const std::shared_ptr<const Loaded>& loaded, const std::vector<Diagnostic>& found) {
+    m_busy = false;
+    if (loaded == m_wanted) Q_EMIT checked(loaded, found);
+    else if (!m_delay.isActive()) m_delay.start();
+}
+
+} // namespace trundle
