@@ -18,6 +18,7 @@
 #include <QtTest>
 
 #include "editor/shell/main_window.h"
+#include "editor/text/code_edit.h"
 #include "editor/widgets/theme.h"
 #include "eventually.h"
 #include "parts/parts.h"
@@ -195,6 +196,8 @@ private:
         int still = 0;                                                     // what a picture shows may still ask for another
         const bool settled = QTest::qWaitFor([&] { return (still = m_window->isSettled() ? still + 1 : 0) > 5; }, 60000);
         if (!settled) qWarning("the window did not come to rest");
+        // How far a text was scrolled depends on how many of its lines were wrapped by then.
+        for (auto* text : m_window->findChildren<CodeEdit*>()) text->setFirstVisibleLine(0);
         return m_window->grab().toImage().convertToFormat(QImage::Format_RGB888);
     }
 
