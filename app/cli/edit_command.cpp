@@ -71,7 +71,7 @@ Edited edited(Parts& parts, const EditArguments& arguments) {
     return {kExitText, {}};
 }
 
-/// Which files change shows when they are read; to be sure that nobody else writes them meanwhile they are read once more when nobody can.
+/// Which files change is known only after reading them, so they are locked then and read once more.
 ExitCode editInPlace(Parts& parts, const EditArguments& arguments) {
     std::vector<std::string> mine;
     for (;;) {

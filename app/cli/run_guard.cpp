@@ -38,7 +38,7 @@ constexpr long kLookEveryNs = 100'000'000;
 
 std::atomic<bool> s_guarded{false}, s_ticking{false}, s_patient{true};
 std::atomic<int> s_requests{0};
-std::atomic<long> s_endingThread{0}; // who ends the program; 0: nobody yet
+std::atomic<long> s_endingThread{0}; // that ends the program; 0: none yet
 std::atomic<pid_t> s_process{0};
 long s_runsThread = 0;
 EarlyEndFacts s_facts;
@@ -84,16 +84,16 @@ void dumpCore(int signal) {
 /// Async-signal-safe. The first to come does it; a crash in the middle of it, or another thread's, adds nothing.
 [[noreturn]] void endEarly(const EarlyEnd& end) {
     const long self = thisThread();
-    long nobody = 0;
-    if (!s_endingThread.compare_exchange_strong(nobody, self)) {
-        if (nobody == self) endProcess(kExitController);
+    long ending = 0;
+    if (!s_endingThread.compare_exchange_strong(ending, self)) {
+        if (ending == self) endProcess(kExitController);
         for (;;) pause();
     }
     BufferedFile::writeOutAll();
     reportEarlyEnd(s_facts, end);
     const int code = exitCodeOf(s_facts, end);
     if (end.kind == EarlyEndKind::Crash) {
-        if (code > 128) raiseDefault(end.signal); // our own fault: as if nobody had watched
+        if (code > 128) raiseDefault(end.signal); // our own fault: as without a handler
         dumpCore(end.signal);
     }
     endProcess(code);
@@ -113,7 +113,7 @@ void onExit() {
 /// What is thrown past all who could catch it; the C++ library would print its text as it is.
 void onTerminate() {
     const auto say = [](const char* what) {
-        SignalText(messagesFile()).add("trundle-cli: an exception that nobody caught: ").addClean(what).add("\n");
+        SignalText(messagesFile()).add("trundle-cli: an uncaught exception: ").addClean(what).add("\n");
     };
     try {
         if (std::current_exception()) throw;
@@ -125,7 +125,7 @@ void onTerminate() {
 
 void onRequest(int) {
     const int before = errno;
-    if (s_requests.fetch_add(1) >= 2) endProcess(kExitInterrupted); // nobody else did anything about the second
+    if (s_requests.fetch_add(1) >= 2) endProcess(kExitInterrupted); // the second one had no effect so far
     sem_post(&s_wake);
     errno = before;
 }
@@ -136,7 +136,7 @@ void watchSignals() {
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, onRequest, SA_RESTART);
     setHandler(SIGPIPE, onBrokenPipe, SA_RESTART);
-    // Where nobody else does: a debugger's or sanitizer's runtime may.
+    // Only where no handler is set: a debugger or a sanitizer may have one.
     for (const int signal : kCrashes) {
         struct sigaction now = {};
         if (sigaction(signal, nullptr, &now) != 0 || (now.sa_handler != SIG_DFL && now.sa_handler != SIG_IGN)) continue;
