@@ -1,5 +1,7 @@
 #include "editor/properties/live_table.h"
 
+#include <algorithm>
+
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
@@ -16,6 +18,7 @@ enum LiveColumn { kName, kNow, kUnit, kLiveColumns };
 constexpr int kNumberWidth = 8;   // "-123.456", and in two neighbours seldom more
 constexpr int kSingleWidth = 14;
 constexpr int kFigurePixels = 11; // three such numbers leave room for a name
+constexpr int kNamePadding = 14;  // of the style, on both sides of a name
 
 /// Numbers of one line end in the same columns from tick to tick.
 QString inColumns(const LiveValue& value) {
@@ -28,7 +31,7 @@ QString inColumns(const LiveValue& value) {
 }
 
 QString tipOf(const LiveValue& value) {
-    QStringList lines;
+    QStringList lines{QString::fromStdString(value.name)};
     if (!value.help.empty()) lines << QString::fromStdString(value.help);
     if (!value.signal.empty()) lines << LiveTable::tr("Signal %1").arg(QString::fromStdString(value.signal));
     if (value.commanded) lines << LiveTable::tr("A command: set, not measured");
@@ -51,13 +54,14 @@ LiveTable::LiveTable(QWidget* parent)
     m_table->setRootIsDecorated(false);
     m_table->setUniformRowHeights(true);
     m_table->setIndentation(0);
-    m_table->setTextElideMode(Qt::ElideRight);
+    m_table->setTextElideMode(Qt::ElideMiddle);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->header()->setStretchLastSection(false);
     m_table->header()->setMinimumSectionSize(10);
     m_table->header()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+    m_table->viewport()->installEventFilter(this);
     m_hint->setWordWrap(true);
     m_hint->setMargin(6);
     m_hint->setObjectName(QStringLiteral("liveHint"));
@@ -69,58 +73,98 @@ LiveTable::LiveTable(QWidget* parent)
     hide();
 }
 
-void LiveTable::display(const std::vector<LiveValue>& values, const QString& object, const QString& hint) {
-    std::vector<std::string> names;
-    m_counts.clear();
-    for (const LiveValue& value : values) {
-        names.push_back(value.name);
-        m_counts.push_back(value.numbers.size());
+std::vector<LiveTable::Line> LiveTable::linesOf(const std::vector<LiveGroup>& groups) {
+    std::vector<Line> lines;
+    for (const LiveGroup& group : groups) {
+        if (!group.object.isEmpty()) lines.push_back({group.object.toStdString(), 0, true});
+        for (const LiveValue& value : group.values) lines.push_back({value.name, value.numbers.size(), false});
     }
-    m_section->setTitle(object.isEmpty() ? tr("Now") : tr("Now: %1").arg(object));
+    return lines;
+}
+
+void LiveTable::display(const std::vector<LiveGroup>& groups, const QString& hint) {
     m_hint->setText(hint);
-    m_hint->setVisible(values.empty());
-    m_table->setVisible(!values.empty());
-    setVisible(!values.empty() || !hint.isEmpty());
-    if (names != m_names) {
-        m_names = std::move(names);
-        m_table->clear();
-        for (const LiveValue& value : values) {
-            auto* row = new QTreeWidgetItem(m_table, {QString::fromStdString(value.name)});
-            row->setTextAlignment(kNow, Qt::AlignRight | Qt::AlignVCenter);
-        }
+    m_hint->setVisible(!hint.isEmpty());
+    m_table->setVisible(!groups.empty());
+    setVisible(!groups.empty() || !hint.isEmpty());
+    if (std::vector<Line> lines = linesOf(groups); lines != m_lines) {
+        m_lines = std::move(lines);
         style();
+        rebuild(groups);
+    } else {
+        fill(groups);
     }
-    for (int i = 0; i < m_table->topLevelItemCount(); ++i)
-        for (int column = 0; column < kLiveColumns; ++column)
-            m_table->topLevelItem(i)->setToolTip(column, tipOf(values[std::size_t(i)]));
-    update(values);
     fit();
 }
 
-void LiveTable::update(const std::vector<LiveValue>& values) {
-    for (int i = 0; i < m_table->topLevelItemCount() && std::size_t(i) < values.size(); ++i) {
-        QTreeWidgetItem* row = m_table->topLevelItem(i);
-        row->setText(kNow, inColumns(values[std::size_t(i)]));
-        row->setText(kUnit, QString::fromStdString(values[std::size_t(i)].unit));
-    }
+bool LiveTable::update(const std::vector<LiveGroup>& groups) {
+    if (linesOf(groups) != m_lines) return false;
+    fill(groups);
+    return true;
 }
 
-/// Of its numbers: wide enough for what may come, not for what is there.
-int LiveTable::nowWidth(int digit) const {
-    std::size_t most = 1;
-    for (const std::size_t count : m_counts) most = std::max(most, std::min<std::size_t>(count, 3));
-    return digit * (most > 1 ? kNumberWidth * int(most) : kSingleWidth) + 14;
+void LiveTable::rebuild(const std::vector<LiveGroup>& groups) {
+    m_stacked = stacking();
+    m_rows.clear();
+    m_table->clear();
+    const auto addRow = [this](const std::string& name) {
+        return new QTreeWidgetItem(m_table, QStringList{QString::fromStdString(name)});
+    };
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        QTreeWidgetItem* name = addRow(m_lines[i].name);
+        name->setFirstColumnSpanned(m_lines[i].heading || m_stacked[i]);
+        if (m_lines[i].heading) {
+            name->setFont(kName, bold);
+            name->setToolTip(kName, QString::fromStdString(m_lines[i].name));
+        } else {
+            m_rows.push_back({name, m_stacked[i] ? addRow({}) : name});
+        }
+    }
+    style();
+    fill(groups);
+}
+
+void LiveTable::fill(const std::vector<LiveGroup>& groups) {
+    std::size_t i = 0;
+    for (const LiveGroup& group : groups) {
+        for (const LiveValue& value : group.values) {
+            const Row& row = m_rows[i++];
+            row.value->setText(kNow, inColumns(value));
+            row.value->setText(kUnit, QString::fromStdString(value.unit));
+            const QString tip = tipOf(value);
+            if (row.name->toolTip(kName) == tip) continue;
+            for (QTreeWidgetItem* item : {row.name, row.value})
+                for (int column = 0; column < kLiveColumns; ++column) item->setToolTip(column, tip);
+        }
+    }
+    m_groups = groups;
+}
+
+/// Which names have no room beside their numbers. The columns of style() are there.
+std::vector<bool> LiveTable::stacking() const {
+    const int room = m_table->viewport()->width() - m_table->columnWidth(kNow) - m_table->columnWidth(kUnit) - kNamePadding;
+    const QFontMetrics metrics(m_table->font());
+    std::vector<bool> stacked;
+    for (const Line& line : m_lines)
+        stacked.push_back(!line.heading && metrics.horizontalAdvance(QString::fromStdString(line.name)) > room);
+    return stacked;
 }
 
 void LiveTable::style() {
     QFont figures = monospaceFont();
     figures.setPixelSize(kFigurePixels);
+    // Wide enough for the numbers that may come, not for those of this moment.
+    std::size_t most = 1;
+    for (const Line& line : m_lines) most = std::max(most, std::min<std::size_t>(line.numbers, 3));
     const int digit = QFontMetrics(figures).horizontalAdvance(u'0');
-    m_table->header()->resizeSection(kNow, nowWidth(digit));
+    m_table->header()->resizeSection(kNow, digit * (most > 1 ? kNumberWidth * int(most) : kSingleWidth) + 14);
     m_table->header()->resizeSection(kUnit, fontMetrics().horizontalAdvance(QStringLiteral("mN m")) + 12);
-    for (int i = 0; i < m_table->topLevelItemCount(); ++i) {
-        m_table->topLevelItem(i)->setFont(kNow, figures);
-        m_table->topLevelItem(i)->setForeground(kUnit, ink(Ink::Faint));
+    for (const Row& row : m_rows) {
+        row.value->setFont(kNow, figures);
+        row.value->setTextAlignment(kNow, Qt::AlignRight | Qt::AlignVCenter);
+        row.value->setForeground(kUnit, ink(Ink::Faint));
     }
 }
 
@@ -142,6 +186,14 @@ void LiveTable::changeEvent(QEvent* event) {
         style();
         fit();
     }
+}
+
+bool LiveTable::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && stacking() != m_stacked) {
+        rebuild(m_groups);
+        fit();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 } // namespace trundle

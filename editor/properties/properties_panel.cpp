@@ -24,6 +24,11 @@
 #include "project/object_place.h"
 
 namespace trundle {
+namespace {
+
+constexpr std::size_t kMostLiveGroups = 8;
+
+} // namespace
 
 PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSession* session, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_session(session),
@@ -144,26 +149,40 @@ void PropertiesPanel::refresh() {
     showLive();
 }
 
+/// The values of each selected object, of the first ones where there are many, or of the run where none is selected.
+std::vector<LiveGroup> PropertiesPanel::liveGroups() const {
+    const std::vector<std::string>& selected = m_selection.paths();
+    if (selected.size() <= 1) {
+        const auto& values = m_session->liveValues(m_selection.current());
+        return values.empty() ? std::vector<LiveGroup>() : std::vector<LiveGroup>{{{}, values}};
+    }
+    std::vector<LiveGroup> groups;
+    for (std::size_t i = 0; i < std::min(selected.size(), kMostLiveGroups); ++i)
+        if (const auto& values = m_session->liveValues(selected[i]); !values.empty())
+            groups.push_back({QString::fromStdString(selected[i]), values});
+    return groups;
+}
+
 /// Another object, or a run that begins or is gone.
 void PropertiesPanel::showLive() {
     if (!m_session || !m_document.isOpen()) return m_live->hide();
-    const std::string path = m_selection.current();
-    const bool several = m_selection.paths().size() > 1;
-    m_live->display(m_session->liveValues(path), several ? QString::fromStdString(path) : QString(), liveHint(path));
+    m_live->display(liveGroups(), liveHint());
 }
 
 /// The values of a tick later: nothing but figures changes.
 void PropertiesPanel::showNow() {
     if (!isVisible() || !m_document.isOpen() || !m_body) return;
-    const auto& values = m_session->liveValues(m_selection.current());
-    if (m_live->isHidden() != values.empty()) showLive();
-    else m_live->update(values);
+    if (const auto groups = liveGroups(); m_live->isHidden() != groups.empty() || !m_live->update(groups)) showLive();
     for (PropertyRow* row : m_rows) row->setNow(row->row().now ? row->row().now() : QString());
 }
 
-/// Why something that moves shows nothing.
-QString PropertiesPanel::liveHint(const std::string& path) const {
+/// Why something that moves shows nothing, or not all that is selected is shown.
+QString PropertiesPanel::liveHint() const {
+    const std::string path = m_selection.current();
     if (!m_session->snapshot() || path.empty()) return {};
+    if (const std::size_t count = m_selection.paths().size(); count > 1)
+        return count > kMostLiveGroups ? tr("The first %1 of %2 selected objects.").arg(kMostLiveGroups).arg(count) : QString();
+    if (!m_session->liveValues(path).empty()) return {};
     const auto place = placeOf(*m_document.loaded(), path);
     if (!place || !place->part) return {};
     if (place->part->is(Role::Layout) && !place->member)

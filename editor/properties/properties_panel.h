@@ -23,6 +23,7 @@ namespace trundle {
 class Document;
 class HelpStrip;
 class LiveTable;
+struct LiveGroup;
 class ObjectHeader;
 class PropertyRow;
 class RunSession;
@@ -65,7 +66,8 @@ private:
     void showHelp();
     void showLive();
     void showNow();
-    [[nodiscard]] QString liveHint(const std::string& path) const;
+    [[nodiscard]] std::vector<LiveGroup> liveGroups() const;
+    [[nodiscard]] QString liveHint() const;
     void showFailure(const std::string& id, const Status& status); ///< in the strip of help; nothing where all went well
     void openMenu(PropertyRow* row, const QPoint& place, QMenu* under);
     void setAsText(const std::string& id);

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QSettings>
 
+#include "editor/viewport/pinned_values.h"
 #include "project/object_place.h"
 #include "project/state_folder.h"
 
@@ -14,6 +15,8 @@ namespace trundle {
 namespace {
 
 constexpr int kMostKept = 200; // experiments
+constexpr std::size_t kMostPins = 64;
+constexpr int kSaveSoonMs = 500; // a plate is dragged over many positions
 
 QString folder() { return QString::fromStdString(userStateFolder()) + QStringLiteral("/windows"); }
 
@@ -58,6 +61,31 @@ std::optional<CameraView> cameraFrom(const QVariantList& numbers) {
     return camera;
 }
 
+/// Each as its path and, where it was moved, the position of its plate.
+QVariantList listOf(const std::vector<Pin>& pins) {
+    QVariantList list;
+    for (const Pin& pin : pins) {
+        QStringList words{QString::fromStdString(pin.path)};
+        if (pin.position) words << QString::number(pin.position->x()) << QString::number(pin.position->y());
+        list << words;
+    }
+    return list;
+}
+
+std::vector<Pin> pinsFrom(const QVariantList& list, const Loaded& loaded) {
+    std::vector<Pin> pins;
+    for (const QVariant& item : list) {
+        const QStringList words = item.toStringList();
+        if (words.isEmpty() || pins.size() >= kMostPins) continue;
+        Pin pin{words[0].toStdString(), std::nullopt};
+        if (!placeOf(loaded, pin.path)) continue;
+        const double x = words.size() == 3 ? words[1].toDouble() : -1, y = words.size() == 3 ? words[2].toDouble() : -1;
+        if (x >= 0 && x <= 1 && y >= 0 && y <= 1) pin.position = QPointF(x, y);
+        pins.push_back(std::move(pin));
+    }
+    return pins;
+}
+
 /// The oldest go where there are too many.
 void tidy() {
     const QFileInfoList files = QDir(folder()).entryInfoList({QStringLiteral("*.ini")}, QDir::Files, QDir::Time);
@@ -74,6 +102,12 @@ WindowMemory::WindowMemory(Document& document, ObjectMarks& marks, ViewportPanel
         connect(&marks, signal, this, [this] {
             if (!m_fresh) save();
         });
+    m_saveSoon.setSingleShot(true);
+    m_saveSoon.setInterval(kSaveSoonMs);
+    connect(&m_saveSoon, &QTimer::timeout, this, &WindowMemory::save);
+    connect(&viewport.pinned(), &PinnedValues::changed, this, [this] {
+        if (!m_fresh) m_saveSoon.start();
+    });
 }
 
 void WindowMemory::start() {
@@ -100,6 +134,7 @@ void WindowMemory::restore() {
     const QSettings kept(fileOf(m_path), QSettings::IniFormat);
     const std::vector<std::string> hidden = marksIn(kept.value(QStringLiteral("hidden")), *m_document.loaded()),
                                    locked = marksIn(kept.value(QStringLiteral("locked")), *m_document.loaded());
+    const std::vector<Pin> pins = pinsFrom(kept.value(QStringLiteral("pins")).toList(), *m_document.loaded());
     std::vector<ViewStand> stands;
     for (int i = 0; i < 4; ++i) {
         const QString view = QStringLiteral("view%1/").arg(i);
@@ -110,6 +145,7 @@ void WindowMemory::restore() {
     if (stands.size() == 4) m_viewport.setStands(stands, kept.value(QStringLiteral("views"), 1).toInt());
     m_marks.setHidden(hidden, true);
     m_marks.setLocked(locked, true);
+    m_viewport.pinned().setPins(pins);
 }
 
 void WindowMemory::save() const {
@@ -119,6 +155,7 @@ void WindowMemory::save() const {
     kept.setValue(QStringLiteral("file"), QString::fromStdString(m_path)); // for people
     kept.setValue(QStringLiteral("hidden"), listOf(m_marks.hidden()));
     kept.setValue(QStringLiteral("locked"), listOf(m_marks.locked()));
+    kept.setValue(QStringLiteral("pins"), listOf(m_viewport.pinned().pins()));
     kept.setValue(QStringLiteral("views"), m_viewport.viewCount());
     const std::vector<ViewStand> stands = m_viewport.stands();
     for (std::size_t i = 0; i < stands.size(); ++i) {

@@ -2,6 +2,7 @@
 #include <string>
 
 #include <QObject>
+#include <QTimer>
 
 #include "editor/document/document.h"
 #include "editor/outline/object_marks.h"
@@ -9,8 +10,8 @@
 
 namespace trundle {
 
-/// What a window keeps of an experiment from one start to the next and its text does not say: which objects are hidden and locked,
-/// and where the views look from. A small file for each in the user's own folder; those of experiments long not opened go.
+/// What a window keeps of an experiment from one start to the next and its text does not say: which objects are hidden and
+/// locked, whose values are pinned, and where the views look from. A small file for each in the user's own folder; those of experiments long not opened go.
 class WindowMemory final : public QObject {
     Q_OBJECT
 public:
@@ -28,6 +29,7 @@ private:
     Document& m_document;
     ObjectMarks& m_marks;
     ViewportPanel& m_viewport;
+    QTimer m_saveSoon;
     std::string m_path; // whose marks and views these are; "" where no file holds it
     bool m_on = false;
     bool m_fresh = false; // opened, and not brought back yet

@@ -133,14 +133,16 @@ void ViewportPanel::connectPinned() {
         m_actions.at("view.pinValues").setChecked(std::ranges::all_of(paths, [this](const auto& p) { return m_pinned->contains(p); }));
     };
     const auto repaint = [this] {
-        if (!m_pinned->paths().empty()) m_current->update(); // the picture below it stays
+        if (!m_pinned->pins().empty()) m_current->update(); // the picture below it stays
     };
     connect(&m_selection, &Selection::changed, this, check);
     connect(m_pinned.get(), &PinnedValues::changed, this, check);
     connect(m_pinned.get(), &PinnedValues::changed, this, [this] { m_current->update(); });
     connect(&m_session, &RunSession::valuesChanged, this, repaint);
-    connect(&m_document, &Document::opened, this, [this] { m_pinned->set(std::vector<std::string>(m_pinned->paths()), false); });
+    // Not at once: a listener of opened() may still save the pins of the experiment before.
+    connect(&m_document, &Document::opened, this, [this] { m_pinsOfOther = true; });
     connect(&m_document, &Document::changed, this, [this] { // also where an object has another name now
+        if (std::exchange(m_pinsOfOther, false)) m_pinned->setPins({});
         if (m_document.isOpen())
             m_pinned->keepIf([this](const std::string& path) { return placeOf(*m_document.loaded(), path).has_value(); });
     });

@@ -1,50 +1,60 @@
 #include "editor/viewport/pinned_values.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QPainter>
 
 #include "editor/running/session.h"
+#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
 namespace {
 
-constexpr double kPinLeft = 8, kPinTop = 44, kPinBottom = 70, kPinRim = 8, kPinGap = 6, kPinNumbers = 3;
-constexpr int kPinDigits = 8; // "-123.456"
+constexpr double kPinLeft = 8, kPinTop = 44, kPinBottom = 70, kPinRim = 8, kPinGap = 6, kPinNumbers = 3, kPinCross = 8;
+constexpr int kPinDigits = 8;       // "-123.456"
+constexpr double kPinMostName = 200; // pixels; longer names are elided in the middle
 const QColor kPinPaper(24, 27, 31, 205), kPinWords(245, 246, 248), kPinQuiet(178, 184, 192);
 
-/// One object's values on a plate. Its columns have the widths of what stands in them at most, not of what does now.
-class PinnedPlate {
+QString noValues() { return PinnedValues::tr("no values before it runs"); }
+
+/// The content of one plate. Its columns are as wide as the widest text that they can get, not as the one of this moment.
+class PlateText {
 public:
-    PinnedPlate(const QPainter& painter, const std::string& path, const std::vector<LiveValue>& values)
-        : m_title(path.empty() ? PinnedValues::tr("Run") : QString::fromStdString(path)), m_values(values),
-          m_words(painter.font()), m_bold(painter.font()), m_figures(monospaceFont()) {
+    PlateText(const QFont& font, const std::string& path, std::vector<LiveValue> values)
+        : m_title(path.empty() ? PinnedValues::tr("Run") : QString::fromStdString(path)), m_values(std::move(values)), m_words(font),
+          m_bold(font), m_figures(monospaceFont()) {
         m_bold.setWeight(QFont::DemiBold);
         m_figures.setPixelSize(12);
-        const QFontMetricsF words(m_words), figures(m_figures);
+        const QFontMetricsF words(m_words), figures(m_figures), bold(m_bold);
         m_line = std::max(words.height(), figures.height()) + 1;
         std::size_t numbers = 1;
-        for (const LiveValue& value : values) {
-            m_nameWidth = std::max(m_nameWidth, words.horizontalAdvance(QString::fromStdString(value.name)));
+        for (const LiveValue& value : m_values) {
+            m_names.push_back(words.elidedText(QString::fromStdString(value.name), Qt::ElideMiddle, kPinMostName));
+            m_nameWidth = std::max(m_nameWidth, words.horizontalAdvance(m_names.back()));
             numbers = std::max(numbers, value.numbers.size());
         }
         m_nameWidth += 12;
         m_numberWidth = figures.horizontalAdvance(QString(kPinDigits, u'0'));
         m_numbersWidth = double(std::min(double(numbers), kPinNumbers)) * m_numberWidth;
         m_unitWidth = words.horizontalAdvance(QStringLiteral("mN m")) + 8;
-        if (values.empty()) m_nameWidth = words.horizontalAdvance(none()), m_numbersWidth = m_unitWidth = 0;
-        m_width = std::max(m_nameWidth + m_numbersWidth + m_unitWidth, QFontMetricsF(m_bold).horizontalAdvance(m_title));
+        if (m_values.empty()) m_nameWidth = words.horizontalAdvance(noValues()), m_numbersWidth = m_unitWidth = 0;
+        m_title = bold.elidedText(m_title, Qt::ElideMiddle, 2 * kPinMostName);
+        m_width = std::max(m_nameWidth + m_numbersWidth + m_unitWidth, bold.horizontalAdvance(m_title) + kPinCross + kPinRim);
     }
-    [[nodiscard]] double height() const { return 2 * kPinRim + m_line * double(1 + std::max<std::size_t>(1, m_values.size())); }
+    [[nodiscard]] QSizeF size() const {
+        return {m_width + 2 * kPinRim, 2 * kPinRim + m_line * double(1 + std::max<std::size_t>(1, m_values.size()))};
+    }
 
-    void paint(QPainter& painter, const QPointF& corner) const {
+    void paint(QPainter& painter, const PinnedPlate& plate) const {
         painter.setPen(Qt::NoPen);
         painter.setBrush(kPinPaper);
-        painter.drawRoundedRect(QRectF(corner, QSizeF(m_width + 2 * kPinRim, height())), 4, 4);
-        const double left = corner.x() + kPinRim;
-        double y = corner.y() + kPinRim;
+        painter.drawRoundedRect(plate.rect, 4, 4);
+        paintCross(painter, plate.close);
+        const double left = plate.rect.left() + kPinRim;
+        double y = plate.rect.top() + kPinRim;
         const auto write = [&](const QFont& font, const QColor& colour, double x, double width, int align, const QString& text) {
             painter.setFont(font);
             painter.setPen(colour);
@@ -52,9 +62,10 @@ public:
         };
         write(m_bold, kPinWords, left, m_width, Qt::AlignLeft, m_title);
         y += m_line;
-        if (m_values.empty()) write(m_words, kPinQuiet, left, m_width, Qt::AlignLeft, none());
-        for (const LiveValue& value : m_values) {
-            write(m_words, kPinQuiet, left, m_nameWidth, Qt::AlignLeft, QString::fromStdString(value.name));
+        if (m_values.empty()) write(m_words, kPinQuiet, left, m_width, Qt::AlignLeft, noValues());
+        for (std::size_t v = 0; v < m_values.size(); ++v) {
+            const LiveValue& value = m_values[v];
+            write(m_words, kPinQuiet, left, m_nameWidth, Qt::AlignLeft, m_names[v]);
             const double end = left + m_nameWidth + m_numbersWidth;
             const std::size_t count = std::min(value.numbers.size(), std::size_t(kPinNumbers));
             for (std::size_t i = 0; i < count; ++i)
@@ -66,40 +77,89 @@ public:
     }
 
 private:
-    static QString none() { return PinnedValues::tr("no values before it runs"); }
+    static void paintCross(QPainter& painter, const QRectF& at) {
+        painter.setPen(QPen(kPinQuiet, 1.4));
+        const QRectF cross = at.adjusted(4, 4, -4, -4);
+        painter.drawLine(cross.topLeft(), cross.bottomRight());
+        painter.drawLine(cross.topRight(), cross.bottomLeft());
+    }
 
     QString m_title;
-    const std::vector<LiveValue>& m_values;
+    std::vector<LiveValue> m_values;
+    std::vector<QString> m_names;
     QFont m_words, m_bold, m_figures;
     double m_line = 0, m_nameWidth = 0, m_numberWidth = 0, m_numbersWidth = 0, m_unitWidth = 0, m_width = 0;
 };
 
-} // namespace
+struct LaidPlate {
+    PinnedPlate plate;
+    PlateText text;
+};
 
-bool PinnedValues::contains(const std::string& path) const { return std::ranges::find(m_paths, path) != m_paths.end(); }
-
-void PinnedValues::set(const std::vector<std::string>& paths, bool pinned) {
-    std::erase_if(m_paths, [&](const std::string& path) { return std::ranges::find(paths, path) != paths.end(); });
-    if (pinned) m_paths.insert(m_paths.end(), paths.begin(), paths.end());
-    Q_EMIT changed();
+QRectF within(const QRectF& rect, const QRectF& room) {
+    QRectF moved = rect;
+    moved.moveLeft(std::max(room.left(), std::min(moved.left(), room.right() - moved.width())));
+    moved.moveTop(std::max(room.top(), std::min(moved.top(), room.bottom() - moved.height())));
+    return moved;
 }
 
-void paintPinnedValues(QPainter& painter, const View& view) {
+/// All that there is room for; `hidden` is how many there is none for, below `y`.
+std::vector<LaidPlate> layOut(const View& view, std::size_t& hidden, double& y) {
+    std::vector<LaidPlate> laid;
+    hidden = 0;
+    y = kPinTop;
     const PinnedValues* pinned = view.parts().pinned;
-    if (!pinned || pinned->paths().empty() || !view.isCurrent()) return;
-    painter.save();
-    double y = kPinTop;
-    std::size_t left = pinned->paths().size();
-    for (const std::string& path : pinned->paths()) {
-        const PinnedPlate plate(painter, path, view.parts().session.liveValues(path));
-        if (y > kPinTop && y + plate.height() > view.height() - kPinBottom) break;
-        plate.paint(painter, {kPinLeft, y});
-        y += plate.height() + kPinGap;
-        --left;
+    if (!pinned || !view.isCurrent()) return laid;
+    bool full = false;
+    for (const Pin& pin : pinned->pins()) {
+        PlateText text(view.font(), pin.path, view.parts().session.liveValues(pin.path));
+        QRectF rect(QPointF(kPinLeft, y), text.size());
+        if (pin.position) {
+            rect.moveCenter({pin.position->x() * view.width(), pin.position->y() * view.height()});
+            rect = within(rect, QRectF(view.rect()).adjusted(2, 2, -2, -2));
+        } else if (full || (y > kPinTop && rect.bottom() > view.height() - kPinBottom)) {
+            full = true;
+            ++hidden;
+            continue;
+        } else {
+            y += rect.height() + kPinGap;
+        }
+        const double right = std::min(rect.right(), double(view.width())); // of a plate wider than the view it is seen too
+        const QRectF close(right - kPinCross - 12, rect.top() + 4, kPinCross + 8, kPinCross + 8);
+        laid.push_back({{pin.path, rect, close}, std::move(text)});
     }
-    painter.restore();
-    if (left == 0) return;
-    const QString more = PinnedValues::tr("%1 more have no room here").arg(left);
+    return laid;
+}
+
+/// Where an object is seen; of a device the robot that it is in. Nothing for the run, and for what is out of sight.
+std::optional<QPointF> spotOf(const View& view, const std::string& path) {
+    const ShownWorld& world = view.parts().world;
+    if (path.empty()) return std::nullopt;
+    std::vector<ObjectRef> objects = world.objectsOf(path);
+    if (objects.empty()) objects = world.objectsOf(path.substr(0, path.find('.')));
+    if (objects.size() != 1 || world.isHidden(objects.front())) return std::nullopt;
+    const Bounds bounds = world.objects()->boundsOf(objects.front(), view.shownPoses());
+    const Vec3 point = bounds.empty() ? world.objects()->poseOf(objects.front(), view.shownPoses()).position : bounds.centre();
+    const auto at = view.shownPixelOf(point);
+    return at && QRectF(view.rect()).contains(*at) ? at : std::nullopt;
+}
+
+/// From the nearest point of the plate's edge to the object.
+void paintLeader(QPainter& painter, const View& view, const PinnedPlate& plate) {
+    const auto spot = spotOf(view, plate.path);
+    if (!spot || plate.rect.contains(*spot)) return;
+    const QPointF edge(std::clamp(spot->x(), plate.rect.left(), plate.rect.right()),
+                       std::clamp(spot->y(), plate.rect.top(), plate.rect.bottom()));
+    painter.setPen(QPen(kPinPaper, 3.2));
+    painter.drawLine(edge, *spot);
+    painter.setPen(QPen(kPinWords, 1.2));
+    painter.drawLine(edge, *spot);
+    painter.setBrush(kPinWords);
+    painter.drawEllipse(*spot, 2.5, 2.5);
+}
+
+void paintMore(QPainter& painter, std::size_t hidden, double y) {
+    const QString more = PinnedValues::tr("%1 more have no room here").arg(hidden);
     const QRectF at(kPinLeft, y, QFontMetricsF(painter.font()).horizontalAdvance(more) + 2 * kPinRim,
                     QFontMetricsF(painter.font()).height() + 6);
     painter.setPen(Qt::NoPen);
@@ -107,6 +167,58 @@ void paintPinnedValues(QPainter& painter, const View& view) {
     painter.drawRoundedRect(at, 4, 4);
     painter.setPen(kPinQuiet);
     painter.drawText(at, Qt::AlignCenter, more);
+}
+
+} // namespace
+
+std::vector<std::string> PinnedValues::paths() const {
+    std::vector<std::string> paths;
+    for (const Pin& pin : m_pins) paths.push_back(pin.path);
+    return paths;
+}
+
+bool PinnedValues::contains(const std::string& path) const { return std::ranges::find(m_pins, path, &Pin::path) != m_pins.end(); }
+
+void PinnedValues::set(const std::vector<std::string>& paths, bool pinned) {
+    if (pinned) {
+        for (const std::string& path : paths)
+            if (!contains(path)) m_pins.push_back({path, std::nullopt});
+    } else {
+        std::erase_if(m_pins, [&](const Pin& pin) { return std::ranges::find(paths, pin.path) != paths.end(); });
+    }
+    Q_EMIT changed();
+}
+
+void PinnedValues::setPins(std::vector<Pin> pins) {
+    if (pins == m_pins) return;
+    m_pins = std::move(pins);
+    Q_EMIT changed();
+}
+
+void PinnedValues::move(const std::string& path, const std::optional<QPointF>& position) {
+    const auto pin = std::ranges::find(m_pins, path, &Pin::path);
+    if (pin == m_pins.end() || pin->position == position) return;
+    pin->position = position;
+    Q_EMIT changed();
+}
+
+std::vector<PinnedPlate> pinnedPlates(const View& view) {
+    std::size_t hidden = 0;
+    double y = 0;
+    std::vector<PinnedPlate> plates;
+    for (LaidPlate& laid : layOut(view, hidden, y)) plates.push_back(std::move(laid.plate));
+    return plates;
+}
+
+void paintPinnedValues(QPainter& painter, const View& view) {
+    std::size_t hidden = 0;
+    double y = 0;
+    const std::vector<LaidPlate> plates = layOut(view, hidden, y);
+    painter.save();
+    for (const LaidPlate& laid : plates) paintLeader(painter, view, laid.plate);
+    for (const LaidPlate& laid : plates) laid.text.paint(painter, laid.plate);
+    painter.restore();
+    if (hidden > 0) paintMore(painter, hidden, y);
 }
 
 } // namespace trundle

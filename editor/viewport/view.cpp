@@ -13,6 +13,7 @@
 #include "editor/viewport/measure_work.h"
 #include "editor/viewport/navigation.h"
 #include "editor/viewport/overlays.h"
+#include "editor/viewport/pin_work.h"
 #include "editor/viewport/push_work.h"
 #include "editor/viewport/radio_overlays.h"
 #include "editor/viewport/select_work.h"
@@ -55,6 +56,7 @@ View::View(const ViewParts& parts, ViewKind kind, QWidget* parent)
     setMinimumSize(120, 90);
     setAccessibleName(tr("3D view"));
 
+    m_works.push_back(std::make_unique<PinWork>(*this));
     auto navigation = std::make_unique<Navigation>(*this);
     m_navigation = navigation.get();
     m_works.push_back(std::move(navigation));

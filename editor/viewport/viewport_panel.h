@@ -105,6 +105,7 @@ private:
     std::string m_inTheWay;
     int m_shown = 1;
     bool m_toBeFramed = true, m_frameWhenShown = false;
+    bool m_pinsOfOther = false; // another experiment was opened, and its text is not shown yet
 };
 
 } // namespace trundle

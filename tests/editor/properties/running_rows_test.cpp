@@ -103,6 +103,54 @@ private Q_SLOTS:
         EVENTUALLY(!desk.live()->isVisible());
     }
 
+    void namesAreWholeInANarrowPanel() {
+        RunningDesk desk;
+        desk.panel.resize(220, 600);
+        desk.selection.select("crate");
+        desk.session.step();
+        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
+        const QTreeWidget& table = *desk.live();
+        EVENTUALLY(table.isVisible() && table.topLevelItemCount() > 0);
+        const auto lines = [&table] {
+            QStringList all;
+            for (int i = 0; i < table.topLevelItemCount(); ++i) {
+                const QTreeWidgetItem& row = *table.topLevelItem(i);
+                const int room = row.isFirstColumnSpanned() ? table.viewport()->width() : table.columnWidth(0);
+                if (table.fontMetrics().horizontalAdvance(row.text(0)) > room - 4) return QStringList{QStringLiteral("cut: ") + row.text(0)};
+                if (table.fontMetrics().horizontalAdvance(row.text(2)) > table.columnWidth(2)) return QStringList{QStringLiteral("cut unit")};
+                all << row.text(0);
+            }
+            return all;
+        };
+        EVENTUALLY(lines().contains(QStringLiteral("angular rate")));
+        const QList<QTreeWidgetItem*> found = desk.live()->findItems(QStringLiteral("angular rate"), Qt::MatchExactly);
+        QVERIFY(found[0]->isFirstColumnSpanned() && found[0]->toolTip(0).startsWith(QStringLiteral("angular rate\n")));
+        const QTreeWidgetItem* below = table.topLevelItem(table.indexOfTopLevelItem(found[0]) + 1);
+        QCOMPARE(below->text(2), QStringLiteral("rad/s"));
+        const QStringList narrow = lines();
+        desk.session.step();
+        EVENTUALLY_EQUAL(desk.session.time(), 0.02);
+        QCoreApplication::processEvents();
+        QCOMPARE(lines(), narrow); // no line comes or goes with a value
+        desk.panel.resize(420, 600);
+        EVENTUALLY(lines().size() < narrow.size());
+        QVERIFY(!desk.live()->findItems(QStringLiteral("angular rate"), Qt::MatchExactly)[0]->isFirstColumnSpanned());
+    }
+
+    void severalSelectedObjectsShowTheirValuesEach() {
+        RunningDesk desk;
+        desk.selection.set({"crate", "crate.box.hull"});
+        desk.session.step();
+        EVENTUALLY(desk.live()->isVisible());
+        const auto count = [&desk](const char* text) { return desk.live()->findItems(QLatin1String(text), Qt::MatchExactly).size(); };
+        EVENTUALLY_EQUAL(count("speed"), 2);
+        QCOMPARE(count("crate"), 1);
+        QCOMPARE(count("crate.box.hull"), 1);
+        desk.selection.select("crate");
+        QCOMPARE(count("speed"), 1);
+        QCOMPARE(count("crate"), 0); // the panel's own heading says whose they are
+    }
+
     void aPlacedRobotShowsWhereItWasPut() {
         RunningDesk desk;
         desk.selection.select("crate");

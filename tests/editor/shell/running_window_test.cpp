@@ -9,6 +9,7 @@
 
 #include "editor/shell/window_parts.h"
 #include "editor/text/text_panel.h"
+#include "editor/viewport/pinned_values.h"
 #include "editor/viewport/viewport_panel.h"
 #include "eventually.h"
 
@@ -57,6 +58,24 @@ private Q_SLOTS:
         EVENTUALLY(problems->visibleRegion().isEmpty());
         QVERIFY(m_window->document().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
         QVERIFY(problems->visibleRegion().isEmpty());
+    }
+
+    void pinnedValuesComeBackWithTheirExperiment() {
+        m_window->rememberViews();
+        open("pinned.sim", kRobot);
+        PinnedValues* pinned = &m_window->viewport().pinned();
+        pinned->set({"robot0", "", "robot0.leftMotor"}, true);
+        pinned->move("robot0", QPointF(0.5, 0.25));
+        const std::vector<Pin> pins = pinned->pins();
+        open("other.sim", kRobot); // the same names, but not the same robots
+        QVERIFY(pinned->pins().empty());
+        open("pinned.sim", kRobot);
+        QVERIFY(pinned->pins() == pins);
+        QVERIFY(m_window->close());
+        m_window = m_parts.window();
+        m_window->rememberViews();
+        open("pinned.sim", kRobot);
+        QVERIFY(m_window->viewport().pinned().pins() == pins);
     }
 
     void theWindowSaysWhereTheLogsAreAndOpensThem() {

@@ -58,6 +58,41 @@ private Q_SLOTS:
         QVERIFY(m_window->panel->pinned().paths().empty() && !pin.isChecked());
     }
 
+    void pinnedPlatesAreDraggedAndClosed() {
+        PinnedValues& pinned = m_window->panel->pinned();
+        pinned.set({"robot0", "robot0.leftMotor"}, true);
+        EVENTUALLY(m_window->panel->isUpToDate());
+        const auto plate = [this](const char* path) {
+            for (const PinnedPlate& each : pinnedPlates(m_window->view()))
+                if (each.path == path) return each;
+            return PinnedPlate();
+        };
+        const QRectF robot = plate("robot0").rect, motor = plate("robot0.leftMotor").rect;
+        QVERIFY(motor.top() > robot.bottom()); // in a column
+        const QPointF from = motor.center(), to = from + QPointF(400, 150);
+        m_window->drag(from, to);
+        QVERIFY2((plate("robot0.leftMotor").rect.center() - to).manhattanLength() < 2, "it goes with the mouse");
+        QVERIFY(m_window->selection.empty()); // what is behind it was not clicked
+        QCOMPARE(plate("robot0").rect, robot);
+        m_window->panel->resize(700, 600); // it keeps its share of the view
+        const QRectF moved = plate("robot0.leftMotor").rect;
+        QVERIFY(QRectF(m_window->view().rect()).contains(moved));
+        m_window->click(moved.center());
+        QCOMPARE(m_window->selection.current(), std::string("robot0.leftMotor"));
+        m_window->drag(moved.center(), QPointF(-500, -500)); // never out of the view
+        QVERIFY(QRectF(m_window->view().rect()).contains(plate("robot0.leftMotor").rect));
+        const QPointF back = plate("robot0.leftMotor").rect.center();
+        m_window->press(back);
+        m_window->move(back + QPointF(200, 200), {}, Qt::LeftButton);
+        m_window->key(Qt::Key_Escape);
+        QVERIFY((plate("robot0.leftMotor").rect.center() - back).manhattanLength() < 2);
+        m_window->release(back);
+        m_window->click(plate("robot0.leftMotor").close.center());
+        QCOMPARE(pinned.paths(), std::vector<std::string>{"robot0"});
+        QVERIFY(m_window->open(kRoom)); // pins are of the experiment that is open
+        QVERIFY(pinned.paths().empty());
+    }
+
     void aDragInAPausedRunMovesTheWorldOnly() {
         step();
         m_window->selection.select("robot0");
