@@ -62,21 +62,27 @@ Status Journal::append(const std::string& record) {
     return {};
 }
 
-Status Journal::note(const std::string& file, const std::string& base, const std::string& text) {
+std::string Journal::beginBytes(const std::string& file, const Noted& noted) {
+    JournalRecord record{JournalRecord::Begin, {file, noted.base, now()}};
+    if (noted.isCreated) record.fields.emplace_back(kCreatedMark);
+    return journalBytes(record);
+}
+
+Status Journal::note(const std::string& file, const std::string& base, const std::string& text, bool isCreated) {
     if (!m_file) {
         if (Status made = makeFile(); !made) return made;
     }
     const auto known = m_noted.find(file);
-    const bool begins = known == m_noted.end() || known->second.base != base;
+    const bool begins = known == m_noted.end() || known->second.base != base || known->second.isCreated != isCreated;
     const std::string& before = begins ? base : known->second.text;
     const TextSplice splice = spliceBetween(before, text);
     if (!begins && splice.empty()) return {};
-    std::string record;
-    if (begins) record = journalBytes({JournalRecord::Begin, {file, base, now()}});
+    const Noted noted{base, text, isCreated};
+    std::string record = begins ? beginBytes(file, noted) : std::string();
     record += journalBytes({JournalRecord::Change,
                             {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
     if (Status written = append(record); !written) return written;
-    m_noted.insert_or_assign(file, Noted{base, text});
+    m_noted.insert_or_assign(file, noted);
     return compact();
 }
 
@@ -100,7 +106,7 @@ Status Journal::compact() {
     std::string bytes = headBytes(m_head);
     for (const auto& [file, noted] : m_noted) {
         const TextSplice splice = spliceBetween(noted.base, noted.text);
-        bytes += journalBytes({JournalRecord::Begin, {file, noted.base, now()}});
+        bytes += beginBytes(file, noted);
         bytes += journalBytes({JournalRecord::Change,
                                {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
     }

@@ -28,8 +28,8 @@ public:
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// A text is now `text`, having begun as `base` on the disk. Writes what differs from the last note.
-    [[nodiscard]] Status note(const std::string& file, const std::string& base, const std::string& text);
+    /// A text is now `text`, having begun as `base` on the disk. Writes what differs from the last note. `isCreated`: see RecoveredText.
+    [[nodiscard]] Status note(const std::string& file, const std::string& base, const std::string& text, bool isCreated = false);
     /// A text is saved. When none is left the journal goes.
     [[nodiscard]] Status forget(const std::string& file);
     [[nodiscard]] bool holds(const std::string& file) const { return m_noted.contains(file); }
@@ -42,7 +42,9 @@ public:
 private:
     struct Noted {
         std::string base, text;
+        bool isCreated = false;
     };
+    [[nodiscard]] static std::string beginBytes(const std::string& file, const Noted& noted);
     [[nodiscard]] Status makeFile();
     [[nodiscard]] Status append(const std::string& record);
     [[nodiscard]] Status compact();
@@ -57,6 +59,7 @@ private:
 struct RecoveredText {
     std::string base; ///< the disk's bytes that the edits began with
     std::string text;
+    bool isCreated = false; ///< by an edit that can be undone: the file goes when its text is empty
 };
 
 /// What a window that did not end well has left.

@@ -54,8 +54,9 @@ private:
         return true;
     }
     bool takeBegin(const std::vector<std::string>& fields) {
-        if (fields.size() != 3) return false;
-        recovery.files[fields[0]] = {fields[1], fields[1]};
+        const bool isCreated = fields.size() == 4 && fields[3] == kCreatedMark;
+        if (fields.size() != 3 && !isCreated) return false;
+        recovery.files[fields[0]] = {fields[1], fields[1], isCreated && fields[0] != recovery.head.opened};
         return takeTime(fields[2]);
     }
     bool takeChange(const std::vector<std::string>& fields) {

@@ -11,6 +11,9 @@ namespace trundle {
 
 inline constexpr std::string_view kJournalMark = "TRUNDLE JOURNAL 1\n";
 
+/// Fourth field of a Begin record: an edit created the file. Journals of earlier versions have three fields.
+inline constexpr std::string_view kCreatedMark = "created";
+
 /// A letter that says what it is, and fields of any bytes.
 struct JournalRecord {
     enum Kind : char { Head = 'H', Begin = 'B', Change = 'C', Forget = 'F' };

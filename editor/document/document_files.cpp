@@ -101,6 +101,13 @@ public:
         m_before.emplace_back(path, old ? std::optional(std::move(old).value()) : std::nullopt);
         return {};
     }
+    /// A file of the document: one that an edit created goes with its last text.
+    Status save(const std::string& path, const OpenFile& file) {
+        if (file.isRemoved()) return remove(path);
+        std::error_code failed; // then it cannot be written, which says why
+        if (file.made) fs::create_directories(fs::path(path).parent_path(), failed);
+        return write(path, *file.text);
+    }
     Status remove(const std::string& path) {
         std::error_code failed;
         Result<std::string> old = readRegularFile(path);
@@ -146,12 +153,8 @@ Status Document::save() {
     m_state->journal.writeNow(); // who is killed in between finds the bytes of the disk in the journal, and nothing to bring back
     Writing writing;
     Status saved;
-    for (const std::string& path : modified) {
-        const OpenFile& file = *m_state->files.find(path);
-        std::error_code none;
-        if (file.made) fs::create_directories(fs::path(path).parent_path(), none);
-        if (saved) saved = file.made && file.text->empty() ? writing.remove(path) : writing.write(path, *file.text);
-    }
+    for (const std::string& path : m_state->files.inWritingOrder())
+        if (const OpenFile& file = *m_state->files.find(path); saved && file.modified()) saved = writing.save(path, file);
     if (!saved) saved = writing.takeBack(saved.error());
     for (const std::string& path : modified) {
         OpenFile& file = *m_state->files.find(path);
@@ -176,17 +179,18 @@ Status Document::mayBecome(const std::string& target) const {
 }
 
 void Document::moveFile(const std::string& from, const std::string& to) {
-    const SharedText text = m_state->files.text(from);
+    const OpenFile moved = *m_state->files.find(from);
     m_state->files.remove(from);
-    m_state->files.take(to, *text);
+    m_state->files.take(to, *moved.text);
+    m_state->files.find(to)->made |= moved.made;
     m_history.renameFile(from, to);
     if (m_state->opened == from) m_state->opened = to;
 }
 
 namespace {
 
-/// `others`: of the project, by their path.
-Status writeMoved(const SavePlan& save, const FileTexts& others, const std::string& last) {
+/// `others`: files of the project that stay where they are.
+Status writeMoved(const SavePlan& save, const OpenFiles& files, const std::vector<std::string>& others, const std::string& last) {
     Writing writing;
     Status status;
     const auto write = [&](const std::string& path) {
@@ -198,8 +202,8 @@ Status writeMoved(const SavePlan& save, const FileTexts& others, const std::stri
         if (status) status = writing.copy(from, to);
     for (const auto& [path, text] : save.texts)
         if (status && path != last) status = write(path);
-    for (const auto& [path, text] : others)
-        if (status) status = writing.write(path, *text);
+    for (const std::string& path : others)
+        if (status) status = writing.save(path, *files.find(path));
     if (status) status = write(last); // the one that asks for the others
     return status ? status : writing.takeBack(status.error());
 }
@@ -227,23 +231,22 @@ Status Document::saveAs(const std::string& path, ModuleCopies modules) {
     const Result<SavePlan> plan = planFor(target, modules);
     if (!plan) return plan.error();
     const SavePlan& save = plan.value();
-    FileTexts others; // that stay where they are
+    std::vector<std::string> others; // that stay where they are
     if (inPlace) {
-        std::vector<std::string> own;
-        for (const std::string& file : m_state->files.modified())
-            if (!isSample(file) && !save.moves.contains(file)) others.emplace(file, m_state->files.text(file));
-        for (const auto& [file, text] : others) own.push_back(file);
+        for (const std::string& file : m_state->files.inWritingOrder())
+            if (isModified(file) && !isSample(file) && !save.moves.contains(file)) others.push_back(file);
+        std::vector<std::string> own = others;
         for (const auto& [from, to] : save.moves)
             if (from == to) own.push_back(from);
         if (Status may = mayWrite(own); !may) return may;
         m_state->journal.writeNow(); // as in save()
     }
     const bool hadErrors = m_loaded->diagnostics.hasErrors();
-    if (Status written = writeMoved(save, others, target); !written) return written;
+    if (Status written = writeMoved(save, m_state->files, others, target); !written) return written;
 
-    for (const auto& [path, text] : others) {
+    for (const std::string& path : others) {
         OpenFile& file = *m_state->files.find(path);
-        file.disk = text, file.gone = false;
+        file.disk = file.text, file.gone = false;
     }
 
     FileTexts imports; // texts whose imports read otherwise now

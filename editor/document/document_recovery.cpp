@@ -15,6 +15,11 @@
 namespace trundle {
 namespace {
 
+bool isMissing(const std::string& path) {
+    std::error_code none;
+    return !std::filesystem::exists(path, none);
+}
+
 QString onOneLine(const std::string& text) { return QString::fromStdString(cleanLine(text)); }
 
 } // namespace
@@ -61,7 +66,8 @@ std::vector<Recovery> Document::recoveries() const {
     std::erase_if(found, [](const Recovery& recovery) {
         for (const auto& [path, kept] : recovery.files) {
             const Result<std::string> disk = readRegularFile(path);
-            if (!disk || disk.value() != kept.text) return false;
+            const bool isRemoved = kept.isCreated && kept.text.empty() && isMissing(path);
+            if (!isRemoved && (!disk || disk.value() != kept.text)) return false;
         }
         discardRecovery(recovery); // all of it was saved
         return true;
@@ -152,11 +158,14 @@ Status Document::recover(const Recovery& recovery) {
         if (std::ranges::find(outside, path) != outside.end()) continue;
         if (!m_state->files.find(path)) { // a file that is imported only by what is recovered
             const Result<std::string> disk = readRegularFile(path);
-            m_state->files.take(path, disk ? disk.value() : kept.base);
-            m_state->files.find(path)->gone = !disk;
+            const bool isCreated = kept.isCreated && isMissing(path); // here and there: it is written with its text, or not at all
+            m_state->files.take(path, disk ? disk.value() : isCreated ? std::string() : kept.base);
+            m_state->files.find(path)->gone = !disk && !isCreated;
         }
         OpenFile& file = *m_state->files.find(path);
-        Recovered text = recoveredOver(kept, *file.disk);
+        file.made |= kept.isCreated;
+        Recovered text = kept.isCreated && isMissing(path) ? Recovered{std::make_shared<const std::string>(kept.text), nullptr}
+                                                           : recoveredOver(kept, *file.disk);
         if (text.theirs) {
             file.disk = std::make_shared<const std::string>(kept.base);
             file.theirs = text.theirs;

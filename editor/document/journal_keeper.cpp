@@ -52,8 +52,9 @@ std::string JournalKeeper::path() const {
 
 Status JournalKeeper::write() {
     Status first;
-    for (const auto& [path, file] : m_files.all()) {
-        const Status done = file.edited() ? m_journal->note(path, *file.disk, *file.text) : m_journal->forget(path);
+    for (const std::string& path : m_files.inWritingOrder()) {
+        const OpenFile& file = *m_files.find(path);
+        const Status done = file.edited() ? m_journal->note(path, *file.disk, *file.text, file.made) : m_journal->forget(path);
         if (!done && first) first = done;
     }
     // One wait that is under way is enough: the next write comes with its own.

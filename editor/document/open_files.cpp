@@ -1,5 +1,7 @@
 #include "editor/document/open_files.h"
 
+#include <algorithm>
+
 namespace trundle {
 
 void OpenFiles::take(const std::string& path, std::string_view bytes) {
@@ -44,6 +46,16 @@ std::vector<std::string> OpenFiles::modified() const {
     std::vector<std::string> paths;
     for (const auto& [path, file] : m_files)
         if (file.modified()) paths.push_back(path);
+    return paths;
+}
+
+std::vector<std::string> OpenFiles::inWritingOrder() const {
+    std::vector<std::string> paths;
+    for (const auto& [path, file] : m_files) paths.push_back(path);
+    std::ranges::stable_sort(paths, {}, [this](const std::string& path) {
+        const OpenFile& file = m_files.at(path);
+        return file.isRemoved() ? 2 : file.made ? 0 : 1;
+    });
     return paths;
 }
 

@@ -22,6 +22,7 @@ struct OpenFile {
 
     [[nodiscard]] bool edited() const { return text != disk && *text != *disk; }
     [[nodiscard]] bool modified() const { return gone || edited(); }
+    [[nodiscard]] bool isRemoved() const { return made && text->empty(); } ///< by a save
 };
 
 class OpenFiles {
@@ -38,6 +39,9 @@ public:
     void setTexts(const TextOverlay& texts);                      ///< of files that are known
     [[nodiscard]] TextOverlay texts() const;
     [[nodiscard]] std::vector<std::string> modified() const;
+    /// All files in an order of writing that is safe to be cut off anywhere: what edits created before what imports it, what a save
+    /// removes after what imported it.
+    [[nodiscard]] std::vector<std::string> inWritingOrder() const;
     [[nodiscard]] const std::map<std::string, OpenFile>& all() const { return m_files; }
 
 private:

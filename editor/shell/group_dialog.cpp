@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/document.h"
+#include "editor/document/group_edit.h"
 #include "editor/widgets/theme.h"
 #include "project/plan_group.h"
 
@@ -16,14 +17,6 @@ namespace trundle {
 namespace {
 
 QString trGroup(const char* text) { return QCoreApplication::translate("GroupDialog", text); }
-
-/// The file first, so that what imports it finds it: one entry of the history.
-void carryOut(Document& document, const QString& name, const GroupPlan& group) {
-    const std::string key = "group " + std::to_string(document.revision());
-    if (!document.replaceText(name, group.file, group.text, key)) return;
-    if (!document.carryOut(name, group.plan, key)) document.withdraw(key);
-    document.endMerge();
-}
 
 } // namespace
 
@@ -72,7 +65,7 @@ void askForGroup(QWidget* parent, Document& document, const std::vector<std::str
     QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, [&document, dialog, line, planned] {
         const auto plan = planned();
         if (!plan) return Q_EMIT document.refused(QString::fromStdString(plan.error().message));
-        carryOut(document, trGroup("Group into %1").arg(line->text().trimmed()), plan.value());
+        (void)applyGroup(document, trGroup("Group into %1").arg(line->text().trimmed()), plan.value()); // which says why not
         dialog->accept();
     });
     check();

@@ -88,6 +88,8 @@ void RecoveryDialog::show(int row) {
         if (isOutside(path))
             html += QStringLiteral(" <span style='color:%1'>%2</span>")
                         .arg(ink(Ink::Error).name(), tr("– not restored: it is outside the project").toHtmlEscaped());
+        else if (recovered.isCreated && recovered.text.empty())
+            html += u' ' + tr("– removed by the next save, since the edit that created it was undone").toHtmlEscaped();
         html += QStringLiteral("</li>");
     }
     html += QStringLiteral("</ul>");

@@ -49,7 +49,55 @@ private Q_SLOTS:
         QVERIFY2(offered >= kills / 4, qPrintable(QString::number(offered))); // it was unsaved work that was killed, often
     }
 
+    /// Group into Piece, saved, undone, redone: the experiment and the file that it creates come and go together.
+    void aPieceIsThereWithItsExperimentOrNotAtAll() {
+        const int kills = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 100 : 10;
+        std::mt19937 random(5);
+        int offered = 0, removed = 0;
+        for (int i = 0; i < kills; ++i) {
+            killPieces(static_cast<int>(random() & 0xffff), static_cast<int>(600 + random() % 2500), offered, removed);
+            if (QTest::currentTestFailed()) return;
+        }
+        QVERIFY2(offered >= kills / 4 && removed > 0, qPrintable(QStringLiteral("%1, %2").arg(offered).arg(removed)));
+    }
+
 private:
+    void killPieces(int seed, int afterMs, int& offered, int& removed) {
+        const Desk desk;
+        const std::string text = "StaticConfig Wall { Box b { Size=1,1,1 Pos=0,0,0.5 } }\n"
+                                 "Static a { Config=Wall }\nStatic b { Config=Wall Pos=3,0,0 }\n",
+                          piece = desk.path("configs/objects/piece.sim");
+        desk.write("configs/main.sim", text);
+        QProcess program;
+        program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
+                      {QString::fromStdString(desk.main), QString::number(seed), u"pieces"_qs});
+        QVERIFY(program.waitForStarted());
+        while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
+        QCOMPARE(program.readLine(), QByteArray("ready\n"));
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < afterMs)
+            program.waitForReadyRead(static_cast<int>(std::max<qint64>(1, afterMs - clock.elapsed())));
+        program.kill();
+        QVERIFY(program.waitForFinished());
+        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
+
+        Document document(*m_parts);
+        QVERIFY(document.open(desk.main).ok());
+        const std::vector<Recovery> found = document.recoveries();
+        QVERIFY(found.size() <= 1);
+        offered += !found.empty();
+        const bool wasThere = std::filesystem::exists(piece);
+        if (!found.empty()) QCOMPARE(why(document.recover(found[0])), "");
+        QVERIFY2(!document.loaded()->diagnostics.hasErrors(), messages(*document.loaded()).c_str());
+        QCOMPARE(why(document.save()), "");
+        const bool isGrouped = bytesOf(desk.main) != text;
+        QVERIFY(!isGrouped || holds(bytesOf(piece), "StaticConfig Piece"));
+        QVERIFY(!std::filesystem::exists(piece) || holds(bytesOf(piece), "StaticConfig Piece")); // never an empty one
+        if (!found.empty()) QCOMPARE(std::filesystem::exists(piece), isGrouped);
+        removed += wasThere && !std::filesystem::exists(piece);
+    }
+
     void kill(int seed, int afterMs, int& offered) {
         const Desk desk;
         desk.write("configs/main.sim", "Seed = 0\n// end 0\n");

@@ -1,6 +1,8 @@
 // Not a test: edits and saves a file until somebody kills it. Says before each edit which one it is, and after each note of the
 // journal and each save what they hold, so that whoever kills it knows what must have been kept.
 //   edit_and_save FILE SEED
+// With a third word it groups into a piece and undoes and redoes that instead, and saves now and then:
+//   edit_and_save FILE SEED pieces
 
 #include <cstdio>
 #include <random>
@@ -10,6 +12,8 @@
 #include <QTimer>
 
 #include "editor/document/document.h"
+#include "editor/document/group_edit.h"
+#include "project/plan_group.h"
 
 using namespace trundle;
 
@@ -23,11 +27,24 @@ std::string textOf(int number, std::mt19937& random) {
     return text + "// end " + std::to_string(number) + "\n";
 }
 
+/// A piece in a file of its own, which the edit creates.
+bool group(Document& document) {
+    const auto plan = planGroup(*document.loaded(), {"a", "b"}, "Piece");
+    return plan.ok() && applyGroup(document, u"Group"_qs, plan.value()).ok();
+}
+
+bool groupOrUndo(Document& document, std::mt19937& random) {
+    if (random() % 3 == 0) return document.save().ok();
+    if (document.history().canUndo()) return document.undo(), true;
+    return document.history().canRedo() ? (document.redo(), true) : group(document);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);
-    if (argc != 3) return 2;
+    if (argc < 3) return 2;
+    const bool pieces = argc > 3;
     const std::unique_ptr<Parts> parts = makeParts();
     Document document(*parts);
     if (!document.open(argv[1])) return 1;
@@ -35,7 +52,10 @@ int main(int argc, char** argv) {
     int number = 0;
     QTimer edits;
     QObject::connect(&edits, &QTimer::timeout, &document, [&] {
-        if (random() % 60 == 0 && number > 0) {
+        if (pieces) {
+            if (!groupOrUndo(document, random)) std::_Exit(5);
+            std::printf("edit %d\n", ++number);
+        } else if (random() % 60 == 0 && number > 0) {
             if (!document.save()) std::_Exit(3);
             std::printf("saved %d\n", number);
         } else {
@@ -44,7 +64,7 @@ int main(int argc, char** argv) {
             std::printf("edit %d\n", number);
         }
         std::fflush(stdout);
-        edits.start(static_cast<int>(random() % 40));
+        edits.start(static_cast<int>(random() % (pieces ? 700 : 40))); // the journal waits half a second
     });
     edits.setSingleShot(true);
     edits.start(0);

@@ -1,6 +1,7 @@
 // Files that edits make.
 #include <QTest>
 
+#include "project/state_folder.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -17,15 +18,8 @@ private Q_SLOTS:
     void cleanup() { m_document.reset(); }
 
     void aFileThatAnEditMakesComesAndGoesWithIt() {
-        const std::string piece = m_desk->path("configs/objects/piece.sim"), text = "StaticConfig Piece { Box b { Size=1,1,1 } }\n";
-        const auto make = [&] {
-            EditPlan plan;
-            plan.edits[0] = {{{0, {0, 0}}, "#import objects/piece.sim\nStatic piece { Config=Piece }\n"}};
-            const bool made = m_document->replaceText(QStringLiteral("Group"), piece, text, "group").ok() &&
-                              m_document->carryOut(QStringLiteral("Group"), plan, "group").ok();
-            m_document->endMerge();
-            return made;
-        };
+        const std::string piece = this->piece(), text = kPiece;
+        const auto make = [&] { return group(); };
         const auto onDisk = [&] { return std::filesystem::exists(piece); };
         QVERIFY(make());
         QVERIFY(!m_document->loaded()->diagnostics.hasErrors());
@@ -59,7 +53,101 @@ private Q_SLOTS:
         QVERIFY(!std::filesystem::exists(m_desk->path("elsewhere.sim")));
     }
 
+    void recoveryKnowsWhichFilesEditsCreated_data() {
+        QTest::addColumn<QString>("steps"); // g: group, s: save, u: undo, r: redo, x: the other program removes the file
+        QTest::addColumn<bool>("isThere");  // after recovery and a save
+        QTest::newRow("never saved") << "g" << true;
+        QTest::newRow("undone after a save") << "gsu" << false;
+        QTest::newRow("undone and redone") << "gsur" << true;
+        QTest::newRow("removed, then redone") << "gsusr" << true;
+        QTest::newRow("undone, and removed by another program") << "gsux" << false;
+    }
+    void recoveryKnowsWhichFilesEditsCreated() {
+        QFETCH(QString, steps);
+        QFETCH(bool, isThere);
+        for (const char step : steps.toStdString()) {
+            if (step == 'g') QVERIFY(group());
+            if (step == 's') QCOMPARE(why(m_document->save()), "");
+            if (step == 'u') m_document->undo();
+            if (step == 'r') m_document->redo();
+            if (step == 'x') std::filesystem::remove(piece());
+        }
+        std::string journal = journalOf(*m_document);
+        if (steps == u"gsur") QVERIFY(journal.empty()); // nothing is unsaved
+        QVERIFY(restart(journal));
+        const auto found = m_document->recoveries();
+        if (!found.empty()) QCOMPARE(why(m_document->recover(found.at(0))), "");
+        QVERIFY2(!m_document->loaded()->diagnostics.hasErrors(), messages(*m_document->loaded()).c_str());
+        QCOMPARE(m_document->loaded()->experiment->statics.size(), std::size_t(isThere));
+        QCOMPARE(why(m_document->save()), "");
+        QCOMPARE(std::filesystem::exists(piece()), isThere);
+        if (isThere) QCOMPARE(bytesOf(piece()), std::string(kPiece));
+        QVERIFY(!m_document->isModified());
+        if (found.empty()) return;
+        m_document->undo(); // of the recovery, and again: the file comes and goes with it
+        QCOMPARE(why(m_document->save()), "");
+        QVERIFY(!m_document->isModified());
+        QVERIFY(!std::filesystem::exists(piece()) || bytesOf(piece()) == kPiece); // never an empty one
+        m_document->redo();
+        QCOMPARE(why(m_document->save()), "");
+        QCOMPARE(std::filesystem::exists(piece()), isThere);
+    }
+
+    void aSaveThatWasCutOffIsFinished() {
+        QVERIFY(group());
+        QCOMPARE(why(m_document->save()), "");
+        m_document->undo();
+        const std::string journal = journalOf(*m_document);
+        QCOMPARE(why(m_document->save()), "");
+        QVERIFY(restart(journal)); // all is written, only the journal was not removed
+        QVERIFY(m_document->recoveries().empty());
+    }
+
+    void saveAsKeepsWhichFilesEditsCreated() {
+        QVERIFY(group());
+        QCOMPARE(why(m_document->save()), "");
+        const std::string copy = m_desk->path("elsewhere/main.sim"), moved = m_desk->path("elsewhere/objects/piece.sim");
+        std::filesystem::create_directories(m_desk->path("elsewhere"));
+        QCOMPARE(why(m_document->saveAs(copy)), "");
+        QCOMPARE(bytesOf(moved), std::string(kPiece));
+        m_document->undo(); // of what the imports read there
+        while (m_document->history().canUndo()) m_document->undo();
+        QCOMPARE(why(m_document->save()), "");
+        QVERIFY(!std::filesystem::exists(moved));
+        QCOMPARE(bytesOf(piece()), std::string(kPiece)); // the first experiment keeps its own
+    }
+
 private:
+    static constexpr const char* kPiece = "StaticConfig Piece { Box b { Size=1,1,1 } }\n";
+    [[nodiscard]] std::string piece() const { return m_desk->path("configs/objects/piece.sim"); }
+    bool group() {
+        EditPlan plan;
+        plan.edits[0] = {{{0, {0, 0}}, "#import objects/piece.sim\nStatic piece { Config=Piece }\n"}};
+        const bool made = m_document->replaceText(QStringLiteral("Group"), piece(), kPiece, "group").ok() &&
+                          m_document->carryOut(QStringLiteral("Group"), plan, "group").ok();
+        m_document->endMerge();
+        return made;
+    }
+    /// The bytes of the journal, "" where there is none.
+    std::string journalOf(Document& document) {
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(), [] { QCoreApplication::exit(0); }, Qt::QueuedConnection);
+        QCoreApplication::exec(); // at its end what is not noted yet is noted
+        std::error_code none;
+        const std::string folder = projectStateFolder(m_desk->path("configs")) + "/journal";
+        for (std::filesystem::directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
+            if (document.isModified()) return bytesOf(at->path().string());
+        return {};
+    }
+    /// Another window after the first one was killed and left this journal.
+    bool restart(const std::string& journal) {
+        m_document = std::make_unique<Document>(*m_parts);
+        const std::filesystem::path folder = projectStateFolder(m_desk->path("configs")) + "/journal";
+        std::filesystem::create_directories(folder);
+        if (!journal.empty()) std::ofstream(folder / "1.journal", std::ios::binary) << journal;
+        return m_document->open(m_desk->main).ok();
+    }
+
     std::unique_ptr<Parts> m_parts = makeParts();
     std::unique_ptr<Desk> m_desk;
     std::unique_ptr<Document> m_document;

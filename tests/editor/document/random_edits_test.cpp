@@ -4,7 +4,10 @@
 
 #include <random>
 
+#include "editor/document/group_edit.h"
 #include "editor/document/structure_edits.h"
+#include "project/plan_group.h"
+#include "project/state_folder.h"
 #include "sample_document.h"
 
 using namespace trundle;
@@ -35,7 +38,7 @@ public:
         case 5: return m_document.redo();
         case 6: return leap();
         case 7:
-        case 8: return changeStructure();
+        case 8: return below(4) == 0 ? group() : changeStructure();
         default: return below(10) == 0 ? save() : setValue();
         }
     }
@@ -43,6 +46,7 @@ public:
     std::size_t below(std::size_t count) { return m_random() % count; }
 
     std::map<ShareChoice, int> answers; ///< that were given
+    std::vector<std::string> created;   ///< files
     int structures = 0, copies = 0;     ///< changes of structure that were made, and copies among them
 
 private:
@@ -82,6 +86,17 @@ private:
             });
         structures += done.ok();
         copies += m_document.loaded()->outline->configs.all().size() > configs;
+    }
+
+    /// An edit that creates a file.
+    void group() {
+        if (m_document.loaded()->diagnostics.hasErrors()) return;
+        const std::string name = "Piece" + std::to_string(created.size());
+        GroupPlan group;
+        group.file = m_desk.path("configs/objects/" + name + ".sim");
+        group.text = "StaticConfig " + name + " { Box b { Size=1,1,1 } }\n";
+        group.plan.edits[0] = {{{0, {0, 0}}, "#import objects/" + name + ".sim\nStatic s" + name + " { Config=" + name + " }\n"}};
+        if (applyGroup(m_document, u"Group"_qs, group)) created.push_back(group.file);
     }
 
     void type() {
@@ -143,8 +158,16 @@ private Q_SLOTS:
         RandomEdits random(d, desk, seed);
         for (int i = 0; i < edits; ++i) {
             random.oneEdit();
-            for (const std::string& file : {desk.main, desk.robot}) QCOMPARE(d.isModified(file), bytesOf(file) != *d.text(file));
-            QCOMPARE(d.isModified(), d.isModified(desk.main) || d.isModified(desk.robot));
+            bool isModified = false;
+            for (const std::string& file : random.created) {
+                isModified = isModified || d.isModified(file);
+                QVERIFY(!std::filesystem::exists(file) || !bytesOf(file).empty());
+            }
+            for (const std::string& file : {desk.main, desk.robot}) isModified = isModified || d.isModified(file);
+            QCOMPARE(d.isModified(), isModified);
+            std::vector<std::string> files = random.created;
+            files.insert(files.end(), {desk.main, desk.robot});
+            for (const std::string& file : files) QCOMPARE(d.isModified(file), bytesOf(file) != *d.text(file));
         }
         QVERIFY(random.structures > edits / 50);
         QVERIFY(!random.answers.empty());
@@ -160,6 +183,12 @@ private Q_SLOTS:
         while (d.history().canRedo()) d.redo();
         QCOMPARE(*d.text(desk.main), endMain);
         QCOMPARE(*d.text(desk.robot), endRobot);
+        QVERIFY(!random.created.empty());
+        d.moveTo(random.below(d.history().entries().size()));
+        std::map<std::string, std::string> texts;
+        random.created.insert(random.created.end(), {desk.main, desk.robot});
+        for (const std::string& file : random.created) texts[file] = *d.text(file);
+        recoversAll(d, desk, texts);
     }
 
     void everyChoiceWasTaken() {
@@ -168,6 +197,30 @@ private Q_SLOTS:
     }
 
 private:
+    /// What a window leaves that is killed now gives the same texts, and once they are saved the same files.
+    void recoversAll(Document& killed, const Desk& desk, const std::map<std::string, std::string>& texts) {
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(), [] { QCoreApplication::exit(0); }, Qt::QueuedConnection);
+        QCoreApplication::exec(); // at its end what is not noted yet is noted
+        const std::filesystem::path folder = projectStateFolder(desk.path("configs")) + "/journal";
+        std::map<std::string, std::string> journals;
+        std::error_code none;
+        for (std::filesystem::directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
+            journals[at->path().string()] = bytesOf(at->path().string());
+        QCOMPARE(journals.empty(), !killed.isModified());
+        killed.close();
+        std::filesystem::create_directories(folder);
+        for (const auto& [path, bytes] : journals) std::ofstream(path, std::ios::binary) << bytes;
+        Document d(*m_parts);
+        QVERIFY(d.open(desk.main).ok());
+        for (const Recovery& recovery : d.recoveries()) QCOMPARE(why(d.recover(recovery)), "");
+        QCOMPARE(why(d.save()), "");
+        for (const auto& [path, text] : texts) {
+            QCOMPARE(bytesOf(path), text);
+            if (path != desk.main) QCOMPARE(std::filesystem::exists(path), !text.empty() || path == desk.robot);
+        }
+    }
+
     std::unique_ptr<Parts> m_parts;
     std::map<ShareChoice, int> m_answers;
     int m_copies = 0;

@@ -1,0 +1,18 @@
+#include "editor/document/group_edit.h"
+
+#include "editor/document/document.h"
+#include "project/plan_group.h"
+
+namespace trundle {
+
+// The file first, so that what imports it finds it.
+Status applyGroup(Document& document, const QString& name, const GroupPlan& group) {
+    const std::string key = "group " + std::to_string(document.revision());
+    if (Status created = document.replaceText(name, group.file, group.text, key); !created) return created;
+    const Status done = document.carryOut(name, group.plan, key);
+    if (!done) document.withdraw(key);
+    document.endMerge();
+    return done;
+}
+
+} // namespace trundle
