@@ -38,9 +38,25 @@ public:
         case 5: return m_document.redo();
         case 6: return leap();
         case 7:
-        case 8: return below(4) == 0 ? group() : changeStructure();
+        case 8: return changeStructure();
         default: return below(10) == 0 ? save() : setValue();
         }
+    }
+
+    /// Back to a text that can be edited otherwise than by typing.
+    void undoErrors() {
+        while (m_document.loaded()->diagnostics.hasErrors() && m_document.history().canUndo()) m_document.undo();
+    }
+
+    /// An edit that creates a file.
+    void group() {
+        if (m_document.loaded()->diagnostics.hasErrors()) return;
+        const std::string name = "Piece" + std::to_string(created.size());
+        GroupPlan group;
+        group.file = m_desk.path("configs/objects/" + name + ".sim");
+        group.text = "StaticConfig " + name + " { Box b { Size=1,1,1 } }\n";
+        group.plan.edits[0] = {{{0, {0, 0}}, "#import objects/" + name + ".sim\nStatic s" + name + " { Config=" + name + " }\n"}};
+        if (applyGroup(m_document, u"Group"_qs, group)) created.push_back(group.file);
     }
 
     std::size_t below(std::size_t count) { return m_random() % count; }
@@ -86,17 +102,6 @@ private:
             });
         structures += done.ok();
         copies += m_document.loaded()->outline->configs.all().size() > configs;
-    }
-
-    /// An edit that creates a file.
-    void group() {
-        if (m_document.loaded()->diagnostics.hasErrors()) return;
-        const std::string name = "Piece" + std::to_string(created.size());
-        GroupPlan group;
-        group.file = m_desk.path("configs/objects/" + name + ".sim");
-        group.text = "StaticConfig " + name + " { Box b { Size=1,1,1 } }\n";
-        group.plan.edits[0] = {{{0, {0, 0}}, "#import objects/" + name + ".sim\nStatic s" + name + " { Config=" + name + " }\n"}};
-        if (applyGroup(m_document, u"Group"_qs, group)) created.push_back(group.file);
     }
 
     void type() {
@@ -157,7 +162,9 @@ private Q_SLOTS:
         QVERIFY(d.open(desk.main).ok());
         RandomEdits random(d, desk, seed);
         for (int i = 0; i < edits; ++i) {
-            random.oneEdit();
+            if (i % 10 == 0) random.undoErrors();
+            if (i % 10 == 9) random.group();
+            else random.oneEdit();
             bool isModified = false;
             for (const std::string& file : random.created) {
                 isModified = isModified || d.isModified(file);
@@ -169,7 +176,9 @@ private Q_SLOTS:
             files.insert(files.end(), {desk.main, desk.robot});
             for (const std::string& file : files) QCOMPARE(d.isModified(file), bytesOf(file) != *d.text(file));
         }
-        QVERIFY(random.structures > edits / 50);
+        QVERIFY(random.structures > 0);
+        m_structures += random.structures;
+        m_edits += edits;
         QVERIFY(!random.answers.empty());
         m_answers.merge(random.answers);
         m_copies += random.copies;
@@ -194,6 +203,7 @@ private Q_SLOTS:
     void everyChoiceWasTaken() {
         QCOMPARE(m_answers.size(), 3u);
         QVERIFY(m_copies > 0);
+        QVERIFY2(m_structures > m_edits / 50, qPrintable(QString::number(m_structures)));
     }
 
 private:
@@ -223,7 +233,7 @@ private:
 
     std::unique_ptr<Parts> m_parts;
     std::map<ShareChoice, int> m_answers;
-    int m_copies = 0;
+    int m_copies = 0, m_structures = 0, m_edits = 0; ///< of all walks
 };
 
 QTEST_GUILESS_MAIN(RandomEditsTest)
