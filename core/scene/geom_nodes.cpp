@@ -133,7 +133,8 @@ MaterialSpec asMaterial(const MeshMaterial& own) {
 /// What of the geoms is drawn.
 class Pieces {
 public:
-    Pieces(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials) : m_geoms(geoms) {
+    Pieces(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials, std::span<const SpokePattern> spokes = {})
+        : m_geoms(geoms), m_spokes(spokes) {
         for (std::uint32_t i = 0; i < geoms.size(); ++i) {
             const GeomSpec& geom = geoms[i];
             if (!geom.visible || geom.shape == GeomShape::Plane || !finite(geom)) continue;
@@ -232,6 +233,7 @@ private:
                 for (const auto& corner : geom.mesh->look->onPicture[source]) batch.onPicture->push_back({corner[0], corner[1]});
             return;
         }
+        if (const SpokePattern* pattern = patternOf(piece.geom)) return addSpoked(batch, piece, *pattern, fineness);
         const ShapeMesh mesh = shapeOf(geom, fineness);
         if (mesh.indices.empty()) return;
         if (!material.picture) return batch.add(geom, piece.geom, mesh, material);
@@ -241,7 +243,20 @@ private:
             batch.onPicture->push_back({at.x(), at.y()});
     }
 
+    [[nodiscard]] const SpokePattern* patternOf(std::uint32_t geom) const {
+        const auto it = std::find_if(m_spokes.begin(), m_spokes.end(), [&](const SpokePattern& p) { return p.geom == geom; });
+        return it == m_spokes.end() ? nullptr : &*it;
+    }
+    void addSpoked(Batch& batch, const Piece& piece, const SpokePattern& pattern, Fineness fineness) {
+        const GeomSpec& geom = m_geoms[piece.geom];
+        const auto parts = spokedShapeOf(geom, pattern, fineness);
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (!parts[i].indices.empty())
+                batch.add(geom, piece.geom, parts[i], paintedMaterial(piece.material, static_cast<WheelPaint>(i)));
+    }
+
     std::span<const GeomSpec> m_geoms;
+    std::span<const SpokePattern> m_spokes;
     std::vector<Piece> m_all;
     std::map<std::uint32_t, std::vector<ShapeMesh>> m_meshes; // by geom, then by material
 };
@@ -318,13 +333,13 @@ std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
 }
 
 osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
-                                      const Look& look, Pictures& pictures) {
+                                      std::span<const SpokePattern> spokes, const Look& look, Pictures& pictures) {
     osg::ref_ptr<GeomNode> group = new GeomNode;
     osg::ref_ptr<GeomNames> names = new GeomNames;
     for (const GeomSpec& geom : geoms) names->names.push_back(geom.name);
     group->setUserData(names);
     const auto isClear = [](const MaterialSpec& m) { return m.opacity < 1; };
-    Pieces pieces(geoms, materials);
+    Pieces pieces(geoms, materials, spokes);
     const auto addWhole = [&](const osg::ref_ptr<osg::Node>& drawable, bool clear = false) {
         if (!drawable) return;
         if (clear) drawable->setNodeMask(~unsigned(kMaskSolid | kMaskFloor)); // the two are asked for together

@@ -17,6 +17,7 @@
 #include "model/experiment_spec.h"
 #include "scene/look.h"
 #include "scene/pictures.h"
+#include "scene/spokes.h"
 
 namespace trundle {
 
@@ -62,9 +63,9 @@ private:
 };
 
 /// Shared by every body, in any robot, that has these geoms. Empty group where none is visible.
-/// Planes are left out: they are floors.
+/// Planes are left out: they are floors. Geoms with a pattern are drawn with spokes.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
-                                                    const Look& look, Pictures& pictures);
+                                                    std::span<const SpokePattern> spokes, const Look& look, Pictures& pictures);
 /// The same geoms without a look of their own and coarse, for lines.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms);
 

@@ -72,7 +72,9 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
         auto [entry, isNew] = known.try_emplace(robot.config.get());
         auto& [shapes, largest, speck] = entry->second;
         if (isNew) {
-            for (const BodySpec& body : robot.config->bodies) shapes.push_back(m_store->nodeOf(body.geoms, experiment.materials));
+            const auto spokes = spokePatternsOf(*robot.config, experiment.materials);
+            for (std::size_t i = 0; i < robot.config->bodies.size(); ++i)
+                shapes.push_back(m_store->nodeOf(robot.config->bodies[i].geoms, experiment.materials, spokes[i]));
             largest = largestOf(shapes);
             if (largest < shapes.size()) speck = makeSpeck(*shapes[largest], m_store->look);
         }

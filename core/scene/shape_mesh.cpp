@@ -16,22 +16,9 @@ constexpr float kPlaceholderSize = 0.1f; // m
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kLeastSegments = 4;
 
-std::uint32_t addPoint(ShapeMesh& mesh, const Vector3f& point, const Vector3f& normal) {
-    mesh.points.push_back(point);
-    mesh.normals.push_back(normal);
-    return static_cast<std::uint32_t>(mesh.points.size() - 1);
-}
-
-/// Winds the triangle so that it faces the way its normals do.
-void addTriangle(ShapeMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const Vector3f face = (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
-    if (face.dot(mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) < 0) std::swap(b, c);
-    mesh.indices.insert(mesh.indices.end(), {a, b, c});
-}
-
 void addQuad(ShapeMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    addTriangle(mesh, a, b, c);
-    addTriangle(mesh, a, c, d);
+    mesh.addTriangle(a, b, c);
+    mesh.addTriangle(a, c, d);
 }
 
 /// A surface of revolution: rings of (radius, z) with the slope of the normal, joined in order.
@@ -45,15 +32,15 @@ void addRings(ShapeMesh& mesh, const std::vector<Ring>& rings, int segments) {
     for (const Ring& ring : rings) {
         for (std::uint32_t s = 0; s < n; ++s) {
             const double a = kTurn * s / segments, c = std::cos(a), d = std::sin(a);
-            addPoint(mesh, Eigen::Vector3d(ring.radius * c, ring.radius * d, ring.z).cast<float>(),
-                     Eigen::Vector3d(ring.normalOut * c, ring.normalOut * d, ring.normalUp).cast<float>());
+            mesh.addPoint(Eigen::Vector3d(ring.radius * c, ring.radius * d, ring.z).cast<float>(),
+                          Eigen::Vector3d(ring.normalOut * c, ring.normalOut * d, ring.normalUp).cast<float>());
         }
     }
     for (std::uint32_t r = 0; r + 1 < rings.size(); ++r) {
         for (std::uint32_t s = 0; s < n; ++s) {
             const std::uint32_t a = first + r * n + s, b = first + r * n + (s + 1) % n;
-            if (rings[r + 1].radius <= 0) addTriangle(mesh, a, b, a + n);
-            else if (rings[r].radius <= 0) addTriangle(mesh, a, b + n, a + n);
+            if (rings[r + 1].radius <= 0) mesh.addTriangle(a, b, a + n);
+            else if (rings[r].radius <= 0) mesh.addTriangle(a, b + n, a + n);
             else addQuad(mesh, a, b, b + n, a + n);
         }
     }
@@ -64,20 +51,31 @@ void addCap(ShapeMesh& mesh, double radius, double z, double up, int segments) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (int s = 0; s < segments; ++s) {
         const double a = kTurn * s / segments;
-        addPoint(mesh, Eigen::Vector3d(radius * std::cos(a), radius * std::sin(a), z).cast<float>(), normal);
+        mesh.addPoint(Eigen::Vector3d(radius * std::cos(a), radius * std::sin(a), z).cast<float>(), normal);
     }
     const auto n = static_cast<std::uint32_t>(segments);
-    for (std::uint32_t s = 1; s + 1 < n; ++s) addTriangle(mesh, first, first + s, first + s + 1);
+    for (std::uint32_t s = 1; s + 1 < n; ++s) mesh.addTriangle(first, first + s, first + s + 1);
 }
 
-/// So many that the straight pieces leave the circle by half a pixel at most, and an even number of them.
-int segmentsOf(double radius, const Fineness& fineness) {
+} // namespace
+
+std::uint32_t ShapeMesh::addPoint(const Vector3f& point, const Vector3f& normal) {
+    points.push_back(point);
+    normals.push_back(normal);
+    return static_cast<std::uint32_t>(points.size() - 1);
+}
+
+void ShapeMesh::addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const Vector3f face = (points[b] - points[a]).cross(points[c] - points[a]);
+    if (face.dot(normals[a] + normals[b] + normals[c]) < 0) std::swap(b, c);
+    indices.insert(indices.end(), {a, b, c});
+}
+
+int segmentsFor(double radius, const Fineness& fineness) {
     if (!(fineness.pixelsPerMetre > 0)) return fineness.segments;
     const double needed = std::numbers::pi * std::sqrt(radius * fineness.pixelsPerMetre);
     return std::min(fineness.segments, std::max(kLeastSegments, 2 * static_cast<int>(std::ceil(0.5 * std::min(needed, 1e3)))));
 }
-
-} // namespace
 
 ShapeMesh boxMesh(const Vector3f& size, bool bevel) {
     ShapeMesh mesh;
@@ -93,7 +91,7 @@ ShapeMesh boxMesh(const Vector3f& size, bool bevel) {
                 point[k] = sign * (k == axis ? half[k] : half[k] - cut);
                 if (k == axis) normal[k] = sign;
             }
-            corner[axis][i] = addPoint(mesh, point, normal);
+            corner[axis][i] = mesh.addPoint(point, normal);
         }
     }
     for (int axis = 0; axis < 3; ++axis) {
@@ -107,7 +105,7 @@ ShapeMesh boxMesh(const Vector3f& size, bool bevel) {
             addQuad(mesh, corner[faceU][side], corner[faceU][side | w], corner[faceV][side | w], corner[faceV][side]);
     }
     if (cut > 0)
-        for (int i = 0; i < 8; ++i) addTriangle(mesh, corner[0][i], corner[1][i], corner[2][i]);
+        for (int i = 0; i < 8; ++i) mesh.addTriangle(corner[0][i], corner[1][i], corner[2][i]);
     return mesh;
 }
 
@@ -165,7 +163,7 @@ ShapeMesh shapeOf(const GeomSpec& geom, Fineness fineness) {
     const auto radius = static_cast<float>(geom.radius), length = static_cast<float>(geom.length);
     const Vector3f size = geom.size.cast<float>();
     const auto drawable = [](float value) { return value > 0 && value < kLargest; };
-    const int segments = segmentsOf(geom.radius, fineness);
+    const int segments = segmentsFor(geom.radius, fineness);
     const bool drawableSize = drawable(size.x()) && drawable(size.y()) && drawable(size.z());
     if (isPlaceholder(geom)) return boxMesh(Vector3f::Constant(kPlaceholderSize), false);
     switch (geom.shape) {

@@ -15,6 +15,11 @@ struct ShapeMesh {
     std::vector<Eigen::Vector3f> points, normals; ///< same length
     std::vector<std::uint32_t> indices;           ///< three for each triangle, counter-clockwise from outside
     std::vector<std::uint32_t> sources;           ///< of a mesh: which of its triangles each one is; else empty
+
+    /// Returns its index.
+    std::uint32_t addPoint(const Eigen::Vector3f& point, const Eigen::Vector3f& normal);
+    /// Winds the triangle so that it faces the way its normals do.
+    void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 };
 
 /// How finely round shapes are cut, and whether edges of boxes catch the light.
@@ -24,6 +29,9 @@ struct Fineness {
     /// Pixels to a metre where it is seen nearest. Shapes that are small there need fewer segments; 0: all have the same.
     double pixelsPerMetre = 0;
 };
+
+/// So many that the straight pieces leave the circle by half a pixel at most, and an even number of them.
+[[nodiscard]] int segmentsFor(double radius, const Fineness& fineness);
 
 [[nodiscard]] ShapeMesh boxMesh(const Eigen::Vector3f& size, bool bevel);
 [[nodiscard]] ShapeMesh sphereMesh(float radius, int segments);

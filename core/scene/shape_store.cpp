@@ -73,7 +73,8 @@ void addLook(Key& key, const MeshLook& look) {
 
 } // namespace
 
-osg::ref_ptr<osg::Group> ShapeStore::nodeOf(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials) {
+osg::ref_ptr<osg::Group> ShapeStore::nodeOf(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
+                                            std::span<const SpokePattern> spokes) {
     static const MaterialSpec kPlain;
     Key key;
     for (const GeomSpec& g : geoms) {
@@ -83,9 +84,10 @@ osg::ref_ptr<osg::Group> ShapeStore::nodeOf(std::span<const GeomSpec> geoms, con
         addMaterial(key, g.material < materials.size() ? materials[g.material] : kPlain);
         if (bringsItsLook(g)) addLook(key, *g.mesh->look);
     }
+    for (const SpokePattern& s : spokes) key.plain(s.geom), key.vector(s.axis), key.plain(s.top), key.plain(s.bottom);
     auto [entry, isNew] = m_nodes.try_emplace(std::move(key.bytes));
     if (isNew) {
-        entry->second = makeGeomNode(geoms, materials, look, pictures);
+        entry->second = makeGeomNode(geoms, materials, spokes, look, pictures);
         ++m_made;
     }
     return entry->second;

@@ -11,6 +11,7 @@
 #include "model/experiment_spec.h"
 #include "scene/look.h"
 #include "scene/pictures.h"
+#include "scene/spokes.h"
 
 namespace trundle {
 
@@ -21,7 +22,8 @@ public:
     Pictures pictures;
 
     /// One node for all sets of geoms that are drawn alike, whatever experiment they come from.
-    [[nodiscard]] osg::ref_ptr<osg::Group> nodeOf(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials);
+    [[nodiscard]] osg::ref_ptr<osg::Group> nodeOf(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
+                                                  std::span<const SpokePattern> spokes = {});
     /// The shapes that collide, as coarse lines.
     [[nodiscard]] osg::ref_ptr<osg::Group> collisionNodeOf(std::span<const GeomSpec> geoms);
     /// Drops what no scene holds any more.
