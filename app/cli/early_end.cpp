@@ -82,9 +82,14 @@ void sayCrash(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
     sayTime(words, facts);
     words << ": " << crashName(end.signal);
     if (culprit(facts, end)) return;
-    words << (!end.onRunsThread   ? ", in a thread that code of a module left behind or that the program works with"
-              : isInSolver(facts) ? ", in the solver; the fault is the program's own, or damage that code of a module did before"
-                                  : "; the fault is the program's own, or damage that code of a module did before");
+    if (!end.onRunsThread) {
+        words << ", in a thread of ";
+        if (end.threadOf) sayTarget(words, *end.threadOf);
+        else words << "no known module";
+        return;
+    }
+    words << (isInSolver(facts) ? ", in the solver; the fault is the program's own, or damage that code of a module did before"
+                                 : "; the fault is the program's own, or damage that code of a module did before");
 }
 
 void sayExit(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
@@ -116,12 +121,20 @@ void sayNotResponding(Words& words, const EarlyEndFacts& facts, const EarlyEnd& 
     if (const char* body = facts.calls->clusterBody()) words << " hang together, among them those of " << body;
 }
 
+void sayInterrupted(Words& words, const EarlyEndFacts& facts) {
+    words << "interrupted: ended at once";
+    const CallTarget* target = moduleCall(facts);
+    if (!target) return;
+    words << ", while waiting for ";
+    sayTarget(words, *target);
+}
+
 void say(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
     switch (end.kind) {
     case EarlyEndKind::Crash: return sayCrash(words, facts, end);
     case EarlyEndKind::Exit: return sayExit(words, facts, end);
     case EarlyEndKind::NotResponding: return sayNotResponding(words, facts, end);
-    case EarlyEndKind::Interrupted: words << "interrupted: ended at once"; return;
+    case EarlyEndKind::Interrupted: return sayInterrupted(words, facts);
     }
 }
 
@@ -131,8 +144,10 @@ void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) 
     const char* body = target ? nullptr : facts.calls->clusterBody();
     out.add("{\"robot\": ").addJson(target ? target->robot.c_str() : nullptr);
     out.add(", \"kind\": ").addJson(target ? target->kind.c_str() : nullptr);
-    out.add(", \"module\": ").addJson(target ? target->module.c_str() : nullptr);
-    out.add(", \"during\": ").addJson(target ? facts.calls->doing() : isInSolver(facts) ? "solver" : nullptr);
+    const CallTarget* owner = target ? target : end.threadOf;
+    out.add(", \"module\": ").addJson(owner ? owner->module.c_str() : nullptr);
+    const char* during = target ? facts.calls->doing() : !end.onRunsThread ? "thread" : isInSolver(facts) ? "solver" : nullptr;
+    out.add(", \"during\": ").addJson(during);
     if (end.kind == EarlyEndKind::NotResponding && isInSolver(facts)) {
         out.add(", \"contacts\": ").add(static_cast<std::uint64_t>(facts.calls->clusterContacts()));
         out.add(", \"body\": ").addJson(body);
@@ -157,7 +172,13 @@ void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end)
     out.add(",\n  \"state_hash\": null,\n  \"quick_ticks\": null,\n  \"rescued_ticks\": null,\n  \"finished\": null,\n  "
             "\"interrupted\": ");
     out.add(end.kind == EarlyEndKind::NotResponding || end.kind == EarlyEndKind::Interrupted ? "true" : "false");
-    out.add(",\n  \"robots\": {},\n  \"diagnostics\": [");
+    out.add(",\n  \"robots\": {");
+    const EarlyPoses* poses = facts.poses.load();
+    if (poses) out.add(poses->members.data(), poses->members.size());
+    out.add("},\n  \"robots_time_s\": ");
+    if (poses) out.add(poses->timeS);
+    else out.add("null");
+    out.add(",\n  \"diagnostics\": [");
     if (const std::string* before = facts.diagnostics.load(); before && !before->empty())
         out.add(before->data(), before->size()).add(",");
     out.add("{\"file\": \"\", \"line\": 0, \"column\": 0, \"end_line\": 0, \"end_column\": 0, \"severity\": \"error\", \"code\": "

@@ -19,8 +19,15 @@ enum class EarlyEndKind {
 struct EarlyEnd {
     EarlyEndKind kind = EarlyEndKind::Crash;
     int signal = 0;            ///< of a crash
-    bool onRunsThread = true;  ///< false: a thread that code of a module left behind, most likely
+    bool onRunsThread = true;  ///< false: a thread that code of a module started, or one that the program works with
+    const CallTarget* threadOf = nullptr; ///< of a crash in another thread: whose code it runs; nullptr: of no known module
     std::uint32_t waitedS = 0; ///< NotResponding
+};
+
+/// Poses of the robots, kept while all is well.
+struct EarlyPoses {
+    std::string members; ///< of "robots", without braces
+    double timeS = 0;    ///< simulated
 };
 
 /// What there is to be told, prepared while all was well.
@@ -33,6 +40,8 @@ struct EarlyEndFacts {
     std::atomic<bool> json{false}; ///< --json, and its object has not been printed
     /// Entries of "diagnostics" so far, without brackets.
     std::atomic<const std::string*> diagnostics{nullptr};
+    /// As they were a second ago at most; nullptr: none yet.
+    std::atomic<const EarlyPoses*> poses{nullptr};
     /// Where the ticks are over: the results, printed in place of the few that are known in the middle.
     std::atomic<const std::string*> results{nullptr};
 };

@@ -56,6 +56,7 @@ private:
     void report(const Diagnostic& diagnostic);
     void keepResults();
     void maintain();
+    void keepPoses();
     ExitCode tell(ExitCode code);
     RunOptions runOptions();
     void warn(const Diagnostic& warning);
@@ -211,9 +212,16 @@ void RunCommand::warn(const Diagnostic& warning) {
 void RunCommand::maintain() {
     m_runner->flushLogs();
     m_guard->restoreProcess();
+    keepPoses();
+}
+
+/// For the object of --json after a crash, which cannot ask the world any more.
+void RunCommand::keepPoses() {
+    if (m_arguments.json) m_guard->setRobots(posesJsonMembers(m_runner->world()), m_runner->world().time());
 }
 
 LoopOutcome RunCommand::runTicksOfPlan() {
+    keepPoses();
     const bool filming = film(); // the start too
     DriveMeter meter(m_runner->world());
     const bool metered = !m_arguments.quiet && !m_arguments.json;

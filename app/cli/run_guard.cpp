@@ -21,6 +21,7 @@
 #include <unistd.h>
 
 #include "base/platform/buffered_file.h"
+#include "cli/crash_site.h"
 #include "cli/early_end.h"
 #include "cli/exit_code.h"
 #include "cli/signal_text.h"
@@ -44,6 +45,7 @@ long s_runsThread = 0;
 EarlyEndFacts s_facts;
 std::shared_ptr<const CallMonitor> s_calls;
 std::string s_diagnostics, s_results;
+EarlyPoses s_poses[2]; // one of them may be printed while the other is made anew
 sem_t s_wake;
 std::atomic<bool> s_stop{false};
 std::optional<std::thread> s_watch;
@@ -101,9 +103,19 @@ void dumpCore(int signal) {
 
 bool isOurs() { return s_guarded && getpid() == s_process; }
 
-void onCrash(int signal) {
+void onCrash(int signal, siginfo_t*, void* context) {
     if (!isOurs()) return raiseDefault(signal);
-    endEarly({EarlyEndKind::Crash, signal, thisThread() == s_runsThread});
+    EarlyEnd end{EarlyEndKind::Crash, signal, thisThread() == s_runsThread};
+    if (!end.onRunsThread) end.threadOf = libraryOfThread(*s_calls, context);
+    endEarly(end);
+}
+
+void handleCrash(int signal) {
+    struct sigaction action = {};
+    action.sa_sigaction = &onCrash;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
 }
 
 void onExit() {
@@ -140,7 +152,7 @@ void watchSignals() {
     for (const int signal : kCrashes) {
         struct sigaction now = {};
         if (sigaction(signal, nullptr, &now) != 0 || (now.sa_handler != SIG_DFL && now.sa_handler != SIG_IGN)) continue;
-        setHandler(signal, onCrash, SA_ONSTACK | SA_NODEFER);
+        handleCrash(signal);
     }
 }
 
@@ -149,7 +161,7 @@ void unwatchSignals() {
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, SIG_DFL, 0);
     for (const int signal : kCrashes) {
         struct sigaction now = {};
-        if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == onCrash) setHandler(signal, SIG_DFL, 0);
+        if (sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) && now.sa_sigaction == &onCrash) setHandler(signal, SIG_DFL, 0);
     }
 }
 
@@ -196,7 +208,7 @@ void watch() {
         const std::uint32_t waited = t - call >= kCallPatienceS                 ? kCallPatienceS
                                      : s_ticking && t - asked >= kTickPatienceS ? kTickPatienceS
                                                                                 : 0;
-        if (waited) endEarly({EarlyEndKind::NotResponding, 0, true, waited});
+        if (waited) endEarly({EarlyEndKind::NotResponding, 0, true, nullptr, waited});
     }
 }
 
@@ -246,6 +258,12 @@ void RunGuard::setDiagnostics(std::string entries) {
     s_facts.diagnostics = nullptr;
     s_diagnostics = std::move(entries);
     s_facts.diagnostics = &s_diagnostics;
+}
+
+void RunGuard::setRobots(std::string members, double timeS) {
+    EarlyPoses& next = s_facts.poses.load() == &s_poses[0] ? s_poses[1] : s_poses[0];
+    next = {std::move(members), timeS};
+    s_facts.poses = &next;
 }
 
 void RunGuard::setResults(std::string object) {

@@ -26,6 +26,8 @@ public:
 
     /// Entries of "diagnostics", without brackets, for the object of --json in the middle of the run.
     void setDiagnostics(std::string entries);
+    /// Members of "robots" at a simulated time, without braces, for the same object.
+    void setRobots(std::string members, double timeS);
     /// The ticks are over and this is the object of --json, without its end. Calls that go on one after the other are waited for now.
     void setResults(std::string object);
     /// They are on standard output: nothing more goes there.

@@ -30,7 +30,8 @@ Json signalJson(const SignalEntry& entry, std::span<const double> slots) {
 
 Json triple(const Vec3& v) { return Json::array({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}); }
 
-Json robotsJson(const World& world) {
+/// Where they are, without their signals.
+Json posesJson(const World& world) {
     Json robots = Json::object();
     const std::vector<RobotSpec>& specs = world.experiment().robots;
     for (std::size_t i = 0; i < specs.size(); ++i) {
@@ -39,6 +40,11 @@ Json robotsJson(const World& world) {
                                  {"hpr", triple(hprFromRotation(pose.rotation).unaryExpr(&readableDegrees))},
                                  {"signals", Json::object()}};
     }
+    return robots;
+}
+
+Json robotsJson(const World& world) {
+    Json robots = posesJson(world);
     for (const SignalEntry& entry : world.layout().entries()) {
         const std::size_t slash = entry.path.find('/');
         if (slash == std::string::npos) continue;
@@ -62,6 +68,11 @@ Json finishJson(const RunFinish* finish) {
 }
 
 } // namespace
+
+std::string posesJsonMembers(const World& world) {
+    std::string object = posesJson(world).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return object.substr(1, object.size() - 2);
+}
 
 std::string runJson(const RunReport& report) {
     World* world = report.runner ? &report.runner->world() : nullptr;

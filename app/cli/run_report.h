@@ -27,6 +27,8 @@ struct RunReport {
 [[nodiscard]] std::string runSummary(const RunReport& report);
 /// The one object of --json.
 [[nodiscard]] std::string runJson(const RunReport& report);
+/// The members of its "robots", without braces: poses as they are now, no signals.
+[[nodiscard]] std::string posesJsonMembers(const World& world);
 /// 16 hex digits.
 [[nodiscard]] std::string hashText(std::uint64_t hash);
 

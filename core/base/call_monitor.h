@@ -1,6 +1,7 @@
 #pragma once
 // What a run is busy with, for whoever has to say it when the run itself cannot: another thread, or the handler of a crash.
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <deque>
@@ -39,6 +40,13 @@ public:
         m_targets.push_back(std::move(target));
         return &m_targets.back();
     }
+    /// The machine code of a library, from `begin` up to `end`. It stays known when the library is gone.
+    void addCode(std::uintptr_t begin, std::uintptr_t end, const CallTarget* library) {
+        const std::uint32_t count = m_codeCount.load(std::memory_order_relaxed);
+        if (count == m_code.size()) return;
+        m_code[count] = {begin, end, library};
+        m_codeCount.store(count + 1, std::memory_order_release);
+    }
     /// The names of the bodies, as noteCluster() counts them. Once.
     void setBodies(std::vector<std::string> names) {
         m_bodies = std::move(names);
@@ -63,6 +71,12 @@ public:
     [[nodiscard]] std::uint64_t ticks() const noexcept { return m_ticks.load(std::memory_order_relaxed); } ///< completed
     [[nodiscard]] double time() const noexcept { return m_time.load(std::memory_order_relaxed); }          ///< s, simulated
     [[nodiscard]] std::uint32_t clusterContacts() const noexcept { return m_clusterContacts.load(std::memory_order_acquire); }
+    /// The library whose code is there; nullptr: none of those that are known.
+    [[nodiscard]] const CallTarget* libraryAt(std::uintptr_t address) const noexcept {
+        for (std::uint32_t i = m_codeCount.load(std::memory_order_acquire); i-- > 0;)
+            if (address >= m_code[i].begin && address < m_code[i].end) return m_code[i].library;
+        return nullptr;
+    }
     /// nullptr: not known.
     [[nodiscard]] const char* clusterBody() const noexcept {
         const std::uint32_t body = m_clusterBody.load(std::memory_order_relaxed);
@@ -77,6 +91,13 @@ private:
         m_target.store(target, std::memory_order_release);
     }
 
+    struct Code {
+        std::uintptr_t begin = 0, end = 0;
+        const CallTarget* library = nullptr;
+    };
+
+    std::array<Code, 256> m_code; ///< never moves: handlers of signals read it
+    std::atomic<std::uint32_t> m_codeCount{0};
     std::deque<CallTarget> m_targets; ///< none of them moves
     std::map<std::string, std::string> m_modules;
     std::vector<std::string> m_bodies;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/platform/module_text.h"
 #include "base/rng.h"
 #include "control/port_names.h"
 #include "radio/medium.h"
@@ -88,9 +89,9 @@ private:
     static constexpr std::uint64_t kSetupTick = std::numeric_limits<std::uint64_t>::max();
 
     Error failed(const std::string& how, const char* why) const {
-        const std::string reason = why && *why ? std::string(": ") + why : "";
-        return {Code::ControllerFailed,
-                "the controller " + std::string(m_code.name) + " of " + m_robot.name + " " + how + reason};
+        const std::string reason = moduleWords(why);
+        return {Code::ControllerFailed, "the controller " + std::string(m_code.name) + " of " + m_robot.name + " " + how +
+                                            (reason.empty() ? "" : ": ") + reason};
     }
 
     Status setField(std::uint32_t index) {
@@ -111,12 +112,11 @@ private:
     }
 
     static InProcessBackend& self(void* context) { return *static_cast<InProcessBackend*>(context); }
-    static std::string textOf(const char* text) { return text ? text : ""; }
-
     static double* bind(void* context, const char* kind, const char* device, const char* signal) {
         auto& me = self(context);
-        const auto entry = PortNames(me.m_robot, *me.m_layout).bind(textOf(kind), textOf(device), textOf(signal));
-        if (entry && textOf(signal) == "frame" && me.isNewWheneverAsked(textOf(kind), textOf(device))) return &me.m_noNumber;
+        const std::string ofKind = moduleName(kind), named = moduleName(device), asked = moduleName(signal);
+        const auto entry = PortNames(me.m_robot, *me.m_layout).bind(ofKind, named, asked);
+        if (entry && asked == "frame" && me.isNewWheneverAsked(ofKind, named)) return &me.m_noNumber;
         if (entry) return &me.m_block->slots()[entry.value()->offset];
         if (!me.m_failure) me.m_failure = entry.error();
         return nullptr;
@@ -130,19 +130,19 @@ private:
     }
     static double* publish(void* context, const char* signal, std::uint32_t* count) {
         auto& me = self(context);
-        const auto entry = PortNames(me.m_robot, *me.m_layout).published(textOf(signal));
+        const auto entry = PortNames(me.m_robot, *me.m_layout).published(moduleName(signal));
         if (entry && count) *count = entry.value()->count;
         if (entry) return &me.m_block->slots()[entry.value()->offset];
         if (!me.m_failure) me.m_failure = entry.error();
         return nullptr;
     }
     static void finish(void* context, const char* reason) {
-        if (self(context).m_outlet.finish) self(context).m_outlet.finish(textOf(reason));
+        if (self(context).m_outlet.finish) self(context).m_outlet.finish(moduleWords(reason));
     }
     static std::int32_t signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count,
                                    std::uint32_t* direction) {
         auto& me = self(context);
-        const SignalEntry* entry = PortNames(me.m_robot, *me.m_layout).look(textOf(device), textOf(signal));
+        const SignalEntry* entry = PortNames(me.m_robot, *me.m_layout).look(moduleName(device), moduleName(signal));
         if (!entry) return 1;
         if (count) *count = entry->count;
         if (direction) *direction = static_cast<std::uint32_t>(entry->direction);
@@ -150,7 +150,7 @@ private:
     }
     static double time(void* context) { return self(context).m_time; }
     static void print(void* context, std::int32_t severity, const char* text) {
-        if (self(context).m_outlet.print) self(context).m_outlet.print(severity, textOf(text));
+        if (self(context).m_outlet.print) self(context).m_outlet.print(severity, moduleWords(text));
     }
     static void fail(void* context, const char* text) {
         auto& me = self(context);
@@ -162,7 +162,7 @@ private:
     }
     static std::int32_t openLog(void* context, const char* fileName) {
         const auto& open = self(context).m_outlet.openLog;
-        return open ? open(textOf(fileName)) : -1;
+        return open ? open(moduleName(fileName)) : -1;
     }
     static void writeLog(void* context, std::int32_t log, const char* bytes, std::uint64_t count) {
         const auto& write = self(context).m_outlet.writeLog;
@@ -176,7 +176,7 @@ private:
     static std::int32_t capture(void* context, const char* camera, TrundlePicture* picture) {
         auto& me = self(context);
         if (!me.m_outlet.capture || !picture) return me.told(noPictures());
-        const Result<const Frame*> taken = me.m_outlet.capture(textOf(camera));
+        const Result<const Frame*> taken = me.m_outlet.capture(moduleName(camera));
         if (!taken) return me.told(taken.error());
         const Frame& frame = *taken.value();
         TrundlePicture all{picture->size, frame.width, frame.height, 0, frame.time, frame.pixels.data(), nullptr, nullptr};
@@ -187,7 +187,7 @@ private:
     }
     static std::int32_t savePicture(void* context, const char* camera, const char* fileName) {
         auto& me = self(context);
-        return me.told(me.m_outlet.savePicture ? me.m_outlet.savePicture(textOf(camera), textOf(fileName)) : noPictures());
+        return me.told(me.m_outlet.savePicture ? me.m_outlet.savePicture(moduleName(camera), moduleName(fileName)) : noPictures());
     }
     static const char* objectName(void* context, std::uint32_t object) {
         auto& me = self(context);
@@ -200,9 +200,9 @@ private:
 
     static std::int32_t findRadio(void* context, const char* component, std::uint32_t* radio) {
         auto& me = self(context);
-        const auto entry = PortNames(me.m_robot, *me.m_layout).bind("Transceiver", textOf(component), "rssi");
+        const auto entry = PortNames(me.m_robot, *me.m_layout).bind("Transceiver", moduleName(component), "rssi");
         const auto found =
-            me.m_outlet.medium ? me.m_outlet.medium->find(me.m_robot.name + "/" + textOf(component)) : std::nullopt;
+            me.m_outlet.medium ? me.m_outlet.medium->find(me.m_robot.name + "/" + moduleName(component)) : std::nullopt;
         if (found) {
             *radio = *found;
             return 0;

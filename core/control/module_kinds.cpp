@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/clean_text.h"
+#include "base/platform/module_text.h"
 #include "model/component_spec.h"
 
 namespace trundle {
@@ -50,7 +51,7 @@ Status checkDescriptor(const TrundleModule* module, const std::string& library) 
     return {};
 }
 
-bool isTerminated(const char* text) { return text && ::strnlen(text, kLongestText) < kLongestText; }
+bool isTerminated(const char* text) { return moduleTextLength(text, kLongestText).has_value(); }
 
 /// The text of a table; `ok` becomes false where there is none or it does not end.
 std::string copied(const char* text, bool& ok) {

@@ -124,6 +124,7 @@ Result<const LoadedModule*> ModuleStore::load(const std::string& library) {
     const MonitoredCall call(*m_calls, target, "load");
     auto code = openModule(path, std::move(bytes).value(), beside);
     if (!code) return loaderError(path, code.error());
+    for (const auto& [begin, end] : code.value().code()) m_calls->addCode(begin, end, target);
     const auto entry = code.value().function<const TrundleModule*()>(TRUNDLE_ENTRY_SYMBOL);
     if (!entry) return Error{Code::ModuleNoEntry, path + " exports no " TRUNDLE_ENTRY_SYMBOL};
     const TrundleModule* descriptor = entry();

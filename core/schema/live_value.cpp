@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/platform/module_text.h"
+
 namespace trundle {
 namespace {
 
@@ -40,8 +42,8 @@ Status setLive(const TrundleKind& kind, void* instance, const std::string& who, 
     }
     const TrundleValue crossing{value.numbers.data(), texts.data(), static_cast<std::uint32_t>(count)};
     if (kind.set(instance, index, &crossing) == 0) return {};
-    const char* why = kind.lastError ? kind.lastError(instance) : nullptr;
-    return Error{Code::OutOfRange, who + " refuses its " + property + (why && *why ? std::string(": ") + why : "")};
+    const std::string why = kind.lastError ? moduleWords(kind.lastError(instance)) : std::string();
+    return Error{Code::OutOfRange, who + " refuses its " + property + (why.empty() ? "" : ": ") + why};
 }
 
 } // namespace trundle

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/platform/module_text.h"
 #include "base/rng.h"
 #include "base/spelling.h"
 #include "world/built_world.h"
@@ -15,8 +16,8 @@ namespace {
 constexpr std::size_t kMostEarlyTexts = 1000;
 
 std::string errorOf(const TrundleKind& kind, void* instance) {
-    const char* text = kind.lastError ? kind.lastError(instance) : nullptr;
-    return text && *text ? text : "it gave no reason";
+    const std::string text = kind.lastError ? moduleWords(kind.lastError(instance)) : std::string();
+    return text.empty() ? "it gave no reason" : text;
 }
 
 /// "has no joint leftAxel; did you mean leftAxle? (leftAxle, rightAxle)"
@@ -34,8 +35,6 @@ template <class List> int indexOf(const List& list, std::string_view name) {
         if (list[i].name == name) return static_cast<int>(i);
     return -1;
 }
-
-std::string_view text(const char* chars) { return chars ? chars : ""; }
 
 int signalIndex(const TrundleKind& kind, std::string_view name) {
     for (std::uint32_t i = 0; i < kind.signalCount; ++i)
@@ -59,9 +58,10 @@ struct MountCalls {
 
     static double* signal(void* context, const char* name) {
         Device& d = device(context);
-        const int i = signalIndex(*d.kind, text(name));
+        const std::string asked = moduleName(name);
+        const int i = signalIndex(*d.kind, asked);
         if (i < 0) {
-            d.note("it has no signal " + std::string(text(name)) + " (there are: " + signalNames(*d.kind) + ")");
+            d.note("it has no signal " + asked + " (there are: " + signalNames(*d.kind) + ")");
             return nullptr;
         }
         return d.world->m_block->slots().data() + d.slots[static_cast<std::size_t>(i)];
@@ -70,13 +70,14 @@ struct MountCalls {
     static std::int32_t joint(void* context, const char* name, std::uint32_t* out) {
         Device& d = device(context);
         const auto& joints = config(d).joints;
-        const int i = indexOf(joints, text(name));
+        const std::string asked = moduleName(name);
+        const int i = indexOf(joints, asked);
         if (i < 0) {
-            d.note(unknownName("joint", text(name), joints));
+            d.note(unknownName("joint", asked, joints));
             return -1;
         }
         if (!hasPosition(joints[static_cast<std::size_t>(i)].type)) {
-            d.note("the joint " + std::string(text(name)) + " has no axis to turn about or slide along");
+            d.note("the joint " + asked + " has no axis to turn about or slide along");
             return -1;
         }
         if (out) *out = robot(d).handles.joints[static_cast<std::size_t>(i)].index;
@@ -85,9 +86,10 @@ struct MountCalls {
 
     static std::int32_t body(void* context, const char* name, std::uint32_t* out) {
         Device& d = device(context);
-        const int i = indexOf(config(d).bodies, text(name));
+        const std::string asked = moduleName(name);
+        const int i = indexOf(config(d).bodies, asked);
         if (i < 0) {
-            d.note(unknownName("body", text(name), config(d).bodies));
+            d.note(unknownName("body", asked, config(d).bodies));
             return -1;
         }
         if (out) *out = robot(d).handles.bodies[static_cast<std::size_t>(i)].index;
@@ -96,7 +98,8 @@ struct MountCalls {
 
     static std::int32_t geom(void* context, const char* path, std::uint32_t* out) {
         Device& d = device(context);
-        const std::string_view whole = text(path);
+        const std::string asked = moduleName(path);
+        const std::string_view whole = asked;
         const std::size_t dot = whole.find('.');
         const std::string_view bodyName = whole.substr(0, dot),
                                geomName = dot == std::string_view::npos ? "" : whole.substr(dot + 1);
@@ -113,7 +116,7 @@ struct MountCalls {
         }
         const GeomHandle id = robot(d).handles.geoms[static_cast<std::size_t>(b)][static_cast<std::size_t>(g)];
         if (!id.valid()) {
-            d.note("the geom " + std::string(whole) + " does not collide (Collide=false)");
+            d.note("the geom " + asked + " does not collide (Collide=false)");
             return -1;
         }
         if (out) *out = id.index;
@@ -128,16 +131,16 @@ struct MountCalls {
 
     static double* peerSignal(void* context, const char* kind, const char* name, const char* signalName) {
         Device& d = device(context);
-        Device* other = peer(d, text(name));
+        const std::string peerName = moduleName(name), ofKind = moduleName(kind), asked = moduleName(signalName);
+        Device* other = peer(d, peerName);
         if (!other) return nullptr;
-        if (!text(kind).empty() && other->spec->kind != text(kind)) {
-            d.note(std::string(text(name)) + " is a " + other->spec->kind + ", not a " + std::string(text(kind)));
+        if (!ofKind.empty() && other->spec->kind != ofKind) {
+            d.note(peerName + " is a " + other->spec->kind + ", not a " + ofKind);
             return nullptr;
         }
-        const int i = signalIndex(*other->kind, text(signalName));
+        const int i = signalIndex(*other->kind, asked);
         if (i < 0) {
-            d.note(std::string(text(name)) + " has no signal " + std::string(text(signalName)) +
-                   " (there are: " + signalNames(*other->kind) + ")");
+            d.note(peerName + " has no signal " + asked + " (there are: " + signalNames(*other->kind) + ")");
             return nullptr;
         }
         if (other != &d && std::find(d.peers.begin(), d.peers.end(), other->index) == d.peers.end())
@@ -147,9 +150,9 @@ struct MountCalls {
 
     static std::int32_t peerNumber(void* context, const char* name, const char* field, double* value) {
         Device& d = device(context);
-        const Device* other = peer(d, text(name));
+        const Device* other = peer(d, moduleName(name));
         if (!other) return -1;
-        const ResolvedValue* found = other->spec->find(text(field));
+        const ResolvedValue* found = other->spec->find(moduleName(field));
         if (!found || found->value.numbers.empty()) return -1;
         if (value) *value = found->value.numbers[0];
         return 0;
@@ -157,9 +160,9 @@ struct MountCalls {
 
     static const char* peerText(void* context, const char* name, const char* field) {
         Device& d = device(context);
-        const Device* other = peer(d, text(name));
+        const Device* other = peer(d, moduleName(name));
         if (!other) return nullptr;
-        const ResolvedValue* found = other->spec->find(text(field));
+        const ResolvedValue* found = other->spec->find(moduleName(field));
         return found && !found->value.texts.empty() ? found->value.texts[0].c_str() : nullptr;
     }
 
@@ -171,11 +174,12 @@ struct MountCalls {
 
     static void print(void* context, std::int32_t severity, const char* words) {
         const Device& d = device(context);
-        if (words) d.world->print(d, severity, words);
+        if (words) d.world->print(d, severity, moduleWords(words).c_str());
     }
 
     static void fail(void* context, const char* why) {
-        device(context).note(text(why).empty() ? "it gave no reason" : std::string(text(why)));
+        const std::string reason = moduleWords(why);
+        device(context).note(reason.empty() ? "it gave no reason" : reason);
     }
 };
 

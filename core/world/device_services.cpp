@@ -1,6 +1,7 @@
 // What a device may do to and ask of the world. The context is the world; it knows whose turn it is.
 #include <cmath>
 
+#include "base/platform/module_text.h"
 #include "base/rng.h"
 #include "world/built_world.h"
 
@@ -124,7 +125,7 @@ struct ServiceCalls {
 
     static void print(void* context, std::int32_t severity, const char* text) {
         BuiltWorld& w = world(context);
-        if (w.m_current && text) w.print(*w.m_current, severity, text);
+        if (w.m_current && text) w.print(*w.m_current, severity, moduleWords(text).c_str());
     }
 };
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "base/platform/module_text.h"
 #include "world/built_world.h"
 
 namespace trundle {
@@ -62,8 +63,8 @@ bool BuiltWorld::callDevices(bool acting) {
 
 bool BuiltWorld::failed(Device& device) {
     if (device.failure.empty()) {
-        const char* why = device.kind->lastError ? device.kind->lastError(device.instance) : nullptr;
-        device.note(why && *why ? why : "it gave no reason");
+        const std::string why = device.kind->lastError ? moduleWords(device.kind->lastError(device.instance)) : std::string();
+        device.note(why.empty() ? "it gave no reason" : why);
     }
     m_current = nullptr;
     (void)stop(Code::DeviceSetup, {"", m_services.time, device.path + ": " + device.failure, device.spec->nameRange});

@@ -83,6 +83,8 @@ private Q_SLOTS:
     void aLongStepOfTheSolverEndsWithWordsOfItsCluster();
     void comingAndGoing_data();
     void comingAndGoing();
+    void aThreadsStackOverflowSaysNothingFalse();
+    void describingWhatLoopsEndsWithASignal();
     void describingACrashIsSaid_data();
     void describingACrashIsSaid();
     void closedDescriptorsHarmNoFile_data();
@@ -132,8 +134,8 @@ void BadModulesTest::everyDeedHasItsEnd_data() {
     for (const char* exit : {"exit", "_exit", "_Exit", "quick_exit"})
         row(exit, deed(exit), {}, 4, brain + "(" + TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so) ended the program in update",
             "bad", kRowsCut);
-    for (const char* thread : {"thread crashes", "thread throws"})
-        row(thread, deed(thread), {}, 4, "in a thread that code of a module left behind", "?", kRowsCut);
+    for (const char* thread : {"thread crashes", "thread throws", "thread aborts", "thread jumps"})
+        row(thread, deed(thread), {}, 4, "in a thread of the module " TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so", "?", kRowsCut);
     row("segv in setup", deed("segv", "setup"), {}, 4, brain, "bad", 0);
     row("exit in setup", deed("exit", "setup"), {}, 4, brain, "bad", 0);
     row("segv in a destructor", deed("segv", "destructor"), {}, 4, "crashed in destructor", "bad", kRowsWhole);
@@ -146,6 +148,13 @@ void BadModulesTest::everyDeedHasItsEnd_data() {
     // An exception stops the controller, and the run with it.
     for (const char* thrown : {"throw", "throw int", "throw other", "throw much", "allocate"})
         row(thrown, deed(thrown), {}, 4, "E410", "", kRowsCut);
+    // Names without an end are the names of nothing.
+    for (const char* name : {"unended port", "filled port", "port from nowhere", "unended signal", "unended publish"})
+        row(name, deed(name, "setup"), {}, 4, "a name without a terminating zero byte", "", 0);
+    row("unended has", deed("unended has", "setup"), {}, 0, {}, "", kRowsWhole);
+    for (const char* name : {"unended signal", "filled signal"})
+        row((QByteArray("a device: ") + name).constData(), {}, deed(name, "setup"), 1, "a name without a terminating zero byte", "", 0);
+    row("a device: unended field", {}, deed("unended field", "setup"), 0, {}, "", kRowsWhole);
     row("fail badly", deed("fail badly"), {}, 4, "E410", "", kRowsCut);
     // All else harms nobody.
     const auto harmless = [&](const char* name, const QByteArray& said = {}) {
@@ -203,7 +212,16 @@ void BadModulesTest::everyDeedHasItsEnd() {
     const QJsonObject json = QJsonDocument::fromJson(run.out, &error).object();
     QVERIFY2(error.error == QJsonParseError::NoError, shown(run).left(4000));
     QCOMPARE(json.contains("crashed"), !robot.isEmpty());
-    if (robot == "?") QVERIFY(json["crashed"].toObject()["robot"].isNull());
+    if (!robot.isEmpty() && rows > 0 && rows < kRowsWhole) { // where they were a second ago at most
+        const QJsonObject robots = json["robots"].toObject();
+        QVERIFY2(robots.keys() == (QStringList{"bad", "cart", "good"}) && robots["bad"]["pos"].toArray().size() == 3, shown(run));
+        QVERIFY2(json["robots_time_s"].isDouble() && qAbs(robots["cart"]["pos"][1].toDouble() + 2) < 0.1, shown(run));
+    }
+    if (robot == "?") {
+        QVERIFY(json["crashed"].toObject()["robot"].isNull());
+        QCOMPARE(json["crashed"].toObject()["during"].toString(), QStringLiteral("thread"));
+        QVERIFY2(json["crashed"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
+    }
     else if (!robot.isEmpty()) {
         QCOMPARE(json["crashed"].toObject()["robot"].toString().toLatin1(), robot);
         QVERIFY2(json["crashed"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
@@ -295,6 +313,35 @@ void BadModulesTest::comingAndGoing() {
     const bool whole = code == 0 || environment.contains("UNLOAD");
     if (whole) QCOMPARE(json["state_hash"].toString().toLatin1(), m_hash);
     else QVERIFY2(json[signal ? "not_responding" : "crashed"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
+}
+
+/// Its thread has no other stack for a handler: the kernel ends the program at once.
+void BadModulesTest::aThreadsStackOverflowSaysNothingFalse() {
+    QDir(m_folder.filePath("logs")).removeRecursively();
+    const QString said = m_folder.filePath("said"), printed = m_folder.filePath("printed");
+    const Outcome run = runZoo(experiment("Deed=\"thread overflows\"", {}), {},
+                               "ulimit -c 0; \"$0\" \"$@\" > '" + printed + "' 2> '" + said + "'; exit $?");
+    QVERIFY2(run.code == 128 + SIGSEGV, shown(run));
+    QVERIFY2(contentOf(printed).isEmpty(), contentOf(printed));
+    QVERIFY2(!contentOf(said).contains("trundle-cli: "), contentOf(said));
+}
+
+void BadModulesTest::describingWhatLoopsEndsWithASignal() {
+    const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so"), err = m_folder.filePath("describe.err"),
+                  pid = m_folder.filePath("describe.pid"), out = m_folder.filePath("describe.json");
+    QFile::remove(err);
+    auto running = std::async(std::launch::async, [&] {
+        return callProgram("/usr/bin/env", {"ASAN_OPTIONS=" + kOwnHandlers, "TRUNDLE_ZOO_DESCRIBE=loop", "/bin/sh", "-c",
+                                            "echo $$ > '" + pid + "'; exec \"$0\" \"$@\" 2> '" + err + "'", programPath(), "describe",
+                                            "--module", library, "--output", out});
+    });
+    const bool begun = QTest::qWaitFor([&] { return contentOf(err).contains("zoo: begun"); }, 60'000);
+    ::kill(contentOf(pid).trimmed().toInt(), begun ? SIGTERM : SIGKILL);
+    const Outcome run = running.get();
+    const QByteArray said = contentOf(err);
+    QVERIFY2(run.code == 130, said); // nothing could be lost, so there is no patience
+    QVERIFY2(said.contains("trundle-cli: interrupted: ended at once, while waiting for the module " + library.toUtf8() + "\n"), said);
+    QVERIFY(!QFile::exists(out));
 }
 
 void BadModulesTest::describingACrashIsSaid_data() {

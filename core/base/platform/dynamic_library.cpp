@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <dlfcn.h>
+#include <link.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -81,6 +82,27 @@ DynamicLibrary& DynamicLibrary::operator=(DynamicLibrary&& other) noexcept {
 }
 
 void* DynamicLibrary::symbol(const char* name) const { return m_handle != nullptr ? ::dlsym(m_handle, name) : nullptr; }
+
+std::vector<std::pair<std::uintptr_t, std::uintptr_t>> DynamicLibrary::code() const {
+    struct Search {
+        link_map* map = nullptr;
+        std::vector<std::pair<std::uintptr_t, std::uintptr_t>> found;
+    } search;
+    if (m_handle == nullptr || ::dlinfo(m_handle, RTLD_DI_LINKMAP, &search.map) != 0) return {};
+    const auto look = [](dl_phdr_info* info, std::size_t, void* data) {
+        auto& wanted = *static_cast<Search*>(data);
+        if (info->dlpi_addr != wanted.map->l_addr || std::strcmp(info->dlpi_name, wanted.map->l_name) != 0) return 0;
+        for (int i = 0; i < info->dlpi_phnum; ++i) {
+            const auto& segment = info->dlpi_phdr[i];
+            const std::uintptr_t begin = info->dlpi_addr + segment.p_vaddr;
+            if (segment.p_type == PT_LOAD && (segment.p_flags & PF_X) != 0)
+                wanted.found.emplace_back(begin, begin + segment.p_memsz);
+        }
+        return 1;
+    };
+    ::dl_iterate_phdr(look, &search);
+    return search.found;
+}
 
 void DynamicLibrary::close() {
     void* handle = std::exchange(m_handle, nullptr);

@@ -1,6 +1,9 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/result.h"
 
@@ -28,6 +31,9 @@ public:
     template <class Function> [[nodiscard]] Function* function(const char* name) const {
         return reinterpret_cast<Function*>(symbol(name));
     }
+
+    /// Where its machine code is in memory, from the first address up to the second.
+    [[nodiscard]] std::vector<std::pair<std::uintptr_t, std::uintptr_t>> code() const;
 
     /// From now on neither close() nor the destructor unloads it: its code may still be on some stack or in some table.
     void keepLoaded() { m_keep = true; }

@@ -10,6 +10,7 @@ set(BASE_PLATFORM_SOURCES
   platform/limits.cpp
   platform/locked_file.cpp
   platform/memory.cpp
+  platform/module_text.cpp
   platform/process.cpp
   platform/process_identity.cpp
   platform/program_path.cpp

@@ -71,6 +71,22 @@ void closeFrom(int first) {
 /// What a library built with -ffast-math does when it is loaded.
 void flushDenormals() { _mm_setcsr(_mm_getcsr() | 0x8040); }
 
+/// A text that ends where the memory does, without a terminating zero.
+const char* unended() {
+    static constexpr char kText[] = "unended";
+    auto* const pages = static_cast<char*>(mmap(nullptr, 8192, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+    munmap(pages + 4096, 4096);
+    return static_cast<char*>(std::memcpy(pages + 4096 - (sizeof kText - 1), kText, sizeof kText - 1));
+}
+
+/// A fixed array that is filled to its end, with more behind it.
+const char* filled() {
+    static char bytes[100'000];
+    return static_cast<char*>(std::memset(bytes, 'x', sizeof bytes));
+}
+
+const char* nowhere() { return reinterpret_cast<const char*>(0x10); }
+
 void limited(int what, rlim_t most, const std::function<void()>& then) {
     rlimit before{}, lower{};
     getrlimit(static_cast<__rlimit_resource>(what), &before);
@@ -132,6 +148,21 @@ const std::map<std::string, Deed>& deeds() {
         {"thread throws",
          [] {
              std::thread([] { throw 1; }).detach();
+             usleep(300'000);
+         }},
+        {"thread aborts",
+         [] {
+             std::thread([] { std::abort(); }).detach();
+             usleep(300'000);
+         }},
+        {"thread jumps",
+         [] {
+             std::thread([] { deeds().at("jump")(); }).detach();
+             usleep(300'000);
+         }},
+        {"thread overflows",
+         [] {
+             std::thread([] { g_zero = deeper(1); }).detach();
              usleep(300'000);
          }},
         {"close standard", [] { for (const int file : {0, 1, 2}) close(file); }},
@@ -250,7 +281,17 @@ struct Zoo : trundle::Controller, Settings {
     void setup(trundle::RobotPorts& robot) override {
         drive = robot.differentialDrive("base");
         odometry = robot.signal("base", "odometry");
-        if (phase == "setup") act(deed);
+        if (phase == "setup" && !asksBadly(robot)) act(deed);
+    }
+    bool asksBadly(trundle::RobotPorts& robot) const {
+        if (deed == "unended port") (void)robot.motor(unended());
+        else if (deed == "filled port") (void)robot.motor(filled());
+        else if (deed == "port from nowhere") (void)robot.motor(nowhere());
+        else if (deed == "unended signal") (void)robot.signal("base", unended());
+        else if (deed == "unended publish") (void)robot.publish(unended());
+        else if (deed == "unended has") (void)robot.has(unended(), filled());
+        else return false;
+        return true;
     }
     void update(trundle::Seconds) override {
         if (++turns != at || phase != "update") return;
@@ -286,7 +327,10 @@ struct ZooDevice : trundle::Device, Settings {
     }
     void setup(trundle::Mount& mount) override {
         beat = mount.signal("beat");
-        if (phase == "setup") ::act(deed);
+        if (deed == "unended signal") (void)mount.signal(unended());
+        else if (deed == "filled signal") (void)mount.signal(filled());
+        else if (deed == "unended field") (void)mount.peerNumber("thing", unended(), 1);
+        else if (phase == "setup") ::act(deed);
     }
     void act(trundle::Actuation&) override {
         if (++turns == at && phase == "act") ::act(deed);

@@ -1,0 +1,47 @@
+#include "cli/crash_site.h"
+
+#include <csignal>
+
+#include <sys/uio.h>
+#include <unistd.h>
+
+namespace trundle {
+namespace {
+
+constexpr std::uintptr_t kPage = 4096, kMostStack = 256 * 1024;
+
+struct Registers {
+    std::uintptr_t instruction = 0, stack = 0;
+};
+
+Registers registersOf(const void* context) {
+    const auto& machine = static_cast<const ucontext_t*>(context)->uc_mcontext;
+#if defined(__x86_64__)
+    return {static_cast<std::uintptr_t>(machine.gregs[REG_RIP]), static_cast<std::uintptr_t>(machine.gregs[REG_RSP])};
+#elif defined(__aarch64__)
+    return {static_cast<std::uintptr_t>(machine.pc), static_cast<std::uintptr_t>(machine.sp)};
+#else
+    return {};
+#endif
+}
+
+} // namespace
+
+const CallTarget* libraryOfThread(const CallMonitor& calls, const void* context) noexcept {
+    const Registers registers = registersOf(context);
+    if (const CallTarget* library = calls.libraryAt(registers.instruction)) return library;
+    std::uintptr_t words[kPage / sizeof(std::uintptr_t)];
+    // The kernel copies, and says where the stack ends: reading on would be another crash.
+    for (std::uintptr_t at = registers.stack & ~(sizeof(std::uintptr_t) - 1); at - registers.stack < kMostStack || at < registers.stack;) {
+        const std::uintptr_t bytes = kPage - at % kPage;
+        const iovec here{words, bytes}, there{reinterpret_cast<void*>(at), bytes};
+        const ssize_t copied = process_vm_readv(getpid(), &here, 1, &there, 1, 0);
+        if (copied <= 0) return nullptr;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(copied) / sizeof(std::uintptr_t); ++i)
+            if (const CallTarget* library = calls.libraryAt(words[i])) return library;
+        at += bytes;
+    }
+    return nullptr;
+}
+
+} // namespace trundle

@@ -1,0 +1,64 @@
+#include "base/platform/module_text.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+
+#include <sys/uio.h>
+#include <unistd.h>
+
+namespace trundle {
+namespace {
+
+constexpr std::size_t kLongestName = 4096, kLongestWords = 8u << 20, kShownOfName = 32;
+
+/// Asks the kernel, which copies or refuses; reading it ourselves would be a crash. Where it may not be asked the answer is yes.
+bool isReadable(const char* byte) {
+    char copy = 0;
+    const iovec here{&copy, 1}, there{const_cast<char*>(byte), 1};
+    return process_vm_readv(getpid(), &here, 1, &there, 1, 0) == 1 || errno != EFAULT;
+}
+
+struct Span {
+    std::size_t length = 0;
+    bool terminated = false;
+};
+
+/// Page by page: within one page memory is there or not.
+Span spanOf(const char* text, std::size_t longest) {
+    static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    Span span;
+    while (span.length < longest && isReadable(text + span.length)) {
+        const std::size_t toItsEnd = page - reinterpret_cast<std::uintptr_t>(text + span.length) % page;
+        const std::size_t count = std::min(toItsEnd, longest - span.length), found = strnlen(text + span.length, count);
+        span.length += found;
+        if (found < count) {
+            span.terminated = true;
+            break;
+        }
+    }
+    return span;
+}
+
+} // namespace
+
+std::optional<std::size_t> moduleTextLength(const char* text, std::size_t longest) {
+    if (!text) return std::nullopt;
+    const Span span = spanOf(text, longest);
+    return span.terminated ? std::optional(span.length) : std::nullopt;
+}
+
+std::string moduleName(const char* name) {
+    if (!name) return {};
+    const Span span = spanOf(name, kLongestName);
+    if (span.terminated) return {name, span.length};
+    return std::string(name, std::min(span.length, kShownOfName)) + "… (a name without a terminating zero byte)";
+}
+
+std::string moduleWords(const char* text) {
+    if (!text) return {};
+    return {text, spanOf(text, kLongestWords).length};
+}
+
+} // namespace trundle
