@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/platform/standard_descriptors.h"
+
 namespace trundle {
 namespace {
 
@@ -35,24 +37,10 @@ struct Kept {
 // Signal handlers need them.
 Kept s_results, s_messages;
 
-/// False where it was closed.
-bool openIfClosed(int file, int flags) {
-    if (::fcntl(file, F_GETFD) >= 0) return true;
-    const int nowhere = ::open("/dev/null", flags);
-    if (nowhere >= 0 && nowhere != file) {
-        ::dup2(nowhere, file);
-        ::close(nowhere);
-    }
-    return false;
-}
-
 } // namespace
 
 void keepStandardStreams() {
-    (void)openIfClosed(STDIN_FILENO, O_RDONLY);
-    const bool hasOutput = openIfClosed(STDOUT_FILENO, O_WRONLY);
-    (void)openIfClosed(STDERR_FILENO, O_WRONLY);
-    if (hasOutput) s_results.keep(STDOUT_FILENO);
+    if (openStandardDescriptors()) s_results.keep(STDOUT_FILENO);
     s_messages.keep(STDERR_FILENO);
 }
 
@@ -63,7 +51,7 @@ void redirectStandardOutput() {
 
 void restoreStandardStreams() {
     std::fflush(stdout);
-    (void)openIfClosed(STDIN_FILENO, O_RDONLY);
+    (void)openIfClosed(STDIN_FILENO);
     if (!s_messages.isWhole() && s_messages.leadsTo(STDERR_FILENO)) s_messages.keep(STDERR_FILENO);
     if (!s_messages.isWhole()) return;
     if (!s_messages.leadsTo(STDERR_FILENO)) ::dup2(s_messages.file, STDERR_FILENO);

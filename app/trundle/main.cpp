@@ -14,6 +14,7 @@
 
 #include "base/platform/buffered_file.h"
 #include "base/platform/end_requests.h"
+#include "base/platform/standard_descriptors.h"
 #include "editor/shell/main_window.h"
 #include "editor/widgets/preferences.h"
 #include "editor/widgets/theme.h"
@@ -93,6 +94,7 @@ void endSoon(int code) {
 
 int main(int argc, char** argv) {
     using namespace trundle;
+    openStandardDescriptors();     // else the display's socket gets a closed one's number, and what a module prints goes there
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files fails the write, not the program
     QCoreApplication::setApplicationName(QStringLiteral("Trundle"));
     QCoreApplication::setOrganizationName(QStringLiteral("Trundle"));

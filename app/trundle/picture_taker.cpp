@@ -86,7 +86,7 @@ void PictureTaker::runEnded(const Diagnostic& reason) {
     const QString why = QString::fromStdString(codeName(reason.code) + ": " + reason.message);
     const RunSession& session = m_window.session();
     if (!session.layout()) return say(QStringLiteral("%1 did not run: %2").arg(m_options.open, why), kNoRun);
-    say(QStringLiteral("the run of %1 ended at t = %2 s: %3").arg(m_options.open).arg(session.end()->time).arg(why),
+    say(QStringLiteral("the run of %1 ended at t = %2 s: %3").arg(m_options.open, QString::number(session.end()->time), why),
         kRunCutShort);
 }
 

@@ -301,10 +301,8 @@ void CamerasPanel::showFacts() {
     if (!there) return m_facts->setText(tile || m_cameras.empty() ? QString() : tr("Tick a camera to see what it sees."));
     const Frame& frame = *tile->picture.frame;
     m_facts->setText(tr("%1  •  %2 × %3  •  t = %4 s")
-                         .arg(QString::fromStdString(tile->camera))
-                         .arg(frame.width)
-                         .arg(frame.height)
-                         .arg(frame.time, 0, 'f', 2));
+                         .arg(QString::fromStdString(tile->camera), QString::number(frame.width), QString::number(frame.height),
+                              QString::number(frame.time, 'f', 2)));
 }
 
 QString CamerasPanel::reading(const CameraWall::Tile& tile, std::uint32_t x, std::uint32_t y) {

@@ -53,7 +53,7 @@ void paintSwatch(QPainter& painter, const QRect& where, const QColor& colour) {
 
 QPixmap drawnIcon(const QString& name, int size, qreal pixelRatio, bool selected) {
     const QString key =
-        QStringLiteral("outline/%1/%2/%3/%4/%5").arg(name).arg(size).arg(pixelRatio).arg(int(currentTheme())).arg(selected);
+        QStringLiteral("outline/%1/%2/%3/%4/%5").arg(size).arg(pixelRatio).arg(int(currentTheme())).arg(selected).arg(name);
     QPixmap picture;
     if (QPixmapCache::find(key, &picture)) return picture;
     picture = QPixmap(QSize(size, size) * pixelRatio);

@@ -35,7 +35,7 @@ QString problemPlace(const Loaded& loaded, const SourceRange& place) {
     const bool file = place.file < loaded.paths.size() && !loaded.paths[place.file].empty();
     const QString name = text(file ? shownInProject(loaded.paths[place.file], loaded.projectFolder) : source.path());
     const LineColumn at = source.position(place.range.begin);
-    return QStringLiteral("%1:%2:%3").arg(name).arg(at.line).arg(at.column);
+    return QStringLiteral("%1:%2:%3").arg(name, QString::number(at.line), QString::number(at.column));
 }
 
 void ProblemsModel::setLoaded(std::shared_ptr<const Loaded> loaded) {

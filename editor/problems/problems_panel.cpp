@@ -17,6 +17,7 @@
 #include "editor/problems/model_checker.h"
 #include "editor/problems/problem_icons.h"
 #include "editor/problems/problems_model.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 #include "project/object_place.h"
 
@@ -191,7 +192,7 @@ void ProblemsPanel::openMenu(const QPoint& place) {
     if (m_model->placeAt(index).known())
         connect(menu->addAction(tr("Go there")), &QAction::triggered, this, [this, kept] { go(kept); });
     if (const Fix* fix = m_model->fixAt(index))
-        connect(menu->addAction(tr("Fix: %1").arg(QString::fromStdString(fix->title))), &QAction::triggered, this,
+        connect(menu->addAction(tr("Fix: %1").arg(withoutMnemonics(QString::fromStdString(fix->title)))), &QAction::triggered, this,
                 [this, kept] { applyFix(kept); });
     const QString line = QStringLiteral("%1 %2 %3")
                              .arg(m_model->index(index.row(), ProblemsModel::Place, index.parent()).data().toString(),

@@ -16,7 +16,7 @@ QString placeWords(const Loaded& loaded, const SourceRange& place) {
     const SourceText& source = *loaded.sources[place.file].text;
     const std::string& file = place.file < loaded.paths.size() ? loaded.paths[place.file] : source.path();
     const QString name = QString::fromStdString(shownInProject(file, loaded.projectFolder));
-    return QStringLiteral("%1:%2").arg(name).arg(source.position(place.range.begin).line);
+    return QStringLiteral("%1:%2").arg(name, QString::number(source.position(place.range.begin).line));
 }
 
 QString overrideWords(const FieldValue& value) {

@@ -117,7 +117,7 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
     const QString what =
         values.size() == 1
             ? shortName(values[0].path)
-            : QObject::tr("%1 of %2 objects").arg(text(values[0].path.substr(values[0].path.rfind('.') + 1))).arg(values.size());
+            : QObject::tr("%1 of %2 objects").arg(text(values[0].path.substr(values[0].path.rfind('.') + 1)), QString::number(values.size()));
     if (!resets.empty()) {
         if (const Result<EditPlan> plan = planReset(*document.loaded(), resets); !plan) return plan.error(); // shown in the row
         const bool copies =

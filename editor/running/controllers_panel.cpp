@@ -18,6 +18,7 @@
 #include "editor/running/controller_dialogs.h"
 #include "editor/running/robot_states.h"
 #include "editor/widgets/actions.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -201,7 +202,7 @@ void ControllersPanel::showRecent() {
     m_recent->clear();
     for (const QString& library : ControllerCommands::recent()) {
         QAction* action =
-            m_recent->addAction(QFileInfo(library).fileName(), this, [this, library] { m_commands->load(library); });
+            m_recent->addAction(withoutMnemonics(QFileInfo(library).fileName()), this, [this, library] { m_commands->load(library); });
         action->setToolTip(library);
     }
     if (m_recent->isEmpty()) m_recent->addAction(tr("No module was loaded yet"))->setEnabled(false);
@@ -256,7 +257,7 @@ void ControllersPanel::refreshRobots() {
     if (m_stale) return;
     for (const ControlledRobot& robot : m_listed) {
         const QString name = QString::fromStdString(robot.path);
-        const QString shown = robot.members == 1 ? name : tr("%1 (%2 robots)").arg(name).arg(robot.members);
+        const QString shown = robot.members == 1 ? name : tr("%1 (%2 robots)").arg(name, QString::number(robot.members));
         auto* item = new QTreeWidgetItem(
             m_robots, {shown, robot.kind.empty() ? QStringLiteral("–") : QString::fromStdString(robot.kind), QString()});
         item->setData(0, Qt::UserRole, name);

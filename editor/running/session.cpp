@@ -404,8 +404,9 @@ QString RunSession::finishText() const {
     const RunFinish& finish = *m_end->finish;
     const QString who = QString::fromStdString(finish.robot + "/" + finish.controller);
     const QString reason = QString::fromStdString(finish.reason).simplified();
-    return reason.isEmpty() ? tr("finished by %1 at t = %2 s").arg(who).arg(finish.time)
-                            : tr("finished by %1 at t = %2 s: %3").arg(who).arg(finish.time).arg(reason);
+    const QString when = QString::number(finish.time);
+    return reason.isEmpty() ? tr("finished by %1 at t = %2 s").arg(who, when)
+                            : tr("finished by %1 at t = %2 s: %3").arg(who, when, reason);
 }
 
 void RunSession::setLogsAt(const QString& folder) {

@@ -52,7 +52,7 @@ QMenu* FileCommands::makeRecentMenu() {
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
         menu->clear();
         for (const QString& file : recentFiles())
-            menu->addAction(shownLine(QDir::toNativeSeparators(file).toStdString()).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+            menu->addAction(withoutMnemonics(shownLine(QDir::toNativeSeparators(file).toStdString())), this,
                             [this, file] { open(file); });
         if (menu->isEmpty()) menu->addAction(tr("Nothing yet"))->setEnabled(false);
     });

@@ -183,8 +183,8 @@ void MainWindow::showUndo() {
     QAction &undo = m_actions->at("edit.undo"), &redo = m_actions->at("edit.redo");
     undo.setEnabled(history.canUndo());
     redo.setEnabled(history.canRedo());
-    undo.setText(history.canUndo() ? tr("&Undo %1").arg(history.entries()[history.position() - 1].name) : tr("&Undo"));
-    redo.setText(history.canRedo() ? tr("&Redo %1").arg(history.entries()[history.position()].name) : tr("&Redo"));
+    undo.setText(history.canUndo() ? tr("&Undo %1").arg(withoutMnemonics(history.entries()[history.position() - 1].name)) : tr("&Undo"));
+    redo.setText(history.canRedo() ? tr("&Redo %1").arg(withoutMnemonics(history.entries()[history.position()].name)) : tr("&Redo"));
 }
 
 void MainWindow::setDarkTheme(bool dark) {

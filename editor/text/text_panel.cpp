@@ -24,6 +24,7 @@
 #include "editor/text/results_list.h"
 #include "editor/text/text_commands.h"
 #include "editor/widgets/actions.h"
+#include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 #include "project/object_place.h"
 
@@ -201,7 +202,7 @@ FilePage* TextPanel::addPage(const std::string& file) {
     auto* page = new FilePage(m_document, file, m_tabs);
     page->setObjectName(QStringLiteral("page:") + nameOf(file));
     connectPage(*page);
-    m_tabs->addTab(page, nameOf(file));
+    m_tabs->addTab(page, withoutMnemonics(nameOf(file)));
     const auto side = static_cast<QTabBar::ButtonPosition>(
         m_tabs->style()->styleHint(QStyle::SH_TabBar_CloseButtonPosition, nullptr, m_tabs->tabBar()));
     QToolButton* shut = nullptr; // the opened file stays; setTabsClosable() would make buttons that are never deleted
@@ -281,7 +282,7 @@ void TextPanel::showTitles() {
         const int tab = m_tabs->indexOf(page);
         const bool modified = m_document.isModified(page->file());
         QString title = page->file() == m_opened ? nameOf(m_document.path()) : nameOf(page->file());
-        m_tabs->setTabText(tab, modified ? title + QLatin1Char('*') : title);
+        m_tabs->setTabText(tab, withoutMnemonics(modified ? title + QLatin1Char('*') : title));
         QString tip = QString::fromStdString(m_document.shown(page->file()));
         if (modified) tip += QLatin1Char('\n') + tr("Unsaved changes");
         m_tabs->setTabToolTip(tab, tip);
@@ -292,9 +293,7 @@ void TextPanel::fillFileMenu() {
     QMenu* menu = m_files->menu();
     menu->clear();
     for (const std::string& file : m_document.files()) {
-        QString text = QString::fromStdString(m_document.shown(file));
-        text.replace(QLatin1Char('&'), QStringLiteral("&&"));
-        menu->addAction(text, this, [this, file] {
+        menu->addAction(withoutMnemonics(QString::fromStdString(m_document.shown(file))), this, [this, file] {
             if (FilePage* page = openFile(file)) page->setFocus();
         });
     }

@@ -111,7 +111,7 @@ void TextPanel::showUses(std::uint32_t offset) {
     }
     const QString name = QString::fromStdString(given ? given->name : std::string());
     const QString title =
-        uses.size() == 1 ? tr("Only here: %1").arg(name) : tr("%1 is named in %2 places").arg(name).arg(uses.size());
+        uses.size() == 1 ? tr("Only here: %1").arg(name) : tr("%1 is named in %2 places").arg(name, QString::number(uses.size()));
     m_uses->showRows(title, std::move(rows));
 }
 
@@ -170,11 +170,9 @@ QMenu* TextPanel::showFixes() {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* first = nullptr;
     for (const Diagnostic* problem : problems) {
-        QString message = QString::fromStdString(problem->message);
-        menu->addAction(message.replace(QLatin1Char('&'), QStringLiteral("&&")))->setEnabled(false);
+        menu->addAction(withoutMnemonics(QString::fromStdString(problem->message)))->setEnabled(false);
         for (const Fix& fix : problem->fixes) {
-            QString title = QString::fromStdString(fix.title);
-            QAction* action = menu->addAction(title.replace(QLatin1Char('&'), QStringLiteral("&&")));
+            QAction* action = menu->addAction(withoutMnemonics(QString::fromStdString(fix.title)));
             if (!first) first = action;
             connect(action, &QAction::triggered, this,
                     [this, edits = editsOf(fix), name = tr("Fix: %1").arg(QString::fromStdString(fix.title))] {

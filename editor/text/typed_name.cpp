@@ -24,7 +24,7 @@ QString typedName(std::string_view before, std::string_view after, const std::st
     const TextSplice change = spliceBetween(before, after);
     const auto until = after.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(change.at, after.size()));
     const auto line = 1 + std::count(after.begin(), until, '\n');
-    const QString place = QStringLiteral("%1:%2").arg(QString::fromStdString(file)).arg(line);
+    const QString place = QStringLiteral("%1:%2").arg(QString::fromStdString(file), QString::number(line));
     const QString typed = inShort(change.inserted), gone = inShort(change.removed);
     if (change.removed.empty() && !typed.isEmpty()) return tr("Type “%1” at %2").arg(typed, place);
     if (change.inserted.empty() && !gone.isEmpty()) return tr("Delete “%1” at %2").arg(gone, place);

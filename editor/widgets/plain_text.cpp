@@ -49,6 +49,8 @@ void showTextPlainly(QApplication& application) {
 
 QString shownLine(const std::string& text) { return QString::fromStdString(cleanLine(text)); }
 
+QString withoutMnemonics(QString text) { return text.replace(u'&', QStringLiteral("&&")); }
+
 void showToolTip(const QPoint& at, const QString& text, QWidget* of, const QRect& room) {
     dropHtmlToolTip();
     QToolTip::showText(at, text, of, room);

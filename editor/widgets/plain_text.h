@@ -21,6 +21,9 @@ void showTextPlainly(QApplication& application);
 /// One line without control characters, for a path or a name.
 [[nodiscard]] QString shownLine(const std::string& text);
 
+/// For menus, tabs and buttons, which take `&` for the mark of a shortcut's letter.
+[[nodiscard]] QString withoutMnemonics(QString text);
+
 /// In place of QToolTip::showText(), which could show it as HTML. It goes when the mouse leaves `room`, where that is given.
 void showToolTip(const QPoint& at, const QString& text, QWidget* of, const QRect& room = {});
 /// The one way to a tool tip in HTML; the caller has escaped what is in it.

@@ -38,6 +38,28 @@ private Q_SLOTS:
         QVERIFY(contentOf(picture).startsWith("\x89PNG"));
     }
 
+    /// Else the first of them would be the display's socket or a file, and a module that prints would write into it.
+    void aClosedDescriptorLeadsNowhere() {
+        const QString experiment = m_folder.filePath(QStringLiteral("closed.sim")), pid = m_folder.filePath(QStringLiteral("closed.pid"));
+        QVERIFY(writeFile(experiment, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
+                                      "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\nPoseLog path { }\n"));
+        auto running = std::async(std::launch::async, [&] {
+            return callProgram("/usr/bin/env", {"QT_QPA_PLATFORM=offscreen", "/bin/sh", "-c",
+                                                "echo $$ > \"$1\"; exec \"$0\" --open \"$2\" --run-for 1e6 <&- >&- 2>&-",
+                                                QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), pid, experiment});
+        });
+        const QString log = m_folder.filePath(QStringLiteral("logs/closed/path.csv"));
+        const bool runs = QTest::qWaitFor([&] { return contentOf(log).count('\n') > 20; }, 60'000);
+        const QByteArray id = contentOf(pid).trimmed();
+        QStringList targets;
+        for (const char* descriptor : {"0", "1", "2"})
+            targets << QFile::symLinkTarget(QStringLiteral("/proc/%1/fd/%2").arg(QString::fromLatin1(id), QLatin1String(descriptor)));
+        ::kill(id.toInt(), runs ? SIGTERM : SIGKILL);
+        (void)running.get();
+        QVERIFY(runs);
+        QCOMPARE(targets, QStringList(3, QStringLiteral("/dev/null")));
+    }
+
     void aSignalEndsItAtOnceAndKeepsTheLogs_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("SIGTERM") << SIGTERM;

@@ -143,6 +143,32 @@ private Q_SLOTS:
         QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
     }
 
+    // `.arg(name).arg(line)` puts the line into a file called `%2.sim`. Several arguments go into one arg(), which fills all places at once;
+    // in a chain only numbers stand before the last one. A new one is looked at for that, then listed.
+    void namesOfOthersAreNoPatterns() {
+        const QStringList numbers = {"wanted.frameCount()", "pictures", "m_job.frameCount()", "instances.size()", "size", "pixelRatio",
+                                     "int(currentTheme())", "selected", "count", "instances", "kMostLiveGroups", "override ? 600 : 400",
+                                     "medium.exponent", "m_nodes->all()[std::size_t(from)].radio.channel",
+                                     "std::lround(r.link.wallLoss / medium.wallLoss)", "fates[i]", "qulonglong(at), 4, 16, QLatin1Char('0')",
+                                     "hex, -int(3 * std::min(kBytesInLine, bytes.size()) - 1)", "shown", "r.sequence", "errors",
+                                     "std::floor(whole / 60), 0, 'f', 0",
+                                     "static_cast<int>(std::fmod(whole, 60)), 2, 10, QLatin1Char('0')", "m_found.size()", "at + 1",
+                                     "total - 1", "wanted.count[0]", "total", "kMostContacts", "kSlimMargin", "drawn"};
+        const QString call = ".arg(";
+        QStringList found;
+        for (const SourceFile& file : sourceFiles({"editor", "app/trundle"}, kCode)) {
+            for (qsizetype at = file.text.indexOf(call); at >= 0; at = file.text.indexOf(call, at + 1)) {
+                qsizetype end = at + call.size();
+                for (int depth = 1; depth > 0 && end < file.text.size(); ++end)
+                    depth += file.text[end] == '(' ? 1 : file.text[end] == ')' ? -1 : 0;
+                if (!file.text.mid(end).trimmed().startsWith(call)) continue;
+                const QString argument = file.text.mid(at + call.size(), end - 1 - at - call.size()).simplified();
+                if (!numbers.contains(argument)) found << file.path + ": .arg(" + argument + ").arg(...)";
+            }
+        }
+        QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
+    }
+
     // What a program says goes through few places, each of which takes out what a terminal would obey (base/clean_text.h).
     void whatIsSaidOnATerminalIsCleaned() {
         const QStringList cleaned = {"app/cli/main.cpp",        "app/cli/messages.cpp", "app/cli/progress.cpp",

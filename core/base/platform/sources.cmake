@@ -16,5 +16,6 @@ set(BASE_PLATFORM_SOURCES
   platform/program_path.cpp
   platform/quiet_errors.cpp
   platform/read_file.cpp
+  platform/standard_descriptors.cpp
   platform/thread_priority.cpp
   platform/user_folder.cpp)

@@ -15,6 +15,7 @@ class TabsTest final : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void tabsFollowTheDocument();
+    void namesOfFilesAreShownAsTheyAre();
     void filesThatGoAwayCloseTheirTabs();
     void cursorSelects();
     void selectionIsMarked();
@@ -54,6 +55,22 @@ void TabsTest::tabsFollowTheDocument() {
     w.panel.flush();
     QVERIFY(w.text(w.document.path()).contains("xTick"));
     QVERIFY(w.document.path() != drive);
+}
+
+/// `&` marks no letter for the keyboard.
+void TabsTest::namesOfFilesAreShownAsTheyAre() {
+    TextWindow w;
+    const std::string drive = openDrive(w);
+    const auto* tabs = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"));
+    const auto shown = [tabs] { return tabs->tabText(0); };
+    QVERIFY(w.document.saveAs(w.folder.filePath(QStringLiteral("a&b %1 <b>.sim")).toStdString()));
+    QCOMPARE(shown(), QStringLiteral("a&&b %1 <b>.sim"));
+    w.caretAt("Tick");
+    w.keys("x");
+    w.panel.flush();
+    QCOMPARE(shown(), QStringLiteral("a&&b %1 <b>.sim*"));
+    const std::string typed = w.document.history().entries().back().name.toStdString();
+    QVERIFY2(typed.find("a&b %1 <b>.sim:") != std::string::npos, typed.c_str()); // the line is not put into the name
 }
 
 void TabsTest::filesThatGoAwayCloseTheirTabs() {
