@@ -61,7 +61,7 @@ private:
     RunOptions runOptions();
     void warn(const Diagnostic& warning);
     void sayNothingPlaced() const;
-    void warnOfModel();
+    bool checkStart();
 
     Parts& m_parts;
     RunArguments m_arguments;
@@ -89,7 +89,7 @@ ExitCode RunCommand::go() {
     }
     if (!m_arguments.quiet) sayNothingPlaced();
     if (!planTicks() || !openMovie()) return tell(kExitUsage);
-    warnOfModel();
+    if (!checkStart()) return tell(exitCodeFor(m_report.diagnostics.back().code));
     return runLoaded();
 }
 
@@ -123,14 +123,18 @@ bool RunCommand::load() {
     return true;
 }
 
-/// What starts badly is said before the run shows it. What a run refuses it says itself.
-void RunCommand::warnOfModel() {
-    Diagnostics found, warnings;
+/// What starts badly is said before the run shows it, as `check` says it. False where that is an error, which the run would refuse.
+bool RunCommand::checkStart() {
+    Diagnostics found;
     checkModel(*m_loaded, found);
-    for (const Diagnostic& d : found.all())
-        if (d.severity == Severity::Warning) warnings.append({d});
-    printDiagnostics(warnings.all(), m_report.sources);
-    m_report.diagnostics.insert(m_report.diagnostics.end(), warnings.all().begin(), warnings.all().end());
+    found.summarize();
+    std::vector<Diagnostic> all = found.all();
+    std::stable_partition(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity != Severity::Error; });
+    printDiagnostics(all, m_report.sources);
+    m_report.diagnostics.insert(m_report.diagnostics.end(), all.begin(), all.end());
+    if (!found.hasErrors()) return true; // the last one is why it ended
+    std::fprintf(stderr, "%s: not run, the check before it found %s\n", cleanLine(m_arguments.file).c_str(), countText(all).c_str());
+    return false;
 }
 
 bool RunCommand::planTicks() {

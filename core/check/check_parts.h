@@ -1,6 +1,8 @@
 #pragma once
 // The single checks. Private to core/check.
 
+#include <stop_token>
+
 #include "base/diagnostic.h"
 #include "check/start_scene.h"
 #include "project/project.h"
@@ -12,7 +14,7 @@ void checkDrives(const Loaded& loaded, Diagnostics& diagnostics);
 /// What starts inside something else or below a floor.
 void checkStart(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics);
 /// What starts in the air.
-void checkSupport(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics);
+void checkSupport(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics, const std::stop_token& stop);
 
 /// "3.5 m", "12 mm": a length (m) in three digits.
 [[nodiscard]] std::string lengthText(double metres);

@@ -18,18 +18,18 @@ std::string lengthText(double metres) {
     return std::abs(metres) < 1 ? figureText(1e3 * metres) + " mm" : figureText(metres) + " m";
 }
 
-void checkModel(const Loaded& loaded, Diagnostics& diagnostics) {
+void checkModel(const Loaded& loaded, Diagnostics& diagnostics, const std::stop_token& stop) {
     if (loaded.diagnostics.hasErrors() || loaded.pending) return;
     const ExperimentSpec& experiment = *loaded.experiment;
     Diagnostics silent;
     if (!isBuildable(experiment, silent)) return; // a run says why
     checkMasses(experiment, diagnostics);
     checkDrives(loaded, diagnostics);
-    if (experiment.robots.empty()) return;
-    const std::optional<StartScene> scene = StartScene::build(experiment);
+    if (experiment.robots.empty() || stop.stop_requested()) return;
+    const std::optional<StartScene> scene = StartScene::build(experiment, stop);
     if (!scene) return; // likewise
     checkStart(loaded, *scene, diagnostics);
-    checkSupport(loaded, *scene, diagnostics);
+    checkSupport(loaded, *scene, diagnostics, stop);
 }
 
 } // namespace trundle

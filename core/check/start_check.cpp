@@ -3,11 +3,13 @@
 // contacts with scenery, or with the one other robot.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "check/check_parts.h"
 #include "check/extent.h"
+#include "check/inside_mesh.h"
 #include "check/pose_fix.h"
 
 namespace trundle {
@@ -19,6 +21,7 @@ constexpr double kLeastShare = 0.02; // of the smaller thing's width
 constexpr double kMargin = 1e-4;     // m that a fix leaves
 constexpr double kLevel = 0.7;       // cosine: ground that one can stand on
 constexpr int kRounds = 60;          // of finding a way out of several contacts
+constexpr std::size_t kMostTriangles = 50'000'000; // that are looked at for what is inside meshes
 
 /// A robot and what it is in: another robot or a Static.
 struct Pair {
@@ -78,6 +81,62 @@ private:
             pair.geoms.emplace_back(swapped ? c.second : c.first, swapped ? c.first : c.second);
         }
         for (Pair& pair : m_pairs) leaveSideways(pair);
+        addEnclosed();
+    }
+
+    /// What is wholly inside a mesh touches none of its triangles, so the engine reports no contact.
+    void addEnclosed() {
+        std::size_t left = kMostTriangles;
+        for (std::uint32_t m = 0; m < m_scene.geomCount(); ++m) {
+            const GeomOwner& mesh = m_scene.owner(m);
+            if (!mesh.spec || !mesh.isStatic || mesh.spec->shape != GeomShape::Mesh || !mesh.spec->mesh) continue;
+            const Pose X_WM = poseOf(m);
+            const std::array<Extent, 3> bounds{extentAlong(*mesh.spec, {}, Vec3::UnitX()),
+                                               extentAlong(*mesh.spec, {}, Vec3::UnitY()),
+                                               extentAlong(*mesh.spec, {}, Vec3::UnitZ())};
+            for (std::uint32_t g = 0; g < m_scene.geomCount(); ++g) {
+                const GeomOwner& own = m_scene.owner(g);
+                if (!own.spec || own.isStatic) continue;
+                const Vec3 p_M = X_WM.rotation.conjugate() * (pointOf(g) - X_WM.position);
+                const bool near = p_M.x() > bounds[0].low && p_M.x() < bounds[0].high && p_M.y() > bounds[1].low &&
+                                  p_M.y() < bounds[1].high && p_M.z() > bounds[2].low && p_M.z() < bounds[2].high;
+                if (!near || isPaired(own.object, mesh.object)) continue;
+                if (mesh.spec->mesh->triangles.size() > left) return;
+                left -= mesh.spec->mesh->triangles.size();
+                if (isInside(*mesh.spec->mesh, p_M)) addEnclosed(g, m, X_WM);
+            }
+        }
+    }
+
+    void addEnclosed(std::uint32_t own, std::uint32_t mesh, const Pose& X_WM) {
+        std::pair<Vec3, double> best{Vec3::Zero(), HUGE_VAL};
+        for (int k = 0; k < 6; ++k) {
+            const Vec3 side = X_WM.rotation * Vec3::Unit(k / 2) * (k % 2 == 0 ? 1.0 : -1.0);
+            if (side.dot(m_scene.up()) < -kLevel) continue; // nothing leaves downwards
+            const double missing = extentAlong(*m_scene.owner(mesh).spec, X_WM, side).high -
+                                   extentAlong(*m_scene.owner(own).spec, poseOf(own), side).low;
+            if (missing < best.second) best = {side, missing};
+        }
+        EngineContact contact;
+        contact.first = own;
+        contact.second = mesh;
+        contact.normal = best.first;
+        contact.depth = best.second;
+        m_pairs.push_back({m_scene.owner(own).object, m_scene.owner(mesh).object, true, contact, {best}, {{own, mesh}}});
+    }
+
+    [[nodiscard]] bool isPaired(std::uint32_t robot, std::uint32_t other) const {
+        return std::ranges::any_of(m_pairs,
+                                   [&](const Pair& p) { return p.withStatic && p.robot == robot && p.other == other; });
+    }
+
+    /// Some point of a geom, in the world.
+    [[nodiscard]] Vec3 pointOf(std::uint32_t geom) const {
+        const GeomSpec& spec = *m_scene.owner(geom).spec;
+        const auto& mesh = spec.hull ? spec.hull : spec.mesh;
+        if (!mesh || mesh->points.empty()) return poseOf(geom).position;
+        const auto& p = mesh->points.front();
+        return poseOf(geom) * Vec3(p[0], p[1], p[2]);
     }
 
     [[nodiscard]] Pose poseOf(std::uint32_t geom) const {

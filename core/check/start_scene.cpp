@@ -2,20 +2,21 @@
 
 namespace trundle {
 
-std::optional<StartScene> StartScene::build(const ExperimentSpec& experiment) {
+std::optional<StartScene> StartScene::build(const ExperimentSpec& experiment, const std::stop_token& stop) {
     StartScene scene;
     scene.m_experiment = &experiment;
     const SettingsSpec& s = experiment.settings;
     auto engine = makeOdeEngine({s.gravity, s.seed, s.solver, s.iterations, s.errorReduction, experiment.surfaces});
     if (!engine) return std::nullopt;
     scene.m_engine = std::move(engine).value();
-    if (!scene.addStatics() || !scene.addRobots()) return std::nullopt;
+    if (!scene.addStatics(stop) || !scene.addRobots(stop)) return std::nullopt;
     scene.m_engine->findContacts();
     return scene;
 }
 
-bool StartScene::addStatics() {
+bool StartScene::addStatics(const std::stop_token& stop) {
     for (std::uint32_t i = 0; i < m_experiment->statics.size(); ++i) {
+        if (stop.stop_requested()) return false;
         const StaticSpec& s = m_experiment->statics[i];
         if (!s.geoms) continue;
         for (const GeomSpec& g : *s.geoms) {
@@ -29,8 +30,9 @@ bool StartScene::addStatics() {
     return true;
 }
 
-bool StartScene::addRobots() {
+bool StartScene::addRobots(const std::stop_token& stop) {
     for (std::uint32_t i = 0; i < m_experiment->robots.size(); ++i) {
+        if (stop.stop_requested()) return false;
         const RobotSpec& spec = m_experiment->robots[i];
         ActorDef def{spec.pose, {}, &spec.config->joints, spec.config->selfCollision};
         for (const BodySpec& body : spec.config->bodies) def.bodies.push_back({spec.pose * body.pose, &body});

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,13 @@ struct GeomOwner {
 
 class StartScene {
 public:
-    /// Nothing where a shape cannot be built. The experiment must be buildable, and outlive the scene.
-    [[nodiscard]] static std::optional<StartScene> build(const ExperimentSpec& experiment);
+    /// Nothing where a shape cannot be built or a stop is requested. The experiment must be buildable, and outlive the scene.
+    [[nodiscard]] static std::optional<StartScene> build(const ExperimentSpec& experiment, const std::stop_token& stop);
 
     [[nodiscard]] const ExperimentSpec& experiment() const { return *m_experiment; }
     [[nodiscard]] std::size_t contactCount() const { return m_engine->contactCount(); }
     [[nodiscard]] EngineContact contact(std::size_t index) const { return m_engine->contact(index); }
+    [[nodiscard]] std::uint32_t geomCount() const { return static_cast<std::uint32_t>(m_owners.size()); }
     [[nodiscard]] const GeomOwner& owner(std::uint32_t geom) const { return m_owners[geom]; }
     /// Nearest hit on anything but one robot.
     [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
@@ -39,8 +41,8 @@ public:
     [[nodiscard]] Vec3 up() const;
 
 private:
-    [[nodiscard]] bool addStatics();
-    [[nodiscard]] bool addRobots();
+    [[nodiscard]] bool addStatics(const std::stop_token& stop);
+    [[nodiscard]] bool addRobots(const std::stop_token& stop);
 
     const ExperimentSpec* m_experiment = nullptr;
     std::unique_ptr<Engine> m_engine;

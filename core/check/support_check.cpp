@@ -32,10 +32,10 @@ public:
     SupportCheck(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics)
         : m_loaded(loaded), m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics), m_up(scene.up()) {}
 
-    void check() {
+    void check(const std::stop_token& stop) {
         if (m_up.isZero() || m_experiment.statics.empty()) return; // no ground is meant to be there
         markTouching();
-        for (std::uint32_t r = 0; r < m_experiment.robots.size(); ++r)
+        for (std::uint32_t r = 0; r < m_experiment.robots.size() && !stop.stop_requested(); ++r)
             for (const Piece& piece : loosePieces(r)) measure(piece);
         for (Finding& f : m_findings) report(f);
     }
@@ -187,8 +187,8 @@ private:
 
 } // namespace
 
-void checkSupport(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics) {
-    SupportCheck(loaded, scene, diagnostics).check();
+void checkSupport(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics, const std::stop_token& stop) {
+    SupportCheck(loaded, scene, diagnostics).check(stop);
 }
 
 } // namespace trundle

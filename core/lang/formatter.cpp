@@ -4,6 +4,7 @@
 #include "lang/formatter.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "lang/characters.h"
 
@@ -61,7 +62,7 @@ private:
                 while (!m_out.empty() && isBlank(m_out.back())) m_out.pop_back();
         }
         if (tokens[end].kind == TokenKind::End) return end;
-        m_out += text(tokens[end]);
+        std::ranges::copy_if(text(tokens[end]), std::back_inserter(m_out), [](char c) { return !isBlank(c); }); // of blank lines
         return end + 1;
     }
 

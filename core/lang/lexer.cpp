@@ -46,12 +46,20 @@ bool Lexer::trivia() {
         if (m_parens > 0) expressionLineEnd();
         m_firstOnLine = true;
         m_sameLine = false;
-        return emit(TokenKind::LineEnd, m_at + (c == '\r' && at(m_at + 1) == '\n' ? 2 : 1)), true;
+        emit(TokenKind::LineEnd, afterLineEnd(m_at));
+        if (const std::size_t end = blankLinesEnd(m_at); end > m_at) emit(TokenKind::LineEnd, end);
+        return true;
     }
     if (!commentAt(m_at)) return false;
     if (at(m_at + 1) == '/') return emit(TokenKind::LineComment, lineEnd(m_at)), true;
     const std::size_t close = m_text.find("*/", m_at + 2);
     return emit(TokenKind::BlockComment, close == std::string_view::npos ? m_text.size() : close + 2), true;
+}
+
+std::size_t Lexer::blankLinesEnd(std::size_t from) const {
+    std::size_t end = from;
+    for (std::size_t i = skipBlanks(from); at(i) == '\n' || at(i) == '\r'; i = skipBlanks(end)) end = afterLineEnd(i);
+    return end;
 }
 
 // An expression goes on over a line end only at an operator; so a forgotten `)` costs one line, not the rest of the file.
@@ -67,7 +75,9 @@ void Lexer::expressionLineEnd() {
     case TokenKind::ExprOpen: return;
     default: break;
     }
-    const char c = at(skipTrivia(m_at));
+    if (m_at < m_continuedAt) return; // found at an earlier line end: looking again from each line would cost the square of their number
+    m_continuedAt = skipTrivia(m_at);
+    const char c = at(m_continuedAt);
     if (c == '\0' || std::string_view("+-*/^,)").find(c) == std::string_view::npos) m_parens = 0;
 }
 

@@ -31,6 +31,8 @@ private:
     }
     [[nodiscard]] bool commentAt(std::size_t i) const { return at(i) == '/' && (at(i + 1) == '/' || at(i + 1) == '*'); }
     [[nodiscard]] std::size_t lineEnd(std::size_t from) const;
+    [[nodiscard]] std::size_t afterLineEnd(std::size_t i) const { return i + (at(i) == '\r' && at(i + 1) == '\n' ? 2 : 1); }
+    [[nodiscard]] std::size_t blankLinesEnd(std::size_t from) const; ///< behind the last of the blank lines from there on
     [[nodiscard]] std::size_t skipBlanks(std::size_t from) const;
     [[nodiscard]] std::size_t skipTrivia(std::size_t from) const;
     [[nodiscard]] std::size_t letterAt(std::size_t i) const; ///< bytes of the letter or digit there, 0 for anything else
@@ -64,6 +66,7 @@ private:
     std::vector<Token> m_tokens;
     Place m_place = Place::Structure;
     int m_parens = 0;                  ///< open ones of an expression; 0 outside
+    std::size_t m_continuedAt = 0;     ///< of the expression: where what follows the trivia begins
     bool m_firstOnLine = true;         ///< only blanks and comments before on this line
     bool m_sameLine = false;           ///< the last element stands on this line
     TokenKind m_last = TokenKind::End; ///< last token that is no trivia

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/units.h"
+#include "model/outline.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -174,12 +175,15 @@ const GivenValue* Evaluator::paramValue(std::string_view name, SourceRange place
 }
 
 void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& scope) {
-    const std::vector<std::string> names = scope.names();
     std::string message = "there is no Param " + std::string(name);
     // in `$name` only the name is wrong
     const std::string_view text = m_texts.slice(place);
     if (text.size() == name.size() + 1 && text.front() == '$') ++place.range.begin;
     Diagnostic& d = m_diagnostics.error(Code::UnknownParam, place, std::move(message));
+    constexpr std::size_t kMany = 1000, kFirst = 20; // among many Params a search for each mistake would take minutes
+    if (manyAlready(m_diagnostics)) return;
+    const std::vector<std::string> names = scope.names();
+    if (names.size() > kMany && m_diagnostics.all().size() > kFirst) return;
     suggest(d, name, names, place);
     if (d.suggestions.empty() && !names.empty()) d.message += "; there are " + listText(names, "and");
 }

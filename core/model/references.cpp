@@ -139,7 +139,7 @@ std::uint32_t ResolveContext::lookUp(const Record& record, const Part& user, con
         return it->second;
     }
     if (space.find(name) || outline.unknown.count(name)) return 0; // there, but with faults of its own
-    std::vector<std::string> names = space.names();
+    std::vector<std::string> names = manyAlready(diagnostics) ? std::vector<std::string>() : space.names();
     if (std::find(names.begin(), names.end(), "default") == names.end()) names.push_back("default");
     const bool literal = value->origin != Origin::Param;
     unknownReference(key, key, name, value->range, literal, names);
@@ -159,20 +159,22 @@ const Part* ResolveContext::configOf(const Record& record, const Part& user, std
     if (!value || value->value.texts.empty()) return nullptr;
     const std::string& name = value->value.texts[0];
     const bool literal = value->origin != Origin::Param;
-    std::vector<std::string> names;
-    for (const Part* part : outline.configs.all()) {
-        if (part->kind->name == kind) names.push_back(part->name);
-    }
+    const auto names = [&] {
+        std::vector<std::string> names;
+        for (const Part* part : outline.configs.all())
+            if (part->kind->name == kind && !manyAlready(diagnostics)) names.push_back(part->name);
+        return names;
+    };
     const Part* config = outline.configs.find(name);
     if (!config) {
-        if (!outline.unknown.count(name)) unknownReference("Config", std::string(kind), name, value->range, literal, names);
+        if (!outline.unknown.count(name)) unknownReference("Config", std::string(kind), name, value->range, literal, names());
         return nullptr;
     }
     if (config->kind->name != kind) {
         Diagnostic& d = diagnostics.error(Code::UnknownReference, value->range,
                                           "Config names " + name + ", " + withArticle(config->kind->name) + "; " +
                                               withArticle(user.kind->name) + " takes " + withArticle(kind));
-        suggest(d, name, names, literal ? value->range : SourceRange{});
+        suggest(d, name, names(), literal ? value->range : SourceRange{});
         return nullptr;
     }
     hintLater(*config, user, value->range);

@@ -93,7 +93,7 @@ private:
         Diagnostic& d = m_diagnostics.error(Code::NoSuchPath, place, std::move(message));
         if (!words.empty())
             d.message += "; there " + std::string(words.size() == 1 ? "is " : "are ") + listText(words, "and", 20);
-        suggest(d, word, words, place);
+        if (!manyAlready(m_diagnostics)) suggest(d, word, words, place);
     }
 
     void noStart() {

@@ -9,12 +9,6 @@ namespace trundle {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr std::size_t kMostNotFound = 500; // imports: enough for Project to give up on the rest
-
-} // namespace
-
 Status Loader::open(const std::string& path) {
     const std::string absolute = canonicalPath(path);
     Result<Bytes> bytes = read(path, absolute, kMaxTextBytes);

@@ -12,6 +12,10 @@
 
 namespace trundle {
 
+/// Imports, and modules, that are not found: enough to give up on the rest, as a search for each would take minutes.
+inline constexpr std::size_t kMostNotFound = 500;
+
+
 inline constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMaxFiles = 1000;
 inline constexpr int kMaxImportDepth = 32;

@@ -19,13 +19,17 @@ FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatal
     FoundModules found;
     std::set<std::string> libraries;
     std::set<std::pair<std::string, std::string>> failed; // one message for a module that several files name alike
+    std::size_t notFound = 0;
     for (const ModuleMention& mention : mentions) {
+        if (notFound > kMostNotFound) break;
         Result<ModuleListing> listing = catalog.find(mention.written, mention.folder);
         if (!listing.ok()) {
             found.open = true;
             if (!failed.emplace(mention.written, mention.folder).second) continue;
             const Severity severity = onlyUnknown(listing.error().code) ? Severity::Warning : Severity::Error;
-            diagnostics.add(severity, listing.error().code, mention.range, listing.error().message);
+            Diagnostic& d = diagnostics.add(severity, listing.error().code, mention.range, listing.error().message);
+            if (listing.error().code == Code::ModuleNotFound && ++notFound > kMostNotFound)
+                d.message = "too many modules are not found; those from here on are not looked for";
             found.modules.push_back({mention.written, {}, mention.range});
             continue;
         }

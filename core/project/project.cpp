@@ -7,6 +7,7 @@
 
 #include "model/model_kinds.h"
 #include "model/resolver.h"
+#include "project/hopeless_text.h"
 #include "project/loader.h"
 #include "project/members.h"
 #include "project/missing_imports.h"
@@ -71,48 +72,6 @@ Diagnostics tidied(const Diagnostics& given, std::vector<Diagnostic> all) {
 }
 
 constexpr std::size_t kFirstTokens = 250'000; // about 1 MiB of text
-constexpr std::ptrdiff_t kHopelessMistakes = 500;
-
-/// Mistakes that no text behind them can take away.
-bool isLasting(Code code) {
-    switch (code) {
-    case Code::UnknownKey:
-    case Code::DuplicateKey:
-    case Code::DuplicateName:
-    case Code::WrongType:
-    case Code::OutOfRange:
-    case Code::WrongCount:
-    case Code::UnknownUnit:
-    case Code::WrongDimension:
-    case Code::UnknownChoice:
-    case Code::MissingName:
-    case Code::WrongPlace:
-    case Code::LooseGeom:
-    case Code::ImportNotFound:
-    case Code::TooLarge:
-    case Code::TooManyMistakes: return true;
-    default: return false;
-    }
-}
-
-/// Whether what was read of a large text is so wrong that nobody needs the rest. A kind may still come with a module.
-bool isHopeless(const Loaded& loaded, FileId file, const Diagnostics& diagnostics) {
-    const Tree& tree = *loaded.trees[file];
-    const bool modulesMayCome = tree.source().bytes().find('#', tree.readTo()) != std::string_view::npos;
-    return std::ranges::count_if(diagnostics.all(), [&](const Diagnostic& d) {
-               return d.severity == Severity::Error && (isLasting(d.code) || (d.code == Code::UnknownKind && !modulesMayCome));
-           }) >= kHopelessMistakes;
-}
-
-Diagnostic restUnread(const Tree& tree) {
-    const auto size = static_cast<std::uint32_t>(tree.source().bytes().size());
-    Diagnostic d;
-    d.code = Code::TooManyMistakes;
-    d.range = {tree.file(), {tree.readTo(), tree.readTo()}};
-    d.message = "too many mistakes before this place: the last " + std::to_string((size - tree.readTo()) >> 10) +
-                " KiB of this file are not read";
-    return d;
-}
 
 FileStamp stampOf(const std::string& path) {
     const Result<FileStamp> stamp = regularFileStamp(path);
@@ -187,7 +146,7 @@ Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
         if (!tried.ok()) return tried.error();
         Attempt& a = tried.value();
         const FileId limited = a.limitedFile;
-        if (limited != kNoFile && !isHopeless(*a.loaded, limited, a.diagnostics)) {
+        if (limited != kNoFile && !isHopeless(*a.loaded->trees[limited], a.diagnostics)) {
             previous = std::move(a.loaded); // its other trees are right
             continue;
         }

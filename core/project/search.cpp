@@ -157,6 +157,7 @@ Result<std::string> readFile(const std::string& path, std::size_t most) {
     std::ifstream file(path, std::ios::binary);
     if (!file) return Error{Code::FileUnreadable, path + " cannot be opened"};
     std::string bytes;
+    if (!ec) bytes.reserve(static_cast<std::size_t>(size));
     char buffer[65536];
     while (file.read(buffer, sizeof buffer), file.gcount() > 0) {
         bytes.append(buffer, static_cast<std::size_t>(file.gcount()));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "base/platform/read_file.h"
 #include "editor/document/document.h"
@@ -7,6 +8,27 @@
 #include "project/line_merge.h"
 
 namespace trundle {
+
+namespace {
+
+/// Whether the disk holds these bytes, compared without keeping what is read.
+bool isOnDisk(const std::string& path, const std::string& bytes) {
+    const Result<FileStamp> stamp = regularFileStamp(path);
+    if (!stamp || stamp.value().size != bytes.size()) return false;
+    std::ifstream file(path, std::ios::binary);
+    char piece[65536];
+    std::size_t at = 0;
+    while (file.read(piece, sizeof piece), file.gcount() > 0) {
+        const std::string_view read(piece, static_cast<std::size_t>(file.gcount()));
+        if (std::string_view(bytes).substr(at, read.size()) != read) return false;
+        at += read.size();
+    }
+    return at == bytes.size() && !file.bad();
+}
+
+constexpr std::size_t kLargeText = std::size_t(1) << 20; // bytes
+
+} // namespace
 
 void Document::lookAtDisk() {
     if (!isOpen() || isOpening()) return;
@@ -22,6 +44,8 @@ void Document::lookAtDisk() {
             if (file->made && file->disk->empty()) continue; // it was never there
             if (!std::exchange(file->gone, true))
                 Q_EMIT notice(tr("%1 is gone from the disk; saving writes it again").arg(QString::fromStdString(shown(path))));
+        } else if (file->disk->size() > kLargeText && !file->theirs && isOnDisk(path, *file->disk)) {
+            file->gone = false;
         } else if (Result<std::string> bytes = readRegularFile(path); bytes) {
             noteDisk(path, std::make_shared<const std::string>(std::move(bytes).value()));
         }

@@ -17,9 +17,13 @@ ModelChecker::ModelChecker(QObject* parent) : QObject(parent) {
     connect(&m_delay, &QTimer::timeout, this, &ModelChecker::start);
 }
 
-ModelChecker::~ModelChecker() { m_pool.waitForDone(); }
+ModelChecker::~ModelChecker() {
+    m_stop.request_stop();
+    m_pool.waitForDone();
+}
 
 void ModelChecker::request(std::shared_ptr<const Loaded> loaded) {
+    m_stop.request_stop();
     m_wanted = std::move(loaded);
     m_delay.start();
 }
@@ -28,9 +32,10 @@ void ModelChecker::start() {
     if (m_busy) return; // finish() starts the next
     if (!m_wanted) return Q_EMIT checked(nullptr, {});
     m_busy = true;
-    m_pool.start([this, loaded = m_wanted]() mutable {
+    m_stop = std::stop_source();
+    m_pool.start([this, loaded = m_wanted, stop = m_stop.get_token()]() mutable {
         Diagnostics found;
-        checkModel(*loaded, found); // runs no code of modules
+        checkModel(*loaded, found, stop); // runs no code of modules
         // Moved: a load that nobody else keeps ends in this object's thread.
         QMetaObject::invokeMethod(
             this, [this, loaded = std::move(loaded), all = found.all()] { finish(loaded, all); }, Qt::QueuedConnection);
@@ -39,7 +44,7 @@ void ModelChecker::start() {
 
 void ModelChecker::finish(const std::shared_ptr<const Loaded>& loaded, const std::vector<Diagnostic>& found) {
     m_busy = false;
-    if (loaded == m_wanted) Q_EMIT checked(loaded, found);
+    if (loaded == m_wanted && !m_stop.stop_requested()) Q_EMIT checked(loaded, found);
     else if (!m_delay.isActive()) m_delay.start();
 }
 

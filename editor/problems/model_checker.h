@@ -2,6 +2,7 @@
 // Checks the model of the texts in a thread of its own, so that typing never waits for it.
 
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include <QObject>
@@ -20,7 +21,7 @@ public:
     explicit ModelChecker(QObject* parent = nullptr);
     ~ModelChecker() override;
 
-    /// Checks this load soon; a later call takes its place. Null: nothing.
+    /// Checks this load soon; a later call takes its place and stops a check that is under way. Null: nothing.
     void request(std::shared_ptr<const Loaded> loaded);
 
 Q_SIGNALS:
@@ -33,6 +34,7 @@ private:
 
     std::shared_ptr<const Loaded> m_wanted;
     bool m_busy = false;
+    std::stop_source m_stop; ///< of the check that is under way
     QTimer m_delay{this};
     QThreadPool m_pool; ///< one thread; the last member, so that it ends first
 };

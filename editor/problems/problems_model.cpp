@@ -119,7 +119,11 @@ void ProblemsModel::rebuild() {
         else ++m_warnings;
         if (wanted(d)) m_entries.push_back({&d, source});
     };
-    for (const Diagnostic& d : m_run) take(d, Source::Run);
+    const auto refuses = [](const Diagnostic& d) { return d.severity == Severity::Error && d.code == Code::DeviceSetup; };
+    // What the model check has found about these texts, with its place and fix, a run that was refused for it says once more.
+    const bool known = m_runTexts && m_runTexts == m_modelTexts && std::ranges::any_of(m_modelProblems, refuses);
+    for (const Diagnostic& d : m_run)
+        if (!known || !refuses(d)) take(d, Source::Run);
     const std::size_t ofRun = m_entries.size();
     if (m_loaded)
         for (const Diagnostic& d : m_loaded->diagnostics.all()) take(d, Source::Texts);

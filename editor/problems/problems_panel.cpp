@@ -70,6 +70,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
             [this](const std::shared_ptr<const Loaded>& loaded, const std::vector<Diagnostic>& found) {
                 m_model->setModelProblems(found, loaded);
                 showCounts();
+                Q_EMIT modelChecked(loaded, found);
             });
     follow();
 }

@@ -40,6 +40,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     void jumpTo(const std::string& file, const trundle::SourceRange& range);
     void countsChanged(int errors, int warnings);
+    /// What the model check found in these texts, soon after the last edit.
+    void modelChecked(const std::shared_ptr<const trundle::Loaded>& texts, const std::vector<trundle::Diagnostic>& found);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

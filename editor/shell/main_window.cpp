@@ -225,6 +225,7 @@ void MainWindow::connectPanels() {
     const auto go = [this](const std::string& file, const SourceRange& range) { showPlace(file, range.range); };
     connect(m_properties, &PropertiesPanel::jumpTo, this, go);
     connect(m_problems, &ProblemsPanel::jumpTo, this, go);
+    connect(m_problems, &ProblemsPanel::modelChecked, m_text, &TextPanel::setModelProblems);
     connect(m_controllers, &ControllersPanel::jumpTo, this, go);
     connect(m_controllers, &ControllersPanel::refused, m_status, &StatusLine::refuse);
     connect(m_controllers, &ControllersPanel::attentionWanted, this, [this] { m_layouts->raise(QStringLiteral("controllers")); });

@@ -66,6 +66,22 @@ void CodeEdit::load(std::string_view bytes) {
     fitNumberMargin();
 }
 
+void CodeEdit::setPlain(bool plain) {
+    if (plain == m_plain) return;
+    const QScopedValueRollback<bool> own(m_own, true);
+    m_plain = plain;
+    m_stale = true;
+    m_styles = {};
+    const long document = SendScintilla(SCI_CREATEDOCUMENT, 0UL,
+                                        static_cast<long>(plain ? SC_DOCUMENTOPTION_STYLES_NONE : SC_DOCUMENTOPTION_DEFAULT));
+    SendScintilla(SCI_SETDOCPOINTER, 0UL, document);
+    SendScintilla(SCI_RELEASEDOCUMENT, 0UL, document); // the widget keeps it
+    setUtf8(true); // a document has settings of its own
+    SendScintilla(SCI_SETUNDOCOLLECTION, 0UL);
+    setWays(m_lineEnd, m_step);
+    fitWrap();
+}
+
 std::uint32_t CodeEdit::bring(std::string_view bytes) {
     const QScopedValueRollback<bool> own(m_own, true);
     const std::uint32_t bom = bytes.starts_with(kBom) ? static_cast<std::uint32_t>(kBom.size()) : 0;
@@ -165,6 +181,7 @@ void CodeEdit::onModified(int at, int what, const char* text, int length) {
 void CodeEdit::readTokens() {
     if (!m_stale) return;
     m_stale = false;
+    if (m_plain) return;
     const std::string_view text = view();
     const std::vector<Token> tokens = Lexer(text).lex();
     m_styles = stylesOf(text, tokens);

@@ -28,6 +28,10 @@ public:
     /// The file's own ways: its line end and one level of indent.
     void setWays(const std::string& lineEnd, const std::string& step);
 
+    /// Without colours, folds and wrapped lines, for a large text: the widget keeps no style of each byte then. Empties the text.
+    void setPlain(bool plain);
+    [[nodiscard]] bool isPlain() const { return m_plain; }
+
     void setWrapLines(WrapLines wrap);
     [[nodiscard]] bool wrapsLines() const { return m_wraps; } ///< now, with the width that it has
 
@@ -113,6 +117,7 @@ private:
     long m_lastCaret = 0, m_lastAnchor = 0;
     WrapLines m_wrap = WrapLines::InNarrowPanes;
     bool m_wraps = false;
+    bool m_plain = false;
     bool m_stale = true; ///< m_styles are of an older text
     bool m_own = false;  ///< load() or bring() at work
     bool m_looking = false, m_composing = false;

@@ -127,7 +127,7 @@ void CodeEdit::fitWrap() {
     int room = viewport()->width();
     for (const int margin : {kNumbers, kBlocks, kSymbols, kFolds}) room -= marginWidth(margin);
     const bool narrow = room < kNarrow * SendScintilla(SCI_TEXTWIDTH, static_cast<unsigned long>(STYLE_DEFAULT), "9");
-    const bool wraps = m_wrap == WrapLines::Always || (m_wrap == WrapLines::InNarrowPanes && narrow);
+    const bool wraps = !m_plain && (m_wrap == WrapLines::Always || (m_wrap == WrapLines::InNarrowPanes && narrow));
     if (wraps == m_wraps) return;
     m_wraps = wraps;
     setWrapMode(wraps ? WrapWhitespace : WrapNone);
@@ -268,7 +268,7 @@ void CodeEdit::showMatches(const std::vector<TextRange>& matches) {
 void CodeEdit::showBlock(TextRange block) {
     clearMarks(kBlock);
     SendScintilla(SCI_MARKERDELETEALL, static_cast<unsigned long>(kBlockMark));
-    if (block.size() == 0) return;
+    if (block.size() == 0 || m_plain) return;
     mark(kBlock, block);
     const auto line = [&](std::uint32_t at) {
         return SendScintilla(SCI_LINEFROMPOSITION, static_cast<unsigned long>(position(at)));

@@ -8,6 +8,7 @@
 
 #include "editor/document/document.h"
 #include "editor/text/code_edit.h"
+#include "editor/text/large_text.h"
 #include "editor/text/splice.h"
 #include "editor/text/typed_name.h"
 #include "lang/edit_style.h"
@@ -59,9 +60,45 @@ void FilePage::abandon() {
 
 void FilePage::start() {
     m_base = m_document.text(m_file);
-    m_edit->load(m_base ? *m_base : std::string());
+    showText();
     readWays();
     showProblems();
+}
+
+bool FilePage::isTooLarge() const {
+    const TextSize size = sizeOf(m_base ? *m_base : std::string_view());
+    return !size.isShowable() || (size.isLarge() && !m_asText);
+}
+
+/// The document's text in the editor, or a notice that says why it is not there.
+void FilePage::showText() {
+    const std::string_view text = m_base ? std::string_view(*m_base) : std::string_view();
+    const TextSize size = sizeOf(text);
+    m_shown = size.isShowable() && (!size.isLarge() || m_asText);
+    if (!m_shown && !m_notice) {
+        m_notice = new LargeTextNotice(this);
+        layout()->addWidget(m_notice);
+        connect(m_notice, &LargeTextNotice::openRequested, this, [this] {
+            m_asText = true;
+            showText();
+            readWays();
+            showProblems();
+            select(m_selectLater);
+            setFocus();
+        });
+    }
+    if (m_notice) m_notice->setSize(QString::fromStdString(m_document.shown(m_file)), size);
+    m_edit->setPlain(size.isLarge());
+    m_edit->load(m_shown ? text : std::string_view());
+    m_edit->setReadOnly(!m_shown);
+    m_edit->setVisible(m_shown);
+    if (m_notice) m_notice->setVisible(!m_shown);
+    setFocusProxy(m_shown ? static_cast<QWidget*>(m_edit) : m_notice);
+}
+
+void FilePage::select(TextRange range) {
+    if (m_shown) m_edit->select(range);
+    else m_selectLater = range;
 }
 
 FileId FilePage::id() const {
@@ -127,7 +164,7 @@ void FilePage::follow() {
     if (m_flushing) return;
     const std::shared_ptr<const std::string> now = m_document.text(m_file);
     if (!now || now == m_base) return;
-    const std::string shown = m_edit->bytes();
+    const std::string shown = m_shown ? m_edit->bytes() : std::string();
     if (m_typing.pending()) { // typed on while somebody else changed the text
         m_typing.joinAll();
         (void)m_edit->bring(merged(*m_base, shown, *now));
@@ -135,8 +172,12 @@ void FilePage::follow() {
         return;
     }
     m_base = now;
-    if (shown == *now) return;
+    if (m_shown && shown == *now) return;
     m_typing.endWord();
+    if (!m_shown || isTooLarge()) {
+        showText();
+        return readWays();
+    }
     const std::uint32_t end = m_edit->bring(*now);
     readWays();
     Q_EMIT brought(end);
@@ -148,8 +189,16 @@ void FilePage::showProblems() {
     if (file != kNoFile && !m_typing.pending()) {
         for (const Diagnostic& d : m_document.loaded()->diagnostics.all())
             if (d.range.file == file) m_problems.push_back(d);
+        if (m_modelProblems && m_modelProblems->texts == m_document.loaded())
+            for (const Diagnostic& d : m_modelProblems->found)
+                if (d.range.file == file) m_problems.push_back(d);
     } else if (m_typing.pending()) return; // their places are of the text before; they move with it until it is read
-    m_edit->showProblems(m_problems);
+    if (m_shown) m_edit->showProblems(m_problems);
+}
+
+void FilePage::setModelProblems(std::shared_ptr<const ModelProblems> problems) {
+    m_modelProblems = std::move(problems);
+    showProblems();
 }
 
 void FilePage::endWord(const QString& name) {

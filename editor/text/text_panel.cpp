@@ -201,6 +201,7 @@ void TextPanel::onChanged() {
 FilePage* TextPanel::addPage(const std::string& file) {
     auto* page = new FilePage(m_document, file, m_tabs);
     page->setObjectName(QStringLiteral("page:") + nameOf(file));
+    page->setModelProblems(m_modelProblems);
     connectPage(*page);
     m_tabs->addTab(page, withoutMnemonics(nameOf(file)));
     const auto side = static_cast<QTabBar::ButtonPosition>(
@@ -346,13 +347,18 @@ void TextPanel::reveal(const std::string& file, TextRange range, bool focus) {
     FilePage* page = openFile(file);
     if (!page) return;
     page->endWord();
-    page->edit().select(range);
+    page->select(range);
     if (focus) page->setFocus();
 }
 
 void TextPanel::revealBlock(const std::string& file, TextRange block) {
     reveal(file, {block.begin, block.begin}, true);
     if (FilePage* page = pageOf(file)) page->edit().scrollTo(block);
+}
+
+void TextPanel::setModelProblems(const std::shared_ptr<const Loaded>& texts, const std::vector<Diagnostic>& found) {
+    m_modelProblems = std::make_shared<const ModelProblems>(ModelProblems{texts, found});
+    for (FilePage* page : pages()) page->setModelProblems(m_modelProblems);
 }
 
 void TextPanel::setWrapLines(WrapLines wrap) {

@@ -1,6 +1,7 @@
 #pragma once
 // The document's files as texts, in tabs: the opened file first, the others when they are wanted.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "base/source_range.h"
+#include "base/diagnostic.h"
 #include "editor/text/project_files.h"
 #include "editor/widgets/preferences.h"
 
@@ -24,6 +25,8 @@ class CodeEdit;
 class Completing;
 class Document;
 class FilePage;
+struct Loaded;
+struct ModelProblems;
 class FindBar;
 class Finding;
 class RenameField;
@@ -72,6 +75,8 @@ public Q_SLOTS:
     /// Shows a block: the caret goes before it with the keyboard, and nothing is selected, so that what is typed replaces nothing.
     void revealBlock(const std::string& file, TextRange block);
     void revealRange(const SourceRange& place) { revealFile(place, false); }
+    /// Marks what the model check found as other problems are marked, as long as the document has these texts.
+    void setModelProblems(const std::shared_ptr<const trundle::Loaded>& texts, const std::vector<trundle::Diagnostic>& found);
     FilePage* openFile(const std::string& file);
 
 Q_SIGNALS:
@@ -115,6 +120,7 @@ private:
     FindBar* m_bar;
     Finding* m_finding;
     FileFolders m_folders;
+    std::shared_ptr<const ModelProblems> m_modelProblems;
     WrapLines m_wrap = WrapLines::InNarrowPanes;
     QPointer<RenameField> m_rename;
     QTimer m_caretTimer;

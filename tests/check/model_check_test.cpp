@@ -20,6 +20,19 @@ RobotConfig Rover {
 }
 )";
 
+/// block.obj is a cube of 10 cm that stands on its origin.
+const std::string kMeshes = R"(
+RobotConfig Stone { Body b { Convex c { File=block.obj Mass=1 } } }
+RobotConfig Beam { Body b { Convex c { File=block.obj Scale=1,1,6 Mass=1 } } }
+RobotConfig Crane {
+  Body base { Box g { Size=0.3,0.3,0.1 Mass=4 } }
+  Body arm { Pos=0.2,0,0.4 HPR=0,90,0 Convex c { Pos=0.05,0,0 File=block.obj Scale=1,1,6 Mass=0.5 } }
+  Fixed f { Parent=base Child=arm }
+}
+RobotConfig Sized { Param s = 0.1 Body b { Box g { Size=$s,$s,$s Mass=1 } } }
+StaticConfig Block { Mesh m { File=block.obj Scale=10 } }
+)";
+
 std::string rover(const char* from, const char* to) {
     return QString::fromStdString(kRover).replace(from, to).toStdString() + "Robot r { Config=Rover }\n";
 }
@@ -76,6 +89,29 @@ private Q_SLOTS:
         row("a place from a Param", "Param h = 0.02\nRobot a { Config=Crate Pos=0,0,$h }", in, "80 mm", "a", true);
         row("a place in centimetres", "Robot a { Config=Crate Pos=0,0,5 cm }", in, "50 mm", "a", true);
         row("a place from a formula", "Robot a { Config=Crate Pos=1,1,$(0.1/2) }", in, "50 mm", "a", true);
+        row("a mesh in the floor", kMeshes + "Robot a { Config=Stone Pos=0,0,-0.03 }", in, "30 mm deep", "a", true);
+        row("a mesh below the floor", kMeshes + "Robot a { Config=Stone Pos=0,0,-2 }", below, "below floor/ground", "a", true);
+        row("a turned mesh in the floor", kMeshes + "Robot a { Config=Beam Pos=0,0,0.02 HPR=30,0,90 }", in, "30 mm deep", "a", true);
+        row("a mesh made larger by an override", kMeshes + "Robot a { Config=Stone Pos=0,0,-0.1 b.c.Scale=3 }", in, "100 mm deep",
+            "a", true);
+        row("an instance made larger through its Param", kMeshes + "Robot a { Config=Sized Pos=0,0,0.05 s=0.4 }", in,
+            "150 mm deep", "a", true);
+        row("a turned arm of a mesh in the floor", kMeshes + "Robot a { Config=Crane Pos=0,0,0.05 HPR=0,60,0 }", in, "a/arm/c", "a",
+            true);
+        row("in a side of a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.58,0,0.1 }", in, "block/m",
+            "a", true);
+        row("in a turned mesh", kMeshes + "Static block { Config=Block Pos=1,0,0 HPR=30,0,0 }\nRobot a { Config=Crate Pos=0.4,0,0.1 }",
+            in, "block/m", "a", true);
+        row("wholly in a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.1,0,0.5 }", in, "block/m", "a",
+            true);
+        row("a mesh in a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Stone Pos=0.52,0.1,0 }", in, "block/m", "a",
+            true);
+        row("meshes in each other", kMeshes + "Robot a { Config=Stone }\nRobot b { Config=Stone Pos=0.08,0,0 }", in, "inside a/b/c",
+            "b", true);
+        row("a mesh in the air", kMeshes + "Robot a { Config=Stone Pos=0,0,1 }", air, "1 m above floor/ground", "a", true);
+        row("a turned mesh in the air", kMeshes + "Robot a { Config=Beam Pos=0,0,1 HPR=0,0,90 }", air, "950 mm above", "a", true);
+        row("an instance above a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Sized s=0.4 Pos=0,0,1.5 }", air,
+            "300 mm above block/m", "a", true);
         row("in the air", "Robot a { Config=Ball Pos=0,0,1.5 }", air, "1.4 m above floor/ground", "a", true);
         row("turned, in the air", "Robot a { Config=Post Pos=0,0,1 HPR=0,90,0 }", air, "950 mm above", "a", true);
         row("above a box",
@@ -139,6 +175,12 @@ private Q_SLOTS:
         row("hung on the world", "RobotConfig Lamp { Body b { Box g { Size=0.1,0.1,0.1 Mass=1 } } Hinge h { Parent=world Child=b "
                                  "Anchor=0,0,0.5 Axis=1,0,0 } }\n"
                                  "Robot a { Config=Lamp Pos=0,0,2 }");
+        row("a mesh on the floor", kMeshes + "Robot a { Config=Stone }\nRobot b { Config=Stone Pos=1,0,0 b.c.Scale=3 }");
+        row("a turned mesh on the floor", kMeshes + "Robot a { Config=Beam Pos=0,0,0.05 HPR=20,0,90 }");
+        row("on a mesh", kMeshes + "Static block { Config=Block HPR=20,0,0 }\nRobot a { Config=Crate Pos=0,0,1.1 }\n"
+                                   "Robot b { Config=Stone Pos=0.3,0,1 }");
+        row("beside a mesh", kMeshes + "Static block { Config=Block }\nRobot a { Config=Crate Pos=0.601,0,0.1 }");
+        row("a larger instance in its place", kMeshes + "Robot a { Config=Sized Pos=0,0,0.2 s=0.4 }");
         row("wheels on the floor", kRover + "Robot r { Config=Rover Pos=1,1,0 HPR=33,0,0 }");
         row("no gravity", "Gravity=0,0,0\nRobot a { Config=Ball Pos=0,0,5 }");
         row("a shape that collides with nothing",
@@ -174,6 +216,16 @@ private Q_SLOTS:
         QVERIFY2(found.all().size() == 2, CheckDesk::shown(*loaded, found).c_str());
         const auto air = m_desk.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=1 Pos=0,0,3 }");
         QCOMPARE(CheckDesk::check(*air).all().size(), std::size_t(1));
+    }
+
+    /// Who closes the window does not wait for a check.
+    void aRequestToStopEndsIt() {
+        const auto loaded = m_desk.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=1 Pos=0,0,3 }");
+        std::stop_source stop;
+        stop.request_stop();
+        Diagnostics found;
+        checkModel(*loaded, found, stop.get_token());
+        QVERIFY(found.all().empty());
     }
 
     /// A text with errors is not checked further: its mistakes come first.

@@ -55,6 +55,7 @@ private Q_SLOTS:
     void sixtyFourMebibytesOfMistakesFitIntoLittleMemory();
     void checkSaysWhatARunWouldShow();
     void noFileNameLeadsTheLogsElsewhere();
+    void checkAndRunSayTheSameOfOneMotor();
 };
 
 void ExitCodesTest::everyEndHasItsCode_data() {
@@ -360,6 +361,8 @@ void ExitCodesTest::sixtyFourMebibytesOfMistakesFitIntoLittleMemory_data() {
     QTest::newRow("one line") << QByteArray("Tick=") << QByteArray("1,");
     QTest::newRow("one name") << QByteArray("Robot ") << QByteArray("a");
     QTest::newRow("bytes") << QByteArray() << QByteArray("\x01\xfe{\xff=");
+    QTest::newRow("blank lines") << QByteArray("Foo { }\n") << QByteArray("\n");
+    QTest::newRow("lines of blanks") << QByteArray("Foo { }\n") << QByteArray("  \r\n");
 }
 
 /// 64 MiB are the text itself; the program with its libraries takes another 100.
@@ -401,6 +404,32 @@ void ExitCodesTest::checkSaysWhatARunWouldShow() {
     }));
     const Outcome ran = cli({"run", deep, "--quiet"});
     QVERIFY2(ran.code == 0 && ran.err.contains("warning E325"), shown(ran));
+    // What hangs in the air is a hint, of a run too, each once.
+    const QString high = text("high.sim", "Robot r { Config=Crate Pos=0,0,2 }\nGrid g { Config=Crate Count=20,20 Spacing=1 Pos=9,9,3 }\n");
+    const Outcome fell = cli({"run", high, "--json"});
+    QVERIFY2(fell.code == 0 && fell.err.count("hint E327") == cli({"check", high}).err.count("hint E327"), shown(fell));
+    const QJsonArray said = QJsonDocument::fromJson(fell.out)["diagnostics"].toArray();
+    QCOMPARE(std::count_if(said.begin(), said.end(), [](const QJsonValue& m) { return m["code"].toString() == "E327"; }),
+             fell.err.count("hint E327"));
+    QVERIFY(fell.err.contains("hint E327"));
+}
+
+/// One finding with one place and one fix, whoever is asked.
+void ExitCodesTest::checkAndRunSayTheSameOfOneMotor() {
+    const QString path = m_folder.filePath("one_motor.sim");
+    writeFile(path, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nDuration = 0.1\nStatic floor { Config=OpenFloor }\n"
+                    "Robot r { Config=SimpleRobot base.RightMotor=leftMotor }\n");
+    const Outcome checked = cli({"check", path}), ran = cli({"run", path, "--json"});
+    QVERIFY2(checked.code == 1 && checked.err.contains("one_motor.sim:5:"), shown(checked));
+    QCOMPARE(checked.err.count("same motor"), 1);
+    QVERIFY2(checked.err.contains("fix: rightMotor"), shown(checked));
+    const qsizetype last = ran.err.trimmed().lastIndexOf('\n');
+    QCOMPARE(ran.err.left(last + 1), checked.err);
+    QVERIFY2(ran.err.mid(last).contains("not run"), shown(ran));
+    QVERIFY2(ran.code == 4 || ran.code == 1, shown(ran));
+    const QJsonArray said = QJsonDocument::fromJson(ran.out)["diagnostics"].toArray();
+    QCOMPARE(said.size(), 1);
+    QCOMPARE(said[0]["line"].toInt(), 5);
 }
 
 void ExitCodesTest::noFileNameLeadsTheLogsElsewhere() {

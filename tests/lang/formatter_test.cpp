@@ -54,6 +54,7 @@ private Q_SLOTS:
         row("directives", "  #import a.sim  // why\nA=1", "#import a.sim  // why\nA=1\n");
         row("values untouched", "A = 1.50,2 ,$( a+1 ) , \"x  y\"\n", "A = 1.50,2 ,$( a+1 ) , \"x  y\"\n");
         row("a blank between CR and LF", "A=1\r \nB=2", "A=1\r\nB=2\r\n");
+        row("blank lines with blanks", "A {\n\n  \n\t\r\n \n    B=1\n}", "A {\n\n\n\r\n\n  B=1\n}\n");
         row("empty", "", "");
         row("blank", " \n \n", "");
         row("an error", "A = \n  B {", "A = \n  B {");

@@ -107,6 +107,35 @@ private Q_SLOTS:
         QVERIFY(tree->items().front().as<BlockItem>() && tree->items().front().as<BlockItem>()->items.size() == 1);
     }
 
+    void blankLinesAreTwoTokens_data() {
+        QTest::addColumn<QByteArray>("piece");
+        QTest::newRow("LF") << QByteArray("\n");
+        QTest::newRow("CR LF") << QByteArray("\r\n");
+        QTest::newRow("CR") << QByteArray("\r");
+        QTest::newRow("with blanks") << QByteArray(" \t \n");
+    }
+    /// What stands between two items takes the same memory however long it is.
+    void blankLinesAreTwoTokens() {
+        QFETCH(QByteArray, piece);
+        const std::string text = "A=1" + piece.repeated(100'000).toStdString() + "  B=2" + piece.repeated(3).toStdString();
+        const auto tree = parsed(text);
+        QCOMPARE(tree->extent(), Tree::Extent::Whole);
+        QCOMPARE(tree->items().size(), std::size_t(2));
+        QVERIFY2(tree->tokens().size() < 20, QByteArray::number(qulonglong(tree->tokens().size())));
+        QVERIFY(print(*tree) == text);
+        QCOMPARE(tree->source().position(tree->items()[1].range.begin).line, 100'001u);
+    }
+
+    /// Each line end in an expression asks what comes next: looking through the same comments again and again would take minutes.
+    void anExpressionGoesOnBehindManyComments() {
+        const std::string comments = QByteArray("// one more\n").repeated(200'000).toStdString();
+        const auto sum = parsed("Param a = $(1\n" + comments + "+ 2)\n");
+        QVERIFY2(sum->diagnostics().empty(), texts::messages(*sum).c_str());
+        QCOMPARE(sum->items().size(), std::size_t(1));
+        const auto cut = parsed("Param a = $(1\n" + comments + "Param b = 2\n");
+        QCOMPARE(cut->items().size(), std::size_t(2));
+    }
+
     void wordsOfAMegabyteAreNamedInShort_data() {
         QTest::addColumn<QByteArray>("before");
         QTest::addColumn<QByteArray>("after");

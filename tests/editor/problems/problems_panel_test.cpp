@@ -239,6 +239,25 @@ private Q_SLOTS:
         QTRY_COMPARE(desk.model().rowCount(), 1);
     }
 
+    /// A run that is refused for what the check has found adds nothing to it.
+    void aRefusedRunSaysNothingTwice() {
+        ProblemsDesk desk;
+        std::string text = kGood;
+        QVERIFY(desk.open(text));
+        Diagnostic found;
+        found.code = Code::DeviceSetup;
+        found.message = "one motor";
+        auto* model = qobject_cast<ProblemsModel*>(&desk.model());
+        model->setModelProblems({found}, desk.document.loaded());
+        Diagnostic refused = found;
+        refused.message = "the same motor";
+        desk.panel.addRunProblem(refused);
+        QCOMPARE(desk.messages(), QStringList{QStringLiteral("one motor")});
+        refused.code = Code::ControllerFailed; // another reason
+        desk.panel.addRunProblem(refused);
+        QCOMPARE(desk.model().rowCount(), 2);
+    }
+
     void theModelCheckFollowsTheText() {
         ProblemsDesk desk;
         QVERIFY(desk.open(kInWall));

@@ -1,0 +1,100 @@
+// Texts that are too large to be shown at once, and marks that come from elsewhere.
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "editor/text/large_text.h"
+#include "editor/text/text_window.h"
+
+using namespace trundle;
+using namespace trundle::test;
+
+class LargeTextTest final : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void largeTextsAreShownWhenAskedFor();
+    void longLinesAreNotShown();
+    void aTextThatShrinksIsShown();
+    void whatTheModelCheckFindsIsMarked();
+};
+
+/// More text than is shown at once, of `line`s.
+static QByteArray largeText(const QByteArray& line) { return line.repeated(int(kLargestFullText) / int(line.size()) + 1); }
+
+void LargeTextTest::largeTextsAreShownWhenAskedFor() {
+    TextWindow window;
+    const QByteArray large = "#import other.sim\n" + largeText("// what was written here once\n") + "Param p = 1\n";
+    window.write("other.sim", "Param q = 1\n");
+    window.open(window.write("main.sim", large));
+    QVERIFY(!window.page().isTextShown());
+    QVERIFY(window.edit().bytes().empty()); // nothing is kept twice
+    auto* notice = window.page().findChild<QWidget*>(QStringLiteral("largeText"));
+    auto* open = window.page().findChild<QPushButton*>(QStringLiteral("openAsText"));
+    QVERIFY(notice && notice->isVisible() && open->isVisible() && !window.edit().isVisible());
+    QVERIFY(notice->findChild<QLabel*>(QStringLiteral("largeTextWords"))->text().contains(QStringLiteral("main.sim")));
+
+    const auto place = static_cast<std::uint32_t>(large.indexOf("Param"));
+    window.panel.reveal(window.page().file(), {place, place + 5}); // a message leads there
+    QTest::mouseClick(open, Qt::LeftButton);
+    QVERIFY(window.page().isTextShown() && window.edit().isVisible() && !notice->isVisible());
+    QVERIFY(window.edit().isPlain() && !window.edit().wrapsLines());
+    QVERIFY(window.shown() == large);
+    QCOMPARE(window.edit().selection(), (TextRange{place, place + 5}));
+    QTest::keyClicks(&window.edit(), QStringLiteral("x"));
+    window.panel.flush();
+    QByteArray typed = large;
+    typed.replace(qsizetype(place), 5, "x");
+    QVERIFY(window.text() == typed);
+    window.document.undo();
+    QVERIFY(window.shown() == large);
+    // Another file is as ever, with colours.
+    window.panel.reveal(window.document.files()[1], {0, 5});
+    QVERIFY(window.page().isTextShown() && !window.edit().isPlain());
+    QCOMPARE(window.edit().styleAt(0), TextStyle::Keyword);
+}
+
+void LargeTextTest::longLinesAreNotShown() {
+    TextWindow window;
+    const QByteArray line(int(kLongestShownLine) + 1, 'a');
+    window.open(window.write("main.sim", "Param p = 1\n//" + line + "\n"));
+    QVERIFY(!window.page().isTextShown());
+    QVERIFY(!window.page().findChild<QPushButton*>(QStringLiteral("openAsText"))->isVisible());
+    QVERIFY(window.page().findChild<QLabel*>(QStringLiteral("largeTextWords"))->text().startsWith(QStringLiteral("Line 2 of main.sim")));
+}
+
+void LargeTextTest::aTextThatShrinksIsShown() {
+    TextWindow window;
+    const QByteArray large = largeText("// what was written here once\n");
+    const std::string file = window.write("main.sim", large);
+    window.open(file);
+    QVERIFY(!window.page().isTextShown());
+    QVERIFY(window.document.replaceText(QStringLiteral("Shorter"), file, "Param p = 1\n").ok());
+    QVERIFY(window.page().isTextShown() && !window.edit().isPlain());
+    QCOMPARE(window.shown(), QByteArray("Param p = 1\n"));
+    window.document.undo();
+    QVERIFY(!window.page().isTextShown() && window.edit().bytes().empty());
+    QVERIFY(window.text() == large);
+}
+
+void LargeTextTest::whatTheModelCheckFindsIsMarked() {
+    constexpr unsigned long kWarningMark = 9; // the indicator of warnings
+    TextWindow window;
+    window.open(window.write("main.sim", "Tick = 0.01\nDuration = 1\n"));
+    Diagnostic warning;
+    warning.severity = Severity::Warning;
+    warning.code = Code::StartOverlap;
+    warning.range = {0, {12, 20}};
+    window.panel.setModelProblems(window.document.loaded(), {warning});
+    const auto marked = [&](long at) {
+        return window.edit().SendScintilla(QsciScintillaBase::SCI_INDICATORVALUEAT, kWarningMark, at) != 0;
+    };
+    QVERIFY(marked(12) && marked(19) && !marked(11) && !marked(20));
+    QCOMPARE(window.page().problems().size(), std::size_t(1)); // hover and Alt+Enter use these
+    QVERIFY(window.document.replaceText(QStringLiteral("Other"), window.page().file(), "Tick = 0.02\nDuration = 1\n").ok());
+    QVERIFY(!marked(12)); // of other texts
+    window.panel.setModelProblems(window.document.loaded(), {warning});
+    QVERIFY(marked(12));
+}
+
+QTEST_MAIN(LargeTextTest)
+#include "large_text_test.moc"

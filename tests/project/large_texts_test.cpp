@@ -1,0 +1,56 @@
+// Large texts of mistakes: what they cost does not grow with them.
+
+#include <QTest>
+
+#include "sample_project.h"
+
+using namespace trundle;
+using sample::Desk;
+
+class LargeTextsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void mistakesThatStayEndTheReading_data() {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QByteArray>("end");
+        QTest::addColumn<bool>("whole"); ///< all of it has to be read, and nothing is wrong with it
+        QTest::newRow("unknown Params") << QByteArray("Param p% = $(q%)\n") << QByteArray() << false;
+        QTest::newRow("one of them is defined") << QByteArray("Param p% = $(q%)\n") << QByteArray("Param q7 = 1\n") << false;
+        QTest::newRow("circles") << QByteArray("Param p% = $(p%)\n") << QByteArray() << false;
+        QTest::newRow("unknown configs") << QByteArray("Robot r% { Config=c% }\n") << QByteArray() << false;
+        QTest::newRow("unknown kinds") << QByteArray("Foo f% { A=1 } // #%\n") << QByteArray() << false;
+        QTest::newRow("modules") << QByteArray("#loadModule missing%\n") << QByteArray() << false;
+        QTest::newRow("imports") << QByteArray("#import missing%\n") << QByteArray() << false;
+        QTest::newRow("keys") << QByteArray("Light l% { Sped=1 }\n") << QByteArray() << false;
+        QTest::newRow("a Param that comes last") << QByteArray("Param p% = $(q)\n") << QByteArray("Param q = 1\n") << true;
+        QTest::newRow("a Param that is imported last") << QByteArray("Param p% = $(q)\n") << QByteArray("#import q.sim\n") << true;
+        QTest::newRow("a module that comes last") << QByteArray("Robot r% { Config=c Pos=%,0,0 Walker w { Speed=0.1 } }\n") << QByteArray("#loadModule walker\nRobotConfig c { Body b { Box g { Size=1,1,1 Mass=1 } } }\n")
+                                                  << true;
+    }
+    /// What a large text of mistakes costs does not grow with it, and no text is given up that its own end makes right.
+    void mistakesThatStayEndTheReading() {
+        QFETCH(QByteArray, line);
+        QFETCH(QByteArray, end);
+        QFETCH(bool, whole);
+        Desk desk;
+        desk.write("q.sim", "Param q = 1\n");
+        std::string text;
+        const int lines = line.startsWith('#') ? 90'000 : line.startsWith("Robot") && whole ? 12'000 : 30'000; // more than is read at first
+        for (int i = 0; i < lines; ++i) text += QByteArray(line).replace('%', QByteArray::number(i)).toStdString();
+        text += end.toStdString();
+        const auto loaded = desk.open(text);
+        const Tree& tree = *loaded->trees[0];
+        if (whole) {
+            QCOMPARE(tree.extent(), Tree::Extent::Whole);
+            QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).substr(0, 2000).c_str());
+        } else {
+            QCOMPARE(tree.extent(), Tree::Extent::Limited);
+            QVERIFY2(tree.tokens().size() < 300'000, QByteArray::number(qulonglong(tree.tokens().size())));
+            QVERIFY(loaded->diagnostics.all().size() <= 2 * Diagnostics::kMostOfOneFile + 2);
+            QCOMPARE(loaded->diagnostics.all().back().code, Code::TooManyMistakes);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(LargeTextsTest)
+#include "large_texts_test.moc"
