@@ -23,7 +23,8 @@ void Lexer::lexSome(std::vector<Token>& out, std::size_t most) {
 void Lexer::emit(TokenKind kind, std::size_t end) {
     m_tokens.push_back({kind, {static_cast<std::uint32_t>(m_at), static_cast<std::uint32_t>(end)}});
     m_at = end;
-    if (isTrivia(kind)) return;
+    if (isTrivia(kind)) return void(++m_trivia);
+    m_trivia = 0;
     m_last = kind;
     m_firstOnLine = false;
 }
@@ -40,6 +41,8 @@ void Lexer::next() {
 }
 
 bool Lexer::trivia() {
+    if (m_trivia >= kMostTrivia)
+        if (const std::size_t end = commentsEnd(m_at); end > m_at) return emit(TokenKind::LineComment, end), true;
     const char c = at(m_at);
     if (isBlank(c)) return emit(TokenKind::Space, skipBlanks(m_at)), true;
     if (c == '\n' || c == '\r') {
@@ -60,6 +63,26 @@ std::size_t Lexer::blankLinesEnd(std::size_t from) const {
     std::size_t end = from;
     for (std::size_t i = skipBlanks(from); at(i) == '\n' || at(i) == '\r'; i = skipBlanks(end)) end = afterLineEnd(i);
     return end;
+}
+
+std::size_t Lexer::commentsEnd(std::size_t from) const {
+    std::size_t lastLineEnd = std::string_view::npos, i = from;
+    while (i < m_text.size()) {
+        const char c = at(i);
+        if (isBlank(c)) {
+            i = skipBlanks(i);
+        } else if (c == '\n' || c == '\r') {
+            lastLineEnd = i;
+            i = afterLineEnd(i);
+        } else if (startsWith(i, "//")) {
+            i = lineEnd(i);
+        } else {
+            const std::size_t close = startsWith(i, "/*") ? m_text.find("*/", i + 2) : std::string_view::npos;
+            if (close == std::string_view::npos) break;
+            i = close + 2;
+        }
+    }
+    return lastLineEnd == std::string_view::npos ? i : lastLineEnd;
 }
 
 // An expression goes on over a line end only at an operator; so a forgotten `)` costs one line, not the rest of the file.

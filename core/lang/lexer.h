@@ -33,6 +33,7 @@ private:
     [[nodiscard]] std::size_t lineEnd(std::size_t from) const;
     [[nodiscard]] std::size_t afterLineEnd(std::size_t i) const { return i + (at(i) == '\r' && at(i + 1) == '\n' ? 2 : 1); }
     [[nodiscard]] std::size_t blankLinesEnd(std::size_t from) const; ///< behind the last of the blank lines from there on
+    [[nodiscard]] std::size_t commentsEnd(std::size_t from) const; ///< of blanks and comments from there on: their last line end
     [[nodiscard]] std::size_t skipBlanks(std::size_t from) const;
     [[nodiscard]] std::size_t skipTrivia(std::size_t from) const;
     [[nodiscard]] std::size_t letterAt(std::size_t i) const; ///< bytes of the letter or digit there, 0 for anything else
@@ -66,6 +67,8 @@ private:
     std::vector<Token> m_tokens;
     Place m_place = Place::Structure;
     int m_parens = 0;                  ///< open ones of an expression; 0 outside
+    static constexpr std::size_t kMostTrivia = 1000; ///< tokens in a row; comments of further lines are one token
+    std::size_t m_trivia = 0;          ///< tokens of trivia since the last other one
     std::size_t m_continuedAt = 0;     ///< of the expression: where what follows the trivia begins
     bool m_firstOnLine = true;         ///< only blanks and comments before on this line
     bool m_sameLine = false;           ///< the last element stands on this line

@@ -137,17 +137,17 @@ std::vector<FieldValue> ObjectValues::configProperties() {
     return fields;
 }
 
-std::vector<FieldValue> ObjectValues::params() {
+std::vector<FieldValue> ObjectValues::params(std::size_t most) {
     std::vector<FieldValue> fields;
     if (isInstance()) {
         for (const PlacedParam& p : m_config ? m_config->params : std::vector<PlacedParam>())
-            if (!m_kind->find(p.name->text))
+            if (fields.size() < most && !m_kind->find(p.name->text))
                 fields.push_back(readParam(p, m_configScope, m_instance->assignments.find(p.name->text)));
         return fields;
     }
     if (m_inConfig || (m_part && !m_part->is(Role::Config))) return fields;
     for (const PlacedParam& p : m_part ? m_part->params : m_loaded->outline->params)
-        if (!m_kind || !m_kind->find(p.name->text)) fields.push_back(readParam(p, m_scope, nullptr));
+        if (fields.size() < most && (!m_kind || !m_kind->find(p.name->text))) fields.push_back(readParam(p, m_scope, nullptr));
     return fields;
 }
 

@@ -66,8 +66,8 @@ public:
 
     [[nodiscard]] std::vector<FieldValue> properties();
     [[nodiscard]] std::optional<FieldValue> property(std::string_view name);
-    /// Params declared in the object; of an instance, those of its config.
-    [[nodiscard]] std::vector<FieldValue> params();
+    /// The first Params declared in the object; of an instance, those of its config.
+    [[nodiscard]] std::vector<FieldValue> params(std::size_t most);
     /// Of an instance: properties of the config as a whole.
     [[nodiscard]] std::vector<FieldValue> configProperties();
     /// Of an instance: values it sets inside its config, by their paths below it ("leftMotor.Resistance").

@@ -30,6 +30,8 @@ struct Listed {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
+constexpr std::size_t kMostOfSection = 200; // rows: each is some widgets
+
 /// All fields of one object, in order.
 class Lister {
 public:
@@ -62,8 +64,12 @@ private:
         }
     }
 
-    void addParams(const QString& section) {
-        for (FieldValue& v : m_object.params()) {
+    void addParams(const QString& title) {
+        std::vector<FieldValue> params = m_object.params(kMostOfSection + 1);
+        const bool more = params.size() > kMostOfSection;
+        if (more) params.pop_back();
+        const QString section = more ? QObject::tr("%1: the first %2, the others are in the text").arg(title).arg(kMostOfSection) : title;
+        for (FieldValue& v : params) {
             const std::string id = "param." + v.path.substr(v.path.rfind('.') + 1);
             add(id, section, std::move(v), nullptr);
         }
@@ -79,7 +85,9 @@ private:
     }
 
     void addOverrides(const QString& section) {
+        std::size_t shown = 0;
         for (const std::string& key : m_object.overrides()) {
+            if (++shown > kMostOfSection) break;
             const std::size_t dot = key.rfind('.');
             ObjectValues inner(m_loaded, m_object.path() + "." + key.substr(0, dot));
             std::optional<FieldValue> value = inner.property(key.substr(dot + 1));

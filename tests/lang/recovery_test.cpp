@@ -126,6 +126,27 @@ private Q_SLOTS:
         QCOMPARE(tree->source().position(tree->items()[1].range.begin).line, 100'001u);
     }
 
+    void manyCommentsAreFewTokens_data() {
+        QTest::addColumn<QByteArray>("piece");
+        QTest::newRow("lines") << QByteArray("// why\n");
+        QTest::newRow("empty lines of comment") << QByteArray("//\r\n");
+        QTest::newRow("blocks") << QByteArray("/**/");
+        QTest::newRow("blocks over lines") << QByteArray("/* a\n b */  \n");
+    }
+    void manyCommentsAreFewTokens() {
+        QFETCH(QByteArray, piece);
+        const std::string text = "A=1 " + piece.repeated(100'000).toStdString() + "B=2";
+        const auto tree = parsed(text + "\n");
+        QVERIFY2(tree->diagnostics().empty(), texts::messages(*tree).c_str());
+        QCOMPARE(tree->items().size(), std::size_t(2));
+        QVERIFY2(tree->tokens().size() < 1100, QByteArray::number(qulonglong(tree->tokens().size())));
+        QVERIFY(print(*tree) == text + "\n");
+        // What is first on its line stays so, and a comment without an end is found behind all the others.
+        const auto directive = parsed(piece.repeated(2000).toStdString() + "\n#import a.sim\n/* open");
+        QCOMPARE(directive->diagnostics().size(), std::size_t(1));
+        QCOMPARE(directive->diagnostics()[0].code, Code::UnclosedComment);
+    }
+
     /// Each line end in an expression asks what comes next: looking through the same comments again and again would take minutes.
     void anExpressionGoesOnBehindManyComments() {
         const std::string comments = QByteArray("// one more\n").repeated(200'000).toStdString();

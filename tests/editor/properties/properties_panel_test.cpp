@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 
 using namespace trundle;
@@ -293,6 +294,15 @@ private Q_SLOTS:
         QCOMPARE(desk.rover(), replaced(before, "track = 0.25", "track = $(wheelRadius/10)"));
         desk.type("param.track", QStringLiteral("0.3"));
         desk.picture("config");
+    }
+
+    /// Each row is some widgets: ten thousand of them would take a gigabyte.
+    void ofManyParamsTheFirstAreShown() {
+        PanelDesk desk;
+        std::string text;
+        for (int i = 0; i < 1000; ++i) text += "Param p" + std::to_string(i) + " = 1\n";
+        QVERIFY(desk.open(text));
+        QCOMPARE(desk.panel.findChildren<QWidget*>(QRegularExpression(QStringLiteral("^row\\.param\\."))).size(), 200);
     }
 
     void overridesAreListedAtTheInstance() {
