@@ -30,7 +30,13 @@ HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent), m_index(guideFolde
 }
 
 void HelpPanel::showKind(const Kind* kind) {
-    const QString place = kind ? m_index.placeOf(*kind) : QString();
+    showPlace(kind ? m_index.placeOf(*kind) : QString());
+}
+
+void HelpPanel::showConstruct(const QString& word) { showPlace(m_index.placeOf(word)); }
+
+/// "language.md#geoms"; empty: the first page.
+void HelpPanel::showPlace(const QString& place) {
     QUrl url = QUrl::fromLocalFile(guideFolder() + QLatin1Char('/') +
                                    (place.isEmpty() ? QStringLiteral("index.md") : place.section(QLatin1Char('#'), 0, 0)));
     if (place.contains(QLatin1Char('#'))) url.setFragment(place.section(QLatin1Char('#'), 1));

@@ -13,8 +13,10 @@ public:
 
     /// The place that explains the kind; the first page where there is none, or for nullptr.
     void showKind(const Kind* kind);
+    void showConstruct(const QString& word); ///< "#import", "Param"
 
 private:
+    void showPlace(const QString& place);
     void onSourceChanged(const QUrl& source);
     void setType();
     void fitPictures();

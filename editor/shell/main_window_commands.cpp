@@ -71,9 +71,12 @@ const Kind* MainWindow::kindForHelp() {
 }
 
 void MainWindow::showHelp() {
-    const Kind* kind = kindForHelp(); // before the dock may take the keyboard
+    // Before the dock may take the keyboard.
+    const QString construct = m_document->isOpen() && m_text->hasKeyboard() ? m_text->constructAtCaret() : QString();
+    const Kind* kind = kindForHelp();
     m_layouts->raise(QStringLiteral("guide"));
-    m_help->showKind(kind);
+    if (construct.isEmpty()) m_help->showKind(kind);
+    else m_help->showConstruct(construct);
 }
 
 void MainWindow::showText(bool shown) {

@@ -60,6 +60,8 @@ public:
 
     /// The kind of block whose word the caret is at, else that of the block round it; nullptr where there is none.
     [[nodiscard]] const Kind* kindAtCaret();
+    /// "#import", "#loadModule" or "Param" where the caret is in one; else empty.
+    [[nodiscard]] QString constructAtCaret();
 
     void goToDefinition(std::uint32_t offset);
     void showUses(std::uint32_t offset);

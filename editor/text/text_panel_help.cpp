@@ -82,6 +82,15 @@ const Kind* TextPanel::kindAtCaret() {
     return named ? named : place.kind;
 }
 
+QString TextPanel::constructAtCaret() {
+    FilePage* page = this->page();
+    if (!page || !page->flush() || page->id() == kNoFile) return {};
+    const Item* item = placeAt(*m_document.loaded(), page->id(), page->edit().caret()).item;
+    if (item && item->as<ImportItem>()) return QStringLiteral("#import");
+    if (item && item->as<ModuleItem>()) return QStringLiteral("#loadModule");
+    return item && item->as<ParamItem>() ? QStringLiteral("Param") : QString();
+}
+
 void TextPanel::goToDefinition(std::uint32_t offset) {
     FilePage* page = this->page();
     if (!page) return;

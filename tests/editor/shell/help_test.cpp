@@ -62,6 +62,14 @@ private Q_SLOTS:
         QCOMPARE(helpOn("robot0.leftAxle"), QStringLiteral("language.md#joints"));
         QCOMPARE(helpOn("robot0.brain"), QStringLiteral("language.md#controllers"));
         QCOMPARE(helpOn(""), QStringLiteral("language.md#a-text"));
+        QCOMPARE(helpOn("arena"), QStringLiteral("language.md#configs-and-instances"));
+        QCOMPARE(helpOn("RobotConfig.SimpleRobot"), QStringLiteral("language.md#configs-and-instances"));
+        QCOMPARE(helpOn("robot0.chassis"), QStringLiteral("language.md#bodies-and-mass"));
+        QCOMPARE(helpOn("robot0.leftWheel.tyre"), QStringLiteral("language.md#geoms"));
+        QCOMPARE(helpOn("robot0.leftMotor"), QStringLiteral("language.md#devices"));
+        QCOMPARE(helpOn("robot0.base"), QStringLiteral("language.md#devices"));
+        QCOMPARE(helpOn("path"), QStringLiteral("logs.md#logs"));
+        QCOMPARE(helpOn("Material.black"), QStringLiteral("language.md#materials-surfaces-lights"));
         m_window->selection().clear();
         m_window->actions().at("help.guide").trigger();
         QCOMPARE(guide->source().fileName(), QStringLiteral("index.md"));
@@ -70,10 +78,17 @@ private Q_SLOTS:
         text->page()->edit().setFocus();
         EVENTUALLY(text->hasKeyboard());
         const std::string_view all = m_window->document().loaded()->trees[text->page()->id()]->source().bytes();
-        const auto at = static_cast<std::uint32_t>(all.find("PoseLog") + 2);
-        text->page()->edit().select({at, at});
-        m_window->actions().at("help.guide").trigger();
-        QCOMPARE(guide->source().fileName(), QStringLiteral("logs.md"));
+        const auto helpAt = [&](std::string_view word) {
+            const auto at = static_cast<std::uint32_t>(all.find(word) + 2);
+            text->page()->edit().setFocus();
+            text->page()->edit().select({at, at});
+            m_window->actions().at("help.guide").trigger();
+            return guide->source().fileName() + QLatin1Char('#') + guide->source().fragment();
+        };
+        QCOMPARE(helpAt("PoseLog"), QStringLiteral("logs.md#logs"));
+        QCOMPARE(helpAt("#import"), QStringLiteral("language.md#imports-and-modules"));
+        QCOMPARE(helpAt("#loadModule"), QStringLiteral("language.md#imports-and-modules"));
+        QCOMPARE(helpAt("LinearMotion"), QStringLiteral("language.md#controllers"));
     }
 
     /// "*Insert ▸ Sensors and Actuators ▸ Camera*" leads to an entry while a body is selected.
