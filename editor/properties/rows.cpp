@@ -68,7 +68,7 @@ private:
         std::vector<FieldValue> params = m_object.params(kMostOfSection + 1);
         const bool more = params.size() > kMostOfSection;
         if (more) params.pop_back();
-        const QString section = more ? QObject::tr("%1: the first %2, the others are in the text").arg(title).arg(kMostOfSection) : title;
+        const QString section = more ? QObject::tr("%1: the first %2, the others are in the text").arg(title, QString::number(kMostOfSection)) : title;
         for (FieldValue& v : params) {
             const std::string id = "param." + v.path.substr(v.path.rfind('.') + 1);
             add(id, section, std::move(v), nullptr);

@@ -52,8 +52,7 @@ void LargeTextNotice::setSize(const QString& file, const TextSize& size) {
                              .arg(file, words(size.bytes), words(kLargestFullText)));
     else
         m_words->setText(tr("Line %1 of %2 has %3. The text editor shows lines up to %4; use another program to edit this file.")
-                             .arg(size.longestAt)
-                             .arg(file, words(size.longestLine), words(kLongestShownLine)));
+                             .arg(QString::number(size.longestAt), file, words(size.longestLine), words(kLongestShownLine)));
 }
 
 } // namespace trundle
