@@ -96,6 +96,21 @@ bool ConfigUsers::reaches(const Loaded& loaded, const std::string& from, const s
     });
 }
 
+std::vector<std::string> ConfigUsers::dependentsOutside(const Loaded& loaded, const std::set<std::string>& files) {
+    m_ofLoad.clear();
+    std::vector<std::string> found;
+    for (const std::string& path : textsIn(loaded.projectFolder)) {
+        if (std::ranges::find(loaded.paths, path) != loaded.paths.end()) continue;
+        const bool depends = std::ranges::any_of(files, [&](const std::string& file) {
+            std::set<std::string> seen;
+            return reaches(loaded, path, file, seen);
+        });
+        if (depends) found.push_back(path);
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
 std::vector<std::string> ConfigUsers::of(const Loaded& loaded, const Part& config) {
     m_ofLoad.clear();
     if (config.file >= loaded.paths.size()) return {};

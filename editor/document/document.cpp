@@ -155,6 +155,12 @@ Result<std::shared_ptr<const Loaded>> Document::loadedWith(const FileTexts& text
     return m_parts.open(m_state->opened, options);
 }
 
+Result<std::shared_ptr<const Loaded>> Document::loadedFrom(const std::string& file) const {
+    OpenOptions options = optionsNow();
+    options.previous = nullptr; // of another opened file
+    return m_parts.open(file, options);
+}
+
 std::string Document::path() const { return m_state->isNew() ? m_state->name : m_state->opened; }
 
 bool Document::isNew() const { return m_state->isNew(); }

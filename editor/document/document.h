@@ -38,8 +38,7 @@ public:
 
     /// Replaces what is open, and forgets its edits: who calls has asked. Fails, and leaves all as it was, where the file cannot be read. A text with errors opens.
     [[nodiscard]] Status open(const std::string& path);
-    /// The same without waiting: reads in a thread, then opened(), or openFailed() with all as it was. Until then edits are
-    /// refused. A later open, new or close takes its place.
+    /// The same in a thread, then opened() or openFailed(); until then edits are refused. A later open, new or close takes its place.
     void openLater(const std::string& path);
     [[nodiscard]] bool isOpening() const { return !m_opening.empty(); }
     void cancelOpening(); ///< what is open stays so
@@ -66,6 +65,8 @@ public:
     [[nodiscard]] std::vector<std::string> files() const;
     /// Null for a file that is not of this project.
     [[nodiscard]] std::shared_ptr<const std::string> text(const std::string& file) const;
+    [[nodiscard]] Status addText(const std::string& file); ///< takes in one of the project's folder that nothing imports
+    [[nodiscard]] Result<std::shared_ptr<const Loaded>> loadedFrom(const std::string& file) const; ///< another text, with these
     /// As people know it: relative to the project's folder.
     [[nodiscard]] std::string shown(const std::string& file) const;
     /// One of those that came with the program. It can be edited here, and is kept by saveAs() only.
@@ -75,8 +76,9 @@ public:
 
     /// Changes texts. Fails, says refused() and changes nothing where the edits do not fit the texts.
     Status edit(const QString& name, const FileEdits& edits, const std::string& mergeKey = {});
-    /// Puts a whole text in place of a file's; the text editor's way in.
+    /// Puts whole texts in place of a file's, or of several as one entry, addText() included; the text editor's way in.
     Status replaceText(const QString& name, const std::string& file, std::string bytes, const std::string& mergeKey = {});
+    Status replaceTexts(const QString& name, const FileTexts& texts, const std::vector<std::string>& selects = {});
     /// Carries out a plan, and selects what it made.
     Status carryOut(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey = {});
     /// Sets values, all or none, where StructureEdits says. One that does not fit is refused with the reason, and the texts stay.
@@ -85,8 +87,7 @@ public:
     [[nodiscard]] StructureEdits& structure() const;
     /// What the texts would mean with these in their place. Nothing is changed.
     [[nodiscard]] Result<std::shared_ptr<const Loaded>> loadedWith(const FileTexts& texts) const;
-    /// Ends a drag: the next edit is an entry of its own whatever its merge key.
-    void endMerge();
+    void endMerge(); ///< ends a drag: the next edit is an entry of its own whatever its merge key
     /// Takes back what was edited under this key since the last entry of another one, as if it had never been: no entry is left, and
     /// what could be redone before can be redone again. Does nothing after endMerge().
     void withdraw(const std::string& mergeKey);
@@ -109,8 +110,7 @@ public:
     /// pictures and modules; notice() says which. Fails, having written nothing, where one of those would take the place of another.
     /// Under its own path it is save(), but for the samples.
     [[nodiscard]] Status saveAs(const std::string& path, ModuleCopies modules = ModuleCopies::Make);
-    /// What saveAs() would copy.
-    [[nodiscard]] Result<Companions> companionsAt(const std::string& path) const;
+    [[nodiscard]] Result<Companions> companionsAt(const std::string& path) const; ///< what saveAs() would copy
 
     /// Looks whether another program wrote one of the files. Called by itself when the system tells of it.
     void lookAtDisk();

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/platform/read_file.h"
 #include "editor/document/document.h"
 #include "editor/document/document_state.h"
 #include "editor/document/structure_edits.h"
 #include "lang/tree_edit.h"
+#include "project/loader.h"
 #include "project/search.h"
 #include "project/set_path.h"
 
@@ -135,6 +137,26 @@ Status Document::replaceText(const QString& name, const std::string& file, std::
     const Status entered = enter(name, {{path, std::make_shared<const std::string>(std::move(bytes))}}, mergeKey);
     if (makes && !entered) m_state->files.remove(path);
     return answer(entered);
+}
+
+Status Document::addText(const std::string& file) {
+    if (m_state->files.find(file)) return {};
+    if (!isOpen() || isNew() || isSample(file) || canonicalPath(file) != file || !liesInside(file, {m_loaded->projectFolder}))
+        return Error{Code::FileUnreadable, shown(file) + " is no text of this project"};
+    const Result<std::string> bytes = readRegularFile(file, kMaxTextBytes);
+    if (!bytes) return bytes.error();
+    m_state->files.take(file, bytes.value());
+    sayWatched();
+    return {};
+}
+
+Status Document::replaceTexts(const QString& name, const FileTexts& texts, const std::vector<std::string>& selects) {
+    if (Status may = mayEdit(); !may) return answer(may);
+    for (const auto& [file, text] : texts)
+        if (Status added = addText(file); !added) return answer(added);
+    if (Status entered = enter(name, texts, {}); !entered) return answer(entered);
+    if (!selects.empty()) Q_EMIT selectionWanted(selects);
+    return {};
 }
 
 Status Document::carryOut(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey) {

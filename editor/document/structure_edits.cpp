@@ -8,6 +8,7 @@
 #include <set>
 
 #include "editor/document/document.h"
+#include "editor/document/project_rename.h"
 #include "lang/tree_edit.h"
 #include "project/text_splice.h"
 
@@ -62,6 +63,21 @@ Status StructureEdits::apply(const QString& name, const std::vector<std::string>
 
 Status StructureEdits::rename(const QString& name, const std::string& path, const std::string& to) {
     if (!m_document.isOpen()) return m_document.edit({}, {}); // says why it is refused
+    const ProjectRename others(m_document, path, path.substr(path.rfind('.') + 1));
+    const std::uint64_t before = m_document.revision();
+    const Status done = renameHere(name, path, to);
+    if (done && m_document.revision() != before && !others.usesOutside().empty()) {
+        QStringList files;
+        for (const ProjectRename::Use& use : others.usesOutside())
+            files += QObject::tr("%1 (%2)").arg(shown(use.file)).arg(use.count);
+        Q_EMIT m_document.notice(QObject::tr("Texts that are not loaded still have the old name: %1. To rename it there too, undo this and "
+                                             "press F2 in the text.")
+                                     .arg(files.join(QStringLiteral(", "))));
+    }
+    return done;
+}
+
+Status StructureEdits::renameHere(const QString& name, const std::string& path, const std::string& to) {
     const auto place = placeOf(*m_document.loaded(), path);
     const Part* top = !place || !place->part ? nullptr : place->above.empty() ? place->part : place->above.front();
     if (!top || !top->is(Role::Config)) return m_document.carryOut(name, planRename(*m_document.loaded(), path, to));

@@ -57,6 +57,7 @@ public:
     [[nodiscard]] Result<std::string> copyConfig(const std::string& path, const std::string& mergeKey = {});
 
 private:
+    Status renameHere(const QString& name, const std::string& path, const std::string& to);
     struct Work;
     Status advance(const std::shared_ptr<Work>& work);
     Status ask(const std::shared_ptr<Work>& work, const Part& config);

@@ -26,7 +26,7 @@ static constexpr ActionRow kTable[] = {
     {"edit.rename",    "Edit",        "Rena&me…",                "rename",      "F2",             "Give the selected object, or what is named at the caret, another name, also where others refer to it."},
     {"edit.selectAll", "Edit",        "Select &All",             "",            "Ctrl+A",         "Select all robots and statics."},
     {"edit.find",      "|Edit",       "&Find…",                  "find",        "Ctrl+F",         "Find in the text, or in all files of the experiment."},
-    {"edit.findInFiles", "Edit",      "F&ind in Files…",         "",            "Ctrl+Shift+F",   "Find in every file of the experiment and list the places."},
+    {"edit.findInFiles", "Edit",      "F&ind in Files…",         "",            "Ctrl+Shift+F",   "Find in every text file of the project and list the places."},
     {"edit.replace",   "Edit",        "R&eplace…",               "",            "Ctrl+H",         "Find and replace in the text, or in all files of the experiment."},
     {"edit.filter",    "Edit",        "Filter &Scene…",          "",            "Ctrl+Shift+L",   "Go to the filter of the scene tree."},
     {"text.complete",  "|Edit/Text",  "Com&plete",               "",            "Ctrl+Space",     "List what may stand at the caret."},

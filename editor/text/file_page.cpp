@@ -88,7 +88,8 @@ void FilePage::showText() {
         });
     }
     if (m_notice) m_notice->setSize(QString::fromStdString(m_document.shown(m_file)), size);
-    m_edit->setPlain(size.isLarge());
+    const bool experiment = id() != kNoFile || m_file.ends_with(".sim") || m_file.ends_with(".txt"); // else the source of a module
+    m_edit->setPlain(size.isLarge() || !experiment);
     m_edit->load(m_shown ? text : std::string_view());
     m_edit->setReadOnly(!m_shown);
     m_edit->setVisible(m_shown);

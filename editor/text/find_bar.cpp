@@ -27,7 +27,7 @@ FindBar::FindBar(QWidget* parent)
     m_replace->setObjectName(QStringLiteral("replaceText"));
     m_replace->setPlaceholderText(tr("Replace with"));
     m_everywhere->setObjectName(QStringLiteral("findEverywhere"));
-    m_everywhere->setToolTip(tr("In every file of the experiment; what is found is listed, the Down key goes there"));
+    m_everywhere->setToolTip(tr("In every text file of the project; what is found is listed, the Down key goes there"));
     m_said->setObjectName(QStringLiteral("findSaid"));
     const auto button = [this](const QString& text, const QString& name, const QString& tip) {
         auto* b = new QToolButton(this);

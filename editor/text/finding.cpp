@@ -6,16 +6,21 @@
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/find_bar.h"
+#include "editor/text/large_text.h"
 #include "editor/text/results_list.h"
 #include "editor/text/text_panel.h"
-#include "lang/edit_style.h"
 
 namespace trundle {
 namespace {
 
 constexpr std::size_t kMostListed = 1000;
 
-std::string lineEndOf(const Document& document, FileId file) { return editStyle(*document.loaded()->trees[file]).lineEnd; }
+/// The end of the first line.
+std::string lineEndOf(std::string_view text) {
+    const std::size_t end = text.find_first_of("\r\n");
+    if (end == std::string_view::npos) return "\n";
+    return std::string(text.substr(end, text.substr(end, 2) == "\r\n" ? 2 : 1));
+}
 
 } // namespace
 
@@ -67,6 +72,7 @@ void Finding::close() {
 
 void Finding::look() {
     m_found.clear();
+    m_others.clear();
     const SearchWish wish = m_bar.wish();
     const TextSearch search(wish);
     if (!search.valid()) {
@@ -79,7 +85,8 @@ void Finding::look() {
         FilePage* page = m_panel.pageOf(file);
         std::vector<TextRange> marks;
         const auto text = m_document.text(file);
-        if (text && (m_bar.everywhere() || page == front)) {
+        const bool shown = page ? page->isTextShown() : text && text->size() <= kLargestFullText;
+        if (text && shown && (m_bar.everywhere() || page == front)) {
             for (TextMatch& match : search.in(*text)) {
                 marks.push_back(match.range);
                 m_found.push_back({file, std::move(match)});
@@ -87,8 +94,30 @@ void Finding::look() {
         }
         if (page) page->edit().showMatches(marks);
     }
+    searchProject(search);
     list();
     count();
+}
+
+/// Texts of the project's folder that the experiment does not load: as they are here where they are open, else as the disk has them.
+void Finding::searchProject(const TextSearch& search) {
+    FilePage* front = m_panel.page();
+    std::vector<ProjectTexts::Text> texts;
+    if (m_bar.everywhere() && !m_document.isNew()) texts = m_project.in(m_document.loaded()->projectFolder);
+    else if (front) texts.push_back({front->file(), nullptr});
+    const std::vector<std::string> loaded = m_document.files();
+    for (ProjectTexts::Text& text : texts) {
+        if (std::ranges::find(loaded, text.path) != loaded.end()) continue;
+        if (const auto own = m_document.text(text.path)) text.bytes = own;
+        if (!text.bytes) continue;
+        std::vector<TextRange> marks;
+        for (TextMatch& match : search.in(*text.bytes)) {
+            marks.push_back(match.range);
+            m_found.push_back({text.path, std::move(match)});
+        }
+        if (!marks.empty()) m_others.emplace(text.path, std::make_shared<const SourceText>(text.path, text.bytes));
+        if (FilePage* page = m_panel.pageOf(text.path)) page->edit().showMatches(marks);
+    }
 }
 
 /// One row for each, while all files are looked through.
@@ -103,16 +132,20 @@ void Finding::list() {
         files += found.file != last;
         last = found.file;
         const auto path = std::find(loaded.paths.begin(), loaded.paths.end(), found.file);
-        if (rows.size() == kMostListed || path == loaded.paths.end()) continue;
-        const SourceText& text = loaded.trees[static_cast<std::size_t>(path - loaded.paths.begin())]->source();
+        const auto other = m_others.find(found.file);
+        if (rows.size() == kMostListed || (path == loaded.paths.end() && other == m_others.end())) continue;
+        const SourceText& text = other != m_others.end()
+                                     ? *other->second
+                                     : loaded.trees[static_cast<std::size_t>(path - loaded.paths.begin())]->source();
         const std::uint32_t line = text.position(found.match.range.begin).line;
         rows.push_back(
             {found.file, m_document.shown(found.file), line, found.match.range, std::string(text.line(line)), false});
     }
-    QString title = m_found.empty() ? tr("Nothing found in the files of this experiment")
+    QString title = m_found.empty() ? tr("Nothing found in the project")
                                     : files == 1 ? tr("%1 found in one file").arg(m_found.size())
                                                   : tr("%1 found in %2 files").arg(m_found.size()).arg(files);
     if (m_found.size() > kMostListed) title += tr("; the first %1 are listed").arg(kMostListed);
+    if (m_project.left() > 0) title += tr("; %n larger file(s) not searched", nullptr, static_cast<int>(m_project.left()));
     m_list.showRows(title, std::move(rows));
 }
 
@@ -172,7 +205,9 @@ void Finding::step(int direction) {
     if (next >= 0) {
         next = (next + direction + total) % total;
     } else { // none is selected: the nearest one that way
-        const auto files = m_document.files();
+        std::vector<std::string> files = m_document.files();
+        for (const Found& f : m_found)
+            if (std::find(files.begin(), files.end(), f.file) == files.end()) files.push_back(f.file);
         const auto order = [&](const std::string& file) { return std::find(files.begin(), files.end(), file) - files.begin(); };
         const std::pair caret(order(page->file()), page->edit().selection().begin);
         next = 0;
@@ -195,10 +230,12 @@ void Finding::replaceOne() {
     if (at < 0) return step(+1);
     const Found found = m_found[static_cast<std::size_t>(at)];
     FilePage* page = m_panel.page();
-    const FileId file = page->id();
-    if (file == kNoFile) return;
-    const std::string text = TextSearch(m_bar.wish()).replacement(found.match, m_bar.replacement(), lineEndOf(m_document, file));
-    if (!m_document.edit(tr("Replace"), {{file, {{{file, found.match.range}, text}}}})) return;
+    const auto before = m_document.text(found.file);
+    if (!before) return;
+    const std::string text = TextSearch(m_bar.wish()).replacement(found.match, m_bar.replacement(), lineEndOf(*before));
+    std::string after = *before;
+    after.replace(found.match.range.begin, found.match.range.size(), text);
+    if (!m_document.replaceText(tr("Replace"), found.file, std::move(after))) return;
     const auto end = found.match.range.begin + static_cast<std::uint32_t>(text.size());
     page->edit().select({end, end});
     step(+1);
@@ -208,17 +245,25 @@ void Finding::replaceAll() {
     m_panel.flush();
     look();
     const TextSearch search(m_bar.wish());
-    const std::vector<std::string>& paths = m_document.loaded()->paths;
-    FileEdits edits;
-    for (const Found& found : m_found) {
-        const auto at = std::find(paths.begin(), paths.end(), found.file);
-        if (at == paths.end()) continue;
-        const auto file = static_cast<FileId>(at - paths.begin());
-        edits[file].push_back(
-            {{file, found.match.range}, search.replacement(found.match, m_bar.replacement(), lineEndOf(m_document, file))});
+    std::map<std::string, std::vector<const Found*>> byFile;
+    for (const Found& found : m_found) byFile[found.file].push_back(&found);
+    FileTexts texts;
+    for (const auto& [file, matches] : byFile) {
+        const auto other = m_others.find(file);
+        const std::string_view before = other != m_others.end() ? other->second->bytes() : std::string_view(*m_document.text(file));
+        const std::string lineEnd = lineEndOf(before);
+        std::string after;
+        std::size_t at = 0;
+        for (const Found* found : matches) {
+            after += before.substr(at, found->match.range.begin - at);
+            after += search.replacement(found->match, m_bar.replacement(), lineEnd);
+            at = found->match.range.end;
+        }
+        after += before.substr(at);
+        texts.emplace(file, std::make_shared<const std::string>(std::move(after)));
     }
     const int total = static_cast<int>(m_found.size());
-    if (edits.empty() || !m_document.edit(tr("Replace All"), edits)) return;
+    if (texts.empty() || !m_document.replaceTexts(tr("Replace All"), texts)) return;
     m_bar.say(tr("%n replaced", nullptr, total));
 }
 

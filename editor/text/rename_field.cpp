@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QCheckBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,7 +12,7 @@
 
 namespace trundle {
 
-RenameField::RenameField(QWidget* viewport) : QFrame(viewport), m_name(new QLineEdit(this)), m_error(new QLabel(this)) {
+RenameField::RenameField(QWidget* viewport) : QFrame(viewport), m_name(new QLineEdit(this)), m_others(new QCheckBox(this)), m_error(new QLabel(this)) {
     setObjectName(QStringLiteral("renameField"));
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
@@ -26,7 +27,11 @@ RenameField::RenameField(QWidget* viewport) : QFrame(viewport), m_name(new QLine
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(3, 3, 3, 3);
     layout->setSpacing(3);
+    m_others->setObjectName(QStringLiteral("renameOthers"));
+    m_others->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard in the line
+    m_others->hide();
     layout->addWidget(m_name);
+    layout->addWidget(m_others);
     layout->addWidget(m_error);
     connect(m_name, &QLineEdit::textEdited, this, [this] {
         m_error->hide();
@@ -47,6 +52,16 @@ void RenameField::open(const QPoint& topLeft, const QString& name) {
     m_name->selectAll();
 }
 
+void RenameField::offerOthers(const QString& sentence, const QString& tip) {
+    m_others->setText(sentence);
+    m_others->setToolTip(tip);
+    m_others->setChecked(true);
+    m_others->show();
+    fit();
+}
+
+bool RenameField::renamesOthers() const { return !m_others->isHidden() && m_others->isChecked(); }
+
 void RenameField::showError(const QString& sentence) {
     m_error->setStyleSheet(QStringLiteral("color: %1").arg(ink(Ink::Error).name()));
     m_error->setText(sentence);
@@ -61,7 +76,9 @@ void RenameField::fit() {
     const QRect room = parentWidget()->rect().adjusted(2, 2, -2, -2);
     const int name = m_name->fontMetrics().horizontalAdvance(m_name->text()) + 40;
     const int sentence = m_error->isHidden() ? 0 : m_error->fontMetrics().horizontalAdvance(m_error->text()) + 20;
-    const int wide = std::min(std::clamp(std::max(name, std::min(sentence, kWidest)), kNarrowest, kWidest), room.width());
+    const int others = m_others->isHidden() ? 0 : m_others->sizeHint().width() + 10;
+    const int wide =
+        std::min(std::max(others, std::clamp(std::max(name, std::min(sentence, kWidest)), kNarrowest, kWidest)), room.width());
     setFixedWidth(wide);
     const int high = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(wide) : layout()->totalSizeHint().height();
     resize(wide, high);

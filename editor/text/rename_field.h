@@ -1,6 +1,7 @@
 #pragma once
 #include <QFrame>
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 
@@ -15,6 +16,9 @@ public:
 
     /// Opens over the text that starts at `topLeft`, with the keyboard and all of `name` selected.
     void open(const QPoint& topLeft, const QString& name);
+    /// Offers to rename it also in texts that are not loaded; `tip` lists them.
+    void offerOthers(const QString& sentence, const QString& tip);
+    [[nodiscard]] bool renamesOthers() const;
     void showError(const QString& sentence); ///< why the name cannot be had; until it is changed
 
 Q_SIGNALS:
@@ -29,6 +33,7 @@ private:
     void fit();
 
     QLineEdit* m_name;
+    QCheckBox* m_others;
     QLabel* m_error;
     QPoint m_at;
 };

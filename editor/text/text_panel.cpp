@@ -251,7 +251,10 @@ void TextPanel::connectPage(FilePage& page) {
 
 FilePage* TextPanel::openFile(const std::string& file) {
     FilePage* page = pageOf(file);
-    if (!page && m_document.text(file)) page = addPage(file);
+    if (!page) { // of a text that no import leads to, too
+        if (const Status added = m_document.addText(file); !added) tell(QString::fromStdString(added.error().message));
+        if (m_document.text(file)) page = addPage(file);
+    }
     if (page) m_tabs->setCurrentWidget(page);
     return page;
 }

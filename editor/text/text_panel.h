@@ -30,6 +30,7 @@ struct ModelProblems;
 class FindBar;
 class Finding;
 class RenameField;
+class ProjectRename;
 class ResultsList;
 class Selection;
 class TextCommands;
@@ -107,7 +108,8 @@ private:
     void showHover(FilePage& page, std::uint32_t offset, const QPoint& globalPos);
     void showLink(FilePage& page, std::uint32_t offset);
     void showMenu(FilePage& page, const QPoint& globalPos);
-    void rename(FilePage& page, const std::string& path, const QString& from, const QString& to);
+    void offerOthers(const ProjectRename& renaming);
+    void rename(FilePage& page, ProjectRename& renaming, const QString& from, const QString& to);
     void tell(const QString& text); ///< beside the caret, for a moment
 
     Document& m_document;

@@ -6,6 +6,7 @@
 #include <QToolTip>
 
 #include "editor/document/document.h"
+#include "editor/document/project_rename.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/hover.h"
@@ -135,17 +136,34 @@ void TextPanel::renameAt(std::uint32_t offset) {
     delete m_rename;
     m_rename = new RenameField(edit.viewport());
     const QString name = QString::fromStdString(symbol->name);
+    const auto renaming = std::make_shared<ProjectRename>(m_document, symbol->path, symbol->name);
     connect(m_rename, &RenameField::closed, page, [page] { page->setFocus(); });
     connect(m_rename, &RenameField::renameRequested, page,
-            [this, page, path = symbol->path, name](const QString& to) { rename(*page, path, name, to); });
+            [this, page, renaming, name](const QString& to) { rename(*page, *renaming, name, to); });
     connect(&m_document, &Document::changed, m_rename, &QWidget::hide); // the name may be another one now
     m_rename->open(edit.placeOf(symbol->word.range.begin) - QPoint(4, edit.lineHeight() + 4), name);
+    offerOthers(*renaming);
 }
 
-void TextPanel::rename(FilePage& page, const std::string& path, const QString& from, const QString& to) {
+/// Texts of the project that this experiment does not load would name nothing after a rename: they are counted, listed, and changed too.
+void TextPanel::offerOthers(const ProjectRename& renaming) {
+    if (renaming.usesOutside().empty()) return;
+    int uses = 0;
+    QStringList lines;
+    for (const ProjectRename::Use& use : renaming.usesOutside()) {
+        uses += static_cast<int>(use.count);
+        lines += tr("%1: %2").arg(QString::fromStdString(m_document.shown(use.file))).arg(use.count);
+    }
+    if (!renaming.isComplete()) lines += tr("Others were not read: the project has more than %1 files that import it").arg(ProjectRename::kMostTexts);
+    const auto files = static_cast<int>(renaming.usesOutside().size());
+    m_rename->offerOthers(files == 1 ? tr("Also in %1, which is not loaded (%2)").arg(QString::fromStdString(m_document.shown(renaming.usesOutside()[0].file))).arg(uses)
+                                     : tr("Also in %1 files that are not loaded (%2)").arg(files).arg(uses),
+                          lines.join(QLatin1Char('\n')));
+}
+
+void TextPanel::rename(FilePage& page, ProjectRename& renaming, const QString& from, const QString& to) {
     if (to != from) {
-        const Result<EditPlan> plan = planRename(*m_document.loaded(), path, to.toStdString());
-        const Status done = plan ? m_document.carryOut(tr("Rename %1 to %2").arg(from, to), plan) : Status(plan.error());
+        const Status done = renaming.apply(tr("Rename %1 to %2").arg(from, to), to.toStdString(), m_rename->renamesOthers());
         if (!done) return m_rename->showError(QString::fromStdString(done.error().message));
     }
     m_rename->hide();

@@ -1,0 +1,100 @@
+#include "editor/document/project_rename.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/platform/read_file.h"
+#include "editor/document/document.h"
+#include "lang/tree_edit.h"
+#include "project/plans.h"
+
+namespace trundle {
+
+namespace {
+
+/// Edits of one load by the file that they change.
+std::map<std::string, std::vector<TextEdit>> byPath(const Loaded& loaded, const FileEdits& edits) {
+    std::map<std::string, std::vector<TextEdit>> all;
+    for (const auto& [file, changes] : edits)
+        if (file < loaded.paths.size()) all[loaded.paths[file]] = changes;
+    return all;
+}
+
+bool isLoaded(const Loaded& loaded, const std::string& file) {
+    return std::ranges::find(loaded.paths, file) != loaded.paths.end();
+}
+
+/// Whether two plans change the same characters of one file: then they rename the same thing.
+bool sharePlace(const std::map<std::string, std::vector<TextEdit>>& a, const std::map<std::string, std::vector<TextEdit>>& b) {
+    return std::ranges::any_of(a, [&](const auto& own) {
+        const auto theirs = b.find(own.first);
+        return theirs != b.end() && std::ranges::any_of(own.second, [&](const TextEdit& x) {
+                   return std::ranges::any_of(theirs->second,
+                                              [&](const TextEdit& y) { return x.range.range == y.range.range; });
+               });
+    });
+}
+
+} // namespace
+
+ProjectRename::ProjectRename(Document& document, std::string path, const std::string& oldName)
+    : m_document(document), m_path(std::move(path)) {
+    if (document.isNew()) return;
+    const std::string probe = oldName + "_"; // counts the places; another name cannot make them more or less
+    const Loaded& loaded = *document.loaded();
+    const Result<EditPlan> own = planRename(loaded, m_path, probe);
+    if (!own) return;
+    std::set<std::string> changed;
+    for (const auto& [file, edits] : byPath(loaded, own.value().edits)) changed.insert(file);
+    ConfigUsers users;
+    std::map<std::string, std::size_t> counts;
+    for (const std::string& file : users.dependentsOutside(loaded, changed)) {
+        if (m_others.size() == kMostTexts) {
+            m_complete = false;
+            break;
+        }
+        const Result<std::shared_ptr<const Loaded>> other = document.loadedFrom(file);
+        const Result<FilePlans> plan = other ? planOutside(*other.value(), probe) : Result<FilePlans>(other.error());
+        if (!plan || plan.value().empty()) continue;
+        m_others.push_back(other.value());
+        for (const auto& [path, edits] : plan.value()) counts[path] = std::max(counts[path], edits.size());
+    }
+    for (const auto& [file, count] : counts) m_uses.push_back({file, count});
+}
+
+/// The edits of texts that the document has not loaded; none where the path means something else there.
+Result<ProjectRename::FilePlans> ProjectRename::planOutside(const Loaded& other, const std::string& name) const {
+    const Loaded& loaded = *m_document.loaded();
+    const Result<EditPlan> own = planRename(loaded, m_path, name), theirs = planRename(other, m_path, name);
+    if (!own) return own.error();
+    if (!theirs) return theirs.error();
+    FilePlans plans = byPath(other, theirs.value().edits);
+    if (!sharePlace(byPath(loaded, own.value().edits), plans)) return FilePlans{};
+    std::erase_if(plans, [&](const auto& plan) { return isLoaded(loaded, plan.first); });
+    return plans;
+}
+
+Status ProjectRename::apply(const QString& title, const std::string& name, bool everywhere) {
+    const Loaded& loaded = *m_document.loaded();
+    const Result<EditPlan> own = planRename(loaded, m_path, name);
+    if (!own || !everywhere || m_others.empty()) return m_document.carryOut(title, own);
+    FilePlans all = byPath(loaded, own.value().edits);
+    for (const auto& other : m_others) {
+        const Result<FilePlans> plan = planOutside(*other, name);
+        if (!plan) return Error{plan.error().code, m_document.shown(other->paths[0]) + ": " + plan.error().message};
+        for (const auto& [file, edits] : plan.value())
+            for (const TextEdit& edit : edits)
+                if (std::ranges::none_of(all[file], [&](const TextEdit& e) { return e.range.range == edit.range.range; }))
+                    all[file].push_back(edit);
+    }
+    FileTexts texts;
+    for (const auto& [file, edits] : all) {
+        if (Status added = m_document.addText(file); !added) return added;
+        Result<std::string> bytes = applyEdits(*m_document.text(file), edits);
+        if (!bytes) return bytes.error();
+        texts.emplace(file, std::make_shared<const std::string>(std::move(bytes).value()));
+    }
+    return m_document.replaceTexts(title, texts, own.value().selects);
+}
+
+} // namespace trundle
