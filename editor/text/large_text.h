@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace trundle {
 
-/// Of more text than this the editor shows nothing until it is asked to, and then without colours and folds. It needs about ten times
-/// the size of a text that it shows in full, 1.5 times that of a plain one.
+/// Of more text than this the editor shows nothing until it is asked to, and then without colours and folds: those take a byte or more
+/// for each byte of the text, and the tokens for them several.
 inline constexpr std::size_t kLargestFullText = std::size_t(4) << 20; // bytes
 /// A line that is longer is not shown at all: the place of each of its characters would be computed with each change of its height.
 inline constexpr std::size_t kLongestShownLine = std::size_t(256) << 10; // bytes
