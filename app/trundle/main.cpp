@@ -60,6 +60,8 @@ bool g_leaving = false; // the program goes by itself
 /// Code of a controller called exit(), or Qt lost its display: this thread would take down what the others use.
 void onExit() {
     if (g_leaving) return;
+    for (const int fault : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) // in threads that still use what exit() destroys
+        std::signal(fault, [](int) { std::_Exit(4); });
     std::fputs("trundle: ended from within, by code of a module or as the display is gone; unsaved edits are offered at the next "
                "start\n",
                stderr); // and no more than that: other threads fall already

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
+#include <QScopedValueRollback>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -87,26 +88,29 @@ void LiveTable::display(const std::vector<LiveGroup>& groups, const QString& hin
     m_hint->setVisible(!hint.isEmpty());
     m_table->setVisible(!groups.empty());
     setVisible(!groups.empty() || !hint.isEmpty());
+    m_groups = groups;
     if (std::vector<Line> lines = linesOf(groups); lines != m_lines) {
         m_lines = std::move(lines);
-        style();
-        rebuild(groups);
+        rebuild();
     } else {
-        fill(groups);
+        fill();
     }
     fit();
 }
 
 bool LiveTable::update(const std::vector<LiveGroup>& groups) {
     if (linesOf(groups) != m_lines) return false;
-    fill(groups);
+    m_groups = groups;
+    fill();
     return true;
 }
 
-void LiveTable::rebuild(const std::vector<LiveGroup>& groups) {
-    m_stacked = stacking();
+void LiveTable::rebuild() {
+    const QScopedValueRollback<bool> rebuilding(m_rebuilding, true);
     m_rows.clear();
     m_table->clear();
+    style();
+    m_stacked = stacking();
     const auto addRow = [this](const std::string& name) {
         return new QTreeWidgetItem(m_table, QStringList{QString::fromStdString(name)});
     };
@@ -123,12 +127,12 @@ void LiveTable::rebuild(const std::vector<LiveGroup>& groups) {
         }
     }
     style();
-    fill(groups);
+    fill();
 }
 
-void LiveTable::fill(const std::vector<LiveGroup>& groups) {
+void LiveTable::fill() {
     std::size_t i = 0;
-    for (const LiveGroup& group : groups) {
+    for (const LiveGroup& group : m_groups) {
         for (const LiveValue& value : group.values) {
             const Row& row = m_rows[i++];
             row.value->setText(kNow, inColumns(value));
@@ -139,7 +143,6 @@ void LiveTable::fill(const std::vector<LiveGroup>& groups) {
                 for (int column = 0; column < kLiveColumns; ++column) item->setToolTip(column, tip);
         }
     }
-    m_groups = groups;
 }
 
 /// Which names have no room beside their numbers. The columns of style() are there.
@@ -189,8 +192,9 @@ void LiveTable::changeEvent(QEvent* event) {
 }
 
 bool LiveTable::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize && stacking() != m_stacked) {
-        rebuild(m_groups);
+    // Emptying and filling the table resizes it as well: its scroll bar goes and comes.
+    if (event->type() == QEvent::Resize && !m_rebuilding && stacking() != m_stacked) {
+        rebuild();
         fit();
     }
     return QWidget::eventFilter(watched, event);

@@ -49,8 +49,8 @@ private:
         QTreeWidgetItem *name, *value;
     };
     [[nodiscard]] static std::vector<Line> linesOf(const std::vector<LiveGroup>& groups);
-    void rebuild(const std::vector<LiveGroup>& groups);
-    void fill(const std::vector<LiveGroup>& groups);
+    void rebuild();
+    void fill();
     [[nodiscard]] std::vector<bool> stacking() const;
     void style();
     void fit();
@@ -62,6 +62,7 @@ private:
     std::vector<bool> m_stacked;     // of each line: its name stands above its numbers
     std::vector<Row> m_rows;         // of each line that is no heading
     std::vector<LiveGroup> m_groups; // as shown last
+    bool m_rebuilding = false;
     int m_mostHeight = 300;
 };
 
