@@ -6,6 +6,7 @@
 // A change of structure (insert, remove, move, rename) goes into the config itself. Where others use that config too, the user decides
 // between all of them and a copy. A config that came with the program is read-only: it is always copied.
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,9 @@ struct EditTarget {
 
 /// Writes a copy of a config under a free name before the first of `instances`, which use it from then on; they are all of one file.
 /// Without instances the copy goes to the end of the opened file. Comments and the author's layout stay; what the config imports or
-/// names by a relative path is found from the new place as well. `selects` is the path of the copy.
-[[nodiscard]] Result<EditPlan> planCopyConfig(const Loaded& loaded, const Part& config,
-                                              const std::vector<const Part*>& instances);
+/// names by a relative path is found from the new place as well. What its block imports from one of the files `inlined` (absolute)
+/// is written out in the copy, so that it can be changed there alone. `selects` is the path of the copy.
+[[nodiscard]] Result<EditPlan> planCopyConfig(const Loaded& loaded, const Part& config, const std::vector<const Part*>& instances,
+                                              const std::set<std::string>& inlined = {});
 
 } // namespace trundle

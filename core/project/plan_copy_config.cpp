@@ -50,8 +50,8 @@ std::uint32_t aboveBlock(const Tree& tree, std::uint32_t at) {
 
 class ConfigCopy {
 public:
-    ConfigCopy(const Loaded& loaded, const Part& config, std::vector<const Part*> instances)
-        : m_loaded(loaded), m_config(config), m_instances(std::move(instances)), m_sheet(loaded) {
+    ConfigCopy(const Loaded& loaded, const Part& config, std::vector<const Part*> instances, const std::set<std::string>& inlined)
+        : m_loaded(loaded), m_config(config), m_instances(std::move(instances)), m_inlined(inlined), m_sheet(loaded) {
         std::stable_sort(m_instances.begin(), m_instances.end(),
                          [](const Part* a, const Part* b) { return a->range.range.begin < b->range.range.begin; });
         if (!m_instances.empty()) m_home = m_instances.front()->file;
@@ -75,8 +75,8 @@ private:
     Result<std::string> block(const std::string& name) {
         const SourceRange whole = m_config.range;
         std::vector<TextEdit> edits{{{whole.file, m_config.block->name->range}, name}};
-        if (fs::path(m_loaded.paths[m_home]).parent_path() != fs::path(m_loaded.paths[whole.file]).parent_path())
-            collectFiles(*m_config.block, edits);
+        m_copied = {whole};
+        if (Status status = collect(m_config.block->items, m_config.kind, whole.file, edits); !status.ok()) return status.error();
         for (TextEdit& edit : edits) {
             edit.range.range.begin -= whole.range.begin;
             edit.range.range.end -= whole.range.begin;
@@ -91,28 +91,57 @@ private:
         return from + dedented(text.value(), indent);
     }
 
-    /// Words of files that mean another one, or none, from the folder of the copy.
-    void collectFiles(const BlockItem& block, std::vector<TextEdit>& edits) const {
-        const Kind* kind = m_loaded.registry->find(block.type.text);
-        for (const Item& item : block.items) {
-            if (const auto* inner = item.as<BlockItem>()) collectFiles(*inner, edits);
-            if (const auto* import = item.as<ImportItem>()) {
-                const auto& imports = m_loaded.outline->texts().imports;
-                if (const auto file = imports.find(import); file != imports.end())
-                    change(import->pathRange, import->path, m_loaded.paths[file->second], edits);
-            }
+    /// What is written otherwise in the copy: words of files that mean another one, or none, from its folder, and imports that are
+    /// written out.
+    Status collect(const std::vector<Item>& items, const Kind* kind, FileId file, std::vector<TextEdit>& edits) {
+        for (const Item& item : items) {
+            if (const auto* inner = item.as<BlockItem>())
+                if (Status status = collect(inner->items, m_loaded.registry->find(inner->type.text), file, edits); !status.ok())
+                    return status;
+            if (const auto* import = item.as<ImportItem>())
+                if (Status status = collectImport(item, *import, kind, file, edits); !status.ok()) return status;
             const auto* a = item.as<AssignmentItem>();
             const Property* property = a && kind && a->path.size() == 1 ? kind->find(a->path[0].text) : nullptr;
             if (!property || property->type != PropertyType::File) continue;
             for (const Element& e : a->value.elements) {
-                const auto named = m_loaded.named.find({m_config.file, e.text});
+                const auto named = m_loaded.named.find({file, e.text});
                 if (named != m_loaded.named.end() && !named->second.path.empty())
-                    change(e.range, e.text, named->second.path, edits);
+                    change({file, e.range}, e.text, named->second.path, edits);
             }
         }
+        return {};
     }
 
-    void change(TextRange range, const std::string& written, const std::string& path, std::vector<TextEdit>& edits) const {
+    Status collectImport(const Item& item, const ImportItem& import, const Kind* kind, FileId file, std::vector<TextEdit>& edits) {
+        const auto& imports = m_loaded.outline->texts().imports;
+        const auto found = imports.find(&import);
+        if (found == imports.end()) return {};
+        const std::string& path = m_loaded.paths[found->second];
+        if (!m_inlined.contains(path)) {
+            change({file, import.pathRange}, import.path, path, edits);
+            return {};
+        }
+        const Tree& tree = *m_loaded.trees[found->second];
+        std::vector<TextEdit> within;
+        if (Status status = collect(tree.items(), kind, found->second, within); !status.ok()) return status;
+        const Result<std::string> bytes = applyEdits(tree.source().bytes(), within);
+        if (!bytes.ok()) return bytes.error();
+        m_copied.push_back({found->second, {0, static_cast<std::uint32_t>(tree.source().bytes().size())}});
+        std::string_view text = bytes.value();
+        if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+        while (!text.empty() && (isBlank(text.back()) || text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+        const std::string indent = indentOfLine(m_loaded.trees[file]->source().bytes(), item.range.begin);
+        std::string out = "// From " + shownInProject(path, m_loaded.projectFolder) + "\n" + indent;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            out += text[i];
+            const bool isLine = text[i] == '\n' && i + 1 < text.size() && text[i + 1] != '\n' && text[i + 1] != '\r';
+            if (isLine) out += indent;
+        }
+        edits.push_back({{file, item.range}, out});
+        return {};
+    }
+
+    void change(const SourceRange& range, const std::string& written, const std::string& path, std::vector<TextEdit>& edits) const {
         const fs::path here = fs::path(m_loaded.paths[m_home]).parent_path();
         const FileSearch search(m_loaded.importFolders);
         const auto leads = [&](const std::string& words) {
@@ -120,7 +149,7 @@ private:
             return found && found.value() == path;
         };
         std::error_code none;
-        const fs::path before = fs::path(m_loaded.paths[m_config.file]).parent_path();
+        const fs::path before = fs::path(m_loaded.paths[range.file]).parent_path();
         const bool beside = fs::weakly_canonical(before / written, none) == path;
         if (!beside || leads(written)) return; // it was found in a folder that is searched from anywhere
         std::vector<std::string> words;
@@ -129,7 +158,7 @@ private:
         words.push_back(fs::path(path).lexically_relative(here).string());
         const auto fit = std::find_if(words.begin(), words.end(),
                                       [&](const std::string& w) { return !w.empty() && !w.starts_with("..") && leads(w); });
-        edits.push_back({{m_config.file, range}, "\"" + (fit == words.end() ? words.back() : *fit) + "\""});
+        edits.push_back({range, "\"" + (fit == words.end() ? words.back() : *fit) + "\""});
     }
 
     void write(const std::string& text) {
@@ -147,10 +176,11 @@ private:
 
     /// What the block names, where the new text would not get it from what it imports already.
     Status import() {
-        if (m_config.file == m_home) return {};
+        if (m_copied.size() == 1 && m_config.file == m_home) return {};
         std::vector<std::string> paths;
         for (const Mention& mention : mentionsIn(m_loaded)) {
-            if (!mention.user || !isWithin(mention.user->range, m_config.range)) continue;
+            const auto isUser = [&](const SourceRange& copied) { return mention.user && isWithin(mention.user->range, copied); };
+            if (std::none_of(m_copied.begin(), m_copied.end(), isUser)) continue;
             for (const auto& part : m_loaded.outline->parts)
                 if (mention.target == part->block && part->file != m_home) paths.push_back(m_loaded.paths[part->file]);
             for (const PlacedParam& param : m_loaded.outline->params)
@@ -166,19 +196,22 @@ private:
     const Loaded& m_loaded;
     const Part& m_config;
     std::vector<const Part*> m_instances;
+    const std::set<std::string>& m_inlined;
+    std::vector<SourceRange> m_copied; ///< texts that come into the copy
     EditSheet m_sheet;
     FileId m_home = 0;
 };
 
 } // namespace
 
-Result<EditPlan> planCopyConfig(const Loaded& loaded, const Part& config, const std::vector<const Part*>& instances) {
+Result<EditPlan> planCopyConfig(const Loaded& loaded, const Part& config, const std::vector<const Part*>& instances,
+                                const std::set<std::string>& inlined) {
     if (!config.kind || !config.block->name) return Error{Code::WrongPlace, config.title() + " cannot be copied: it has no name"};
     for (const Part* instance : instances)
         if (isShippedFile(loaded, instance->file))
             return Error{Code::FileUnwritable, instance->title() + " is in " + loaded.trees[instance->file]->source().path() +
                                                    ", which came with the program and is read-only; place one in your own file"};
-    return ConfigCopy(loaded, config, instances).plan();
+    return ConfigCopy(loaded, config, instances, inlined).plan();
 }
 
 } // namespace trundle

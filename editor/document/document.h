@@ -74,7 +74,8 @@ public:
 
     // --- edits: each is one entry of the history, or joins the last one under the same merge key ---
 
-    /// Changes texts. Fails, says refused() and changes nothing where the edits do not fit the texts.
+    /// Changes texts. Fails, says refused() and changes nothing where the edits do not fit the texts, or where one is of an imported
+    /// file that came with the program: that is changed by typing in it alone, and then saved by saveAs().
     Status edit(const QString& name, const FileEdits& edits, const std::string& mergeKey = {});
     /// Puts whole texts in place of a file's, or of several as one entry, addText() included; the text editor's way in.
     Status replaceText(const QString& name, const std::string& file, std::string bytes, const std::string& mergeKey = {});
@@ -169,6 +170,7 @@ private:
     [[nodiscard]] Result<FileTexts> textsAfter(const FileEdits& edits) const;
     [[nodiscard]] Status enterSets(const QString& name, const std::vector<std::string>& sets, const std::string& mergeKey);
     [[nodiscard]] Status mayEdit();
+    [[nodiscard]] Status mayChange(const FileEdits& edits) const; ///< none of them is of an imported file that came with the program
     Status answer(Status status); ///< says refused() where it failed
     void sayEdited();
     void sayModified();

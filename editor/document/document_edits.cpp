@@ -6,6 +6,7 @@
 #include "editor/document/document_state.h"
 #include "editor/document/structure_edits.h"
 #include "lang/tree_edit.h"
+#include "project/edit_target.h"
 #include "project/loader.h"
 #include "project/search.h"
 #include "project/set_path.h"
@@ -70,6 +71,14 @@ Status Document::mayEdit() {
     return {};
 }
 
+Status Document::mayChange(const FileEdits& edits) const {
+    for (const auto& [file, changes] : edits)
+        if (!changes.empty() && isShippedFile(*m_loaded, file))
+            return Error{Code::FileUnwritable, shown(m_loaded->paths[file]) + " came with Trundle and is read-only; define your own in " +
+                                                   shown(m_state->opened) + " under another name and use that instead"};
+    return {};
+}
+
 Status Document::put(const FileTexts& texts, const Judge& judge) {
     FileTexts before;
     for (const auto& [file, text] : texts) before.emplace(file, m_state->files.text(file));
@@ -122,6 +131,7 @@ Result<FileTexts> Document::textsAfter(const FileEdits& edits) const {
 
 Status Document::edit(const QString& name, const FileEdits& edits, const std::string& mergeKey) {
     if (Status may = mayEdit(); !may) return answer(may);
+    if (Status may = mayChange(edits); !may) return answer(may);
     Result<FileTexts> after = textsAfter(edits);
     return answer(after ? enter(name, std::move(after).value(), mergeKey) : Status(after.error()));
 }
@@ -189,6 +199,7 @@ Status Document::setValues(const QString& name, const std::vector<ValueEdit>& va
 Status Document::enterSets(const QString& name, const std::vector<std::string>& sets, const std::string& mergeKey) {
     const Result<FileEdits> edits = editsForSets(*m_loaded, sets);
     if (!edits) return edits.error();
+    if (Status may = mayChange(edits.value()); !may) return may;
     Result<FileTexts> after = textsAfter(edits.value());
     if (!after) return after.error();
     std::vector<SourceRange> places;

@@ -36,6 +36,7 @@ struct StructureEdits::Work {
     FileTexts texts;                           ///< that differ from the document's
     std::map<std::string, std::string> copies; ///< paths of configs and of their copies
     std::set<std::string> decided;             ///< keys of configs that are changed themselves
+    std::set<std::string> changed;             ///< files that the plan changes: what a copied config imports from them is part of the copy
     QStringList notices;
     Status status;
     bool answered = false;
@@ -95,6 +96,7 @@ Status StructureEdits::advance(const std::shared_ptr<Work>& work) {
         for (const Part* config : configsChangedBy(loaded, plan.value()))
             if (!next && !work->decided.contains(keyOf(loaded, *config))) next = config;
         if (!next) return finish(*work, plan.value());
+        for (const auto& [file, edits] : plan.value().edits) work->changed.insert(loaded.paths[file]);
         const std::string key = keyOf(loaded, *next);
         if (work->copies.contains(pathOfConfig(*next)))
             return m_document.carryOut({}, Error{Code::WrongPlace, next->title() + " is changed by this as well as its copy; "
@@ -138,7 +140,9 @@ Status StructureEdits::ask(const std::shared_ptr<Work>& work, const Part& config
     ShareQuestion question;
     question.config = text(config.name);
     question.file = shown(loaded.paths[config.file]);
-    question.copyFile = shown(loaded.paths[instances.empty() ? FileId{0} : instances.front()->file]);
+    const FileId copyFile = instances.empty() ? FileId{0} : instances.front()->file;
+    question.copyFile = shown(loaded.paths[copyFile]);
+    question.copyIsForOpened = copyFile == 0;
     for (const std::string& user : m_users.of(loaded, config)) question.users += shown(user);
     for (const Part* instance : instances) question.copyFor += text(instance->name);
     question.instances = instancesOf(loaded, config).size();
@@ -150,7 +154,7 @@ Status StructureEdits::ask(const std::shared_ptr<Work>& work, const Part& config
         if (work->revision != m_document.revision()) { // edited meanwhile: begin with what there is now
             work->loaded = m_document.loaded();
             work->revision = m_document.revision();
-            work->texts.clear(), work->copies.clear(), work->decided.clear(), work->notices.clear();
+            work->texts.clear(), work->copies.clear(), work->decided.clear(), work->changed.clear(), work->notices.clear();
         }
         work->answered = false;
         work->status = m_document.isOpen() ? advance(work) : Status();
@@ -162,7 +166,7 @@ Status StructureEdits::copy(Work& work, const Part& config) {
     const Loaded& loaded = *work.loaded;
     const std::vector<const Part*> instances = copyUsers(work, config);
     const bool isShipped = isShippedFile(loaded, config.file);
-    const Result<EditPlan> plan = planCopyConfig(loaded, config, instances);
+    const Result<EditPlan> plan = planCopyConfig(loaded, config, instances, work.changed);
     if (!plan) return plan.error();
     const std::string from = pathOfConfig(config), to = plan.value().selects.front();
     const QString copyName = text(to.substr(to.rfind('.') + 1));
@@ -194,13 +198,6 @@ Status StructureEdits::reload(Work& work, const EditPlan& plan) {
 }
 
 Status StructureEdits::finish(Work& work, const EditPlan& plan) {
-    const Loaded& loaded = *work.loaded;
-    for (const auto& [file, edits] : plan.edits)
-        if (isShippedFile(loaded, file))
-            return m_document.carryOut({},
-                                       Error{Code::FileUnwritable, m_document.shown(loaded.paths[file]) +
-                                                                       " came with the program and is read-only; copy what you "
-                                                                       "want to change into your own file"});
     if (work.copies.empty()) return m_document.carryOut(work.name, plan, work.mergeKey);
     const std::vector<std::string> selects = plan.selects;
     if (Status read = reload(work, plan); !read) return m_document.carryOut({}, read.error());
@@ -232,7 +229,7 @@ Result<std::vector<std::string>> StructureEdits::pathsForValues(const std::vecto
             const EditTarget target = targetOf(path);
             const std::string config = target.isShipped ? pathOfConfig(*target.config) : std::string();
             if (target.isShipped && !m_copies.contains(config)) {
-                Result<std::string> copy = copyConfig(config, mergeKey);
+                Result<std::string> copy = copyConfig(path.substr(0, path.rfind('.')), mergeKey);
                 if (!copy) return copy.error();
                 m_copies.emplace(config, std::move(copy).value());
             }
@@ -252,6 +249,7 @@ Result<std::string> StructureEdits::copyConfig(const std::string& path, const st
     const Part* config = place && place->instance ? configOf(*work.loaded, *place->instance) : top;
     if (!config || !config->is(Role::Config)) return Error{Code::NoSuchPath, path + " is no part of a config"};
     const std::string from = pathOfConfig(*config);
+    work.changed = {work.loaded->paths[place->part->file]};
     if (Status done = copy(work, *config); !done) return done.error();
     EditPlan none;
     work.name = QObject::tr("Copy %1").arg(text(config->name));

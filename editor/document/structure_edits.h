@@ -26,6 +26,7 @@ struct ShareQuestion {
     QStringList users;         ///< files that place it, as shown
     QStringList copyFor;       ///< the instances that would use the copy: "robot0"
     std::size_t instances = 0; ///< in the opened experiment
+    bool copyIsForOpened = true; ///< copyFile is the opened one
 };
 
 class StructureEdits {

@@ -20,6 +20,14 @@ QString usersOf(const ShareQuestion& question) {
     return files == 1 ? tr("1 file uses it") : tr("no file uses it yet");
 }
 
+/// Who gets the copy: some of the instances, or all of a file.
+QString copyButtonText(const ShareQuestion& question) {
+    const auto some = question.copyFor.size();
+    if (some == 1 && question.instances > 1) return tr("Make a copy for %1").arg(question.copyFor.front());
+    if (some > 0 && std::size_t(some) < question.instances) return tr("Make a copy for these %1").arg(some);
+    return question.copyIsForOpened ? tr("Make a copy for this experiment") : tr("Make a copy for %1").arg(question.copyFile);
+}
+
 } // namespace
 
 void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const StructureEdits::Answer& answer) {
@@ -42,7 +50,7 @@ void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const 
     QPushButton* all =
         box->addButton(tr("Change %1 for all (%2)").arg(question.config, usersOf(question)), QMessageBox::AcceptRole);
     all->setObjectName(QStringLiteral("changeForAll"));
-    QPushButton* copy = box->addButton(tr("Make a copy for this experiment"), QMessageBox::AcceptRole);
+    QPushButton* copy = box->addButton(copyButtonText(question), QMessageBox::AcceptRole);
     copy->setObjectName(QStringLiteral("makeCopy"));
     box->setDefaultButton(copy);
     QObject::connect(box, &QMessageBox::finished, box, [box, all, copy, answer] {

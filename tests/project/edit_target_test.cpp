@@ -174,6 +174,32 @@ Robot s { Pos=1,0,0 Config = Rover2 }
         QCOMPARE(after->named.size(), 2u);
     }
 
+    /// A config whose block imports a file: what is to be changed there is written out in the copy.
+    void copiesWriteOutWhatTheyImport() {
+        PlanDesk desk;
+        const std::string robot = "#import paint.sim\nRobotConfig Cart {\n  #import parts/body.sim\n  #import parts/other.sim\n}\n";
+        const std::string body = "// The body.\nBody b {\n  Box x { Size=1,1,1 Mass=1 Material=white }\n}\n";
+        const auto loaded = desk.open({{"configs/main.sim", "#import robots/cart.sim\nRobot r { Config=Cart }\n"},
+                                       {"configs/robots/cart.sim", robot},
+                                       {"configs/robots/paint.sim", "Material white { ColorRGB=1,1,1 }\n"},
+                                       {"configs/robots/parts/body.sim", body},
+                                       {"configs/robots/parts/other.sim", "Body o { Box x { Size=1,1,1 Pos=2,0,0 Mass=1 } }\n"}},
+                                      "configs/main.sim");
+        QVERIFY2(!loaded->diagnostics.hasErrors(), sample::rendered(*loaded).c_str());
+        const std::string inner = desk.path("configs/robots/parts/body.sim");
+        const auto plan = planCopyConfig(*loaded, config(*loaded, "Cart"), instancesOf(*loaded, config(*loaded, "Cart")), {inner});
+        const std::string text = desk.text(loaded, plan, "configs/main.sim");
+        QVERIFY2(text.find("RobotConfig Cart2 {\n  // From robots/parts/body.sim\n  // The body.\n  Body b {\n    Box x { Size=1,1,1 Mass=1 "
+                           "Material=white }\n  }\n") != std::string::npos,
+                 text.c_str());
+        QVERIFY2(text.find("other.sim") != std::string::npos, text.c_str()); // which is not changed
+        const auto after = desk.carryOut(loaded, plan);
+        QVERIFY2(!after->diagnostics.hasErrors(), sample::rendered(*after).c_str());
+        QCOMPARE(after->experiment->robots[0].config->bodies.size(), std::size_t(2));
+        const Part* copied = config(*after, "Cart2").find("b");
+        QVERIFY(copied && after->paths[copied->file] == desk.path("configs/main.sim"));
+    }
+
     void copiesOfNothing() {
         PlanDesk desk;
         const auto loaded = desk.open({{"main.sim", "#import rover.sim\n"}, {"rover.sim", kRover}, {"common.sim", kCommon}});

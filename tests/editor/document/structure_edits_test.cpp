@@ -183,6 +183,56 @@ private Q_SLOTS:
     }
 
     /// A value on the only instance of a config in the same file goes into the config, by whatever gesture.
+    /// A change inside what a config's block imports, for one experiment alone.
+    void aCopyOfWhatABlockImports() {
+        const Desk desk;
+        desk.write("configs/robots/rover.sim", "RobotConfig Rover {\n  #import parts.sim\n}\n");
+        const std::string kept = "Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 } }\n", parts = desk.write("configs/robots/parts.sim", kept);
+        desk.write("configs/other.sim", kOther);
+        Document d(*m_parts);
+        QVERIFY(d.open(desk.main).ok());
+        QCOMPARE(messages(*d.loaded()), "");
+        const Asked asked(d, ShareChoice::MakeCopy);
+        QCOMPARE(why(insert(d, "robot0.chassis", "Sphere nose { Radius=0.1 Mass=1 }")), "");
+        QCOMPARE(messages(*d.loaded()), "");
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{desk.main});
+        QCOMPARE(*d.text(parts), kept);
+        QVERIFY2(holds(*d.text(desk.main), "Sphere nose"), d.text(desk.main)->c_str());
+        QCOMPARE(d.history().entries().size(), 1u);
+        QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].geoms.size(), 2u);
+    }
+
+    /// Materials, surfaces and whatever else an imported file of the program defines: nothing but typing changes it, and it is said why.
+    void shippedFilesAreReadOnly() {
+        const Desk desk;
+        const std::string main = desk.write("configs/mine.sim", "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n");
+        Document d(*m_parts);
+        QVERIFY(d.open(main).ok());
+        QSignalSpy refused(&d, &Document::refused);
+        int tried = 0;
+        const auto isRefused = [&](const Status& done) {
+            const QString words = refused.isEmpty() ? QString() : refused.takeLast().at(0).toString();
+            return !done.ok() && !d.isModified() && d.history().entries().empty() && words.contains(u"read-only"_qs) &&
+                   words.contains(u"mine.sim"_qs);
+        };
+        const auto loaded = d.loaded();
+        for (const Part* part : loaded->outline->materials.all()) {
+            if (!isShippedFile(*loaded, part->file)) continue;
+            ++tried;
+            QVERIFY(isRefused(d.setValues(u"Set"_qs, {{"Material." + part->name + ".ColorRGB", "1,0,1"}})));
+            QVERIFY(isRefused(d.setValues(u"Drag"_qs, {{"Material." + part->name + ".ColorRGB", "1,0,1"}}, "drag")));
+            QVERIFY(isRefused(d.structure().rename(u"Rename"_qs, "Material." + part->name, "Mine")));
+            QVERIFY(isRefused(d.carryOut(u"Remove"_qs, planRemove(*d.loaded(), {"Material." + part->name})))
+                    || !planRemove(*loaded, {"Material." + part->name}).ok()); // something uses it
+        }
+        for (const Part* part : loaded->outline->surfaces.all())
+            if (isShippedFile(*loaded, part->file)) {
+                ++tried;
+                QVERIFY(isRefused(d.setValues(u"Set"_qs, {{"Surface." + part->name + ".Friction", "0.1"}})));
+            }
+        QVERIFY(tried > 2);
+    }
+
     void valuesGoWhereTheRuleSays() {
         const Desk desk;
         const std::string file = desk.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
