@@ -12,6 +12,7 @@
 #include <set>
 
 #include "lang/characters.h"
+#include "lang/tree_edit.h"
 #include "model/passive.h"
 #include "project/edit_sheet.h"
 #include "project/import_lines.h"
@@ -227,6 +228,24 @@ private:
         return fs::path(shown).is_absolute() ? written : "\"" + shown + "\"";
     }
 
+    /// A block of the opened file as it is written in the new one: without the Params of this file, which cannot be named there.
+    Result<std::string> movedText(const Part& part) const {
+        const auto place = placeOf(m_loaded, part.kind->name + "." + part.name);
+        std::vector<TextEdit> edits;
+        for (const PlacedAssignment& a : part.assignments.all()) {
+            if (isLiteral(*a.value) || a.file != part.range.file) continue;
+            const Property* property = part.kind->find(a.key);
+            const std::optional<PropertyValue> value = place ? valueAt(m_loaded, *place, a.key) : std::nullopt;
+            if (!property || !value)
+                return Error{Code::UnknownParam, a.key + " of " + part.title() + " cannot be worked out; write its value out before it is part of a piece"};
+            TextRange range = a.value->range;
+            range.begin -= part.range.range.begin;
+            range.end -= part.range.range.begin;
+            edits.push_back({{part.range.file, range}, valueText(*property, *value)});
+        }
+        return applyEdits(blockText(m_loaded, part.range), edits);
+    }
+
     /// Imports of what is used; what stands in the opened file itself is taken out of it.
     Result<std::string> imports() {
         std::set<std::string> files;
@@ -238,10 +257,9 @@ private:
             if (!part) continue; // built in
             if (part->file != 0) files.insert(shownInProject(m_loaded.paths[part->file], m_loaded.projectFolder));
             else if (moved.insert(part).second) {
-                const auto& all = part->assignments.all();
-                if (!std::all_of(all.begin(), all.end(), [](const PlacedAssignment& a) { return isLiteral(*a.value); }))
-                    return Error{Code::UnknownParam, part->title() + " uses Params of this file; write its values out before it is part of a piece"};
-                m_moved += blockText(m_loaded, part->range) + "\n";
+                Result<std::string> text = movedText(*part);
+                if (!text.ok()) return text.error();
+                m_moved += text.value() + "\n";
                 m_sheet.removeItem(part->range);
             }
         }

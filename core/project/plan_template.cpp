@@ -59,6 +59,20 @@ public:
         return all;
     }
 
+    /// A Robot of one body that has one geom, standing on the ground.
+    std::string writeObject(const Kind& geom) {
+        const Kind *config = m_loaded.registry->find("RobotConfig"), *robot = m_loaded.registry->find("Robot");
+        if (geom.role != Role::Geom || std::find(geom.parents.begin(), geom.parents.end(), "Body") == geom.parents.end()) return {};
+        const std::string title = geom.name == "Sphere" ? "Ball" : geom.name;
+        const std::string configName = TakenNames(m_loaded, nullptr, config).take(title + "Object");
+        const std::string name = TakenNames(m_loaded, nullptr, robot).take(lowerFirst(title));
+        std::string size;
+        for (const Property& p : geom.properties)
+            if (p.required) size += " " + p.name + "=" + (p.name == "Radius" ? "0.1" : repeated(p, "0.2"));
+        return "RobotConfig " + configName + " {\n  Body body { " + geom.name + " " + lowerFirst(title) + " {" + size + " Pos=0,0,0.1" +
+               looks(geom, nullptr) + " Mass=0.5 } }\n}\nRobot " + name + " { Config=" + configName + " Pos=0,0,0 }";
+    }
+
 private:
     /// Writes a block and before it what it needs; gives its name.
     std::string block(const Kind& kind, int depth) {
@@ -294,5 +308,7 @@ private:
 std::string templateOf(const Loaded& loaded, const Kind& kind, const std::string& parent) {
     return Template(loaded, parent).write(kind);
 }
+
+std::string objectTemplateOf(const Loaded& loaded, const Kind& geom) { return Template(loaded, {}).writeObject(geom); }
 
 } // namespace trundle

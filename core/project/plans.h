@@ -60,5 +60,8 @@ struct EditPlan {
 /// The smallest block of a kind that loads: required properties filled in with values that hold ("Sphere sphere { Radius=0.1 }").
 /// What it needs and is not there comes before it, as blocks of their own. Empty for the settings.
 [[nodiscard]] std::string templateOf(const Loaded& loaded, const Kind& kind, const std::string& parent);
+/// A movable object for the top level that has one shape of this kind: a Robot without joints, devices and controller, after its config.
+/// "" for a kind that cannot be part of a body.
+[[nodiscard]] std::string objectTemplateOf(const Loaded& loaded, const Kind& geom);
 
 } // namespace trundle

@@ -2,7 +2,8 @@
 // assumes: what is below a plane is solid; of a mesh that collides as one its faces are.
 // method: the thing is put with its lowest point at the height of what the ray met, or of the ground at the foot of a steep face, and
 //   pushed out of that face along the level. Then, as long as it is in something, it goes the shortest way out, up or level: up where
-//   that is the ground it was put on. If that leads nowhere it goes up until nothing is in its way.
+//   that is the ground it was put on. If that leads nowhere it goes up until nothing is in its way. Where nothing then carries the middle
+//   of its base, it is put on the ground below that instead and goes out of what is in its way along the level.
 // data: convex pieces of the thing, moved along; bounds of all that collides.
 #include "scene/standing.h"
 
@@ -20,6 +21,7 @@ constexpr double kDepth = 2e-6;   // m: so deep is not inside
 constexpr double kGap = 2e-6;     // m: between things that touch, more than what numbers in a text are rounded by
 constexpr int kSteps = 40, kWays = 16;
 constexpr double kDigit = 1e-6; // m, of a Pos
+constexpr double kCarried = 5e-3; // m: so near above something is on it
 
 /// The shape that a thing takes along: a mesh as its hull.
 std::optional<ConvexPiece> pieceOf(const StandingGeom& part) {
@@ -91,12 +93,27 @@ std::vector<ConvexPiece> Standing::inTheWay(const Moved& thing, const ObjectRef*
     return all;
 }
 
-double Standing::groundBelow(const Vec3& point) const {
+std::optional<RayHit> Standing::solidBelow(const Vec3& point) const {
     for (const RayHit& hit : castRay(m_objects, m_poses, {point, -Vec3::UnitZ()})) {
         const GeomSpec* geom = m_objects.geomOf(hit.geom);
-        if (geom && geom->collide && m_counts(hit.geom)) return hit.point.z();
+        if (geom && geom->collide && m_counts(hit.geom)) return hit;
     }
-    return std::min(0.0, point.z());
+    return std::nullopt;
+}
+
+double Standing::groundBelow(const Vec3& point) const {
+    const auto solid = solidBelow(point);
+    return solid ? solid->point.z() : std::min(0.0, point.z());
+}
+
+/// Something is right below the middle of its base, as far as a slope there lets it.
+bool Standing::isCarried(const Moved& thing) const {
+    const Bounds& b = thing.bounds;
+    const auto solid = solidBelow({b.centre().x(), b.centre().y(), b.high.z()});
+    if (!solid) return std::abs(b.low.z()) < kCarried; // where there is no floor, the height 0 is one
+    const double up = std::max(solid->normal.z(), kSteep), slope = std::sqrt(1 - std::min(1.0, up * up)) / up;
+    const double reach = 0.5 * std::hypot(b.size().x(), b.size().y());
+    return b.low.z() - solid->point.z() < kCarried + slope * reach;
 }
 
 void Standing::pushOut(Moved& thing, const ObjectRef& from, const Vec3& direction) const {
@@ -108,8 +125,9 @@ void Standing::pushOut(Moved& thing, const ObjectRef& from, const Vec3& directio
     }
 }
 
-void Standing::settle(Moved& thing, const ObjectRef* ground) const {
-    std::vector<Vec3> ways{Vec3::UnitZ()};
+void Standing::settle(Moved& thing, const ObjectRef* ground, bool staysLevel) const {
+    std::vector<Vec3> ways;
+    if (!staysLevel) ways.push_back(Vec3::UnitZ());
     for (int i = 0; i < kWays; ++i) {
         const double angle = 2 * M_PI * i / kWays;
         ways.emplace_back(std::cos(angle), std::sin(angle), 0);
@@ -184,6 +202,14 @@ Vec3 Standing::placeFor(const std::vector<StandingGeom>& thing, const std::vecto
         moved.move({onGrid.x(), onGrid.y(), groundBelow(point + 1e-3 * out) - low});
         pushOut(moved, solid->geom, out);
         settle(moved, nullptr);
+    }
+    if (!isCarried(moved)) {
+        Moved beside = movedOf(thing);
+        beside.move(onGrid - Vec3(0, 0, low));
+        const Vec3 middle = beside.bounds.centre();
+        beside.move({0, 0, groundBelow({middle.x(), middle.y(), beside.bounds.low.z() + kCarried}) - beside.bounds.low.z()});
+        settle(beside, nullptr, true);
+        if (isCarried(beside)) moved = std::move(beside);
     }
     moved.pos.z() = kDigit * std::ceil(moved.pos.z() / kDigit - 1e-3);
     return moved.pos;

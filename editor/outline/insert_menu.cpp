@@ -99,8 +99,29 @@ void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& 
             into->setObjectName(QStringLiteral("insertRole.") + QLatin1String(roleName(role)));
         }
         for (const Kind* kind : kinds->second) addKind(*into, *kind, place);
+        if (role == Role::Instance && place.empty()) addObjects(menu);
     }
     menu.addSeparator();
+}
+
+/// Movable objects: robots that nothing drives, with the config that makes them.
+void InsertMenu::addObjects(QMenu& menu) {
+    QMenu* objects = menu.addMenu(themedIcon(QStringLiteral("kind-object")), tr("Object"));
+    objects->setObjectName(QStringLiteral("insertObjects"));
+    objects->setToolTipsVisible(true);
+    for (const char* shape : {"Box", "Sphere", "Cylinder", "Capsule"}) {
+        const Kind* geom = m_document.loaded()->registry->find(shape);
+        if (!geom) continue;
+        const QString name = geom->name == "Sphere" ? tr("Ball") : QString::fromStdString(geom->name);
+        QAction* action = objects->addAction(themedIcon(kindIcon(geom)), name);
+        action->setObjectName(QStringLiteral("insertObject.") + QLatin1String(shape));
+        action->setToolTip(tr("A movable object: a Robot without joints, devices and controller, and its config"));
+        action->setStatusTip(action->toolTip());
+        connect(action, &QAction::triggered, this, [this, shape] {
+            const Kind* kind = m_document.isOpen() ? m_document.loaded()->registry->find(shape) : nullptr;
+            if (kind) (void)m_edits.insertObject(*kind);
+        });
+    }
 }
 
 QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind, const std::string& place) {

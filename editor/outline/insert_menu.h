@@ -28,6 +28,7 @@ public:
 private:
     struct Entries;
     void addPlace(QMenu& menu, const std::string& place, const Entries& entries);
+    void addObjects(QMenu& menu);
     QAction* addKind(QMenu& menu, const Kind& kind, const std::string& place);
 
     Document& m_document;

@@ -219,6 +219,15 @@ Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
     return m_document.structure().apply(tr("Add %1").arg(shown(kind.name)), {place}, plan);
 }
 
+Status ObjectEdits::insertObject(const Kind& geom) {
+    if (!m_document.isOpen()) return refuse(tr("nothing is open"));
+    const Result<Blocks> blocks = blocksFrom(objectTemplateOf(*m_document.loaded(), geom));
+    if (!blocks) return refuse(shown(blocks.error().message));
+    Result<EditPlan> plan = planInsert(*m_document.loaded(), {}, blocks.value().text);
+    if (plan) plan.value().selects.erase(plan.value().selects.begin(), plan.value().selects.end() - 1); // the Robot, not its config
+    return m_document.carryOut(tr("Add %1 Object").arg(shown(geom.name)), plan);
+}
+
 Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
                          FileId file) {
     const std::vector<std::string> objects = objectsOf(paths);

@@ -44,6 +44,8 @@ public:
                 FileId file = kNoFile);
     /// A new block of a kind, in or around `place`.
     Status insertKind(const Kind& kind, const std::string& place);
+    /// A movable object of one shape, see objectTemplateOf().
+    Status insertObject(const Kind& geom);
     Status insert(const Blocks& blocks, const std::string& place, const QString& name = {}, FileId file = 0);
     Status insertFrom(const QMimeData& mime, const std::string& place, FileId file = 0); ///< what a drop brings
     Status replaceBySingles(const std::string& path);

@@ -47,7 +47,7 @@ void RunStatus::refresh() {
     if (const QString finish = m_session.finishText(); !finish.isEmpty())
         parts << (finish.size() > kMostFinish ? finish.left(kMostFinish) + QChar(0x2026) : finish);
     if (const QString heldUp = m_session.heldUpText(); !heldUp.isEmpty()) parts << heldUp;
-    if (m_session.needsReset()) parts << tr("edits wait for Reset");
+    if (m_session.needsReset()) parts << (m_session.canGoOn() ? tr("edits wait: F5 begins again with them") : tr("edits wait for Reset"));
     const QString text = parts.join(QStringLiteral("  •  "));
     if (text == m_text) return;
     m_text = text;

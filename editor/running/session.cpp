@@ -1,6 +1,7 @@
 #include "editor/running/session.h"
 
 #include <chrono>
+#include <filesystem>
 #include <mutex>
 
 #include <QFileInfo>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int kFrameMs = 16, kWatchMs = 250, kValuesMs = 100;
 constexpr double kRemarkablyLongS = 1;
+constexpr int kMostOwnLogs = 10'000;
 constexpr std::chrono::milliseconds kLastWait(2000);
 
 /// In an arena by itself nothing would move.
@@ -69,7 +71,10 @@ RunSession::RunSession(Document& document, Parts& parts, QObject* parent)
         if (!m_valuesPause.isActive()) showValues();
     });
     connect(&document, &Document::opened, this, &RunSession::reset);
-    connect(&document, &Document::opened, this, [this] { setLogsAt({}); });
+    connect(&document, &Document::opened, this, [this] {
+        dropOwnLogs();
+        setLogsAt({});
+    });
     connect(&document, &Document::changed, this, &RunSession::followDocument);
 }
 
@@ -80,6 +85,7 @@ RunSession::~RunSession() {
     }
     leave();
     (void)waitForRuns();
+    dropOwnLogs();
 }
 
 bool RunSession::endRuns() {
@@ -181,8 +187,30 @@ LogLocation RunSession::logFolder() const {
     const std::string& project = m_document.loaded()->projectFolder;
     if (!m_document.isNew() && !m_document.isReadOnly() && QFileInfo(QString::fromStdString(project)).isWritable())
         return defaultLogs(project, m_document.path());
+    if (!m_ownLogs.empty()) return m_ownLogs;
     const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     return own.isEmpty() ? LogLocation() : defaultLogs(own.toStdString(), m_document.path());
+}
+
+/// Two windows may have experiments of one name that are in no file: each takes a folder that nobody has yet.
+void RunSession::takeOwnLogs() {
+    if (!m_ownLogs.empty() || (!m_document.isNew() && !m_document.isReadOnly())) return;
+    const LogLocation first = logFolder();
+    std::error_code failed;
+    if (first.empty()) return;
+    std::filesystem::create_directories(std::filesystem::path(first.path()).parent_path(), failed);
+    for (int n = 1; n <= kMostOwnLogs; ++n) {
+        const LogLocation own(first.folder, n == 1 ? first.below : first.below + "_" + std::to_string(n));
+        if (!std::filesystem::create_directory(own.path(), failed)) continue;
+        m_ownLogs = own;
+        return;
+    }
+}
+
+void RunSession::dropOwnLogs() {
+    std::error_code hasLogs;
+    if (!m_ownLogs.empty()) std::filesystem::remove(m_ownLogs.path(), hasLogs);
+    m_ownLogs = {};
 }
 
 bool RunSession::begin(bool running, std::uint64_t steps) {
@@ -196,6 +224,7 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     m_end.reset();
     m_problems.clear();
     LiveRun::Options options;
+    takeOwnLogs();
     options.logFolder = logFolder();
     options.speed = m_speed;
     options.startsRunning = running;
@@ -230,9 +259,33 @@ void RunSession::leave() {
 }
 
 void RunSession::run() {
-    if (m_state == RunState::Ended && !canGoOn()) reset();
-    if (m_state == RunState::Start) begin(true);
-    else if (m_run) m_run->run();
+    const QString edits = canGoOn() ? waitingText() : QString();
+    if (m_state == RunState::Ended && (!canGoOn() || needsReset())) reset();
+    if (m_state == RunState::Start) {
+        if (!begin(true) || edits.isEmpty()) return;
+        const QString text = tr("Begins again from the start, with the edits of %1").arg(edits);
+        tell(TRUNDLE_INFO, text);
+        Q_EMIT m_document.notice(text);
+    } else if (m_run) {
+        sayWithoutEdits();
+        m_run->run();
+    }
+}
+
+QString RunSession::waitingText() const {
+    constexpr std::size_t kMostNamed = 3;
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(kMostNamed, m_waiting.size()); ++i) names += QString::fromStdString(m_waiting[i]);
+    const QString text = names.join(QStringLiteral(", "));
+    return m_waiting.size() <= kMostNamed ? text : tr("%1 and %2 more").arg(text).arg(m_waiting.size() - kMostNamed);
+}
+
+/// What runs on is not what the text says: said each time that it is set going.
+void RunSession::sayWithoutEdits() {
+    if (!needsReset()) return;
+    const QString text = tr("Goes on without the edits of %1: Shift+F5, then F5, runs with them").arg(waitingText());
+    tell(TRUNDLE_INFO, text);
+    Q_EMIT m_document.notice(text);
 }
 
 void RunSession::pause() {
@@ -242,7 +295,10 @@ void RunSession::pause() {
 void RunSession::step() {
     if (m_state == RunState::Ended && !canGoOn()) return;
     if (m_state == RunState::Start) begin(false, 1);
-    else m_run->step();
+    else {
+        if (canGoOn()) sayWithoutEdits();
+        m_run->step();
+    }
 }
 
 void RunSession::runFor(double seconds) {

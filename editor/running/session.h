@@ -115,11 +115,14 @@ public:
     /// Dotted paths of properties and objects whose change in the document waits for a reset, sorted.
     [[nodiscard]] const std::vector<std::string>& waitingForReset() const { return m_waiting; }
     [[nodiscard]] bool needsReset() const { return !m_waiting.empty(); }
+    [[nodiscard]] QString waitingText() const; ///< "robot0.Pos, Tick and 3 more"
     /// Whether a property (or an object it stands in) is among them.
     [[nodiscard]] bool waitsForReset(const std::string& propertyPath) const;
 
 public Q_SLOTS:
-    void run(); ///< builds the world where there is none; goes on past its Duration, begins anew after another end; see refused()
+    /// Builds the world where there is none. Goes on past its Duration, unless edits wait for a reset: then, and after another end, it
+    /// begins anew. See refused().
+    void run();
     void pause();
     void step();                 ///< one tick
     void runFor(double seconds); ///< simulated s from now as fast as possible, then pauses
@@ -161,6 +164,9 @@ private:
     [[nodiscard]] const RobotSpec* robotNamed(const std::string& name) const;
     [[nodiscard]] KeptPoses posesNow() const;
     [[nodiscard]] LogLocation logFolder() const;
+    void takeOwnLogs();
+    void dropOwnLogs();
+    void sayWithoutEdits();
     void watch();
     void tellLogs();
     void setLogsAt(const QString& folder);
@@ -191,6 +197,7 @@ private:
     std::uint64_t m_placedTick = 0;
     std::optional<LiveEnd> m_end;
     QString m_logsAt;
+    LogLocation m_ownLogs; // outside the project, of this experiment alone
     std::vector<Diagnostic> m_problems;
     std::vector<std::string> m_waiting;
     std::string m_driven;

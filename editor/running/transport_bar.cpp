@@ -63,6 +63,7 @@ TransportBar::TransportBar(RunSession& session, Actions& actions, QWidget* paren
     connect(&session, &RunSession::stateChanged, this, &TransportBar::showState);
     connect(&session, &RunSession::refusalChanged, this, &TransportBar::showState);
     connect(&session, &RunSession::heldUpChanged, this, &TransportBar::showRefusal);
+    connect(&session, &RunSession::waitingChanged, this, &TransportBar::showRefusal);
     connect(&session, &RunSession::advanced, this, &TransportBar::showFigures);
     connect(&session, &RunSession::speedChanged, this, &TransportBar::showSpeed);
     showState();
@@ -159,6 +160,9 @@ void TransportBar::showRefusal() {
     QString why = m_session.heldUpText();
     if (m_session.state() == RunState::Start && open) why = m_session.refusal();
     else if (m_session.end() && m_session.end()->failure) why = QString::fromStdString(m_session.end()->failure->message);
+    else if (m_session.canGoOn() && m_session.needsReset())
+        why = tr("At its Duration, and the edits of %1 wait for a reset. F5 begins again with them; F10 goes on without them by one tick.")
+                  .arg(m_session.waitingText());
     else if (m_session.canGoOn()) why = tr("At its Duration. F5 goes on past it, F10 by one tick; Shift+F5 goes back to the start.");
     m_state->setToolTip(why);
     m_run->setToolTip(why.isEmpty() || m_session.isActive() ? m_run->defaultAction()->toolTip() : why);

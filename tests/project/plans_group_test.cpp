@@ -75,6 +75,27 @@ private Q_SLOTS:
         }
     }
 
+    /// The new file cannot name Params of the experiment: what moves there has their values.
+    void whatMovesAlongKeepsItsValues() {
+        const auto before = m_desk.open("Param tone = 0.25\nParam grip = 0.7\nMaterial paint { ColorRGB=1,$(tone*2),$tone } // ours\n"
+                                        "Surface sole { Friction=$grip }\n"
+                                        "StaticConfig S { Box b { Size=1,1,1 Material=paint Surface=sole } }\nStatic s { Config=S }\n");
+        QVERIFY2(!before->diagnostics.hasErrors(), sample::messages(*before).c_str());
+        const auto group = planGroup(*before, {"s"}, "Piece");
+        QVERIFY2(group.ok(), group.ok() ? "" : group.error().message.c_str());
+        QVERIFY2(group.value().text.find('$') == std::string::npos, group.value().text.c_str());
+        sample::Texts texts = sample::PlanDesk::after(*before, group.value().plan);
+        texts[group.value().file] = group.value().text;
+        const auto after = m_desk.read(texts);
+        QVERIFY2(!after->diagnostics.hasErrors(), (sample::messages(*after) + group.value().text).c_str());
+        const auto find = [](const auto& all, const std::string& name) { return std::ranges::find_if(all, [&](const auto& each) { return each.name == name; }); };
+        const auto was = find(before->experiment->materials, "paint"), is = find(after->experiment->materials, "paint");
+        QVERIFY(is != after->experiment->materials.end());
+        QCOMPARE(is->colour[1], 0.5);
+        QVERIFY(is->colour == was->colour);
+        QCOMPARE(find(after->experiment->surfaces, "sole")->friction, find(before->experiment->surfaces, "sole")->friction);
+    }
+
     void whatCannotBeGroupedIsSaid() {
         const auto loaded = m_desk.open("#import other.sim\nStaticConfig S { Box b { Size=1,1,1 } }\nStatic s { Config=S }\n"
                                         "RobotConfig C { Body b { Mass=1 Box x { Size=1,1,1 } } }\nRobot r { Config=C }\n"

@@ -198,6 +198,32 @@ private Q_SLOTS:
         QVERIFY(std::abs(below.z()) < 1e-5);
     }
 
+    /// Walls and beams put down across others: something is under the middle of each, or it is on the floor.
+    void nothingHangsInTheAir() {
+        const auto experiment = room();
+        const ObjectIndex objects(experiment);
+        const Standing standing(objects, {}, [](const ObjectRef&) { return true; });
+        std::mt19937 random(5);
+        const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+        int tops = 0, floors = 0, beside = 0;
+        for (int i = 0; i < 60; ++i) {
+            const double length = any(0.6, 2.5), height = any(0.1, 0.6);
+            const std::vector<StandingGeom> wall{{shape(GeomShape::Box, {length, 0.1, height}, turned({0, 0, height / 2}, {any(-180, 180), 0, 0})), {}}};
+            const Vec3 to(any(-1.6, 2.2), any(-0.6, 1.6), 0);
+            const auto hits = castRay(objects, {}, {to + Vec3(0, 0, 3), -Vec3::UnitZ()});
+            const Vec3 at = standing.placeFor(wall, hits, to, 0.05);
+            for (const StaticSpec& fixed : experiment->statics)
+                for (const GeomSpec& geom : *fixed.geoms)
+                    for (const Vec3& p : pointsOf(wall[0].geom, {at, Quat::Identity()})) QVERIFY(!holds(geom, fixed.pose, p, 1e-5));
+            const auto below = castRay(objects, {}, {at + Vec3(0, 0, 1e-3), -Vec3::UnitZ()});
+            QVERIFY2(!below.empty() && at.z() - below.front().point.z() < 6e-3,
+                     qPrintable(QString("%1 m long at %2 %3 %4, put at %5 %6").arg(length).arg(at.x()).arg(at.y()).arg(at.z()).arg(to.x()).arg(to.y())));
+            (at.z() < 1e-4 ? floors : tops) += 1;
+            beside += at.z() < 1e-4 && (at - to).head<2>().norm() > 0.05;
+        }
+        QVERIFY2(tops > 0 && floors > 10 && beside > 5, qPrintable(QString("%1 %2 %3").arg(tops).arg(floors).arg(beside)));
+    }
+
     void onTopItStandsOnTop() {
         const auto experiment = room();
         const ObjectIndex objects(experiment);

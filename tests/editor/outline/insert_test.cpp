@@ -4,6 +4,7 @@
 
 #include "editor/outline/insert_menu.h"
 #include "eventually.h"
+#include "model/passive.h"
 #include "outlined.h"
 
 using namespace trundle;
@@ -38,6 +39,8 @@ private Q_SLOTS:
     void everyKindGoesInWhereItFits();
     void offersWhatFitsTheSelection();
     void aRobotHasOneController();
+    void objectsAreMovable_data();
+    void objectsAreMovable();
     void aMenuFollowsTheSelection();
 };
 
@@ -102,6 +105,42 @@ void InsertTest::offersWhatFitsTheSelection() {
     QVERIFY(offers("robot0", "Body"));                        // in its config
     QVERIFY(offers("arena", "Plane"));
     QVERIFY(!offers("robot0", "LinearMotion")); // nobody loaded that
+}
+
+void InsertTest::objectsAreMovable_data() {
+    QTest::addColumn<QString>("shape");
+    for (const char* shape : {"Box", "Sphere", "Cylinder", "Capsule"}) QTest::newRow(shape) << QString::fromLatin1(shape);
+}
+
+/// Whatever is selected: a config and a Robot that stands on the ground, shown as an object.
+void InsertTest::objectsAreMovable() {
+    QFETCH(QString, shape);
+    Outlined o;
+    QVERIFY(o.open(kRovers));
+    for (int count = 1; count <= 2; ++count) { // the second one under names of its own
+        o.selection.select("robot0");
+        InsertMenu insert(o.document, o.selection, o.edits);
+        QMenu menu;
+        insert.fill(menu);
+        auto* objects = menu.findChild<QMenu*>(QStringLiteral("insertObjects"));
+        QVERIFY(objects && !objects->icon().isNull());
+        auto* action = objects->findChild<QAction*>(QStringLiteral("insertObject.") + shape);
+        QVERIFY(action && !action->icon().isNull());
+        const std::size_t before = o.document.loaded()->experiment->robots.size();
+        action->trigger();
+        QCOMPARE(o.refusals, QStringList());
+        QCOMPARE(o.errors(), QString());
+        QCOMPARE(o.document.loaded()->experiment->robots.size(), before + 1);
+        const RobotSpec& made = o.document.loaded()->experiment->robots.back();
+        QVERIFY(isPassive(made));
+        QCOMPARE(o.selection.paths(), std::vector<std::string>{made.name});
+        QCOMPARE(o.document.history().entries().size(), std::size_t(count));
+    }
+    const QModelIndex row = o.at(o.selection.current().c_str());
+    QVERIFY(o.model().rowAt(row)->passive);
+    o.document.undo();
+    o.document.undo();
+    QCOMPARE(o.text(), kRovers);
 }
 
 void InsertTest::aRobotHasOneController() {

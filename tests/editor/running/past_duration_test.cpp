@@ -42,6 +42,61 @@ private Q_SLOTS:
         QCOMPARE(o.tick(), 5u);
     }
 
+    void withEditsThatWaitItBeginsAgain() {
+        OpenedSession o;
+        QVERIFY(o.open(kStandingRobot + "Duration = 0.05\n"));
+        QStringList notices;
+        connect(&o.document, &Document::notice, &o.session, [&](const QString& text) { notices.append(text); });
+        o.session.run();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
+        QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.08"}}).ok());
+        QVERIFY(o.session.canGoOn() && o.session.needsReset());
+        o.session.step(); // goes on with the old world, and says so
+        EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 6);
+        QCOMPARE(notices.size(), 1);
+        QVERIFY2(notices[0].contains(QStringLiteral("without the edits of Duration")), qPrintable(notices[0]));
+        QVERIFY(o.session.needsReset());
+        o.session.reset();
+        QVERIFY(!o.session.needsReset());
+        o.session.run();
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
+        QCOMPARE(o.tick(), 8u);
+        QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.03"}}).ok());
+        o.session.run(); // at its Duration: with the edits, from the start
+        QVERIFY(!o.session.needsReset());
+        EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
+        QCOMPARE(o.tick(), 3u);
+        QCOMPARE(notices.size(), 2);
+        QVERIFY2(notices[1].contains(QStringLiteral("with the edits of Duration")), qPrintable(notices[1]));
+        o.session.run(); // without edits it goes on
+        EVENTUALLY(o.tick() > 5);
+    }
+
+    void twoExperimentsThatAreInNoFileHaveTwoLogFolders() {
+        QStandardPaths::setTestModeEnabled(true);
+        const auto normal = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
+        const std::string text = (kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n").toStdString();
+        OpenedSession one, other;
+        QStringList folders;
+        for (OpenedSession* o : {&one, &other, &one}) {
+            if (o->document.path().empty() || !o->document.isNew()) QVERIFY(o->document.openNew("untitled.sim", text).ok());
+            if (o->session.isActive()) o->session.reset();
+            o->session.run();
+            EVENTUALLY_EQUAL(o->session.state(), RunState::Ended);
+            folders += o->session.logsAt();
+            QVERIFY(QFile::exists(folders.back() + QStringLiteral("/path.csv")));
+        }
+        QVERIFY2(folders[0] != folders[1], qPrintable(folders[0]));
+        QCOMPARE(folders[2], folders[0]); // the same experiment has the same folder again
+        QVERIFY(one.document.openNew("untitled.sim", text).ok()); // another one
+        one.session.run();
+        EVENTUALLY_EQUAL(one.session.state(), RunState::Ended);
+        QVERIFY(!folders.contains(one.session.logsAt()));
+        folders += one.session.logsAt();
+        for (OpenedSession* o : {&one, &other}) QVERIFY(o->session.endRuns());
+        for (const QString& folder : folders) QDir(folder).removeRecursively();
+    }
+
     void logsOfWhatIsNotSavedGoIntoTheUsersFolder() {
         QStandardPaths::setTestModeEnabled(true);
         const auto normal = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
