@@ -1,5 +1,5 @@
 #pragma once
-// One Robot or Static by itself, and its shapes with other values for the Params of its config: which Param makes a wall how long.
+// One Robot or Static by itself, or a member of a Grid or Scatter, and its shapes with other values for the Params of its config: which Param makes a wall how long.
 
 #include <memory>
 #include <optional>
@@ -22,7 +22,7 @@ class InstanceVariants {
 public:
     using Params = std::vector<std::pair<std::string, GivenValue>>;
 
-    /// `instance`: a Robot or Static of the outline. Meshes come from `assets`; a geom whose mesh cannot be read has none.
+    /// `instance`: a Robot, Static, Grid or Scatter of the outline. Meshes come from `assets`; a geom whose mesh cannot be read has none.
     InstanceVariants(std::shared_ptr<const Outline> outline, AssetLookup assets, const Part& instance)
         : m_outline(std::move(outline)), m_assets(std::move(assets)), m_instance(&instance) {}
 

@@ -328,7 +328,7 @@ std::optional<std::vector<ConfigGeom>> InstanceVariants::geoms(const Params& cha
     ResolveContext context(*m_outline, m_assets, silent, out);
     Instances(context).only(*m_instance, changed);
     std::vector<ConfigGeom> all;
-    if (out.robots.size() == 1 && out.robots[0].config) {
+    if (!out.robots.empty() && out.robots[0].config) { // members of a Grid or Scatter have one config
         for (const BodySpec& body : out.robots[0].config->bodies)
             for (const GeomSpec& geom : body.geoms) all.push_back({geom, body.pose});
     } else if (out.statics.size() == 1 && out.statics[0].geoms) {

@@ -21,7 +21,7 @@ void forEachGeom(const ExperimentSpec& experiment, const std::function<void(cons
 
 std::optional<InstanceVariants> variantsOf(const Loaded& loaded, const ObjectPlace& place) {
     const Part* part = place.part;
-    if (!part || part != place.instance || !part->is(Role::Instance)) return std::nullopt;
+    if (!part || part != place.instance || !isPlaced(*part)) return std::nullopt;
     AssetLookup assets;
     assets.shapes = loaded.shapes;
     const auto pathOf = [named = loaded.named](const std::string& written, FileId file) {

@@ -4,7 +4,7 @@
 
 namespace trundle {
 
-/// Of a Robot or Static of a load, with the meshes that the load has read. Nothing for another kind of part.
+/// Of a Robot, Static, Grid or Scatter of a load, with the meshes that the load has read. Nothing for another kind of part.
 [[nodiscard]] std::optional<InstanceVariants> variantsOf(const Loaded& loaded, const ObjectPlace& place);
 
 } // namespace trundle

@@ -90,7 +90,9 @@ void HeldObjects::take(const std::string& path) {
 
 void HeldObjects::takeSizes(const std::string& path) {
     Item& item = m_items.back();
-    if (!item.object || (item.object->kind != ObjectKind::Robot && item.object->kind != ObjectKind::Static)) return;
+    const std::vector<ObjectRef> members = item.object ? std::vector<ObjectRef>() : m_parts.world.objectsOf(path);
+    if (!members.empty()) item.world = m_parts.world.poseOf(members.front()); // all are sized by the handles of the first one
+    else if (!item.object || (item.object->kind != ObjectKind::Robot && item.object->kind != ObjectKind::Static)) return;
     item.sizes = ParamSizes::of(*m_parts.document.loaded(), path);
     const std::string shape = item.sizes ? item.sizes->onlyShape() : std::string();
     if (shape.empty()) return;
@@ -225,7 +227,12 @@ Vec3 HeldObjects::halfExtent() const {
 }
 
 std::array<SizeName, 3> HeldObjects::sizeNames() const {
-    if (const auto& sizes = m_items.back().sizes) return {{sizes->sizeName(0), sizes->sizeName(1), sizes->sizeName(2)}};
+    if (const auto& sizes = m_items.back().sizes) {
+        std::array<SizeName, 3> names{{sizes->sizeName(0), sizes->sizeName(1), sizes->sizeName(2)}};
+        for (SizeName& name : names)
+            if (!m_items.back().object && name.sides == Sides::Both) name.sides = Sides::Middle; // the members stay in their places
+        return names;
+    }
     const auto& object = m_items.back().object;
     const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
     const QString size = QStringLiteral("Size "), radius = QStringLiteral("Radius"), length = QStringLiteral("Length");
@@ -256,7 +263,7 @@ void HeldObjects::resizeByParam(Item& item, const Vec3& growth, int side, double
     const double extent = std::max(kLeastLength, box.size()[axis] + 2 * growth[axis]);
     const ParamSizes::Change change = sizes.resized(axis, extent, fineness);
     edits.push_back({item.path + "." + change.param, change.text});
-    if (sizes.sizeName(axis).sides != Sides::Both) return;
+    if (!item.object || sizes.sizeName(axis).sides != Sides::Both) return;
     Vec3 shift = Vec3::Zero();
     shift[axis] = side > 0   ? box.low[axis] - change.box.low[axis]
                   : side < 0 ? box.high[axis] - change.box.high[axis]

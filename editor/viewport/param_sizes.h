@@ -13,7 +13,7 @@ namespace trundle {
 
 class ParamSizes {
 public:
-    /// Nothing for what is no Robot or Static with a config that has shapes.
+    /// Nothing for what is no Robot, Static, Grid or Scatter with a config that has shapes. A member stands for all of a Grid.
     [[nodiscard]] static std::optional<ParamSizes> of(const Loaded& loaded, const std::string& path);
 
     /// Around its shapes, in the config's frame.

@@ -103,6 +103,7 @@ private:
     void waitFor(const std::function<bool()>& done, const char* what);
 
     MainWindow& m_window;
+    unsigned m_seed;
     std::mt19937 m_random;
     const char* m_doing = "";
     QString m_trouble;

@@ -48,6 +48,38 @@ private Q_SLOTS:
         QVERIFY(!banner->isVisible());
     }
 
+    void aGridIsSizedThroughTheParamsOfItsConfig_data() {
+        QTest::addColumn<QByteArray>("layout");
+        QTest::newRow("Grid") << QByteArray("Grid planks { Config=Plank Pos=0,0,0.5 Count=2,1 Spacing=2 ");
+        QTest::newRow("turned Grid") << QByteArray("Grid planks { Config=Plank Pos=0.5,0,0.5 HPR=90,0,0 Count=1,2 Spacing=1.5 ");
+        QTest::newRow("Scatter") << QByteArray("Scatter planks { Config=Plank Pos=0,0,0.5 Count=3 Area=-1,-1,1,1 ");
+    }
+    /// Each of its members at once, by the handles of the first one; those of a Grid stay in their places.
+    void aGridIsSizedThroughTheParamsOfItsConfig() {
+        QFETCH(QByteArray, layout);
+        const QByteArray text = "RobotConfig Plank {\n  Param long = 0.8\n  Body b { Box p { Size=$long,0.2,0.2 Mass=1 } }\n}\n"
+                                "Robot other { Config=Plank Pos=9,9,1 }\n" + layout + "}\n";
+        open(text);
+        take("planks", "tool.scale");
+        const auto robots = m_window->document.loaded()->experiment->robots;
+        const auto first = std::ranges::find_if(robots, [](const RobotSpec& robot) { return robot.name != "other"; });
+        const Pose at = first->pose;
+        dragBy({Handle::Kind::Size, 0}, at.rotation * Vec3(0.1, 0, 0), Qt::NoModifier, at.position);
+        const QByteArray after = m_window->text();
+        QVERIFY2(after.contains(layout + "long=1 }"), after.constData()); // both sides go
+        const ExperimentSpec& now = *m_window->document.loaded()->experiment;
+        QCOMPARE(now.robots.size(), robots.size());
+        for (std::size_t i = 0; i < robots.size(); ++i) {
+            // A Scatter places larger members anew, so that they keep clear of each other.
+            if (!layout.startsWith("Scatter")) QVERIFY((now.robots[i].pose.position - robots[i].pose.position).norm() < 1e-12);
+            const double length = now.robots[i].config->bodies[0].geoms[0].size.x();
+            QCOMPARE(length, now.robots[i].name == "other" ? 0.8 : 1.0);
+        }
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
+        m_window->document.undo();
+        QCOMPARE(m_window->text(), text);
+    }
+
     void paramsAreSizedWhateverTheirFormulaAndUnit_data() {
         QTest::addColumn<QByteArray>("config"); // of Thing; one drag makes it 0.2 m larger along its x
         QTest::addColumn<QByteArray>("own");    // what the instance sets before
