@@ -74,8 +74,7 @@ public:
 
     // --- edits: each is one entry of the history, or joins the last one under the same merge key ---
 
-    /// Changes texts. Fails, says refused() and changes nothing where the edits do not fit the texts, or where one is of an imported
-    /// file that came with the program: that is changed by typing in it alone, and then saved by saveAs().
+    /// Changes texts. Fails, says refused() and changes nothing where the edits do not fit, or one is of an imported file of the program.
     Status edit(const QString& name, const FileEdits& edits, const std::string& mergeKey = {});
     /// Puts whole texts in place of a file's, or of several as one entry, addText() included; the text editor's way in.
     Status replaceText(const QString& name, const std::string& file, std::string bytes, const std::string& mergeKey = {});
@@ -99,7 +98,6 @@ public:
     void moveTo(std::size_t position); ///< of the history
 
     // --- files ---
-
     [[nodiscard]] bool isModified() const; ///< some file's bytes differ from the disk's
     [[nodiscard]] bool isModified(const std::string& file) const;
     [[nodiscard]] std::vector<std::string> modifiedFiles() const; ///< absolute, the opened one first

@@ -1,11 +1,7 @@
 #include "editor/running/session.h"
 
 #include <chrono>
-#include <filesystem>
 #include <mutex>
-
-#include <QFileInfo>
-#include <QStandardPaths>
 
 #include <trundle/abi.h>
 
@@ -20,7 +16,6 @@ namespace {
 
 constexpr int kFrameMs = 16, kWatchMs = 250, kValuesMs = 100;
 constexpr double kRemarkablyLongS = 1;
-constexpr int kMostOwnLogs = 10'000;
 constexpr std::chrono::milliseconds kLastWait(2000);
 
 /// In an arena by itself nothing would move.
@@ -180,39 +175,6 @@ bool RunSession::refuse(const QString& reason) {
     return false;
 }
 
-/// Logs go where the command line puts them. Into the user's own folder go those of a sample that came with an installed program,
-/// and may not be written beside it, of an experiment that is in no file yet, and of a window that only looks: the other one writes
-/// them there.
-LogLocation RunSession::logFolder() const {
-    const std::string& project = m_document.loaded()->projectFolder;
-    if (!m_document.isNew() && !m_document.isReadOnly() && QFileInfo(QString::fromStdString(project)).isWritable())
-        return defaultLogs(project, m_document.path());
-    if (!m_ownLogs.empty()) return m_ownLogs;
-    const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    return own.isEmpty() ? LogLocation() : defaultLogs(own.toStdString(), m_document.path());
-}
-
-/// Two windows may have experiments of one name that are in no file: each takes a folder that nobody has yet.
-void RunSession::takeOwnLogs() {
-    if (!m_ownLogs.empty() || (!m_document.isNew() && !m_document.isReadOnly())) return;
-    const LogLocation first = logFolder();
-    std::error_code failed;
-    if (first.empty()) return;
-    std::filesystem::create_directories(std::filesystem::path(first.path()).parent_path(), failed);
-    for (int n = 1; n <= kMostOwnLogs; ++n) {
-        const LogLocation own(first.folder, n == 1 ? first.below : first.below + "_" + std::to_string(n));
-        if (!std::filesystem::create_directory(own.path(), failed)) continue;
-        m_ownLogs = own;
-        return;
-    }
-}
-
-void RunSession::dropOwnLogs() {
-    std::error_code hasLogs;
-    if (!m_ownLogs.empty()) std::filesystem::remove(m_ownLogs.path(), hasLogs);
-    m_ownLogs = {};
-}
-
 bool RunSession::begin(bool running, std::uint64_t steps) {
     // A module that was built anew since the text was read may take other values: they are judged by what it says now.
     if (const auto& loaded = m_document.loaded(); loaded && describedAnew(*loaded->experiment, *loaded->registry))
@@ -270,22 +232,6 @@ void RunSession::run() {
         sayWithoutEdits();
         m_run->run();
     }
-}
-
-QString RunSession::waitingText() const {
-    constexpr std::size_t kMostNamed = 3;
-    QStringList names;
-    for (std::size_t i = 0; i < std::min(kMostNamed, m_waiting.size()); ++i) names += QString::fromStdString(m_waiting[i]);
-    const QString text = names.join(QStringLiteral(", "));
-    return m_waiting.size() <= kMostNamed ? text : tr("%1 and %2 more").arg(text).arg(m_waiting.size() - kMostNamed);
-}
-
-/// What runs on is not what the text says: said each time that it is set going.
-void RunSession::sayWithoutEdits() {
-    if (!needsReset()) return;
-    const QString text = tr("Goes on without the edits of %1: Shift+F5, then F5, runs with them").arg(waitingText());
-    tell(TRUNDLE_INFO, text);
-    Q_EMIT m_document.notice(text);
 }
 
 void RunSession::pause() {
@@ -443,16 +389,6 @@ void RunSession::showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot) {
     m_reader->read(*m_snapshot->block, *poses);
     m_poses = std::move(poses);
     Q_EMIT advanced();
-}
-
-void RunSession::tellLogs() {
-    if (const QString finish = finishText(); !finish.isEmpty()) tell(TRUNDLE_INFO, finish);
-    else if (!m_end->failure) tell(TRUNDLE_INFO, tr("finished at t = %1 s").arg(m_end->time));
-    QStringList files;
-    for (const std::string& file : m_end->logFiles) files.append(QString::fromStdString(m_document.shown(file)));
-    if (files.empty()) return;
-    tell(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
-    setLogsAt(QString::fromStdString(logFolder().path())); // a controller may have opened one
 }
 
 QString RunSession::finishText() const {

@@ -89,7 +89,6 @@ public:
     [[nodiscard]] bool isOfRun(const std::string& robot) const { return m_sameRobots.has(robot); }
 
     // --- the world, by stamped commands; refused() says why where they cannot be done ---
-
     /// Force (N, world) at a point (m, world) on "robot0/chassis" in every tick until endPush(). While paused it works from
     /// the next tick on.
     bool push(const std::string& body, const Vec3& force, const Vec3& point);
@@ -106,12 +105,10 @@ public:
 
     /// All that was done so, as it was stamped; none at Start.
     [[nodiscard]] std::vector<Command> commands() const { return m_run ? m_run->commands() : std::vector<Command>(); }
-
     /// Why the poses cannot be kept; empty where they can.
     [[nodiscard]] QString keepRefusal() const;
 
     // --- edits since it was built ---
-
     /// Dotted paths of properties and objects whose change in the document waits for a reset, sorted.
     [[nodiscard]] const std::vector<std::string>& waitingForReset() const { return m_waiting; }
     [[nodiscard]] bool needsReset() const { return !m_waiting.empty(); }
@@ -120,9 +117,7 @@ public:
     [[nodiscard]] bool waitsForReset(const std::string& propertyPath) const;
 
 public Q_SLOTS:
-    /// Builds the world where there is none. Goes on past its Duration, unless edits wait for a reset: then, and after another end, it
-    /// begins anew. See refused().
-    void run();
+    void run(); ///< begins where there is no world, and again after an end where edits wait or that was not its Duration; else goes on
     void pause();
     void step();                 ///< one tick
     void runFor(double seconds); ///< simulated s from now as fast as possible, then pauses
@@ -164,9 +159,7 @@ private:
     [[nodiscard]] const RobotSpec* robotNamed(const std::string& name) const;
     [[nodiscard]] KeptPoses posesNow() const;
     [[nodiscard]] LogLocation logFolder() const;
-    void takeOwnLogs();
-    void dropOwnLogs();
-    void sayWithoutEdits();
+    void takeOwnLogs(), dropOwnLogs(), sayWithoutEdits();
     void watch();
     void tellLogs();
     void setLogsAt(const QString& folder);
