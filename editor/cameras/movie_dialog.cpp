@@ -61,13 +61,13 @@ MovieDialog::MovieDialog(Parts& parts, RenderService& render, MovieOffer offer, 
     m_sum->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     column->addWidget(m_sum);
     column->addWidget(m_progress);
-    auto* buttons = new QDialogButtonBox;
+    auto* buttons = m_box = new QDialogButtonBox;
     m_close = buttons->addButton(QDialogButtonBox::Close);
     m_record = buttons->addButton(tr("&Record"), QDialogButtonBox::ActionRole);
     m_record->setObjectName(QStringLiteral("movieRecord"));
     m_close->setObjectName(QStringLiteral("movieClose"));
-    m_open = buttons->addButton(tr("&Open"), QDialogButtonBox::ActionRole);
-    m_show = buttons->addButton(tr("Show in &Folder"), QDialogButtonBox::ActionRole);
+    m_open = new QPushButton(tr("&Open"), this);
+    m_show = new QPushButton(tr("Show in &Folder"), this);
     m_open->setObjectName(QStringLiteral("movieOpen"));
     m_show->setObjectName(QStringLiteral("movieShowInFolder"));
     connect(m_open, &QPushButton::clicked, this, [this] { m_opener(QString::fromStdString(m_job.path)); });
@@ -76,7 +76,9 @@ MovieDialog::MovieDialog(Parts& parts, RenderService& render, MovieOffer offer, 
     m_opener = [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); };
     offerMovie(false);
     column->addWidget(buttons);
-    m_record->setDefault(true); // once it is in the dialog, or Enter would press another
+    for (QPushButton* button : findChildren<QPushButton*>())
+        button->setAutoDefault(false); // or Enter would press what has the focus
+    m_record->setDefault(true);
     connect(m_record, &QPushButton::clicked, this, &MovieDialog::record);
     connect(m_close, &QPushButton::clicked, this, &MovieDialog::reject);
     connect(m_recorder, &MovieRecorder::progressed, this, &MovieDialog::showProgress);
@@ -205,7 +207,16 @@ void MovieDialog::showSum() {
 }
 
 void MovieDialog::offerMovie(bool made) {
-    for (QPushButton* button : {m_open, m_show}) button->setVisible(made);
+    for (QPushButton* button : {m_open, m_show}) {
+        if (made) {
+            m_box->addButton(button, QDialogButtonBox::ActionRole);
+            button->show();
+            continue;
+        }
+        m_box->removeButton(button); // hidden in there it would come back with the next style
+        button->setParent(this);
+        button->hide();
+    }
     (made ? m_open : m_record)->setDefault(true);
 }
 

@@ -9,6 +9,7 @@ class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
+class QDialogButtonBox;
 class QPushButton;
 
 namespace trundle {
@@ -73,6 +74,7 @@ private:
     QLabel* m_sum = nullptr;
     QProgressBar* m_progress = nullptr;
     QPushButton *m_record = nullptr, *m_close = nullptr;
+    QDialogButtonBox* m_box = nullptr;
     QPushButton *m_open = nullptr, *m_show = nullptr; ///< of the movie that was made
 };
 

@@ -52,7 +52,9 @@ PictureDialog::PictureDialog(RenderService& render, Still still, QSize shown, co
     m_save = buttons->addButton(tr("&Save"), QDialogButtonBox::ActionRole);
     m_save->setObjectName(QStringLiteral("pictureSave"));
     column->addWidget(buttons);
-    m_save->setDefault(true); // once it is in the dialog, or Enter would press another
+    for (QPushButton* button : findChildren<QPushButton*>())
+        button->setAutoDefault(false); // or Enter would press what has the focus
+    m_save->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_save, &QPushButton::clicked, this, &PictureDialog::save);
     connect(choose, &QPushButton::clicked, this, &PictureDialog::browse);

@@ -269,7 +269,8 @@ void PropertiesPanel::addRow(const Row& row, EditorKind kind, Section& section) 
 void PropertiesPanel::alignLabels() {
     int wide = 70;
     for (const PropertyRow* row : m_rows) wide = std::max(wide, row->labelWidthWanted());
-    for (PropertyRow* row : m_rows) row->setLabelWidth(std::min(wide, 118));
+    const int widest = 118 * fontMetrics().height() / 16; // of the usual font's height
+    for (PropertyRow* row : m_rows) row->setLabelWidth(std::min(wide, widest));
 }
 
 void PropertiesPanel::focusRow(const std::string& id, const QString& field) {
@@ -332,6 +333,8 @@ void PropertiesPanel::resizeEvent(QResizeEvent* event) {
 void PropertiesPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange && m_document.isOpen()) refresh();
+    if (event->type() == QEvent::FontChange) // once the rows have it too
+        QMetaObject::invokeMethod(this, &PropertiesPanel::alignLabels, Qt::QueuedConnection);
 }
 
 } // namespace trundle

@@ -92,7 +92,7 @@ void TransportBar::build() {
     m_state->setObjectName(QStringLiteral("transportState"));
     m_state->setAlignment(Qt::AlignCenter);
     m_state->setContentsMargins(8, 0, 8, 0);
-    m_state->setFixedHeight(22);
+    m_state->setMinimumHeight(22);
     row->addWidget(m_state, 0, Qt::AlignVCenter);
     row->addSpacing(6);
 

@@ -114,6 +114,7 @@ QWidget* PreferencesDialog::makeShortcuts() {
     keys->setObjectName(QStringLiteral("keys"));
     keys->setMinimumHeight(26);
     auto* set = new QPushButton(tr("Set"));
+    set->setObjectName(QStringLiteral("setKeys"));
     auto* reset = new QPushButton(tr("Default"));
     auto* row = new QHBoxLayout;
     row->addWidget(new QLabel(tr("Keys of the chosen command:")));
@@ -161,7 +162,8 @@ bool PreferencesDialog::areFree(const char* id, const QKeySequence& keys) {
         const auto row = std::ranges::find_if(m_actions.table(), [&](const ActionRow& r) { return other == r.id; });
         const auto answer = QMessageBox::question(
             this, tr("Keys in use"),
-            tr("%1 is the shortcut of “%2”. Take it from there?").arg(keys.toString(QKeySequence::NativeText), nameOf(*row)));
+            tr("%1 is the shortcut of “%2”. Take it from there?").arg(keys.toString(QKeySequence::NativeText), nameOf(*row)),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
         if (answer != QMessageBox::Yes) return false;
         m_actions.setShortcut(other.constData(), {});
     }

@@ -3,7 +3,9 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -79,6 +81,10 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
         through->menuAction()->setVisible(!through->isEmpty());
     });
     m_button->setMenu(menu);
+    auto* layout = new QHBoxLayout(this); // it follows the button's words and font
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSizeConstraint(QLayout::SetFixedSize);
+    layout->addWidget(m_button);
     connect(&view, &View::kindChanged, this, &ViewCorner::show);
     move(8, 8);
     show();
@@ -87,8 +93,6 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
 void ViewCorner::show() {
     m_button->setText(!m_view.named().empty() ? QString::fromStdString(m_view.named())
                       : m_view.throughCamera() ? tr("Camera") : viewKindName(m_view.camera().kind()));
-    m_button->adjustSize();
-    resize(m_button->size());
 }
 
 /// The Views that the experiment's text has, as they are when the menu opens, and what makes one.
@@ -118,7 +122,7 @@ void ViewCorner::addNamedViews(QMenu& menu) {
 ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QToolBar(parent), m_settings(settings) {
     setObjectName(QStringLiteral("viewBar"));
     setIconSize({16, 16});
-    setFixedHeight(29); // as high as the tabs of the text beside it
+    fitFont();
 
     auto* axes = new QMenu(this);
     const auto addAxes = [&](const QString& name, AxesOf which) {
@@ -172,6 +176,14 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
     qobject_cast<QToolButton*>(widgetForAction(views))->setToolButtonStyle(Qt::ToolButtonIconOnly);
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showSettings);
     showSettings();
+}
+
+/// As high as the tabs of the text beside it.
+void ViewBar::fitFont() { setFixedHeight(fontMetrics().height() + 13); }
+
+void ViewBar::changeEvent(QEvent* event) {
+    QToolBar::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitFont();
 }
 
 QAction* ViewBar::addMenuButton(const char* name, const QString& tip, QMenu* menu) {

@@ -36,7 +36,11 @@ public:
     /// The steps of moves and turns, to be typed.
     void openSteps();
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void fitFont();
     QAction* addMenuButton(const char* name, const QString& tip, QMenu* menu);
     void showSettings();
     ViewSettings& m_settings;

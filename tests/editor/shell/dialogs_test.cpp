@@ -1,0 +1,378 @@
+// Every dialog and question of the program, opened as it is: Enter never presses what loses something, all words are seen at the sizes of
+// font that Preferences offer, and each fits a screen of 800x500. A question in a source file that the table below does not name fails.
+// With TRUNDLE_PICTURES=FOLDER in the environment a picture of each is left there.
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDirIterator>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include <map>
+
+#include "editor/cameras/movie_dialog.h"
+#include "editor/running/controller_dialogs.h"
+#include "editor/shell/share_dialog.h"
+#include "editor/shell/window_parts.h"
+#include "eventually.h"
+#include "project/journal.h"
+#include "project/project_lock.h"
+#include "project/search.h"
+
+using namespace trundle;
+
+namespace {
+
+const QByteArray kMain =
+    "#import rover.sim\n#import arenas/open_floor.sim\nTick = 0.01  Duration = 60\nStatic floor { Config=OpenFloor }\n"
+    "Robot robot0 { Config=Rover }\nRobot robot1 { Config=Rover Pos=1,0,0 }\nRobot robot2 { Config=Rover Pos=2,0,0 }\nPoseLog "
+    "path { Robot=robot0 Interval=0.1 }\n";
+const QByteArray kRover = "RobotConfig Rover { Body b { Box hull { Pos=0,0,0.05 Size=0.1,0.1,0.1 Mass=1 } } }\n";
+
+struct Question {
+    const char* source; ///< below editor/
+    const char* name;   ///< its object name, else its title
+    const char* pressedByEnter;
+};
+// Several lines of one source: as many dialogs are made there.
+constexpr Question kQuestions[] = {
+    {"cameras/movie_dialog.h", "movieDialog", "Record"},
+    {"cameras/picture_dialog.h", "pictureDialog", "Save"},
+    {"outline/object_edits.cpp", "deleteQuestion", "Delete All"},
+    {"running/controller_dialogs.cpp", "trustQuestion", "Cancel"},
+    {"running/controller_dialogs.cpp", "chooseController", "Assign"},
+    {"shell/command_palette.h", "commandPalette", ""},
+    {"shell/file_commands.cpp", "fileMessage", "OK"},
+    {"shell/file_commands.cpp", "unsavedQuestion", "Save"},
+    {"shell/group_dialog.cpp", "groupDialog", "Group"},
+    {"shell/main_window_commands.cpp", "movieQuestion", "Go On"},
+    {"shell/main_window_commands.cpp", "journalsNotRead", "OK"},
+    {"shell/main_window_commands.cpp", "lockQuestion", "Only Look"},
+    {"shell/main_window_commands.cpp", "diskQuestion", "Keep Mine"},
+    {"shell/main_window_commands.cpp", "about", "OK"},
+    {"shell/preferences_dialog.h", "preferences", ""},
+    {"shell/preferences_dialog.cpp", "Keys in use", "No"},
+    {"shell/recovery_dialog.h", "recovery", "Bring Back"},
+    {"shell/recovery_dialog.cpp", "Not brought back", "OK"},
+    {"shell/recovery_dialog.cpp", "throwAwayQuestion", "Cancel"},
+    {"shell/share_dialog.cpp", "shareQuestion", "Make a copy for this experiment"},
+    {"viewport/array_dialog.h", "arrayDialog", "Copy"},
+};
+
+QString nameOf(const QDialog& dialog) { return dialog.objectName().isEmpty() ? dialog.windowTitle() : dialog.objectName(); }
+QString bare(QString text) { return text.remove(u'&'); }
+
+/// Which words in a dialog or window are cut off.
+QStringList cutOff(const QWidget& dialog) {
+    QStringList cut;
+    for (const auto* label : dialog.findChildren<QLabel*>()) {
+        if (!label->isVisible() || label->text().isEmpty()) continue;
+        const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+        if (label->height() < needed || (!label->wordWrap() && label->width() < label->sizeHint().width()))
+            cut << QStringLiteral("label “%1” %2x%3 of %4x%5")
+                       .arg(label->text().left(60))
+                       .arg(label->width())
+                       .arg(label->height())
+                       .arg(label->sizeHint().width())
+                       .arg(needed);
+    }
+    for (const auto* button : dialog.findChildren<QAbstractButton*>()) {
+        const auto* tool = qobject_cast<const QToolButton*>(button);
+        if (!button->isVisible() || button->text().isEmpty() || (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly))
+            continue;
+        if (button->width() < button->minimumSizeHint().width() || button->height() < button->fontMetrics().height())
+            cut << QStringLiteral("button “%1”").arg(button->text());
+    }
+    for (const auto* choice : dialog.findChildren<QComboBox*>())
+        if (choice->isVisible() && choice->width() < choice->fontMetrics().horizontalAdvance(choice->currentText()) + 24)
+            cut << QStringLiteral("choice “%1”").arg(choice->currentText());
+    return cut;
+}
+
+} // namespace
+
+class DialogsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() {
+        m_parts.start();
+        fillOpeners();
+    }
+    void init() { QSettings().clear(); }
+    void cleanup() {
+        if (!m_window) return;
+        while (m_window->document().history().canUndo()) m_window->document().undo();
+        if (std::exchange(m_ownFolder, false)) m_window.reset();
+        m_lock.reset();
+    }
+    void cleanupTestCase() { m_window.reset(); }
+
+    void everyDialogInTheSourcesIsOpenedHere() {
+        std::map<QString, int> listed, found;
+        for (const Question& question : kQuestions) {
+            ++listed[QLatin1String(question.source)];
+            QVERIFY2(m_openers.contains(QLatin1String(question.name)), question.name);
+        }
+        const QString root = QStringLiteral(TRUNDLE_SOURCE_DIR "/editor/");
+        const QRegularExpression made(QStringLiteral(
+            R"(new Q(Dialog|MessageBox|InputDialog|ErrorMessage)\(|\bQ(MessageBox|Dialog|InputDialog|ErrorMessage) \w+[({;]|Q(MessageBox|InputDialog)::[a-z]\w*\(|: public Q(Dialog|MessageBox)\b)"));
+        for (QDirIterator files(root, {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+                                QDirIterator::Subdirectories);
+             files.hasNext();) {
+            QFile file(files.next());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            for (auto hits = made.globalMatch(QString::fromUtf8(file.readAll())); hits.hasNext(); hits.next())
+                ++found[QDir(root).relativeFilePath(file.fileName())];
+        }
+        for (const auto& [source, count] : found)
+            QVERIFY2(
+                listed[source] == count,
+                qPrintable(QStringLiteral("%1 makes %2 dialogs, %3 are opened here").arg(source).arg(count).arg(listed[source])));
+        QCOMPARE(found.size(), listed.size());
+    }
+
+    void enterLosesNothingAndAllIsSeen_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("pressed");
+        QTest::addColumn<bool>("dark");
+        QTest::addColumn<int>("font");
+        for (const auto& [dark, font] : {std::pair(false, 13), std::pair(true, 17)})
+            for (const Question& q : kQuestions)
+                QTest::addRow("%s %s %d px", q.name, dark ? "dark" : "light", font) << q.name << q.pressedByEnter << dark << font;
+    }
+    void enterLosesNothingAndAllIsSeen() {
+        QFETCH(QString, name);
+        QFETCH(QString, pressed);
+        QFETCH(bool, dark);
+        QFETCH(int, font);
+        useTheme(dark ? ThemeKind::Dark : ThemeKind::Light, font);
+        bool seen = false;
+        QString byEnter;
+        QStringList faults;
+        QTimer look;
+        connect(&look, &QTimer::timeout, this, [&] {
+            for (QWidget* widget : QApplication::topLevelWidgets()) {
+                auto* dialog = qobject_cast<QDialog*>(widget);
+                if (!dialog || !dialog->isVisible() || nameOf(*dialog) != name || seen) continue;
+                QApplication::processEvents(QEventLoop::ExcludeUserInputEvents); // what follows once it is shown
+                seen = true;
+                for (const auto* button : dialog->findChildren<QPushButton*>()) {
+                    if (!button->isDefault()) continue;
+                    byEnter = bare(button->text());
+                    if (auto* box = qobject_cast<QMessageBox*>(dialog);
+                        box && box->buttonRole(const_cast<QPushButton*>(button)) == QMessageBox::DestructiveRole)
+                        faults << QStringLiteral("Enter presses what loses something");
+                }
+                faults << cutOff(*dialog);
+                if (const auto* open = dialog->findChild<QPushButton*>(QStringLiteral("movieOpen")); open && open->isVisible())
+                    faults << QStringLiteral("a movie is offered that there is not");
+                const QSize least = dialog->minimumSizeHint().expandedTo(dialog->minimumSize());
+                if (least.width() > 800 || least.height() > 500)
+                    faults << QStringLiteral("needs %1x%2").arg(least.width()).arg(least.height());
+                if (const QString folder = qEnvironmentVariable("TRUNDLE_PICTURES"); !folder.isEmpty())
+                    dialog->grab().save(QStringLiteral("%1/%2-%3-%4.png")
+                                            .arg(folder, QString(name).replace(u' ', u'_'),
+                                                 dark ? QStringLiteral("dark") : QStringLiteral("light"))
+                                            .arg(font));
+                dialog->close();
+                if (dialog->isVisible()) dialog->reject();
+                return;
+            }
+        });
+        look.start(0);
+        m_openers.at(name)();
+        EVENTUALLY(seen);
+        look.stop();
+        QCOMPARE(byEnter, pressed);
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QStringLiteral("; "))));
+    }
+
+    void theWindowHasRoomForItsWordsAtEveryFont() {
+        for (const int font : {17, kLargestInterfaceFont, kSmallestFont, 13}) {
+            useTheme(ThemeKind::Light, font);
+            openWindow();
+            m_window->resize(1600, 1000);
+            QTRY_VERIFY2_WITH_TIMEOUT(
+                cutOff(*m_window).isEmpty(),
+                qPrintable(QStringLiteral("%1 px: %2").arg(font).arg(cutOff(*m_window).join(QStringLiteral("; ")))), kPatienceMs);
+            const auto* corner = m_window->findChild<QToolButton*>(QStringLiteral("viewKind"));
+            QVERIFY(corner && corner->width() >= corner->fontMetrics().horizontalAdvance(corner->text()) + 28); // and its arrow
+            QVERIFY(corner->parentWidget()->rect().contains(corner->geometry()));
+        }
+    }
+
+private:
+    /// For windows made from then on.
+    void useTheme(ThemeKind kind, int font) {
+        if (currentTheme() == kind && m_font == font) return;
+        m_window.reset();
+        m_font = font;
+        applyTheme(*qApp, kind, {font, font});
+    }
+    [[nodiscard]] QString path(const char* name) const {
+        return QDir(m_folder->path()).canonicalPath() + u'/' + QLatin1String(name);
+    }
+    void write(const char* name, const QByteArray& bytes) const {
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+    /// The same window for all, but for what needs another folder.
+    void openWindow() {
+        if (m_window) return;
+        if (!m_ownFolder) makeFolder();
+        m_window = m_parts.window();
+        m_window->show();
+        QVERIFY(m_window->open(path("main.sim")));
+        EVENTUALLY(m_window->document().isOpen());
+    }
+    void makeFolder() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        write("main.sim", kMain);
+        write("rover.sim", kRover);
+    }
+    /// For a window that finds something there.
+    void makeOwnFolder() {
+        m_window.reset();
+        makeFolder();
+        m_ownFolder = true;
+    }
+    void trigger(const char* action, const std::vector<std::string>& selected = {}) {
+        openWindow();
+        if (!selected.empty()) m_window->selection().set(selected);
+        m_window->actions().at(action).trigger();
+    }
+    void edit() { QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok()); }
+    /// A window that was killed left edits of a file.
+    void leaveJournal(const char* name) const {
+        Journal left(projectFolderOf(path(name).toStdString()), {path(name).toStdString(), {}});
+        QVERIFY(left.note(path(name).toStdString(), kMain.toStdString(), kMain.toStdString() + "Seed = 3\n").ok());
+    }
+    void press(const char* dialog, const char* button) {
+        EVENTUALLY(m_window->findChild<QDialog*>(QLatin1String(dialog)));
+        m_window->findChild<QDialog*>(QLatin1String(dialog))->findChild<QPushButton*>(QLatin1String(button))->click();
+    }
+    void recordAndClose() {
+        trigger("sim.record");
+        auto* dialog = m_window->findChild<MovieDialog*>();
+        QVERIFY(dialog);
+        dialog->findChild<QLineEdit*>(QStringLiteral("movieFile"))->setText(path("a.mp4"));
+        dialog->findChild<QPushButton*>(QStringLiteral("movieRecord"))->click();
+        QVERIFY(dialog->isRecording());
+        m_window->close();
+        dialog->close(); // which ends what it records
+        EVENTUALLY(!dialog->isRecording());
+        delete dialog;
+    }
+    void askForUsedKeys() {
+        openWindow();
+        QTimer::singleShot(0, m_window.get(), [this] { // once Preferences, which wait for their end, are open
+            auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("preferences"));
+            QVERIFY(dialog);
+            dialog->findChild<QKeySequenceEdit*>(QStringLiteral("keys"))
+                ->setKeySequence(m_window->actions().at("file.save").shortcut());
+            dialog->findChild<QPushButton*>(QStringLiteral("setKeys"))->click();
+            dialog->close();
+        });
+        trigger("edit.preferences");
+    }
+    void bringBackWhatCannotBe() {
+        makeOwnFolder();
+        write("other.sim", kMain);
+        leaveJournal("other.sim");
+        openWindow();
+        EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
+        QVERIFY(QFile::remove(path("other.sim")) && QDir().mkdir(path("other.sim")));
+        press("recovery", "bringBack");
+    }
+
+    void fillOpeners() {
+        m_openers[QStringLiteral("movieDialog")] = [this] { trigger("sim.record"); };
+        m_openers[QStringLiteral("pictureDialog")] = [this] { trigger("view.savePicture"); };
+        m_openers[QStringLiteral("deleteQuestion")] = [this] { trigger("edit.delete", {"robot0"}); };
+        m_openers[QStringLiteral("commandPalette")] = [this] { trigger("edit.palette"); };
+        m_openers[QStringLiteral("groupDialog")] = [this] { trigger("edit.group", {"robot1", "robot2"}); };
+        m_openers[QStringLiteral("about")] = [this] { trigger("help.about"); };
+        m_openers[QStringLiteral("preferences")] = [this] { trigger("edit.preferences"); };
+        m_openers[QStringLiteral("arrayDialog")] = [this] { trigger("tool.array", {"robot0"}); };
+        m_openers[QStringLiteral("Keys in use")] = [this] { askForUsedKeys(); };
+        m_openers[QStringLiteral("movieQuestion")] = [this] { recordAndClose(); };
+        m_openers[QStringLiteral("Not brought back")] = [this] { bringBackWhatCannotBe(); };
+        m_openers[QStringLiteral("trustQuestion")] = [] {
+            (void)askForTrust(QStringLiteral("/opt/robots/modules/libwander.so"),
+                              QStringLiteral("/opt/robots/modules"), nullptr);
+        };
+        m_openers[QStringLiteral("chooseController")] = [this] {
+            openWindow();
+            (void)chooseController(
+                controllerChoices(*m_window->document().loaded(), m_parts.parts->moduleKinds({}), findLocations()), {"robot0"},
+                m_window.get());
+        };
+        m_openers[QStringLiteral("shareQuestion")] = [this] {
+            openWindow();
+            (void)m_window->document().structure().apply(
+                QStringLiteral("Insert"), {"robot0"}, [](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+                    return planInsert(loaded, renamed("robot0"), "Body arm { Sphere ball { Radius=0.1 Mass=1 } }");
+                });
+        };
+        m_openers[QStringLiteral("fileMessage")] = [this] {
+            openWindow();
+            (void)m_window->open(path("none.sim"));
+        };
+        m_openers[QStringLiteral("unsavedQuestion")] = [this] {
+            openWindow();
+            edit();
+            m_window->close();
+        };
+        m_openers[QStringLiteral("journalsNotRead")] = [this] {
+            makeOwnFolder();
+            QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral(".trundle/journal")));
+            write(".trundle/journal/1.journal", "from yesterday");
+            openWindow();
+        };
+        m_openers[QStringLiteral("lockQuestion")] = [this] {
+            makeOwnFolder();
+            m_lock =
+                std::make_unique<ProjectLock>(projectFolderOf(path("main.sim").toStdString()), path("main.sim").toStdString());
+            QVERIFY(m_lock->taken());
+            openWindow();
+        };
+        m_openers[QStringLiteral("diskQuestion")] = [this] {
+            makeOwnFolder();
+            openWindow();
+            edit();
+            write("main.sim", QByteArray(kMain).replace("robot0 { Config=Rover", "robot0 { Config=Rover Pos=7,0,0"));
+            m_window->document().lookAtDisk();
+        };
+        m_openers[QStringLiteral("recovery")] = [this] {
+            makeOwnFolder();
+            leaveJournal("main.sim");
+            openWindow();
+        };
+        m_openers[QStringLiteral("throwAwayQuestion")] = [this] {
+            makeOwnFolder();
+            leaveJournal("main.sim");
+            openWindow();
+            press("recovery", "throwAway");
+        };
+    }
+
+    WindowParts m_parts;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<ProjectLock> m_lock;
+    bool m_ownFolder = false;
+    int m_font = 0;
+    std::map<QString, std::function<void()>> m_openers; // by the name of the dialog
+};
+
+QTEST_MAIN(DialogsTest)
+#include "dialogs_test.moc"
