@@ -70,7 +70,7 @@ Status StructureEdits::rename(const QString& name, const std::string& path, cons
     if (done && m_document.revision() != before && !others.usesOutside().empty()) {
         QStringList files;
         for (const ProjectRename::Use& use : others.usesOutside())
-            files += QObject::tr("%1 (%2)").arg(shown(use.file)).arg(use.count);
+            files += QObject::tr("%1 (%2)").arg(shown(use.file), QString::number(use.count));
         Q_EMIT m_document.notice(QObject::tr("Texts that are not loaded still have the old name: %1. To rename it there too, undo this and "
                                              "press F2 in the text.")
                                      .arg(files.join(QStringLiteral(", "))));

@@ -152,12 +152,13 @@ void TextPanel::offerOthers(const ProjectRename& renaming) {
     QStringList lines;
     for (const ProjectRename::Use& use : renaming.usesOutside()) {
         uses += static_cast<int>(use.count);
-        lines += tr("%1: %2").arg(QString::fromStdString(m_document.shown(use.file))).arg(use.count);
+        lines += tr("%1: %2").arg(QString::fromStdString(m_document.shown(use.file)), QString::number(use.count));
     }
     if (!renaming.isComplete()) lines += tr("Others were not read: the project has more than %1 files that import it").arg(ProjectRename::kMostTexts);
     const auto files = static_cast<int>(renaming.usesOutside().size());
-    m_rename->offerOthers(files == 1 ? tr("Also in %1, which is not loaded (%2)").arg(QString::fromStdString(m_document.shown(renaming.usesOutside()[0].file))).arg(uses)
-                                     : tr("Also in %1 files that are not loaded (%2)").arg(files).arg(uses),
+    const QString where = files == 1 ? tr("Also in %1, which is not loaded (%2)") : tr("Also in %1 files that are not loaded (%2)");
+    const QString of = files == 1 ? QString::fromStdString(m_document.shown(renaming.usesOutside()[0].file)) : QString::number(files);
+    m_rename->offerOthers(where.arg(of, QString::number(uses)),
                           lines.join(QLatin1Char('\n')));
 }
 
