@@ -3,7 +3,8 @@
 cameras and radios, `resources/pictures/samples/NAME.png`.
 
 `python3 resources/pictures/draw_gallery.py [BUILD]` after a build; BUILD is build/release where none is given. Each robot stands on a
-plain floor, each arena as it is; the pictures are those of `trundle-cli render`.
+plain floor, each arena as it is; the pictures are those of `trundle-cli render`. On a display (or below `xvfb-run -a`) it also draws
+README's `window.png`, the window itself.
 """
 
 import glob
@@ -39,6 +40,15 @@ def text(folder, name, config):
     return "\n".join(lines) + "\n"
 
 
+def picture_of_window(trundle):
+    experiment = os.path.join(ROOT, "configs", "experiments", "obstacle_detection.sim")
+    picture = os.path.join(HERE, "window.png")
+    what = ["--select", "robot0", "--run-for", "11", "--theme", "light", "--size", "1500x900", "--screenshot", picture, "--quit"]
+    with tempfile.TemporaryDirectory() as home:  # your own settings change nothing in the picture
+        subprocess.run([trundle, experiment, *what], check=True, env=dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_STATE_HOME=home))
+    print(picture)
+
+
 def main():
     cli = os.path.join(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "release"), "bin", "trundle-cli")
     os.makedirs(os.path.join(HERE, "gallery"), exist_ok=True)
@@ -62,6 +72,8 @@ def main():
         place = ["--at", seconds, "--eye=" + eye, "--target=" + target]
         subprocess.run([cli, "render", os.path.join(ROOT, "configs", "experiments", name + ".sim"), "--size", SIZE, "-o", picture, *place], check=True)
         print(picture)
+    if os.environ.get("DISPLAY"):
+        picture_of_window(os.path.join(os.path.dirname(cli), "trundle"))
 
 
 if __name__ == "__main__":
