@@ -6,6 +6,7 @@
 #include "base/platform/read_file.h"
 #include "editor/document/document.h"
 #include "lang/tree_edit.h"
+#include "project/edit_target.h"
 #include "project/plans.h"
 
 namespace trundle {
@@ -44,6 +45,7 @@ ProjectRename::ProjectRename(Document& document, std::string path, const std::st
     const Loaded& loaded = *document.loaded();
     const Result<EditPlan> own = planRename(loaded, m_path, probe);
     if (!own) return;
+    if (std::ranges::any_of(own.value().edits, [&](const auto& edit) { return isShippedFile(loaded, edit.first); })) return;
     std::set<std::string> changed;
     for (const auto& [file, edits] : byPath(loaded, own.value().edits)) changed.insert(file);
     ConfigUsers users;

@@ -27,7 +27,8 @@ public:
         std::string file; ///< absolute
         std::size_t count = 0;
     };
-    /// Texts that name it and that the document has not loaded, in alphabetical order.
+    /// Texts that name it and that the document has not loaded, in alphabetical order; none where it is of an imported file that came
+    /// with the program: apply() refuses to rename that.
     [[nodiscard]] const std::vector<Use>& usesOutside() const { return m_uses; }
     [[nodiscard]] bool isComplete() const { return m_complete; } ///< false: there are more texts than were read
 

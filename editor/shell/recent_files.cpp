@@ -35,7 +35,7 @@ QList<Sample> sampleExperiments(const QString& configs) {
         {"turn_angle", "Turn angle", "How exactly a turn finds the bearings of five motes."},
         {"sensor_network_amr", "Sensor network", "A carrier follows nine motes to the one it cannot hear."},
         {"network_navigation", "Network navigation", "By signal strength alone to a target that is out of hearing."},
-        {"thesis_figure_3_4", "Figure 3.4", "The experiment of the thesis's figure, with files of our own to run it."},
+        {"thesis_figure_3_4", "Figure 3.4", "The experiment of the thesis's figure 3.4."},
     };
     QList<Sample> found;
     for (const auto& [name, title, description] : samples) {

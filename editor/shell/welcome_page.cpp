@@ -30,7 +30,11 @@ public:
         setObjectName(QStringLiteral("sample.") + QFileInfo(sample.path).completeBaseName());
     }
 
-    static int heightAt(int width) { return pictureHeight(width) + 78; }
+    /// So high that all its words can be read.
+    [[nodiscard]] int heightAt(int width) const {
+        const QRect words = fontMetrics().boundingRect(QRect(0, 0, width - 2 * kMargin, 10000), Qt::TextWordWrap, m_sample.description);
+        return descriptionTop(width) + words.height() + 10;
+    }
 
 protected:
     void paintEvent(QPaintEvent*) override {
@@ -55,10 +59,11 @@ protected:
         QFont bold = font();
         bold.setWeight(QFont::DemiBold);
         p.setFont(bold);
-        p.drawText(QRect(14, picture + 10, width() - 28, 20), Qt::AlignLeft | Qt::AlignVCenter, text());
+        p.drawText(QRect(kMargin, picture + 10, width() - 2 * kMargin, lineHeight()), Qt::AlignLeft | Qt::AlignVCenter, text());
         p.setFont(font());
         p.setPen(ink(Ink::Faint));
-        p.drawText(QRect(14, picture + 32, width() - 28, 36), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+        const int top = descriptionTop(width());
+        p.drawText(QRect(kMargin, top, width() - 2 * kMargin, height() - top), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                    m_sample.description);
         const bool hot = underMouse() || hasFocus();
         p.setPen(QPen(hot ? ink(Ink::Accent) : ink(Ink::Line), hot ? 2 : 1));
@@ -70,7 +75,10 @@ protected:
     }
 
 private:
+    static constexpr int kMargin = 14;
     static int pictureHeight(int width) { return width * 9 / 16; }
+    [[nodiscard]] int lineHeight() const { return std::max(20, fontMetrics().lineSpacing()); }
+    [[nodiscard]] int descriptionTop(int width) const { return pictureHeight(width) + 12 + lineHeight(); }
     Sample m_sample;
     QImage m_picture;
 };
@@ -111,24 +119,30 @@ QPushButton* linkButton(const QString& text, const QIcon& icon = {}) {
 class CardFlow final : public QWidget {
 public:
     using QWidget::QWidget;
-    void add(QWidget* card) { m_cards.append(card); }
+    void add(SampleCard* card) { m_cards.append(card); }
 
 protected:
     void resizeEvent(QResizeEvent*) override { place(); }
     void showEvent(QShowEvent*) override { place(); }
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest) place(); // a card has another font
+        return QWidget::event(event);
+    }
 
 private:
     void place() {
         if (m_cards.isEmpty()) return;
         const int columns = std::clamp((width() + kGap) / (kLeast + kGap), 1, int(m_cards.size()));
-        const int wide = std::min(kMost, (width() - (columns - 1) * kGap) / columns), high = SampleCard::heightAt(wide);
+        const int wide = std::min(kMost, (width() - (columns - 1) * kGap) / columns);
+        int high = 0;
+        for (const SampleCard* card : m_cards) high = std::max(high, card->heightAt(wide));
         for (int i = 0; i < m_cards.size(); ++i)
             m_cards[i]->setGeometry((i % columns) * (wide + kGap), (i / columns) * (high + kGap), wide, high);
         const int rows = (int(m_cards.size()) + columns - 1) / columns;
         setMinimumHeight(rows * (high + kGap));
     }
     static constexpr int kGap = 16, kLeast = 212, kMost = 340;
-    QList<QWidget*> m_cards;
+    QList<SampleCard*> m_cards;
 };
 
 /// A column that scrolls where it is too high, so that the window can be as low as it likes.

@@ -46,7 +46,7 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     setObjectName(QStringLiteral("textPanel"));
     m_tabs->setObjectName(QStringLiteral("textTabs"));
     m_tabs->setMovable(true);
-    m_tabs->setElideMode(Qt::ElideMiddle);
+    m_tabs->setElideMode(Qt::ElideNone); // where there is little room, arrows scroll the tabs
     m_nothing->setAlignment(Qt::AlignCenter);
     m_nothing->setForegroundRole(QPalette::PlaceholderText);
     m_files->setObjectName(QStringLiteral("textFiles"));

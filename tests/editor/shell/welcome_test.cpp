@@ -223,6 +223,32 @@ private Q_SLOTS:
         QCOMPARE(triggered.size(), 1);
     }
 
+    void wordsOfCardsFit_data() {
+        QTest::addColumn<int>("size");
+        for (const int size : {13, 17, 24}) QTest::addRow("%d px", size) << size;
+    }
+    /// All words of a card can be read, at every size of the font.
+    void wordsOfCardsFit() {
+        QFETCH(int, size);
+        m_window = m_parts.window();
+        m_window->show();
+        const QString configs = QString::fromStdString(findLocations().configs);
+        const QList<Sample> samples = sampleExperiments(configs) + sampleParts(configs);
+        const auto cardOf = [&](const Sample& sample) {
+            return m_window->findChild<QAbstractButton*>(u"sample."_qs + QFileInfo(sample.path).completeBaseName());
+        };
+        for (const Sample& sample : samples) cardOf(sample)->setStyleSheet(u"font-size: %1px"_qs.arg(size));
+        for (const Sample& sample : samples) {
+            const QAbstractButton* card = cardOf(sample);
+            const QFontMetrics metrics = card->fontMetrics();
+            const auto needed = [&] {
+                const QRect words = metrics.boundingRect(QRect(0, 0, card->width() - 28, 10000), Qt::TextWordWrap, sample.description);
+                return card->width() * 9 / 16 + metrics.lineSpacing() + words.height() + 12;
+            };
+            EVENTUALLY(card->height() >= needed());
+        }
+    }
+
     void aSmallScreenHoldsTheWindow() {
         QTemporaryDir folder;
         for (int i = 0; i < 8; ++i) {

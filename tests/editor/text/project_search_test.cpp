@@ -47,6 +47,7 @@ private Q_SLOTS:
     void renamesInOtherTexts_data();
     void renamesInOtherTexts();
     void aNameThatIsTakenElsewhereIsRefused();
+    void whatCameWithTheProgramIsNotRenamed();
 };
 
 void ProjectSearchTest::findsInTheProjectsFolder() {
@@ -156,6 +157,26 @@ void ProjectSearchTest::aNameThatIsTakenElsewhereIsRefused() {
     w.child<QCheckBox>("renameOthers")->click(); // without it the name is free
     QTest::keyClick(name, Qt::Key_Return);
     QVERIFY(w.text(w.parts).contains("RobotConfig Crate {"));
+}
+
+/// Other texts of the project that use it make no difference.
+void ProjectSearchTest::whatCameWithTheProgramIsNotRenamed() {
+    SearchedProject w;
+    constexpr char kUser[] = "#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot }\n";
+    const std::string other = w.write("other.sim", kUser);
+    w.open(w.write("drive.sim", kUser));
+    w.caretAt("SimpleRobot }", 1);
+    w.key(Qt::Key_F2);
+    auto* name = w.child<QLineEdit>("renameText");
+    QVERIFY(name && !w.child<QCheckBox>("renameOthers")->isVisible());
+    EVENTUALLY(name->hasFocus());
+    QTest::keyClicks(name, QStringLiteral("Mine"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QVERIFY2(w.child<QLabel>("renameError")->text().contains(QStringLiteral("read-only")),
+             qPrintable(w.child<QLabel>("renameError")->text()));
+    QVERIFY(!w.document.isModified());
+    QCOMPARE(w.text(), QByteArray(kUser));
+    QVERIFY(w.text(other).isEmpty());
 }
 
 QTEST_MAIN(ProjectSearchTest)

@@ -23,7 +23,26 @@ private Q_SLOTS:
     void ctrlClickFollows();
     void revealTakesNoKeyboard();
     void themesChange();
+    void namesOfFilesAreWhole();
 };
+
+/// In a pane that is too narrow for them the tabs scroll.
+void TabsTest::namesOfFilesAreWhole() {
+    TextWindow w;
+    QByteArray imports;
+    const QStringList names{QStringLiteral("obstacle_detection.sim"), QStringLiteral("linear_motion.sim"), QStringLiteral("arc_motion.sim")};
+    for (const QString& name : names) {
+        w.write(name.toLatin1().constData(), "// nothing\n");
+        imports += "#import " + name.toUtf8() + '\n';
+    }
+    w.open(w.write("drive.sim", imports));
+    for (const std::string& file : w.document.files()) QVERIFY(w.panel.openFile(file));
+    const auto* bar = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"))->tabBar();
+    QCOMPARE(bar->count(), 4);
+    w.panel.window()->resize(320, 400);
+    EVENTUALLY(bar->width() < 330);
+    for (int i = 0; i < bar->count(); ++i) QVERIFY(bar->tabRect(i).width() > bar->fontMetrics().horizontalAdvance(bar->tabText(i)));
+}
 
 void TabsTest::tabsFollowTheDocument() {
     TextWindow w;
