@@ -161,8 +161,8 @@ void DrivingFlowTest::pressedAgainstAWallItStays_data() {
             QTest::addRow("tick %g s, %g m", tick, distance) << tick << distance;
 }
 
-// Wheels held by the motors, held by the floor, the hull held by the wall: rows that nearly say the same thing make the exact
-// solver stumble now and then (at tick 0.01 and -0.5 m it does). Nobody should notice.
+// Wheels held by the motors, held by the floor, the hull held by the wall: rows that nearly say the same thing may make the exact
+// solver stumble now and then. Nobody should notice.
 void DrivingFlowTest::pressedAgainstAWallItStays() {
     QFETCH(double, tick);
     QFETCH(double, distance);
@@ -171,7 +171,6 @@ void DrivingFlowTest::pressedAgainstAWallItStays() {
                              QString("robot0.brain.Distance=%1").arg(distance)});
     QVERIFY2(run.code == 0, shown(run));
     const QJsonObject json = QJsonDocument::fromJson(run.out).object();
-    if (tick == 0.01 && distance == -0.5) QVERIFY2(json["rescued_ticks"].toInt() > 0, shown(run));
     const QJsonObject robot = json["robots"].toObject()["robot0"].toObject();
     const double hull =
         distance < 0 ? -2 + 0.15 : 2 - 0.17; // the walls stand at 2 m; behind reaches the hull, in front the bumper

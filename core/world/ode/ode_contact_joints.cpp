@@ -11,6 +11,12 @@ namespace {
 
 constexpr double kSlipSpeed = 1e-7; // m/s: below it friction's axes are ODE's own choice
 constexpr double kBounceErp = 0.2;
+constexpr double kLying = 0.7;      // cosine between an axis and the floor's normal
+constexpr std::uint32_t kYoung = 2; // ticks
+constexpr double kQuiet = 0.4;      // share of the limit
+constexpr double kLevel = 0.8;      // square of the cosine between normal and gravity
+constexpr double kImpact = 0.1;     // s: longer than an impact lasts
+constexpr double kSettled = 0.7;    // share of the load before: with more change than that an impact is not over
 
 } // namespace
 
@@ -41,11 +47,15 @@ std::size_t OdeEngine::largestCluster() {
 }
 
 void OdeEngine::makeContactJoints(double h) {
+    m_memory.recall(m_contacts);
+    const auto young = static_cast<std::uint32_t>(kYoung + kImpact / h);
     dContact contact;
     std::memset(&contact, 0, sizeof contact);
     m_contactFeedbacks.resize(m_contacts.size()); // the solver fills every one; they must stay where they are until it has
     for (std::size_t i = 0; i < m_contacts.size(); ++i) {
-        const Contact& c = m_contacts[i];
+        Contact& c = m_contacts[i];
+        const bool settled = c.load > kSettled * c.earlier && kSettled * c.load < c.earlier;
+        c.bounded = !m_quick && c.expected > 0 && (c.bounded || (c.ticks >= kYoung && (settled || c.ticks > young)));
         fillSurface(c, h, contact);
         const dJointID joint = dJointCreateContact(m_world, m_contactGroup, &contact);
         const std::uint32_t other = m_geoms[c.second].body;
@@ -77,56 +87,99 @@ void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
     const double softness = s1.softness + s2.softness;
     const double kp = softness > 0 ? 1 / (1 / a2.stiffness + softness) : a2.stiffness;
     const double give = h * kp + a2.damping;
-    s.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
-    s.mu = std::min(s1.friction, s2.friction);
+    s.mode = dContactSoftERP | dContactSoftCFM;
     s.soft_erp = h * kp / give;
     s.soft_cfm = 1 / give;
 
+    const double friction = std::min(s1.friction, s2.friction);
+    const FrictionLaw law{vec(c.normal), Vec3::Zero(), friction, friction};
     const double restitution = std::max(s1.restitution, s2.restitution);
-    const bool needsSpeed = restitution > 0 || s.mu > 0;
-    if (!needsSpeed) return;
-    const Vec3 point = vec(c.position), normal = vec(c.normal);
-    Vec3 speed = pointVelocity(g1, point) - pointVelocity(g2, point);
-    if (restitution > 0 && -normal.dot(speed) > kBounceSpeed) { // a spring would eat the bounce
+    const bool grips = friction > 0;
+    if (!(restitution > 0) && !grips) return;
+    const Vec3 point = vec(c.position);
+    const Vec3 speed = pointVelocity(g1, point) - pointVelocity(g2, point);
+    if (restitution > 0 && -law.normal.dot(speed) > kBounceSpeed) { // a spring would eat the bounce
         s.mode = (s.mode & ~dContactSoftCFM) | dContactBounce;
         s.soft_erp = kBounceErp;
         s.bounce = restitution;
         s.bounce_vel = kBounceSpeed;
     }
-    if (!(s.mu > 0)) return;
+    if (grips) fillFriction(c, law, speed, h, out);
+}
 
+/// The axis of friction where nothing slips: the way a wheel rolls, what gravity is about to start, any.
+Vec3 OdeEngine::restAxis(const Contact& c, const Vec3& normal, const Vec3& slip, double h) const {
+    Vec3 rest = vec(c.slide);
+    if (rest.squaredNorm() == 0 && c.ticks == 0) {
+        rest = slip;
+        if (m_geoms[c.second].body == kNone) rest += h * m_settings.gravity;
+    }
+    rest -= rest.dot(normal) * normal;
+    if (rest.norm() <= kSlipSpeed)
+        rest = std::abs(normal.x()) < 0.7 ? Vec3(Vec3::UnitX() - normal.x() * normal) : Vec3(Vec3::UnitY() - normal.y() * normal);
+    return rest.normalized();
+}
+
+/// Far from its limit on level ground: ODE's own bound is good enough there, and cheaper.
+bool OdeEngine::restsQuietly(const Contact& c, const FrictionLaw& law) const {
+    const double limit = kQuiet * law.along * c.expected, up = law.normal.dot(m_settings.gravity);
+    return law.along == law.across && Vec3::Map(c.grip).squaredNorm() < limit * limit &&
+           up * up > kLevel * m_settings.gravity.squaredNorm();
+}
+
+/// The cone's two rows. They are bounded by the load that the contact carried in the last tick: ODE's own bound (dContactApprox1)
+/// takes the load as it would be without any friction, and so is only for contacts too young to have one, or still in their impact.
+void OdeEngine::fillFriction(const Contact& c, FrictionLaw law, const Vec3& speed, double h, dContact& out) const {
+    const Geom &g1 = m_geoms[c.first], &g2 = m_geoms[c.second];
+    const Vec3& normal = law.normal;
     Vec3 belt = Vec3::Zero(); // of the second surface, as the first sees it
     if (g1.moves) belt -= axesOf(g1) * g1.surfaceVelocity;
     if (g2.moves) belt += axesOf(g2) * g2.surfaceVelocity;
-    Vec3 slide = vec(c.slide);
-    if (slide.squaredNorm() == 0) {
-        slide = speed - belt;
-        // What gravity adds in this step tells the direction of a slide that is only beginning.
-        if (g2.body == kNone) slide += h * m_settings.gravity;
+    Vec3 slip = speed - belt;
+    slip -= slip.dot(normal) * normal;
+    const Vec3 rest = restAxis(c, normal, slip, h);
+    if (law.direction.squaredNorm() == 0) law.direction = rest;
+    const bool quiet = c.bounded && restsQuietly(c, law);
+    const FrictionRows rows =
+        quiet ? FrictionRows{rest, law.along, law.across, 0, 0} : frictionRows(law, {slip, Vec3::Map(c.grip), c.expected}, rest);
+
+    dSurfaceParameters& s = out.surface;
+    s.mode |= dContactFDir1 | dContactAxisDep;
+    const bool bounded = c.bounded && !quiet;
+    if (!bounded) s.mode |= dContactApprox1;
+    const double load = bounded ? c.expected : 1;
+    s.mu = rows.limit * load;
+    s.mu2 = rows.acrossLimit * load;
+    for (int k = 0; k < 3; ++k) out.fdir1[k] = rows.axis[k];
+    if (rows.give > kWorldCfm) { // less would take the place of that, and leave the rows of many contacts singular
+        s.mode |= dContactSlip2;
+        s.slip2 = rows.give;
     }
-    slide -= slide.dot(normal) * normal;
-    const double length = slide.norm();
-    if (length > kSlipSpeed) {
-        slide /= length;
-    } else {
-        slide =
-            std::abs(normal.x()) < 0.7 ? Vec3(Vec3::UnitX() - normal.x() * normal) : Vec3(Vec3::UnitY() - normal.y() * normal);
-        slide.normalize();
-    }
-    s.mode |= dContactFDir1;
-    for (int k = 0; k < 3; ++k) out.fdir1[k] = slide[k];
-    if (g1.moves || g2.moves) {
+    if (g1.moves || g2.moves || rows.creep != 0) {
         s.mode |= dContactMotion1 | dContactMotion2;
-        s.motion1 = belt.dot(slide);
-        s.motion2 = belt.dot(normal.cross(slide));
+        s.motion1 = belt.dot(rows.axis);
+        s.motion2 = belt.dot(normal.cross(rows.axis)) + rows.creep;
     }
-    const double rolling = std::max(s1.rollingFriction, s2.rollingFriction);
+    const double rolling =
+        std::max(m_settings.surfaces[g1.surface].rollingFriction, m_settings.surfaces[g2.surface].rollingFriction);
     if (rolling > 0) {
         s.mode |= dContactRolling;
-        s.rho = s.rho2 = rolling;
+        s.rho = s.rho2 = rolling * load;
         s.rhoN = 0;
-        s.mode |= dContactAxisDep;
-        s.mu2 = s.mu;
+    }
+}
+
+/// Remembers what the contacts carried.
+void OdeEngine::keepContacts(double h) {
+    m_memory.clear();
+    for (std::size_t i = 0; i < m_contacts.size(); ++i) {
+        const Contact& c = m_contacts[i];
+        const Geom& g = m_geoms[c.first];
+        const bool rolls = g.wheel || g.shape == GeomShape::Sphere ||
+                           ((g.shape == GeomShape::Cylinder || g.shape == GeomShape::Capsule) &&
+                            std::abs(axesOf(g).col(2).dot(vec(c.normal))) < kLying);
+        const Vec3 moved = h * (rolls ? vec(m_bodies[g.body].v) : pointVelocity(g, vec(c.position)));
+        m_memory.keep(c, vec(m_contactFeedbacks[i].f1), moved);
     }
 }
 

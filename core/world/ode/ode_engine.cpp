@@ -144,6 +144,7 @@ void OdeEngine::applyTorque(const JointTorque& write) {
 }
 
 void OdeEngine::applyMotion(const Motion& write) {
+    m_memory.forget(write.actor);
     for (std::uint32_t i = m_actors[write.actor].bodies.begin; i < m_actors[write.actor].bodies.end; ++i) {
         Body& b = m_bodies[i];
         const Vec3 position = write.motion * vec(b.p);
@@ -198,7 +199,8 @@ void OdeEngine::stepQuickly(double h) {
 
 void OdeEngine::solve(double h) {
     m_quick = m_settings.solver == SolverChoice::Quick;
-    if (m_settings.calls) m_settings.calls->noteCluster(static_cast<std::uint32_t>(m_contacts.size()), 0xffffffffu); // all of them
+    if (m_settings.calls)
+        m_settings.calls->noteCluster(static_cast<std::uint32_t>(m_contacts.size()), 0xffffffffu); // all of them
     if (!m_quick && m_contacts.size() > kExactClusterMax) {
         const std::size_t largest = largestCluster();
         if (m_settings.solver == SolverChoice::Auto) m_quick = largest > kExactClusterMax;
@@ -208,6 +210,7 @@ void OdeEngine::solve(double h) {
     if (!m_quick && !stepExactly(h)) m_quick = true;
     if (m_quick) stepQuickly(h);
     dJointGroupEmpty(m_contactGroup);
+    keepContacts(h);
 }
 
 } // namespace trundle

@@ -9,6 +9,8 @@
 
 #include "world/broad_phase.h"
 #include "world/engine.h"
+#include "world/ode/contact_memory.h"
+#include "world/ode/friction_rows.h"
 #include "world/ode/hull_on_mesh.h"
 #include "world/ode/ode_fault.h"
 #include "world/ode/ode_math.h"
@@ -134,6 +136,10 @@ private:
     std::uint32_t clusterOf(std::uint32_t actor);
     void makeContactJoints(double h);
     void fillSurface(const Contact& contact, double h, dContact& out) const;
+    [[nodiscard]] Vec3 restAxis(const Contact& contact, const Vec3& normal, const Vec3& slip, double h) const;
+    [[nodiscard]] bool restsQuietly(const Contact& contact, const FrictionLaw& law) const;
+    void fillFriction(const Contact& contact, FrictionLaw law, const Vec3& speed, double h, dContact& out) const;
+    void keepContacts(double h);
     [[nodiscard]] Vec3 pointVelocity(const Geom& geom, const Vec3& point) const;
 
     // publishing (ode_publish.cpp)
@@ -178,6 +184,7 @@ private:
     std::vector<IndexPair> m_pairs;
     std::vector<Contact> m_contacts;
     std::vector<dJointFeedback> m_contactFeedbacks; ///< by contact
+    ContactMemory m_memory;
     std::vector<std::uint32_t> m_parentOf, m_clusterSize;
     mutable std::vector<std::uint32_t> m_geomContactBegin, m_geomContacts;
     mutable bool m_geomContactsReady = false;

@@ -99,6 +99,13 @@ struct OdeContact {
     std::uint32_t actor = 0, partner = kNoActor;
     double position[3] = {}, normal[3] = {}, depth = 0;
     double slide[3] = {}; ///< direction of friction's first axis, zero: along the slip
+    // Of the contact of the last tick that this one continues (ContactMemory):
+    std::uint32_t ticks = 0;      ///< that it has lasted
+    bool heir = false;            ///< has only what others left
+    bool bounded = false;         ///< friction is bounded by `expected`
+    double load = 0, earlier = 0; ///< N along the normal in the last tick and in the one before
+    double expected = 0;          ///< N, the load smoothed
+    double grip[3] = {};          ///< N across the normal on the first body
 };
 
 } // namespace trundle

@@ -1,0 +1,307 @@
+// Coulomb's friction under vehicles against closed forms. Exact solver only, but for tracks: the quick one does not hold axles and
+// locked wheels tightly enough.
+#include "world/friction_cases.h"
+
+using namespace fixture;
+
+namespace {
+
+/// Some wheels driven at a steady rate that makes them slip all through: the acceleration between two times. `sign` -1: backwards.
+Measure startsOff(Vehicle v, double angle, double sign, double drop = 0) {
+    return [=](const Conditions& c) -> Figures {
+        Scene scene = sceneOf(c);
+        scene.spec->settings.gravity = slopeGravity(angle, 180);
+        Vehicle copy = v;
+        addVehicle(scene, copy, drop);
+        scene.scenery({plane("floor", {}, copy.ground)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        driveAll(*world, copy, sign * 10 / v.radius);
+        const double settle = drop > 0 ? 0 : 0.3;
+        if (settle > 0 && !run(*world, settle)) return {};
+        const double v0 = velocity(*world, "v/chassis").x(), t0 = world->time();
+        if (!run(*world, 0.51 + drop)) return {};
+        const double a = (velocity(*world, "v/chassis").x() - v0) / (world->time() - t0);
+        return {sign * a, copy.traction(angle, sign) - g * std::sin(rad(angle))};
+    };
+}
+
+/// Locked wheels at speed.
+Measure stops(Vehicle v, double speed) {
+    return [=](const Conditions& c) -> Figures {
+        Scene scene = sceneOf(c);
+        Vehicle copy = v;
+        addVehicle(scene, copy, 0);
+        scene.scenery({plane("floor", {}, copy.ground)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        driveAll(*world, copy, speed / v.radius);
+        if (!run(*world, 1.5)) return {};
+        driveAll(*world, copy, 0);
+        if (!run(*world, 0.06)) return {};
+        const double v0 = velocity(*world, "v/chassis").x(), t0 = world->time();
+        const double span = std::round(0.5 * speed / (v.friction * g) / 0.03) * 0.03;
+        if (!run(*world, span)) return {};
+        return {(v0 - velocity(*world, "v/chassis").x()) / (world->time() - t0), copy.traction(0, -1)};
+    };
+}
+
+/// Parked with its wheels locked: stays or slips `off` degrees from its limit, on a slope that rises towards `heading` of the vehicle.
+Measure parks(Vehicle v, double off, double heading) {
+    return [=](const Conditions& c) -> Figures {
+        Vehicle copy = v;
+        Scene scene = sceneOf(c);
+        addVehicle(scene, copy, 0);
+        scene.scenery({plane("floor", {}, copy.ground)});
+        const double limit = copy.sliders.empty() ? std::atan(copy.friction) * 180 / kPi : copy.slipAngle(heading == 0 ? 1 : -1);
+        scene.spec->settings.gravity = slopeGravity(limit + off, heading + 180);
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        driveAll(*world, copy, 0);
+        if (!run(*world, 0.3)) return {};
+        const Vec3 from = position(*world, "v/chassis");
+        if (!run(*world, 2.4)) return {};
+        const double moved = (position(*world, "v/chassis") - from).norm();
+        return off < 0 ? Figures{moved < 2e-3 ? 1.0 : 2.0, 1} : Figures{moved > 0.02 ? 1.0 : 0.0, 1};
+    };
+}
+
+/// Parked above its limit it slides: how far in 2 s.
+Measure slidesParked(Vehicle v, double angle, double heading) {
+    return [=](const Conditions& c) -> Figures {
+        Vehicle copy = v;
+        Scene scene = sceneOf(c);
+        addVehicle(scene, copy, 0);
+        scene.scenery({plane("floor", {}, copy.ground)});
+        scene.spec->settings.gravity = slopeGravity(angle, heading + 180);
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        driveAll(*world, copy, 0);
+        const Vec3 down = -Vec3(std::cos(rad(heading)), std::sin(rad(heading)), 0);
+        if (!run(*world, 0.3)) return {};
+        const double v0 = velocity(*world, "v/chassis").dot(down);
+        if (!run(*world, 1.5)) return {};
+        const double friction =
+            copy.sliders.empty() ? copy.friction * g * std::cos(rad(angle)) : copy.traction(angle, heading == 0 ? 1 : -1);
+        return {(velocity(*world, "v/chassis").dot(down) - v0) / 1.5, g * std::sin(rad(angle)) - friction};
+    };
+}
+
+/// Skid steer on four wheels or on the corners of two tracks: the steady turn rate, by the balance of moments.
+double skidRate(const std::vector<Eigen::Vector2d>& points, double speed) {
+    double low = 0, high = 50;
+    for (int i = 0; i < 100; ++i) {
+        const double w = (low + high) / 2;
+        double moment = 0;
+        for (const Eigen::Vector2d& p : points) {
+            const double belt = p.y() > 0 ? -speed : speed;
+            const Eigen::Vector2d slip(-w * p.y() - belt, w * p.x());
+            moment += (p.x() * -slip.y() + p.y() * slip.x()) / std::max(1e-12, slip.norm());
+        }
+        (moment > 0 ? low : high) = w;
+    }
+    return low;
+}
+
+Measure skidSteers(Vehicle v, double speed) {
+    return [=](const Conditions& c) -> Figures {
+        Vehicle copy = v;
+        Scene scene = sceneOf(c);
+        addVehicle(scene, copy, 0);
+        scene.scenery({plane("floor", {}, copy.ground)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        std::vector<Eigen::Vector2d> points;
+        for (std::size_t i = 0; i < copy.wheels.size(); ++i) {
+            const Vec3& at = copy.wheels[i];
+            drive(*world, copy, i, (at.y() > 0 ? -1 : 1) * speed / v.radius);
+            points.push_back({at.x() - copy.centre.x(), at.y()});
+        }
+        if (!run(*world, 1.5)) return {};
+        double turned = 0;
+        const int n = static_cast<int>(std::lround(1.5 / c.tick));
+        for (int i = 0; i < n; ++i) {
+            if (!world->tick()) return {};
+            turned += spin(*world, "v/chassis").z();
+        }
+        return {turned / n, skidRate(points, speed)};
+    };
+}
+
+/// Two tracks, each a box with a moving surface.
+Measure tracksTurn(double mass, double length, double gauge, double width, double mu, double speed) {
+    return [=](const Conditions& c) -> Figures {
+        Scene scene = sceneOf(c);
+        const auto s = scene.surface(mu);
+        addTracked(scene, mass, length, gauge, width, s);
+        scene.scenery({plane("floor", {}, s)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        setBelt(*world, "tracked/leftBelt", {speed, 0, 0});
+        setBelt(*world, "tracked/rightBelt", {-speed, 0, 0});
+        if (!run(*world, 1.5)) return {};
+        double turned = 0;
+        const int n = static_cast<int>(std::lround(1.5 / c.tick));
+        for (int i = 0; i < n; ++i) {
+            if (!world->tick()) return {};
+            turned += spin(*world, "tracked/chassis").z();
+        }
+        std::vector<Eigen::Vector2d> points;
+        for (const double y : {gauge / 2, -gauge / 2})
+            for (const Eigen::Vector2d& p : corners(length / 2, width / 2)) points.push_back({p.x(), p.y() + y});
+        return {turned / n, skidRate(points, speed)};
+    };
+}
+
+/// All wheels spin on the spot against a wall without friction ahead; pulled aside with a share of mu m g they creep.
+Measure spinsAside(Vehicle v, double speed, double share) {
+    return [=](const Conditions& c) -> Figures {
+        Vehicle copy = v;
+        Scene scene = sceneOf(c);
+        addVehicle(scene, copy, 0);
+        scene.scenery({plane("floor", {}, copy.ground)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        // Front wheels forwards, rear wheels backwards: the vehicle stays, and all of them slip.
+        for (std::size_t i = 0; i < copy.wheels.size(); ++i)
+            drive(*world, copy, i, (copy.wheels[i].x() > copy.centre.x() ? 1 : -1) * speed / v.radius);
+        const double pull = share * v.friction * copy.total * g;
+        double y0 = 0, t0 = 0;
+        for (double t = 0; t < 3 - 1e-9; t += c.tick) {
+            if (t0 == 0 && t > 2.1) {
+                y0 = position(*world, "v/chassis").y();
+                t0 = world->time();
+            }
+            const Vec3 at = copy.centre - Vec3(0, 0, copy.centre.z());
+            (void)world->push("v/chassis", {0, pull, 0}, world->robotPose(0) * at);
+            if (!world->tick()) return {};
+        }
+        return {(position(*world, "v/chassis").y() - y0) / (world->time() - t0), speed * share / std::sqrt(1 - share * share)};
+    };
+}
+
+/// Pulls a sled by a rod, or pushes a crate: traction less the sled's friction.
+Measure hauls(Vehicle v, double sled, double muSled, bool pushing) {
+    return [=](const Conditions& c) -> Figures {
+        Vehicle copy = v;
+        Scene scene = sceneOf(c);
+        const auto slow = scene.surface(muSled);
+        const Vec3 size(0.4, 0.3, 0.06);
+        if (pushing) {
+            addVehicle(scene, copy, 0);
+            const double front = v.reach();
+            const auto slick = scene.surface(0);
+            // a foot below with the sled's friction, a slick face towards the vehicle
+            scene.loose(
+                "sled", at(front + 0.22, 0, 0.03), massOfBox(sled, size),
+                {box("foot", {0.4, 0.3, 0.02}, at(0, 0, -0.02), slow), box("face", {0.04, 0.3, 0.2}, at(-0.2, 0, 0.1), slick)});
+        } else addVehicle(scene, copy, 0, Sled{sled, slow, size});
+        scene.scenery({plane("floor", {}, copy.ground)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        driveAll(*world, copy, 15 / v.radius);
+        if (!run(*world, 0.3)) return {};
+        const double v0 = velocity(*world, "v/chassis").x(), t0 = world->time();
+        if (!run(*world, 0.6)) return {};
+        const double a = (velocity(*world, "v/chassis").x() - v0) / (world->time() - t0);
+        return {a, (v.friction * copy.total - muSled * sled) * g / (copy.total + sled)};
+    };
+}
+
+/// Four driven wheels against a step: 1 where it gets up.
+Measure climbs(Vehicle v, double step, double speed) {
+    return [=](const Conditions& c) -> Figures {
+        Vehicle copy = v;
+        Scene scene = sceneOf(c);
+        addVehicle(scene, copy, 0);
+        const double wall = copy.wheels[0].x() + v.radius + 0.2;
+        scene.scenery({plane("floor", {}, copy.ground), box("step", {2, 2, step}, at(wall + 1, 0, step / 2), copy.ground)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        driveAll(*world, copy, speed / v.radius);
+        if (!run(*world, 6)) return {};
+        return {position(*world, "v/chassis").z() > 0.8 * step ? 1.0 : 0.0, 1};
+    };
+}
+
+Vehicle r0Like(double mu) {
+    Vehicle v;
+    v.mass = 4;
+    v.friction = mu;
+    v.wheels = {{0, 0.125, 0}, {0, -0.125, 0}};
+    v.sliders = {{-0.13, 0, 0}};
+    v.centre = {-0.03, 0, 0.09};
+    return v;
+}
+Vehicle tailDriven(double mu) {
+    Vehicle v;
+    v.mass = 2.2;
+    v.friction = mu;
+    v.wheels = {{0, 0.1, 0}, {0, -0.1, 0}};
+    v.sliders = {{0.18, 0, 0}};
+    v.centre = {0.06, 0, 0.06};
+    return v;
+}
+Vehicle fourWheels(double mu, double mass = 3, double a = 0.12, double b = 0.15) {
+    Vehicle v;
+    v.mass = mass;
+    v.friction = mu;
+    v.wheels = {{a, b, 0}, {a, -b, 0}, {-a, b, 0}, {-a, -b, 0}};
+    v.centre = {0, 0, 0.05};
+    return v;
+}
+
+std::vector<Case> cases() {
+    return {
+        {"front drive starts off, mu 1", startsOff(r0Like(1), 0, 1), 0.02, 0.04, 0},
+        {"front drive backwards, mu .2", startsOff(r0Like(0.2), 0, -1), 0.02, 0.04, 0},
+        {"rear drive starts off, mu .3", startsOff(tailDriven(0.3), 0, 1), 0.02, 0.04, 0},
+        {"rear drive starts off, mu .8", startsOff(tailDriven(0.8), 0, 1), 0.02, 0.04, 0},
+        {"four wheels up 15 deg, mu .7", startsOff(fourWheels(0.7), 15, 1), 0.02, 0.04, 0},
+        {"front drive up 8 deg, mu .7", startsOff(r0Like(0.7), 8, 1), 0.02, 0.04, 0},
+        {"lands on spinning wheels", startsOff(fourWheels(0.4), 0, 1, 0.09), 0.02, 0.04, 0},
+        {"lands on spinning rear wheels", startsOff(tailDriven(0.3), 0, 1, 0.06), 0.02, 0.04, 0, true},
+        {"front wheels lock", stops(r0Like(0.25), 2), 0.02, 0.04, 0},
+        {"rear wheels lock", stops(tailDriven(0.5), 1.5), 0.02, 0.04, 0},
+        {"four wheels lock", stops(fourWheels(0.9, 12), 3), 0.02, 0.04, 0},
+        {"parks nose up, 1 deg below", parks(r0Like(1), -1, 0), 0.02, 0.04, 0},
+        {"parks nose up, 1 deg above", parks(r0Like(1), 1, 0), 0.02, 0.04, 0},
+        {"parks nose down, 1 deg below", parks(r0Like(0.2), -1, 180), 0.02, 0.04, 0},
+        {"parks nose down, 1 deg above", parks(r0Like(0.2), 1, 180), 0.02, 0.04, 0},
+        {"parks across, 1 deg below", parks(fourWheels(0.6), -1, 90), 0.02, 0.04, 0},
+        {"parks across, 1 deg above", parks(fourWheels(0.6), 1, 90), 0.02, 0.04, 0},
+        {"parks at 35 deg, 1 deg below", parks(fourWheels(0.6), -1, 35), 0.02, 0.04, 0},
+        {"parks at 35 deg, 1 deg above", parks(fourWheels(0.6), 1, 35), 0.02, 0.04, 0},
+        {"slides parked, nose up", slidesParked(r0Like(1), 31, 0), 0.02, 0.04, 0},
+        {"slides parked, nose down", slidesParked(r0Like(0.3), 27, 180), 0.02, 0.04, 0},
+        {"slides parked at 50 deg", slidesParked(fourWheels(0.4), 27, 50), 0.02, 0.04, 0},
+        {"skid steer, wide", skidSteers(fourWheels(0.7), 0.4), 0.05, 0.05, 0},
+        {"skid steer, long", skidSteers(fourWheels(0.5, 6, 0.2, 0.14), 0.3), 0.05, 0.05, 0},
+        {"tracks turn in place", tracksTurn(5, 0.4, 0.3, 0.06, 0.7, 0.4), 0.05, 0.05, 0.01},
+        {"tracks turn in place, long", tracksTurn(15, 0.7, 0.4, 0.1, 0.5, 0.6), 0.05, 0.05, 0.01},
+        {"four spinning wheels pulled aside, .5", spinsAside(fourWheels(0.5), 1, 0.5), 0.02, 0.04, 0},
+        {"four spinning wheels pulled aside, .2", spinsAside(fourWheels(0.8, 8), 2, 0.2), 0.02, 0.04, 0},
+        {"tows a sled", hauls(fourWheels(0.8, 4), 3, 0.3, false), 0.02, 0.04, 0},
+        {"pushes a sled", hauls(fourWheels(0.8, 4), 2, 0.4, true), 0.02, 0.04, 0},
+        {"climbs .46 of the wheel", climbs(fourWheels(1, 3, 0.12, 0.1), 0.046, 0.3), 0.02, 0.04, 0},
+        {"climbs .3 of the wheel", climbs(fourWheels(0.9, 5, 0.15, 0.1), 0.03, 0.3), 0.02, 0.04, 0},
+    };
+}
+
+} // namespace
+
+class FrictionVehiclesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void coulomb_data() { addCases(cases()); }
+    void coulomb() {
+        QFETCH(int, index);
+        QFETCH(double, tick);
+        QFETCH(int, solver);
+        check(cases()[static_cast<std::size_t>(index)], {tick, static_cast<SolverChoice>(solver)});
+    }
+};
+
+QTEST_APPLESS_MAIN(FrictionVehiclesTest)
+#include "friction_vehicles_test.moc"
