@@ -16,11 +16,12 @@
 namespace trundle {
 namespace {
 
-constexpr double kSteep = 0.5;    // of a normal's z: below it nothing stands on the face
-constexpr double kDepth = 2e-6;   // m: so deep is not inside
-constexpr double kGap = 2e-6;     // m: between things that touch, more than what numbers in a text are rounded by
+constexpr double kTipMargin = 0.01; // m: the middle of what is carried lies so far from an edge
+constexpr double kSteep = 0.5;      // of a normal's z: below it nothing stands on the face
+constexpr double kDepth = 2e-6;     // m: so deep is not inside
+constexpr double kGap = 2e-6;       // m: between things that touch, more than what numbers in a text are rounded by
 constexpr int kSteps = 40, kWays = 16;
-constexpr double kDigit = 1e-6; // m, of a Pos
+constexpr double kDigit = 1e-6;   // m, of a Pos
 constexpr double kCarried = 5e-3; // m: so near above something is on it
 
 /// The shape that a thing takes along: a mesh as its hull.
@@ -69,7 +70,8 @@ Standing::Standing(const ObjectIndex& objects, const BodyPoses& poses, std::func
             ref.geom = i;
             const bool solid = geoms[i].collide && !isPlaceholder(geoms[i]) && m_counts(ref);
             const Bounds bounds = solid ? boundsOf(geoms[i], owner) : Bounds{};
-            if (solid && (geoms[i].shape == GeomShape::Plane || !bounds.empty())) m_solids.push_back({ref, &geoms[i], owner, bounds});
+            if (solid && (geoms[i].shape == GeomShape::Plane || !bounds.empty()))
+                m_solids.push_back({ref, &geoms[i], owner, bounds});
         }
     };
     const ExperimentSpec& e = objects.experiment();
@@ -85,7 +87,8 @@ std::vector<ConvexPiece> Standing::inTheWay(const Moved& thing, const ObjectRef*
     for (const Solid& solid : m_solids) {
         if (only && solid.object != *only) continue;
         const Bounds& b = solid.bounds;
-        if (!b.empty() && ((b.low.array() > thing.bounds.high.array()).any() || (b.high.array() < thing.bounds.low.array()).any()))
+        if (!b.empty() &&
+            ((b.low.array() > thing.bounds.high.array()).any() || (b.high.array() < thing.bounds.low.array()).any()))
             continue;
         for (const ConvexPiece& piece : ConvexPiece::of(*solid.geom, solid.owner, thing.bounds))
             if (thing.isInside(piece)) all.push_back(piece);
@@ -106,14 +109,17 @@ double Standing::groundBelow(const Vec3& point) const {
     return solid ? solid->point.z() : std::min(0.0, point.z());
 }
 
-/// Something is right below the middle of its base, as far as a slope there lets it.
+/// Something is right below the middle of its base and around it (a middle above an edge would tip), as far as a slope there lets it.
 bool Standing::isCarried(const Moved& thing) const {
     const Bounds& b = thing.bounds;
-    const auto solid = solidBelow({b.centre().x(), b.centre().y(), b.high.z()});
-    if (!solid) return std::abs(b.low.z()) < kCarried; // where there is no floor, the height 0 is one
-    const double up = std::max(solid->normal.z(), kSteep), slope = std::sqrt(1 - std::min(1.0, up * up)) / up;
-    const double reach = 0.5 * std::hypot(b.size().x(), b.size().y());
-    return b.low.z() - solid->point.z() < kCarried + slope * reach;
+    const double reach = 0.5 * std::hypot(b.size().x(), b.size().y()), margin = std::min(kTipMargin, 0.1 * reach);
+    const auto carriedAt = [&](double x, double y) {
+        const auto solid = solidBelow({b.centre().x() + x, b.centre().y() + y, b.high.z()});
+        if (!solid) return std::abs(b.low.z()) < kCarried; // where there is no floor, the height 0 is one
+        const double up = std::max(solid->normal.z(), kSteep), slope = std::sqrt(1 - std::min(1.0, up * up)) / up;
+        return b.low.z() - solid->point.z() < kCarried + slope * reach;
+    };
+    return carriedAt(margin, 0) && carriedAt(-margin, 0) && carriedAt(0, margin) && carriedAt(0, -margin);
 }
 
 void Standing::pushOut(Moved& thing, const ObjectRef& from, const Vec3& direction) const {

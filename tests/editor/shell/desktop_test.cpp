@@ -242,7 +242,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_window->document().loaded()->experiment->statics.size(), std::size_t(2));
         const StaticSpec& pillar = m_window->document().loaded()->experiment->statics.back();
         // No room beside the robot there: on the floor at its side, where it neither is inside of it nor hangs over its edge.
-        QVERIFY2(std::abs(pillar.pose.position.z()) < 1e-5, qPrintable(QString::number(pillar.pose.position.z())));
+        QVERIFY2(std::abs(pillar.pose.position.z()) < 1e-5, qPrintable(QStringLiteral("%1 %2 %3 from %4 %5").arg(pillar.pose.position.x()).arg(pillar.pose.position.y()).arg(pillar.pose.position.z()).arg(point.x()).arg(point.y())));
         const double away = (pillar.pose.position - point).head<2>().norm();
         QVERIFY2(away > 0 && away < 0.4, qPrintable(QString::number(away)));
         QCOMPARE(m_window->selection().paths(), std::vector<std::string>{pillar.name});
