@@ -34,9 +34,14 @@ Pose carrierOf(const ComponentSpec& view, const ExperimentSpec& experiment, cons
 } // namespace
 
 std::optional<CameraView> namedView(const ExperimentSpec& experiment, std::string_view name, const BodyPoses& poses) {
-    for (const ComponentSpec& spec : experiment.looks) {
+    return namedView(experiment, name, experiment, poses);
+}
+
+std::optional<CameraView> namedView(const ExperimentSpec& text, std::string_view name, const ExperimentSpec& running,
+                                    const BodyPoses& poses) {
+    for (const ComponentSpec& spec : text.looks) {
         if (spec.kind != "View" || spec.name != name) continue;
-        const Pose carrier = carrierOf(spec, experiment, poses);
+        const Pose carrier = carrierOf(spec, running, poses);
         CameraView view;
         view.eye = carrier * placeFrom(spec, "Eye", view.eye);
         view.target = carrier * placeFrom(spec, "Target", view.target);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QLayout>
 #include <QSettings>
 
 namespace trundle {
@@ -71,9 +72,15 @@ void Layouts::save() const {
 
 void Layouts::restore() {
     const QByteArray kept = QSettings().value(settingOf(m_layout)).toByteArray();
+    const QSize size = m_window.size();
+    const bool small = isSmall(m_window);
     const bool restored = !kept.isEmpty() && m_window.restoreState(kept, kVersion);
-    const bool fits = !isSmall(m_window) || m_window.minimumSizeHint().width() <= m_window.width(); // kept on a larger screen
+    // What was kept on a larger screen makes the window wider where it is on the screen already.
+    const bool fits = !small || std::max(m_window.minimumSizeHint().width(), m_window.width()) <= size.width();
     if (!restored || !fits) arrange(m_layout);
+    if (fits) return;
+    m_window.layout()->activate(); // else the docks as they were kept hold the window wide
+    m_window.resize(size);
 }
 
 void Layouts::setShown(bool shown) {

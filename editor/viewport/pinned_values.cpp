@@ -159,7 +159,7 @@ void paintLeader(QPainter& painter, const View& view, const PinnedPlate& plate) 
 }
 
 void paintMore(QPainter& painter, std::size_t hidden, double y) {
-    const QString more = PinnedValues::tr("%1 more have no room here").arg(hidden);
+    const QString more = PinnedValues::tr("%1 more: no room here").arg(hidden);
     const QRectF at(kPinLeft, y, QFontMetricsF(painter.font()).horizontalAdvance(more) + 2 * kPinRim,
                     QFontMetricsF(painter.font()).height() + 6);
     painter.setPen(Qt::NoPen);

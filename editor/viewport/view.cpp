@@ -171,7 +171,8 @@ void View::followSelection() {
 CameraView View::cameraView() const {
     if (const CameraModel* camera = throughCamera()) return throughView(*camera, *m_parts.world.poses());
     if (!m_named.empty())
-        if (const auto view = namedView(m_parts.world.objects()->experiment(), m_named, *m_parts.world.poses())) return *view;
+        if (const auto view = namedView(*textOfViews(), m_named, m_parts.world.objects()->experiment(), *m_parts.world.poses()))
+            return *view;
     if (!m_camera.isParallel()) return m_camera.view();
     const Bounds all = m_parts.world.bounds();
     return m_camera.view(all.empty() ? 0 : (all.centre() - m_camera.middle()).norm() + all.radius());

@@ -20,6 +20,7 @@ class QMimeData;
 namespace trundle {
 
 class Document;
+struct ExperimentSpec;
 class GizmoWork;
 class LibraryDrop;
 class Measurement;
@@ -67,6 +68,8 @@ public:
     /// Looks as a View of the experiment does, and goes with it until the view is moved by itself.
     void showNamed(const std::string& name);
     [[nodiscard]] const std::string& named() const { return m_named; } ///< empty: none
+    /// The experiment whose Views can be chosen: as its text is now, also while an older one runs.
+    [[nodiscard]] std::shared_ptr<const ExperimentSpec> textOfViews() const;
     /// The text of a View that looks as this one does now: "View view { Eye=... }".
     [[nodiscard]] std::string asViewBlock() const;
     [[nodiscard]] const CameraModel* throughCamera() const; ///< null where it looks through none

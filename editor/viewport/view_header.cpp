@@ -110,7 +110,8 @@ void ViewCorner::addNamedViews(QMenu& menu) {
     });
     connect(&menu, &QMenu::aboutToShow, this, [this, views, make] {
         views->clear();
-        for (const ComponentSpec& look : m_view.parts().world.objects()->experiment().looks)
+        const auto text = m_view.textOfViews();
+        for (const ComponentSpec& look : text->looks)
             if (look.kind == "View" && views->actions().size() < kMostInMenu)
                 connect(views->addAction(QString::fromStdString(look.name)), &QAction::triggered, this,
                         [this, name = look.name] { m_view.showNamed(name); });

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "editor/document/document.h"
 #include "editor/viewport/plate.h"
 #include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
@@ -82,9 +83,15 @@ void View::showNamed(const std::string& name) {
     redraw();
 }
 
+std::shared_ptr<const ExperimentSpec> View::textOfViews() const {
+    if (m_parts.document.isOpen()) return m_parts.document.loaded()->experiment;
+    const auto objects = m_parts.world.objects();
+    return {objects, &objects->experiment()};
+}
+
 void View::followNamed() {
     if (m_named.empty()) return;
-    const auto view = namedView(m_parts.world.objects()->experiment(), m_named, *m_parts.world.poses());
+    const auto view = namedView(*textOfViews(), m_named, m_parts.world.objects()->experiment(), *m_parts.world.poses());
     if (view) return m_camera.setView(*view);
     m_named.clear();
     Q_EMIT kindChanged();
@@ -121,8 +128,8 @@ std::function<CameraView(const BodyPoses&)> View::movingView(std::uint32_t width
             return reshaped(viewOf(camera, camera.body < poses.size() ? poses[camera.body] : Pose{}), aspectOf(camera), to);
         };
     if (!m_named.empty())
-        return [objects = m_parts.world.objects(), name = m_named, now = cameraView(), from, to](const BodyPoses& poses) {
-            return reshaped(namedView(objects->experiment(), name, poses).value_or(now), from, to);
+        return [objects = m_parts.world.objects(), text = textOfViews(), name = m_named, now = cameraView(), from, to](const BodyPoses& poses) {
+            return reshaped(namedView(*text, name, objects->experiment(), poses).value_or(now), from, to);
         };
     const auto robot = followedRobot();
     if (!robot) return [view = reshaped(cameraView(), from, to)](const BodyPoses&) { return view; };

@@ -1,4 +1,4 @@
-// What the window itself does for a run: problems come forward, logs are found, the 3D view takes the centre.
+// What the window itself does for a run: problems come forward, logs are found, the 3D view takes the centre. And layouts on small screens.
 
 #include <QDesktopServices>
 #include <QFile>
@@ -109,6 +109,20 @@ private Q_SLOTS:
         m_window->actions().at("view.layoutRun").trigger();
         m_window->actions().at("view.layoutEdit").trigger();
         QVERIFY(!m_window->text().isVisible());
+    }
+
+    /// As on a screen of 1600 x 1000 at scale factor 2.
+    void aLayoutOfALargerScreenGivesWay() {
+        m_window->resize(1500, 900);
+        EVENTUALLY(m_window->isSettled());
+        QVERIFY(m_window->close());
+        m_window = m_parts.window();
+        m_window->resize(790, 460);
+        m_window->show();
+        open("mine.sim", kRobot);
+        EVENTUALLY(m_window->isSettled());
+        EVENTUALLY_EQUAL(m_window->width(), 790);
+        QVERIFY(!m_window->tabifiedDockWidgets(m_window->findChild<QDockWidget*>(QStringLiteral("dock.properties"))).isEmpty());
     }
 
 private:

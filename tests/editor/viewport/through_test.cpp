@@ -107,6 +107,17 @@ private Q_SLOTS:
         m_window->document.undo();
         m_window->document.undo();
         QCOMPARE(m_window->text(), text);
+        // One that is made during a run can be chosen in it, and goes with the robots of the run.
+        m_window->session.step();
+        EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
+        QVERIFY(m_window->session.place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
+        (void)m_window->document.replaceText(u"Type"_qs, m_window->document.path(),
+                                       (m_window->text() + "View late { Mode=chase Robot=robot0 Eye=-1,0,0.5 }\n").toStdString());
+        Q_EMIT menu->aboutToShow();
+        QCOMPARE(views->actions().size(), 2);
+        views->actions()[1]->trigger();
+        QCOMPARE(button->text(), QStringLiteral("late"));
+        EVENTUALLY((view.cameraView().eye - Vec3(-0.5, 0.5, 0.5)).norm() < 1e-6);
     }
 
     void itGoesAlongWithTheRobot() {
