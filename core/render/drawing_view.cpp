@@ -38,6 +38,10 @@ void DrawingView::draw(const Pass& pass) {
     m_context.getState()->get<osg::GLExtensions>()->glBindFramebuffer(GL_FRAMEBUFFER_EXT, pass.frame);
     m_view->cull();
     m_view->draw();
+    // OSG knows the arrays drawn last by their addresses alone. Another may be made at the address of one that is gone, and would be
+    // drawn with a buffer that is gone too.
+    m_context.getState()->lazyDisablingOfVertexAttributes();
+    m_context.getState()->applyDisablingOfVertexAttributes();
     m_view->setSceneData(nullptr);
     m_view->setSecondaryStateSet(nullptr);
 }

@@ -13,10 +13,12 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTextDocument>
 #include <QToolButton>
 #include <QTreeWidget>
 
 #include <map>
+#include <set>
 
 #include "editor/cameras/movie_dialog.h"
 #include "editor/running/controller_dialogs.h"
@@ -70,18 +72,28 @@ constexpr Question kQuestions[] = {
 QString nameOf(const QDialog& dialog) { return dialog.objectName().isEmpty() ? dialog.windowTitle() : dialog.objectName(); }
 QString bare(QString text) { return text.remove(u'&'); }
 
+/// A label of fixed width keeps the hint of the width that it had with another font.
+int widthOfWords(const QLabel& label) {
+    if (!Qt::mightBeRichText(label.text())) return label.sizeHint().width();
+    QTextDocument words;
+    words.setDefaultFont(label.font());
+    words.setDocumentMargin(label.margin());
+    words.setHtml(label.text());
+    return int(std::ceil(words.idealWidth()));
+}
+
 /// Which words in a dialog or window are cut off.
 QStringList cutOff(const QWidget& dialog) {
     QStringList cut;
     for (const auto* label : dialog.findChildren<QLabel*>()) {
         if (!label->isVisible() || label->text().isEmpty()) continue;
         const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
-        if (label->height() < needed || (!label->wordWrap() && label->width() < label->sizeHint().width()))
+        if (label->height() < needed || (!label->wordWrap() && label->width() < widthOfWords(*label)))
             cut << QStringLiteral("label “%1” %2x%3 of %4x%5")
                        .arg(label->text().left(60))
                        .arg(label->width())
                        .arg(label->height())
-                       .arg(label->sizeHint().width())
+                       .arg(widthOfWords(*label))
                        .arg(needed);
     }
     for (const auto* button : dialog.findChildren<QAbstractButton*>()) {
@@ -154,45 +166,61 @@ private Q_SLOTS:
         QFETCH(bool, dark);
         QFETCH(int, font);
         useTheme(dark ? ThemeKind::Dark : ThemeKind::Light, font);
-        bool seen = false;
         QString byEnter;
         QStringList faults;
-        QTimer look;
-        connect(&look, &QTimer::timeout, this, [&] {
-            for (QWidget* widget : QApplication::topLevelWidgets()) {
-                auto* dialog = qobject_cast<QDialog*>(widget);
-                if (!dialog || !dialog->isVisible() || nameOf(*dialog) != name || seen) continue;
-                QApplication::processEvents(QEventLoop::ExcludeUserInputEvents); // what follows once it is shown
-                seen = true;
-                for (const auto* button : dialog->findChildren<QPushButton*>()) {
-                    if (!button->isDefault()) continue;
-                    byEnter = bare(button->text());
-                    if (auto* box = qobject_cast<QMessageBox*>(dialog);
-                        box && box->buttonRole(const_cast<QPushButton*>(button)) == QMessageBox::DestructiveRole)
-                        faults << QStringLiteral("Enter presses what loses something");
-                }
-                faults << cutOff(*dialog);
-                if (const auto* open = dialog->findChild<QPushButton*>(QStringLiteral("movieOpen")); open && open->isVisible())
-                    faults << QStringLiteral("a movie is offered that there is not");
-                const QSize least = dialog->minimumSizeHint().expandedTo(dialog->minimumSize());
-                if (least.width() > 800 || least.height() > 500)
-                    faults << QStringLiteral("needs %1x%2").arg(least.width()).arg(least.height());
-                if (const QString folder = qEnvironmentVariable("TRUNDLE_PICTURES"); !folder.isEmpty())
-                    dialog->grab().save(QStringLiteral("%1/%2-%3-%4.png")
-                                            .arg(folder, QString(name).replace(u' ', u'_'),
-                                                 dark ? QStringLiteral("dark") : QStringLiteral("light"))
-                                            .arg(font));
-                dialog->close();
-                if (dialog->isVisible()) dialog->reject();
-                return;
+        openAndClose(name, [&](QDialog& dialog) {
+            for (auto* button : dialog.findChildren<QPushButton*>()) {
+                if (!button->isDefault()) continue;
+                byEnter = bare(button->text());
+                if (auto* box = qobject_cast<QMessageBox*>(&dialog);
+                    box && box->buttonRole(button) == QMessageBox::DestructiveRole)
+                    faults << QStringLiteral("Enter presses what loses something");
             }
+            faults << cutOff(dialog);
+            if (const auto* open = dialog.findChild<QPushButton*>(QStringLiteral("movieOpen")); open && open->isVisible())
+                faults << QStringLiteral("a movie is offered that there is not");
+            const QSize least = dialog.minimumSizeHint().expandedTo(dialog.minimumSize());
+            if (least.width() > 800 || least.height() > 500)
+                faults << QStringLiteral("needs %1x%2").arg(least.width()).arg(least.height());
+            if (const QString folder = qEnvironmentVariable("TRUNDLE_PICTURES"); !folder.isEmpty())
+                dialog.grab().save(
+                    QStringLiteral("%1/%2-%3-%4.png")
+                        .arg(folder, QString(name).replace(u' ', u'_'), dark ? QStringLiteral("dark") : QStringLiteral("light"))
+                        .arg(font));
         });
-        look.start(0);
-        m_openers.at(name)();
-        EVENTUALLY(seen);
-        look.stop();
         QCOMPARE(byEnter, pressed);
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QStringLiteral("; "))));
+    }
+
+    /// Each font gives the views other sizes, so pictures are drawn in many.
+    void oneWindowFollowsManyThemes() {
+        m_window.reset();
+        openWindow();
+        const MainWindow* window = m_window.get();
+        m_window->resize(1600, 1000);
+        int changes = 0;
+        const auto change = [&] {
+            ++changes;
+            useTheme(changes % 2 ? ThemeKind::Dark : ThemeKind::Light, kSmallestFont + changes % 7);
+            QApplication::processEvents();
+        };
+        const std::set<QByteArray> ofOtherWindows{"journalsNotRead", "lockQuestion",      "diskQuestion",
+                                                  "recovery",        "throwAwayQuestion", "Not brought back"};
+        for (const Question& question : kQuestions) {
+            if (ofOtherWindows.contains(question.name)) continue;
+            openAndClose(QLatin1String(question.name), [](QDialog&) {});
+            while (m_window->document().history().canUndo()) m_window->document().undo();
+            change();
+        }
+        change();
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        const auto widgets = QApplication::allWidgets().size();
+        const auto styles = qApp->findChildren<QStyle*>().size();
+        while (changes < 40) change();
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QCOMPARE(QApplication::allWidgets().size(), widgets);
+        QCOMPARE(qApp->findChildren<QStyle*>().size(), styles);
+        QCOMPARE(m_window.get(), window);
     }
 
     void theWindowHasRoomForItsWordsAtEveryFont() {
@@ -210,12 +238,29 @@ private Q_SLOTS:
     }
 
 private:
-    /// For windows made from then on.
     void useTheme(ThemeKind kind, int font) {
         if (currentTheme() == kind && m_font == font) return;
-        m_window.reset();
         m_font = font;
         applyTheme(*qApp, kind, {font, font});
+    }
+    void openAndClose(const QString& name, const std::function<void(QDialog&)>& look) {
+        bool seen = false;
+        QTimer timer;
+        connect(&timer, &QTimer::timeout, this, [&] {
+            for (QWidget* widget : QApplication::topLevelWidgets()) {
+                auto* dialog = qobject_cast<QDialog*>(widget);
+                if (!dialog || !dialog->isVisible() || nameOf(*dialog) != name || seen) continue;
+                QApplication::processEvents(QEventLoop::ExcludeUserInputEvents); // what follows once it is shown
+                seen = true;
+                look(*dialog);
+                dialog->close();
+                if (dialog->isVisible()) dialog->reject();
+                return;
+            }
+        });
+        timer.start(0);
+        m_openers.at(name)();
+        EVENTUALLY(seen);
     }
     [[nodiscard]] QString path(const char* name) const {
         return QDir(m_folder->path()).canonicalPath() + u'/' + QLatin1String(name);
