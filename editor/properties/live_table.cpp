@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScopedValueRollback>
+#include <QStyle>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -19,7 +20,6 @@ enum LiveColumn { kName, kNow, kUnit, kLiveColumns };
 constexpr int kNumberWidth = 8;   // "-123.456", and in two neighbours seldom more
 constexpr int kSingleWidth = 14;
 constexpr int kFigurePixels = 11; // three such numbers leave room for a name
-constexpr int kNamePadding = 14;  // of the style, on both sides of a name
 
 /// Numbers of one line end in the same columns from tick to tick.
 QString inColumns(const LiveValue& value) {
@@ -147,7 +147,8 @@ void LiveTable::fill() {
 
 /// Which names have no room beside their numbers. The columns of style() are there.
 std::vector<bool> LiveTable::stacking() const {
-    const int room = m_table->viewport()->width() - m_table->columnWidth(kNow) - m_table->columnWidth(kUnit) - kNamePadding;
+    const int padding = 2 * (m_table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, m_table) + 1); // of an item
+    const int room = m_table->viewport()->width() - m_table->columnWidth(kNow) - m_table->columnWidth(kUnit) - padding;
     const QFontMetrics metrics(m_table->font());
     std::vector<bool> stacked;
     for (const Line& line : m_lines)

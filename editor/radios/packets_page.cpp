@@ -114,7 +114,7 @@ void PacketsPage::makeView() {
     m_view = makeLineTable("radioFrames", m_model, LineFont::Interface);
     m_view->setAccessibleName(tr("Packets"));
     const QFontMetrics metrics(m_view->font());
-    const auto widthOf = [&](const char* text) { return metrics.horizontalAdvance(QLatin1String(text)) + 16; };
+    const auto widthOf = [&](const char* text) { return metrics.horizontalAdvance(QLatin1String(text)) + 24; }; // and the padding of cells
     const std::pair<int, const char*> widths[] = {
         {FrameModel::Time, "1234.567890"}, {FrameModel::From, "motes_1000"},      {FrameModel::To, "motes_1000"},
         {FrameModel::For, "motes_10"},     {FrameModel::Channel, "26"},           {FrameModel::Bytes, "Bytes"},

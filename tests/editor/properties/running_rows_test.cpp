@@ -1,5 +1,6 @@
 // Rows while an experiment runs: what waits for a reset says so, and a paused robot shows where it is.
 #include <fstream>
+#include <set>
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -135,6 +136,32 @@ private Q_SLOTS:
         desk.panel.resize(420, 600);
         EVENTUALLY(lines().size() < narrow.size());
         QVERIFY(!desk.live()->findItems(QStringLiteral("angular rate"), Qt::MatchExactly)[0]->isFirstColumnSpanned());
+    }
+
+    void aNameHasALineOfItsOwnOnlyWhereItMust() {
+        RunningDesk desk;
+        desk.selection.select("crate");
+        desk.session.step();
+        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
+        const QTreeWidget& table = *desk.live();
+        EVENTUALLY(table.isVisible() && table.topLevelItemCount() > 0);
+        const int padding = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1);
+        const auto wrong = [&] {
+            QStringList all;
+            for (int i = 0; i < table.topLevelItemCount(); ++i) {
+                const QTreeWidgetItem& row = *table.topLevelItem(i);
+                const int needed = table.fontMetrics().horizontalAdvance(row.text(0)) + padding;
+                if (row.isFirstColumnSpanned() != (needed > table.columnWidth(0))) all << row.text(0);
+            }
+            return all;
+        };
+        std::set<int> counts;
+        for (int width = 260; width <= 420; width += 4) {
+            desk.panel.resize(width, 600);
+            EVENTUALLY_EQUAL(wrong(), QStringList());
+            counts.insert(table.topLevelItemCount());
+        }
+        QVERIFY(counts.size() > 2);
     }
 
     void severalSelectedObjectsShowTheirValuesEach() {
