@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QMessageBox>
+#include <QProgressBar>
 #include <QPainter>
 #include <QPushButton>
 #include <QSettings>
@@ -48,6 +49,20 @@ private Q_SLOTS:
         }
         const QPalette palette = qApp->palette();
         QVERIFY(contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)) >= 4.5);
+    }
+
+    void progressIsReadOverBothPartsOfItsBar() {
+        for (const ThemeKind kind : {ThemeKind::Light, ThemeKind::Dark}) {
+            applyTheme(*qApp, kind);
+            QProgressBar bar;
+            bar.setTextVisible(false);
+            bar.resize(300, 24);
+            bar.setValue(50);
+            const QImage drawn = bar.grab().toImage();
+            const QColor filled = drawn.pixelColor(75, 12), empty = drawn.pixelColor(225, 12);
+            QVERIFY(filled != empty);
+            for (const QColor& part : {filled, empty}) QVERIFY(contrast(ink(Ink::Text), part) >= 4.5);
+        }
     }
 
     void iconsTakeTheColourOfTheTheme() {
