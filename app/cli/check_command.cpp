@@ -5,11 +5,11 @@
 
 #include "base/clean_text.h"
 #include "check/model_check.h"
-#include "cli/commands.h"
 #include "cli/diagnostic_json.h"
 #include "cli/messages.h"
-#include "cli/open_options.h"
+#include "cli/open_arguments.h"
 #include "cli/run_guard.h"
+#include "cli/subcommands.h"
 #include "run/log_kinds.h"
 #include "world/signal_plan.h"
 #include "world/validate.h"
@@ -23,54 +23,55 @@ struct CheckArguments {
     bool json = false;
 };
 
-/// A file that cannot be read still has its entry in the JSON.
+/// The JSON entry of a file that cannot be read.
 nlohmann::ordered_json unreadableJson(const std::string& file, const Error& error) {
     nlohmann::ordered_json entries = diagnosticsJson({{Severity::Error, error.code, error.message, {}, {}, {}, {}}}, {});
     entries[0]["file"] = file;
     return entries;
 }
 
-/// Builds all that a run would build, without its first tick: devices that cannot be set up, ports that a robot does not have.
-void buildOnce(Parts& parts, const Loaded& loaded, Diagnostics& diagnostics) {
+/// Builds everything a run would build, without running a tick; reports devices that cannot be set up and unknown ports.
+void buildOnce(Application& application, const LoadedProject& loaded, Diagnostics& diagnostics) {
     RunOptions options;
     options.calls = std::make_shared<CallMonitor>();
-    const RunGuard guard({options.calls, "check", false, false}); // code of trusted modules runs
-    options.pictures = [](const ExperimentSpec&, const SignalLayout&) -> Result<std::unique_ptr<FrameSource>> {
+    const RunGuard guard({options.calls, "check", false, false}); // runs code of trusted modules
+    options.pictures = [](const ExperimentSpec&, const SignalLayout&) -> Result<std::unique_ptr<ImageSource>> {
         return Error{Code::NoGraphics, "a check takes no pictures"};
     };
     Diagnostics problems;
-    (void)parts.makeRunner(loaded, std::move(options), problems);
+    (void)application.makeRunner(loaded, std::move(options), problems);
     for (const Diagnostic& problem : problems.all())
         if (problem.severity == Severity::Error) diagnostics.append({problem});
 }
 
-/// What `run` would refuse or do badly although the text makes sense.
-void checkForRun(Parts& parts, const Loaded& loaded, Diagnostics& diagnostics) {
+/// Reports what would make `run` fail or give wrong results although the text itself is valid.
+void checkForRun(Application& application, const LoadedProject& loaded, Diagnostics& diagnostics) {
     checkLogs(*loaded.experiment, diagnostics);
     if (diagnostics.hasErrors() || !isBuildable(*loaded.experiment, diagnostics)) return;
     const bool allKindsKnown = std::ranges::none_of(diagnostics.all(), [](const Diagnostic& d) {
         return d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed;
     });
-    if (allKindsKnown) // a device that is not known may have any signal
+    if (allKindsKnown) // an unknown device may have any signal
         checkLogSignals(*loaded.experiment, plannedLayout(*loaded.experiment, *loaded.registry), diagnostics);
     checkModel(loaded, diagnostics);
-    if (allKindsKnown && !diagnostics.hasErrors() && !loaded.experiment->robots.empty()) buildOnce(parts, loaded, diagnostics);
+    if (allKindsKnown && !diagnostics.hasErrors() && !loaded.experiment->robots.empty())
+        buildOnce(application, loaded, diagnostics);
 }
 
-ExitCode check(Parts& parts, const CheckArguments& arguments) {
+ExitCode check(Application& application, const CheckArguments& arguments) {
     ExitCode code = kExitDone;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const std::string& file : arguments.files) {
-        const Result<std::shared_ptr<const Loaded>> opened = parts.open(file, arguments.open);
+        const Result<std::shared_ptr<const LoadedProject>> opened = application.open(file, arguments.open);
         if (!opened) {
             code = kExitUsage;
             if (!arguments.json) printProblem(opened.error().message);
             for (auto& entry : unreadableJson(file, opened.error())) all.push_back(std::move(entry));
             continue;
         }
-        const Loaded& loaded = *opened.value();
+        const LoadedProject& loaded = *opened.value();
         Diagnostics diagnostics = loaded.diagnostics;
-        checkForRun(parts, loaded, diagnostics);
+        checkForRun(application, loaded, diagnostics);
         if (diagnostics.hasErrors() && code == kExitDone) code = kExitText;
         if (arguments.json) {
             for (auto& entry : diagnosticsJson(diagnostics.all(), loaded.sources)) all.push_back(std::move(entry));
@@ -96,7 +97,7 @@ Exit codes: 0 no errors (there may be warnings), 1 errors, 2 a FILE that cannot 
 
 } // namespace
 
-void addCheck(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+void addCheck(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand(
         "check", "Look for mistakes in experiments, robots and arenas, and for what starts badly, without running them");
     auto arguments = std::make_shared<CheckArguments>();
@@ -105,7 +106,8 @@ void addCheck(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     addSetOption(*command, arguments->open);
     addOpenOptions(*command, arguments->open);
     command->footer(kCheckExamples);
-    command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return check(parts(), *arguments); }; });
+    command->callback(
+        [arguments, &application, &chosen] { chosen = [arguments, &application] { return check(application(), *arguments); }; });
 }
 
 } // namespace trundle

@@ -4,7 +4,7 @@
 
 namespace trundle {
 
-/// `[0.42 robot0] touch`, one such line for each line of the text, line ends included.
+/// `[0.42 robot0] touch`: one such line, with line end, per line of the text.
 [[nodiscard]] std::string consoleLines(double time, std::string_view who, int severity, std::string_view text);
 
 } // namespace trundle

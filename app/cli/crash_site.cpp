@@ -8,7 +8,7 @@
 namespace trundle {
 namespace {
 
-constexpr std::uintptr_t kPage = 4096, kMostStack = 256 * 1024;
+constexpr std::uintptr_t kPage = 4096, kMaxStack = 256 * 1024;
 
 struct Registers {
     std::uintptr_t instruction = 0, stack = 0;
@@ -31,8 +31,9 @@ const CallTarget* libraryOfThread(const CallMonitor& calls, const void* context)
     const Registers registers = registersOf(context);
     if (const CallTarget* library = calls.libraryAt(registers.instruction)) return library;
     std::uintptr_t words[kPage / sizeof(std::uintptr_t)];
-    // The kernel copies, and says where the stack ends: reading on would be another crash.
-    for (std::uintptr_t at = registers.stack & ~(sizeof(std::uintptr_t) - 1); at - registers.stack < kMostStack || at < registers.stack;) {
+    // The kernel copies the stack and reports its end; reading it directly could crash again.
+    for (std::uintptr_t at = registers.stack & ~(sizeof(std::uintptr_t) - 1);
+         at - registers.stack < kMaxStack || at < registers.stack;) {
         const std::uintptr_t bytes = kPage - at % kPage;
         const iovec here{words, bytes}, there{reinterpret_cast<void*>(at), bytes};
         const ssize_t copied = process_vm_readv(getpid(), &here, 1, &there, 1, 0);

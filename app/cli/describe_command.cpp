@@ -6,12 +6,12 @@
 
 #include "base/clean_text.h"
 #include "base/spelling.h"
-#include "cli/commands.h"
 #include "cli/diagnostic_json.h"
 #include "cli/manual.h"
 #include "cli/messages.h"
 #include "cli/run_guard.h"
 #include "cli/standard_streams.h"
+#include "cli/subcommands.h"
 #include "cli/usage_json.h"
 #include "control/kinds_json.h"
 
@@ -24,23 +24,23 @@ struct DescribeArguments {
     bool json = false;
 };
 
-constexpr unsigned kMostSeconds = 30; // a build on a busy machine
+constexpr unsigned kMaxSeconds = 30; // enough for a build on a busy machine
 
-/// The module's code has begun, and may never come back: then its build must not wait for ever.
+/// Ends the program if the module's code does not return, so that a build does not wait forever.
 void onAlarm(int) {
-    static constexpr char kText[] = "trundle-cli: the module does not come back from being loaded and described within 30 s: is "
+    static constexpr char kText[] = "trundle-cli: the module did not finish loading and describing its kinds within 30 s: is "
                                     "there an endless loop in a constructor of its globals or in a describe()?\n";
     [[maybe_unused]] const ssize_t written = write(messagesFile(), kText, sizeof kText - 1);
     endProcess(kExitText);
 }
 
-/// What the build of a module calls: the description file that lies beside the library.
+/// Called by the build of a module: writes the description file next to the library.
 ExitCode describeModule(const DescribeArguments& arguments) {
     const std::string output = arguments.output.empty() ? kindsJsonPath(arguments.module) : arguments.output;
     std::signal(SIGALRM, onAlarm);
-    alarm(kMostSeconds); // to the end of the process: its destructors may hang too
+    alarm(kMaxSeconds); // until the process ends: destructors of the module may hang too
     const auto calls = std::make_shared<CallMonitor>();
-    RunGuard guard({calls, "description", false, false}); // code of the module runs
+    RunGuard guard({calls, "description", false, false}); // the module's code runs
     guard.endOnRequest();
     const Status written = writeKindsJson(arguments.module, output, calls);
     guard.restoreProcess();
@@ -48,19 +48,19 @@ ExitCode describeModule(const DescribeArguments& arguments) {
     return written ? kExitDone : kExitText;
 }
 
-ExitCode describeKinds(Parts& parts, const DescribeArguments& arguments) {
-    const std::shared_ptr<const Registry> builtIn = parts.builtIn();
-    const std::vector<Kind> fromModules = parts.moduleKinds(arguments.open);
+ExitCode describeKinds(Application& application, const DescribeArguments& arguments) {
+    const std::shared_ptr<const Registry> builtIn = application.builtIn();
+    const std::vector<Kind> fromModules = application.moduleKinds(arguments.open);
     std::vector<const Kind*> kinds = builtIn->all();
     for (const Kind& kind : fromModules) kinds.push_back(&kind);
 
     if (arguments.kind.empty()) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
         for (const Kind* kind : kinds) all.push_back(manualJson(*kind));
-        const bool told =
+        const bool isReported =
             writeOut(arguments.json ? jsonText(all)
-                                    : cleanText(manualList(kinds)) + "\n`trundle-cli describe KIND` tells more of each.\n");
-        return told ? kExitDone : kExitText;
+                                    : cleanText(manualList(kinds)) + "\n`trundle-cli describe KIND` shows more of each.\n");
+        return isReported ? kExitDone : kExitText;
     }
     std::vector<std::string> names;
     for (const Kind* kind : kinds) {
@@ -85,7 +85,7 @@ constexpr const char* kDescribeExamples = R"(Examples:
 
 } // namespace
 
-void addDescribe(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+void addDescribe(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("describe", "The manual: every kind, its properties and its signals");
     auto arguments = std::make_shared<DescribeArguments>();
     command->add_option("KIND", arguments->kind, "The kind to describe; without it, a list of all")
@@ -101,10 +101,10 @@ void addDescribe(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
         ->group("");
     command->add_option("--output", arguments->output, "Where to; by default LIB.kinds.json")->type_name("FILE")->group("");
     command->footer(kDescribeExamples);
-    command->callback([arguments, &parts, &chosen] {
+    command->callback([arguments, &application, &chosen] {
         if (!arguments->output.empty() && arguments->module.empty()) throw CLI::ValidationError("--output", "needs --module LIB");
-        chosen = [arguments, &parts] {
-            return arguments->module.empty() ? describeKinds(parts(), *arguments) : describeModule(*arguments);
+        chosen = [arguments, &application] {
+            return arguments->module.empty() ? describeKinds(application(), *arguments) : describeModule(*arguments);
         };
     });
 }

@@ -71,7 +71,7 @@ Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics, const SourceTab
 
 namespace {
 
-// The library escapes what is below U+0020, as it must. A terminal obeys others too; they can only be inside strings.
+// The JSON library escapes characters below U+0020. Terminals interpret some others too; they can occur only inside strings.
 std::string escaped(const std::string& text) {
     std::string safe;
     safe.reserve(text.size());

@@ -14,7 +14,7 @@
 namespace trundle {
 namespace {
 
-/// Code of a module, and not the solver or nothing.
+/// The module code being called; nullptr while the solver or nothing of a module runs.
 const CallTarget* moduleCall(const EarlyEndFacts& facts) {
     const CallTarget* target = facts.calls ? facts.calls->target() : nullptr;
     return target && (!target->kind.empty() || !target->module.empty()) ? target : nullptr;
@@ -25,8 +25,8 @@ bool isInSolver(const EarlyEndFacts& facts) {
     return target && target->kind.empty() && target->module.empty();
 }
 
-/// What was called: that of another thread is none of a crash's business.
-const CallTarget* culprit(const EarlyEndFacts& facts, const EarlyEnd& end) {
+/// The module call at fault; a crash in another thread is not caused by the run thread's call.
+const CallTarget* crashSite(const EarlyEndFacts& facts, const EarlyEnd& end) {
     return end.onRunsThread ? moduleCall(facts) : nullptr;
 }
 
@@ -36,15 +36,15 @@ double secondsSince(double startS) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) - startS;
 }
 
-/// Writes a part of the sentence, the same to the terminal and into a string of JSON.
-class Words {
+/// Writes the message in parts, either to the terminal or into a JSON string.
+class MessageBuilder {
 public:
-    Words(SignalText& out, bool json) : m_out(out), m_json(json) {}
-    Words& operator<<(const char* text) {
+    MessageBuilder(SignalText& out, bool json) : m_out(out), m_json(json) {}
+    MessageBuilder& operator<<(const char* text) {
         m_out.addClean(text, m_json);
         return *this;
     }
-    Words& operator<<(double number) {
+    MessageBuilder& operator<<(double number) {
         m_out.add(number);
         return *this;
     }
@@ -54,37 +54,37 @@ private:
     bool m_json;
 };
 
-void sayTarget(Words& words, const CallTarget& target) {
+void addTarget(MessageBuilder& words, const CallTarget& target) {
     words << target.text.c_str();
     if (!target.module.empty() && !target.kind.empty()) words << " (" << target.module.c_str() << ")";
 }
 
-void sayTime(Words& words, const EarlyEndFacts& facts) {
+void addTime(MessageBuilder& words, const EarlyEndFacts& facts) {
     if (facts.simulates) words << " at t = " << facts.calls->time() << " s";
 }
 
 /// " crashed in update", " crashed while it was loaded and described"
-void sayPhase(Words& words, const EarlyEndFacts& facts) {
+void addPhase(MessageBuilder& words, const EarlyEndFacts& facts) {
     const char* doing = facts.calls->doing();
     if (std::strcmp(doing, "load") == 0) words << " while it was loaded and described";
     else if (std::strcmp(doing, "unload") == 0) words << " while it was unloaded";
     else words << " in " << doing;
 }
 
-void sayCrash(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
-    if (const CallTarget* target = culprit(facts, end)) {
-        sayTarget(words, *target);
+void addCrash(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    if (const CallTarget* target = crashSite(facts, end)) {
+        addTarget(words, *target);
         words << " crashed";
-        sayPhase(words, facts);
+        addPhase(words, facts);
     } else {
         words << "crashed in the middle of the " << facts.activity;
     }
-    sayTime(words, facts);
+    addTime(words, facts);
     words << ": " << crashName(end.signal);
-    if (culprit(facts, end)) return;
+    if (crashSite(facts, end)) return;
     if (!end.onRunsThread) {
         words << ", in a thread of ";
-        if (end.threadOf) sayTarget(words, *end.threadOf);
+        if (end.threadOf) addTarget(words, *end.threadOf);
         else words << "no known module";
         return;
     }
@@ -92,55 +92,55 @@ void sayCrash(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
                                  : "; the fault is the program's own, or damage that code of a module did before");
 }
 
-void sayExit(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
-    if (const CallTarget* target = culprit(facts, end)) {
-        sayTarget(words, *target);
+void addExit(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
+    if (const CallTarget* target = crashSite(facts, end)) {
+        addTarget(words, *target);
         words << " ended the program";
-        sayPhase(words, facts);
+        addPhase(words, facts);
     } else {
         words << "code of a module ended the program in the middle of the " << facts.activity;
     }
-    sayTime(words, facts);
+    addTime(words, facts);
     words << ", by exit() or the like";
 }
 
-void sayNotResponding(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
+void addNotResponding(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
     const double waited = end.waitedS;
     if (const CallTarget* target = moduleCall(facts)) {
-        sayTarget(words, *target);
+        addTarget(words, *target);
         words << " is not responding";
-        sayPhase(words, facts);
-        sayTime(words, facts);
+        addPhase(words, facts);
+        addTime(words, facts);
         words << ": it did not return within " << waited << " s of the request to end";
         return;
     }
     words << "one step of the solver";
-    sayTime(words, facts);
+    addTime(words, facts);
     words << " did not end within " << waited << " s of the request to end: ";
     words << static_cast<double>(facts.calls->clusterContacts()) << " contacts";
     if (const char* body = facts.calls->clusterBody()) words << " hang together, among them those of " << body;
 }
 
-void sayInterrupted(Words& words, const EarlyEndFacts& facts) {
+void addInterrupted(MessageBuilder& words, const EarlyEndFacts& facts) {
     words << "interrupted: ended at once";
     const CallTarget* target = moduleCall(facts);
     if (!target) return;
     words << ", while waiting for ";
-    sayTarget(words, *target);
+    addTarget(words, *target);
 }
 
-void say(Words& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
+void addText(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
     switch (end.kind) {
-    case EarlyEndKind::Crash: return sayCrash(words, facts, end);
-    case EarlyEndKind::Exit: return sayExit(words, facts, end);
-    case EarlyEndKind::NotResponding: return sayNotResponding(words, facts, end);
-    case EarlyEndKind::Interrupted: return sayInterrupted(words, facts);
+    case EarlyEndKind::Crash: return addCrash(words, facts, end);
+    case EarlyEndKind::Exit: return addExit(words, facts, end);
+    case EarlyEndKind::NotResponding: return addNotResponding(words, facts, end);
+    case EarlyEndKind::Interrupted: return addInterrupted(words, facts);
     }
 }
 
 /// {"robot", "kind", "module", "during", "reason"}
 void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) {
-    const CallTarget* target = culprit(facts, end);
+    const CallTarget* target = crashSite(facts, end);
     const char* body = target ? nullptr : facts.calls->clusterBody();
     out.add("{\"robot\": ").addJson(target ? target->robot.c_str() : nullptr);
     out.add(", \"kind\": ").addJson(target ? target->kind.c_str() : nullptr);
@@ -159,7 +159,7 @@ void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) 
     out.add("}");
 }
 
-/// The keys of the usual object with what can be known in the middle of a tick.
+/// Writes the usual keys with the values available in the middle of a tick.
 void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) {
     const double wall = secondsSince(facts.startS), simulated = facts.calls->time();
     rusage used{};
@@ -188,8 +188,8 @@ void addMiddle(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end)
                                        : exit == kExitInterrupted ? Code::Interrupted
                                                                   : Code::Internal));
     out.add("\", \"message\": \"");
-    Words words(out, true);
-    say(words, facts, end);
+    MessageBuilder words(out, true);
+    addText(words, facts, end);
     out.add("\", \"suggestions\": [], \"fixes\": []}]");
 }
 
@@ -231,8 +231,8 @@ void reportEarlyEnd(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept {
     {
         SignalText out(messagesFile());
         out.add(facts.terminal ? "\r\033[K" : "").add("trundle-cli: ");
-        Words words(out, false);
-        say(words, facts, end);
+        MessageBuilder words(out, false);
+        addText(words, facts, end);
         out.add("\n");
     }
     if (facts.json) printJson(facts, end);

@@ -4,16 +4,16 @@
 #include "base/clean_text.h"
 #include "base/platform/atomic_file.h"
 #include "base/platform/file_lock.h"
-#include "cli/commands.h"
 #include "cli/messages.h"
-#include "cli/open_options.h"
+#include "cli/open_arguments.h"
+#include "cli/subcommands.h"
 #include "lang/tree_edit.h"
 #include "project/set_path.h"
 
 namespace trundle {
 namespace {
 
-constexpr std::chrono::seconds kPatience(30); // with others who change the same files
+constexpr std::chrono::seconds kTimeout(30); // to wait for other programs that change the same files
 
 struct EditArguments {
     OpenOptions open;
@@ -25,8 +25,8 @@ struct ChangedFile {
     std::string path, bytes;
 };
 
-/// The new bytes of every file that the sets change.
-Result<std::vector<ChangedFile>> changedFiles(const Loaded& loaded) {
+/// The new content of every file changed by --set.
+Result<std::vector<ChangedFile>> changedFiles(const LoadedProject& loaded) {
     std::vector<ChangedFile> changed;
     for (const auto& [file, edits] : editsForSets(loaded)) {
         const SourceText& source = loaded.trees[file]->source();
@@ -49,19 +49,19 @@ ExitCode writeAll(const std::vector<ChangedFile>& changed) {
     return kExitDone;
 }
 
-struct Edited {
-    ExitCode code = kExitDone; ///< else it was said why not
+struct EditedText {
+    ExitCode code = kExitDone; ///< otherwise the reason has already been reported
     std::vector<ChangedFile> files;
 };
 
-Edited edited(Parts& parts, const EditArguments& arguments) {
-    const Result<std::shared_ptr<const Loaded>> opened = parts.open(arguments.file, arguments.open);
+EditedText edited(Application& application, const EditArguments& arguments) {
+    const Result<std::shared_ptr<const LoadedProject>> opened = application.open(arguments.file, arguments.open);
     if (!opened) {
         printProblem(opened.error().message);
         return {kExitUsage, {}};
     }
-    const Loaded& loaded = *opened.value();
-    if (setsFailed(loaded)) { // other faults of the text are not this command's business: it may be about to mend them
+    const LoadedProject& loaded = *opened.value();
+    if (setsFailed(loaded)) { // other errors in the text are ignored, since this command may be the one that fixes them
         printDiagnostics(loaded.diagnostics.all(), loaded.sources);
         return {kExitText, {}};
     }
@@ -71,16 +71,16 @@ Edited edited(Parts& parts, const EditArguments& arguments) {
     return {kExitText, {}};
 }
 
-/// Which files change is known only after reading them, so they are locked then and read once more.
-ExitCode editInPlace(Parts& parts, const EditArguments& arguments) {
+/// Which files change is only known after reading them, so they are then locked and read again.
+ExitCode editInPlace(Application& application, const EditArguments& arguments) {
     std::vector<std::string> mine;
     for (;;) {
-        const Result<std::vector<FileLock>> locks = FileLock::takeAll(mine, kPatience);
+        const Result<std::vector<FileLock>> locks = FileLock::takeAll(mine, kTimeout);
         if (!locks) {
             printProblem(locks.error().message);
             return kExitText;
         }
-        const Edited now = edited(parts, arguments);
+        const EditedText now = edited(application, arguments);
         if (now.code != kExitDone) return now.code;
         const std::size_t before = mine.size();
         for (const ChangedFile& file : now.files)
@@ -89,12 +89,12 @@ ExitCode editInPlace(Parts& parts, const EditArguments& arguments) {
     }
 }
 
-ExitCode edit(Parts& parts, const EditArguments& arguments) {
-    if (arguments.write) return editInPlace(parts, arguments);
-    const Edited now = edited(parts, arguments);
+ExitCode edit(Application& application, const EditArguments& arguments) {
+    if (arguments.write) return editInPlace(application, arguments);
+    const EditedText now = edited(application, arguments);
     if (now.code != kExitDone) return now.code;
     for (const ChangedFile& file : now.files) {
-        // Standard output is the new text alone where one file changes, as it mostly is.
+        // With a single changed file, the usual case, standard output contains only the new text.
         if (now.files.size() > 1) writeOut("// " + cleanLine(file.path) + "\n");
         if (!writeOut(file.bytes)) return kExitText;
     }
@@ -114,7 +114,7 @@ Exit codes: 0 done, 1 a wrong path or value or a file that cannot be written, 2 
 
 } // namespace
 
-void addEdit(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+void addEdit(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("edit", "Change values in the text, touching nothing else");
     auto arguments = std::make_shared<EditArguments>();
     command->add_option("FILE", arguments->file, "The experiment")->required()->type_name("");
@@ -122,7 +122,8 @@ void addEdit(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     command->add_flag("--write", arguments->write, "Write the files; without it the changed text is printed");
     addOpenOptions(*command, arguments->open);
     command->footer(kEditExamples);
-    command->callback([arguments, &parts, &chosen] { chosen = [arguments, &parts] { return edit(parts(), *arguments); }; });
+    command->callback(
+        [arguments, &application, &chosen] { chosen = [arguments, &application] { return edit(application(), *arguments); }; });
 }
 
 } // namespace trundle

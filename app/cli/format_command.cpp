@@ -2,8 +2,8 @@
 #include "base/platform/atomic_file.h"
 #include "base/platform/file_lock.h"
 #include "base/platform/read_file.h"
-#include "cli/commands.h"
 #include "cli/messages.h"
+#include "cli/subcommands.h"
 #include "lang/formatter.h"
 #include "lang/tree.h"
 
@@ -69,7 +69,7 @@ Exit codes: 0 done, 1 a file would change (--check) or has syntax errors, 2 a FI
 
 } // namespace
 
-void addFormat(CLI::App& app, Chosen& chosen) {
+void addFormat(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("format", "Bring files into the house style");
     auto arguments = std::make_shared<FormatArguments>();
     command->add_option("FILE", arguments->files, "Files to format")->required()->type_name("");

@@ -1,4 +1,4 @@
-// trundle-cli: experiments from the command line. Works with no display.
+// trundle-cli: experiments from the command line. Needs no display.
 
 #include <algorithm>
 #include <csignal>
@@ -15,9 +15,9 @@
 
 #include "base/clean_text.h"
 #include "base/spelling.h"
-#include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/standard_streams.h"
+#include "cli/subcommands.h"
 #include "cli/usage_json.h"
 
 namespace {
@@ -27,9 +27,9 @@ constexpr const char* kFooter = R"(Examples:
   trundle-cli check my_robot.sim
   trundle-cli describe RotaryMotor
 
-`trundle-cli COMMAND --help` tells more of each.)";
+`trundle-cli COMMAND --help` shows more of each.)";
 
-/// CLI11 would only say that a subcommand is missing.
+/// The error message for an unknown subcommand or option; CLI11 would only report that a subcommand is missing.
 std::optional<std::string> unknownCommand(const CLI::App& app, int argc, char** argv) {
     if (argc < 2) return std::nullopt;
     if (argv[1][0] == '-')
@@ -56,25 +56,25 @@ int refuse(int argc, char** argv, const std::string& why) {
 }
 
 int run(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files fails the write, not the program
+    std::signal(SIGXFSZ, SIG_IGN); // exceeding the file size limit fails the write instead of ending the program
     CLI::App app("Trundle: describe mobile robots in text, run them in 3D dynamics, measure.", "trundle-cli");
     app.set_version_flag("--version", "trundle-cli " TRUNDLE_VERSION " (SDK " TRUNDLE_SDK_VERSION ")");
     app.require_subcommand(1);
     app.footer(kFooter);
 
-    std::unique_ptr<trundle::Parts> parts;
-    const trundle::PartsMaker partsOf = [&parts]() -> trundle::Parts& {
-        if (!parts) parts = trundle::makeParts();
-        return *parts;
+    std::unique_ptr<trundle::Application> application;
+    const trundle::ApplicationFactory applicationOf = [&application]() -> trundle::Application& {
+        if (!application) application = trundle::makeApplication();
+        return *application;
     };
-    trundle::Chosen chosen;
-    trundle::addRun(app, partsOf, chosen);
-    trundle::addCheck(app, partsOf, chosen);
+    trundle::ChosenCommand chosen;
+    trundle::addRun(app, applicationOf, chosen);
+    trundle::addCheck(app, applicationOf, chosen);
     trundle::addPrint(app, chosen);
     trundle::addFormat(app, chosen);
-    trundle::addEdit(app, partsOf, chosen);
-    trundle::addRender(app, partsOf, chosen);
-    trundle::addDescribe(app, partsOf, chosen);
+    trundle::addEdit(app, applicationOf, chosen);
+    trundle::addRender(app, applicationOf, chosen);
+    trundle::addDescribe(app, applicationOf, chosen);
     if (const auto problem = unknownCommand(app, argc, argv)) return refuse(argc, argv, *problem);
     try {
         app.parse(argc, argv);
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
     trundle::keepStandardStreams();
     try {
         return run(argc, argv);
-    } catch (const std::exception& problem) { // out of memory, say: no library lets anything else through
+    } catch (const std::exception& problem) { // for example out of memory: other exceptions do not leave the libraries
         trundle::printProblem(problem.what());
         if (trundle::asksForJson(argc, argv)) trundle::writeOut(trundle::usageJson(argc > 1 ? argv[1] : "", problem.what()));
         return trundle::kExitText;

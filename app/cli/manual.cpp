@@ -60,7 +60,7 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
     return text;
 }
 
-/// A default in the text's own unit, its conversion's rounding taken away: 90, not 90.00000000000001.
+/// A default in the text's unit without the rounding error of the conversion: 90, not 90.00000000000001.
 double inTextUnit(const Property& property, double si) {
     const double value = property.scale != 0 ? si / property.scale : si;
     return std::isfinite(value) ? std::strtod(shortText(value, 15).c_str(), nullptr) : value;
@@ -133,7 +133,7 @@ std::string padded(std::string text, std::size_t width) {
 std::string placeText(const Kind& kind) {
     std::vector<std::string> places;
     for (const std::string& parent : kind.parents) places.push_back(parent.empty() ? "the top level" : parent);
-    return places.empty() ? "" : "Stands in " + joined(places, ", ") + ".";
+    return places.empty() ? "" : "Allowed in " + joined(places, ", ") + ".";
 }
 
 Json numberJson(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }

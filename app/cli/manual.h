@@ -8,9 +8,9 @@
 
 namespace trundle {
 
-/// All kinds by role, a line each.
+/// All kinds by role, one per line.
 [[nodiscard]] std::string manualList(const std::vector<const Kind*>& kinds);
-/// Everything about one kind.
+/// The full description of one kind.
 [[nodiscard]] std::string manualPage(const Kind& kind);
 [[nodiscard]] nlohmann::ordered_json manualJson(const Kind& kind);
 

@@ -11,24 +11,24 @@
 #include "base/clean_text.h"
 #include "cli/numbers.h"
 #include "cli/standard_streams.h"
-#include "lang/render.h"
+#include "lang/diagnostic_text.h"
 
 namespace trundle {
 
 namespace {
 
-constexpr std::size_t kMostShown = 100;
+constexpr std::size_t kMaxShown = 100;
 
 } // namespace
 
 void printDiagnostics(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources) {
-    // A wall of text helps nobody; errors go first when there is not room for all.
-    std::size_t errorsLeft = kMostShown;
+    // Limits the number of messages; errors take precedence.
+    std::size_t errorsLeft = kMaxShown;
     const auto errors = static_cast<std::size_t>(std::ranges::count(diagnostics, Severity::Error, &Diagnostic::severity));
-    std::size_t othersLeft = kMostShown - std::min(errors, kMostShown);
+    std::size_t othersLeft = kMaxShown - std::min(errors, kMaxShown);
     std::uint64_t hidden = 0;
     for (const Diagnostic& diagnostic : diagnostics) {
-        if (diagnostic.more > 0 && hidden + errors > kMostShown) {
+        if (diagnostic.more > 0 && hidden + errors > kMaxShown) {
             hidden += diagnostic.more;
             continue;
         }

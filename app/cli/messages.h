@@ -7,13 +7,13 @@
 
 namespace trundle {
 
-/// Diagnostics on standard error, as people read them: the first hundred, errors before all others.
+/// Prints diagnostics on standard error as text: the first hundred, errors before all others.
 void printDiagnostics(const std::vector<Diagnostic>& diagnostics, const SourceTable& sources);
-/// One line on standard error, `trundle-cli: ...`.
+/// Prints one line on standard error, `trundle-cli: ...`.
 void printProblem(const std::string& text);
-/// "2 errors, 1 warning"; empty when there is neither. Hints do not count.
+/// "2 errors, 1 warning"; empty if there are neither. Hints are not counted.
 [[nodiscard]] std::string countText(const std::vector<Diagnostic>& diagnostics);
-/// Bytes to the standard output that the program was started with. Where it cannot take them says so on standard error and gives false.
+/// Writes bytes to the program's original standard output. On failure reports the error on standard error and returns false.
 bool writeOut(const std::string& bytes);
 
 } // namespace trundle

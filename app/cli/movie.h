@@ -8,29 +8,30 @@
 
 namespace trundle {
 
-struct MovieWish {
-    std::string path;                         ///< .mp4 or .webm; empty: none is wanted
-    std::string camera;                       ///< "robot0/eye", or empty for a view
-    std::string view;                         ///< its name, or empty for one of everything
-    std::uint32_t width = 1280, height = 720; ///< of a view
-    double framesPerSecond = 30;              ///< of simulated time
+struct MovieOptions {
+    std::string path;                         ///< .mp4 or .webm; empty: no movie
+    std::string camera;                       ///< "robot0/eye"; empty: a view
+    std::string view;                         ///< name of a view; empty: the whole scene
+    std::uint32_t width = 1280, height = 720; ///< size of a view, px
+    double framesPerSecond = 30;              ///< per second of simulated time
 };
 
-/// A movie of a run, made while the run goes on.
+/// Records a movie of a run while it runs.
 class Movie {
 public:
-    /// Fails with words for the user where there is no ffmpeg.
-    [[nodiscard]] static Result<std::unique_ptr<Movie>> open(MovieWish wish);
+    /// Fails with a message for the user if ffmpeg is missing.
+    [[nodiscard]] static Result<std::unique_ptr<Movie>> open(MovieOptions movieOptions);
 
-    /// At the start and after each tick: writes the pictures that have come due.
+    /// Writes the frames that are due. Call at the start and after each tick.
     [[nodiscard]] Status follow(Runner& runner);
-    /// Waits for ffmpeg. Fails with its own last words.
+    /// Waits for ffmpeg. Fails with ffmpeg's last error line.
     [[nodiscard]] Status finish() { return m_file->finish(); }
 
 private:
-    Movie(MovieWish wish, std::unique_ptr<MovieFile> file) : m_wish(std::move(wish)), m_file(std::move(file)) {}
+    Movie(MovieOptions movieOptions, std::unique_ptr<MovieFile> file)
+        : m_movieOptions(std::move(movieOptions)), m_file(std::move(file)) {}
 
-    MovieWish m_wish;
+    MovieOptions m_movieOptions;
     std::unique_ptr<MovieFile> m_file;
 };
 

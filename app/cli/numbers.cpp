@@ -21,7 +21,7 @@ std::string fixedText(double number, int digits) {
 
 std::string shortText(double number, int digits) {
     if (number != 0 && std::isfinite(number)) {
-        // Large numbers are written out: 1230000, not 1.23e+06.
+        // Large numbers are written without an exponent: 1230000, not 1.23e+06.
         const double size = std::floor(std::log10(std::fabs(number))) + 1;
         if (size > digits && size < 15) {
             const double unit = std::pow(10.0, size - digits);

@@ -1,6 +1,6 @@
 #include "base/platform/read_file.h"
-#include "cli/commands.h"
 #include "cli/messages.h"
+#include "cli/subcommands.h"
 #include "lang/tree.h"
 
 namespace trundle {
@@ -21,7 +21,7 @@ constexpr const char* kPrintExamples = R"(Example:
 
 } // namespace
 
-void addPrint(CLI::App& app, Chosen& chosen) {
+void addPrint(CLI::App& app, ChosenCommand& chosen) {
     CLI::App* command =
         app.add_subcommand("print", "Read a file into its tree and print the tree: the same bytes, whatever they are");
     auto file = std::make_shared<std::string>();

@@ -5,21 +5,21 @@
 
 namespace trundle {
 
-/// What standard error shows while a run goes on: a bar on a terminal, a plain line now and then otherwise. Lines of others that go to
-/// standard error during the run pass through line(), so that the bar stays below them.
+/// Progress on standard error during a run: a bar on a terminal, otherwise an occasional plain line. Other output to standard
+/// error during the run must use line(), so that the bar stays below it.
 class Progress {
 public:
-    /// `ticks` 0: the end is not known. A hidden one prints only lines.
+    /// `ticks` 0: unknown end. If `hidden`, only prints the texts passed to line().
     Progress(std::uint64_t ticks, double tick, bool hidden);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Called after each tick; shows something only every so often.
+    /// Called after each tick; updates the display only at intervals.
     void update(std::uint64_t ticks);
-    /// The last state of things.
+    /// Shows the final state.
     void finish(std::uint64_t ticks);
-    /// Text that ends in a line end.
+    /// Prints a text that ends with a line end.
     void line(const std::string& text);
 
 private:

@@ -7,12 +7,12 @@
 
 #include <unistd.h>
 
+#include "app/locations.h"
 #include "base/platform/dynamic_library.h"
-#include "cli/commands.h"
 #include "cli/messages.h"
-#include "cli/open_options.h"
+#include "cli/open_arguments.h"
 #include "cli/run_guard.h"
-#include "parts/locations.h"
+#include "cli/subcommands.h"
 #include "render/render_entry.h"
 
 namespace trundle {
@@ -37,7 +37,7 @@ void setView(const RenderArguments& arguments, RenderJob& job) {
     }
 }
 
-/// The picture library is opened here and nowhere else: runs without pictures start without it.
+/// The render library is loaded only here, so that runs without images start without it.
 ExitCode draw(RenderJob& job) {
     const Result<DynamicLibrary> library = DynamicLibrary::open(findLocations().modules + "/" TRUNDLE_RENDER_LIBRARY);
     if (!library) {
@@ -57,11 +57,11 @@ ExitCode draw(RenderJob& job) {
     return kExitText;
 }
 
-/// What a simulation of minutes would be in vain for.
+/// Checks the output path before a simulation that may take minutes.
 ExitCode checkBeforeRun(RenderJob job) {
     namespace fs = std::filesystem;
     std::error_code fault;
-    const fs::path file = fs::weakly_canonical(fs::absolute(job.outputPath, fault), fault); // writing goes through links
+    const fs::path file = fs::weakly_canonical(fs::absolute(job.outputPath, fault), fault); // writing follows links
     std::string why;
     if (fs::is_directory(file, fault)) why = "it is a folder";
     else if (::access(file.parent_path().c_str(), W_OK | X_OK) != 0) why = std::strerror(errno);
@@ -73,24 +73,24 @@ ExitCode checkBeforeRun(RenderJob job) {
     return draw(job);
 }
 
-bool hasWrongSet(const Loaded& loaded) {
+bool hasWrongSet(const LoadedProject& loaded) {
     return std::ranges::any_of(loaded.diagnostics.all(), [&](const Diagnostic& d) {
         return d.severity == Severity::Error && loaded.outline->texts().commandLine(d.range.file);
     });
 }
 
-ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
+ExitCode renderFile(Application& application, const RenderArguments& arguments) {
     RenderJob job;
     if (const auto size = pictureSize(arguments.size)) {
         job.width = size->width;
         job.height = size->height;
     }
-    const Result<std::shared_ptr<const Loaded>> opened = parts.open(arguments.file, arguments.open);
+    const Result<std::shared_ptr<const LoadedProject>> opened = application.open(arguments.file, arguments.open);
     if (!opened) {
         printProblem(opened.error().message);
         return kExitUsage;
     }
-    const Loaded& loaded = *opened.value();
+    const LoadedProject& loaded = *opened.value();
     printDiagnostics(loaded.diagnostics.all(), loaded.sources);
     job.experiment = loaded.experiment.get();
     job.outputPath = arguments.output.c_str();
@@ -101,16 +101,16 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     if (!arguments.view.empty()) job.view = arguments.view.c_str();
     setView(arguments, job);
     if (hasWrongSet(loaded)) return kExitText;
-    if (!(arguments.at > 0)) return draw(job); // what is whole of a text with errors is drawn too
+    if (!(arguments.at > 0)) return draw(job); // the valid parts of a text with errors are rendered too
     if (loaded.diagnostics.hasErrors()) return kExitText;
     if (const ExitCode wrong = checkBeforeRun(job); wrong != kExitDone) return wrong;
 
     const auto calls = std::make_shared<CallMonitor>();
-    RunGuard guard({calls, "run", true, false}); // from here on code of modules runs
+    RunGuard guard({calls, "run", true, false}); // module code runs from here on
     Diagnostics problems;
     RunOptions options;
     options.calls = calls;
-    const std::unique_ptr<Runner> runner = parts.makeRunner(loaded, std::move(options), problems);
+    const std::unique_ptr<Runner> runner = application.makeRunner(loaded, std::move(options), problems);
     guard.restoreProcess();
     printDiagnostics(problems.all(), loaded.sources);
     if (!runner) return kExitText;
@@ -119,7 +119,7 @@ ExitCode renderFile(Parts& parts, const RenderArguments& arguments) {
     guard.restoreProcess();
     if (interrupted()) return kExitInterrupted;
     guard.endOnRequest();
-    if (const Diagnostic* failure = runner->failure()) { // the last state is still worth a look
+    if (const Diagnostic* failure = runner->failure()) { // report it together with the state reached
         printDiagnostics({*failure}, loaded.sources);
         return exitCodeFor(failure->code);
     }
@@ -135,7 +135,7 @@ constexpr const char* kRenderExamples = R"(Examples:
 
 } // namespace
 
-void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+void addRender(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("render", "Draw a picture of an experiment, with no display");
     auto arguments = std::make_shared<RenderArguments>();
     RenderArguments& a = *arguments;
@@ -181,9 +181,9 @@ void addRender(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     addSetOption(*command, a.open);
     addOpenOptions(*command, a.open);
     command->footer(kRenderExamples);
-    command->callback([arguments, &parts, &chosen, camera, size] {
+    command->callback([arguments, &application, &chosen, camera, size] {
         refuseSizeOfCamera(*camera, *size);
-        chosen = [arguments, &parts] { return renderFile(parts(), *arguments); };
+        chosen = [arguments, &application] { return renderFile(application(), *arguments); };
     });
 }
 

@@ -7,32 +7,32 @@
 
 #include <unistd.h>
 
+#include "app/render_library.h"
 #include "base/clean_text.h"
 #include "check/model_check.h"
-#include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/diagnostic_json.h"
 #include "cli/messages.h"
 #include "cli/movie.h"
-#include "cli/open_options.h"
+#include "cli/open_arguments.h"
 #include "cli/progress.h"
 #include "cli/run_guard.h"
 #include "cli/run_loop.h"
 #include "cli/run_report.h"
-#include "lang/render.h"
-#include "parts/frame_library.h"
-#include "project/described.h"
+#include "cli/subcommands.h"
+#include "lang/diagnostic_text.h"
+#include "project/unplaced_configs.h"
 
 namespace trundle {
 namespace {
 
 constexpr double kLongestDurationS = 1e9;
-constexpr std::uint64_t kLargestSeed = 1ull << 53; // what a number of the text can hold exactly
+constexpr std::uint64_t kLargestSeed = 1ull << 53; // largest seed that a number in the text represents exactly
 
 struct RunArguments {
     OpenOptions open;
     std::string file, logDir, movieSize = "1280x720";
-    MovieWish movie;
+    MovieOptions movie;
     LookChoice look = LookChoice::Automatic;
     std::optional<double> duration;
     std::optional<std::uint64_t> seed;
@@ -41,7 +41,8 @@ struct RunArguments {
 
 class RunCommand {
 public:
-    RunCommand(Parts& parts, RunArguments arguments) : m_parts(parts), m_arguments(std::move(arguments)) {}
+    RunCommand(Application& application, RunArguments arguments)
+        : m_application(application), m_arguments(std::move(arguments)) {}
     ExitCode go();
 
 private:
@@ -57,17 +58,17 @@ private:
     void keepResults();
     void maintain();
     void keepPoses();
-    ExitCode tell(ExitCode code);
+    ExitCode printResults(ExitCode code);
     RunOptions runOptions();
     void warn(const Diagnostic& warning);
-    void sayNothingPlaced() const;
+    void reportNothingPlaced() const;
     bool checkStart();
 
-    Parts& m_parts;
+    Application& m_application;
     RunArguments m_arguments;
     std::shared_ptr<CallMonitor> m_calls = std::make_shared<CallMonitor>();
-    std::optional<RunGuard> m_guard; // before the runner, in whose destructor code of modules runs
-    std::shared_ptr<const Loaded> m_loaded;
+    std::optional<RunGuard> m_guard; // declared before the runner, whose destructor runs module code
+    std::shared_ptr<const LoadedProject> m_loaded;
     std::unique_ptr<Progress> m_progress;
     std::unique_ptr<Movie> m_movie;
     std::unique_ptr<Runner> m_runner;
@@ -78,25 +79,25 @@ private:
 
 ExitCode RunCommand::go() {
     m_report.name = experimentName(m_arguments.file);
-    // A seed is a setting like any other; it must be known before a Scatter is placed.
+    // A seed is an ordinary setting; it must be set before a Scatter places its objects.
     if (m_arguments.seed) m_arguments.open.sets.push_back("Seed=" + std::to_string(*m_arguments.seed));
-    if (!load()) return tell(kExitUsage);
+    if (!load()) return printResults(kExitUsage);
     printDiagnostics(m_report.diagnostics, m_report.sources);
     if (std::ranges::count(m_report.diagnostics, Severity::Error, &Diagnostic::severity) > 0) {
         const std::string counts = countText(m_report.diagnostics);
         std::fprintf(stderr, "%s: not run, the text has %s\n", cleanLine(m_arguments.file).c_str(), counts.c_str());
-        return tell(kExitText);
+        return printResults(kExitText);
     }
-    if (!m_arguments.quiet) sayNothingPlaced();
-    if (!planTicks() || !openMovie()) return tell(kExitUsage);
-    if (!checkStart()) return tell(exitCodeFor(m_report.diagnostics.back().code));
+    if (!m_arguments.quiet) reportNothingPlaced();
+    if (!planTicks() || !openMovie()) return printResults(kExitUsage);
+    if (!checkStart()) return printResults(exitCodeFor(m_report.diagnostics.back().code));
     return runLoaded();
 }
 
-/// A robot's own file runs as what it is: a world with nothing in it.
-void RunCommand::sayNothingPlaced() const {
+/// A file that only defines a robot runs as an empty world.
+void RunCommand::reportNothingPlaced() const {
     std::string names;
-    for (const Part* config : describedAlone(*m_loaded)) names += (names.empty() ? "" : ", ") + config->name;
+    for (const Part* config : configsWithoutInstances(*m_loaded)) names += (names.empty() ? "" : ", ") + config->name;
     if (names.empty()) return;
     const std::string file = cleanLine(m_arguments.file);
     std::fprintf(stderr,
@@ -106,7 +107,7 @@ void RunCommand::sayNothingPlaced() const {
 }
 
 bool RunCommand::load() {
-    Result<std::shared_ptr<const Loaded>> opened = m_parts.open(m_arguments.file, m_arguments.open);
+    Result<std::shared_ptr<const LoadedProject>> opened = m_application.open(m_arguments.file, m_arguments.open);
     if (!opened) {
         printProblem(opened.error().message);
         m_report.diagnostics.push_back({Severity::Error, opened.error().code, opened.error().message, {}, {}, {}, {}});
@@ -116,14 +117,14 @@ bool RunCommand::load() {
     m_loaded = std::move(opened).value();
     m_report.sources = m_loaded->sources;
     m_report.diagnostics = m_loaded->diagnostics.all();
-    // Looking at a text without a module's kinds is fair; running it without its controller is not.
+    // Other commands accept a text without a module's kinds; a run needs its controllers.
     for (Diagnostic& diagnostic : m_report.diagnostics)
         if (diagnostic.code == Code::ModuleNotTrusted || diagnostic.code == Code::ModuleUndescribed)
             diagnostic.severity = Severity::Error;
     return true;
 }
 
-/// What starts badly is said before the run shows it, as `check` says it. False where that is an error, which the run would refuse.
+/// Reports problems of the start state before the run, like `check`. False if one is an error, which the run would refuse.
 bool RunCommand::checkStart() {
     Diagnostics found;
     checkModel(*m_loaded, found);
@@ -132,7 +133,7 @@ bool RunCommand::checkStart() {
     std::stable_partition(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity != Severity::Error; });
     printDiagnostics(all, m_report.sources);
     m_report.diagnostics.insert(m_report.diagnostics.end(), all.begin(), all.end());
-    if (!found.hasErrors()) return true; // the last one is why it ended
+    if (!found.hasErrors()) return true; // the last error is the reason why the run ended
     std::fprintf(stderr, "%s: not run, the check before it found %s\n", cleanLine(m_arguments.file).c_str(), countText(all).c_str());
     return false;
 }
@@ -150,15 +151,15 @@ bool RunCommand::planTicks() {
     return true;
 }
 
-/// What is wrong with the movie is told before the run, not after it.
+/// Reports problems with the movie before the run instead of after it.
 bool RunCommand::openMovie() {
-    MovieWish& wish = m_arguments.movie;
-    if (wish.path.empty()) return true;
+    MovieOptions& movieOptions = m_arguments.movie;
+    if (movieOptions.path.empty()) return true;
     if (const auto size = pictureSize(m_arguments.movieSize)) {
-        wish.width = size->width;
-        wish.height = size->height;
+        movieOptions.width = size->width;
+        movieOptions.height = size->height;
     }
-    Result<std::unique_ptr<Movie>> movie = Movie::open(wish);
+    Result<std::unique_ptr<Movie>> movie = Movie::open(movieOptions);
     if (!movie) return movieProblem(movie.error());
     m_movie = std::move(movie).value();
     return true;
@@ -183,7 +184,8 @@ bool RunCommand::endMovie() { return !m_movie || movieProblem(m_movie->finish())
 
 RunOptions RunCommand::runOptions() {
     RunOptions options;
-    // What the user names may be a link; what came with the project may not. Absolute, wherever a module changes the working folder to.
+    // A log folder given by the user may be a link; the default one inside the project may not. Absolute, since a module may
+    // change the working folder.
     options.logFolder = m_arguments.logDir.empty() ? defaultLogs(m_loaded->projectFolder, m_arguments.file)
                                                    : LogLocation(std::filesystem::absolute(m_arguments.logDir).string());
     options.calls = m_calls;
@@ -193,7 +195,7 @@ RunOptions RunCommand::runOptions() {
         else std::fputs(lines.c_str(), stderr);
     };
     options.pictures = [this](const ExperimentSpec& experiment, const SignalLayout& layout) {
-        return openFrameSource(m_parts.locations().modules, experiment, layout,
+        return openImageSource(m_application.locations().modules, experiment, layout,
                                {m_arguments.look, [this](const std::string& line) {
                                     if (m_progress) m_progress->line("warning: " + cleanLine(line) + "\n");
                                     else printProblem(line);
@@ -212,22 +214,22 @@ void RunCommand::warn(const Diagnostic& warning) {
     report(warning);
 }
 
-/// What a crash must not take with it, and what modules may have changed of the process.
+/// Saves what would be lost in a crash, and restores process state that modules may have changed.
 void RunCommand::maintain() {
     m_runner->flushLogs();
     m_guard->restoreProcess();
     keepPoses();
 }
 
-/// For the object of --json after a crash, which cannot ask the world any more.
+/// For the --json object after a crash, when the world can no longer be read.
 void RunCommand::keepPoses() {
     if (m_arguments.json) m_guard->setRobots(posesJsonMembers(m_runner->world()), m_runner->world().time());
 }
 
 LoopOutcome RunCommand::runTicksOfPlan() {
     keepPoses();
-    const bool filming = film(); // the start too
-    DriveMeter meter(m_runner->world());
+    const bool filming = film(); // also the start state
+    DriveStatistics meter(m_runner->world());
     const bool metered = !m_arguments.quiet && !m_arguments.json;
     LoopPlan plan{filming ? m_ticks : 0, m_endless && filming, m_arguments.realtime};
     plan.everySecond = [this] { maintain(); };
@@ -238,7 +240,7 @@ LoopOutcome RunCommand::runTicksOfPlan() {
     return outcome;
 }
 
-/// From here on they are printed whatever becomes of the program.
+/// From here on the results are printed even if the program crashes.
 void RunCommand::keepResults() {
     if (!m_arguments.json) return;
     std::string object = runJson(m_report);
@@ -248,17 +250,17 @@ void RunCommand::keepResults() {
 }
 
 ExitCode RunCommand::runLoaded() {
-    m_guard.emplace(GuardOptions{m_calls, "run", true, m_arguments.json}); // from here on code of modules runs
+    m_guard.emplace(GuardOptions{m_calls, "run", true, m_arguments.json}); // module code runs from here on
     m_guard->setDiagnostics(diagnosticEntries(m_report.diagnostics, m_report.sources));
     Diagnostics problems;
-    m_runner = m_parts.makeRunner(*m_loaded, runOptions(), problems);
+    m_runner = m_application.makeRunner(*m_loaded, runOptions(), problems);
     m_guard->restoreProcess();
     printDiagnostics(problems.all(), m_report.sources);
     for (const Diagnostic& problem : problems.all()) report(problem);
     if (!m_runner) {
         for (const Diagnostic& problem : problems.all())
-            if (problem.severity == Severity::Error) return tell(exitCodeFor(problem.code));
-        return tell(kExitText);
+            if (problem.severity == Severity::Error) return printResults(exitCodeFor(problem.code));
+        return printResults(kExitText);
     }
     m_report.runner = m_runner.get();
     m_progress = std::make_unique<Progress>(m_ticks, m_loaded->experiment->settings.tick, m_arguments.quiet);
@@ -267,7 +269,7 @@ ExitCode RunCommand::runLoaded() {
     m_report.interrupted = outcome.interrupted;
     keepResults();
     const bool filmed = endMovie() && (m_movie || m_arguments.movie.path.empty());
-    (void)m_runner->finish(); // what fails here stands in failure()
+    (void)m_runner->finish(); // a failure is stored in failure()
     m_guard->restoreProcess();
     m_progress->finish(m_runner->world().ticks());
 
@@ -276,10 +278,13 @@ ExitCode RunCommand::runLoaded() {
         printDiagnostics({*failure}, m_report.sources);
         report(*failure);
     }
-    return tell(failure ? exitCodeFor(failure->code) : outcome.interrupted ? kExitInterrupted : filmed ? kExitDone : kExitText);
+    return printResults(failure               ? exitCodeFor(failure->code)
+                        : outcome.interrupted ? kExitInterrupted
+                        : filmed              ? kExitDone
+                                              : kExitText);
 }
 
-/// The ranges are those of the settings Duration and Seed. Empty where all is well.
+/// Checks the range of the settings Duration and Seed. Empty if valid.
 std::string durationProblem(const std::string& text) {
     double seconds = 0;
     const char* const end = text.data() + text.size();
@@ -296,15 +301,15 @@ std::string seedProblem(const std::string& text) {
     return good ? std::string() : "the seed must be a whole number from 0 to " + std::to_string(kLargestSeed);
 }
 
-/// ffmpeg would take others, or none; and say so when the run has begun.
+/// Checks the movie's file name before the run: ffmpeg would report an unsupported one only after the start.
 std::string endingProblem(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     return ending == ".mp4" || ending == ".webm" ? std::string() : "a movie's name ends in .mp4 or .webm";
 }
 
-/// Results go to standard output, whatever the run came to.
-ExitCode RunCommand::tell(ExitCode code) {
+/// Prints the results on standard output, however the run ended.
+ExitCode RunCommand::printResults(ExitCode code) {
     std::string text;
     if (m_arguments.json) {
         text = runJson(m_report);
@@ -330,13 +335,13 @@ Results go to standard output; progress, messages and what controllers print go 
 Exit codes: 0 done (at the end of the duration, or finished by a controller), 1 errors in the text or a module that does not
 load, 2 wrong usage or unreadable FILE, 3 the simulation blew up, 4 a controller failed, or code of a module crashed, ended the
 program or did not return, 130 interrupted (Ctrl+C, SIGTERM, SIGHUP: logs and summary are complete; a step of the solver that
-goes on for 3 s is cut off).
+takes more than 3 s is cut off).
 Logs are written out each second and when a module crashes. After a crash --json still prints its object, with "crashed".
 What modules print to standard output goes to standard error.)";
 
 } // namespace
 
-void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
+void addRun(CLI::App& app, const ApplicationFactory& application, ChosenCommand& chosen) {
     CLI::App* command = app.add_subcommand("run", "Run an experiment");
     auto arguments = std::make_shared<RunArguments>();
     RunArguments& a = *arguments;
@@ -384,9 +389,9 @@ void addRun(CLI::App& app, const PartsMaker& parts, Chosen& chosen) {
     command->add_flag("--quiet", a.quiet, "No progress and no summary");
     addOpenOptions(*command, a.open);
     command->footer(kRunExamples);
-    command->callback([arguments, &parts, &chosen, camera, size] {
+    command->callback([arguments, &application, &chosen, camera, size] {
         refuseSizeOfCamera(*camera, *size);
-        chosen = [arguments, &parts] { return RunCommand(parts(), *arguments).go(); };
+        chosen = [arguments, &application] { return RunCommand(application(), *arguments).go(); };
     });
 }
 

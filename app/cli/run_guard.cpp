@@ -1,6 +1,6 @@
-// Needs: handlers of signals and of exit(), which take no arguments of ours: hence the variables below.
-// Assumes: one guard at a time; the thread that makes it is the run's.
-// Method: handlers note, a thread of its own decides. Whoever ends the program first does it alone.
+// Needs: handlers of signals and of exit(), which take no arguments of ours, hence the global variables below.
+// Assumes: one guard at a time; the thread that creates it is the run's thread.
+// Method: signal handlers only record requests, a watch thread decides. The first thread that ends the program does so alone.
 #include "cli/run_guard.h"
 
 #include <atomic>
@@ -33,24 +33,24 @@ namespace {
 
 constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 constexpr int kRequests[] = {SIGINT, SIGTERM, SIGHUP};
-constexpr std::uint32_t kCallPatienceS = 3;  // with one call, after a request to end
-constexpr std::uint32_t kTickPatienceS = 10; // with all the calls of a tick
+constexpr std::uint32_t kCallTimeoutS = 3;  // s, for one call after a request to end
+constexpr std::uint32_t kTickTimeoutS = 10; // s, for all calls of a tick
 constexpr long kLookEveryNs = 100'000'000;
 
-std::atomic<bool> s_guarded{false}, s_ticking{false}, s_patient{true};
+std::atomic<bool> s_guarded{false}, s_ticking{false}, s_waiting{true};
 std::atomic<int> s_requests{0};
-std::atomic<long> s_endingThread{0}; // that ends the program; 0: none yet
+std::atomic<long> s_endingThread{0}; // id of the thread that ends the program; 0: none
 std::atomic<pid_t> s_process{0};
 long s_runsThread = 0;
 EarlyEndFacts s_facts;
 std::shared_ptr<const CallMonitor> s_calls;
 std::string s_diagnostics, s_results;
-EarlyPoses s_poses[2]; // one of them may be printed while the other is made anew
+EarlyPoses s_poses[2]; // double buffer: one may be printed while the other is updated
 sem_t s_wake;
 std::atomic<bool> s_stop{false};
 std::optional<std::thread> s_watch;
 bool s_ignoresHangup = false;
-alignas(16) char s_stack[64 * 1024]; // a crash may be an endless recursion
+alignas(16) char s_stack[64 * 1024]; // large enough to handle a stack overflow
 
 long thisThread() { return syscall(SYS_gettid); }
 
@@ -71,7 +71,7 @@ void raiseDefault(int signal) {
     syscall(SYS_tgkill, getpid(), thisThread(), signal);
 }
 
-/// Where core dumps are wanted a copy of the process leaves one; the process itself ends with the code that is promised.
+/// If core dumps are enabled, a forked copy of the process produces one; the process itself exits with the documented code.
 void dumpCore(int signal) {
     rlimit core{};
     if (getrlimit(RLIMIT_CORE, &core) != 0 || core.rlim_cur == 0) return;
@@ -83,7 +83,7 @@ void dumpCore(int signal) {
     while (copy > 0 && waitpid(static_cast<pid_t>(copy), nullptr, 0) < 0 && errno == EINTR) {}
 }
 
-/// Async-signal-safe. The first to come does it; a crash in the middle of it, or another thread's, adds nothing.
+/// Async-signal-safe. Only the first caller reports; a crash during the report, or in another thread, adds nothing.
 [[noreturn]] void endEarly(const EarlyEnd& end) {
     const long self = thisThread();
     long ending = 0;
@@ -95,7 +95,7 @@ void dumpCore(int signal) {
     reportEarlyEnd(s_facts, end);
     const int code = exitCodeOf(s_facts, end);
     if (end.kind == EarlyEndKind::Crash) {
-        if (code > 128) raiseDefault(end.signal); // our own fault: as without a handler
+        if (code > 128) raiseDefault(end.signal); // a crash of the program itself ends as without a handler
         dumpCore(end.signal);
     }
     endProcess(code);
@@ -122,33 +122,33 @@ void onExit() {
     if (isOurs()) endEarly({EarlyEndKind::Exit, 0, thisThread() == s_runsThread});
 }
 
-/// What is thrown past all who could catch it; the C++ library would print its text as it is.
+/// Handles an uncaught exception; the C++ library would print its text unfiltered.
 void onTerminate() {
-    const auto say = [](const char* what) {
+    const auto addText = [](const char* what) {
         SignalText(messagesFile()).add("trundle-cli: an uncaught exception: ").addClean(what).add("\n");
     };
     try {
         if (std::current_exception()) throw;
-    } catch (const std::exception& e) { say(e.what()); } catch (...) {
-        say("of an unknown type");
+    } catch (const std::exception& e) { addText(e.what()); } catch (...) {
+        addText("of an unknown type");
     }
     std::abort();
 }
 
 void onRequest(int) {
     const int before = errno;
-    if (s_requests.fetch_add(1) >= 2) endProcess(kExitInterrupted); // the second one had no effect so far
+    if (s_requests.fetch_add(1) >= 2) endProcess(kExitInterrupted); // two earlier requests had no effect
     sem_post(&s_wake);
     errno = before;
 }
 
-void onBrokenPipe(int) {} // a failed write, which is seen where it is made; not inherited by other programs, as SIG_IGN would be
+void onBrokenPipe(int) {} // makes writes fail with EPIPE; unlike SIG_IGN, a handler is not inherited by child processes
 
 void watchSignals() {
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, onRequest, SA_RESTART);
     setHandler(SIGPIPE, onBrokenPipe, SA_RESTART);
-    // Only where no handler is set: a debugger or a sanitizer may have one.
+    // Does not replace existing handlers, such as those of a debugger or a sanitizer.
     for (const int signal : kCrashes) {
         struct sigaction now = {};
         if (sigaction(signal, nullptr, &now) != 0 || (now.sa_handler != SIG_DFL && now.sa_handler != SIG_IGN)) continue;
@@ -165,7 +165,7 @@ void unwatchSignals() {
     }
 }
 
-/// Code of a module may have blocked them on the run's thread. Those of a debugger stay as they are.
+/// Module code may have blocked these signals on the run's thread. Other signals, such as a debugger's, stay unchanged.
 void unblockSignals() {
     sigset_t ours;
     sigemptyset(&ours);
@@ -180,7 +180,7 @@ double now() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-void nap() {
+void sleepBriefly() {
     timespec until{};
     clock_gettime(CLOCK_REALTIME, &until);
     until.tv_nsec += kLookEveryNs;
@@ -189,15 +189,15 @@ void nap() {
     sem_timedwait(&s_wake, &until);
 }
 
-/// On its own thread: after a request to end, sees to it that there is an end.
+/// Runs on its own thread: ends the program if a request to end has no effect in time.
 void watch() {
-    double asked = 0, call = 0; // when it was asked, and since when the call goes on
+    double asked = 0, call = 0; // time of the request; start of the current call
     std::uint64_t sequence = 0;
     for (int looks = 0; !s_stop; ++looks) {
-        nap();
-        if (looks % 10 == 0) watchSignals(); // modules may have put handlers of their own in place
+        sleepBriefly();
+        if (looks % 10 == 0) watchSignals(); // modules may have replaced the handlers
         if (s_requests == 0) continue;
-        if (s_requests > (s_patient ? 1 : 0)) endEarly({EarlyEndKind::Interrupted});
+        if (s_requests > (s_waiting ? 1 : 0)) endEarly({EarlyEndKind::Interrupted});
         const double t = now();
         if (asked == 0) asked = t;
         if (const std::uint64_t current = s_calls->sequence(); call == 0 || current != sequence) {
@@ -205,9 +205,9 @@ void watch() {
             call = t;
         }
         if (!s_calls->target()) continue;
-        const std::uint32_t waited = t - call >= kCallPatienceS                 ? kCallPatienceS
-                                     : s_ticking && t - asked >= kTickPatienceS ? kTickPatienceS
-                                                                                : 0;
+        const std::uint32_t waited = t - call >= kCallTimeoutS                 ? kCallTimeoutS
+                                     : s_ticking && t - asked >= kTickTimeoutS ? kTickTimeoutS
+                                                                               : 0;
         if (waited) endEarly({EarlyEndKind::NotResponding, 0, true, nullptr, waited});
     }
 }
@@ -232,7 +232,7 @@ RunGuard::RunGuard(GuardOptions options) {
 
     redirectStandardOutput();
     static const locale_t s_locale = newlocale(LC_ALL_MASK, "C", nullptr);
-    uselocale(s_locale); // of this thread, whatever a module does to that of the process
+    uselocale(s_locale); // for this thread, even if a module changes the process locale
     struct sigaction hangup = {};
     s_ignoresHangup = sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler == SIG_IGN; // nohup
     const stack_t stack{s_stack, 0, sizeof s_stack};
@@ -272,7 +272,7 @@ void RunGuard::setResults(std::string object) {
     s_ticking = false;
 }
 
-void RunGuard::endOnRequest() { s_patient = false; }
+void RunGuard::endOnRequest() { s_waiting = false; }
 
 void RunGuard::resultsPrinted() { s_facts.json = false; }
 
@@ -292,7 +292,7 @@ void endForkedCopy() {
 
 } // namespace trundle
 
-// Code of modules may call these, past all handlers. The program's own definition is the one that the loader finds first.
+// Interposes _exit and _Exit, which skip all handlers: the dynamic loader resolves module calls to these definitions.
 extern "C" {
 void _exit(int code) {
     trundle::onExit();

@@ -7,16 +7,16 @@
 namespace trundle {
 
 struct GuardOptions {
-    std::shared_ptr<const CallMonitor> calls; ///< what the run tells of itself
-    const char* activity = "run";             ///< "run", "description", "picture": what a module may interrupt
+    std::shared_ptr<const CallMonitor> calls; ///< state of the run's calls
+    const char* activity = "run";             ///< "run", "description", "picture": the activity named in messages
     bool simulates = true;                    ///< there is a simulated time
-    bool json = false;                        ///< print the object of --json whatever happens
+    bool json = false;                        ///< print the --json object even if the run ends abnormally
 };
 
-/// While it lives, nothing that code of a module does ends the program without a word: a crash, an exit() of the whole process, a call
-/// that does not return after SIGINT, SIGTERM or SIGHUP. The logs are then written out, a sentence names robot and controller, --json
-/// prints its object, and the exit code is that of early_end.h. What modules print to standard output goes to standard error. One at a
-/// time, on the thread that runs.
+/// Reports every abnormal end caused by module code during its lifetime: a crash, an exit() of the whole process, or a call that
+/// does not return after SIGINT, SIGTERM or SIGHUP. Logs are then flushed, a message names robot and controller, --json prints
+/// its object, and the exit code is that of early_end.h. Output of modules to standard output is redirected to standard error. At
+/// most one instance, on the run's thread.
 class RunGuard {
 public:
     explicit RunGuard(GuardOptions options);
@@ -24,27 +24,29 @@ public:
     RunGuard(const RunGuard&) = delete;
     RunGuard& operator=(const RunGuard&) = delete;
 
-    /// Entries of "diagnostics", without brackets, for the object of --json in the middle of the run.
+    /// Sets the entries of "diagnostics", without brackets, for the --json object after an abnormal end.
     void setDiagnostics(std::string entries);
-    /// Members of "robots" at a simulated time, without braces, for the same object.
+    /// Sets the members of "robots" at a simulated time, without braces, for the same object.
     void setRobots(std::string members, double timeS);
-    /// The ticks are over and this is the object of --json, without its end. Calls that go on one after the other are waited for now.
+    /// Sets the complete --json object, without its closing brace, after the last tick. From then on only a single call that does
+    /// not return is a timeout.
     void setResults(std::string object);
-    /// They are on standard output: nothing more goes there.
+    /// Call after the results were printed on standard output, to avoid printing them twice.
     void resultsPrinted();
-    /// No more ticks follow whose end could be waited for: a request ends the program at once.
+    /// Call when no more ticks follow: a request then ends the program at once.
     void endOnRequest();
-    /// Undoes what modules did to the standard descriptors, the signals and the locale. Cheap enough for once a second.
+    /// Restores standard descriptors, signal handlers and locale that modules may have changed. Cheap enough to call once a
+    /// second.
     void restoreProcess();
 };
 
-/// The first SIGINT, SIGTERM or SIGHUP came: the run is to end in good order. A second one ends it at once, and so does a call that does
-/// not return.
+/// True after the first SIGINT, SIGTERM or SIGHUP: the run must then end normally. A second signal, or a call that does not
+/// return, ends the program at once.
 [[nodiscard]] bool interrupted();
-/// This is a copy of the run that code of a module made by fork().
+/// True in a copy of the process that module code created by fork().
 [[nodiscard]] bool isForkedCopy();
 [[noreturn]] void endForkedCopy();
-/// Past all guards, without a word. Async-signal-safe.
+/// Ends the process without any handlers or messages. Async-signal-safe.
 [[noreturn]] void endProcess(int code);
 
 } // namespace trundle

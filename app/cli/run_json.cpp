@@ -5,7 +5,7 @@
 #include "base/platform/memory.h"
 #include "cli/diagnostic_json.h"
 #include "cli/run_report.h"
-#include "model/passive.h"
+#include "model/passive_objects.h"
 #include "run/signal_columns.h"
 
 namespace trundle {
@@ -30,7 +30,7 @@ Json signalJson(const SignalEntry& entry, std::span<const double> slots) {
 
 Json triple(const Vec3& v) { return Json::array({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}); }
 
-/// Where they are, without their signals.
+/// Poses of the robots, without their signals.
 Json posesJson(const World& world) {
     Json robots = Json::object();
     const std::vector<RobotSpec>& specs = world.experiment().robots;
@@ -54,7 +54,7 @@ Json robotsJson(const World& world) {
     return robots;
 }
 
-/// Names of those robots that nothing drives: balls, crates.
+/// Names of the passive robots, such as balls and crates.
 Json objectsJson(const World& world) {
     Json names = Json::array();
     for (const RobotSpec& robot : world.experiment().robots)

@@ -15,7 +15,7 @@ constexpr std::chrono::seconds kSecond(1);
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Sleeps until `seconds` after the start, or until a signal comes.
+/// Sleeps until `seconds` after the start, or until a signal arrives.
 void sleepUntil(Clock::time_point start, double seconds) {
     while (!interrupted()) {
         const double left = seconds - secondsSince(start);
@@ -29,7 +29,7 @@ void sleepUntil(Clock::time_point start, double seconds) {
 
 } // namespace
 
-LoopOutcome runTicks(Runner& runner, const LoopPlan& plan, Progress& progress, DriveMeter* meter) {
+LoopOutcome runTicks(Runner& runner, const LoopPlan& plan, Progress& progress, DriveStatistics* meter) {
     LoopOutcome outcome;
     std::size_t warned = 0;
     const Clock::time_point start = Clock::now();

@@ -1,33 +1,33 @@
 #pragma once
-// What a run has to tell, whatever form it is told in.
+// The results of a run, independent of the output format.
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "cli/drive_meter.h"
+#include "cli/drive_statistics.h"
 #include "lang/source_text.h"
 #include "run/runner.h"
 
 namespace trundle {
 
 struct RunReport {
-    std::string name;       ///< of the experiment: its file without folder and ending
-    std::string unreadable; ///< the file as it was named, where it cannot be read
+    std::string name;       ///< of the experiment: its file name without folder and extension
+    std::string unreadable; ///< the file as given by the user, if it cannot be read
     double wallS = 0;
     bool interrupted = false;
     std::vector<DriveTotals> drives;
-    std::vector<Diagnostic> diagnostics; ///< of the text and of the run
+    std::vector<Diagnostic> diagnostics; ///< of the text and the run
     SourceTable sources;
-    Runner* runner = nullptr; ///< nullptr where the run did not start
+    Runner* runner = nullptr; ///< nullptr if the run did not start
 };
 
-/// The closing summary for people.
+/// The final summary as text.
 [[nodiscard]] std::string runSummary(const RunReport& report);
-/// The one object of --json.
+/// The object printed by --json.
 [[nodiscard]] std::string runJson(const RunReport& report);
-/// The members of its "robots", without braces: poses as they are now, no signals.
+/// The members of its "robots", without braces: current poses, no signals.
 [[nodiscard]] std::string posesJsonMembers(const World& world);
 /// 16 hex digits.
 [[nodiscard]] std::string hashText(std::uint64_t hash);

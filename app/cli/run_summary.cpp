@@ -6,13 +6,13 @@
 #include "cli/messages.h"
 #include "cli/numbers.h"
 #include "cli/run_report.h"
-#include "model/passive.h"
+#include "model/passive_objects.h"
 
 namespace trundle {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
-constexpr std::size_t kMostListed = 8; // more robots than this are summed up
+constexpr std::size_t kMaxListed = 8; // a larger number of robots is summarised
 
 std::string row(const std::string& name, const std::string& text) {
     constexpr std::size_t kNameWidth = 12;
@@ -23,7 +23,7 @@ std::string poseText(const Pose& pose) {
     const Vec3 hpr = hprFromRotation(pose.rotation) * kDegrees;
     std::string text = "at x " + fixedText(pose.position.x(), 4) + " m, y " + fixedText(pose.position.y(), 4) + " m, z " +
                        fixedText(pose.position.z(), 4) + " m, heading " + fixedText(hpr.x(), 3) + " deg";
-    // Most robots stand level; only those that do not have more to say.
+    // Pitch and roll are shown only if the robot is tilted.
     if (std::fabs(hpr.y()) > 0.5 || std::fabs(hpr.z()) > 0.5)
         text += ", pitch " + fixedText(hpr.y(), 2) + " deg, roll " + fixedText(hpr.z(), 2) + " deg";
     return text;
@@ -46,7 +46,7 @@ std::string driveRows(const DriveTotals& drive) {
     return text;
 }
 
-/// Many drives in one row: how many were told to go somewhere, and where that went worst.
+/// Many drives in one row: how many had commanded amounts, and the largest errors.
 std::string worstDriveRow(const std::vector<DriveTotals>& drives, const std::vector<RobotSpec>& robots) {
     if (drives.empty()) return {};
     const auto distanceError = [](const DriveTotals& d) { return std::fabs(d.distanceError); };
@@ -74,13 +74,13 @@ std::string worldText(const ExperimentSpec& experiment) {
 std::string robotRows(const RunReport& report, const World& world) {
     const std::vector<RobotSpec>& robots = world.experiment().robots;
     const bool hasObjects = std::ranges::any_of(robots, [](const RobotSpec& robot) { return isPassive(robot); });
-    std::string text = hasObjects && robots.size() <= kMostListed ? row("world", worldText(world.experiment())) : "";
-    for (std::size_t i = 0; i < robots.size() && robots.size() <= kMostListed; ++i) {
+    std::string text = hasObjects && robots.size() <= kMaxListed ? row("world", worldText(world.experiment())) : "";
+    for (std::size_t i = 0; i < robots.size() && robots.size() <= kMaxListed; ++i) {
         text += row(robots[i].name, poseText(world.robotPose(i)));
         for (const DriveTotals& drive : report.drives)
             if (drive.robot == i) text += driveRows(drive);
     }
-    if (robots.size() <= kMostListed) return text;
+    if (robots.size() <= kMaxListed) return text;
 
     Vec3 low = world.robotPose(0).position, high = low;
     double farthest = 0;
@@ -100,20 +100,20 @@ std::string solverRows(const World& world) {
     std::string text;
     const bool asked = world.experiment().settings.solver == SolverChoice::Quick;
     if (world.quickTicks() > 0)
-        text += row("solver", counted(world.quickTicks(), "tick") + " taken by the quick solver (" +
+        text += row("solver", counted(world.quickTicks(), "tick") + " solved by the quick solver (" +
                                   (asked ? "Solver = quick" : "more than 60 contacts hung together") +
                                   (world.rescuedTicks() > 0 ? ", or the exact one could not" : "") + ")");
     if (world.rescuedTicks() > 0)
         text += row(text.empty() ? "solver" : "",
-                    counted(world.rescuedTicks(), "tick") + " taken again with more give (the exact solver stumbled)");
+                    counted(world.rescuedTicks(), "tick") + " repeated with softer constraints (the exact solver failed)");
     return text;
 }
 
 std::string logRows(const std::vector<std::string>& files) {
     std::string text;
-    for (std::size_t i = 0; i < files.size() && i < kMostListed; ++i) text += row(i == 0 ? "logs" : "", cleanLine(files[i]));
-    if (files.size() > kMostListed)
-        text += row("", "and " + std::to_string(files.size() - kMostListed) + " more in the same folder");
+    for (std::size_t i = 0; i < files.size() && i < kMaxListed; ++i) text += row(i == 0 ? "logs" : "", cleanLine(files[i]));
+    if (files.size() > kMaxListed)
+        text += row("", "and " + std::to_string(files.size() - kMaxListed) + " more in the same folder");
     return text;
 }
 

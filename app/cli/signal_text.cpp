@@ -8,7 +8,7 @@
 namespace trundle {
 namespace {
 
-/// Bytes of the valid UTF-8 sequence at `s`; 0 where there is none.
+/// Bytes of the valid UTF-8 sequence at `s`; 0 if there is none.
 unsigned sequenceAt(const unsigned char* s) {
     const auto follows = [](unsigned char c) { return (c & 0xc0) == 0x80; };
     if (s[0] < 0x80) return 1;

@@ -3,7 +3,7 @@
 
 namespace trundle {
 
-/// Text for a descriptor, put together without memory of the heap, without locks and without the locale: for signal handlers.
+/// Writes text to a file descriptor without heap memory, locks or the locale, for use in signal handlers.
 class SignalText {
 public:
     explicit SignalText(int file) : m_file(file) {}
@@ -14,10 +14,10 @@ public:
     SignalText& add(const char* text);
     SignalText& add(const char* bytes, std::uint64_t count);
     SignalText& add(std::uint64_t number);
-    SignalText& add(double number); ///< from 0 up, with at most six digits behind the point
-    /// Control characters, and bytes that are no UTF-8, become '?'. `json`: for the inside of a JSON string.
+    SignalText& add(double number); ///< non-negative, with at most six decimals
+    /// Replaces control characters and invalid UTF-8 by '?'. `json`: escaped for the inside of a JSON string.
     SignalText& addClean(const char* text, bool json = false);
-    /// A string of JSON, cleaned too. nullptr and "" become null.
+    /// A JSON string, cleaned in the same way. nullptr and "" become null.
     SignalText& addJson(const char* text);
     void flush();
 

@@ -11,10 +11,10 @@
 namespace trundle {
 namespace {
 
-constexpr int kHigh = 100; // beyond what a loop over the first few descriptors closes
+constexpr int kHigh = 100; // high enough to survive loops that close the first few descriptors
 
-/// A descriptor and what it led to, for code of a module may have closed it or put another file in its place.
-struct Kept {
+/// A saved descriptor and the file it referred to, to detect that module code has closed or replaced it.
+struct SavedDescriptor {
     int file = -1;
     dev_t device = 0;
     ino_t inode = 0;
@@ -34,8 +34,8 @@ struct Kept {
     }
 };
 
-// Signal handlers need them.
-Kept s_results, s_messages;
+// global, because signal handlers use them
+SavedDescriptor s_results, s_messages;
 
 } // namespace
 

@@ -2,17 +2,16 @@
 
 namespace trundle {
 
-// Code of modules may print to the standard descriptors, close them and put others in their place. What the program itself has to say
-// goes through copies of its own.
+// Module code may print to the standard descriptors, close them or replace them. The program's own output uses separate copies.
 
-/// First of all in main(): where a standard descriptor is closed it leads nowhere from now on, so that no file gets its number.
+/// Call first in main(): opens closed standard descriptors on /dev/null, so that no other file gets their numbers.
 void keepStandardStreams();
-/// From now on what anybody prints to standard output goes to standard error; only writeOut() still reaches the real one.
+/// Redirects standard output to standard error; from then on only writeOut() reaches the original standard output.
 void redirectStandardOutput();
-/// After redirectStandardOutput(): gives standard error back to the program, and closed descriptors what they led to.
+/// After redirectStandardOutput(): restores standard error and reopens closed standard descriptors.
 void restoreStandardStreams();
 
-[[nodiscard]] int resultsFile();  ///< the real standard output; -1: it was closed, when the program started or by a module
-[[nodiscard]] int messagesFile(); ///< the real standard error, or where nobody reads
+[[nodiscard]] int resultsFile();  ///< the original standard output; -1: it was closed, either at the start or by a module
+[[nodiscard]] int messagesFile(); ///< the original standard error, or /dev/null
 
 } // namespace trundle

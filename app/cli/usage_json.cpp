@@ -16,7 +16,7 @@ bool asksForJson(int argc, char** argv) {
 
 std::string usageJson(std::string_view command, const std::string& message) {
     nlohmann::ordered_json list = diagnosticsJson({{Severity::Error, Code::Internal, message, {}, {}, {}, {}}}, {});
-    list[0]["code"] = "usage"; // no fault of a text: none of the codes
+    list[0]["code"] = "usage"; // not an error in a text, so none of the numbered codes
     if (command == "check") return jsonText(list);
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
     if (command == "run") object = nlohmann::ordered_json::parse(runJson({}));

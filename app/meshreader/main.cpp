@@ -1,5 +1,5 @@
-// trundle-meshreader: reads one foreign mesh or picture under limits and writes it to standard output in the form of
-// assets/mesh_stream.h. Exit code 0, or 1 with one line on standard error.
+// trundle-meshreader: reads one mesh or picture of a foreign format with resource limits and writes it to standard output in the
+// format of assets/mesh_stream.h. Exit code 0, or 1 with one line on standard error.
 
 #include <cstdio>
 #include <exception>

@@ -1,6 +1,8 @@
-// Needs: a file. Assumes: it may be hostile; whoever started us has set limits, and a crash of assimp ends this process only.
-// Method: only the readers of the five formats stay registered, so that a file cannot choose another by its first bytes; assimp makes
-// triangles, we walk the nodes without recursion, join equal points and check every number. Data: metres, z up.
+// Needs: a file. Assumes: it may be hostile; the parent process has set resource limits, and a crash of assimp ends only this
+// process.
+// Method: only the importers of the five formats stay registered, so that the file's first bytes cannot select another; assimp
+// triangulates, then the nodes are traversed without recursion, equal points are merged and every number is checked. Data:
+// metres, z up.
 #include "meshreader/mesh_file.h"
 
 #include <algorithm>
@@ -22,15 +24,15 @@
 #include <assimp/scene.h>
 
 #include "assets/mesh_stream.h"
-#include "meshreader/fenced_files.h"
-#include "meshreader/look_collector.h"
+#include "meshreader/appearance_collector.h"
+#include "meshreader/restricted_io_system.h"
 
 namespace trundle {
 namespace {
 
 Error failure(const std::string& why) { return Error{Code::MeshUnreadable, why}; }
 
-bool readsOneOfOurs(const aiImporterDesc* description) {
+bool isOwnFormat(const aiImporterDesc* description) {
     if (description == nullptr || description->mFileExtensions == nullptr) return false;
     const std::string endings = std::string(" ") + description->mFileExtensions + " ";
     for (const char* ours : {" obj ", " stl ", " dae ", " gltf ", " glb "})
@@ -38,10 +40,10 @@ bool readsOneOfOurs(const aiImporterDesc* description) {
     return false;
 }
 
-void keepOurReaders(Assimp::Importer& importer) {
+void keepOwnReaders(Assimp::Importer& importer) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-        if (readsOneOfOurs(importer.GetImporterInfo(i))) continue;
-        const std::unique_ptr<Assimp::BaseImporter> reader(importer.GetImporter(i)); // taken out, it is ours
+        if (isOwnFormat(importer.GetImporterInfo(i))) continue;
+        const std::unique_ptr<Assimp::BaseImporter> reader(importer.GetImporter(i)); // unregistered, so it is owned here
         importer.UnregisterLoader(reader.get());
     }
 }
@@ -53,13 +55,13 @@ void configure(Assimp::Importer& importer) {
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
 }
 
-/// Joins points that are equal to the last bit: formats like STL repeat every corner.
-class PointJoiner {
+/// Merges bitwise equal points, since formats like STL repeat every corner.
+class PointMerger {
 public:
-    explicit PointJoiner(std::vector<std::array<double, 3>>& points) : m_points(points) {}
+    explicit PointMerger(std::vector<std::array<double, 3>>& points) : m_points(points) {}
 
     std::uint32_t add(std::array<double, 3> point) {
-        for (double& number : point) number += 0.0; // -0 and 0 are one place
+        for (double& number : point) number += 0.0; // -0 and 0 are the same coordinate
         const auto [found, fresh] = m_known.try_emplace(point, static_cast<std::uint32_t>(m_points.size()));
         if (fresh) m_points.push_back(point);
         return found->second;
@@ -79,7 +81,7 @@ private:
 
 class MeshCollector {
 public:
-    MeshCollector(bool yIsUp, LookCollector& look) : m_yIsUp(yIsUp), m_look(look), m_joiner(m_mesh.points) {}
+    MeshCollector(bool yIsUp, AppearanceCollector& look) : m_yIsUp(yIsUp), m_look(look), m_joiner(m_mesh.points) {}
 
     Status addNodes(const aiScene& scene) {
         struct Open {
@@ -105,7 +107,7 @@ public:
 
 private:
     Status addMesh(const aiMesh& mesh, const aiMatrix4x4& toWorld) {
-        // Only points that a triangle uses are taken.
+        // Only points used by a triangle are added.
         std::vector<std::uint32_t> places(mesh.mNumVertices, kUnplaced);
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
             const aiFace& face = mesh.mFaces[i];
@@ -125,14 +127,14 @@ private:
             if (!isNew(triangle)) continue;
             m_mesh.triangles.push_back(triangle);
             m_look.add(mesh, face);
-            if (m_mesh.triangles.size() > kMostMeshTriangles)
-                return failure("it has more than " + std::to_string(kMostMeshTriangles) +
+            if (m_mesh.triangles.size() > kMaxMeshTriangles)
+                return failure("it has more than " + std::to_string(kMaxMeshTriangles) +
                                " triangles, the most that a mesh may have");
         }
         return {};
     }
 
-    /// Not one that is there already, of the same points in the same turn: it would only cost time.
+    /// False for a duplicate of an earlier triangle with the same winding, which would only cost time.
     bool isNew(std::array<std::uint32_t, 3> triangle) {
         std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
         return m_triangles.insert(triangle).second;
@@ -144,8 +146,8 @@ private:
         if (std::fabs(at.x) > kFarthest || std::fabs(at.y) > kFarthest || std::fabs(at.z) > kFarthest)
             return failure("one of its points is more than 1e9 away");
         const std::uint32_t place = m_yIsUp ? m_joiner.add({at.x, -at.z, at.y}) : m_joiner.add({at.x, at.y, at.z});
-        if (m_mesh.points.size() > kMostMeshPoints)
-            return failure("it has more than " + std::to_string(kMostMeshPoints) + " points");
+        if (m_mesh.points.size() > kMaxMeshPoints)
+            return failure("it has more than " + std::to_string(kMaxMeshPoints) + " points");
         return place;
     }
 
@@ -153,9 +155,9 @@ private:
     static constexpr double kFarthest = 1e9;
 
     bool m_yIsUp;
-    LookCollector& m_look;
+    AppearanceCollector& m_look;
     TriangleMesh m_mesh;
-    PointJoiner m_joiner;
+    PointMerger m_joiner;
     struct Hash {
         std::size_t operator()(const std::array<std::uint32_t, 3>& triangle) const {
             std::size_t hash = 0;
@@ -163,11 +165,11 @@ private:
             return hash ^ hash >> 32;
         }
     };
-    std::unordered_set<std::array<std::uint32_t, 3>, Hash> m_triangles; // each begins with its first point
+    std::unordered_set<std::array<std::uint32_t, 3>, Hash> m_triangles; // each rotated so that its smallest point index is first
 };
 
-// Some of assimp's words tell a programmer more than the owner of the file.
-std::string inPlainWords(const std::string& words) {
+// Rewords assimp messages that are meant for programmers.
+std::string describeFailure(const std::string& words) {
     if (words.find("bad_alloc") != std::string::npos) return "it needs more memory than its reader may take";
     if (words.find("STL storage representation") != std::string::npos)
         return "its length is not that of a binary STL with its count, and it is no text STL";
@@ -185,22 +187,23 @@ std::string endingOf(const std::string& path) {
 } // namespace
 
 Result<TriangleMesh> readMeshFile(const std::string& path) {
-    auto* files = new FencedFiles(path); // the importer owns it
+    auto* files = new RestrictedIOSystem(path); // owned by the importer
     Assimp::Importer importer;
     importer.SetIOHandler(files);
-    keepOurReaders(importer);
+    keepOwnReaders(importer);
     configure(importer);
     const aiScene* scene =
         importer.ReadFile(files->meshFile(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType);
     if (!files->refused().empty()) return failure("it refers to " + files->refused() + ", which lies outside its folder");
     if (scene == nullptr && !files->unreadable().empty()) return failure(files->unreadable());
-    if (scene == nullptr) return failure(inPlainWords(importer.GetErrorString()));
+    if (scene == nullptr) return failure(describeFailure(importer.GetErrorString()));
     if (scene->mRootNode == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) return failure("it is incomplete");
     const std::string ending = endingOf(path);
     const bool isGltf = ending == ".gltf" || ending == ".glb";
-    LookCollector look(*scene, *files, isGltf ? LookCollector::Colours::Linear : LookCollector::Colours::AsShown);
-    if (!files->missingMaterials().empty()) look.complain("its file of materials, " + files->missingMaterials());
-    // assimp turns COLLADA to y up, and glTF is y up by its standard.
+    AppearanceCollector look(*scene, *files,
+                             isGltf ? AppearanceCollector::Colours::Linear : AppearanceCollector::Colours::AsShown);
+    if (!files->missingMaterials().empty()) look.addWarning("its file of materials, " + files->missingMaterials());
+    // assimp converts COLLADA to y up, and glTF is y up by its standard.
     MeshCollector collector(isGltf || ending == ".dae", look);
     if (const Status added = collector.addNodes(*scene); !added) return added.error();
     TriangleMesh mesh = collector.take();

@@ -6,10 +6,9 @@
 
 namespace trundle {
 
-/// Reads a mesh with assimp: triangles only, node transforms applied, equal points joined, triangles without area dropped; with
-/// the colours and pictures of its materials. Formats
-/// that have an up axis (COLLADA, glTF) are turned so that up is z; OBJ and STL have none and stay as they are.
-/// The message does not name the file.
+/// Reads a mesh with assimp, including colours and pictures of its materials: triangles only, node transforms applied, equal
+/// points merged, triangles without area removed. Formats with an up axis (COLLADA, glTF) are rotated to z up; OBJ and STL have
+/// none and are unchanged. Error messages do not contain the file name.
 [[nodiscard]] Result<TriangleMesh> readMeshFile(const std::string& path);
 
 } // namespace trundle

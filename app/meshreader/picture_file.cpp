@@ -19,9 +19,9 @@
 namespace trundle {
 namespace {
 
-constexpr int kMostMegabytes = 256; ///< of one decoded picture
-constexpr std::uint64_t kMostFileBytes = 256u << 20;
-constexpr std::uint64_t kFewestHeights = 2, kFewestPixels = 1; ///< along a side
+constexpr int kMaxMegabytes = 256; ///< limit of one decoded picture
+constexpr std::uint64_t kMaxFileBytes = 256u << 20;
+constexpr std::uint64_t kFewestHeights = 2, kFewestPixels = 1; ///< minimum along each side
 
 Error failure(const std::string& why) { return Error{Code::MeshUnreadable, why}; }
 
@@ -36,7 +36,8 @@ std::uint32_t littleEndianAt(std::string_view bytes, std::size_t at, std::size_t
     return number;
 }
 
-/// From marker to marker, over lengths and coded bits: those of a thumbnail or of what follows the picture are not its own.
+/// Scans from marker to marker and over entropy-coded data, so that an end marker in a thumbnail or after the picture does not
+/// count.
 bool jpegEnds(std::string_view bytes) {
     std::size_t at = 0;
     while ((at = bytes.find('\xff', at)) != std::string_view::npos && at + 1 < bytes.size()) {
@@ -54,42 +55,42 @@ bool jpegEnds(std::string_view bytes) {
 bool bmpEnds(std::string_view bytes) {
     if (bytes.size() < 54) return false;
     const bool packed = littleEndianAt(bytes, 30, 4) == 1 || littleEndianAt(bytes, 30, 4) == 2;
-    if (littleEndianAt(bytes, 14, 4) < 40) return true; // of a kind whose length is not to be known
+    if (littleEndianAt(bytes, 14, 4) < 40) return true; // a header version without a known length
     const std::uint64_t columns = littleEndianAt(bytes, 18, 4), bits = littleEndianAt(bytes, 28, 2);
-    const auto rows = static_cast<std::int32_t>(littleEndianAt(bytes, 22, 4));  // negative: from the top
-    const std::uint64_t rowBytes = packed ? 2 : (columns * bits + 31) / 32 * 4; // packed: at least its end
+    const auto rows = static_cast<std::int32_t>(littleEndianAt(bytes, 22, 4));  // negative: rows from the top
+    const std::uint64_t rowBytes = packed ? 2 : (columns * bits + 31) / 32 * 4; // packed: only the minimum size is known
     return littleEndianAt(bytes, 10, 4) + rowBytes * static_cast<std::uint64_t>(std::abs(std::int64_t{rows})) <= bytes.size();
 }
 
-/// Qt takes a JPEG or BMP that is cut off for a picture and makes up the rest.
+/// Qt accepts a truncated JPEG or BMP and fills in the rest, so truncation is detected here.
 bool isWhole(const QByteArray& format, std::string_view bytes) {
     if (format == "jpeg") return jpegEnds(bytes);
     if (format == "png") return bytes.find("IEND") != std::string_view::npos;
     return format != "bmp" || bmpEnds(bytes);
 }
 
-/// What Qt says while it reads a picture, which nobody else is to see; nor what libpng itself writes to standard error.
-class ReadersWords {
+/// Captures Qt's messages while it reads a picture, and suppresses libpng's output to standard error.
+class ReaderMessages {
 public:
-    ReadersWords() : m_before(qInstallMessageHandler(&take)) { s_words.clear(); }
-    ~ReadersWords() { qInstallMessageHandler(m_before); }
-    ReadersWords(const ReadersWords&) = delete;
-    ReadersWords& operator=(const ReadersWords&) = delete;
+    ReaderMessages() : m_before(qInstallMessageHandler(&take)) { s_words.clear(); }
+    ~ReaderMessages() { qInstallMessageHandler(m_before); }
+    ReaderMessages(const ReaderMessages&) = delete;
+    ReaderMessages& operator=(const ReaderMessages&) = delete;
 
-    /// That bytes stand between the parts of a picture harms nothing.
-    [[nodiscard]] bool tellOfDamage() const {
+    /// Extraneous bytes between the segments of a JPEG are harmless.
+    [[nodiscard]] bool reportDamage() const {
         return std::ranges::any_of(s_words, [](const std::string& words) {
             const bool corrupt = words.find("Corrupt JPEG data") != std::string::npos;
             return (corrupt && words.find("extraneous bytes") == std::string::npos) ||
                    words.find("Premature end") != std::string::npos;
         });
     }
-    [[nodiscard]] bool tellOfNoPoints() const {
+    [[nodiscard]] bool reportTooFewPoints() const {
         return std::ranges::any_of(s_words, [](const std::string& words) {
             return words.find("is zero in IHDR") != std::string::npos || words.find("Empty JPEG") != std::string::npos;
         });
     }
-    /// The last of them, or else these.
+    /// The last message; `otherwise` if there is none.
     [[nodiscard]] std::string lastOr(const QString& otherwise) const {
         if (s_words.empty()) return otherwise.toStdString();
         std::string words = s_words.back();
@@ -108,12 +109,12 @@ private:
 };
 
 Status checkSize(const QSize& size, std::uint64_t fewest) {
-    if (!size.isValid()) return {}; // the header does not say; the allocation limit holds
+    if (!size.isValid()) return {}; // the header has no size; the allocation limit applies
     const auto columns = static_cast<std::uint64_t>(size.width()), rows = static_cast<std::uint64_t>(size.height());
     const std::string text = "it has " + std::to_string(columns) + " x " + std::to_string(rows) + " points, ";
     if (columns < fewest || rows < fewest)
         return failure(text + "at least " + std::to_string(fewest) + " x " + std::to_string(fewest) + " are needed");
-    if (columns > kMostGreySide || rows > kMostGreySide || columns * rows > kMostGreyPoints)
+    if (columns > kMaxGreySide || rows > kMaxGreySide || columns * rows > kMaxGreyPoints)
         return failure(text + "at most 4096 x 4096 can be used");
     return {};
 }
@@ -142,7 +143,7 @@ Raster coloursOf(const QImage& picture) {
 }
 
 Result<QImage> decoded(const std::string& content, std::uint64_t fewest) {
-    int count = 1; // Qt looks for its picture plugins beside an application
+    int count = 1; // Qt needs an application object to find its image plugins
     char name[] = "trundle-meshreader";
     char* names[] = {name, nullptr};
     const QCoreApplication application(count, names);
@@ -150,19 +151,19 @@ Result<QImage> decoded(const std::string& content, std::uint64_t fewest) {
     QByteArray bytes = QByteArray::fromRawData(content.data(), static_cast<qsizetype>(content.size()));
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::ReadOnly);
-    QImageReader::setAllocationLimit(kMostMegabytes);
+    QImageReader::setAllocationLimit(kMaxMegabytes);
     QImageReader reader(&buffer);
-    reader.setAutoTransform(true); // photographs say in EXIF which side is up
-    const ReadersWords words;
+    reader.setAutoTransform(true); // applies the orientation stored in EXIF
+    const ReaderMessages words;
     if (!reader.canRead()) return failure("it is not a picture of a known format, or it is damaged");
     if (!formatIsKnown(reader.format()))
         return failure("a picture is a PNG, JPEG, BMP, PGM or PPM file, this is " + reader.format().toStdString());
     if (const Status size = checkSize(reader.size(), fewest); !size) return size.error();
     if (!isWhole(reader.format(), content)) return failure("the picture is cut off: its file ends too early");
     QImage picture = reader.read();
-    if (words.tellOfNoPoints()) return failure("it has no points");
+    if (words.reportTooFewPoints()) return failure("it has no points");
     if (picture.isNull()) return failure("the picture is damaged: " + words.lastOr(reader.errorString()));
-    if (words.tellOfDamage()) return failure("the picture is damaged: " + words.lastOr({}));
+    if (words.reportDamage()) return failure("the picture is damaged: " + words.lastOr({}));
     if (const Status size = checkSize(picture.size(), fewest); !size) return size.error();
     return picture;
 }
@@ -170,7 +171,7 @@ Result<QImage> decoded(const std::string& content, std::uint64_t fewest) {
 } // namespace
 
 Result<Raster> readColourFile(const std::string& path) {
-    const Result<std::string> content = readRegularFile(path, kMostFileBytes);
+    const Result<std::string> content = readRegularFile(path, kMaxFileBytes);
     if (!content) return content.error();
     return readColours(content.value());
 }
@@ -179,10 +180,10 @@ Result<Raster> readColours(const std::string& content) {
     Result<QImage> read = decoded(content, kFewestPixels);
     if (!read) return read.error();
     QImage picture = std::move(read).value();
-    constexpr int most = kMostRasterSide;
+    constexpr int most = kMaxRasterSide;
     if (picture.width() > most || picture.height() > most)
         picture = picture.scaled(most, most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    if (picture.hasAlphaChannel()) { // what stands behind clear pixels is whatever the program that wrote them left there
+    if (picture.hasAlphaChannel()) { // the colour of transparent pixels is undefined
         QImage onWhite(picture.size(), QImage::Format_RGB32);
         onWhite.fill(Qt::white);
         QPainter(&onWhite).drawImage(0, 0, picture);
@@ -194,7 +195,7 @@ Result<Raster> readColours(const std::string& content) {
 }
 
 Result<HeightMap> readPictureFile(const std::string& path) {
-    const Result<std::string> content = readRegularFile(path, kMostFileBytes);
+    const Result<std::string> content = readRegularFile(path, kMaxFileBytes);
     if (!content) return content.error();
     const Result<QImage> picture = decoded(content.value(), kFewestHeights);
     if (!picture) return picture.error();

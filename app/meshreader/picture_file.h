@@ -7,11 +7,11 @@
 
 namespace trundle {
 
-/// Reads a picture as heights: black 0, white 1, colours by their brightness. The message does not name the file.
+/// Reads a picture as a height map: black is 0, white is 1, colours by luminance. Error messages do not contain the file name.
 [[nodiscard]] Result<HeightMap> readPictureFile(const std::string& path);
-/// Reads it in colour; one with more than kMostRasterSide pixels along a side is made smaller.
+/// Reads a picture in colour; scaled down if a side has more than kMaxRasterSide pixels.
 [[nodiscard]] Result<Raster> readColourFile(const std::string& path);
-/// The same of a picture in memory.
+/// The same for a picture in memory.
 [[nodiscard]] Result<Raster> readColours(const std::string& content);
 
 } // namespace trundle

@@ -9,15 +9,15 @@ namespace trundle {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
-constexpr std::size_t kMostNameBytes = 1000; // assimp forgets a longer one, and nobody would hear that its picture is not there
+constexpr std::size_t kMaxNameBytes = 1000; // assimp silently drops longer names, so the missing picture would not be reported
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t from = text.find_first_not_of(kBlanks);
     return from == std::string_view::npos ? std::string_view() : text.substr(from, text.find_last_not_of(kBlanks) - from + 1);
 }
 
-/// Takes the first word off a trimmed text.
-std::string_view takeWord(std::string_view& text) {
+/// Removes and returns the first word of a trimmed text.
+std::string_view parseWord(std::string_view& text) {
     const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
     text = trimmed(text.substr(word.size()));
     return word;
@@ -38,24 +38,24 @@ std::optional<float> numberIn(std::string_view word) {
     return number;
 }
 
-bool takesOneWord(const std::string& option) {
+bool hasOneArgument(const std::string& option) {
     static constexpr std::string_view known[] = {"-blendu", "-blendv",  "-bm",     "-boost", "-cc",
                                                  "-clamp",  "-imfchan", "-texres", "-type"};
     return std::find(std::begin(known), std::end(known), option) != std::end(known);
 }
 
-/// Takes the options off; the last word is the picture's, whatever it looks like.
-PicturePlacement takeOptions(std::string_view& text) {
-    PicturePlacement placement;
+/// Removes and parses the options; the last word is always the picture's name.
+TextureTransform parseOptions(std::string_view& text) {
+    TextureTransform placement;
     while (text.starts_with('-')) {
         std::string_view rest = text;
-        const std::string option = lower(takeWord(rest));
+        const std::string option = lower(parseWord(rest));
         if (rest.empty()) break;
         text = rest;
-        const bool oneWord = takesOneWord(option);
+        const bool oneWord = hasOneArgument(option);
         const std::size_t most = oneWord ? 1 : option == "-mm" ? 2 : 3;
         for (std::size_t i = 0; i < most; ++i) {
-            const std::optional<float> number = numberIn(takeWord(rest));
+            const std::optional<float> number = numberIn(parseWord(rest));
             if (rest.empty() || (!number && !oneWord)) break;
             text = rest;
             if (i < 2 && option == "-s") placement.scale[i] = *number;
@@ -67,16 +67,16 @@ PicturePlacement takeOptions(std::string_view& text) {
 
 } // namespace
 
-std::string withoutPictureOptions(std::string_view materials, std::map<std::string, PicturePlacement>& placements) {
+std::string withoutPictureOptions(std::string_view materials, std::map<std::string, TextureTransform>& placements) {
     std::string result, material;
     while (!materials.empty()) {
         const std::string_view line = materials.substr(0, materials.find_first_of("\r\n"));
         std::string_view rest = trimmed(line);
-        const std::string key = lower(takeWord(rest));
+        const std::string key = lower(parseWord(rest));
         if (key == "newmtl") material = rest;
         if (key == "map_kd") {
-            placements[material] = takeOptions(rest);
-            (result += "map_Kd ") += rest.substr(0, kMostNameBytes);
+            placements[material] = parseOptions(rest);
+            (result += "map_Kd ") += rest.substr(0, kMaxNameBytes);
         } else result += line;
         materials.remove_prefix(line.size());
         const std::size_t ends = std::min(materials.find_first_not_of("\r\n"), materials.size());

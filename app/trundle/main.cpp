@@ -1,4 +1,4 @@
-// The window: builds the parts, joins them, goes.
+// The desktop application: creates the application's objects, connects them and runs the event loop.
 
 #include <algorithm>
 #include <atomic>
@@ -12,29 +12,30 @@
 
 #include <QApplication>
 
+#include "app/application.h"
 #include "base/platform/buffered_file.h"
 #include "base/platform/end_requests.h"
 #include "base/platform/standard_descriptors.h"
 #include "editor/shell/main_window.h"
 #include "editor/widgets/preferences.h"
 #include "editor/widgets/theme.h"
-#include "parts/parts.h"
 #include "render/service.h"
 #include "trundle/options.h"
-#include "trundle/picture_taker.h"
 #include "trundle/problem.h"
+#include "trundle/screenshot_runner.h"
 
 namespace {
 
-QtMessageHandler g_report = nullptr; // Qt's own
+QtMessageHandler g_report = nullptr; // Qt's default handler
 
-/// Without a screen Qt says with each window what it cannot do there; whoever takes pictures so has nothing of that.
+/// Forwards Qt messages except those about features that the offscreen platform does not support.
 void report(QtMsgType type, const QMessageLogContext& context, const QString& message) {
     if (!message.startsWith(QStringLiteral("This plugin does not support")))
-        g_report(type, context, trundle::forTerminal(message)); // it may name a file
+        g_report(type, context, trundle::forTerminal(message)); // the message may contain a file name
 }
 
-/// While Qt looks for a display. Where it finds none it would tell of plugins and abort.
+/// Message handler while Qt opens the display. Without a display Qt would list its plugins and abort; this exits with a clear
+/// message.
 void reportStart(QtMsgType type, const QMessageLogContext& context, const QString& message) {
     if (type == QtFatalMsg) {
         const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
@@ -49,42 +50,44 @@ void reportStart(QtMsgType type, const QMessageLogContext& context, const QStrin
 }
 
 /// --help and --version, which need no display.
-bool asksForWords(int argc, char** argv) {
+bool isTextOnly(int argc, char** argv) {
     constexpr std::string_view kWords[] = {"-h", "--help", "--help-all", "-v", "--version"};
     return std::any_of(argv + 1, argv + std::max(argc, 1),
                        [&](const char* word) { return std::ranges::find(kWords, word) != std::end(kWords); });
 }
 
-bool g_leaving = false; // the program goes by itself
+bool g_leaving = false; // normal end of the program
 
-/// Code of a controller called exit(), or Qt lost its display: this thread would take down what the others use.
+/// exit() was called by controller code or by Qt after losing its display: ends immediately, since static destructors would
+/// destroy objects that other threads still use.
 void onExit() {
     if (g_leaving) return;
-    for (const int fault : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) // in threads that still use what exit() destroys
+    for (const int fault : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) // in threads that use what exit() already destroyed
         std::signal(fault, [](int) { std::_Exit(4); });
     std::fputs("trundle: ended from within, by code of a module or as the display is gone; unsaved edits are offered at the next "
                "start\n",
-               stderr); // and no more than that: other threads fall already
+               stderr); // nothing more is safe: other threads may already be crashing
     std::_Exit(4);
 }
 
 constexpr std::chrono::seconds kLastWait(5);
-std::atomic<bool> g_toldToEnd = false; // from outside
+std::atomic<bool> g_endRequested = false; // requested by a signal
 
-/// SIGTERM and its like: at the end of a session, say. Nobody is there to answer questions, so unsaved texts are kept for the next start.
+/// Handles SIGTERM and similar signals, for example at the end of a session. No dialogs are shown; unsaved texts are kept in the
+/// journal for the next start.
 void endOnRequest() {
     trundle::watchEndRequests(
         [](int exitCode) {
-            g_toldToEnd = true;
+            g_endRequested = true;
             QMetaObject::invokeMethod(
                 QCoreApplication::instance(), [exitCode] { QCoreApplication::exit(exitCode); }, Qt::QueuedConnection);
         },
         kLastWait);
 }
 
-/// The window writes what is to be kept as the first thing of its end; what comes then may wait for a picture that takes minutes, and
-/// nobody would see why the program is still there.
-void endSoon(int code) {
+/// Ends the process after a timeout. The window has already saved what must be kept; the remaining destructors may wait minutes
+/// for a picture, with no visible reason.
+void endAfterTimeout(int code) {
     g_leaving = true;
     std::thread([code] {
         std::this_thread::sleep_for(kLastWait);
@@ -96,14 +99,14 @@ void endSoon(int code) {
 
 int main(int argc, char** argv) {
     using namespace trundle;
-    openStandardDescriptors();     // else the display's socket gets a closed one's number, and what a module prints goes there
-    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files fails the write, not the program
+    openStandardDescriptors();     // otherwise the display connection may get one of them and receive module output
+    std::signal(SIGXFSZ, SIG_IGN); // exceeding the file size limit fails the write instead of ending the program
     QCoreApplication::setApplicationName(QStringLiteral("Trundle"));
     QCoreApplication::setOrganizationName(QStringLiteral("Trundle"));
     QCoreApplication::setApplicationVersion(QStringLiteral(TRUNDLE_VERSION));
-    if (asksForWords(argc, argv)) {
+    if (isTextOnly(argc, argv)) {
         const QCoreApplication application(argc, argv);
-        (void)readOptions(application); // says them and ends
+        (void)readOptions(application); // prints the text and exits
     }
     g_report = qInstallMessageHandler(reportStart);
     QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
@@ -112,35 +115,36 @@ int main(int argc, char** argv) {
 
     const WindowOptions options = readOptions(application);
     const Preferences preferences = loadPreferences();
-    const ThemeKind system = themeOf(preferences.theme); // asks the desktop before the first theme is applied
+    const ThemeKind system = themeOf(preferences.theme); // reads the desktop's theme before one is applied
     applyTheme(application, options.theme.value_or(system), preferences.fonts);
     QApplication::setWindowIcon(themedIcon(QStringLiteral("kind-robot")));
 
-    const std::unique_ptr<Parts> parts = makeParts();
+    const std::unique_ptr<Application> trundleApplication = makeApplication();
     const std::unique_ptr<RenderService> render = RenderService::startInBackground();
-    MainWindow window(*parts, render.get(), findLocations());
+    MainWindow window(*trundleApplication, render.get(), findLocations());
     if (options.screenshot.isEmpty()) window.rememberViews();
-    else window.leaveNoTrace(); // and a picture is the same whoever takes it
+    else window.disableSettings(); // a screenshot must not depend on the user's settings
     if (options.size.isValid()) {
-        window.setWindowState(Qt::WindowNoState); // the last one may have been maximized
+        window.setWindowState(Qt::WindowNoState); // the restored state may be maximised
         window.resize(options.size);
     }
     window.show();
-    PictureTaker taker(window, options); // does what the options ask for, once the window stands
-    // Before what is made from now on goes: the later something is registered, the sooner it is called.
+    ScreenshotRunner screenshots(window, options); // executes the options after the window is shown
+    // Handlers registered later run earlier, so onExit is registered again after each state change, to run before the destructors
+    // of objects created since.
     QObject::connect(&window.session(), &RunSession::stateChanged, &window, [] { std::atexit(onExit); });
     std::atexit(onExit);
     endOnRequest();
     const int code = QApplication::exec();
-    if (g_toldToEnd) { // the journal was written as the first thing of the end
+    if (g_endRequested) { // the journal has already been written
         BufferedFile::writeOutAll();
         std::_Exit(code);
     }
     if (window.session().endRuns()) {
-        endSoon(code);
+        endAfterTimeout(code);
         return code;
     }
-    // Code of a controller does not come back. What it uses must stay as long as it is there, so nothing is taken down.
+    // A controller call does not return. Objects that it uses must stay alive, so nothing is destroyed.
     window.putAway();
     std::_Exit(code);
 }

@@ -22,7 +22,7 @@ QSize sizeFrom(const QString& text) {
     return size;
 }
 
-/// The value of an option that must be one of a few words.
+/// The value of an option that accepts one of a few words.
 QString oneOf(const QCommandLineParser& parser, const QString& option, const QStringList& words) {
     const QString value = parser.value(option).toLower();
     if (!value.isEmpty() && !words.contains(value))
@@ -38,7 +38,7 @@ WindowOptions readOptions(const QCoreApplication& application) {
         "Trundle: build robots and arenas, run them in 3D, watch and measure.\n\n"
         "Exit codes with --quit: 0 done, 1 FILE did not run (errors in its text, a module that is not trusted), 2 wrong "
         "usage, a FILE that cannot be read or a picture that cannot be written, 3 the run ended early (it blew up, or a "
-        "controller failed or does not come back), 4 code of a module ended the program. With 1 and 3 the picture is taken all "
+        "controller failed or is not responding), 4 code of a module ended the program. With 1 and 3 the picture is taken all "
         "the same."));
     parser.addHelpOption();
     parser.addVersionOption();
@@ -46,7 +46,7 @@ WindowOptions readOptions(const QCoreApplication& application) {
                                  QStringLiteral("[FILE]"));
     parser.addOptions(
         {{QStringLiteral("open"), QStringLiteral("Open FILE."), QStringLiteral("FILE")},
-         {QStringLiteral("run-for"), QStringLiteral("Run for S simulated seconds, then hold."), QStringLiteral("S")},
+         {QStringLiteral("run-for"), QStringLiteral("Run for S simulated seconds, then pause."), QStringLiteral("S")},
          {QStringLiteral("view"), QStringLiteral("perspective, top, front, side, follow, chase, text, or a View of FILE."),
           QStringLiteral("NAME")},
          {QStringLiteral("select"), QStringLiteral("Select an object, as robot0 or robot0.chassis (may be repeated)."),
@@ -57,9 +57,9 @@ WindowOptions readOptions(const QCoreApplication& application) {
          {QStringLiteral("size"), QStringLiteral("Size of the window in logical pixels."), QStringLiteral("WxH")},
          {QStringLiteral("screenshot"), QStringLiteral("Write a picture of the window to OUT.png once all is drawn."),
           QStringLiteral("OUT")},
-         {QStringLiteral("quit"), QStringLiteral("Then leave.")}});
+         {QStringLiteral("quit"), QStringLiteral("Then quit.")}});
     if (!parser.parse(application.arguments())) refuse(parser.errorText());
-    parser.process(application); // --help and --version
+    parser.process(application); // handles --help and --version
 
     WindowOptions options;
     options.open = parser.value(QStringLiteral("open"));

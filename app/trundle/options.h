@@ -11,21 +11,21 @@
 
 namespace trundle {
 
-/// What the command line asks of the window.
+/// The command-line options of the window.
 struct WindowOptions {
-    QString open;                 ///< a file
-    std::optional<double> runFor; ///< s, simulated; then the run is held
+    QString open;                 ///< the file to open
+    std::optional<double> runFor; ///< s, simulated; then the run is paused
     QString view;                 ///< perspective, top, front, side, follow, chase, text
     QStringList select;           ///< paths of objects
     std::optional<Layout> layout;
     std::optional<ThemeKind> theme;
-    QString look; ///< automatic, fast, rich
+    QString look; ///< rendering style: automatic, fast, rich
     QSize size;
-    QString screenshot; ///< where to; .png
+    QString screenshot; ///< path of the .png to write
     bool quit = false;
 };
 
-/// Says what is wrong and exits with 2 where the command line cannot be read; --help and --version exit with 0.
+/// Exits with 2 and a message if the command line is invalid; --help and --version exit with 0.
 [[nodiscard]] WindowOptions readOptions(const QCoreApplication& application);
 
 } // namespace trundle

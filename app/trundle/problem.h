@@ -3,9 +3,9 @@
 
 namespace trundle {
 
-/// `text` without what a terminal would obey or show as something else.
+/// `text` without characters that a terminal would interpret or that change how it is displayed.
 [[nodiscard]] QString forTerminal(const QString& text);
-/// One line on standard error, `trundle: ...`.
+/// Prints one line on standard error, `trundle: ...`.
 void printProblem(const QString& text);
 
 } // namespace trundle

@@ -32,7 +32,7 @@ template <std::size_t Count> bool endsInOne(const std::string& path, const std::
     return false;
 }
 
-// The words come from another process and its libraries: one line, printable, of bearable length.
+// The message comes from another process: reduced to one printable line of limited length.
 std::string firstLine(const std::string& text) {
     std::string line;
     for (const char letter : text) {
@@ -79,41 +79,42 @@ Result<std::shared_ptr<const Raster>> AssetReader::picture(const std::string& pa
     return find(m_pictures, "colours", path, decodeRaster);
 }
 
-std::optional<Result<std::shared_ptr<const Raster>>> AssetReader::keptPicture(const std::string& path) {
+std::optional<Result<std::shared_ptr<const Raster>>> AssetReader::cachedPicture(const std::string& path) {
     if (!endsInOne(path, kPictureEndings)) return noPicture(path);
-    return kept(m_pictures, path);
+    return cached(m_pictures, path);
 }
 
-std::optional<Result<std::shared_ptr<const TriangleMesh>>> AssetReader::keptMesh(const std::string& path) {
+std::optional<Result<std::shared_ptr<const TriangleMesh>>> AssetReader::cachedMesh(const std::string& path) {
     if (!endsInOne(path, kMeshEndings)) return noMesh(path);
-    return kept(m_meshes, path);
+    return cached(m_meshes, path);
 }
 
-std::optional<Result<std::shared_ptr<const HeightMap>>> AssetReader::keptHeightMap(const std::string& path) {
+std::optional<Result<std::shared_ptr<const HeightMap>>> AssetReader::cachedHeightMap(const std::string& path) {
     if (!endsInOne(path, kPictureEndings)) return noPicture(path);
-    return kept(m_heightMaps, path);
+    return cached(m_heightMaps, path);
 }
 
 template <class Asset>
-std::optional<AssetReader::Answer<Asset>> AssetReader::kept(const Shelf<Asset>& shelf, const std::string& path) {
+std::optional<AssetReader::ReaderOutput<Asset>> AssetReader::cached(const Cache<Asset>& cache, const std::string& path) {
     const Result<FileStamp> stamp = regularFileStamp(path);
     if (!stamp) return Error{Code::MeshUnreadable, stamp.error().message};
     if (stamp.value().size == 0) return failure(path, "it is empty");
     if (stamp.value().size > m_limits.fileBytes)
         return failure(path, "it is larger than " + std::to_string(m_limits.fileBytes >> 20) + " MiB");
     const std::lock_guard lock(m_mutex);
-    const auto kept = shelf.find(path);
-    if (kept == shelf.end() || kept->second.stamp != stamp.value()) return std::nullopt;
+    const auto kept = cache.find(path);
+    if (kept == cache.end() || kept->second.stamp != stamp.value()) return std::nullopt;
     return kept->second.answer;
 }
 
 template <class Asset, class Decode>
-AssetReader::Answer<Asset> AssetReader::find(Shelf<Asset>& shelf, const char* kind, const std::string& path, Decode decode) {
-    if (auto known = kept(shelf, path)) return *known;
+AssetReader::ReaderOutput<Asset> AssetReader::find(Cache<Asset>& cache, const char* kind, const std::string& path,
+                                                   Decode decode) {
+    if (auto known = cached(cache, path)) return *known;
     const std::lock_guard reading(m_reading);
-    if (auto known = kept(shelf, path)) return *known; // somebody else read it meanwhile
+    if (auto known = cached(cache, path)) return *known; // another thread may have read it in the meantime
     const Result<FileStamp> stamp = regularFileStamp(path);
-    const auto read = [&]() -> Answer<Asset> {
+    const auto read = [&]() -> ReaderOutput<Asset> {
         if (!stamp) return Error{Code::MeshUnreadable, stamp.error().message};
         const Result<std::string> bytes = ask(kind, path);
         if (!bytes) return bytes.error();
@@ -121,9 +122,9 @@ AssetReader::Answer<Asset> AssetReader::find(Shelf<Asset>& shelf, const char* ki
         if (!asset) return failure(path, asset.error().message);
         return std::make_shared<const Asset>(std::move(asset).value());
     };
-    Answer<Asset> answer = read();
+    ReaderOutput<Asset> answer = read();
     const std::lock_guard lock(m_mutex);
-    if (stamp) shelf.insert_or_assign(path, Kept<Asset>{stamp.value(), answer});
+    if (stamp) cache.insert_or_assign(path, CacheEntry<Asset>{stamp.value(), answer});
     return answer;
 }
 
@@ -132,10 +133,10 @@ Result<std::string> AssetReader::ask(const char* kind, const std::string& path) 
     request.program = m_program;
     request.arguments = {kind, path};
     request.seconds = m_limits.seconds;
-    request.outputBytes = kMostStreamBytes;
+    request.outputBytes = kMaxStreamBytes;
     request.limits = {.memoryBytes = m_limits.memoryBytes,
                       .cpuSeconds = static_cast<std::uint64_t>(std::ceil(m_limits.seconds)) + 1,
-                      .fileBytes = 1, // it writes to a pipe only
+                      .fileBytes = 1, // it writes only to a pipe
                       .coreDumps = false};
     Result<ProcessResult> run = runProcess(request);
     if (!run) return failure(path, run.error().message);

@@ -1,6 +1,6 @@
 #pragma once
-// Meshes and height maps by path. The foreign formats are read by trundle-meshreader, a process with limits of time and memory, so
-// that a hostile or broken file can cost a message but never us.
+// Reads meshes, height maps and pictures by path. Foreign formats are read by trundle-meshreader, a process with limits on time
+// and memory, so that a hostile or broken file can fail to load but cannot harm this process.
 
 #include <functional>
 #include <map>
@@ -17,52 +17,52 @@
 namespace trundle {
 
 struct AssetLimits {
-    double seconds = 10;                  ///< wall clock for one file
-    std::uint64_t memoryBytes = 1u << 30; ///< of the reading process
-    std::uint64_t fileBytes = 256u << 20; ///< of the file itself
+    double seconds = 10;                  ///< wall-clock limit for one file
+    std::uint64_t memoryBytes = 1u << 30; ///< limit on the reader process
+    std::uint64_t fileBytes = 256u << 20; ///< limit on the file itself
 };
 
-/// Keeps what it read, and what it could not read, until the file changes. Safe to ask from several threads; one file is read at a
-/// time, and what is kept is answered at once meanwhile.
+/// Caches results and failures until the file changes. Thread-safe; one file is read at a time, and cached results are returned
+/// without waiting for it.
 class AssetReader {
 public:
-    /// `program` is the path of trundle-meshreader, beside our own program.
+    /// `program` is the path of trundle-meshreader.
     explicit AssetReader(std::string program, AssetLimits limits = {});
 
-    /// OBJ, STL, DAE, glTF or GLB; node transforms applied, equal points joined, z up. An error of code MeshUnreadable names the
-    /// path and the reason.
+    /// OBJ, STL, DAE, glTF or GLB; node transforms applied, duplicate points merged, z up. A MeshUnreadable error names the path
+    /// and the reason.
     [[nodiscard]] Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path);
-    /// PNG, JPEG, BMP, PGM or PPM (8 or 16 bit), as grey.
+    /// PNG, JPEG, BMP, PGM or PPM (8 or 16 bit), converted to grey.
     [[nodiscard]] Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path);
 
-    /// The same files in colour, for textures; a large one is made smaller.
+    /// The same formats in colour, for textures; large images are scaled down.
     [[nodiscard]] Result<std::shared_ptr<const Raster>> picture(const std::string& path);
 
-    /// The same answers where they need no reading, else nothing. Never waits.
-    [[nodiscard]] std::optional<Result<std::shared_ptr<const TriangleMesh>>> keptMesh(const std::string& path);
-    [[nodiscard]] std::optional<Result<std::shared_ptr<const HeightMap>>> keptHeightMap(const std::string& path);
-    [[nodiscard]] std::optional<Result<std::shared_ptr<const Raster>>> keptPicture(const std::string& path);
+    /// The cached result of mesh(), or nothing if the file would have to be read. Never waits.
+    [[nodiscard]] std::optional<Result<std::shared_ptr<const TriangleMesh>>> cachedMesh(const std::string& path);
+    [[nodiscard]] std::optional<Result<std::shared_ptr<const HeightMap>>> cachedHeightMap(const std::string& path);
+    [[nodiscard]] std::optional<Result<std::shared_ptr<const Raster>>> cachedPicture(const std::string& path);
 
 private:
-    template <class Asset> struct Kept {
+    template <class Asset> struct CacheEntry {
         FileStamp stamp;
         Result<std::shared_ptr<const Asset>> answer;
     };
-    template <class Asset> using Shelf = std::map<std::string, Kept<Asset>>;
+    template <class Asset> using Cache = std::map<std::string, CacheEntry<Asset>>;
 
-    template <class Asset> using Answer = Result<std::shared_ptr<const Asset>>;
-    template <class Asset> std::optional<Answer<Asset>> kept(const Shelf<Asset>& shelf, const std::string& path);
+    template <class Asset> using ReaderOutput = Result<std::shared_ptr<const Asset>>;
+    template <class Asset> std::optional<ReaderOutput<Asset>> cached(const Cache<Asset>& cache, const std::string& path);
     template <class Asset, class Decode>
-    Answer<Asset> find(Shelf<Asset>& shelf, const char* kind, const std::string& path, Decode decode);
+    ReaderOutput<Asset> find(Cache<Asset>& cache, const char* kind, const std::string& path, Decode decode);
     [[nodiscard]] Result<std::string> ask(const char* kind, const std::string& path) const;
 
     std::string m_program;
     AssetLimits m_limits;
-    std::mutex m_reading; // held while a file is read
-    std::mutex m_mutex;   // of the shelves
-    Shelf<TriangleMesh> m_meshes;
-    Shelf<HeightMap> m_heightMaps;
-    Shelf<Raster> m_pictures;
+    std::mutex m_reading; // held while a file is read; allows one reader process at a time
+    std::mutex m_mutex;   // guards the caches
+    Cache<TriangleMesh> m_meshes;
+    Cache<HeightMap> m_heightMaps;
+    Cache<Raster> m_pictures;
 };
 
 } // namespace trundle

@@ -14,7 +14,7 @@ constexpr std::string_view kGreyMagic = "TRGREY01";
 constexpr std::string_view kColourMagic = "TRRGB001";
 constexpr std::size_t kHeaderBytes = 16;
 
-Error damaged(const std::string& why) { return Error{Code::MeshUnreadable, "its reader's answer is damaged: " + why}; }
+Error damaged(const std::string& why) { return Error{Code::MeshUnreadable, "its reader's output is damaged: " + why}; }
 
 struct Header {
     std::uint32_t first = 0, second = 0;
@@ -70,7 +70,7 @@ std::string encodeMesh(const TriangleMesh& mesh) {
         kMeshMagic, {static_cast<std::uint32_t>(mesh.points.size()), static_cast<std::uint32_t>(mesh.triangles.size())});
     appendItems(bytes, mesh.points);
     appendItems(bytes, mesh.triangles);
-    if (mesh.look) bytes += encodeLook(*mesh.look);
+    if (mesh.look) bytes += encodeAppearance(*mesh.look);
     return bytes;
 }
 
@@ -91,7 +91,7 @@ Result<Raster> decodeRaster(std::string_view bytes) {
     if (!header) return header.error();
     const auto [width, height] = header.value();
     if (width < 1 || height < 1) return damaged("no pixel");
-    if (width > kMostRasterSide || height > kMostRasterSide) return damaged("too many pixels");
+    if (width > kMaxRasterSide || height > kMaxRasterSide) return damaged("too many pixels");
     const std::size_t count = std::size_t{width} * height * 3;
     if (bytes.size() != kHeaderBytes + count) return damaged("its length does not fit its counts");
     Raster raster{width, height, {}};
@@ -103,7 +103,7 @@ Result<TriangleMesh> decodeMesh(std::string_view bytes) {
     const Result<Header> header = readHeader(bytes, kMeshMagic);
     if (!header) return header.error();
     const auto [points, triangles] = header.value();
-    if (points > kMostMeshPoints || triangles > kMostMeshTriangles) return damaged("too many points or triangles");
+    if (points > kMaxMeshPoints || triangles > kMaxMeshTriangles) return damaged("too many points or triangles");
     const std::size_t trianglesAt = kHeaderBytes + 24ull * points;
     const std::size_t lookAt = trianglesAt + 12ull * triangles;
     if (bytes.size() < lookAt) return damaged("its length does not fit its counts");
@@ -114,7 +114,7 @@ Result<TriangleMesh> decodeMesh(std::string_view bytes) {
     if (!allFinite(mesh.points)) return damaged("a coordinate is not a number");
     if (!allBelow(mesh.triangles, points)) return damaged("a triangle names a point that is not there");
     if (bytes.size() == lookAt) return mesh;
-    Result<std::shared_ptr<const MeshLook>> look = decodeLook(bytes.substr(lookAt), triangles);
+    Result<std::shared_ptr<const MeshAppearance>> look = decodeAppearance(bytes.substr(lookAt), triangles);
     if (!look) return look.error();
     mesh.look = std::move(look).value();
     return mesh;
@@ -126,7 +126,7 @@ Result<HeightMap> decodeHeightMap(std::string_view bytes) {
     const auto [columns, rows] = header.value();
     const std::uint64_t count = std::uint64_t{columns} * rows;
     if (columns < 2 || rows < 2) return damaged("fewer than 2 x 2 heights");
-    if (columns > kMostGreySide || rows > kMostGreySide || count > kMostGreyPoints) return damaged("too many heights");
+    if (columns > kMaxGreySide || rows > kMaxGreySide || count > kMaxGreyPoints) return damaged("too many heights");
     if (bytes.size() != kHeaderBytes + 4 * count) return damaged("its length does not fit its counts");
     HeightMap map{.columns = columns, .rows = rows, .heights = {}};
     copyItems(bytes, kHeaderBytes, count, map.heights);

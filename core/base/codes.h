@@ -1,5 +1,5 @@
 #pragma once
-// The one table of diagnostic codes: E1xx text, E2xx values, E3xx model, E4xx modules, E5xx run.
+// The table of all diagnostic codes: E1xx text, E2xx values, E3xx model, E4xx modules, E5xx run.
 
 #include <span>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace trundle {
 
-/// Each code has one meaning, a title in codes.cpp and a file in tests/data/broken.
+/// Each code has one meaning, a title in codes.cpp and an example file in tests/data/broken.
 enum class Code : int {
     // text
     UnexpectedText = 101,
@@ -107,9 +107,9 @@ enum class Code : int {
 
 struct CodeEntry {
     Code code;
-    std::string_view title; ///< what it means, in one line
+    std::string_view title; ///< its meaning in one line
 };
-/// All codes in numeric order, for the manual and for the test that each has a broken file.
+/// All codes in numeric order, for the manual and for the test that each code has a file in tests/data/broken.
 [[nodiscard]] std::span<const CodeEntry> allCodes();
 
 } // namespace trundle

@@ -8,12 +8,12 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kLongestShownWord = 200, kLongestShownMessage = 2000; // bytes
-constexpr std::size_t kMostFingerprints = 100'000;
+constexpr std::size_t kMaxFingerprints = 100'000;
 constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
 
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-/// About `most` bytes of a text: two thirds of them from its beginning, the rest from its end.
+/// Shortens a text to about `most` bytes: the first two thirds from its start, the rest from its end.
 std::string cutInside(std::string_view text, std::size_t most) {
     std::size_t begin = most * 2 / 3, end = text.size() - (most - begin);
     while (begin > 0 && continues(text[begin])) --begin;
@@ -42,31 +42,31 @@ std::string shortenedMessage(std::string text) {
     return out.size() > kLongestShownMessage ? cutInside(out, kLongestShownMessage) : out;
 }
 
-/// Of a config that many robots share each message comes many times.
+/// A config shared by many robots produces the same message once per robot.
 bool Diagnostics::isRepeated(const Diagnostic& d) {
     std::uint64_t print = std::hash<std::string>()(d.message);
     for (const std::uint64_t part : {std::uint64_t(d.severity), std::uint64_t(d.code), std::uint64_t(d.range.file),
                                      std::uint64_t(d.range.range.begin), std::uint64_t(d.range.range.end)})
         print = (print ^ part) * 0x9E3779B97F4A7C15ull + (print >> 29);
-    if (m_fingerprints.size() >= kMostFingerprints) return m_fingerprints.contains(print);
+    if (m_fingerprints.size() >= kMaxFingerprints) return m_fingerprints.contains(print);
     return !m_fingerprints.insert(print).second;
 }
 
 Diagnostic& Diagnostics::take(Diagnostic d) {
     const bool error = d.severity == Severity::Error;
     m_errors += error;
-    if (isRepeated(d)) return m_unkept = std::move(d);
+    if (isRepeated(d)) return m_omitted = std::move(d);
     Count& file = m_counts[d.range.file];
-    const bool room = error ? file.errors < kMostOfOneFile && m_total.errors < kMostOfAll
-                            : file.others < kMostOfOneFile && m_total.others < kMostOfAll;
+    const bool room = error ? file.errors < kMaxOfOneFile && m_total.errors < kMaxOfAll
+                            : file.others < kMaxOfOneFile && m_total.others < kMaxOfAll;
     if (room) {
         ++(error ? file.errors : file.others);
         ++(error ? m_total.errors : m_total.others);
         return m_all.emplace_back(std::move(d));
     }
-    if (file.unkeptErrors + file.unkeptOthers == 0) file.firstUnkept = d.range;
-    ++(error ? file.unkeptErrors : file.unkeptOthers);
-    return m_unkept = std::move(d);
+    if (file.omittedErrors + file.omittedOthers == 0) file.firstOmitted = d.range;
+    ++(error ? file.omittedErrors : file.omittedOthers);
+    return m_omitted = std::move(d);
 }
 
 Diagnostic& Diagnostics::add(Severity severity, Code code, SourceRange range, std::string message) {
@@ -86,14 +86,14 @@ void Diagnostics::append(std::vector<Diagnostic> more) {
     }
 }
 
-void Diagnostics::addUnkept(const Diagnostics& other) {
+void Diagnostics::addOmitted(const Diagnostics& other) {
     for (const auto& [file, count] : other.m_counts) {
-        if (count.unkeptErrors + count.unkeptOthers == 0) continue;
+        if (count.omittedErrors + count.omittedOthers == 0) continue;
         Count& mine = m_counts[file];
-        if (mine.unkeptErrors + mine.unkeptOthers == 0) mine.firstUnkept = count.firstUnkept;
-        mine.unkeptErrors += count.unkeptErrors;
-        mine.unkeptOthers += count.unkeptOthers;
-        m_errors += count.unkeptErrors;
+        if (mine.omittedErrors + mine.omittedOthers == 0) mine.firstOmitted = count.firstOmitted;
+        mine.omittedErrors += count.omittedErrors;
+        mine.omittedOthers += count.omittedOthers;
+        m_errors += count.omittedErrors;
     }
 }
 
@@ -104,19 +104,19 @@ void Diagnostics::addLast(Diagnostic d) {
 
 void Diagnostics::summarize() {
     for (auto& [file, count] : m_counts) {
-        const std::uint64_t unkept = count.unkeptErrors + count.unkeptOthers;
-        if (unkept == 0) continue;
+        const std::uint64_t omitted = count.omittedErrors + count.omittedOthers;
+        if (omitted == 0) continue;
         Diagnostic d;
-        d.severity = count.unkeptErrors > 0 ? Severity::Error : Severity::Warning;
+        d.severity = count.omittedErrors > 0 ? Severity::Error : Severity::Warning;
         d.code = Code::TooManyMistakes;
-        d.range = count.firstUnkept;
-        d.message = "and " + (count.unkeptErrors > 0 ? countedOf(count.unkeptErrors, "error") : std::string()) +
-                    (count.unkeptErrors > 0 && count.unkeptOthers > 0 ? " and " : "") +
-                    (count.unkeptOthers > 0 ? countedOf(count.unkeptOthers, "warning") : std::string()) +
+        d.range = count.firstOmitted;
+        d.message = "and " + (count.omittedErrors > 0 ? countedOf(count.omittedErrors, "error") : std::string()) +
+                    (count.omittedErrors > 0 && count.omittedOthers > 0 ? " and " : "") +
+                    (count.omittedOthers > 0 ? countedOf(count.omittedOthers, "warning") : std::string()) +
                     (file == kNoFile ? "" : " in this file") + "; fix the ones above first";
-        d.more = unkept;
+        d.more = omitted;
         m_all.push_back(std::move(d));
-        count.unkeptErrors = count.unkeptOthers = 0;
+        count.omittedErrors = count.omittedOthers = 0;
     }
 }
 

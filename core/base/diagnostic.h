@@ -1,5 +1,5 @@
 #pragma once
-// What we tell a user about a text: severity, code, words, place and, where it is obvious, the edit that mends it.
+// Diagnostics: severity, code, message, source range and, where the correction is obvious, a fix.
 
 #include <map>
 #include <string>
@@ -15,31 +15,31 @@ namespace trundle {
 
 enum class Severity { Error, Warning, Hint };
 
-/// A titled set of edits, applied together.
+/// A set of edits with a title, applied together.
 struct Fix {
-    std::string title; ///< the replacement itself where it is short: "3cm"
+    std::string title; ///< the replacement text itself where it is short: "3cm"
     std::vector<TextEdit> edits;
 };
 
 struct Diagnostic {
     Severity severity = Severity::Error;
     Code code = Code::Internal;
-    std::string message; ///< one line, no full stop, no code, no place
+    std::string message; ///< one line, without full stop, code or position
     SourceRange range;
-    std::vector<std::string> suggestions; ///< replacement words, best first
+    std::vector<std::string> suggestions; ///< replacement words, best match first
     std::vector<Fix> fixes;
     std::vector<std::pair<std::string, SourceRange>> notes; ///< "first defined here"
-    std::uint64_t more = 0; ///< how many others it stands for that are not kept; see Diagnostics::summarize()
+    std::uint64_t more = 0; ///< how many omitted diagnostics this one stands for; see Diagnostics::summarize()
 };
 
-/// Collects diagnostics; passed down every stage of text → model. Of each file it keeps so many errors and as many others, each once;
-/// what comes beyond is counted. Long names in messages are cut.
+/// Collects diagnostics; passed through every stage from text to model. Per file it keeps at most kMaxOfOneFile errors and as
+/// many warnings and hints, without duplicates; the rest are only counted. Long names in messages are shortened.
 class Diagnostics {
 public:
-    static constexpr std::size_t kMostOfOneFile = 1000; ///< errors, and as many warnings and hints
-    static constexpr std::size_t kMostOfAll = 5000;     ///< of all files together, likewise
+    static constexpr std::size_t kMaxOfOneFile = 1000; ///< errors; the same number of warnings and hints
+    static constexpr std::size_t kMaxOfAll = 5000;     ///< the same over all files together
 
-    /// The result may be filled in until the next call; of one that is not kept it is forgotten.
+    /// The caller may fill in the returned diagnostic until the next call; where the limit is reached it is discarded.
     Diagnostic& add(Severity severity, Code code, SourceRange range, std::string message);
     Diagnostic& error(Code code, SourceRange range, std::string message) {
         return add(Severity::Error, code, range, std::move(message));
@@ -51,37 +51,38 @@ public:
         return add(Severity::Hint, code, range, std::move(message));
     }
     void append(std::vector<Diagnostic> more);
-    /// Takes over what another collector counted and did not keep.
-    void addUnkept(const Diagnostics& other);
-    /// Adds one that is kept in any case.
+    /// Adds the counts of diagnostics that another collector omitted.
+    void addOmitted(const Diagnostics& other);
+    /// Adds a diagnostic that is kept even beyond the limits.
     void addLast(Diagnostic diagnostic);
-    /// Ends the messages of each file of which some were not kept with one that counts those.
+    /// For each file with omitted diagnostics, appends one diagnostic with their number.
     void summarize();
 
     [[nodiscard]] const std::vector<Diagnostic>& all() const { return m_all; }
     [[nodiscard]] Diagnostic& at(std::size_t index) { return m_all[index]; }
     [[nodiscard]] bool hasErrors() const { return m_errors > 0; }
-    /// Errors that were added, kept or not.
+    /// Errors added, including omitted ones.
     [[nodiscard]] std::size_t errorCount() const { return m_errors; }
 
 private:
     struct Count {
-        std::size_t errors = 0, others = 0; ///< kept
-        std::uint64_t unkeptErrors = 0, unkeptOthers = 0;
-        SourceRange firstUnkept;
+        std::size_t errors = 0, others = 0; ///< number kept
+        std::uint64_t omittedErrors = 0, omittedOthers = 0;
+        SourceRange firstOmitted;
     };
     [[nodiscard]] bool isRepeated(const Diagnostic& diagnostic);
     Diagnostic& take(Diagnostic diagnostic);
 
     std::vector<Diagnostic> m_all;
-    Diagnostic m_unkept; ///< what add() gives where nothing is kept
+    Diagnostic m_omitted; ///< returned by add() where the diagnostic is not kept
     std::map<FileId, Count> m_counts;
     Count m_total;
-    std::unordered_set<std::uint64_t> m_fingerprints; ///< of messages that were added
+    std::unordered_set<std::uint64_t> m_fingerprints; ///< of messages added so far
     std::size_t m_errors = 0;
 };
 
-/// A text with its long words, and itself where it is long, cut in the middle: "aaaa…zzz". UTF-8 stays whole.
+/// A text in which long words, and the text itself if it is long, are shortened in the middle: "aaaa…zzz". UTF-8 characters are
+/// not split.
 [[nodiscard]] std::string shortenedMessage(std::string text);
 
 } // namespace trundle

@@ -4,7 +4,7 @@
 
 namespace trundle {
 
-/// A picture to lay on surfaces: red, green, blue, 8 bits each as shown on a screen; rows from the top. At least 1 x 1.
+/// A texture image: RGB, 8 bits per channel, sRGB; rows from the top. At least 1 x 1.
 struct Raster {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> pixels; ///< width * height * 3

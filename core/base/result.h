@@ -1,5 +1,5 @@
 #pragma once
-// One thing that may fail: a value or the reason why there is none.
+// The result of an operation that may fail: a value, or the reason why there is none.
 
 #include <cassert>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace trundle {
 
-/// Why something failed, ready to become a Diagnostic where a place in the text is known.
+/// Why an operation failed; becomes a Diagnostic where a source range is known.
 struct Error {
     Code code = Code::Internal;
     std::string message;

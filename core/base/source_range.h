@@ -14,11 +14,11 @@ struct TextRange {
     auto operator<=>(const TextRange&) const = default;
 };
 
-/// Index of a text in its SourceTable; kNoFile means "no place in any text" (a default value, say).
+/// Index of a text in its SourceTable; kNoFile means no position in any text (for example a default value).
 using FileId = std::uint32_t;
 inline constexpr FileId kNoFile = 0xffffffffu;
 
-/// A range of bytes in one of the texts of a SourceTable.
+/// A range of bytes in a text of a SourceTable.
 struct SourceRange {
     FileId file = kNoFile;
     TextRange range;

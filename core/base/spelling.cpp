@@ -8,7 +8,7 @@ namespace trundle {
 namespace {
 
 constexpr double kCaseCost = 0.3;
-constexpr std::size_t kLongestWord = 64; ///< beyond it nobody mistyped a word; keeps the cost bounded
+constexpr std::size_t kLongestWord = 64; ///< longer words are no spelling mistakes; bounds the cost
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
@@ -22,7 +22,7 @@ double substitution(char a, char b) {
     return lower(a) == lower(b) ? kCaseCost : 1;
 }
 
-/// How far off a word of this length may be and still be meant.
+/// The largest distance at which a word of this length still counts as a misspelling.
 double reach(std::size_t length) {
     if (length <= 3) return 1;
     return length <= 5 ? 2 : static_cast<double>(length) / 3 + 1;
@@ -59,9 +59,9 @@ std::vector<std::string> nearestWords(std::string_view word, std::span<const std
     for (const std::string& candidate : candidates) {
         const std::size_t longer = std::max(word.size(), candidate.size());
         const std::size_t shorter = std::min(word.size(), candidate.size());
-        double distance = static_cast<double>(longer - shorter); // it is never less
+        double distance = static_cast<double>(longer - shorter); // a lower bound of the distance
         if (distance <= reach(longer)) distance = spellingDistance(word, candidate);
-        // A word cut short or continued: "Color" for ColorRGB, "Radiuses" for Radius.
+        // A shortened or extended word: "Color" for ColorRGB, "Radiuses" for Radius.
         if (shorter >= 3 && startsLike(candidate, word)) distance = std::min(distance, 1.8);
         if (shorter >= 3 && startsLike(word, candidate)) distance = std::min(distance, 1.9);
         if (distance <= reach(longer) && distance < static_cast<double>(longer)) near.push_back({distance, &candidate});

@@ -5,7 +5,7 @@
 
 namespace trundle {
 
-/// Replace the bytes of `range` by `text`. An empty range inserts, an empty text removes.
+/// Replaces the bytes of `range` by `text`. An empty range inserts, an empty text removes.
 struct TextEdit {
     SourceRange range;
     std::string text;

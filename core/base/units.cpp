@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// The first unit of each dimension has factor 1; the order is the order of help texts.
+// The first unit of each dimension has factor 1; help texts use this order.
 constexpr UnitInfo kUnits[] = {
     {"m", "length", 1},
     {"cm", "length", 0.01},
@@ -104,13 +104,13 @@ std::vector<std::string> allUnitNames() {
 }
 
 std::optional<double> convertUnit(double value, std::string_view from, std::string_view to) {
-    if (from == to) return value; // also no unit to no unit, and without rounding
+    if (from == to) return value; // also without units on both sides; avoids rounding
     const UnitInfo* a = findUnit(from);
-    // A bare number is a fraction of one: 50 % is 0.5 where no unit is expected.
+    // A percentage is a fraction of one: 50 % is 0.5 where no unit is expected.
     if (a && to.empty() && a->dimension == "fraction") return value * a->factor;
     const UnitInfo* b = findUnit(to);
     if (!a || !b || a->dimension != b->dimension) return std::nullopt;
-    // Divide by what is below 1: 3 cm are 3 / 100 m, the double nearest to 0.03, where 3 * 0.01 is its neighbour.
+    // Divide by factors below 1: 3 cm is 3 / 100 m, the double nearest to 0.03, whereas 3 * 0.01 is the double next to it.
     const double ratio = a->factor / b->factor;
     const double inverse = b->factor / a->factor;
     if (ratio < 1 && inverse == static_cast<double>(static_cast<long long>(inverse))) return value / inverse;

@@ -1,5 +1,5 @@
 #pragma once
-// Units that a number in a text may carry, and what they convert to.
+// The units of numbers in texts and their conversion.
 
 #include <optional>
 #include <string>
@@ -12,12 +12,12 @@ namespace trundle {
 struct UnitInfo {
     std::string_view name;      ///< as written: "cm"
     std::string_view dimension; ///< "length"
-    double factor = 1;          ///< to the dimension's first unit (SI; rad for angles, 1 for "%": 0.01)
+    double factor = 1;          ///< to the first unit of its dimension (SI; rad for angles, 1 for fractions, so "%" has 0.01)
 };
 
 [[nodiscard]] const UnitInfo* findUnit(std::string_view name);
 [[nodiscard]] std::vector<std::string> allUnitNames();
-/// `value` in `from` expressed in `to`; nothing when a unit is unknown or the dimensions differ.
+/// Converts `value` from unit `from` to unit `to`; empty if a unit is unknown or the dimensions differ.
 [[nodiscard]] std::optional<double> convertUnit(double value, std::string_view from, std::string_view to);
 
 } // namespace trundle

@@ -8,14 +8,14 @@ namespace trundle {
 inline constexpr std::string_view kBom = "\xEF\xBB\xBF";
 inline constexpr std::string_view kUnicodeMinus = "\xE2\x88\x92";
 
-/// One code point at `at`; a byte that begins none is one invalid byte.
+/// One code point at `at`; a byte that starts no valid sequence is one invalid byte.
 struct CodePoint {
     std::uint32_t value = 0;
     std::uint32_t length = 1;
     bool valid = false;
 };
 
-/// Strict: no overlong forms, no surrogates, nothing above U+10FFFF. `at` is inside `text`.
+/// Strict decoding: no overlong forms, no surrogates, nothing above U+10FFFF. `at` must be inside `text`.
 [[nodiscard]] inline CodePoint codePointAt(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
     const std::uint32_t first = byte(at);

@@ -2,27 +2,27 @@
 #include <cmath>
 #include <set>
 
-#include "check/check_parts.h"
+#include "check/checks.h"
 #include "project/part_values.h"
 
 namespace trundle {
 
 namespace {
 
-constexpr double kTolerance = 0.02; // of radius and separation
+constexpr double kTolerance = 0.02; // relative, for radius and separation
 constexpr double kSameLine = 0.02;  // sine of the angle between a wheel's axis and its axle
 constexpr std::string_view kDrive = "DifferentialDrive", kMotor = "RotaryMotor";
 
-/// A wheel as the geometry has it.
+/// Geometry of a wheel, from its geom and joint.
 struct Wheel {
     const GeomSpec* geom = nullptr;
     Vec3 centre = Vec3::Zero(), axis = Vec3::UnitY(); ///< in the config's frame
 };
 
-/// The drives of one config.
+/// Checks all drives of one config.
 class DriveCheck {
 public:
-    DriveCheck(const Loaded& loaded, const RobotConfigSpec& config, Diagnostics& diagnostics)
+    DriveCheck(const LoadedProject& loaded, const RobotConfigSpec& config, Diagnostics& diagnostics)
         : m_loaded(loaded), m_config(config), m_diagnostics(diagnostics) {}
 
     void check(const ComponentSpec& drive) {
@@ -38,7 +38,7 @@ public:
     }
 
 private:
-    /// `run` would refuse it.
+    /// Reports a drive that uses one motor twice; a run would refuse it.
     void sameMotor(const ComponentSpec& drive) {
         const ResolvedValue* right = drive.find("RightMotor");
         Diagnostic& d = m_diagnostics.error(Code::DeviceSetup, right->range.known() ? right->range : drive.nameRange,
@@ -51,7 +51,7 @@ private:
         d.suggestions = std::move(others);
     }
 
-    /// The only round geom of the motor's wheel that turns about its axle.
+    /// The largest round geom of the motor's wheel that rotates about its axle.
     [[nodiscard]] std::optional<Wheel> wheelOf(const std::string& motor) const {
         const auto device = std::ranges::find(m_config.devices, motor, &ComponentSpec::name);
         if (device == m_config.devices.end()) return std::nullopt;
@@ -82,22 +82,22 @@ private:
         if (canWrite(*value)) d.fixes.push_back({std::string(key) + "=" + text, {{value->range, text}}});
     }
 
-    /// A number or word of a file, not one that a Param or the command line gives.
+    /// Whether a value is literal text in a file, not set by a Param or on the command line.
     [[nodiscard]] bool canWrite(const ResolvedValue& value) const {
         const FileId file = value.range.file;
         if (!value.range.known() || file >= m_loaded.paths.size() || m_loaded.paths[file].empty()) return false;
         return m_loaded.sources.slice(value.range).find('$') == std::string_view::npos;
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const RobotConfigSpec& m_config;
     Diagnostics& m_diagnostics;
 };
 
 } // namespace
 
-void checkDrives(const Loaded& loaded, Diagnostics& diagnostics) {
-    std::set<const RobotConfigSpec*> seen; // only asked, never walked
+void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics) {
+    std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
     for (const RobotSpec& robot : loaded.experiment->robots) {
         if (!robot.config || !seen.insert(robot.config.get()).second) continue;
         DriveCheck check(loaded, *robot.config, diagnostics);

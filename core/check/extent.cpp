@@ -7,7 +7,7 @@ namespace trundle {
 
 namespace {
 
-/// Of the points of a mesh, in the geom's frame.
+/// Extent of a mesh's points along a direction in the geom's frame.
 Extent extentOfPoints(const TriangleMesh& mesh, const Vec3& direction) {
     Extent extent{HUGE_VAL, -HUGE_VAL};
     for (const auto& p : mesh.points) {

@@ -1,11 +1,11 @@
 #pragma once
-// How far shapes reach.
+// Extents of shapes along a direction.
 
 #include "model/body_spec.h"
 
 namespace trundle {
 
-/// The lowest and the highest value of `direction . x` (direction a unit vector, world) over a geom whose frame is at `X_WG`.
+/// The lowest and the highest value of `direction . x` (unit vector, world frame) over a geom with pose `X_WG`.
 struct Extent {
     double low = 0, high = 0;
 };

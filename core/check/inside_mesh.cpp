@@ -1,5 +1,5 @@
-// Method: along a ray from the point each triangle that it leaves through counts one, each that it enters through takes one away; inside
-// there is one more to leave. Three directions must agree, so that a surface with an edge encloses nothing.
+// Method: a ray from the point counts +1 for each triangle that it leaves through and -1 for each that it enters through. The sum
+// is 1 for a point inside. Rays in three directions must agree, so that an open surface encloses nothing.
 
 #include "check/inside_mesh.h"
 

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <set>
 
-#include "check/check_parts.h"
+#include "check/checks.h"
 
 namespace trundle {
 
 namespace {
 
-constexpr double kMostUneven = 1e4;
+constexpr double kMaxUneven = 1e4;
 
 void checkJoint(const JointSpec& joint, const RobotConfigSpec& config, Diagnostics& diagnostics) {
     if (joint.parent == kWorldBody) return;
@@ -15,7 +15,7 @@ void checkJoint(const JointSpec& joint, const RobotConfigSpec& config, Diagnosti
     const BodySpec* heavy = &config.bodies[static_cast<std::size_t>(joint.parent)];
     if (light->mass.mass > heavy->mass.mass) std::swap(light, heavy);
     const double ratio = heavy->mass.mass / light->mass.mass;
-    if (!(ratio > kMostUneven)) return;
+    if (!(ratio > kMaxUneven)) return;
     diagnostics.warning(Code::MassRatio, light->nameRange,
                         light->name + " of " + config.name + " weighs " + figureText(light->mass.mass) + " kg and " +
                             heavy->name + ", which " + joint.name + " joins to it, " + figureText(heavy->mass.mass) +
@@ -26,7 +26,7 @@ void checkJoint(const JointSpec& joint, const RobotConfigSpec& config, Diagnosti
 } // namespace
 
 void checkMasses(const ExperimentSpec& experiment, Diagnostics& diagnostics) {
-    std::set<const RobotConfigSpec*> seen; // only asked, never walked
+    std::set<const RobotConfigSpec*> seen; // membership test only: its order, by address, must not affect the output
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config || !seen.insert(robot.config.get()).second) continue;
         for (const JointSpec& joint : robot.config->joints) checkJoint(joint, *robot.config, diagnostics);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "check/check_parts.h"
+#include "check/checks.h"
 #include "world/validate.h"
 
 namespace trundle {
@@ -18,16 +18,16 @@ std::string lengthText(double metres) {
     return std::abs(metres) < 1 ? figureText(1e3 * metres) + " mm" : figureText(metres) + " m";
 }
 
-void checkModel(const Loaded& loaded, Diagnostics& diagnostics, const std::stop_token& stop) {
+void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std::stop_token& stop) {
     if (loaded.diagnostics.hasErrors() || loaded.pending) return;
     const ExperimentSpec& experiment = *loaded.experiment;
     Diagnostics silent;
-    if (!isBuildable(experiment, silent)) return; // a run says why
+    if (!isBuildable(experiment, silent)) return; // a run reports the reason
     checkMasses(experiment, diagnostics);
     checkDrives(loaded, diagnostics);
     if (experiment.robots.empty() || stop.stop_requested()) return;
     const std::optional<StartScene> scene = StartScene::build(experiment, stop);
-    if (!scene) return; // likewise
+    if (!scene) return; // the same
     checkStart(loaded, *scene, diagnostics);
     checkSupport(loaded, *scene, diagnostics, stop);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with an experiment although its text makes sense: found before a run, so that the run need not show it.
+// Finds faults of an experiment that is valid as text, before it is run.
 
 #include <stop_token>
 
@@ -8,9 +8,9 @@
 
 namespace trundle {
 
-/// Things that start inside others, below the floor or in the air, joined bodies of very different mass, drives that disagree with
-/// their wheels. Says object, reason and, where one is obvious, the edit that corrects it. Nothing where the load has errors or waits
-/// for a mesh. Runs no code of modules; may be called in any thread. Returns soon after a stop is requested, with what it found so far.
-void checkModel(const Loaded& loaded, Diagnostics& diagnostics, const std::stop_token& stop = {});
+/// Reports robots that start inside something, below the floor or in the air, joined bodies of very different mass, and drives
+/// that disagree with their wheels, with a fix where one is obvious. Reports nothing if the project has errors or waits for a
+/// mesh. Runs no module code. Thread-safe. Returns soon after a stop request, with the findings so far.
+void checkModel(const LoadedProject& loaded, Diagnostics& diagnostics, const std::stop_token& stop = {});
 
 } // namespace trundle

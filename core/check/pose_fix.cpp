@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "lang/tree_edit.h"
+#include "project/moved_block.h"
 #include "project/part_values.h"
-#include "project/placed_text.h"
 
 namespace trundle {
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGrain = 1e-4; // m
 
-/// Farther in its direction, so that a whole number of grains results.
+/// Rounds a shift away from zero, so that `from + shift` is a multiple of kGrain.
 double roundedShift(double from, double shift) {
     if (std::abs(shift) < 1e-9) return 0;
     const double to = (from + shift) / kGrain;
@@ -22,8 +22,8 @@ double roundedShift(double from, double shift) {
 
 } // namespace
 
-std::optional<Fix> moveFix(const Loaded& loaded, const RobotSpec& robot, const Vec3& offset) {
-    std::optional<ObjectPlace> place = placeOf(loaded, robot.name);
+std::optional<Fix> moveFix(const LoadedProject& loaded, const RobotSpec& robot, const Vec3& offset) {
+    std::optional<ObjectLocation> place = placeOf(loaded, robot.name);
     if (!place || !place->part) return std::nullopt;
     const bool sideways = std::abs(offset.x()) > 1e-9 || std::abs(offset.y()) > 1e-9;
     const bool layout = place->part->is(Role::Layout);
@@ -31,11 +31,11 @@ std::optional<Fix> moveFix(const Loaded& loaded, const RobotSpec& robot, const V
     const Part& part = *place->part;
     if (part.file >= loaded.paths.size() || loaded.paths[part.file].empty()) return std::nullopt;
 
-    place->member = false; // the layout's own place
+    place->member = false; // edit the layout's pose, not that of a member
     const Vec3 from = poseAt(loaded, *place).position;
     Vec3 shift;
     for (int k = 0; k < 3; ++k) shift[k] = roundedShift(from[k], offset[k]);
-    const PlacedAssignment* a = part.assignments.find("Pos");
+    const SourceAssignment* a = part.assignments.find("Pos");
     if (!a) {
         const std::string text = positionText(from + shift);
         return Fix{"Pos=" + text, {editAddAssignment(*loaded.trees[part.file], part.block, "Pos", text)}};

@@ -8,8 +8,8 @@
 
 namespace trundle {
 
-/// The edit that moves a robot's start by at least `offset` (m, world), to whole tenths of a millimetre. A member of a Grid or Scatter
-/// moves with all others, and only up or down. Nothing where the text gives no place that can be written.
-[[nodiscard]] std::optional<Fix> moveFix(const Loaded& loaded, const RobotSpec& robot, const Vec3& offset);
+/// The edit that moves a robot's start position by at least `offset` (m, world frame), rounded to 0.1 mm. A Grid is moved as a
+/// whole, and only vertically. Nothing for a Scatter, and if the position cannot be edited in the text.
+[[nodiscard]] std::optional<Fix> moveFix(const LoadedProject& loaded, const RobotSpec& robot, const Vec3& offset);
 
 } // namespace trundle

@@ -1,13 +1,13 @@
-// What starts inside something else or below a floor. Needs: the contacts at the start. Method: contacts of one pair of things are one
-// finding, pairs of the same two configs are told once with their number; a robot's way out is the shortest move that ends the
-// contacts with scenery, or with the one other robot.
+// Checks for robots that start inside something else or below a floor. Needs: the contacts at the start. Method: all contacts
+// between one pair of objects are one finding; pairs of the same two configs are reported once, with their number. The fix for a
+// robot is the shortest move that ends its contacts with the scenery, or with the one other robot.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
-#include "check/check_parts.h"
+#include "check/checks.h"
 #include "check/extent.h"
 #include "check/inside_mesh.h"
 #include "check/pose_fix.h"
@@ -16,20 +16,20 @@ namespace trundle {
 
 namespace {
 
-constexpr double kLeastDepth = 1e-3; // m
-constexpr double kLeastShare = 0.02; // of the smaller thing's width
-constexpr double kMargin = 1e-4;     // m that a fix leaves
-constexpr double kLevel = 0.7;       // cosine: ground that one can stand on
-constexpr int kRounds = 60;          // of finding a way out of several contacts
-constexpr std::size_t kMostTriangles = 50'000'000; // that are looked at for what is inside meshes
+constexpr double kLeastDepth = 1e-3;               // m
+constexpr double kLeastShare = 0.02;               // of the smaller object's width
+constexpr double kMargin = 1e-4;                   // m, clearance after a fix
+constexpr double kLevel = 0.7;                     // cosine of the steepest slope that counts as ground
+constexpr int kRounds = 60;                        // iterations of the search for a move out of several contacts
+constexpr std::size_t kMaxTriangles = 50'000'000;  // limit on triangles tested for robots inside meshes
 
-/// A robot and what it is in: another robot or a Static.
+/// A robot and what it overlaps: another robot or a Static.
 struct Pair {
     std::uint32_t robot = 0, other = 0;
     bool withStatic = false;
     EngineContact deepest;
-    std::vector<std::pair<Vec3, double>> ways;                  ///< directions out of each contact, and how far
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> geoms; ///< of each contact: the robot's and the other's
+    std::vector<std::pair<Vec3, double>> ways;                  ///< per contact: direction out of it and depth, m
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> geoms; ///< per contact: the robot's geom and the other one
 };
 
 struct Group {
@@ -39,7 +39,7 @@ struct Group {
 
 class StartCheck {
 public:
-    StartCheck(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics)
+    StartCheck(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics)
         : m_loaded(loaded), m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics) {}
 
     void check() {
@@ -69,7 +69,7 @@ private:
                 if (!b.isStatic) m_touches[b.object].push_back(-c.normal);
                 continue;
             }
-            // What comes later in the text is what is moved.
+            // The object that is later in the text is the one to be moved.
             const bool swapped = !b.isStatic && b.object > a.object;
             const GeomOwner &mover = swapped ? b : a, &other = swapped ? a : b;
             if (m_pairs.empty() || m_pairs.back().robot != mover.object || m_pairs.back().withStatic != other.isStatic ||
@@ -80,13 +80,13 @@ private:
             pair.ways.emplace_back(swapped ? Vec3(-c.normal) : c.normal, c.depth);
             pair.geoms.emplace_back(swapped ? c.second : c.first, swapped ? c.first : c.second);
         }
-        for (Pair& pair : m_pairs) leaveSideways(pair);
+        for (Pair& pair : m_pairs) moveOutSideways(pair);
         addEnclosed();
     }
 
-    /// What is wholly inside a mesh touches none of its triangles, so the engine reports no contact.
+    /// Adds objects that are wholly inside a mesh: they touch none of its triangles, so the engine reports no contact.
     void addEnclosed() {
-        std::size_t left = kMostTriangles;
+        std::size_t left = kMaxTriangles;
         for (std::uint32_t m = 0; m < m_scene.geomCount(); ++m) {
             const GeomOwner& mesh = m_scene.owner(m);
             if (!mesh.spec || !mesh.isStatic || mesh.spec->shape != GeomShape::Mesh || !mesh.spec->mesh) continue;
@@ -112,7 +112,7 @@ private:
         std::pair<Vec3, double> best{Vec3::Zero(), HUGE_VAL};
         for (int k = 0; k < 6; ++k) {
             const Vec3 side = X_WM.rotation * Vec3::Unit(k / 2) * (k % 2 == 0 ? 1.0 : -1.0);
-            if (side.dot(m_scene.up()) < -kLevel) continue; // nothing leaves downwards
+            if (side.dot(m_scene.up()) < -kLevel) continue; // no fix may move a robot down through the floor
             const double missing = extentAlong(*m_scene.owner(mesh).spec, X_WM, side).high -
                                    extentAlong(*m_scene.owner(own).spec, poseOf(own), side).low;
             if (missing < best.second) best = {side, missing};
@@ -126,11 +126,10 @@ private:
     }
 
     [[nodiscard]] bool isPaired(std::uint32_t robot, std::uint32_t other) const {
-        return std::ranges::any_of(m_pairs,
-                                   [&](const Pair& p) { return p.withStatic && p.robot == robot && p.other == other; });
+        return std::ranges::any_of(m_pairs, [&](const Pair& p) { return p.withStatic && p.robot == robot && p.other == other; });
     }
 
-    /// Some point of a geom, in the world.
+    /// A point of a geom's surface or its origin, in the world frame.
     [[nodiscard]] Vec3 pointOf(std::uint32_t geom) const {
         const GeomSpec& spec = *m_scene.owner(geom).spec;
         const auto& mesh = spec.hull ? spec.hull : spec.mesh;
@@ -146,8 +145,8 @@ private:
         return robot.pose * robot.config->bodies[o.body].pose * o.spec->pose;
     }
 
-    /// Nothing leaves a wall downwards, through the floor: where that is the shortest way, the whole robot leaves to the nearest side.
-    void leaveSideways(Pair& pair) const {
+    /// If the shortest way out of a wall is downwards, through the floor, moves the whole robot out to the nearest side instead.
+    void moveOutSideways(Pair& pair) const {
         const Vec3 up = m_scene.up();
         const bool down = std::ranges::any_of(pair.ways, [&](const auto& way) { return way.first.dot(up) < -kLevel; });
         const GeomShape shape = m_scene.owner(pair.geoms[0].second).spec->shape;
@@ -182,8 +181,8 @@ private:
         const RobotSpec* second = pair.withStatic || pair.other == pair.robot ? nullptr : &m_experiment.robots[pair.other];
         if (second) d.notes.push_back({"what it starts in", second->nameRange});
         else if (pair.withStatic) d.notes.push_back({"what it starts in", m_experiment.statics[pair.other].nameRange});
-        if (pair.other == pair.robot && !pair.withStatic) return; // its own bodies: no place of the robot helps
-        if (auto fix = moveFix(m_loaded, robot, wayOut(pair))) d.fixes.push_back(std::move(*fix));
+        if (pair.other == pair.robot && !pair.withStatic) return; // contacts among its own bodies: moving the robot does not help
+        if (auto fix = moveFix(m_loaded, robot, moveOutOf(pair))) d.fixes.push_back(std::move(*fix));
     }
 
     /// Whether a geom is wholly behind the surface that it is `depth` deep in.
@@ -193,12 +192,12 @@ private:
         return depth >= (e.high - e.low) * (1 - 1e-9);
     }
 
-    /// Out of everything that the pair's robot touches deeply: scenery, or the other robot.
-    [[nodiscard]] Vec3 wayOut(const Pair& pair) const {
+    /// The move (m, world frame) that frees a robot from everything it overlaps: the scenery, or the other robot of the pair.
+    [[nodiscard]] Vec3 moveOutOf(const Pair& pair) const {
         Vec3 way = Vec3::Zero();
         const auto touches = m_touches.find(pair.robot);
         for (int round = 0; round < kRounds; ++round) {
-            if (touches != m_touches.end()) // nor into what it only touches
+            if (touches != m_touches.end()) // do not move into objects that it only touches
                 for (const Vec3& direction : touches->second) way += std::max(0.0, -direction.dot(way)) * direction;
             for (const Pair& p : m_pairs) {
                 if (p.robot != pair.robot || (!p.withStatic && p.other != pair.other)) continue;
@@ -213,17 +212,17 @@ private:
         return way;
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const StartScene& m_scene;
     const ExperimentSpec& m_experiment;
     Diagnostics& m_diagnostics;
     std::vector<Pair> m_pairs;
-    std::map<std::uint32_t, std::vector<Vec3>> m_touches; ///< by robot: directions out of what it only touches
+    std::map<std::uint32_t, std::vector<Vec3>> m_touches; ///< by robot: directions away from objects that it only touches
 };
 
 } // namespace
 
-void checkStart(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics) {
+void checkStart(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics) {
     StartCheck(loaded, scene, diagnostics).check();
 }
 

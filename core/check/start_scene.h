@@ -1,5 +1,5 @@
 #pragma once
-// All shapes of an experiment where they start, in the engine that would run it: what touches what, and what is below what.
+// All shapes of an experiment at their start poses, in the physics engine: contacts and ray queries for the checks.
 
 #include <memory>
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace trundle {
 
-/// Whose a geom of the engine is: of a robot's body, or of a Static.
+/// Owner of an engine geom: a robot's body or a Static.
 struct GeomOwner {
     bool isStatic = false;
-    std::uint32_t object = 0; ///< robot or static, by its place in the experiment
-    std::uint32_t body = 0;   ///< of the robot's config
+    std::uint32_t object = 0; ///< index of the robot or static in the experiment
+    std::uint32_t body = 0;   ///< index in the robot's config
     const GeomSpec* spec = nullptr;
 };
 
 class StartScene {
 public:
-    /// Nothing where a shape cannot be built or a stop is requested. The experiment must be buildable, and outlive the scene.
+    /// Nothing if a shape cannot be built or a stop is requested. The experiment must be buildable and must outlive the scene.
     [[nodiscard]] static std::optional<StartScene> build(const ExperimentSpec& experiment, const std::stop_token& stop);
 
     [[nodiscard]] const ExperimentSpec& experiment() const { return *m_experiment; }
@@ -30,14 +30,14 @@ public:
     [[nodiscard]] EngineContact contact(std::size_t index) const { return m_engine->contact(index); }
     [[nodiscard]] std::uint32_t geomCount() const { return static_cast<std::uint32_t>(m_owners.size()); }
     [[nodiscard]] const GeomOwner& owner(std::uint32_t geom) const { return m_owners[geom]; }
-    /// Nearest hit on anything but one robot.
+    /// Nearest hit along a ray, ignoring one robot.
     [[nodiscard]] std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
                                             std::size_t withoutRobot) const {
         return m_engine->ray(origin, direction, range, m_actors[withoutRobot]);
     }
-    /// "robot0/chassis/hull", "arena/north".
+    /// Path of a geom, such as "robot0/chassis/hull" or "arena/north".
     [[nodiscard]] std::string pathOf(std::uint32_t geom) const;
-    /// Against gravity; zero where there is none.
+    /// Unit vector against gravity; zero without gravity.
     [[nodiscard]] Vec3 up() const;
 
 private:
@@ -46,8 +46,8 @@ private:
 
     const ExperimentSpec* m_experiment = nullptr;
     std::unique_ptr<Engine> m_engine;
-    std::vector<GeomOwner> m_owners;   ///< by engine geom
-    std::vector<ActorHandle> m_actors; ///< by robot
+    std::vector<GeomOwner> m_owners;   ///< by engine geom index
+    std::vector<ActorHandle> m_actors; ///< by robot index
 };
 
 } // namespace trundle

@@ -1,5 +1,5 @@
-// What starts in the air. Needs: the contacts at the start. Method: bodies that joints hold together are one piece; a piece that
-// touches nothing and is not joined to the world is measured: how far it would fall, by rays down from its lowest level.
+// Checks for robots that start unsupported. Needs: the contacts at the start. Method: bodies connected by joints form one piece.
+// For a piece that touches nothing and has no joint to the world, rays down from its lowest points measure how far it would fall.
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "check/check_parts.h"
+#include "check/checks.h"
 #include "check/extent.h"
 #include "check/pose_fix.h"
 
@@ -15,11 +15,11 @@ namespace trundle {
 
 namespace {
 
-constexpr double kHigh = 0.05;             // m: less is a start with a little drop
-constexpr double kHighForMachines = 0.5;   // m: what has joints is often set down from a little above
-constexpr double kFar = 1e4;               // m that a ray looks
-constexpr double kLeave = 1e-4;            // m that a fix leaves
-constexpr std::size_t kMostMeasured = 300; // pieces; the others of their config are only counted
+constexpr double kHigh = 0.05;             // m; smaller drops are not reported
+constexpr double kHighForMachines = 0.5;   // m; articulated robots are often placed a little above the ground
+constexpr double kFar = 1e4;               // m, range of a ray
+constexpr double kLeave = 1e-4;            // m, clearance after a fix
+constexpr std::size_t kMaxMeasured = 300;  // pieces measured; further ones of the same config are only counted
 
 /// A piece of one robot: bodies joined to each other.
 struct Piece {
@@ -29,21 +29,21 @@ struct Piece {
 
 class SupportCheck {
 public:
-    SupportCheck(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics)
+    SupportCheck(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics)
         : m_loaded(loaded), m_scene(scene), m_experiment(scene.experiment()), m_diagnostics(diagnostics), m_up(scene.up()) {}
 
     void check(const std::stop_token& stop) {
-        if (m_up.isZero() || m_experiment.statics.empty()) return; // no ground is meant to be there
+        if (m_up.isZero() || m_experiment.statics.empty()) return; // without scenery there is no ground to start on
         markTouching();
         for (std::uint32_t r = 0; r < m_experiment.robots.size() && !stop.stop_requested(); ++r)
             for (const Piece& piece : loosePieces(r)) measure(piece);
-        for (Finding& f : m_findings) report(f);
+        for (SupportFinding& f : m_findings) report(f);
     }
 
 private:
-    struct Finding {
+    struct SupportFinding {
         Piece piece;
-        std::optional<double> height; ///< nothing: there is nothing beneath
+        std::optional<double> height; ///< m; nothing: there is no ground below
         std::string ground;
         std::size_t others = 0;
     };
@@ -56,7 +56,7 @@ private:
         }
     }
 
-    /// Pieces that touch nothing and hang on no joint to the world.
+    /// Pieces that touch nothing and have no joint to the world.
     [[nodiscard]] std::vector<Piece> loosePieces(std::uint32_t r) const {
         const RobotConfigSpec& config = *m_experiment.robots[r].config;
         std::vector<std::uint32_t> piece(config.bodies.size());
@@ -88,12 +88,12 @@ private:
     void measure(const Piece& piece) {
         const RobotConfigSpec* config = m_experiment.robots[piece.robot].config.get();
         const auto known = m_byConfig.find({config->name, piece.bodies.front()});
-        if (m_measured >= kMostMeasured) {
+        if (m_measured >= kMaxMeasured) {
             if (known != m_byConfig.end()) ++m_findings[known->second].others;
             return;
         }
         ++m_measured;
-        Finding finding{piece, std::nullopt, {}, 0};
+        SupportFinding finding{piece, std::nullopt, {}, 0};
         const double high = piece.bodies.size() > 1 ? kHighForMachines : kHigh;
         if (!fall(finding) || (finding.height && *finding.height <= high)) return;
         if (known != m_byConfig.end()) {
@@ -104,8 +104,8 @@ private:
         m_findings.push_back(std::move(finding));
     }
 
-    /// Fills in how far the piece would fall, and onto what. False where it has no shape.
-    [[nodiscard]] bool fall(Finding& finding) const {
+    /// Measures how far the piece would fall, and onto which geom. False if it has no shape.
+    [[nodiscard]] bool fall(SupportFinding& finding) const {
         const RobotSpec& robot = m_experiment.robots[finding.piece.robot];
         bool hasShape = false;
         for (const std::uint32_t b : finding.piece.bodies)
@@ -122,7 +122,7 @@ private:
         return hasShape;
     }
 
-    /// At the level of a geom's lowest point: its middle and four points round it.
+    /// Points at the level of a geom's lowest point: one at its centre and four around it.
     [[nodiscard]] std::vector<Vec3> lowestPoints(const GeomSpec& g, const Pose& pose) const {
         const Vec3 side = m_up.unitOrthogonal(), other = m_up.cross(side);
         const Extent height = extentAlong(g, pose, m_up), x = extentAlong(g, pose, side), y = extentAlong(g, pose, other);
@@ -131,13 +131,13 @@ private:
         return {middle, middle + dx, middle - dx, middle + dy, middle - dy};
     }
 
-    void report(const Finding& f) {
+    void report(const SupportFinding& f) {
         const RobotSpec& robot = m_experiment.robots[f.piece.robot];
         const bool whole = f.piece.bodies.size() == robot.config->bodies.size();
         const BodySpec& body = robot.config->bodies[f.piece.bodies.front()];
         const std::string who = whole ? robot.name : robot.name + "/" + body.name + ", which no joint holds,";
         const std::string more = f.others > 0 ? " (and " + std::to_string(f.others) + " more like it)" : "";
-        if (!f.height) return nothingBeneath(f, who, more);
+        if (!f.height) return hasNoSupport(f, who, more);
         Diagnostic& d = m_diagnostics.hint(Code::Unsupported, whole ? robot.nameRange : body.nameRange,
                                            who + " starts " + lengthText(*f.height) + " above " + f.ground +
                                                " and falls onto it; to start there, lower it" + more);
@@ -145,8 +145,8 @@ private:
         if (auto fix = moveFix(m_loaded, robot, -(*f.height - kLeave) * m_up); fix && whole) d.fixes.push_back(std::move(*fix));
     }
 
-    /// Below the scenery it is, or there is none under it.
-    void nothingBeneath(const Finding& f, const std::string& who, const std::string& more) {
+    /// Reports a piece without ground below: it is either below the scenery or beside it.
+    void hasNoSupport(const SupportFinding& f, const std::string& who, const std::string& more) {
         const RobotSpec& robot = m_experiment.robots[f.piece.robot];
         const Vec3 at = robot.pose.position;
         const auto roof = m_scene.ray(at, m_up, kFar, f.piece.robot);
@@ -174,20 +174,20 @@ private:
         return low;
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const StartScene& m_scene;
     const ExperimentSpec& m_experiment;
     Diagnostics& m_diagnostics;
     Vec3 m_up;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> m_touching; ///< robot and body
-    std::vector<Finding> m_findings;
-    std::map<std::pair<std::string, std::uint32_t>, std::size_t> m_byConfig; ///< config and first body of the piece
+    std::set<std::pair<std::uint32_t, std::uint32_t>> m_touching; ///< (robot, body)
+    std::vector<SupportFinding> m_findings;
+    std::map<std::pair<std::string, std::uint32_t>, std::size_t> m_byConfig; ///< by config and first body of the piece
     std::size_t m_measured = 0;
 };
 
 } // namespace
 
-void checkSupport(const Loaded& loaded, const StartScene& scene, Diagnostics& diagnostics, const std::stop_token& stop) {
+void checkSupport(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics, const std::stop_token& stop) {
     SupportCheck(loaded, scene, diagnostics).check(stop);
 }
 

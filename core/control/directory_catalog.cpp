@@ -13,14 +13,14 @@ namespace trundle {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::uint64_t kMostDescriptionBytes = 16u << 20;
+constexpr std::uint64_t kMaxDescriptionBytes = 16u << 20;
 
 bool isThere(const fs::path& path) {
     std::error_code ignored;
     return fs::exists(path, ignored);
 }
 
-/// With symbolic links resolved and no slash at the end.
+/// Resolves symbolic links and removes a trailing slash.
 fs::path realPath(const fs::path& path) {
     std::error_code ignored;
     const fs::path result = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
@@ -48,7 +48,7 @@ bool endsLike(const std::string& text, std::string_view ending) {
                       [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
 }
 
-/// `d/n` without the ending that one system or another puts there.
+/// `d/n` without the library extension of any system.
 fs::path stem(const std::string& written) {
     std::string path = slashed(written);
     for (const std::string_view ending : {".dll", ".so"})
@@ -73,18 +73,18 @@ std::string joined(const std::vector<std::string>& paths) {
     return text;
 }
 
-/// Every module in a folder and one folder further down, as #loadModule names it: controllers/linear_motion.
+/// All modules in a folder and its direct subfolders, named as in #loadModule: controllers/linear_motion.
 std::vector<std::string> modulesIn(const std::string& folder) {
-    constexpr std::size_t kMostLookedAt = 10'000;
+    constexpr std::size_t kMaxLookedAt = 10'000;
     std::vector<std::string> names;
     std::error_code ignored;
     std::size_t looked = 0;
     for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, ignored), end;
-         !ignored && at != end && looked < kMostLookedAt; at.increment(ignored), ++looked) {
+         !ignored && at != end && looked < kMaxLookedAt; at.increment(ignored), ++looked) {
         if (at.depth() > 0) at.disable_recursion_pending();
         const fs::path file = at->path();
         if (file.extension() != ".so" || !at->is_regular_file(ignored)) {
-            ignored.clear(); // a dangling link ends no search
+            ignored.clear(); // a dangling link does not end the search
             continue;
         }
         std::string name = file.stem().string();
@@ -95,7 +95,7 @@ std::vector<std::string> modulesIn(const std::string& folder) {
     return names;
 }
 
-/// The module that was probably meant: misspelt, or named without its folder or with a wrong one.
+/// The most likely intended module, if the name is misspelt or its folder is missing or wrong.
 std::string nearestModule(const std::string& written, const std::vector<std::string>& folders) {
     std::vector<std::string> names;
     for (const std::string& folder : folders)
@@ -113,7 +113,7 @@ std::string nearestModule(const std::string& written, const std::vector<std::str
 std::vector<std::string> moduleFileNames(const std::string& written) {
     const fs::path path = stem(written);
     const std::string folder = path.parent_path().string(), name = path.filename().string();
-    const std::string plain = name.starts_with("lib") ? name.substr(3) : name; // libn.so was written in full
+    const std::string plain = name.starts_with("lib") ? name.substr(3) : name; // for a name written as the file name libn.so
     std::vector<std::string> names;
     const auto add = [&](const std::string& where, const std::string& file) {
         const std::string full = where.empty() ? file : (fs::path(where) / file).string();
@@ -134,7 +134,7 @@ bool DirectoryCatalog::isTrusted(const std::string& folder) const {
            std::any_of(m_folders.trusted.begin(), m_folders.trusted.end(), below) || below(m_folders.program);
 }
 
-/// The library's path, after `folder`, each --modules and the program's folder have been tried in that order.
+/// The path of the library. Searches `folder`, then each --modules folder, then the program's module folder.
 Result<std::string> DirectoryCatalog::locate(const std::string& written, const std::string& folder) const {
     std::vector<std::string> places{folder};
     places.insert(places.end(), m_folders.modules.begin(), m_folders.modules.end());
@@ -148,7 +148,8 @@ Result<std::string> DirectoryCatalog::locate(const std::string& written, const s
             if (std::find(tried.begin(), tried.end(), path.string()) != tried.end()) continue;
             tried.push_back(path.string());
             if (!isThere(path)) continue;
-            // A path that climbs or is absolute counts by where it leads, any other also by the folder it was searched in.
+            // For an absolute path, or one that leaves the search folder with `..`, only the target's folder is checked for
+            // trust; otherwise the search folder counts too.
             const bool leadsAway = climbs(name) || fs::path(name).is_absolute();
             if (isTrusted(path.parent_path().string()) || (!leadsAway && isTrusted(place))) return absolutePath(path);
             if (untrusted.empty()) untrusted = path;
@@ -159,7 +160,7 @@ Result<std::string> DirectoryCatalog::locate(const std::string& written, const s
                          "the module " + written + " is the Python file " + python.string() + "; Python modules come later"};
     }
     if (!untrusted.empty()) return notTrusted(written, untrusted);
-    std::vector<std::string> shelves = m_folders.modules; // not the experiment's own folder, which may be anybody's home
+    std::vector<std::string> shelves = m_folders.modules; // without the experiment's folder, which may be a home folder
     shelves.push_back(m_folders.program);
     const std::string near = nearestModule(stem(written).string(), shelves);
     return Error{Code::ModuleNotFound, "there is no module " + written + (near.empty() ? "" : " (did you mean " + near + "?)") +
@@ -189,7 +190,7 @@ Result<ModuleListing> DirectoryCatalog::find(const std::string& written, const s
     ModuleListing listing{library.value(), false, {}};
     const std::string description = kindsJsonPath(library.value());
     if (!isThere(description)) return listing;
-    const auto text = readRegularFile(description, kMostDescriptionBytes);
+    const auto text = readRegularFile(description, kMaxDescriptionBytes);
     if (!text) return Error{Code::ModuleUndescribed, text.error().message};
     auto kinds = kindsFromJson(text.value(), library.value());
     if (!kinds) return kinds.error();

@@ -9,10 +9,10 @@ namespace {
 constexpr std::uint64_t kHeaderBytes = 64, kSymbolBytes = 24, kDynamicBytes = 16;
 constexpr std::uint64_t kLoadSegment = 1, kDynamic = 6, kDynamicSymbols = 11, kNoBits = 8;
 constexpr std::uint64_t kOldSearchPath = 15, kSearchPath = 29, kUnique = 10;
-constexpr std::uint64_t kMostBytes = 1ull << 62;
+constexpr std::uint64_t kMaxBytes = 1ull << 62;
 
 std::uint64_t endOf(std::uint64_t offset, std::uint64_t size) {
-    return offset > kMostBytes || size > kMostBytes ? kMostBytes : offset + size;
+    return offset > kMaxBytes || size > kMaxBytes ? kMaxBytes : offset + size;
 }
 
 } // namespace
@@ -89,7 +89,7 @@ std::vector<std::string> ElfReader::dynamicTexts(std::uint64_t tag) const {
 }
 
 std::string ElfReader::searched() const {
-    for (const std::uint64_t tag : {kSearchPath, kOldSearchPath}) // the old one counts where there is no other
+    for (const std::uint64_t tag : {kSearchPath, kOldSearchPath}) // the older tag counts only if the newer one is missing
         if (std::vector<std::string> texts = dynamicTexts(tag); !texts.empty()) return std::move(texts[0]);
     return {};
 }

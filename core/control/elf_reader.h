@@ -7,7 +7,7 @@
 
 namespace trundle {
 
-/// What the first bytes of an ELF file say, and its table of exported symbols. Reads bytes, follows no offset out of them.
+/// Reads the header of an ELF file and its table of exported symbols. Every offset is checked against the end of the bytes.
 class ElfReader {
 public:
     explicit ElfReader(std::string_view bytes) : m_bytes(bytes) {}
@@ -16,25 +16,25 @@ public:
         return m_bytes.starts_with("\x7f"
                                    "ELF");
     }
-    [[nodiscard]] int bits() const; ///< 32, 64, or 0 where the file does not say
+    [[nodiscard]] int bits() const; ///< 32, 64, or 0 if not specified
     [[nodiscard]] bool bigEndian() const { return m_bytes.size() > 5 && m_bytes[5] == 2; }
     [[nodiscard]] std::uint64_t type() const { return number(16, 2); }    ///< 1 object, 2 program, 3 shared object
     [[nodiscard]] std::uint64_t machine() const { return number(18, 2); } ///< 62 x86-64, 183 aarch64
 
     // For 64-bit little-endian files:
-    /// How many bytes its tables need the file to have.
+    /// The minimum file size required by its tables.
     [[nodiscard]] std::uint64_t bytesNeeded() const;
-    /// Whether it defines an exported symbol; nothing where the file has no table that tells.
+    /// Whether it defines an exported symbol; empty if the file has no usable symbol table.
     [[nodiscard]] std::optional<bool> exports(std::string_view symbol) const;
-    /// The names of the libraries that it needs, in order.
+    /// The names of the required libraries, in order.
     [[nodiscard]] std::vector<std::string> needs() const { return dynamicTexts(1); }
-    /// The folders, joined by colons, in which its loader looks for them; empty: none of its own.
+    /// The library search path (RUNPATH or RPATH), separated by colons; empty: none.
     [[nodiscard]] std::string searched() const;
-    /// Places in the file where the binding of an exported symbol is one for the whole process (STB_GNU_UNIQUE).
+    /// File offsets of the binding bytes of exported symbols with process-wide binding (STB_GNU_UNIQUE).
     [[nodiscard]] std::vector<std::size_t> uniqueBindings() const;
 
 private:
-    /// 0 where the bytes end before.
+    /// 0 beyond the end of the bytes.
     [[nodiscard]] std::uint64_t number(std::uint64_t offset, unsigned size) const;
     struct Section {
         std::uint64_t type, offset, size, link;
@@ -48,9 +48,9 @@ private:
     std::string_view m_bytes;
 };
 
-/// "x86-64" for 62; the number where the name is not known.
+/// "x86-64" for 62; the number itself if its name is unknown.
 [[nodiscard]] std::string elfMachineName(std::uint64_t machine);
-/// Of the machine this program was built for; 0 where that is no ELF machine known here.
+/// The ELF machine that this program was built for; 0 if unknown.
 [[nodiscard]] std::uint64_t ownElfMachine();
 
 } // namespace trundle

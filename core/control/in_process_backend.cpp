@@ -41,11 +41,11 @@ public:
     InProcessBackend& operator=(const InProcessBackend&) = delete;
     ~InProcessBackend() override { stop(); }
 
-    Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutlet outlet) override {
+    Status start(const SignalLayout& layout, SignalBlock& block, ControllerOutputs outputs) override {
         stop();
         m_layout = &layout;
         m_block = &block;
-        m_outlet = std::move(outlet);
+        m_outputs = std::move(outputs);
         m_failure.reset();
         m_tick = kSetupTick;
         m_draws = 0;
@@ -54,7 +54,7 @@ public:
         for (std::uint32_t i = 0; i < m_code.fieldCount; ++i)
             if (auto status = setField(i); !status) return status;
         const bool refused = m_code.setupController(m_instance, &m_table) != 0;
-        if (m_failure) return *m_failure; // a missing port says more than the setup that failed for it
+        if (m_failure) return *m_failure; // a missing port is a better message than the setup error it caused
         if (refused) return failed("failed in setup", m_code.lastError(m_instance));
         return {};
     }
@@ -85,11 +85,11 @@ public:
     }
 
 private:
-    /// Numbers drawn in setup are none of tick 0's.
+    /// Random numbers drawn in setup must differ from those of tick 0.
     static constexpr std::uint64_t kSetupTick = std::numeric_limits<std::uint64_t>::max();
 
     Error failed(const std::string& how, const char* why) const {
-        const std::string reason = moduleWords(why);
+        const std::string reason = moduleMessage(why);
         return {Code::ControllerFailed, "the controller " + std::string(m_code.name) + " of " + m_robot.name + " " + how +
                                             (reason.empty() ? "" : ": ") + reason};
     }
@@ -103,7 +103,7 @@ private:
         const TrundleField& field = m_code.fields[index];
         const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
         const std::size_t count = numeric ? value.numbers.size() : texts.size();
-        // The class reads as many elements as it has room for: a description that no longer fits must not make it read beyond.
+        // The class reads as many elements as its member has: an outdated description must not make it read out of bounds.
         if (count < field.minCount || count > field.maxCount)
             return failed(std::string("cannot take the value of ") + field.name, "wrong count of elements");
         const TrundleValue crossing{value.numbers.data(), texts.data(), static_cast<std::uint32_t>(count)};
@@ -116,13 +116,13 @@ private:
         auto& me = self(context);
         const std::string ofKind = moduleName(kind), named = moduleName(device), asked = moduleName(signal);
         const auto entry = PortNames(me.m_robot, *me.m_layout).bind(ofKind, named, asked);
-        if (entry && asked == "frame" && me.isNewWheneverAsked(ofKind, named)) return &me.m_noNumber;
+        if (entry && asked == "frame" && me.isAlwaysNew(ofKind, named)) return &me.m_noNumber;
         if (entry) return &me.m_block->slots()[entry.value()->offset];
         if (!me.m_failure) me.m_failure = entry.error();
         return nullptr;
     }
-    /// A camera without a stream takes its picture when it is asked: its port then sees no number that it could have seen before.
-    [[nodiscard]] bool isNewWheneverAsked(const std::string& kind, const std::string& device) const {
+    /// A camera without a stream renders on request, so every image is new to its port.
+    [[nodiscard]] bool isAlwaysNew(const std::string& kind, const std::string& device) const {
         if (kind != "Camera") return false;
         const auto named = [&](const ComponentSpec& component) { return component.name == device; };
         const auto found = std::ranges::find_if(m_robot.config->devices, named);
@@ -137,7 +137,7 @@ private:
         return nullptr;
     }
     static void finish(void* context, const char* reason) {
-        if (self(context).m_outlet.finish) self(context).m_outlet.finish(moduleWords(reason));
+        if (self(context).m_outputs.finish) self(context).m_outputs.finish(moduleMessage(reason));
     }
     static std::int32_t signalInfo(void* context, const char* device, const char* signal, std::uint32_t* count,
                                    std::uint32_t* direction) {
@@ -150,7 +150,7 @@ private:
     }
     static double time(void* context) { return self(context).m_time; }
     static void print(void* context, std::int32_t severity, const char* text) {
-        if (self(context).m_outlet.print) self(context).m_outlet.print(severity, moduleWords(text));
+        if (self(context).m_outputs.print) self(context).m_outputs.print(severity, moduleMessage(text));
     }
     static void fail(void* context, const char* text) {
         auto& me = self(context);
@@ -161,38 +161,39 @@ private:
         return randomBits(me.m_seed, me.m_pathHash, me.m_tick, me.m_draws++);
     }
     static std::int32_t openLog(void* context, const char* fileName) {
-        const auto& open = self(context).m_outlet.openLog;
+        const auto& open = self(context).m_outputs.openLog;
         return open ? open(moduleName(fileName)) : -1;
     }
     static void writeLog(void* context, std::int32_t log, const char* bytes, std::uint64_t count) {
-        const auto& write = self(context).m_outlet.writeLog;
+        const auto& write = self(context).m_outputs.writeLog;
         if (write && log >= 0 && bytes) write(log, std::string_view(bytes, count));
     }
 
-    std::int32_t told(const Status& status) {
+    std::int32_t reportStatus(const Status& status) {
         m_cameraError = status ? std::string() : status.error().message;
         return status ? 0 : 1;
     }
     static std::int32_t capture(void* context, const char* camera, TrundlePicture* picture) {
         auto& me = self(context);
-        if (!me.m_outlet.capture || !picture) return me.told(noPictures());
-        const Result<const Frame*> taken = me.m_outlet.capture(moduleName(camera));
-        if (!taken) return me.told(taken.error());
-        const Frame& frame = *taken.value();
+        if (!me.m_outputs.capture || !picture) return me.reportStatus(noPictures());
+        const Result<const CameraImage*> taken = me.m_outputs.capture(moduleName(camera));
+        if (!taken) return me.reportStatus(taken.error());
+        const CameraImage& frame = *taken.value();
         TrundlePicture all{picture->size, frame.width, frame.height, 0, frame.time, frame.pixels.data(), nullptr, nullptr};
         if (!frame.depth.empty()) all.depth = frame.depth.data();
         if (!frame.objects.empty()) all.objects = frame.objects.data();
         std::memcpy(picture, &all, std::min<std::size_t>(picture->size, sizeof all));
-        return me.told({});
+        return me.reportStatus({});
     }
     static std::int32_t savePicture(void* context, const char* camera, const char* fileName) {
         auto& me = self(context);
-        return me.told(me.m_outlet.savePicture ? me.m_outlet.savePicture(moduleName(camera), moduleName(fileName)) : noPictures());
+        return me.reportStatus(me.m_outputs.savePicture ? me.m_outputs.savePicture(moduleName(camera), moduleName(fileName))
+                                                        : noPictures());
     }
     static const char* objectName(void* context, std::uint32_t object) {
         auto& me = self(context);
-        if (!me.m_outlet.objectName) return nullptr;
-        me.m_objectName = me.m_outlet.objectName(object);
+        if (!me.m_outputs.objectName) return nullptr;
+        me.m_objectName = me.m_outputs.objectName(object);
         return me.m_objectName.empty() ? nullptr : me.m_objectName.c_str();
     }
     static const char* cameraError(void* context) { return self(context).m_cameraError.c_str(); }
@@ -202,31 +203,31 @@ private:
         auto& me = self(context);
         const auto entry = PortNames(me.m_robot, *me.m_layout).bind("Transceiver", moduleName(component), "rssi");
         const auto found =
-            me.m_outlet.medium ? me.m_outlet.medium->find(me.m_robot.name + "/" + moduleName(component)) : std::nullopt;
+            me.m_outputs.medium ? me.m_outputs.medium->find(me.m_robot.name + "/" + moduleName(component)) : std::nullopt;
         if (found) {
             *radio = *found;
             return 0;
         }
-        if (!me.m_failure) me.m_failure = entry ? me.failed("has no air for its radio", nullptr) : entry.error();
+        if (!me.m_failure) me.m_failure = entry ? me.failed("has no medium for its radio", nullptr) : entry.error();
         return 1;
     }
     static bool isRadio(const InProcessBackend& me, std::uint32_t radio) {
-        return me.m_outlet.medium && radio < me.m_outlet.medium->radioCount();
+        return me.m_outputs.medium && radio < me.m_outputs.medium->radioCount();
     }
     static std::uint32_t radioAddress(void* context, std::uint32_t radio) {
         const auto& me = self(context);
-        return isRadio(me, radio) ? me.m_outlet.medium->radio(radio).address : 0;
+        return isRadio(me, radio) ? me.m_outputs.medium->radio(radio).address : 0;
     }
     static std::int32_t sendPacket(void* context, std::uint32_t radio, const std::uint8_t* bytes, std::uint32_t count,
                                    std::uint32_t to, double power) {
         const auto& me = self(context);
-        return isRadio(me, radio) && me.m_outlet.medium->send(radio, {bytes, count}, to, power) ? 0 : 1;
+        return isRadio(me, radio) && me.m_outputs.medium->send(radio, {bytes, count}, to, power) ? 0 : 1;
     }
     static std::int32_t receivePacket(void* context, std::uint32_t radio, TrundlePacket* out) {
         auto& me = self(context);
         if (!isRadio(me, radio) || !out || out->size < sizeof(TrundlePacket)) return 0;
         RadioPacket packet;
-        if (!me.m_outlet.medium->receive(radio, packet)) return 0;
+        if (!me.m_outputs.medium->receive(radio, packet)) return 0;
         out->count = static_cast<std::uint32_t>(std::min(packet.bytes.size(), sizeof out->bytes));
         std::copy_n(packet.bytes.begin(), out->count, out->bytes);
         out->time = packet.time;
@@ -240,7 +241,7 @@ private:
     static constexpr TrundleRobotRadio kRadio{
         sizeof(TrundleRobotRadio), 0, &findRadio, &radioAddress, &sendPacket, &receivePacket};
 
-    const RobotSpec m_robot; // a copy: its name and values are handed out
+    const RobotSpec m_robot; // a copy, because pointers to its name and values are passed to the controller
     const TrundleKind& m_code;
     std::string m_library;
     TrundleRobot m_table{};
@@ -250,7 +251,7 @@ private:
     void* m_instance = nullptr;
     const SignalLayout* m_layout = nullptr;
     SignalBlock* m_block = nullptr;
-    ControllerOutlet m_outlet;
+    ControllerOutputs m_outputs;
     std::optional<Error> m_failure;
     std::uint64_t m_seed, m_pathHash, m_tick = kSetupTick, m_draws = 0;
     double m_time = 0;

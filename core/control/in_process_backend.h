@@ -9,12 +9,12 @@
 
 namespace trundle {
 
-/// The backend of a robot's controller, called in this process. `store` outlives it and has its module loaded; where it has not,
-/// fails with E413. For the runner's BackendFactory.
+/// The backend of a robot's controller, called in this process. Used as the runner's BackendFactory. `store` must outlive it and
+/// have loaded its module; otherwise fails with E413.
 [[nodiscard]] Result<std::unique_ptr<ControllerBackend>> makeInProcessBackend(const RobotSpec& robot,
                                                                               const SettingsSpec& settings,
                                                                               const ModuleStore& store);
-/// The same for a table that no module brings (tests, built-in controllers).
+/// The same for a function table without a module (tests, built-in controllers).
 [[nodiscard]] std::unique_ptr<ControllerBackend> makeInProcessBackend(const RobotSpec& robot, const SettingsSpec& settings,
                                                                       const TrundleKind& code, std::string library);
 

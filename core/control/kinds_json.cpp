@@ -42,7 +42,7 @@ template <std::size_t N> std::uint32_t indexOf(const char* const (&names)[N], co
     throw std::runtime_error("'" + name + "' is no type or direction of a signal");
 }
 
-/// JSON has no infinity.
+/// JSON has no infinity, so it becomes null.
 Json limit(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json toJson(const Property& p) {
@@ -141,14 +141,14 @@ std::string kindsToJson(const std::vector<Kind>& kinds) {
            {"interface", {TRUNDLE_ABI_MAJOR, TRUNDLE_ABI_MINOR}},
            {"kinds", Json::array()}};
     for (const Kind& kind : kinds) j["kinds"].push_back(toJson(kind));
-    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // a help text in broken UTF-8 is no reason to throw
+    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; // does not throw on invalid UTF-8
 }
 
 Result<std::vector<Kind>> kindsFromJson(const std::string& text, const std::string& library) {
     const auto fault = [&](const std::string& why) {
         return Error{Code::ModuleUndescribed, kindsJsonPath(library) + " cannot be used (" + why + "); build the module again"};
     };
-    try { // the JSON library reports by throwing
+    try { // the JSON library reports errors by exceptions
         const Json j = Json::parse(text);
         if (j.at("format").get<int>() != kFormat) return fault("it has another format");
         std::vector<Kind> kinds;

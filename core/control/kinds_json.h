@@ -1,5 +1,5 @@
 #pragma once
-// The description file of a module, `<library>.kinds.json`: what its kinds are, for those who must not run its code.
+// The description file of a module, `<library>.kinds.json`: its kinds, readable without running its code.
 
 #include <memory>
 #include <string>
@@ -15,10 +15,10 @@ namespace trundle {
 [[nodiscard]] std::string kindsJsonPath(const std::string& library);
 
 [[nodiscard]] std::string kindsToJson(const std::vector<Kind>& kinds);
-/// Fails with E408 and the place where a text is not such a description.
+/// Fails with E408 and the position if a text is not a valid description.
 [[nodiscard]] Result<std::vector<Kind>> kindsFromJson(const std::string& text, const std::string& library);
 
-/// Loads `library` (its code runs) and writes its description to `out`. What `trundle-cli describe --module` does.
+/// Loads `library` (its code runs) and writes its description to `out`. Used by `trundle-cli describe --module`.
 [[nodiscard]] Status writeKindsJson(const std::string& library, const std::string& out,
                                     std::shared_ptr<CallMonitor> calls = std::make_shared<CallMonitor>());
 

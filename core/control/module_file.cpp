@@ -10,7 +10,7 @@
 namespace trundle {
 namespace {
 
-constexpr std::uint64_t kMostModuleBytes = 1ull << 30;
+constexpr std::uint64_t kMaxModuleBytes = 1ull << 30;
 
 Error wrongFormat(const std::string& path, const std::string& why) { return {Code::ModuleWrongFormat, path + " " + why}; }
 
@@ -25,7 +25,7 @@ std::string notElf(const std::string& bytes) {
     return "is no shared library; it starts with \"" + start + "\"";
 }
 
-/// Whether the file was made for this program's machine.
+/// Checks that the file was built for this program's machine.
 Status checkMachine(const std::string& path, const ElfReader& elf) {
     if (elf.bits() == 32) return wrongFormat(path, "is a 32-bit library; this program is 64-bit");
     if (elf.bits() != 64) return wrongFormat(path, "is neither a 32-bit nor a 64-bit library");
@@ -59,7 +59,7 @@ Status check(const std::string& path, const std::string& bytes) {
 
 Result<std::string> readModuleFile(const std::string& path) {
     const auto before = regularFileStamp(path);
-    auto file = readRegularFile(path, kMostModuleBytes);
+    auto file = readRegularFile(path, kMaxModuleBytes);
     if (!file) return Error{Code::ModuleUnreadable, file.error().message};
     const auto after = regularFileStamp(path);
     if (!before || !after || !(before.value() == after.value()))

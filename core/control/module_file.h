@@ -5,10 +5,10 @@
 
 namespace trundle {
 
-/// Looks at a library before any of its code runs: a regular file, an ELF shared object of this machine, complete, exporting the
-/// entry symbol of a module. Fails with what is wrong, the path first (E403, E404, E405).
+/// Checks a library before any of its code runs: it must be a regular file and a complete ELF shared object of this machine that
+/// exports the module entry symbol. The error message begins with the path (E403, E404, E405).
 [[nodiscard]] Status checkModuleFile(const std::string& path);
-/// The same, and gives the bytes that it looked at.
+/// The same; returns the bytes that were checked.
 [[nodiscard]] Result<std::string> readModuleFile(const std::string& path);
 
 } // namespace trundle

@@ -13,28 +13,29 @@
 namespace trundle {
 namespace {
 
-constexpr std::uint32_t kMostKinds = 1000, kMostFields = 1000, kMostElements = 100000;
+constexpr std::uint32_t kMaxKinds = 1000, kMaxFields = 1000, kMaxElements = 100000;
 constexpr std::size_t kLongestText = 4000;
-constexpr std::uint32_t kPublishedSince = 3, kMostPublished = 1000; // minor version; numbers of one controller
+constexpr std::uint32_t kPublishedSince = 3, kMaxPublished = 1000; // minor ABI version; numbers per controller
 
 struct CommonFields {
     double updatePeriod = 0, budget = 0;
     std::optional<std::string> isolation;
     static void describe(Describe<CommonFields>& d) {
-        d.field("UpdatePeriod", &CommonFields::updatePeriod, seconds().within(0, 1e6), "Time between two turns; 0: every tick.");
+        d.field("UpdatePeriod", &CommonFields::updatePeriod, seconds().within(0, 1e6),
+                "Time between two updates; 0: every tick.");
         d.field("Isolation", &CommonFields::isolation, oneOf("none|module|robot"),
                 "Which controllers share a process; not given: as the experiment says.");
         d.field("Budget", &CommonFields::budget, milliseconds().within(0, 1e9),
-                "Time a turn may take before it is named as slow; 0: any.");
+                "Time an update may take before it is reported as slow; 0: any.");
     }
 };
 
-/// What is wrong with a descriptor as a whole.
+/// Reports what is wrong with a descriptor as a whole.
 Status checkDescriptor(const TrundleModule* module, const std::string& library) {
     const auto fault = [&](Code code, const std::string& why) { return Status(Error{code, library + " " + why}); };
     if (!module) return fault(Code::ModuleNoEntry, "gives no description of itself: describing its kinds failed");
     if (module->magic != TRUNDLE_MAGIC)
-        return fault(Code::ModuleWrongFormat, "answers with the wrong mark; it is no Trundle module");
+        return fault(Code::ModuleWrongFormat, "has a bad magic number; it is not a Trundle module");
     if (module->abiMajor != TRUNDLE_ABI_MAJOR || module->abiMinor > TRUNDLE_ABI_MINOR) {
         const auto version = [](std::uint32_t major, std::uint32_t minor) {
             return std::to_string(major) + "." + std::to_string(minor);
@@ -46,14 +47,14 @@ Status checkDescriptor(const TrundleModule* module, const std::string& library) 
                                                      : ": build the module again"));
     }
     if (module->size < sizeof(TrundleModule)) return fault(Code::ModuleWrongFormat, "has a description that is too short");
-    if (module->kindCount > kMostKinds || (module->kindCount > 0 && !module->kinds))
+    if (module->kindCount > kMaxKinds || (module->kindCount > 0 && !module->kinds))
         return fault(Code::ModuleWrongFormat, "has a broken table of kinds");
     return {};
 }
 
 bool isTerminated(const char* text) { return moduleTextLength(text, kLongestText).has_value(); }
 
-/// The text of a table; `ok` becomes false where there is none or it does not end.
+/// Copies the text of a table; `ok` becomes false if it is missing or not terminated.
 std::string copied(const char* text, bool& ok) {
     if (!isTerminated(text)) {
         ok = false;
@@ -77,7 +78,7 @@ bool copyField(const TrundleField& from, FieldInfo& to) {
     to.flags = from.flags;
     const TrundleValue& value = from.defaultValue;
     const bool numeric = from.type == TRUNDLE_NUMBER || from.type == TRUNDLE_INTEGER || from.type == TRUNDLE_BOOLEAN;
-    if (value.count > kMostElements || (value.count > 0 && !(numeric ? static_cast<const void*>(value.numbers) : value.texts)))
+    if (value.count > kMaxElements || (value.count > 0 && !(numeric ? static_cast<const void*>(value.numbers) : value.texts)))
         return false;
     for (std::uint32_t i = 0; i < value.count; ++i) {
         if (numeric) to.defaultNumbers.push_back(value.numbers[i]);
@@ -91,12 +92,12 @@ bool hasFunctions(const TrundleKind& kind) {
     return kind.role == TRUNDLE_CONTROLLER ? kind.setupController && kind.update : kind.setupDevice && (kind.act || kind.sense);
 }
 
-/// A kind built before interface 1.1 ends before them.
+/// Size of a kind built before ABI 1.1, without the alternatives.
 constexpr std::size_t kSizeWithoutAlternatives = offsetof(TrundleKind, alternatives);
 
 bool copyAlternatives(const TrundleKind& from, Kind& to) {
     if (from.size < sizeof(TrundleKind)) return true;
-    if (from.alternativesCount > kMostFields || (from.alternativesCount > 0 && !from.alternatives)) return false;
+    if (from.alternativesCount > kMaxFields || (from.alternativesCount > 0 && !from.alternatives)) return false;
     bool ok = true;
     for (std::uint32_t i = 0; i < from.alternativesCount; ++i) {
         const TrundleAlternatives& a = from.alternatives[i];
@@ -105,7 +106,7 @@ bool copyAlternatives(const TrundleKind& from, Kind& to) {
     return ok;
 }
 
-/// Copies one kind; an empty fault means it went well.
+/// Copies one kind; an empty fault means success.
 std::string copyKind(const TrundleKind& from, Kind& to) {
     bool ok = true;
     to.name = copied(from.name, ok);
@@ -113,8 +114,8 @@ std::string copyKind(const TrundleKind& from, Kind& to) {
     if (!ok) return "has no name or no end";
     if (from.role != TRUNDLE_CONTROLLER && from.role != TRUNDLE_DEVICE) return "is neither a controller nor a device";
     if (!hasFunctions(from)) return "lacks one of its functions";
-    const bool broken = from.fieldCount > kMostFields || from.signalCount > kMostFields ||
-                        (from.fieldCount > 0 && !from.fields) || (from.signalCount > 0 && !from.signals);
+    const bool broken = from.fieldCount > kMaxFields || from.signalCount > kMaxFields || (from.fieldCount > 0 && !from.fields) ||
+                        (from.signalCount > 0 && !from.signals);
     if (broken) return "has a broken table of fields or signals";
     const bool controller = from.role == TRUNDLE_CONTROLLER;
     to.role = controller ? Role::Controller : Role::Device;
@@ -134,7 +135,7 @@ std::string copyKind(const TrundleKind& from, Kind& to) {
     return kindFault(to);
 }
 
-/// What a controller describes as its signals meant nothing before interface 1.3.
+/// Before ABI 1.3 the signals of a controller had no meaning.
 std::string publishedFault(const Kind& kind, std::uint32_t abiMinor) {
     if (kind.role != Role::Controller || abiMinor < kPublishedSince) return {};
     std::uint64_t numbers = 0;
@@ -143,8 +144,8 @@ std::string publishedFault(const Kind& kind, std::uint32_t abiMinor) {
             return "has a signal " + s.name + " that is no output: a controller publishes outputs alone";
         numbers += s.count;
     }
-    if (numbers <= kMostPublished) return {};
-    return "publishes " + std::to_string(numbers) + " numbers; at most " + std::to_string(kMostPublished) + " are possible";
+    if (numbers <= kMaxPublished) return {};
+    return "publishes " + std::to_string(numbers) + " numbers; at most " + std::to_string(kMaxPublished) + " are possible";
 }
 
 bool isName(const std::string& text) {
@@ -160,7 +161,7 @@ std::string propertyFault(const Property& p) {
     const std::string field = "has a field " + p.name + " ";
     if (!std::isfinite(p.scale) || p.scale == 0) return field + "whose scale is no number";
     if (!(p.minimum <= p.maximum)) return field + "whose range is empty";
-    if (p.minCount > p.maxCount || p.maxCount == 0 || p.maxCount > kMostElements) return field + "whose count is none";
+    if (p.minCount > p.maxCount || p.maxCount == 0 || p.maxCount > kMaxElements) return field + "whose count is none";
     if (p.type == PropertyType::Choice && p.choices.empty()) return field + "without choices";
     if (p.defaultValue && (p.defaultValue->count() < p.minCount || p.defaultValue->count() > p.maxCount))
         return field + "whose default has the wrong count";
@@ -174,7 +175,7 @@ std::string propertyFault(const Property& p) {
     return {};
 }
 
-/// Each must be able to be absent, or there would be nothing to choose.
+/// Each alternative must be optional, otherwise there is no choice.
 std::string alternativesFault(const Kind& kind, const Alternatives& alternatives) {
     if (alternatives.names.size() < 2) return "has a choice between fewer than two fields";
     for (const std::string& name : alternatives.names) {
@@ -201,7 +202,7 @@ std::string kindFault(const Kind& kind) {
     for (const SignalDescription& s : kind.signals) {
         if (!isName(s.name)) return "has a signal whose name '" + s.name + "' is no name";
         if (!names.insert(s.name).second) return "has two signals named " + s.name;
-        if (s.count == 0 || s.count > kMostElements) return "has a signal " + s.name + " of no size";
+        if (s.count == 0 || s.count > kMaxElements) return "has a signal " + s.name + " of no size";
         if (s.type < TRUNDLE_REAL_SIGNAL || s.type > TRUNDLE_BOOLEAN_SIGNAL || s.direction < TRUNDLE_OUTPUT ||
             s.direction > TRUNDLE_TRUTH)
             return "has a signal " + s.name + " of an unknown type";

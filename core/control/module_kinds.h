@@ -9,20 +9,20 @@
 
 namespace trundle {
 
-/// Copies of the kinds of a module's descriptor, after the mark, the versions and every table in it have been checked. `library` is
-/// named in messages and becomes Kind::module. Fields common to all controllers are not among them: see addControllerFields.
+/// Checks the magic number, the versions and every table of a module's descriptor, and copies its kinds. `library` is named in
+/// messages and becomes Kind::module. The fields common to all controllers are not included: see addControllerFields.
 [[nodiscard]] Result<std::vector<Kind>> kindsOfModule(const TrundleModule* module, const std::string& library);
 
-/// Why a module's kind cannot be used (a name that is no name, a range that is none ...); empty where it can.
+/// Why a module's kind cannot be used (an invalid name, an invalid range ...); empty if it can.
 [[nodiscard]] std::string kindFault(const Kind& kind);
 
-/// Adds what every controller block has: UpdatePeriod, Isolation, Budget. Other kinds are left alone.
+/// Adds the fields of every controller block: UpdatePeriod, Isolation, Budget. Other kinds are unchanged.
 void addControllerFields(Kind& kind);
 
 /// The values of those fields in a robot's controller block.
 struct ControllerSettings {
     double updatePeriod = 0; ///< s; 0: every tick
-    std::string isolation;   ///< empty: as the experiment says
+    std::string isolation;   ///< empty: as set in the experiment
     double budget = 0;       ///< s; 0: none
 };
 struct ComponentSpec;

@@ -13,17 +13,17 @@
 namespace trundle {
 namespace {
 
-constexpr std::uint64_t kMostDescriptionBytes = 16u << 20;
-constexpr int kGlobalBinding = 1; // STB_GLOBAL of ELF
+constexpr std::uint64_t kMaxDescriptionBytes = 16u << 20;
+constexpr int kGlobalBinding = 1; // STB_GLOBAL in ELF
 
-/// Never a bare name for the loader to search for. Links stay: the description lies beside the name that was given.
+/// An absolute path, so that the loader does not search. Links are not resolved: the description is next to the given name.
 std::string absolutePath(const std::string& path) {
     std::error_code ignored;
     const auto absolute = std::filesystem::absolute(path, ignored).lexically_normal();
     return absolute.empty() ? path : absolute.string();
 }
 
-/// The loader's own words, without the path that they start with, and the symbol's name where one is missing.
+/// The loader's message without its leading path; includes the symbol name if one is missing.
 Error loaderError(const std::string& path, const Error& error) {
     std::string words = error.message;
     if (words.starts_with(path + ": ")) words.erase(0, path.size() + 2);
@@ -37,7 +37,7 @@ Error loaderError(const std::string& path, const Error& error) {
     return {error.code, path + " cannot be opened: " + words};
 }
 
-/// The libraries that `$ORIGIN` in a module leads to.
+/// The libraries that `$ORIGIN` in a module refers to.
 std::vector<std::string> librariesBeside(const std::string& path, const ElfReader& elf) {
     const std::string origin = std::filesystem::path(path).parent_path().string(), searched = elf.searched();
     std::vector<std::string> found;
@@ -62,13 +62,14 @@ std::vector<std::string> librariesBeside(const std::string& path, const ElfReade
     return found;
 }
 
-/// A copy has another origin than the file. What lies beside the file is therefore opened first: the loader knows it again by the
-/// name that it gives itself. Where it gives none, or the system no memory, the file itself is opened: it must stay as it is then.
+/// A copy in memory has another $ORIGIN than the file. Libraries next to the file are therefore loaded first; the loader
+/// recognises them by their soname. If a library has no soname, or memory is not available, the file itself is loaded and must
+/// not be changed while it is in use.
 Result<DynamicLibrary> openModule(const std::string& path, std::string bytes, std::vector<DynamicLibrary>& beside) {
     const ElfReader elf(bytes);
     for (const std::string& library : librariesBeside(path, elf))
         if (auto opened = DynamicLibrary::open(library)) beside.push_back(std::move(opened).value());
-    // Unique symbols would be shared with the module's earlier versions, whatever their size was there, and keep it loaded.
+    // Unique symbols would be shared with earlier versions of the module, even with another size, and would keep it loaded.
     for (const std::size_t place : elf.uniqueBindings())
         bytes[place] = static_cast<char>((bytes[place] & 0xf) | kGlobalBinding << 4);
     auto copy = DynamicLibrary::openCopy(path, bytes);
@@ -76,8 +77,8 @@ Result<DynamicLibrary> openModule(const std::string& path, std::string bytes, st
     return DynamicLibrary::open(path);
 }
 
-/// Without words for people, which change nothing of a run, and with what every controller has.
-std::string substanceOf(std::vector<Kind> kinds) {
+/// The description with the common controller fields and without help texts, which do not affect a run.
+std::string contentOf(std::vector<Kind> kinds) {
     for (Kind& kind : kinds) {
         addControllerFields(kind);
         kind.help.clear();
@@ -95,9 +96,9 @@ std::vector<Kind> kindsFrom(const std::string& library, const Registry& registry
     return kinds;
 }
 
-/// What the file beside a library says now; nothing where there is none that can be read.
+/// The current content of the description file next to a library; empty if it cannot be read.
 std::optional<std::vector<Kind>> describedKinds(const std::string& library) {
-    const auto text = readRegularFile(kindsJsonPath(library), kMostDescriptionBytes);
+    const auto text = readRegularFile(kindsJsonPath(library), kMaxDescriptionBytes);
     if (!text) return {};
     auto kinds = kindsFromJson(text.value(), library);
     if (!kinds) return {};
@@ -168,7 +169,7 @@ const TrundleKind* ModuleStore::find(std::string_view kind, std::uint32_t role) 
 
 void loadModules(const ExperimentSpec& experiment, const Registry& registry, ModuleStore& store, Diagnostics& diagnostics) {
     for (const ModuleSpec& spec : experiment.modules) {
-        if (spec.library.empty()) continue; // said when it was not found
+        if (spec.library.empty()) continue; // already reported when it was not found
         const auto module = store.load(spec.library);
         if (!module) {
             diagnostics.error(module.error().code, spec.range, module.error().message);
@@ -176,22 +177,22 @@ void loadModules(const ExperimentSpec& experiment, const Registry& registry, Mod
         }
         const auto described = describedKinds(spec.library);
         const std::vector<Kind> checked = kindsFrom(spec.library, registry);
-        if (!described && checked.empty()) continue; // no description at all is another's warning
+        if (!described && checked.empty()) continue; // a missing description has its own warning
         const std::vector<Kind>& now = module.value()->kinds;
         const bool isOld = !described || kindsToJson(*described) != kindsToJson(now);
-        const std::string old = kindsJsonPath(spec.library) + " no longer says what the module says; build the module again";
-        if (substanceOf(checked) != substanceOf(now))
+        const std::string old = kindsJsonPath(spec.library) + " no longer matches the module; build the module again";
+        if (contentOf(checked) != contentOf(now))
             diagnostics.error(Code::ModuleDescriptionStale, spec.range,
                               isOld ? old : spec.library + " was rebuilt: reload it (Ctrl+Shift+R)");
         else if (isOld) diagnostics.warning(Code::ModuleDescriptionStale, spec.range, old);
     }
 }
 
-bool describedAnew(const ExperimentSpec& experiment, const Registry& registry) {
+bool descriptionChanged(const ExperimentSpec& experiment, const Registry& registry) {
     return std::ranges::any_of(experiment.modules, [&](const ModuleSpec& spec) {
         if (spec.library.empty()) return false;
-        return substanceOf(kindsFrom(spec.library, registry)) !=
-               substanceOf(describedKinds(spec.library).value_or(std::vector<Kind>()));
+        return contentOf(kindsFrom(spec.library, registry)) !=
+               contentOf(describedKinds(spec.library).value_or(std::vector<Kind>()));
     });
 }
 

@@ -16,29 +16,29 @@
 
 namespace trundle {
 
-/// An opened module.
+/// A loaded module.
 struct LoadedModule {
     std::string library;
-    std::vector<DynamicLibrary> beside; ///< libraries that the code needs, from the module's own folder
+    std::vector<DynamicLibrary> beside; ///< libraries from the module's own folder that it depends on
     DynamicLibrary code;
     const TrundleModule* descriptor = nullptr;
     const CallTarget* target = nullptr;
     std::vector<Kind> kinds;
 };
 
-/// The libraries of one run. It must outlive every controller and device made from them.
+/// The libraries of one run. Must outlive every controller and device created from them.
 class ModuleStore {
 public:
-    /// `calls` hears which module is being loaded or unloaded, and from where each kind comes.
+    /// `calls` records which module is being loaded or unloaded, and which library provides each kind.
     explicit ModuleStore(std::shared_ptr<CallMonitor> calls = std::make_shared<CallMonitor>()) : m_calls(std::move(calls)) {}
     ~ModuleStore();
     ModuleStore(const ModuleStore&) = delete;
     ModuleStore& operator=(const ModuleStore&) = delete;
 
-    /// Checks the file, opens a copy of it in memory, so that the file may be built anew meanwhile, and checks its descriptor. The
-    /// second time gives the same module.
+    /// Checks the file, loads a copy of it from memory, so that the file can be rebuilt meanwhile, and checks its descriptor. A
+    /// second call returns the same module.
     [[nodiscard]] Result<const LoadedModule*> load(const std::string& library);
-    /// The module that brings a kind of this role (TRUNDLE_CONTROLLER, TRUNDLE_DEVICE); nullptr: none.
+    /// The module that provides a kind with this role (TRUNDLE_CONTROLLER, TRUNDLE_DEVICE); nullptr: none.
     [[nodiscard]] const LoadedModule* owner(std::string_view kind, std::uint32_t role) const;
     [[nodiscard]] const TrundleKind* find(std::string_view kind, std::uint32_t role) const;
 
@@ -48,11 +48,12 @@ private:
     std::vector<std::unique_ptr<LoadedModule>> m_modules;
 };
 
-/// Loads the modules of an experiment. What cannot be used is an error at its #loadModule, and so is a module whose kinds are others
-/// than those in `registry`, which the text was checked with. A description file where only words are old is a warning (E412).
+/// Loads the modules of an experiment. An error is reported at the #loadModule of a module that cannot be used or whose kinds
+/// differ from those in `registry`, with which the text was checked. If only the help texts of the description file are outdated,
+/// the result is a warning (E412).
 void loadModules(const ExperimentSpec& experiment, const Registry& registry, ModuleStore& store, Diagnostics& diagnostics);
 
-/// Whether the description file of a module of the experiment says something else now than `registry`, which was filled from it.
-[[nodiscard]] bool describedAnew(const ExperimentSpec& experiment, const Registry& registry);
+/// Whether the description file of any module of the experiment now differs from `registry`, which was filled from it.
+[[nodiscard]] bool descriptionChanged(const ExperimentSpec& experiment, const Registry& registry);
 
 } // namespace trundle

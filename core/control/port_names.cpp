@@ -31,7 +31,7 @@ Error unknown(const RobotSpec& robot, const std::string& what) { return {Code::U
 
 } // namespace
 
-/// The robot's devices; those of the kind that was asked for alone where it has some.
+/// Names of the robot's devices; only those of the requested kind if there are any.
 std::string PortNames::devices(const std::string& kind) const {
     std::vector<std::string> fitting, all;
     for (const ComponentSpec& device : m_robot.config->devices) {
@@ -77,7 +77,7 @@ Result<const SignalEntry*> PortNames::bind(const std::string& kind, const std::s
                                     signalsBelow(prefix, false));
     if (entry->direction == SignalDirection::Truth)
         return unknown(m_robot, "gives '" + device + "/" + signal +
-                                    "' through the port groundTruth alone: a real robot could not know it");
+                                    "' through the port groundTruth alone: a real robot cannot measure it");
     return entry;
 }
 

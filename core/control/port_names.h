@@ -8,18 +8,18 @@
 
 namespace trundle {
 
-/// Finds what a controller's port names among its robot's signals.
+/// Resolves the names of a controller's ports among its robot's signals.
 class PortNames {
 public:
     PortNames(const RobotSpec& robot, const SignalLayout& layout) : m_robot(robot), m_layout(layout) {}
 
-    /// The entry of a signal of a device of this kind ("": any). Ground truth is the kind GroundTruth named groundTruth, and nothing
-    /// else gives it. Fails with E411, naming what there is.
+    /// The entry of a signal of a device of this kind ("": any). Ground truth is available only through kind GroundTruth with the
+    /// name groundTruth. Fails with E411 and lists the available names.
     [[nodiscard]] Result<const SignalEntry*> bind(const std::string& kind, const std::string& device,
                                                   const std::string& signal) const;
-    /// The entry of a signal that the controller's kind describes. Fails with E411, naming those that there are.
+    /// The entry of a signal described by the controller's kind. Fails with E411 and lists the available ones.
     [[nodiscard]] Result<const SignalEntry*> published(const std::string& signal) const;
-    /// Without a failure to tell: nullptr where there is none. Empty `signal`: any of the device's.
+    /// The same without an error: nullptr if there is none. Empty `signal`: any signal of the device.
     [[nodiscard]] const SignalEntry* look(const std::string& device, const std::string& signal) const;
 
 private:

@@ -24,7 +24,7 @@ Status addDeviceKinds(Registry& registry) {
 }
 
 const TrundleKind* findBuiltInDevice(std::string_view kind) {
-    static const ModuleRegistry builtIn = [] { // immutable once made
+    static const ModuleRegistry builtIn = [] { // immutable after construction
         ModuleRegistry r;
         r.device<RotaryMotor>("RotaryMotor");
         r.device<DifferentialDrive>("DifferentialDrive");

@@ -1,5 +1,5 @@
 #pragma once
-// The devices that come with the program. Each is written against the SDK alone, as a module's device is.
+// The built-in devices. Like the devices of a module, each uses only the SDK.
 
 #include <string_view>
 
@@ -9,10 +9,10 @@
 
 namespace trundle {
 
-/// Adds their kinds. Fails only where one of the names is taken.
+/// Adds their kinds to the registry. Fails only if a name is already used.
 [[nodiscard]] Status addDeviceKinds(Registry& registry);
 
-/// The table of functions of a built-in device; nullptr where there is none of that name. Good for the whole program.
+/// The function table of a built-in device; nullptr if there is none with that name. Valid for the whole program.
 [[nodiscard]] const TrundleKind* findBuiltInDevice(std::string_view kind);
 
 } // namespace trundle

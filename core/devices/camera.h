@@ -3,7 +3,7 @@
 
 namespace trundle {
 
-/// Tells when its newest picture was taken. The picture itself is drawn where somebody asks for it, from these same fields.
+/// Publishes the time of its newest image. The image itself is rendered only on request, from the same fields.
 class Camera final : public Device {
 public:
     static void describe(Describe<Camera>& d);
@@ -19,7 +19,7 @@ private:
     bool m_seesSelf = true;
 
     Slot m_frame, m_time;
-    double m_taken = 0; ///< pictures so far
+    double m_taken = 0; ///< number of images so far
 
 public:
     Camera();

@@ -6,7 +6,7 @@
 namespace trundle {
 namespace {
 
-/// Beyond this turn per tick the wheels' hinges open and heading is lost.
+/// rad; above this rotation per tick the wheel hinges separate and the heading is inaccurate.
 constexpr double kMaxTurnPerTick = 0.1;
 
 template <class... Values> std::string formatted(const char* pattern, Values... values) {
@@ -108,8 +108,8 @@ void DifferentialDrive::drive(Actuation& world, Wheel& wheel, double rate) {
     wheel.lastTarget = rate;
 }
 
-/// Feed-forward plus PI. The error pairs the rate that was asked of the last tick with the rate it ended at, so its integral is the
-/// wheel's error of angle: at rest that goes to zero, and with it what an amount is short of.
+/// Feed-forward plus PI. The error is the target of the last tick minus the rate reached at its end, so the integral is the
+/// wheel's angle error: it converges to zero at rest, and with it the remaining error of an amount.
 double DifferentialDrive::piVoltage(const Services& world, Wheel& wheel, double rate) const {
     const double error = wheel.lastTarget - world.jointRate(wheel.joint);
     const double angle = wheel.errorAngle + error * world.tick();
@@ -121,15 +121,15 @@ double DifferentialDrive::piVoltage(const Services& world, Wheel& wheel, double 
 }
 
 void DifferentialDrive::warnOfSpeeds(const Services& world, const ChassisMotion& velocity, const WheelMotion& rates) {
-    if (!m_toldTurn && std::abs(velocity.angular) * world.tick() > kMaxTurnPerTick) {
-        m_toldTurn = true;
+    if (!m_reportedTurnRate && std::abs(velocity.angular) * world.tick() > kMaxTurnPerTick) {
+        m_reportedTurnRate = true;
         world.warn(formatted("turning at %.3g rad/s is too fast for a tick of %.3g s: heading gets inexact above %.3g rad/s",
                              velocity.angular, world.tick().value, kMaxTurnPerTick / world.tick()));
     }
     const double fastest = std::max(std::abs(rates.left), std::abs(rates.right));
     const double possible = std::min(m_left.maxVoltage / m_left.voltsPerRate, m_right.maxVoltage / m_right.voltsPerRate);
-    if (!m_toldSpeed && fastest > possible) {
-        m_toldSpeed = true;
+    if (!m_reportedSpeed && fastest > possible) {
+        m_reportedSpeed = true;
         world.warn(formatted("a wheel is to turn at %.3g rad/s, its motor reaches %.3g rad/s at MaxVoltage", fastest, possible));
     }
 }
@@ -139,17 +139,17 @@ void DifferentialDrive::sense(Sensing& world) {
     const WheelMotion turned{left - m_left.angle, right - m_right.angle};
     m_left.angle = left;
     m_right.angle = right;
-    m_reckoned = alongArc(m_reckoned, chassisFromWheels(turned, m_radiusM, m_separationM));
-    m_odometry.set(0, m_reckoned.x);
-    m_odometry.set(1, m_reckoned.y);
-    m_odometry.set(2, m_reckoned.heading);
+    m_odometryPose = alongArc(m_odometryPose, chassisFromWheels(turned, m_radiusM, m_separationM));
+    m_odometry.set(0, m_odometryPose.x);
+    m_odometry.set(1, m_odometryPose.y);
+    m_odometry.set(2, m_odometryPose.heading);
     m_done.set(!m_profile.busy());
     m_busy.set(m_profile.busy());
     if (!m_profile.busy()) m_finished.set(m_seen);
     publishTruth(world);
 }
 
-/// The axle's middle lies between the two anchors; left of it is the left one.
+/// The axle's centre is midway between the two anchors; the left anchor gives the direction of +y.
 void DifferentialDrive::publishTruth(const Services& world) {
     Vec3 left, right, axis;
     if (!world.jointAnchor(m_left.joint, left, axis) || !world.jointAnchor(m_right.joint, right, axis)) return;

@@ -1,32 +1,32 @@
 #pragma once
 #include <trundle/device.h>
 
-#include "devices/commands.h"
+#include "devices/command_slot.h"
 #include "devices/drive_profile.h"
 #include "devices/kinematics.h"
 
 namespace trundle {
 
-/// Converts chassis motion into wheel speeds for a two-wheeled base (thesis eqs. 3.4-3.7) and commands its two motors.
-/// Lives on its robot; commands are read once per tick in act, before the motors act. Odometry comes from the joints' angles alone.
+/// Converts chassis motion into wheel speeds for a two-wheeled base (thesis eqs. 3.4-3.7) and commands its two motors. Belongs to
+/// a robot; commands are read once per tick in act, before the motors act. Odometry uses only the joint angles.
 class DifferentialDrive final : public Device {
 public:
     static void describe(Describe<DifferentialDrive>& d);
-    /// Binds both motors. Fails with the names that exist if one is missing.
+    /// Binds both motors. If one is missing, fails with a list of the available names.
     void setup(Mount& mount) override;
     void act(Actuation& world) override;
     void sense(Sensing& world) override;
 
 private:
     enum class Control { Servo, Pi, Voltage };
-    /// One motor and the joint it turns.
+    /// One motor and its joint.
     struct Wheel {
         JointId joint;
         Slot servo, targetRate, voltage;
-        double voltsPerRate = 0; ///< back-EMF seen at the joint, V s/rad
+        double voltsPerRate = 0; ///< back-EMF at the joint, V s/rad
         double maxVoltage = 0;
         double lastTarget = 0; ///< rad/s
-        double errorAngle = 0; ///< rad, integral of the rate's error
+        double errorAngle = 0; ///< rad, integral of the rate error
         double angle = 0;      ///< rad, at the last sense
     };
     [[nodiscard]] Wheel mountWheel(Mount& mount, const std::string& motor);
@@ -47,9 +47,9 @@ private:
     CommandSlot m_linear, m_angular, m_linearAmount, m_angularAmount, m_sequence;
     Slot m_pose, m_odometry, m_done, m_busy, m_finished;
     DriveProfile m_profile;
-    double m_seen = 0; ///< sequence number of the amount last started or refused
-    PlanePose m_reckoned;
-    bool m_toldTurn = false, m_toldSpeed = false;
+    double m_seen = 0; ///< sequence number of the last amount started or refused
+    PlanePose m_odometryPose;
+    bool m_reportedTurnRate = false, m_reportedSpeed = false;
 };
 
 } // namespace trundle

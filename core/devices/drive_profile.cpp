@@ -9,17 +9,17 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The time a change of velocity takes where both axes share it.
+/// The duration of a velocity change that both axes finish together, s.
 double rampTime(const ChassisMotion& change, const DriveLimits& limits) {
     const double linear = limits.linear > 0 ? std::abs(change.linear) / limits.linear : 0;
     const double angular = limits.angular > 0 ? std::abs(change.angular) / limits.angular : 0;
     return std::max(linear, angular);
 }
 
-/// How fast the shared scale may run so that amount * scale stays within `limit`.
+/// The highest rate of the shared scale at which amount * scale stays within `limit`.
 double scaleLimit(double limit, double amount) { return amount == 0 ? kInfinity : limit / std::abs(amount); }
 
-/// Why an axis cannot do its amount.
+/// Why an axis cannot drive its amount; empty if it can.
 std::optional<std::string> refusal(double velocity, double amount, const char* axis) {
     if (amount == 0) return {};
     if (velocity == 0) return std::string(axis) + " amount with no " + axis + " velocity";
@@ -35,7 +35,7 @@ double UnitTrapezoid::peak() const { return std::min(rate, std::sqrt(acceleratio
 
 double UnitTrapezoid::duration() const {
     return std::isfinite(peak()) ? 1 / peak() + peak() / acceleration : 0;
-} // infinite: nothing to cover
+} // infinite rate: nothing left to drive
 
 double UnitTrapezoid::position(double t) const {
     const double total = duration(), rise = peak() / acceleration;
@@ -63,7 +63,7 @@ std::optional<std::string> DriveProfile::start(const ChassisMotion& velocity, co
     aim({});
     if (auto why = refusal(velocity.linear, amount.linear, "linear")) return why;
     if (auto why = refusal(velocity.angular, amount.angular, "angular")) return why;
-    ChassisMotion wanted = amount; // the axis without an amount goes along for as long as the other takes
+    ChassisMotion wanted = amount; // an axis without an amount moves for as long as the other one
     if (amount.linear == 0 && amount.angular != 0) wanted.linear = velocity.linear * (amount.angular / velocity.angular);
     if (amount.angular == 0 && amount.linear != 0) wanted.angular = velocity.angular * (amount.linear / velocity.linear);
     if (!std::isfinite(wanted.linear) || !std::isfinite(wanted.angular)) return "the amounts are too large for these velocities";
@@ -72,7 +72,7 @@ std::optional<std::string> DriveProfile::start(const ChassisMotion& velocity, co
     m_brakeTime = rampTime(m_now, limits);
     m_remainder = {wanted.linear == 0 ? 0 : wanted.linear - m_now.linear * m_brakeTime / 2,
                    wanted.angular == 0 ? 0 : wanted.angular - m_now.angular * m_brakeTime / 2};
-    // Braking and starting overlap where they go the same way: the sum then keeps its speed. Otherwise brake first.
+    // Braking and starting overlap if both have the same direction, since the speed is then kept. Otherwise brake first.
     const bool brakeFirst =
         opposed(m_now.linear, wanted.linear, m_remainder.linear) || opposed(m_now.angular, wanted.angular, m_remainder.angular);
     m_delay = brakeFirst ? m_brakeTime : 0;
@@ -91,7 +91,7 @@ ChassisMotion DriveProfile::next(const DriveLimits& limits, double h) {
     m_elapsed += 1;
     const ChassisMotion to = positionAt(m_elapsed * h);
     m_now = velocityAt(m_elapsed * h);
-    m_busy = (m_elapsed + 1e-9) * h < duration(); // no tick more for the last bit of a sum
+    m_busy = (m_elapsed + 1e-9) * h < duration(); // no extra tick for a rounding error
     return {(to.linear - from.linear) / h, (to.angular - from.angular) / h};
 }
 
@@ -108,7 +108,7 @@ double DriveProfile::duration() const { return std::max(m_brakeTime, m_delay + m
 
 ChassisMotion DriveProfile::positionAt(double t) const {
     const double braking = std::min(t, m_brakeTime);
-    const double covered = m_brakeTime > 0 ? braking - braking * braking / (2 * m_brakeTime) : 0; // s at the start velocity
+    const double covered = m_brakeTime > 0 ? braking - braking * braking / (2 * m_brakeTime) : 0; // s at full start velocity
     const double s = m_shape.position(t - m_delay);
     return {m_startVelocity.linear * covered + m_remainder.linear * s,
             m_startVelocity.angular * covered + m_remainder.angular * s};

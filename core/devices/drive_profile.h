@@ -1,11 +1,11 @@
 #pragma once
-// Plans the velocity of a base tick by tick: ramps towards a velocity, or a trapezoid that ends an amount exactly.
+// Plans the velocity of a base tick by tick: ramps to a velocity, or a trapezoid that covers an amount (m, rad) exactly.
 //
-// needs       commands and acceleration limits; an acceleration of 0 means none is set
-// assumptions the tick does not change while an amount is under way
-// method      an amount has a position P(t) of its own; the velocity of tick k is (P(t_k+1) - P(t_k)) / h, so that the ticks add up
-//             to the amount to the last bit of a sum, whatever h is
-// data        P = what braking from the start velocity covers + remainder * S(t), S a trapezoid from 0 to 1 shared by both amounts
+// needs       commands and acceleration limits; an acceleration of 0 means no limit
+// assumptions the tick length does not change while an amount is being driven
+// method      an amount has its own position P(t); the velocity of tick k is (P(t_k+1) - P(t_k)) / h, so that the ticks add up
+//             to the amount except for rounding, for any h
+// data        P = braking distance from the start velocity + remainder * S(t), S a trapezoid from 0 to 1 shared by both amounts
 
 #include <optional>
 #include <string>
@@ -32,14 +32,15 @@ struct DriveLimits {
 
 class DriveProfile {
 public:
-    /// From now on ramps towards this velocity; linear and angular arrive together, so the curve is kept. Ends an amount.
+    /// Sets the velocity to ramp to; linear and angular arrive together, so the curvature is kept. Cancels an amount.
     void aim(const ChassisMotion& velocity);
-    /// Starts an amount; an amount of 0 is no limit on its axis. Says why where it makes no sense; then it only brakes.
+    /// Starts an amount; an amount of 0 means no limit on its axis. Returns the reason if it is refused; then the base only
+    /// brakes.
     [[nodiscard]] std::optional<std::string> start(const ChassisMotion& velocity, const ChassisMotion& amount,
                                                    const DriveLimits& limits);
-    /// The mean velocity of the next tick.
+    /// The mean velocity over the next tick of length `h` (s).
     [[nodiscard]] ChassisMotion next(const DriveLimits& limits, double h);
-    /// An amount is under way.
+    /// An amount is being driven.
     [[nodiscard]] bool busy() const { return m_busy; }
 
 private:
@@ -49,9 +50,9 @@ private:
     [[nodiscard]] double duration() const;
 
     ChassisMotion m_now;    ///< velocity at the end of the last tick
-    ChassisMotion m_target; ///< what aim() asked for
+    ChassisMotion m_target; ///< velocity set by aim()
     bool m_busy = false;
-    // of the amount under way
+    // of the current amount
     ChassisMotion m_startVelocity, m_remainder;
     UnitTrapezoid m_shape;
     double m_brakeTime = 0, m_delay = 0; ///< s

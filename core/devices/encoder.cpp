@@ -18,7 +18,7 @@ void Encoder::describe(Describe<Encoder>& d) {
     d.field("Quadrature", &Encoder::m_quadrature, flag(), "Counts all four edges of a line.");
     d.field("Index", &Encoder::m_hasIndex, flag(), "Gives a pulse once per revolution.");
     d.output("count", "", "Counts since the start, negative backwards.", 1, TRUNDLE_INTEGER_SIGNAL);
-    d.output("angle", "rad", "The angle that the count stands for.");
+    d.output("angle", "rad", "The angle that the count represents.");
     d.output("rate", "rad/s", "Counts of the last tick as a rate.");
     d.output("index", "", "In the last tick the index mark passed.", 1, TRUNDLE_BOOLEAN_SIGNAL);
 }

@@ -3,8 +3,8 @@
 
 namespace trundle {
 
-/// Counts of a disc on a joint: floor(angle CPR / 2 pi), with four edges per line where Quadrature. What it publishes is what it
-/// counted; the angle between two counts is lost, as it is on a real one.
+/// Counts of an encoder disc on a joint: floor(angle CPR / 2 pi), four edges per line if Quadrature is set. It publishes only
+/// counted values; the angle between two counts is lost, as on real hardware.
 class Encoder final : public Device {
 public:
     static void describe(Describe<Encoder>& d);
@@ -23,7 +23,8 @@ private:
     double m_lastTurn = 0;
 };
 
-/// The count at an angle (rad). An edge is taken 1e-9 counts early, so that rounding at rest on an edge does not flicker.
+/// The count at an angle (rad). Edges are shifted 1e-9 counts early, so that rounding does not toggle the count at rest on an
+/// edge.
 [[nodiscard]] double encoderCount(double angle, double countsPerTurn);
 
 } // namespace trundle

@@ -15,7 +15,7 @@ WheelMotion wheelsFromChassis(const ChassisMotion& chassis, double r, double d) 
 
 PlanePose alongArc(const PlanePose& from, const ChassisMotion& travel) {
     const double half = travel.angular / 2;
-    const double chord = std::abs(half) < 1e-8 ? 1.0 : std::sin(half) / half; // chord over arc
+    const double chord = std::abs(half) < 1e-8 ? 1.0 : std::sin(half) / half; // chord divided by arc
     const double direction = from.heading + half;
     return {from.x + travel.linear * chord * std::cos(direction), from.y + travel.linear * chord * std::sin(direction),
             from.heading + travel.angular};

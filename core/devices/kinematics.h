@@ -1,9 +1,10 @@
 #pragma once
-// Plane kinematics of a two-wheeled base (thesis eqs. 3.2-3.7). r: wheel radius, d: wheel separation, m. Heading + turns left.
+// Planar kinematics of a two-wheeled base (thesis eqs. 3.2-3.7). r: wheel radius, d: wheel separation, m. Positive heading turns
+// left.
 
 namespace trundle {
 
-/// Of the middle of the axle: m/s and rad/s, or m and rad.
+/// Motion of the axle's centre: m/s and rad/s, or m and rad.
 struct ChassisMotion {
     double linear = 0, angular = 0;
 };
@@ -17,9 +18,10 @@ struct PlanePose {
 
 /// Eqs. 3.2, 3.3.
 [[nodiscard]] ChassisMotion chassisFromWheels(const WheelMotion& wheels, double r, double d);
-/// Eqs. 3.4-3.7 in one form that divides by no velocity. (As printed, 3.6 turns the left wheel the wrong way on the spot.)
+/// Eqs. 3.4-3.7 in one form without division by a velocity. (As printed, 3.6 turns the left wheel the wrong way when turning in
+/// place.)
 [[nodiscard]] WheelMotion wheelsFromChassis(const ChassisMotion& chassis, double r, double d);
-/// Where a pose is after driving `linear` m along the circle that turns it by `angular` rad. Exact for any angle.
+/// The pose after driving `linear` m along an arc that turns it by `angular` rad. Exact for any angle.
 [[nodiscard]] PlanePose alongArc(const PlanePose& from, const ChassisMotion& travel);
 
 } // namespace trundle

@@ -4,8 +4,8 @@
 
 namespace trundle {
 
-VoltageRow voltageRow(const MotorConstants& motor, double voltage, double lastCurrent, double h) {
-    // Implicit Euler of the current's lag: i = (V + L/h i_last - G w/kv) / (R + L/h), the same law with another V and R.
+VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage, double lastCurrent, double h) {
+    // Implicit Euler for the inductance: i = (V + L/h i_last - G w/kv) / (R + L/h), the same law with another V and R.
     const double lag = motor.inductance / h;
     const double resistance = motor.resistance + lag;
     const double drivingVoltage = voltage + lag * lastCurrent;
@@ -13,7 +13,7 @@ VoltageRow voltageRow(const MotorConstants& motor, double voltage, double lastCu
     return {drivingVoltage * motor.speedConstant / motor.gearRatio, 1 / damping, motor.stallTorque()};
 }
 
-// The bounds keep every product finite; no real motor comes near them.
+// The limits keep every product finite and are far beyond real motors.
 void RotaryMotor::describe(Describe<RotaryMotor>& d) {
     d.help("A direct-current motor with a gear that turns a joint.");
     d.field("Joint", &RotaryMotor::m_jointName, reference("Hinge|Suspension").required(), "The joint it turns.");
@@ -60,11 +60,11 @@ void RotaryMotor::setup(Mount& mount) {
     m_terminalVoltage = mount.signal("terminalVoltage");
     m_torque = mount.signal("torque");
     m_rate = mount.signal("rate");
-    // Seen from the joint the rotor weighs G^2 times as much (energy: J (G w)^2 / 2).
+    // At the joint the rotor's inertia is G^2 times as large (energy: J (G w)^2 / 2).
     if (m_rotorInertia > 0 && m_joint) mount.addAxialInertia(m_joint, m_gearRatio * m_gearRatio * m_rotorInertia);
 }
 
-/// What may change during a run.
+/// Applies the fields that may change during a run.
 void RotaryMotor::takeLiveConstants() {
     m_motor.torqueConstant = m_torqueConstant;
     m_motor.resistance = m_resistance;
@@ -79,7 +79,7 @@ void RotaryMotor::act(Actuation& world) {
         return;
     }
     const double voltage = std::clamp(m_voltage.read(world), -m_motor.maxVoltage, m_motor.maxVoltage);
-    const VoltageRow row = voltageRow(m_motor, voltage, m_current.get(), world.tick());
+    const VoltageConstraint row = voltageConstraint(m_motor, voltage, m_current.get(), world.tick());
     world.motorRow(m_joint, row.rate, row.softness, row.limit);
 }
 

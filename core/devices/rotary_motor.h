@@ -3,11 +3,11 @@
 
 #include <trundle/device.h>
 
-#include "devices/commands.h"
+#include "devices/command_slot.h"
 
 namespace trundle {
 
-/// A direct-current motor behind a gear, SI units.
+/// A DC motor with a gear, SI units.
 struct MotorConstants {
     double torqueConstant = 0; ///< kt, N m/A
     double speedConstant = 0;  ///< kv, rad/s per V; back-EMF constant = 1/kv
@@ -19,20 +19,20 @@ struct MotorConstants {
 
     /// N m at the joint per ampere.
     [[nodiscard]] double torquePerAmpere() const { return efficiency * gearRatio * torqueConstant; }
-    /// What the driver's current limit allows at the joint: the torque at rest under the highest voltage.
+    /// The torque at the joint at the driver's current limit, which is the stall torque at the highest voltage.
     [[nodiscard]] double stallTorque() const { return torquePerAmpere() * maxVoltage / resistance; }
 };
 
-/// The row of the joint: torque = (rate - w) / softness within the limit.
-struct VoltageRow {
+/// The joint's motor constraint: torque = (rate - w) / softness within the limit.
+struct VoltageConstraint {
     double rate = 0, softness = 0, limit = 0;
 };
 
-/// T = G kt (V - G w / kv) / R (thesis eq. 3.1) with w the rate after the step. The inductance is a first-order lag of the current,
-/// L di/dt = V - R i - G w / kv, taken implicitly, so that it too is stable at any tick.
-[[nodiscard]] VoltageRow voltageRow(const MotorConstants& motor, double voltage, double lastCurrent, double h);
+/// T = G kt (V - G w / kv) / R (thesis eq. 3.1) with w the rate after the step. The inductance is a first-order lag of the
+/// current, L di/dt = V - R i - G w / kv, integrated implicitly, so that it is also stable at any tick length.
+[[nodiscard]] VoltageConstraint voltageConstraint(const MotorConstants& motor, double voltage, double lastCurrent, double h);
 
-/// Drives a joint from a voltage, or as a servo from a target rate. Alone owns the joint's motor row.
+/// Drives a joint with a voltage, or as a servo with a target rate. The only owner of the joint's motor constraint.
 class RotaryMotor final : public Device {
 public:
     static void describe(Describe<RotaryMotor>& d);

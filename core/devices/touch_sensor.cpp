@@ -3,10 +3,10 @@
 namespace trundle {
 
 void TouchSensor::describe(Describe<TouchSensor>& d) {
-    d.help("Tells whether something touches a geom.");
+    d.help("Detects contacts of geoms.");
     d.field("Geom", &TouchSensor::m_geomPaths, reference("Geom").required().counted(1, 1000),
-            "The geoms it feels with, body.geom.");
-    d.field("MinForce", &TouchSensor::m_minForceN, newtons().atLeast(0), "Weaker touches are not felt.");
+            "The geoms whose contacts it detects, body.geom.");
+    d.field("MinForce", &TouchSensor::m_minForceN, newtons().atLeast(0), "Weaker contacts are ignored.");
     d.output("pressed", "", "Something touches.", 1, TRUNDLE_BOOLEAN_SIGNAL);
     d.output("force", "N", "Sum of the contacts' normal forces.");
     d.output("count", "", "Contact points.", 1, TRUNDLE_INTEGER_SIGNAL);

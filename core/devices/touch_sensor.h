@@ -3,7 +3,7 @@
 
 namespace trundle {
 
-/// Pressed while anything touches one of its geoms with at least MinForce in all. Reads the contacts of the last step.
+/// Pressed while its geoms have contacts whose forces sum to at least MinForce. Uses the contacts of the last step.
 class TouchSensor final : public Device {
 public:
     static void describe(Describe<TouchSensor>& d);

@@ -15,7 +15,7 @@ Quantity wholeNumber(double low, double high) {
 void Transceiver::describe(Describe<Transceiver>& d) {
     d.help("Sends and receives packets by radio.");
     d.field("Body", &Transceiver::m_bodyName, reference("Body").required(), "The body that carries its antenna.");
-    d.field("Pos", &Transceiver::m_pos, metres().within(-1e5, 1e5), "Where its antenna stands in the body.");
+    d.field("Pos", &Transceiver::m_pos, metres().within(-1e5, 1e5), "Position of its antenna in the body.");
     d.field("HPR", &Transceiver::m_hpr, degrees().within(-1e6, 1e6),
             "How its antenna is turned: it looks along its +x, its up is +z.");
     d.field("Antenna", &Transceiver::m_antenna, reference("AntennaPattern"),
@@ -27,7 +27,7 @@ void Transceiver::describe(Describe<Transceiver>& d) {
     d.field("RssiStep", &Transceiver::m_rssiStep, decibels().within(0, 20), "Its RSSI is rounded to this; 0 = exact.");
     d.field("BufferLimit", &Transceiver::m_bufferLimit, wholeNumber(1, 100000),
             "Packets that wait to be read, and packets that wait to be sent.");
-    d.field("Channel", &Transceiver::m_channel, wholeNumber(0, 26), "Only those on the same one hear each other.");
+    d.field("Channel", &Transceiver::m_channel, wholeNumber(0, 26), "Only radios on the same channel receive each other.");
     d.field("BitRate", &Transceiver::m_bitRate, unitOf("bit/s").within(1, 1e9), "How fast bits go out.");
     d.field("Address", &Transceiver::m_address, wholeNumber(0, 65534), "Packets may be sent to it; 0 = the next free one.");
     d.field("PowerLevels", &Transceiver::m_powerLevels, decibelMilliwatts().within(-100, 100).counted(0, 1000),

@@ -3,8 +3,8 @@
 
 namespace trundle {
 
-/// A radio with its antenna at a place of a body. Packets go to and from controllers by their RadioPort; the medium (core/radio) does the
-/// rest. What is published here is what a driver could count.
+/// A radio with its antenna at a pose on a body. Controllers send and receive packets through their RadioPort; the medium
+/// (core/radio) simulates transmission. The signals published here are what a real driver could count.
 class Transceiver final : public Device {
 public:
     static void describe(Describe<Transceiver>& d);

@@ -1,4 +1,4 @@
-// Braces that do not balance: which block is open, and where, by the author's indentation, its `}` was meant.
+// Recovery from unbalanced braces: which block is open, and where, according to the indentation, its `}` is missing.
 
 #include <algorithm>
 
@@ -18,8 +18,8 @@ int Parser::indentOf(std::uint32_t offset) const {
     return offset == 0 || bytes[offset - 1] == '\n' || bytes[offset - 1] == '\r' ? columns : -1;
 }
 
-/// Looks at the token that begins an item, or closes the block, for a sign that the block ended before it.
-void Parser::noteIndent() {
+/// Records a suspected missing `}` if the token that begins an item or closes the block is indented less than the block's items.
+void Parser::recordIndent() {
     OpenBlock& open = m_open.back();
     if (!newLine() && m_at == open.openAt + 1 && kind() != TokenKind::CloseBrace) open.inlineItems = true;
     if (open.indent < 0 || !newLine()) return;
@@ -32,7 +32,7 @@ void Parser::noteIndent() {
     else if (!closes && open.inlineItems && namedBlock()) m_onOneLine.push_back({open.openAt, static_cast<std::uint32_t>(m_at)});
 }
 
-/// The places where a `}` may be missing, the likeliest first.
+/// The positions where a `}` may be missing, most likely first.
 std::vector<Parser::MissingBrace> Parser::likelyMissing() const {
     const auto earlier = [](const MissingBrace& a, const MissingBrace& b) { return a.before < b.before; };
     std::vector<MissingBrace> places;
@@ -43,35 +43,36 @@ std::vector<Parser::MissingBrace> Parser::likelyMissing() const {
     return places;
 }
 
-/// `]` or `)` where the block itself began with such a sign.
+/// True at `]` or `)` if the block was also opened with a bracket.
 bool Parser::foreignClose() const {
     return m_open.back().bracket && (kind() == TokenKind::CloseParen || (kind() == TokenKind::Unknown && text() == "]"));
 }
 
-/// Looks at what follows a block: an item deeper than the block on a line of its own may still belong to it.
-void Parser::noteEarlyClose(int indent, std::size_t brace) {
+/// Records a possibly premature `}`: an item after the block that starts a line and is indented deeper than the block may still
+/// belong to it.
+void Parser::recordEarlyClose(int indent, std::size_t brace) {
     if (indent < 0 || !newLine() || atEnd() || kind() == TokenKind::CloseBrace) return;
     if (indentOf(range().begin) > indent) m_early.push_back(static_cast<std::uint32_t>(brace));
 }
 
 bool Parser::ignoredBrace() const { return std::find(m_ignored.begin(), m_ignored.end(), m_at) != m_ignored.end(); }
 
-/// Where braces do not balance and the indentation says which one is missing or too many: reads again as if it were mended, so that
-/// one brace costs one message. False when there is nothing to assume, or when it made things worse.
+/// If braces do not balance and the indentation shows which one is missing or superfluous, parses again with that correction, so
+/// that one brace causes one diagnostic. False if there is no such position or the result is worse.
 bool Parser::assume() {
     const bool wasUnclosed = m_unclosed;
-    const int strays = m_strays;
+    const int strays = m_unmatchedBraces;
     if (const std::vector<MissingBrace> places = likelyMissing(); m_unclosed && !places.empty()) {
         for (const MissingBrace& place : places) {
             m_assumed.push_back(place);
             run();
-            if (m_strays <= strays) return true;
+            if (m_unmatchedBraces <= strays) return true;
             m_assumed.pop_back();
         }
-    } else if (m_strays > 0 && !m_early.empty()) {
+    } else if (m_unmatchedBraces > 0 && !m_early.empty()) {
         m_ignored.push_back(m_early.front());
         run();
-        if (m_strays < strays && m_unclosed == wasUnclosed) return true;
+        if (m_unmatchedBraces < strays && m_unclosed == wasUnclosed) return true;
         m_ignored.pop_back();
     } else {
         return false;
@@ -86,7 +87,7 @@ bool Parser::closedHere(const OpenBlock& block) const {
 }
 
 void Parser::reportUnclosed(const OpenBlock& open, std::uint32_t place) {
-    if (atEnd() && m_tree->m_extent != Tree::Extent::Whole) return; // its end has not been read
+    if (atEnd() && m_tree->m_extent != Tree::Extent::Whole) return; // parsing stopped before its end
     const std::string_view bytes = m_source->bytes();
     if (atEnd()) m_unclosed = true;
     Diagnostic& d = error(Code::UnclosedBlock, open.name, "block `" + std::string(slice(open.name)) + "` lacks its closing `}`");
@@ -97,10 +98,10 @@ void Parser::reportUnclosed(const OpenBlock& open, std::uint32_t place) {
         return;
     }
     if (!atEnd()) {
-        // Before the line of the token that no longer belongs to it.
+        // Insert at the start of the line of the token that no longer belongs to the block.
         std::uint32_t line = place;
         while (line > 0 && isBlank(bytes[line - 1])) --line;
-        d.notes.push_back({"by the indentation it belongs before this line", {m_file, range()}});
+        d.notes.push_back({"the indentation suggests it before this line", {m_file, range()}});
         fix(d, "insert `}` before line " + std::to_string(m_source->position(place).line),
             {edit({line, line}, indent + "}" + lineEnd())});
         return;

@@ -7,7 +7,7 @@
 namespace trundle {
 namespace {
 
-/// Of the assignments directly in `items`: those with a blank before `=` less those without.
+/// Counts the assignments directly in `items`: those with a space before `=` minus those without.
 int countSpaced(const Tree& tree, const std::vector<Item>& items) {
     const std::string_view bytes = tree.source().bytes();
     int spaced = 0;
@@ -18,7 +18,7 @@ int countSpaced(const Tree& tree, const std::vector<Item>& items) {
     return spaced;
 }
 
-/// The same, and where these do not tell, those in the blocks among them.
+/// The same; if the count is zero, includes the blocks nested in `items`.
 int countSpacedInside(const Tree& tree, const std::vector<Item>& items) {
     int spaced = countSpaced(tree, items);
     if (spaced != 0) return spaced;
@@ -45,7 +45,7 @@ EditStyle editStyle(const Tree& tree) {
     const auto lineEnd = std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return t.kind == TokenKind::LineEnd; });
     if (lineEnd != tokens.end()) style.lineEnd = tree.source().slice(lineEnd->range);
 
-    // The indent of the first item that begins a line inside a block that begins a line.
+    // The indent of the first item that starts a line inside a block that starts a line.
     for (const Item& item : tree.items()) {
         const auto* block = item.as<BlockItem>();
         if (!block) continue;

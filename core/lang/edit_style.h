@@ -1,5 +1,5 @@
 #pragma once
-// How the author of a file writes.
+// Detects the formatting style of a file, so that edits match it.
 
 #include <string>
 #include <string_view>
@@ -12,13 +12,13 @@ struct EditStyle {
     std::string lineEnd = "\n";
     std::string step = "  ";  ///< one level of indent
     bool spacedEquals = true; ///< `Key = value` rather than `Key=value`
-    std::size_t itemGap = 1;  ///< blanks between items of one line
+    std::size_t itemGap = 1;  ///< spaces between items of one line
 };
 
 [[nodiscard]] EditStyle editStyle(const Tree& tree);
-/// As the assignments of the block do it; where it has none, as the file.
+/// The style of the block's assignments; the file's style if it has none.
 [[nodiscard]] bool spacedEquals(const Tree& tree, const BlockItem* block, const EditStyle& style);
-/// The blanks at the beginning of the line that holds `offset`.
+/// The spaces and tabs at the start of the line that contains `offset`.
 [[nodiscard]] std::string indentOfLine(std::string_view bytes, std::uint32_t offset);
 
 } // namespace trundle

@@ -1,5 +1,5 @@
-// `$( ... )`: sums, products, powers (right to left, before a sign), calls. Depth is bounded both ways: parentheses cost recursion here,
-// long sums cost it in whoever walks the expression.
+// Parses `$( ... )`: sums, products, powers (right-associative, binding stronger than a sign), calls. Depth is bounded: nested
+// parentheses use recursion here, and long sums use recursion in the code that evaluates them.
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ void Parser::expressionElement(Element& e, Value& v) {
         }
     }
     if (!inner.ok) {
-        // To the `)` of this expression, but never out of its line, its list or its block.
+        // Skip to the `)` of this expression, but not beyond its line, list or block.
         int parens = 0;
         for (std::size_t i = start + 1; i < m_at; ++i) {
             const TokenKind k = m_tree->m_tokens[m_significant[i].token].kind;
@@ -167,7 +167,7 @@ Parser::Sum Parser::primary(int depth) {
         return s;
     }
     case TokenKind::ParamRef: {
-        Diagnostic& d = error(Code::BadExpression, range(), "inside $( ) a Param stands without `$`");
+        Diagnostic& d = error(Code::BadExpression, range(), "inside $( ) a Param is written without `$`");
         fix(d, std::string(text().substr(1)), {edit(range(), std::string(text().substr(1)))});
         s.expression.op = Expression::Op::Name;
         s.expression.name = text().substr(1);

@@ -1,5 +1,5 @@
-// Needs: a tree without errors. Method: the tokens line by line; only the blanks at both ends of a line change, so nothing that is read
-// can change. Lines inside a value that goes on keep their place relative to the line it began on.
+// Needs: a tree without errors. Method: prints the tokens line by line and changes only the spaces at both ends of a line, so the
+// parsed result is the same. Lines inside a multi-line value keep their indent relative to the value's first line.
 
 #include "lang/formatter.h"
 
@@ -36,7 +36,7 @@ public:
 private:
     std::string_view text(const Token& token) const { return m_tree.source().slice(token.range); }
 
-    /// Places inside values where an element begins a line that the value did not begin on.
+    /// Collects the offsets of value elements that start a line after the value's first line.
     void collectContinuations(const std::vector<Item>& items) {
         for (const Item& item : items) {
             if (const auto* block = item.as<BlockItem>()) collectContinuations(block->items);
@@ -44,7 +44,7 @@ private:
         }
     }
 
-    /// One line from its first token; gives the token after its end.
+    /// Prints one line starting at its first token; returns the index of the token after the line end.
     std::size_t line(std::size_t i) {
         const std::vector<Token>& tokens = m_tree.tokens();
         std::string_view blanks;
@@ -78,14 +78,14 @@ private:
         return indent;
     }
 
-    /// True inside an assignment or Param that began on a line above.
+    /// True inside an assignment or Param that began on an earlier line.
     bool continues(std::uint32_t offset) {
         while (m_next < m_continued.size() && m_continued[m_next].end <= offset) ++m_next;
         return m_next < m_continued.size() && m_continued[m_next].begin < offset;
     }
 
     void finish() {
-        // Of the text as it is now: without the blank between them a CR and an LF are one line end.
+        // Searches the output as written: after the space between them is removed, CR and LF are one line end.
         const std::size_t first = m_out.find_first_of("\r\n");
         const std::string lineEnd =
             first == std::string::npos ? "\n" : m_out.substr(first, m_out.compare(first, 2, "\r\n") == 0 ? 2 : 1);
@@ -101,7 +101,7 @@ private:
     std::vector<TextRange> m_continued;
     std::size_t m_next = 0;
     int m_depth = 0;
-    int m_shift = 0; ///< how far the last line that began an item moved
+    int m_shift = 0; ///< change of indent of the last line that began an item
 };
 
 } // namespace

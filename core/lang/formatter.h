@@ -5,9 +5,9 @@
 
 namespace trundle {
 
-/// The tree's text in the house style: indent by two blanks per block, no trailing blanks, one final newline, comments and the author's
-/// choice of one-line or many-line blocks kept, values untouched. format(parse(format(t))) == format(t). A text with syntax errors
-/// comes back as it is.
+/// The tree's text in the standard style: two spaces of indent per block, no trailing spaces, one final newline. Comments,
+/// one-line blocks and values are kept as written. format(parse(format(t))) == format(t). A text with syntax errors is returned
+/// unchanged.
 [[nodiscard]] std::string format(const Tree& tree);
 
 } // namespace trundle

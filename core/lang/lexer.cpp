@@ -41,7 +41,7 @@ void Lexer::next() {
 }
 
 bool Lexer::trivia() {
-    if (m_trivia >= kMostTrivia)
+    if (m_trivia >= kMaxTrivia)
         if (const std::size_t end = commentsEnd(m_at); end > m_at) return emit(TokenKind::LineComment, end), true;
     const char c = at(m_at);
     if (isBlank(c)) return emit(TokenKind::Space, skipBlanks(m_at)), true;
@@ -85,7 +85,7 @@ std::size_t Lexer::commentsEnd(std::size_t from) const {
     return lastLineEnd == std::string_view::npos ? i : lastLineEnd;
 }
 
-// An expression goes on over a line end only at an operator; so a forgotten `)` costs one line, not the rest of the file.
+// An expression continues after a line end only at an operator, so a missing `)` affects one line, not the rest of the file.
 void Lexer::expressionLineEnd() {
     switch (m_last) {
     case TokenKind::Plus:
@@ -98,7 +98,7 @@ void Lexer::expressionLineEnd() {
     case TokenKind::ExprOpen: return;
     default: break;
     }
-    if (m_at < m_continuedAt) return; // found at an earlier line end: looking again from each line would cost the square of their number
+    if (m_at < m_continuedAt) return; // found at an earlier line end; avoids quadratic time
     m_continuedAt = skipTrivia(m_at);
     const char c = at(m_continuedAt);
     if (c == '\0' || std::string_view("+-*/^,)").find(c) == std::string_view::npos) m_parens = 0;
@@ -107,7 +107,7 @@ void Lexer::expressionLineEnd() {
 void Lexer::number(std::size_t end) {
     emit(TokenKind::Number, end);
     if (m_parens > 0) return;
-    m_place = Place::AfterElement;
+    m_state = LexerState::AfterElement;
     m_sameLine = m_numbers = true;
     if (const std::size_t wide = invisibleAt(m_at); wide > 0 && unitEnd(m_at + wide) > m_at + wide)
         emit(TokenKind::Unknown, m_at + wide);
@@ -118,27 +118,28 @@ void Lexer::number(std::size_t end) {
     emit(TokenKind::Unit, unitStop);
 }
 
-/// `1,2,` or `X =` and then `Box b {` on the next line: an element was forgotten, Box is none.
+/// `1,2,` or `X =` followed by `Box b {` on the next line: an element is missing, and Box is not that element.
 bool Lexer::blockMayFollow() const {
     return !m_sameLine && (m_last == TokenKind::Equals || (m_numbers && m_last == TokenKind::Comma));
 }
 
 void Lexer::word() {
     const std::size_t ident = identEnd(m_at);
-    // Looking ahead from every part of one long path would cost its length squared.
+    // Looking ahead from every component of one long path would take quadratic time.
     const bool insidePath = m_last == TokenKind::Dot;
-    if (m_parens > 0 || m_place == Place::Structure || insidePath) return emit(TokenKind::Word, ident);
+    if (m_parens > 0 || m_state == LexerState::Structure || insidePath) return emit(TokenKind::Word, ident);
     const bool key = isKeyOrKind(m_at, ident);
-    if (m_place == Place::Value && !key && !(blockMayFollow() && isNamedBlock(ident))) {
+    if (m_state == LexerState::Value && !key && !(blockMayFollow() && isNamedBlock(ident))) {
         emit(TokenKind::Word, wordEnd(m_at));
-        m_place = Place::AfterElement;
+        m_state = LexerState::AfterElement;
         m_sameLine = true;
         m_numbers = false;
         return;
     }
-    // `a b.c` in a value, the comma forgotten.
-    if (m_place == Place::AfterElement && m_sameLine && !key && !isNamedBlock(ident)) return emit(TokenKind::Word, wordEnd(m_at));
-    m_place = Place::Structure;
+    // `a b.c` in a value: the comma is missing.
+    if (m_state == LexerState::AfterElement && m_sameLine && !key && !isNamedBlock(ident))
+        return emit(TokenKind::Word, wordEnd(m_at));
+    m_state = LexerState::Structure;
     emit(TokenKind::Word, ident);
 }
 
@@ -148,7 +149,7 @@ void Lexer::string() {
     while (inLine(i) && m_text[i] != '"') i += m_text[i] == '\\' && inLine(i + 1) ? 2 : 1;
     emit(TokenKind::String, at(i) == '"' ? i + 1 : i);
     m_parens = 0;
-    m_place = Place::AfterElement;
+    m_state = LexerState::AfterElement;
     m_sameLine = true;
     m_numbers = false;
 }
@@ -163,7 +164,7 @@ void Lexer::dollar() {
     } else {
         return unknown();
     }
-    m_place = Place::AfterElement;
+    m_state = LexerState::AfterElement;
     m_sameLine = m_numbers = true;
 }
 
@@ -174,16 +175,16 @@ void Lexer::hash() {
     const std::string_view name = m_text.substr(m_at + 1, end - m_at - 1);
     const bool known = isDirectiveLike(name);
     if (!known && !(m_firstOnLine && !name.empty() && isIdentStart(name[0]))) {
-        // A colour (#ff0000) in a value, or a comment of another language.
-        return emit(TokenKind::Unknown, m_place == Place::Value && !name.empty() ? end : lineEnd(m_at));
+        // A colour (#ff0000) in a value, or a comment in another language's syntax.
+        return emit(TokenKind::Unknown, m_state == LexerState::Value && !name.empty() ? end : lineEnd(m_at));
     }
     const bool first = m_firstOnLine;
     emit(TokenKind::Directive, end);
-    m_place = Place::Structure;
+    m_state = LexerState::Structure;
     path(skipBlanks(m_at), first);
 }
 
-/// The rest of the line, cut at a blank before a comment. Where the directive is not first on its line, a last `}` stays outside.
+/// The rest of the line up to a space before a comment. If the directive is not first on its line, a final `}` is excluded.
 void Lexer::path(std::size_t from, bool firstOnLine) {
     std::size_t stop = from;
     if (at(from) == '"') {
@@ -198,20 +199,20 @@ void Lexer::path(std::size_t from, bool firstOnLine) {
         if (!firstOnLine && stop > from && at(stop - 1) == '}') --stop;
         while (stop > from && isBlank(at(stop - 1))) --stop;
     }
-    if (stop == from) return; // the parser misses it
+    if (stop == from) return; // the parser reports the missing path
     if (from > m_at) emit(TokenKind::Space, from);
     emit(TokenKind::Path, stop);
 }
 
 void Lexer::punctuation() {
     const auto structure = [this](TokenKind kind) {
-        m_place = Place::Structure;
+        m_state = LexerState::Structure;
         m_parens = 0;
         m_numbers = false;
         emit(kind, m_at + 1);
     };
     const auto valueAfter = [this](TokenKind kind, std::size_t length) {
-        m_place = Place::Value;
+        m_state = LexerState::Value;
         m_parens = 0;
         m_numbers = false;
         m_sameLine = true;
@@ -223,7 +224,7 @@ void Lexer::punctuation() {
     case '=': return startsWith(m_at, "==") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Equals, 1);
     case ':': return startsWith(m_at, ":=") ? valueAfter(TokenKind::Unknown, 2) : valueAfter(TokenKind::Unknown, 1);
     case ',':
-        if (m_parens == 0 && m_place == Place::AfterElement) m_place = Place::Value;
+        if (m_parens == 0 && m_state == LexerState::AfterElement) m_state = LexerState::Value;
         return emit(TokenKind::Comma, m_at + 1);
     case '(':
         if (m_parens > 0) ++m_parens;
@@ -241,17 +242,17 @@ void Lexer::punctuation() {
     }
 }
 
-/// Quotes of other kinds with what they hold, single signs, and runs of anything else.
+/// Quoted text with unsupported quotes, single punctuation characters, and runs of other bytes.
 void Lexer::unknown() {
     if (startsWith(m_at, kUnicodeMinus)) return emit(TokenKind::Minus, m_at + kUnicodeMinus.size());
     if (const std::size_t quoted = foreignQuoteEnd(m_text, m_at); quoted > m_at) {
-        m_place = Place::AfterElement;
+        m_state = LexerState::AfterElement;
         m_sameLine = true;
         return emit(TokenKind::Unknown, quoted);
     }
     const char c = at(m_at);
     if (static_cast<unsigned char>(c) > ' ' && static_cast<unsigned char>(c) < 0x7F) return emit(TokenKind::Unknown, m_at + 1);
-    // Broken bytes and sound code points apart, so that each can be reported for what it is.
+    // Invalid bytes and valid code points become separate tokens, since they are reported differently.
     const bool valid = codePointAt(m_text, m_at).valid && c != '\0';
     const bool invisible = invisibleAt(m_at) > 0;
     std::size_t end = m_at;

@@ -1,4 +1,4 @@
-// The looking ahead: where numbers, words and units end, and whether a word is a key.
+// Lookahead of the lexer: where numbers, words and units end, and whether a word is a key.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ bool isDirectiveLike(std::string_view name) {
 }
 
 std::size_t foreignQuoteEnd(std::string_view text, std::size_t at) {
-    constexpr std::size_t kLongestQuoted = 200; // bounds the search: a text of nothing but opening quotes stays linear
+    constexpr std::size_t kLongestQuoted = 200; // bounds the search: text with only opening quotes stays linear
     struct Quotes {
         std::string_view open, close;
     };
@@ -99,7 +99,7 @@ std::size_t Lexer::numberEnd(std::size_t from, bool sign) const {
     if (sign && (at(i) == '+' || at(i) == '-')) ++i;
     else if (sign && startsWith(i, kUnicodeMinus)) i += kUnicodeMinus.size();
     if (!isDigit(at(i)) && !(at(i) == '.' && isDigit(at(i + 1)))) return from;
-    // `1.2.3` and `1..2` are one number that cannot be read, not two that touch.
+    // `1.2.3` and `1..2` are one malformed number, not two adjacent ones.
     while (isDigit(at(i)) || at(i) == '.') ++i;
     if (at(i) == 'e' || at(i) == 'E') {
         const std::size_t exponent = i + 1 + (at(i + 1) == '+' || at(i + 1) == '-' ? 1 : 0);
@@ -134,23 +134,23 @@ bool Lexer::isReservedWord(std::size_t from, std::size_t end) const {
     return word == "Param" || word == "true" || word == "false";
 }
 
-/// No longer path of keys is looked through; bounds the looking ahead.
+/// Longest key path examined, which bounds the lookahead.
 constexpr int kLongestPath = 64;
 
-/// True for a word before `=`, before `.key =` or before `{`: it begins something new and is never part of a value.
+/// True for a word before `=`, `.key =` or `{`: it begins a new item and is never part of a value.
 bool Lexer::isKeyOrKind(std::size_t from, std::size_t end) const {
     if (m_text.substr(from, end - from) == "Param") return true;
     std::size_t i = skipTrivia(end);
     if (at(i) == '=' || at(i) == '{') return true;
-    // People write `Key: value`; but C:\maps and http://... are texts that lack their quotes.
+    // `Key: value` is a common mistake, but C:\maps and http://... are texts with missing quotes.
     if (at(i) == ':') return at(i + 1) != '/' && at(i + 1) != '\\';
-    // A path of keys has no blanks: `File=a.csv. Key=1` ends its word at the dot.
+    // A key path contains no spaces: in `File=a.csv. Key=1` the word ends at the dot.
     i = end;
     for (int parts = 0; parts < kLongestPath && at(i) == '.' && wordStartsAt(i + 1); ++parts) i = identEnd(i + 1);
     return i > end && at(skipTrivia(i)) == '=';
 }
 
-/// True for the kind in `Kind name {`.
+/// True for a kind as in `Kind name {`.
 bool Lexer::isNamedBlock(std::size_t end) const {
     const std::size_t name = skipTrivia(end);
     if (!wordStartsAt(name)) return false;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kKey = "v = ";
 
-/// The elements of a value's text, with ranges from its first byte; none where it is not one whole value.
+/// The elements of a value's text, with ranges relative to its start; empty if the text is not exactly one value.
 std::vector<Element> elementsOf(const std::string& text) {
     const auto tree = parse(std::make_shared<const SourceText>("value", std::string(kKey) + text + "\n"), 0);
     const auto* a = tree->items().size() == 1 ? tree->items()[0].as<AssignmentItem>() : nullptr;
@@ -30,7 +30,7 @@ std::string elementText(const std::string& text, const Element& old, double valu
     if (old.kind != Element::Kind::Number || old.unit.empty()) return steppedNumber(value, step);
     const auto converted = convertUnit(value, unit, old.unit), one = convertUnit(1, unit, old.unit);
     if (!converted || !one) return steppedNumber(value, step);
-    // The number as it was written ends where the unit, or the blank before it, begins.
+    // The number as written ends before its unit and any space before the unit.
     std::size_t end = old.unitRange.begin;
     while (end > old.range.begin && text[end - 1] == ' ') --end;
     return steppedNumber(*converted, std::min(1.0, step * *one)) + text.substr(end, old.range.end - end);

@@ -4,12 +4,12 @@
 
 namespace trundle {
 
-/// As few digits as say the number to the nearest multiple of `step` (1e-6, 0.01 ...): "0.35", "-1.5", never "-0".
+/// The number rounded to a multiple of `step` (1e-6, 0.01 ...) with as few digits as possible: "0.35", "-1.5", never "-0".
 [[nodiscard]] std::string steppedNumber(double value, double step);
 
-/// A value's text with other numbers in it. Elements whose number stays keep their characters, formulas too; the others keep
-/// the unit they were written with, and what stands between elements stays. `text` holds `before` in `unit` ("m", "deg");
-/// where it is empty or something else, plain numbers take its place.
+/// Replaces the numbers in a value's text. Elements with an unchanged number keep their text, including formulas; others keep
+/// their unit. Separators are kept. `text` must contain `before`, expressed in `unit` ("m", "deg"); if it is empty or differs,
+/// the result is plain numbers.
 [[nodiscard]] std::string withNumbers(const std::string& text, std::span<const double> before, std::span<const double> after,
                                       const char* unit, double step);
 

@@ -9,8 +9,8 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kNearCut = 8; ///< tokens before a place where reading ended: what is missing there stands behind it
-constexpr int kMostRuns = 4;        ///< the first and three with a `}` assumed
+constexpr std::size_t kNearCut = 8; ///< tokens; an error this close to the end of parsing may be caused by it
+constexpr int kMaxRuns = 4;         ///< the first run and three with an assumed `}`
 
 bool isReserved(std::string_view word) { return word == "Param" || word == "true" || word == "false" || word == "world"; }
 
@@ -30,17 +30,17 @@ std::shared_ptr<const Tree> Parser::parse() {
     const std::string_view bytes = m_source->bytes();
     if (const std::size_t first = bytes.find_first_of("\r\n"); first != std::string_view::npos)
         m_lineEnd = bytes.substr(first, bytes.substr(first, 2) == "\r\n" ? 2 : 1);
-    if (isUtf16()) endTokens(Tree::Extent::Hopeless);
+    if (isUtf16()) endTokens(Tree::Extent::Unrecoverable);
     else readTokens();
     run();
-    for (int i = 1; i < kMostRuns && m_tree->m_extent == Tree::Extent::Whole && assume(); ++i) {}
+    for (int i = 1; i < kMaxRuns && m_tree->m_extent == Tree::Extent::Whole && assume(); ++i) {}
     std::stable_sort(m_diagnostics.begin(), m_diagnostics.end(),
                      [](const Diagnostic& a, const Diagnostic& b) { return a.range.range.begin < b.range.range.begin; });
     m_tree->m_diagnostics = std::move(m_diagnostics);
     return m_tree;
 }
 
-/// One reading of all tokens.
+/// Parses all tokens once.
 void Parser::run() {
     m_at = 0;
     m_open.clear();
@@ -49,7 +49,7 @@ void Parser::run() {
     m_diagnostics.clear();
     m_tree->m_items.clear();
     m_early.clear();
-    m_strays = 0;
+    m_unmatchedBraces = 0;
     m_unclosed = false;
     checkBytes();
     if (isUtf16()) return;
@@ -92,8 +92,8 @@ bool Parser::startsItem() const {
 }
 
 Diagnostic& Parser::report(Severity severity, Code code, TextRange r, std::string message) {
-    if (m_diagnostics.size() > kMostDiagnostics || isCutOff(r)) return m_unsaid = {};
-    if (m_diagnostics.size() == kMostDiagnostics) {
+    if (m_diagnostics.size() > kMaxDiagnostics || isCutOff(r)) return m_unreported = {};
+    if (m_diagnostics.size() == kMaxDiagnostics) {
         code = Code::TooManyMistakes;
         message = "too many mistakes, the rest of this file is not reported";
         severity = Severity::Error;
@@ -106,7 +106,7 @@ Diagnostic& Parser::report(Severity severity, Code code, TextRange r, std::strin
     return d;
 }
 
-/// Whether a mistake may be one only because reading ended there.
+/// Whether an error may only be caused by parsing having stopped there.
 bool Parser::isCutOff(TextRange r) const {
     if (m_tree->m_extent == Tree::Extent::Whole || m_significant.size() <= kNearCut) return false;
     return r.begin >= m_tree->m_tokens[m_significant[m_significant.size() - kNearCut].token].range.begin;
@@ -122,7 +122,7 @@ void Parser::fix(Diagnostic& d, std::string title, std::vector<TextEdit> edits) 
 
 Name Parser::name(std::size_t ahead) const { return {std::string(text(ahead)), range(ahead)}; }
 
-void Parser::refuseReserved(const Name& name, std::string_view use) {
+void Parser::rejectReserved(const Name& name, std::string_view use) {
     if (isReserved(name.text))
         error(Code::ReservedWord, name.range, "`" + name.text + "` is reserved and cannot be " + std::string(use));
     else if (!isName(name.text))
@@ -134,7 +134,7 @@ void Parser::items(std::vector<Item>& out, int depth) {
         m_itemAt = m_at;
         if (depth > 0 && closedHere(m_open.back())) return;
         if (depth > 0 && foreignClose()) return;
-        if (depth > 0) noteIndent();
+        if (depth > 0) recordIndent();
         switch (kind()) {
         case TokenKind::CloseBrace:
             if (depth > 0 && !ignoredBrace()) return;
@@ -149,7 +149,7 @@ void Parser::items(std::vector<Item>& out, int depth) {
 
 void Parser::item(std::vector<Item>& out, int depth) {
     const TokenKind second = kind(1);
-    const auto opensBlock = [this](std::size_t i) { // `chassis = { Mass=1 }`; with a number inside it is a list in braces
+    const auto opensBlock = [this](std::size_t i) { // `chassis = { Mass=1 }`; with a number inside, it is a list in braces
         return (kind(i) == TokenKind::Equals || wrongEquals(i)) && kind(i + 1) == TokenKind::OpenBrace &&
                (kind(i + 2) == TokenKind::Word || kind(i + 2) == TokenKind::CloseBrace);
     };
@@ -188,13 +188,13 @@ void Parser::assignment(std::vector<Item>& out) {
         Diagnostic& d =
             error(Code::UnexpectedText, node.pathRange, "`=` expected after `" + std::string(slice(node.pathRange)) + "`");
         if (kind() == TokenKind::Dot) d.range.range.end = range().end;
-        // The rest of the line belongs to what cannot be read.
+        // The rest of the line belongs to the unreadable text.
         while (!atEnd() && !newLine() && !startsItem() && !namedBlock() && kind() != TokenKind::CloseBrace &&
                kind() != TokenKind::OpenBrace && kind() != TokenKind::Directive)
             advance();
         return;
     }
-    for (const Name& part : node.path) refuseReserved(part, "a key");
+    for (const Name& part : node.path) rejectReserved(part, "a key");
     if (wrongEquals(0)) {
         Diagnostic& d = error(Code::UnexpectedText, range(), "`=` expected, not `" + std::string(text()) + "`");
         fix(d, "=", {edit(range(), text() == ":" && !adjacent() ? "=" : text() == ":" ? " =" : "=")});
@@ -212,7 +212,7 @@ void Parser::param(std::vector<Item>& out) {
     const std::uint32_t begin = range().begin;
     advance();
     node.name = name();
-    refuseReserved(node.name, "a Param");
+    rejectReserved(node.name, "a Param");
     advance();
     if (kind() == TokenKind::OpenBrace) {
         error(Code::UnexpectedText, node.name.range, "a Param is no block; write `Param " + node.name.text + " = value`");
@@ -242,21 +242,21 @@ void Parser::param(std::vector<Item>& out) {
     out.push_back({{begin, std::max(equals.end, node.value.range.end)}, std::move(node)});
 }
 
-/// `Type {`, or with so many extra tokens before the brace: a name, or what stands there instead and was reported.
+/// `Type {`, with `extra` tokens before the brace: a name, or unexpected tokens that were already reported.
 void Parser::block(std::vector<Item>& out, int depth, std::size_t extra) {
     BlockItem node;
     const std::uint32_t begin = range().begin;
     OpenBlock open;
     open.indent = indentOf(begin);
     node.type = name();
-    if (isReserved(node.type.text) || !isName(node.type.text)) refuseReserved(node.type, "a kind");
+    if (isReserved(node.type.text) || !isName(node.type.text)) rejectReserved(node.type, "a kind");
     advance();
     if (extra > 0 && kind() != TokenKind::Equals && !wrongEquals(0)) {
         const bool two = extra > 1 && kind(1) != TokenKind::Equals && !wrongEquals(1);
         const TextRange r{range().begin, range(two ? extra - 1 : 0).end};
         node.name = {std::string(slice(r)), r};
         if (kind() == TokenKind::String) std::erase(node.name->text, '"');
-        if (kind() == TokenKind::Word && !two) refuseReserved(*node.name, "a name"); // else it was refused before
+        if (kind() == TokenKind::Word && !two) rejectReserved(*node.name, "a name"); // otherwise it was already reported
     }
     for (std::size_t i = 0; i < extra; ++i) advance();
     open.name = node.name ? node.name->range : node.type.range;
@@ -264,7 +264,7 @@ void Parser::block(std::vector<Item>& out, int depth, std::size_t extra) {
     open.bracket = kind() != TokenKind::OpenBrace;
     if (open.bracket) {
         Diagnostic& d =
-            error(Code::UnexpectedText, range(), "a block stands in { }, not in " + std::string(text() == "[" ? "[ ]" : "( )"));
+            error(Code::UnexpectedText, range(), "a block is written in { }, not in " + std::string(text() == "[" ? "[ ]" : "( )"));
         fix(d, "{", {edit(range(), "{")});
         if (!m_diagnostics.empty() && &d == &m_diagnostics.back()) open.bracketFault = m_diagnostics.size();
     }
@@ -298,7 +298,7 @@ void Parser::blockBody(BlockItem& node, int depth) {
     if (kind() == TokenKind::CloseBrace && !closedHere(open)) {
         node.close = range();
         advance();
-        noteEarlyClose(open.indent, m_at - 1);
+        recordEarlyClose(open.indent, m_at - 1);
         return;
     }
     const std::uint32_t end = previous().end;
@@ -306,7 +306,7 @@ void Parser::blockBody(BlockItem& node, int depth) {
     reportUnclosed(open, atEnd() ? static_cast<std::uint32_t>(m_source->bytes().size()) : range().begin);
 }
 
-/// To the `}` of a block whose `{` has been read, without looking at what it holds.
+/// Skips to the `}` of a block whose `{` has been consumed, without parsing its content.
 void Parser::skipBlockBody() {
     std::size_t depth = 1;
     while (!atEnd() && depth > 0) {
@@ -373,7 +373,7 @@ std::pair<std::string, TextRange> Parser::directivePath(TextRange directive) {
     const bool single = path[0] == '\'' && path.back() == '\'' && path.size() > 1;
     if (angled || single) {
         path = unquoted();
-        Diagnostic& d = error(Code::UnexpectedText, r, "a path stands bare or in double quotes");
+        Diagnostic& d = error(Code::UnexpectedText, r, "a path is written bare or in double quotes");
         fix(d, path, {edit(r, path)});
         return {path, r};
     }

@@ -29,7 +29,7 @@ SourceText::SourceText(std::string path, std::shared_ptr<const std::string> byte
     m_lines = at.place.line;
 }
 
-/// Over one code point.
+/// Advances by one code point.
 void SourceText::step(Mark& mark) const {
     const std::string& bytes = *m_bytes;
     const char c = bytes[mark.offset];
@@ -57,7 +57,7 @@ LineColumn SourceText::position(std::uint32_t offset) const {
     while (at.offset < offset) {
         Mark next = at;
         step(next);
-        if (next.offset > offset) break; // an offset inside a code point is that code point's
+        if (next.offset > offset) break; // an offset inside a code point counts as that code point
         at = next;
     }
     return at.place;
@@ -66,14 +66,14 @@ LineColumn SourceText::position(std::uint32_t offset) const {
 std::string_view SourceText::line(std::uint32_t line) const {
     if (line == 0 || line > m_lines) return {};
     const auto earlier = [](const Mark& mark, std::uint32_t l) { return mark.place.line < l; };
-    const auto later = std::lower_bound(m_marks.begin(), m_marks.end(), line, earlier); // the first mark on the line, or beyond
+    const auto later = std::lower_bound(m_marks.begin(), m_marks.end(), line, earlier); // the first mark on the line or after it
     Mark at = later == m_marks.begin() ? m_marks.front() : *(later - 1);
     while (at.place.line < line && at.offset < m_bytes->size()) step(at);
     const auto beyond = std::lower_bound(m_marks.begin(), m_marks.end(), line + 1, earlier);
     const std::size_t limit = beyond == m_marks.end() ? m_bytes->size() : beyond->offset;
     const std::size_t search = std::max(at.offset, beyond == m_marks.begin() ? 0 : (beyond - 1)->offset);
     std::size_t end = std::min(m_bytes->find_first_of("\r\n", search), limit);
-    if (end > at.offset && (*m_bytes)[end - 1] == '\r') --end; // the search began inside CR LF
+    if (end > at.offset && (*m_bytes)[end - 1] == '\r') --end; // the search began between CR and LF
     return std::string_view(*m_bytes).substr(at.offset, end - at.offset);
 }
 

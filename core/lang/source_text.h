@@ -1,5 +1,5 @@
 #pragma once
-// The bytes of one file and where its lines start.
+// The text of one file and the positions of its lines; the table of all texts of one load.
 
 #include <memory>
 #include <string>
@@ -22,7 +22,7 @@ public:
     SourceText(std::string path, std::string bytes);
     SourceText(std::string path, std::shared_ptr<const std::string> bytes);
 
-    [[nodiscard]] const std::string& path() const { return m_path; } ///< as shown to the user
+    [[nodiscard]] const std::string& path() const { return m_path; } ///< as displayed to the user
     [[nodiscard]] std::string_view bytes() const { return *m_bytes; }
     [[nodiscard]] std::string_view slice(TextRange range) const;
     [[nodiscard]] LineColumn position(std::uint32_t offset) const;
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::uint32_t lineCount() const { return m_lines; }
 
 private:
-    /// The line and column of an offset, about one in each 4 KiB: any other is found from the last one before it.
+    /// Line and column of an offset, stored about every 4 KiB; other positions are found by scanning from the mark before.
     struct Mark {
         std::uint32_t offset = 0;
         LineColumn place;
@@ -45,16 +45,16 @@ private:
     std::uint32_t m_lines = 1;
 };
 
-/// The texts that SourceRanges of one load refer to. A value: copying copies pointers.
+/// The texts that the SourceRanges of one load refer to. A value type; copies share the texts.
 class SourceTable {
 public:
     struct Entry {
         std::shared_ptr<const SourceText> text;
-        SourceRange importedFrom; ///< the directive that first brought it in; unknown for the root
+        SourceRange importedFrom; ///< the directive that first imported it; unknown for the root
     };
 
     FileId add(std::shared_ptr<const SourceText> text, SourceRange importedFrom = {});
-    /// A new version of a text already in the table (after an edit).
+    /// Replaces a text in the table by a new version (after an edit).
     void replace(FileId file, std::shared_ptr<const SourceText> text);
     [[nodiscard]] const Entry& operator[](FileId file) const { return m_entries[file]; }
     [[nodiscard]] std::size_t size() const { return m_entries.size(); }

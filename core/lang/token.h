@@ -11,7 +11,7 @@ enum class TokenKind {
     LineComment,
     BlockComment,
     // words and values
-    Word,   ///< names, keys, kinds and word values (with . / \ - where the lexer sees a value)
+    Word,   ///< names, keys, kinds and word values (which may contain . / \ -)
     Number, ///< without its unit
     Unit,
     String,
@@ -32,11 +32,11 @@ enum class TokenKind {
     Caret,
     Directive, ///< #import or #loadModule
     Path,      ///< the rest of a directive's line
-    Unknown,   ///< what no rule reads; kept as found
+    Unknown,   ///< bytes that match no rule; kept unchanged
     End,
 };
 
-/// Tokens of a file stand end to end: the first begins at 0, each begins where the last ended.
+/// Tokens cover a file without gaps: the first begins at 0, each begins where the last ended.
 struct Token {
     TokenKind kind = TokenKind::Unknown;
     TextRange range;
@@ -44,7 +44,7 @@ struct Token {
 
 [[nodiscard]] inline bool isTrivia(TokenKind kind) { return kind <= TokenKind::BlockComment; }
 
-/// Whether a word, number, path or quoted text is longer than any that means something.
+/// Whether a word, number, path or quoted text exceeds the length limit.
 [[nodiscard]] inline bool isTooLong(const Token& token) {
     constexpr std::uint32_t kLongestWord = 4096, kLongestString = 65536; // bytes
     if (isTrivia(token.kind)) return false;

@@ -1,4 +1,4 @@
-// Tokens on their way to the grammar: read in pieces, as far as it makes sense.
+// Supplies the parser with tokens: lexes them in chunks, until the end or until the limits on errors and size are exceeded.
 
 #include <algorithm>
 
@@ -9,9 +9,9 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kPiece = 4096;           // tokens read at a time
-constexpr std::size_t kAlwaysRead = 100'000;   // tokens: a text of this size is read to its end, whatever it holds
-constexpr std::size_t kLongestItem = 100'000;  // tokens of one assignment, or of what cannot be read
-constexpr std::uint32_t kShownOfLongWord = 40; // bytes that a message about it points at
+constexpr std::size_t kAlwaysRead = 100'000;   // tokens: a text of up to this size is always read to its end
+constexpr std::size_t kLongestItem = 100'000;  // tokens of one assignment, or of one run of unreadable text
+constexpr std::uint32_t kShownOfLongWord = 40; // bytes covered by the range of its diagnostic
 
 } // namespace
 
@@ -22,7 +22,7 @@ void Parser::readTokens() {
         m_lexer.lexSome(tokens, kPiece);
         for (std::size_t i = before; i < tokens.size(); ++i) takeToken(static_cast<std::uint32_t>(i));
         if (m_lexer.atEnd()) endTokens(Tree::Extent::Whole);
-        else if (isHopeless()) endTokens(Tree::Extent::Hopeless);
+        else if (isUnrecoverable()) endTokens(Tree::Extent::Unrecoverable);
         else if (tokens.size() >= m_mostTokens) endTokens(Tree::Extent::Limited);
     }
 }
@@ -37,10 +37,10 @@ void Parser::takeToken(std::uint32_t index) {
     m_newLine = false;
 }
 
-/// Whether reading on would find nothing that helps anybody: more mistakes than are listed, or one thing without an end.
-bool Parser::isHopeless() {
+/// Whether to stop reading: more errors than are listed, or one item beyond the size limit.
+bool Parser::isUnrecoverable() {
     if (m_tree->m_tokens.size() < kAlwaysRead) return false;
-    if (m_diagnostics.size() > kMostDiagnostics) {
+    if (m_diagnostics.size() > kMaxDiagnostics) {
         m_diagnostics.back().message = "too many mistakes, the rest of this file is not read";
         return true;
     }
@@ -54,7 +54,7 @@ bool Parser::isHopeless() {
     return true;
 }
 
-/// The last tokens: what is left of the text in one piece, and the end.
+/// Appends the last tokens: the unread rest of the text as one token, and the end token.
 void Parser::endTokens(Tree::Extent extent) {
     const auto from = static_cast<std::uint32_t>(m_lexer.offset()), size = static_cast<std::uint32_t>(m_source->bytes().size());
     std::vector<Token>& tokens = m_tree->m_tokens;

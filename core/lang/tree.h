@@ -1,6 +1,6 @@
 #pragma once
-// The lossless syntax tree of one file. Nodes point into the bytes; tokens cover every byte, so printing the tokens gives
-// the file back whatever it held. A Tree is immutable; an edit (tree_edit.h) splices bytes and makes a new Tree.
+// The lossless syntax tree of one file. Nodes are byte ranges; tokens cover every byte, so printing the tokens restores the file
+// exactly. A Tree is immutable; an edit (tree_edit.h) changes bytes and parses them into a new Tree.
 
 #include <memory>
 #include <optional>
@@ -14,39 +14,39 @@
 
 namespace trundle {
 
-/// A word with its place.
+/// A word with its source range.
 struct Name {
     std::string text;
     TextRange range;
 };
 
-/// `$( ... )`. Names are bare Param names; functions: min max abs sqrt sin cos tan (degrees); `pi` is a name.
+/// `$( ... )`. Identifiers are Param names without `$`, or `pi`; functions: min max abs sqrt sin cos tan (degrees).
 struct Expression {
     enum class Op { Number, Name, Negate, Add, Subtract, Multiply, Divide, Power, Call };
     Op op = Op::Number;
     double number = 0;
-    std::string name; ///< of the Param or of the function
+    std::string name; ///< name of the Param or of the function
     TextRange range;
     std::vector<Expression> arguments;
 };
 
-/// One item of a comma-separated value.
+/// One element of a comma-separated value.
 struct Element {
     enum class Kind { Number, Word, String, Boolean, ParamRef, Expression };
     Kind kind = Kind::Word;
-    TextRange range; ///< with the unit
+    TextRange range; ///< including the unit
     double number = 0;
     bool boolean = false;
     std::string text; ///< the word, the unescaped string, or the Param's name without `$`
-    std::string unit; ///< empty: none written
+    std::string unit; ///< empty: no unit
     TextRange unitRange;
     std::shared_ptr<const Expression> expression;
 };
 
 struct Value {
-    TextRange range; ///< first to last element; empty at the place where one was expected when none is there
+    TextRange range; ///< first to last element; if there is none, empty, at the position where one was expected
     std::vector<Element> elements;
-    bool broken = false; ///< the parser has complained about it: say nothing more of its count or types
+    bool broken = false; ///< already reported by the parser: do not check its count or types again
 };
 
 struct Item;
@@ -72,7 +72,7 @@ struct BlockItem {
     Name type;
     std::optional<Name> name;
     TextRange open;  ///< `{`
-    TextRange close; ///< `}`; empty at the end of what was read when it is missing
+    TextRange close; ///< `}`; if missing, empty, at the end of the text read
     std::vector<Item> items;
 };
 
@@ -90,17 +90,17 @@ public:
     [[nodiscard]] const std::shared_ptr<const SourceText>& sharedSource() const { return m_source; }
     [[nodiscard]] const std::vector<Token>& tokens() const { return m_tokens; }
     [[nodiscard]] const std::vector<Item>& items() const { return m_items; }
-    /// What the parser had to say; ranges carry the FileId given to parse().
+    /// The parser's diagnostics; ranges have the FileId passed to parse().
     [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return m_diagnostics; }
     [[nodiscard]] FileId file() const { return m_file; }
-    /// How much of the text has been read. The rest is one token, and in no item.
+    /// How much of the text has been parsed. The rest is one token and belongs to no item.
     enum class Extent {
         Whole,
-        Hopeless, ///< up to where the mistakes were too many; a diagnostic says so
-        Limited,  ///< up to the tokens that parse() was allowed
+        Unrecoverable, ///< stopped after too many errors, with a diagnostic
+        Limited,       ///< stopped at the token limit passed to parse()
     };
     [[nodiscard]] Extent extent() const { return m_extent; }
-    [[nodiscard]] std::uint32_t readTo() const { return m_readTo; } ///< offset; the text's size where all was read
+    [[nodiscard]] std::uint32_t readTo() const { return m_readTo; } ///< offset; equals the text's size if all was read
 
 private:
     friend class Parser;
@@ -113,13 +113,13 @@ private:
     std::vector<Diagnostic> m_diagnostics;
 };
 
-/// Never fails: what cannot be read is skipped with a diagnostic, everything else stands in the tree.
-/// Blocks nest at most kMaxBlockDepth deep, expressions kMaxExpressionDepth. Reading ends early in a large text of mistakes, and after
-/// about `mostTokens`.
+/// Never fails: unreadable text is skipped with a diagnostic, everything else is in the tree.
+/// Blocks nest at most kMaxBlockDepth deep, expressions kMaxExpressionDepth. Stops early in a large text full of errors, and
+/// after about `mostTokens`.
 [[nodiscard]] std::shared_ptr<const Tree> parse(std::shared_ptr<const SourceText> source, FileId file,
                                                 std::size_t mostTokens = static_cast<std::size_t>(-1));
 
-/// The bytes of the file, put together from the tokens.
+/// The bytes of the file, assembled from the tokens.
 [[nodiscard]] std::string print(const Tree& tree);
 
 inline constexpr int kMaxBlockDepth = 64;

@@ -1,5 +1,5 @@
-// Splices. Needs: a tree and the place of an edit. Gives: the smallest change of bytes that makes it, written as the author writes: line
-// ends, indent, blanks round `=`. Nothing outside the place is printed anew.
+// Edits as byte splices. Needs: a tree and the position of an edit. Result: the smallest change of bytes that performs it, in the
+// style of the file: line ends, indent, spaces around `=`. Text outside the edit is not reformatted.
 
 #include "lang/tree_edit.h"
 
@@ -49,8 +49,8 @@ std::uint32_t afterLineEnd(std::string_view bytes, std::uint32_t at) {
 
 bool hasLineEnd(std::string_view text) { return text.find_first_of("\r\n") != std::string_view::npos; }
 
-/// Lines of `text` behind `indent`, with the file's line ends, whatever the text has. A brace that closes it on a line of its own
-/// stands where it begins: by as much all lines behind the first move to the left.
+/// The lines of `text` after `indent`, with the file's line ends. If the text ends with a closing brace on a line of its own,
+/// that brace is aligned with the indent, and all lines after the first are shifted left by the same amount.
 std::string reindent(std::string_view text, const std::string& indent, const std::string& lineEnd) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
@@ -58,7 +58,7 @@ std::string reindent(std::string_view text, const std::string& indent, const std
         lines.push_back(text.substr(0, end));
         text.remove_prefix(end < text.size() ? afterLineEnd(text, static_cast<std::uint32_t>(end)) : end);
     }
-    std::size_t last = 0, common = std::string_view::npos; // the indent of the last line, and of all but the first
+    std::size_t last = 0, common = std::string_view::npos; // of the last line if it is a `}`; smallest of all lines but the first
     for (std::size_t i = 1; i < lines.size(); ++i) {
         const std::size_t first = lines[i].find_first_not_of(" \t");
         if (first == std::string_view::npos) continue;
@@ -79,10 +79,10 @@ std::string reindent(std::string_view text, const std::string& indent, const std
     return out;
 }
 
-/// Where an item goes that is to be the last of a block or of the file: behind `after`, on a line of its own or on the same.
+/// Where a new last item of a block or file is inserted: after `after`, on a new line or on the same one.
 struct Slot {
     std::uint32_t place = 0;
-    std::uint32_t end = 0; ///< blanks up to here are replaced; 0: none
+    std::uint32_t end = 0; ///< spaces up to this offset are replaced; 0: none
     std::string before, behind, indent;
     bool ownLine = true;
 };
@@ -123,14 +123,14 @@ Slot slotInBlock(const Tree& tree, const BlockItem& block, std::uint32_t blockBe
         return slot;
     }
     const std::uint32_t last = block.items.empty() ? block.open.end : block.items.back().range.end;
-    // With the first item behind `{` on its line, the indent of neighbours is that of an item that begins a line.
+    // Even if the first item follows `{` on its line, the indent is taken from an item that starts a line.
     slot.indent = outer + style.step;
     for (const Item& item : block.items) {
         const std::uint32_t start = lineStart(bytes, item.range.begin);
         if (blanksAfter(bytes, start) == item.range.begin)
             slot.indent = std::string(bytes.substr(start, item.range.begin - start));
     }
-    // Behind all comments of the block, on the line above its `}`.
+    // After all comments of the block, on the line above its `}`.
     const std::uint32_t closeLine = lineStart(bytes, block.close.begin);
     if (block.close.size() > 0 && closeLine >= last && closeLine > block.open.end &&
         blanksAfter(bytes, closeLine) == block.close.begin) {
@@ -140,7 +140,7 @@ Slot slotInBlock(const Tree& tree, const BlockItem& block, std::uint32_t blockBe
     }
     slot.place = std::max(behindComments(tree, last), last);
     slot.before = style.lineEnd;
-    // `... } }`: what follows on the line, the brace at least, needs a line of its own only behind a line comment.
+    // In `... } }` what follows on the line (at least the brace) needs a new line only after a line comment.
     const std::uint32_t rest = blanksAfter(bytes, slot.place);
     if (block.close.size() > 0 && rest == block.close.begin) {
         slot.behind = style.lineEnd + outer;
@@ -156,7 +156,7 @@ Slot slotFor(const Tree& tree, const BlockItem* block, const EditStyle& style) {
 } // namespace
 
 TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view newText) {
-    // A value that was missing: `Key =` and at once something else.
+    // The value is missing: `Key =` is followed directly by other text.
     const auto bytes = tree.source().bytes();
     std::string text(newText);
     if (value.range.size() == 0) {
@@ -173,7 +173,7 @@ TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText
 
 TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string_view key, std::string_view text) {
     const EditStyle style = editStyle(tree);
-    // Behind the last assignment, so that keys stay beside keys; where there is none, at the end.
+    // After the last assignment, so that assignments stay together; if there is none, at the end.
     const Slot slot = slotFor(tree, block, style);
     const std::string line = std::string(key) + (spacedEquals(tree, block, style) ? " = " : "=") + std::string(text);
     const auto& items = block ? block->items : tree.items();
@@ -187,7 +187,7 @@ TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string
             const std::uint32_t start = lineStart(bytes, beside->range.begin);
             const bool beginsLine = blanksAfter(bytes, start) == beside->range.begin;
             const std::string indent = beginsLine ? std::string(bytes.substr(start, beside->range.begin - start)) : slot.indent;
-            // Only where its line ends there: what stands behind on the line stays beside it.
+            // Only if its line ends there, so that the rest of the line stays with it.
             if (isLineEnd(bytes, blanksAfter(bytes, end))) return at(tree, end, end, style.lineEnd + indent + line);
         }
     }
@@ -203,7 +203,7 @@ TextEdit editAddItem(const Tree& tree, const BlockItem* block, std::string_view 
         itemText.remove_suffix(1);
     const bool needsLine = hasLineEnd(itemText) || itemText.starts_with('#') || itemText.find("//") != std::string_view::npos;
     if (!slot.ownLine && needsLine && block) {
-        // A block on one line is opened for an item that needs lines.
+        // A one-line block is expanded for a multi-line item.
         const auto bytes = tree.source().bytes();
         const std::string outer = indentOfLine(bytes, block->type.range.begin);
         slot.indent = outer + style.step;
@@ -225,7 +225,8 @@ TextEdit editRemoveItem(const Tree& tree, const Item& item) {
     const std::uint32_t after = blanksAfter(bytes, item.range.end);
     const bool first = before == start;
     if (first && isLineEnd(bytes, after)) {
-        // Alone on its line or lines: they go whole. The last line of a file without a final line end takes the one before it.
+        // If the item is alone on its lines, whole lines are removed. On the last line, if it has no final line end, the
+        // preceding line end is removed too.
         if (after >= bytes.size() && start > 0) {
             std::uint32_t previousEnd = start - 1;
             if (previousEnd > 0 && bytes[previousEnd] == '\n' && bytes[previousEnd - 1] == '\r') --previousEnd;
@@ -233,7 +234,7 @@ TextEdit editRemoveItem(const Tree& tree, const Item& item) {
         }
         return at(tree, start, afterLineEnd(bytes, after), "");
     }
-    if (first) return at(tree, item.range.begin, after, ""); // what follows moves to its place
+    if (first) return at(tree, item.range.begin, after, ""); // the text after it moves to its position
     if (isLineEnd(bytes, after)) return at(tree, before, item.range.end, "");
     return at(tree, before, item.range.end, after > item.range.end ? "" : " ");
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Edits of a tree as the smallest possible splice of its bytes, in the file's own style (indent, line ends, spacing of `=`).
-// Each function gives the text edits that do it; applying them and parsing again gives the new tree. Undo keeps the old tree.
+// Edits of a tree as the smallest possible splice of its bytes, in the file's own style (indent, line ends, spaces around `=`).
+// Each function returns text edits; applying them and parsing again gives the new tree. Undo keeps the old tree.
 
 #include <span>
 #include <string>
@@ -13,24 +13,24 @@
 
 namespace trundle {
 
-/// The end of the last comment that stands behind an offset on its line, else the offset: nothing is put behind a `//`.
+/// The end of the last comment after an offset on its line, or the offset itself: text inserted after `//` would be lost.
 [[nodiscard]] std::uint32_t behindComments(const Tree& tree, std::uint32_t from);
 
-/// Set the value of an assignment that exists: only the value's characters change.
+/// Replaces the value of an existing assignment; only the value's characters change.
 [[nodiscard]] TextEdit editSetValue(const Tree& tree, const Value& value, std::string_view newText);
-/// Replace a name (block name, word value, key).
+/// Replaces a name (block name, word value, key).
 [[nodiscard]] TextEdit editReplace(const Tree& tree, TextRange range, std::string_view newText);
-/// Add `Key = text` as the last assignment of a block (nullptr: of the file), beside its like: on the block's one line if it is
-/// written on one line, else on a line of its own with the indent of its neighbours.
+/// Adds `Key = text` as the last assignment of a block (nullptr: of the file): on the same line if the block is written on one
+/// line, otherwise on a new line with the indent of its neighbours.
 [[nodiscard]] TextEdit editAddAssignment(const Tree& tree, const BlockItem* block, std::string_view key, std::string_view text);
-/// Add the text of a whole item (a block, a directive) at the end of a block or of the file, re-indented to its place.
+/// Appends the text of a whole item (a block, a directive) to a block or file, re-indented for its new position.
 [[nodiscard]] TextEdit editAddItem(const Tree& tree, const BlockItem* block, std::string_view itemText);
-/// Remove an item with the blanks and, when it stood alone, the line that held it; comments of other items stay.
+/// Removes an item with its surrounding spaces and, if it is alone on its line, the line; comments of other items are kept.
 [[nodiscard]] TextEdit editRemoveItem(const Tree& tree, const Item& item);
 
-/// Applies edits to bytes; they must not overlap and may come in any order.
+/// Applies edits to bytes. They must not overlap; any order is allowed.
 [[nodiscard]] Result<std::string> applyEdits(std::string_view bytes, std::span<const TextEdit> edits);
-/// Applies and parses again: the new tree keeps path and FileId.
+/// Applies the edits and parses again: the new tree keeps path and FileId.
 [[nodiscard]] Result<std::shared_ptr<const Tree>> applyEdits(const Tree& tree, std::span<const TextEdit> edits);
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-// Values: elements between commas, and what people write instead of commas, quotes and `$( )`.
+// Parses values: elements separated by commas, and common mistakes in place of commas, quotes and `$( )`.
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +14,7 @@ bool numberLike(const Element& e) {
     return e.kind == Element::Kind::Number || e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
 }
 
-/// With a hyphen for each typographic minus and without a leading `+`, as from_chars wants it.
+/// The number as from_chars requires it: ASCII hyphen instead of a typographic minus, no leading `+`.
 std::string plainNumber(std::string_view written) {
     std::string plain;
     if (written.starts_with(kUnicodeMinus)) {
@@ -26,7 +26,7 @@ std::string plainNumber(std::string_view written) {
     return plain.append(written);
 }
 
-/// from_chars says "out of range" both above and below: the exponent of the first digit that is not 0 tells which.
+/// from_chars reports "out of range" for both overflow and underflow: the exponent of the first non-zero digit decides which.
 bool isTiny(std::string_view number) {
     const std::size_t e = number.find_first_of("eE");
     const std::string_view mantissa = number.substr(0, e);
@@ -68,11 +68,11 @@ bool Parser::openBracket() const {
     return kind() == TokenKind::OpenBrace && (kind(1) == TokenKind::Number || kind(1) == TokenKind::String);
 }
 
-/// Reads the elements after `=`. `equals` is where an element was to come when there is none.
+/// Parses the elements after `=`. `equals` is the position of the first element if there is none.
 Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals) {
     Value v;
     v.range = {equals.end, equals.end};
-    std::vector<TextRange> gaps; // where a comma is missing: the end of an element, or the `;` that stands there instead
+    std::vector<TextRange> gaps; // where a comma is missing: the end of an element, or a `;` written instead
     TextRange bracket;
     if (kind() == TokenKind::Equals) {
         Diagnostic& d = error(Code::UnexpectedText, range(), "one `=` is enough");
@@ -85,14 +85,14 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals) 
         v.broken = true;
         advance();
     }
-    const auto nothingHere = [&] { // on the next line begins something else
+    const auto noneHere = [&] { // the next line begins another item
         return newLine() && namedBlock() && (v.elements.empty() || numberLike(v.elements.back()));
     };
-    bool commas = false; // an element before a comma was missed already
+    bool commas = false; // an element before a comma was already reported as missing
     while (true) {
         const std::size_t before = m_at;
-        if (!nothingHere() && element(v)) {
-            if (m_at == before) break; // cannot be; a guard against going round
+        if (!noneHere() && element(v)) {
+            if (m_at == before) break; // not expected; guards against an endless loop
             if (afterElement(v, gaps)) continue;
             break;
         }
@@ -120,7 +120,7 @@ Value Parser::value(std::string_view key, TextRange keyRange, TextRange equals) 
     return v;
 }
 
-/// True when another element follows. The current token is the one after an element.
+/// True if another element follows. The current token is the one after an element.
 bool Parser::afterElement(Value& v, std::vector<TextRange>& gaps) {
     if (kind() == TokenKind::Comma) {
         advance();
@@ -139,7 +139,7 @@ bool Parser::afterElement(Value& v, std::vector<TextRange>& gaps) {
     return true;
 }
 
-/// Reads one element into `v`; false when none begins here.
+/// Parses one element into `v`; false if none begins here.
 bool Parser::element(Value& v) {
     Element e;
     e.range = range();
@@ -174,7 +174,7 @@ bool Parser::element(Value& v) {
         break;
     default: return false;
     }
-    goesOn(e, v);
+    continuesAt(e, v);
     v.elements.push_back(std::move(e));
     return true;
 }
@@ -185,7 +185,7 @@ void Parser::wordElement(Element& e) {
     e.boolean = e.text == "true";
     advance();
     const bool foreign = std::any_of(e.text.begin(), e.text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-    if (!foreign || (adjacent() && kind() == TokenKind::Unknown)) return; // that goes on, and is reported as a whole
+    if (!foreign || (adjacent() && kind() == TokenKind::Unknown)) return; // the text continues and is reported as a whole
     Diagnostic& d = error(Code::UnexpectedText, e.range, "a word with other letters than A-Z and a-z needs double quotes");
     fix(d, "\"" + e.text + "\"", {edit(e.range, "\"" + e.text + "\"")});
     e.kind = Element::Kind::String;
@@ -250,7 +250,7 @@ void Parser::stringElement(Element& e, Value& v) {
         e.text += c;
     }
     if (!closed) {
-        // The quote belongs before what follows the text on its line: blanks, a comment.
+        // The quote belongs before the trailing spaces and comment of the line.
         std::uint32_t end = e.range.end;
         std::string_view body = written;
         const std::size_t comment = body.find(" //");

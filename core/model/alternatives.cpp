@@ -1,4 +1,4 @@
-// Properties of which exactly one is given: a motor's SpeedConstant or its BackEmfConstant.
+// Checks properties of which exactly one must be given, such as a motor's SpeedConstant or BackEmfConstant.
 #include <algorithm>
 
 #include "lang/tree_edit.h"
@@ -16,9 +16,9 @@ std::size_t indexOf(const Kind& kind, const std::string& name) {
     return static_cast<std::size_t>(it - kind.properties.begin());
 }
 
-/// The item of the part's own text that sets this key, or nullptr.
-const Item* itemThatSets(const Part& part, const std::string& key) {
-    const PlacedAssignment* a = part.assignments.find(key);
+/// The item in the part's own file that sets this key; nullptr if it is set elsewhere.
+const Item* itemSetting(const Part& part, const std::string& key) {
+    const SourceAssignment* a = part.assignments.find(key);
     if (!a || a->file != part.file) return nullptr;
     for (const Item& item : part.block->items)
         if (item.as<AssignmentItem>() == a->item) return &item;
@@ -27,25 +27,25 @@ const Item* itemThatSets(const Part& part, const std::string& key) {
 
 } // namespace
 
-void ResolveContext::checkAlternatives(Record& record, const Part& part, const std::vector<bool>& tried,
+void ResolveContext::checkAlternatives(Record& record, const Part& part, const std::vector<bool>& validated,
                                        const std::vector<std::string>& meant) {
     for (const Alternatives& choice : record.kind->alternatives) {
         std::vector<std::string> there;
         bool misspelt = false;
         for (const std::string& name : choice.names) {
             const std::size_t i = indexOf(*record.kind, name);
-            if (i < tried.size() && tried[i]) there.push_back(name);
+            if (i < validated.size() && validated[i]) there.push_back(name);
             misspelt = misspelt || std::count(meant.begin(), meant.end(), name);
         }
         if (there.size() == 1) continue;
         record.complete = false;
         if (misspelt || brokenText(part.range)) continue;
-        if (there.empty()) missesAll(record, part, choice);
+        if (there.empty()) hasNone(record, part, choice);
         else hasSeveral(part, there);
     }
 }
 
-void ResolveContext::missesAll(const Record& record, const Part& part, const Alternatives& choice) {
+void ResolveContext::hasNone(const Record& record, const Part& part, const Alternatives& choice) {
     Diagnostic& d = diagnostics.error(Code::MissingRequired, part.nameRange(),
                                       part.title() + " needs " + listText(choice.names) + ", exactly one of them");
     const ResolvedValue* likely = record.find(choice.likely);
@@ -59,7 +59,7 @@ void ResolveContext::hasSeveral(const Part& part, const std::vector<std::string>
         diagnostics.error(Code::Conflict, part.nameRange(),
                           part.title() + " has " + listText(there, "and") + ": they say the same thing, give one of them");
     for (const std::string& name : there)
-        if (const Item* item = itemThatSets(part, name))
+        if (const Item* item = itemSetting(part, name))
             d.fixes.push_back({"without " + name, {editRemoveItem(*texts.trees[part.file], *item)}});
 }
 

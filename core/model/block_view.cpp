@@ -4,7 +4,7 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kLinear = 12; ///< up to here a look at each entry is fastest
+constexpr std::size_t kLinear = 12; ///< up to this length a linear search is fastest
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 std::string joined(std::span<const Name> path) {
@@ -24,7 +24,7 @@ public:
     }
 
 private:
-    /// Fills blocks and params of the view in order; gives the settings that hold for these items.
+    /// Adds the blocks and params of `items` to the view in order; returns the assignments that apply to these items.
     AssignmentList collect(const std::vector<Item>& items, FileId file) {
         AssignmentList own, imported;
         for (const Item& item : items) {
@@ -33,7 +33,7 @@ private:
             else if (const auto* param = item.as<ParamItem>()) addParam(*param, file);
             else if (const auto* import = item.as<ImportItem>()) addImport(imported, *import);
         }
-        for (const PlacedAssignment& a : imported.all()) {
+        for (const SourceAssignment& a : imported.all()) {
             if (!own.find(a.key)) own.add(a);
         }
         return own;
@@ -41,8 +41,8 @@ private:
 
     void addOwn(AssignmentList& own, const AssignmentItem& item, FileId file) {
         if (item.path.empty()) return;
-        PlacedAssignment a{joined(item.path), item.path, &item.value, file, &item};
-        if (const PlacedAssignment* first = own.find(a.key)) {
+        SourceAssignment a{joined(item.path), item.path, &item.value, file, &item};
+        if (const SourceAssignment* first = own.find(a.key)) {
             Diagnostic& d = m_diagnostics.error(Code::DuplicateKey, a.keyRange(), a.key + " is set twice in one block");
             d.notes.push_back({"first set here", first->keyRange()});
             return;
@@ -53,7 +53,7 @@ private:
     void addParam(const ParamItem& item, FileId file) {
         const auto [it, fresh] = m_params.try_emplace(item.name.text, m_view.params.size());
         if (!fresh) {
-            const PlacedParam& first = m_view.params[it->second];
+            const SourceParam& first = m_view.params[it->second];
             Diagnostic& d = m_diagnostics.error(Code::DuplicateName, {file, item.name.range},
                                                 "Param " + item.name.text + " is defined twice");
             d.notes.push_back({"first defined here", first.nameRange()});
@@ -67,13 +67,13 @@ private:
         if (target == m_texts.imports.end() || !m_visited.insert(target->second).second) return;
         m_view.imported.push_back(target->second);
         const AssignmentList theirs = collect(m_texts.trees[target->second]->items(), target->second);
-        for (const PlacedAssignment& a : theirs.all()) {
-            if (const PlacedAssignment* before = imported.find(a.key)) warnIfDifferent(*before, a);
+        for (const SourceAssignment& a : theirs.all()) {
+            if (const SourceAssignment* before = imported.find(a.key)) warnIfDifferent(*before, a);
             imported.replace(a);
         }
     }
 
-    void warnIfDifferent(const PlacedAssignment& before, const PlacedAssignment& later) {
+    void warnIfDifferent(const SourceAssignment& before, const SourceAssignment& later) {
         const std::string_view a = m_texts.slice(before.valueRange()), b = m_texts.slice(later.valueRange());
         if (a == b) return;
         Diagnostic& d = m_diagnostics.warning(Code::ImportDisagrees, later.valueRange(),
@@ -90,7 +90,7 @@ private:
     std::unordered_map<std::string_view, std::size_t> m_params;
 };
 
-/// Walks the expansion without keeping it. An import counts as well, so that empty files cannot make the walk long.
+/// Counts the blocks of an expansion without storing it. Imports are limited too, so that empty files cannot make it slow.
 class Counter {
 public:
     Counter(const TextSet& texts, std::size_t limit) : m_texts(texts), m_limit(limit) {}
@@ -137,12 +137,12 @@ std::size_t AssignmentList::place(std::string_view key) const {
     return kNone;
 }
 
-const PlacedAssignment* AssignmentList::find(std::string_view key) const {
+const SourceAssignment* AssignmentList::find(std::string_view key) const {
     const std::size_t i = place(key);
     return i == kNone ? nullptr : &m_all[i];
 }
 
-void AssignmentList::add(PlacedAssignment assignment) {
+void AssignmentList::add(SourceAssignment assignment) {
     m_all.push_back(std::move(assignment));
     if (m_all.size() == kLinear + 1) {
         for (std::size_t i = 0; i < m_all.size(); ++i) m_index.emplace(m_all[i].key, i);
@@ -151,7 +151,7 @@ void AssignmentList::add(PlacedAssignment assignment) {
     }
 }
 
-void AssignmentList::replace(PlacedAssignment assignment) {
+void AssignmentList::replace(SourceAssignment assignment) {
     const std::size_t i = place(assignment.key);
     if (i == kNone) add(std::move(assignment));
     else m_all[i] = std::move(assignment);

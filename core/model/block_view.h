@@ -1,5 +1,5 @@
 #pragma once
-// The settings, Params and blocks of one block (or of the top level) once its imports have taken their places.
+// The assignments, Params and blocks of one block (or of the top level) with its imports expanded.
 
 #include <span>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace trundle {
 
-struct PlacedAssignment {
+struct SourceAssignment {
     std::string key;            ///< the path joined by dots
     std::span<const Name> path; ///< its words, relative to the block
     const Value* value = nullptr;
@@ -24,22 +24,22 @@ struct PlacedAssignment {
     [[nodiscard]] SourceRange valueRange() const { return {file, value->range}; }
 };
 
-/// Each key once. Found by key in constant time, however many there are.
+/// Assignments with unique keys. Lookup by key takes constant time.
 class AssignmentList {
 public:
-    [[nodiscard]] const PlacedAssignment* find(std::string_view key) const;
-    void add(PlacedAssignment assignment);
-    void replace(PlacedAssignment assignment); ///< adds it where the key is new
-    [[nodiscard]] const std::vector<PlacedAssignment>& all() const { return m_all; }
+    [[nodiscard]] const SourceAssignment* find(std::string_view key) const;
+    void add(SourceAssignment assignment);
+    void replace(SourceAssignment assignment); ///< adds it if the key is new
+    [[nodiscard]] const std::vector<SourceAssignment>& all() const { return m_all; }
 
 private:
     [[nodiscard]] std::size_t place(std::string_view key) const;
-    std::vector<PlacedAssignment> m_all;
+    std::vector<SourceAssignment> m_all;
     std::unordered_map<std::string, std::size_t> m_index; ///< only for long lists
 };
 
-struct PlacedParam {
-    const Name* name = nullptr; ///< the declaration's
+struct SourceParam {
+    const Name* name = nullptr; ///< in the declaration
     const Value* value = nullptr;
     FileId file = kNoFile;      ///< of the declaration
     FileId valueFile = kNoFile; ///< differs when --set gives the value
@@ -47,7 +47,7 @@ struct PlacedParam {
     [[nodiscard]] SourceRange nameRange() const { return {file, name->range}; }
 };
 
-struct PlacedBlock {
+struct SourceBlock {
     const Item* item = nullptr;
     const BlockItem* block = nullptr;
     FileId file = kNoFile;
@@ -55,16 +55,16 @@ struct PlacedBlock {
 
 struct BlockView {
     AssignmentList assignments;
-    std::vector<PlacedParam> params;
-    std::vector<PlacedBlock> blocks; ///< in text order, imported ones in the place of their directive
-    std::vector<FileId> imported;    ///< files that were brought in, in order
+    std::vector<SourceParam> params;
+    std::vector<SourceBlock> blocks; ///< in text order; imported ones at the position of their directive
+    std::vector<FileId> imported;    ///< imported files, in order
 };
 
-/// Expands imports. A file a second time in one block adds nothing; same key twice in one file is E210; the importing file's
-/// setting beats an imported one; of two imported files that disagree the later wins with E215.
+/// Expands imports. A file imported a second time in one block has no effect; the same key twice in one file is E210; the
+/// importing file's assignment overrides an imported one; if two imported files disagree, the later one is used, with E215.
 [[nodiscard]] BlockView viewOf(const TextSet& texts, const std::vector<Item>& items, FileId file, Diagnostics& diagnostics);
 
-/// How many blocks a full expansion holds, counted up to `limit` without building anything.
+/// The number of blocks in the full expansion, counted up to `limit` without building it.
 [[nodiscard]] std::size_t countBlocks(const TextSet& texts, std::size_t limit);
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies, their geoms and their mass, in SI units, immutable once resolved.
+// Bodies, geoms and mass properties. Immutable, SI units.
 
 #include <memory>
 #include <optional>
@@ -18,26 +18,26 @@ enum class GeomShape { Box, Sphere, Cylinder, Capsule, Plane, Convex, Heightfiel
 struct GeomSpec {
     std::string name;
     GeomShape shape = GeomShape::Box;
-    Pose pose;                ///< in its body (in its config, for a static)
-    Vec3 size = Vec3::Zero(); ///< Box: full lengths; Heightfield: x, y, height of white
+    Pose pose;                ///< in the body frame (in the config frame for a static)
+    Vec3 size = Vec3::Zero(); ///< Box: full lengths; Heightfield: x, y, height of white; m
     double radius = 0;
-    double length = 0;                        ///< along the geom's z
+    double length = 0;                        ///< along the geom's z axis, m
     std::string file;                         ///< resolved path, or empty
-    std::shared_ptr<const TriangleMesh> mesh; ///< Mesh, Convex (hull); scale applied
-    /// Where collideAsHull: the convex hull of mesh, closed, seen from outside counter-clockwise.
+    std::shared_ptr<const TriangleMesh> mesh; ///< for Mesh and Convex; scale applied
+    /// For collideAsHull: the closed convex hull of mesh, triangles counter-clockwise seen from outside.
     std::shared_ptr<const TriangleMesh> hull;
-    std::shared_ptr<const HeightMap> heightMap; ///< Heightfield
-    bool collideAsHull = false;                 ///< Mesh and Convex on a body: the convex hull collides
+    std::shared_ptr<const HeightMap> heightMap; ///< for Heightfield
+    bool collideAsHull = false;                 ///< Mesh and Convex on a body: collides as its convex hull
     std::optional<double> mass;                 ///< kg
     std::optional<double> density;              ///< kg/m^3
     std::uint32_t material = 0;                 ///< index into ExperimentSpec::materials
     std::uint32_t surface = 0;                  ///< index into ExperimentSpec::surfaces
     bool collide = true, visible = true;
     SourceRange range;     ///< the whole block
-    SourceRange nameRange; ///< where a message about the geom points
+    SourceRange nameRange; ///< for diagnostics about the geom
 };
 
-/// Inertia about the centre of mass, in the body's axes.
+/// Mass, centre of mass, and inertia about the centre of mass along the body's axes.
 struct MassProperties {
     double mass = 0; ///< kg, > 0
     Vec3 centre = Vec3::Zero();
@@ -50,7 +50,7 @@ struct BodySpec {
     std::vector<GeomSpec> geoms;
     MassProperties mass;
     SourceRange range;     ///< the whole block
-    SourceRange nameRange; ///< where a message about the body points
+    SourceRange nameRange; ///< for diagnostics about the body
 };
 
 } // namespace trundle

@@ -1,8 +1,8 @@
-// What can be seen of Transceivers before a run. They are devices like any other, so their kind may be missing.
+// Checks Transceivers before a run. They are ordinary devices, so their kind may not be registered.
 #include <map>
 #include <set>
 
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -21,7 +21,7 @@ SourceRange placeOf(const ComponentSpec& radio, std::string_view key) {
     return value && value->range.known() ? value->range : radio.nameRange;
 }
 
-/// Robots share configs, and configs texts: each place is told once.
+/// Reports each source range once: robots share configs, and configs share files.
 class RadioChecker {
 public:
     explicit RadioChecker(ResolveContext& context) : m_context(context) {}
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    bool fresh(SourceRange place) { return m_told.insert(place).second; }
+    bool fresh(SourceRange place) { return m_reported.insert(place).second; }
 
     void checkLevels(const ComponentSpec& radio) {
         const std::vector<double> levels = numbersOf(radio, "PowerLevels"), currents = numbersOf(radio, "TransmitCurrent");
@@ -81,8 +81,8 @@ private:
     }
 
     ResolveContext& m_context;
-    std::set<SourceRange> m_told;
-    std::map<std::pair<double, double>, std::pair<const RobotSpec*, const ComponentSpec*>> m_addresses; ///< by channel, address
+    std::set<SourceRange> m_reported;
+    std::map<std::pair<double, double>, std::pair<const RobotSpec*, const ComponentSpec*>> m_addresses; ///< by (channel, address)
 };
 
 } // namespace

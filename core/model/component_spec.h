@@ -1,4 +1,5 @@
 #pragma once
+// Devices, controllers and logs: a kind, a name, and resolved values with their source ranges.
 #include <map>
 #include <string>
 
@@ -7,7 +8,7 @@
 
 namespace trundle {
 
-/// Where a value comes from.
+/// The source of a value.
 enum class Origin { Default, Config, Instance, Param, CommandLine };
 
 struct ResolvedValue {
@@ -16,13 +17,13 @@ struct ResolvedValue {
     Origin origin = Origin::Default;
 };
 
-/// A device, controller or log as resolved from text: the model knows no more of it than its schema.
-/// Holds every property that has a value, defaults included.
+/// A device, controller or log; the model has only its schema, not its behaviour. Contains every property that has a value,
+/// including defaults.
 struct ComponentSpec {
     std::string kind, name;
     std::map<std::string, ResolvedValue, std::less<>> values;
     SourceRange range;     ///< the whole block
-    SourceRange nameRange; ///< its name, or its kind where unnamed
+    SourceRange nameRange; ///< its name, or its kind if unnamed
 
     [[nodiscard]] const ResolvedValue* find(std::string_view key) const {
         const auto it = values.find(key);

@@ -8,12 +8,12 @@ constexpr double kFarthest = 1e5, kLargest = 1e4; ///< m
 
 constexpr Quantity position() { return metres().within(-kFarthest, kFarthest); }
 constexpr Quantity angles() { return degrees().within(-1e6, 1e6); }
-/// A length of a shape.
+/// A dimension of a shape.
 constexpr Quantity extent() { return metres().above(0).atMost(kLargest).required(); }
 constexpr Quantity direction() { return number().within(-1e6, 1e6); }
 
 template <class T> void describeGeom(Describe<T>& d) {
-    d.field("Pos", &GeomFields::pos, position(), "Where its centre stands in the body or config.");
+    d.field("Pos", &GeomFields::pos, position(), "Position of its centre in the body or config.");
     d.field("HPR", &GeomFields::hpr, angles(), "Heading, pitch and roll in the body or config.");
     d.field("Material", &GeomFields::material, reference("Material"), "How it looks.");
     d.field("Surface", &GeomFields::surface, reference("Surface"), "How it touches.");
@@ -47,7 +47,7 @@ template <class T> void describeSpring(Describe<T>& d, const char* stiffness, co
 
 void BodyFields::describe(Describe<BodyFields>& d) {
     d.help("One rigid body of a robot: its geoms and its mass.");
-    d.field("Pos", &BodyFields::pos, position(), "Where its frame stands in the config frame.");
+    d.field("Pos", &BodyFields::pos, position(), "Position of its frame in the config frame.");
     d.field("HPR", &BodyFields::hpr, angles(), "Heading, pitch and roll in the config frame.");
     d.field("Mass", &BodyFields::mass, kilograms().above(0).atMost(1e9),
             "Spread evenly over its geoms, which then have no mass of their own.");
@@ -140,7 +140,7 @@ void BallFields::describe(Describe<BallFields>& d) {
 }
 
 void UniversalFields::describe(Describe<UniversalFields>& d) {
-    d.help("Lets the child turn about two axes that stand at a right angle.");
+    d.help("Lets the child turn about two axes at a right angle.");
     describeEnds(d);
     describeAnchor(d);
     d.field("Axis", &JointFields::axis, direction(), "First axis, fixed to the parent.");

@@ -1,5 +1,5 @@
 #pragma once
-// What may be written inside configs - bodies, geoms, joints - described once.
+// Field tables of the blocks inside configs: bodies, geoms, joints.
 
 #include <array>
 #include <optional>
@@ -18,13 +18,13 @@ struct BodyFields {
     static void describe(Describe<BodyFields>& d);
 };
 
-/// What all geoms have.
+/// Fields of all geoms.
 struct GeomFields {
     std::array<double, 3> pos{0, 0, 0}, hpr{0, 0, 0};
     std::optional<std::string> material, surface;
     bool collide = true, visible = true;
 };
-/// Geoms that fill a volume.
+/// Fields of solid geoms.
 struct SolidFields : GeomFields {
     std::optional<double> mass, density;
 };
@@ -65,7 +65,7 @@ struct HeightfieldFields : GeomFields {
     static void describe(Describe<HeightfieldFields>& d);
 };
 
-/// What all joints have; each kind describes those that mean something for it.
+/// Fields of all joints; each kind describes the ones that apply to it.
 struct JointFields {
     std::string parent, child;
     std::optional<std::array<double, 3>> anchor;

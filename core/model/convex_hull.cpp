@@ -1,6 +1,7 @@
-// Needs: finite points. Assumes: distances below a billionth of the extent are rounding. Method: quickhull - begin with a
-// tetrahedron, take the point farthest outside a face, replace the faces it sees by a fan from their rim. Data: faces with
-// their neighbours and the points still outside them. A point whose rim is no simple loop (rounding) is taken for inside.
+// Needs: finite points. Assumes: distances below 1e-9 of the extent are rounding errors. Method: quickhull - start with a
+// tetrahedron, take the point farthest outside a face, replace all faces visible from it by a fan over their horizon edges. Data:
+// faces with their neighbours and the points still outside them. A point whose horizon is not a simple loop (by rounding) counts
+// as inside.
 #include "model/convex_hull.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ public:
 
     bool build() {
         if (!start()) return false;
-        for (std::size_t f = 0; f < m_faces.size(); ++f) { // new faces are appended, so the loop meets all
+        for (std::size_t f = 0; f < m_faces.size(); ++f) { // new faces are appended, so the loop reaches all
             while (m_faces[f].alive && !m_faces[f].outside.empty()) grow(static_cast<int>(f));
         }
         return true;
@@ -134,8 +135,8 @@ private:
         int from, to, beyond;
     };
 
-    /// The faces that `eye` sees, beginning at `first`, and the rim round them.
-    bool lookFrom(int eye, int first, std::vector<int>& seen, std::vector<RimEdge>& rim) {
+    /// Collects the faces visible from `eye`, starting at `first`, and their horizon edges.
+    bool visibleFaces(int eye, int first, std::vector<int>& seen, std::vector<RimEdge>& rim) {
         m_mark.resize(m_faces.size(), 0);
         ++m_round;
         seen = {first};
@@ -181,7 +182,7 @@ private:
         outside.erase(best);
         std::vector<int> seen;
         std::vector<RimEdge> rim;
-        if (!lookFrom(eye, f, seen, rim)) return;
+        if (!visibleFaces(eye, f, seen, rim)) return;
         const int first = static_cast<int>(m_faces.size()), count = static_cast<int>(rim.size());
         std::vector<int> fresh;
         for (int i = 0; i < count; ++i) {

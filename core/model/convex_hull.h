@@ -5,11 +5,12 @@
 
 namespace trundle {
 
-/// The convex hull of the points as a closed mesh whose triangles are counter-clockwise seen from outside.
-/// The same points give the same hull. Nothing when the points lie in a plane, on a line or in one place.
+/// The convex hull of the points as a closed mesh, triangles counter-clockwise seen from outside. Deterministic. Nothing if all
+/// points are in one plane, on a line or at one position.
 [[nodiscard]] std::optional<TriangleMesh> convexHull(const std::vector<std::array<double, 3>>& points);
 
-/// At most `most` of the points: those that reach farthest in as many directions spread over the sphere. All of them where they are no more.
+/// At most `most` points: the extreme ones in `most` directions spread over the sphere. All points if there are no more than
+/// that.
 [[nodiscard]] std::vector<std::array<double, 3>> farthestPoints(const std::vector<std::array<double, 3>>& points,
                                                                 std::size_t most);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a text means, once resolved: typed, immutable, in SI units and radians, complete (defaults filled in).
+// The resolved experiment: typed, immutable, SI units and radians, defaults filled in.
 
 #include <memory>
 #include <optional>
@@ -18,8 +18,8 @@ struct MaterialSpec {
     std::string name;
     std::array<double, 3> colour{0.8, 0.8, 0.8};
     std::string texture;                   ///< as written
-    std::string texturePath;               ///< the picture found, or empty
-    std::shared_ptr<const Raster> picture; ///< its pixels; of one that is missing or broken, a glaring stand-in
+    std::string texturePath;               ///< path of the file found, or empty
+    std::shared_ptr<const Raster> picture; ///< its pixels; a placeholder if it is missing or damaged
     std::string textureMap = "auto";       ///< auto planar box cylinder sphere
     double textureScale = 1, shininess = 0, opacity = 1;
     std::array<double, 3> emission{0, 0, 0};
@@ -32,7 +32,7 @@ struct SurfaceSpec {
     double rollingFriction = 0; ///< m
     double softness = 0;        ///< m/N
     SourceRange range;          ///< the whole block
-    SourceRange nameRange;      ///< where a message about it points
+    SourceRange nameRange;      ///< for diagnostics about the surface
 };
 
 struct AntennaSpec {
@@ -41,10 +41,10 @@ struct AntennaSpec {
     SourceRange range; ///< the whole block
 };
 
-/// A RobotConfig with one set of Param values and overrides applied. Instances that are equal share it.
+/// A RobotConfig with one set of Param values and overrides applied. Equal instances share it.
 struct RobotConfigSpec {
     std::string name;
-    std::vector<BodySpec> bodies; ///< the first carries the robot's pose
+    std::vector<BodySpec> bodies; ///< the first one has the robot's pose
     std::vector<JointSpec> joints;
     std::vector<ComponentSpec> devices; ///< in text order
     bool selfCollision = false;
@@ -53,12 +53,12 @@ struct RobotConfigSpec {
 
 struct RobotSpec {
     std::string name;
-    Pose pose; ///< of the config frame in the world at t = 0
+    Pose pose; ///< of the config frame in the world frame at t = 0
     std::shared_ptr<const RobotConfigSpec> config;
-    std::optional<ComponentSpec> controller; ///< with UpdatePeriod, Isolation, Budget among its values
-    SourceRange range;                       ///< the whole block
-    SourceRange nameRange; ///< where a message about the robot points; of a member, the Grid's or Scatter's name
-    std::vector<SignalDescription> published; ///< by the controller, as its kind describes them
+    std::optional<ComponentSpec> controller;  ///< includes UpdatePeriod, Isolation and Budget
+    SourceRange range;                        ///< the whole block
+    SourceRange nameRange;                    ///< for diagnostics about the robot; for a member, the name of its Grid or Scatter
+    std::vector<SignalDescription> published; ///< signals published by the controller, from its kind
 };
 
 struct StaticSpec {
@@ -66,7 +66,7 @@ struct StaticSpec {
     Pose pose;
     std::shared_ptr<const std::vector<GeomSpec>> geoms;
     SourceRange range;     ///< the whole block
-    SourceRange nameRange; ///< where a message about it points
+    SourceRange nameRange; ///< for diagnostics about the static
 };
 
 enum class SolverChoice { Auto, Exact, Quick };
@@ -77,15 +77,15 @@ struct SettingsSpec {
     std::uint64_t seed = 1;
     Vec3 gravity{0, 0, -9.81};
     SolverChoice solver = SolverChoice::Auto;
-    SourceRange solverRange; ///< of its value; unknown where the text says nothing
+    SourceRange solverRange; ///< of its value; unknown if it is the default
     int iterations = 20;
-    double errorReduction = 0.8; ///< of joints, in a tick
+    double errorReduction = 0.8; ///< error reduction parameter of joints, per tick
     std::string isolation = "none", title, description;
 };
 
 struct ModuleSpec {
     std::string written; ///< as in the text
-    std::string library; ///< absolute path found; empty when it was not
+    std::string library; ///< absolute path; empty if not found
     SourceRange range;   ///< of the path
 };
 
@@ -93,16 +93,16 @@ struct ExperimentSpec {
     SettingsSpec settings;
     std::vector<MaterialSpec> materials; ///< [0] is the built-in default
     std::vector<SurfaceSpec> surfaces;   ///< [0] is the built-in default
-    std::vector<RobotSpec> robots;       ///< in text order, Grid and Scatter members in place
+    std::vector<RobotSpec> robots;       ///< in text order, including the members of Grids and Scatters
     std::vector<StaticSpec> statics;
     std::vector<AntennaSpec> antennas;
-    MediumSettings medium; ///< ideal where the text has none
+    MediumSettings medium; ///< ideal if the text defines none
     std::vector<ComponentSpec> logs;
     std::vector<ComponentSpec> looks; ///< lights, sky and views
     std::vector<ModuleSpec> modules;
 };
 
-/// The pattern of that name, or the model of that name with its defaults; nullptr where there is neither.
+/// The pattern with that name, or the antenna model with that name and default values; nullptr if there is neither.
 [[nodiscard]] std::shared_ptr<const AntennaPattern> antennaNamed(const ExperimentSpec& experiment, const std::string& name);
 
 } // namespace trundle

@@ -9,11 +9,11 @@ namespace trundle {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-constexpr std::size_t kMostTriangles = 20000; ///< a larger mesh counts as its outline
+constexpr std::size_t kMaxTriangles = 20000; ///< a larger mesh is replaced by its outline
 
 double cross(const Vec2& a, const Vec2& b, const Vec2& c) { return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x(); }
 
-/// Andrew's monotone chain.
+/// Convex hull by Andrew's monotone chain.
 std::vector<Vec2> hull(std::vector<Vec2> points) {
     std::sort(points.begin(), points.end(),
               [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
@@ -34,7 +34,7 @@ std::vector<Vec2> hull(std::vector<Vec2> points) {
     return chain;
 }
 
-/// Points of a shape in its own frame, to be grown by a radius.
+/// Points of a shape in its own frame; the shape is their convex hull grown by the radius `grown` (m).
 std::vector<Vec3> outline(const GeomSpec& geom, double& grown) {
     std::vector<Vec3> points;
     switch (geom.shape) {
@@ -52,7 +52,7 @@ std::vector<Vec3> outline(const GeomSpec& geom, double& grown) {
         break;
     case GeomShape::Cylinder: {
         constexpr int kSides = 16;
-        const double r = geom.radius / std::cos(std::numbers::pi / kSides); // about the circle, not in it
+        const double r = geom.radius / std::cos(std::numbers::pi / kSides); // polygon around the circle, not inside it
         for (int i = 0; i < kSides; ++i) {
             const double a = 2 * std::numbers::pi * i / kSides;
             for (double z : {-0.5, 0.5}) points.emplace_back(r * std::cos(a), r * std::sin(a), z * geom.length);
@@ -91,7 +91,7 @@ double distanceToEdge(const Vec2& p, const Vec2& a, const Vec2& b) {
 } // namespace
 
 bool Footprint::meets(const Vec2& centre, double radius, double discLow, double discHigh) const {
-    constexpr double kTouch = 1e-3; // standing on a floor is not meeting it
+    constexpr double kTouch = 1e-3; // m; resting on a floor is not an overlap
     if (high <= discLow + kTouch || low >= discHigh) return false;
     bool inside = corners.size() >= 3;
     double nearest = std::numeric_limits<double>::infinity();
@@ -107,8 +107,8 @@ std::vector<Footprint> footprintsOf(const GeomSpec& geom, const Pose& pose) {
     std::vector<Footprint> all;
     if (!geom.collide || geom.shape == GeomShape::Plane || geom.shape == GeomShape::Heightfield) return all;
     const Pose at = pose * geom.pose;
-    if (geom.shape == GeomShape::Mesh && geom.mesh && !geom.collideAsHull && geom.mesh->triangles.size() <= kMostTriangles) {
-        for (const auto& t : geom.mesh->triangles) { // a hollow mesh, an arena say, has room inside
+    if (geom.shape == GeomShape::Mesh && geom.mesh && !geom.collideAsHull && geom.mesh->triangles.size() <= kMaxTriangles) {
+        for (const auto& t : geom.mesh->triangles) { // a hollow mesh, such as an arena, has free space inside
             std::vector<Vec3> points;
             for (std::uint32_t i : t)
                 points.push_back(at * Vec3(geom.mesh->points[i][0], geom.mesh->points[i][1], geom.mesh->points[i][2]));

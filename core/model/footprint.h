@@ -1,5 +1,5 @@
 #pragma once
-// The ground that things cover, for placing robots clear of scenery.
+// Ground areas covered by geoms, for placing robots clear of scenery.
 
 #include <optional>
 #include <vector>
@@ -10,20 +10,20 @@
 
 namespace trundle {
 
-/// What stands on a piece of ground: a convex polygon (counter-clockwise; a point or a line too) grown by a radius, from low to high.
+/// A ground area: a convex polygon (counter-clockwise; may be a point or a line) grown by a radius, from height low to high.
 struct Footprint {
     std::vector<Eigen::Vector2d> corners;
     double grown = 0;
     double low = 0, high = 0;
 
-    /// Whether a disc of the given height range touches it.
+    /// Whether a disc with the given height range overlaps it.
     [[nodiscard]] bool meets(const Eigen::Vector2d& centre, double radius, double discLow, double discHigh) const;
 };
 
-/// Of a geom that stands at `pose` (times its own). Nothing for planes, height fields and what does not collide.
+/// The footprints of a geom whose body is at `pose`. Empty for planes, height fields and geoms that do not collide.
 [[nodiscard]] std::vector<Footprint> footprintsOf(const GeomSpec& geom, const Pose& pose);
 
-/// The disc about the config's origin that a robot covers, whatever way it faces.
+/// The disc around the config's origin that contains the robot at any heading.
 struct RobotDisc {
     double radius = 0, low = 0, high = 0;
 };

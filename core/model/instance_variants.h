@@ -1,5 +1,6 @@
 #pragma once
-// One Robot or Static by itself, or a member of a Grid or Scatter, and its shapes with other values for the Params of its config: which Param makes a wall how long.
+// Resolves one Robot, Static or layout member alone, with other values of its config's Params: shows how each Param affects its
+// shapes.
 
 #include <memory>
 #include <optional>
@@ -12,7 +13,7 @@
 
 namespace trundle {
 
-/// A geom of a config and the pose of its body in the config's frame (identity in a StaticConfig).
+/// A geom of a config, and the pose of its body in the config frame (identity in a StaticConfig).
 struct ConfigGeom {
     GeomSpec geom;
     Pose body;
@@ -22,14 +23,15 @@ class InstanceVariants {
 public:
     using Params = std::vector<std::pair<std::string, GivenValue>>;
 
-    /// `instance`: a Robot, Static, Grid or Scatter of the outline. Meshes come from `assets`; a geom whose mesh cannot be read has none.
+    /// `instance`: a Robot, Static, Grid or Scatter of the outline. Meshes come from `assets`; a geom with an unreadable mesh has
+    /// none.
     InstanceVariants(std::shared_ptr<const Outline> outline, AssetLookup assets, const Part& instance)
         : m_outline(std::move(outline)), m_assets(std::move(assets)), m_instance(&instance) {}
 
-    /// The Params of its config with the values that they have in this instance, in text order; none whose value cannot be evaluated.
+    /// The Params of its config and their values in this instance, in text order; Params that cannot be evaluated are left out.
     [[nodiscard]] Params params() const;
-    /// All geoms with these values in place of what the instance and its config give; the other Params keep theirs. Nothing where
-    /// the config cannot be resolved at all; a geom for which a value does not fit is left out.
+    /// All geoms with these values instead of those of the instance and its config; the other Params are unchanged. Nothing if
+    /// the config cannot be resolved; geoms for which a value is invalid are left out.
     [[nodiscard]] std::optional<std::vector<ConfigGeom>> geoms(const Params& changed) const;
 
 private:

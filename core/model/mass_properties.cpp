@@ -14,7 +14,7 @@ namespace trundle {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kSmallestMoment = 1e-18; ///< kg m^2; below it inertia drowns in rounding
+constexpr double kSmallestMoment = 1e-18; ///< kg m^2; smaller moments are lost in rounding errors
 
 MassProperties centred(double volume, double xx, double yy, double zz) {
     return {volume, Vec3::Zero(), volume * Vec3(xx, yy, zz).asDiagonal().toDenseMatrix()};
@@ -39,7 +39,7 @@ MassProperties capsule(double r, double length) {
     return {tube + caps, Vec3::Zero(), Vec3(across, across, along).asDiagonal().toDenseMatrix()};
 }
 
-/// Triangles over points that differ, without those that have no area by index.
+/// Merges equal points and removes the triangles that become degenerate.
 std::vector<std::array<std::uint32_t, 3>> welded(const TriangleMesh& mesh) {
     std::map<std::array<double, 3>, std::uint32_t> first;
     std::vector<std::uint32_t> place(mesh.points.size());
@@ -52,7 +52,7 @@ std::vector<std::array<std::uint32_t, 3>> welded(const TriangleMesh& mesh) {
     return triangles;
 }
 
-/// Every edge runs once each way.
+/// Whether every edge occurs once in each direction.
 bool closed(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::unordered_map<std::uint64_t, int> edges;
     for (const auto& t : triangles) {
@@ -72,7 +72,7 @@ bool closed(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
 Result<MassProperties> solidOf(const TriangleMesh& mesh) {
     const std::vector<std::array<std::uint32_t, 3>> triangles = welded(mesh);
     if (!closed(triangles)) return Error{Code::BadMass, "the mesh is not closed, so that it has no volume"};
-    Vec3 origin = Vec3::Zero(); // near the points, or far ones would cost digits
+    Vec3 origin = Vec3::Zero(); // near the points, to keep precision for meshes far from their origin
     for (const auto& p : mesh.points) origin += Vec3(p[0], p[1], p[2]) / static_cast<double>(mesh.points.size());
     const auto point = [&](std::uint32_t i) {
         return Vec3(Vec3(mesh.points[i][0], mesh.points[i][1], mesh.points[i][2]) - origin);
@@ -87,7 +87,7 @@ Result<MassProperties> solidOf(const TriangleMesh& mesh) {
         moment += six / 24 * s;
         second += six / 120 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
     }
-    if (volume < 0) { // triangles seen from inside
+    if (volume < 0) { // triangles are clockwise seen from outside
         volume = -volume;
         moment = -moment;
         second = -second;
@@ -143,7 +143,7 @@ Status checkMass(const MassProperties& m) {
         return Error{Code::BadMass, "its mass is not a usable number"};
     }
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(m.inertia, Eigen::EigenvaluesOnly);
-    const Vec3 moments = solver.eigenvalues(); // in rising order
+    const Vec3 moments = solver.eigenvalues(); // in increasing order
     if (!moments.allFinite() || moments.x() <= 0) return Error{Code::BadMass, "its inertia is not positive definite"};
     if (moments.x() < kSmallestMoment)
         return Error{Code::BadMass, "its inertia is too small to be simulated (" + numberText(moments.x()) + " kg m^2)"};

@@ -8,14 +8,14 @@
 namespace trundle {
 
 namespace {
-constexpr std::size_t kMostForgotten = 64; ///< meshes known before those that are gone are looked for
+constexpr std::size_t kMaxForgotten = 64; ///< cached meshes before expired ones are removed
 }
 
-MeshShapes::Known& MeshShapes::known(const Mesh& mesh) {
-    if (m_known.size() >= kMostForgotten) std::erase_if(m_known, [](const auto& entry) { return entry.second.mesh.expired(); });
-    Known& known = m_known[mesh.get()];
+MeshShapes::CachedShape& MeshShapes::known(const Mesh& mesh) {
+    if (m_known.size() >= kMaxForgotten) std::erase_if(m_known, [](const auto& entry) { return entry.second.mesh.expired(); });
+    CachedShape& known = m_known[mesh.get()];
     if (known.mesh.lock() == mesh) return known;
-    known = {}; // another mesh had the address before
+    known = {}; // the address was used by another mesh before
     known.mesh = mesh;
     return known;
 }
@@ -35,7 +35,7 @@ MeshShapes::Mesh MeshShapes::scaled(const Mesh& mesh, const std::array<double, 3
 
 MeshShapes::Mesh MeshShapes::hull(const Mesh& mesh) {
     const std::lock_guard lock(m_mutex);
-    Known& shapes = known(mesh);
+    CachedShape& shapes = known(mesh);
     if (shapes.flat) return nullptr;
     if (Mesh kept = shapes.hull.lock()) return kept;
     std::optional<TriangleMesh> hull = convexHull(mesh->points);
@@ -48,14 +48,14 @@ MeshShapes::Mesh MeshShapes::hull(const Mesh& mesh) {
 
 Result<MassProperties> MeshShapes::solid(const Mesh& mesh) {
     const std::lock_guard lock(m_mutex);
-    Known& shapes = known(mesh);
+    CachedShape& shapes = known(mesh);
     if (!shapes.solid) shapes.solid = solidOf(*mesh);
     return *shapes.solid;
 }
 
 MeshShapes::Mesh MeshShapes::originalOf(const Mesh& shape) {
     const std::lock_guard lock(m_mutex);
-    const auto isMadeFrom = [](const Mesh& made, const Known& from) {
+    const auto isMadeFrom = [](const Mesh& made, const CachedShape& from) {
         const auto same = [&](const auto& copy) { return copy.second.lock() == made; };
         return from.hull.lock() == made || std::any_of(from.scaled.begin(), from.scaled.end(), same);
     };

@@ -1,6 +1,6 @@
 #pragma once
-// What is worked out from a mesh: scaled copies, hulls, masses. Kept from one load to the next, so that an edit elsewhere in the text
-// does not work it out again.
+// Cache of results computed from meshes: scaled copies, hulls, masses. Kept across loads, so that an unrelated edit does not
+// compute them again.
 
 #include <map>
 #include <memory>
@@ -13,31 +13,31 @@
 
 namespace trundle {
 
-/// The answers are those of the functions themselves. A mesh is known by its address as long as somebody keeps it; nothing is kept
-/// here that nobody else keeps, but masses. May be asked from several threads.
+/// Returns the same results as the uncached functions. Meshes are identified by address; only weak references are kept, so the
+/// cache keeps no mesh alive. Thread-safe.
 class MeshShapes {
 public:
     using Mesh = std::shared_ptr<const TriangleMesh>;
 
     [[nodiscard]] Mesh scaled(const Mesh& mesh, const std::array<double, 3>& scale);
-    /// Null where the points lie in one plane.
+    /// Null if the points are in one plane.
     [[nodiscard]] Mesh hull(const Mesh& mesh);
     [[nodiscard]] Result<MassProperties> solid(const Mesh& mesh);
-    /// The mesh that a scaled copy or a hull was made from, or what that was made from; itself where it was made from none. Null where that
-    /// is gone.
+    /// The mesh that a scaled copy or a hull was made from, followed back to the first one; `shape` itself if it was not made
+    /// here. Null if the original no longer exists.
     [[nodiscard]] Mesh originalOf(const Mesh& shape);
 
 private:
-    struct Known {
+    struct CachedShape {
         std::weak_ptr<const TriangleMesh> mesh, hull;
         std::map<std::array<double, 3>, std::weak_ptr<const TriangleMesh>> scaled;
         bool flat = false; ///< has no hull
         std::optional<Result<MassProperties>> solid;
     };
-    Known& known(const Mesh& mesh);
+    CachedShape& known(const Mesh& mesh);
 
     std::mutex m_mutex;
-    std::map<const TriangleMesh*, Known> m_known;
+    std::map<const TriangleMesh*, CachedShape> m_known;
 };
 
 } // namespace trundle

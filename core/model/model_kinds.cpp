@@ -8,9 +8,9 @@ namespace trundle {
 
 namespace {
 
-class Adder {
+class KindBuilder {
 public:
-    explicit Adder(Registry& registry) : m_registry(registry) {}
+    explicit KindBuilder(Registry& registry) : m_registry(registry) {}
     template <class T> void add(const char* name, Role role, std::vector<std::string> parents, bool nameOptional = false) {
         const Status status = m_registry.add(kindOf<T>(name, role, std::move(parents), nameOptional));
         assert(status.ok());
@@ -24,7 +24,7 @@ private:
 } // namespace
 
 void addModelKinds(Registry& registry) {
-    Adder kinds(registry);
+    KindBuilder kinds(registry);
     kinds.add<SettingsFields>("settings", Role::Settings, {});
     kinds.add<MaterialFields>("Material", Role::Material, {""});
     kinds.add<SurfaceFields>("Surface", Role::Surface, {""});

@@ -3,13 +3,13 @@
 
 namespace trundle {
 
-/// Adds the kinds that the model itself knows: settings, Material, Surface, configs, instances, layouts, Body, geoms, joints.
-/// To be called once, on an empty registry.
+/// Adds the kinds of the model itself: settings, Material, Surface, configs, instances, layouts, Body, geoms, joints. Must be
+/// called once, on an empty registry.
 void addModelKinds(Registry& registry);
 
-/// The registry as a text sees it: every controller kind has UpdatePeriod, Isolation and Budget as well.
+/// The registry as used for texts: every controller kind also has UpdatePeriod, Isolation and Budget.
 [[nodiscard]] Registry withControllerProperties(const Registry& registry);
-/// One kind so completed.
+/// The same for one kind.
 [[nodiscard]] Kind withControllerProperties(Kind kind);
 
 } // namespace trundle

@@ -15,34 +15,35 @@ bool topLevelOnly(const Registry& registry, const BlockItem& block) {
                     kind->role == Role::Config);
 }
 
-/// Materials, surfaces and configs of files that are imported inside a block: they stand at the top level all the same, before
-/// the block that brought them.
-class Lifter {
+/// Materials, surfaces and configs of files that are imported inside a block: they belong to the top level, before the block that
+/// imports them.
+class ImportedTopLevel {
 public:
-    Lifter(const TextSet& texts, const Registry& registry, std::span<const FileId> known) : m_texts(texts), m_registry(registry) {
+    ImportedTopLevel(const TextSet& texts, const Registry& registry, std::span<const FileId> known)
+        : m_texts(texts), m_registry(registry) {
         m_files.insert(0);
         m_files.insert(known.begin(), known.end());
     }
 
-    std::vector<PlacedBlock> from(const BlockItem& block) {
+    std::vector<SourceBlock> from(const BlockItem& block) {
         m_found.clear();
-        lookIn(block.items);
+        searchIn(block.items);
         return std::move(m_found);
     }
 
 private:
-    void lookIn(const std::vector<Item>& items) {
+    void searchIn(const std::vector<Item>& items) {
         for (const Item& item : items) {
-            if (const auto* block = item.as<BlockItem>()) lookIn(block->items);
-            if (const auto* import = item.as<ImportItem>()) lookInFile(*import);
+            if (const auto* block = item.as<BlockItem>()) searchIn(block->items);
+            if (const auto* import = item.as<ImportItem>()) searchInFile(*import);
         }
     }
 
-    void lookInFile(const ImportItem& import) {
+    void searchInFile(const ImportItem& import) {
         const auto target = m_texts.imports.find(&import);
         if (target == m_texts.imports.end() || !m_files.insert(target->second).second) return;
         const std::vector<Item>& items = m_texts.trees[target->second]->items();
-        lookIn(items);
+        searchIn(items);
         for (const Item& item : items) {
             const auto* block = item.as<BlockItem>();
             if (block && topLevelOnly(m_registry, *block)) m_found.push_back({&item, block, target->second});
@@ -52,13 +53,13 @@ private:
     const TextSet& m_texts;
     const Registry& m_registry;
     std::unordered_set<FileId> m_files;
-    std::vector<PlacedBlock> m_found;
+    std::vector<SourceBlock> m_found;
 };
 
 } // namespace
 
 void Part::makeIndex() {
-    if (parts.size() <= 16) return; // a look at each is as fast
+    if (parts.size() <= 16) return; // a linear search is as fast
     for (std::size_t i = 0; i < parts.size(); ++i) index.emplace(parts[i].name, i);
 }
 
@@ -71,8 +72,8 @@ const Part* Part::find(std::string_view part) const {
     return it == parts.end() ? nullptr : &*it;
 }
 
-const PlacedParam* Part::param(std::string_view key) const {
-    const auto it = std::find_if(params.begin(), params.end(), [&](const PlacedParam& p) { return p.name->text == key; });
+const SourceParam* Part::param(std::string_view key) const {
+    const auto it = std::find_if(params.begin(), params.end(), [&](const SourceParam& p) { return p.name->text == key; });
     return it == params.end() ? nullptr : &*it;
 }
 
@@ -123,19 +124,19 @@ std::shared_ptr<Outline> Outline::build(std::shared_ptr<const TextSet> texts, st
     BlockView top = viewOf(*texts, texts->trees[0]->items(), 0, diagnostics);
     outline->settings = std::move(top.assignments);
     outline->params = std::move(top.params);
-    Lifter lifter(*texts, *registry, top.imported);
+    ImportedTopLevel lifter(*texts, *registry, top.imported);
     PartBuilder builder(*texts, *registry, diagnostics);
     std::uint32_t order = 0;
-    const auto place = [&](const PlacedBlock& placed) {
+    const auto place = [&](const SourceBlock& placed) {
         outline->parts.push_back(std::make_unique<Part>(builder.build(placed, nullptr, order)));
     };
-    for (const PlacedBlock& placed : top.blocks) {
-        for (const PlacedBlock& lifted : lifter.from(*placed.block)) place(lifted);
+    for (const SourceBlock& placed : top.blocks) {
+        for (const SourceBlock& lifted : lifter.from(*placed.block)) place(lifted);
         ++order;
         place(placed);
     }
-    // one namer per name space: a robot may be called as a material is
-    std::unordered_map<const NameSpace*, PartNamer> namers;
+    // names are unique per name space: a robot may have the name of a material
+    std::unordered_map<const NameSpace*, PartNames> namers;
     for (const auto& part : outline->parts) {
         if (NameSpace* space = part->kind ? const_cast<NameSpace*>(outline->spaceOf(*part->kind)) : nullptr;
             space && part->block->name) {
@@ -168,7 +169,7 @@ std::vector<std::string> partNames(const Part& part) {
     for (const Part& inner : part.parts) {
         if (!inner.name.empty()) names.push_back(inner.name);
     }
-    for (const PlacedParam& p : part.params) names.push_back(p.name->text);
+    for (const SourceParam& p : part.params) names.push_back(p.name->text);
     if (part.kind) {
         for (const Property& p : part.kind->properties) names.push_back(p.name);
     }

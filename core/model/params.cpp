@@ -11,10 +11,10 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kLongestChain = 100;    ///< Params that need each other in a row: bounds the stack
-constexpr std::size_t kMostElements = 100000; ///< lists of lists could double without end
+constexpr std::size_t kLongestChain = 100;    ///< nesting depth of Params that use each other; limits the stack
+constexpr std::size_t kMaxElements = 100000;  ///< nested lists could grow exponentially
 
-/// The unit in which the language reads plain numbers of a dimension: metres, degrees ...
+/// The unit of plain numbers of a dimension in the language: m, deg ...
 std::string baseUnit(std::string_view dimension) {
     if (dimension == "angle") return "deg";
     for (const std::string& name : allUnitNames()) {
@@ -35,8 +35,8 @@ double sine(double degrees) {
 
 } // namespace
 
-void ParamScope::declare(const std::vector<PlacedParam>& params) {
-    for (const PlacedParam& p : params) m_entries.try_emplace(p.name->text, Entry{p, this, State::Fresh, {}});
+void ParamScope::declare(const std::vector<SourceParam>& params) {
+    for (const SourceParam& p : params) m_entries.try_emplace(p.name->text, Entry{p, this, State::Fresh, {}});
 }
 
 void ParamScope::preset(const std::string& name, const GivenValue& value) {
@@ -77,13 +77,13 @@ bool Evaluator::broken(const SourceRange& range) {
 }
 
 std::optional<GivenValue> Evaluator::evaluate(const Value& value, FileId file, ParamScope& scope) {
-    if (broken({file, value.range})) return std::nullopt; // what was read of it is not what was meant
+    if (broken({file, value.range})) return std::nullopt; // contains syntax errors: the parsed part may be incomplete
     GivenValue out;
     out.range = {file, value.range};
     out.elements.reserve(value.elements.size());
     bool good = true;
     for (const Element& element : value.elements) good = addElement(element, file, scope, out) && good;
-    if (!good || out.elements.empty()) return std::nullopt; // a missing value has been said by the parser
+    if (!good || out.elements.empty()) return std::nullopt; // the parser has reported a missing value
     return out;
 }
 
@@ -117,7 +117,7 @@ bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scop
         const GivenValue* value = paramValue(element.text, given.range, scope);
         if (!value) return false;
         out.fromParam = true;
-        if (out.elements.size() + value->elements.size() > kMostElements) {
+        if (out.elements.size() + value->elements.size() > kMaxElements) {
             m_diagnostics.error(Code::WrongCount, given.range, "the list grows beyond 100000 elements");
             return false;
         }
@@ -131,7 +131,7 @@ bool Evaluator::addElement(const Element& element, FileId file, ParamScope& scop
         return true;
     }
     case Element::Kind::Expression: {
-        if (!element.expression) return false; // said by the parser
+        if (!element.expression) return false; // reported by the parser
         const std::optional<Amount> result = amount(*element.expression, file, scope);
         if (!result) return false;
         out.fromParam = true;
@@ -176,11 +176,11 @@ const GivenValue* Evaluator::paramValue(std::string_view name, SourceRange place
 
 void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& scope) {
     std::string message = "there is no Param " + std::string(name);
-    // in `$name` only the name is wrong
+    // excludes the `$` of `$name` from the range
     const std::string_view text = m_texts.slice(place);
     if (text.size() == name.size() + 1 && text.front() == '$') ++place.range.begin;
     Diagnostic& d = m_diagnostics.error(Code::UnknownParam, place, std::move(message));
-    constexpr std::size_t kMany = 1000, kFirst = 20; // among many Params a search for each mistake would take minutes
+    constexpr std::size_t kMany = 1000, kFirst = 20; // with many Params, suggestions for each error would take minutes
     if (manyAlready(m_diagnostics)) return;
     const std::vector<std::string> names = scope.names();
     if (names.size() > kMany && m_diagnostics.all().size() > kFirst) return;
@@ -237,7 +237,7 @@ std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId f
     if (e.op == Op::Number) return Amount{e.number, {}};
     if (e.op == Op::Name) return paramAmount(e, file, scope);
     if (e.op == Op::Call) return call(e, file, scope);
-    if (e.arguments.empty() || (e.op != Op::Negate && e.arguments.size() < 2)) return std::nullopt; // said by the parser
+    if (e.arguments.empty() || (e.op != Op::Negate && e.arguments.size() < 2)) return std::nullopt; // reported by the parser
     std::optional<Amount> a = amount(e.arguments[0], file, scope);
     if (e.op == Op::Negate) {
         if (a) a->value = -a->value;
@@ -254,7 +254,7 @@ std::optional<Evaluator::Amount> Evaluator::amount(const Expression& e, FileId f
         return finite(e, file,
                       {e.op == Op::Add ? a->value + b->value : a->value - b->value, a->unit.empty() ? b->unit : a->unit});
     case Op::Multiply:
-        // the product of two units is a number of which only its author knows what it is
+        // the product of two units is treated as a plain number: its dimension is not checked
         return finite(e, file, {a->value * b->value, a->unit.empty() ? b->unit : b->unit.empty() ? a->unit : std::string()});
     case Op::Divide:
         if (b->value == 0) return fault(e, file, "division by zero");

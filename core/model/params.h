@@ -1,5 +1,5 @@
 #pragma once
-// Params and `$( )`: values worked out on demand, in any order, circles shown as a chain.
+// Params and `$( )` expressions, evaluated on demand in any order; cycles are reported as a chain of names.
 
 #include <map>
 #include <memory>
@@ -12,22 +12,22 @@
 
 namespace trundle {
 
-/// The Params of one block; looks outward for those it does not have.
+/// The Params of one block; lookup continues in the outer scopes.
 class ParamScope {
 public:
     explicit ParamScope(ParamScope* outer = nullptr) : m_outer(outer) {}
     ParamScope(const ParamScope&) = delete;
     ParamScope& operator=(const ParamScope&) = delete;
 
-    void declare(const std::vector<PlacedParam>& params);
-    /// Gives a Param of this block a value from outside, which then holds in place of its own.
+    void declare(const std::vector<SourceParam>& params);
+    /// Overrides a Param of this block with a value from outside.
     void preset(const std::string& name, const GivenValue& value);
 
 private:
     friend class Evaluator;
     enum class State { Fresh, Busy, Done, Failed };
     struct Entry {
-        PlacedParam param;
+        SourceParam param;
         ParamScope* scope = nullptr;
         State state = State::Fresh;
         GivenValue value;
@@ -43,15 +43,15 @@ class Evaluator {
 public:
     Evaluator(const TextSet& texts, Diagnostics& diagnostics) : m_texts(texts), m_diagnostics(diagnostics) {}
 
-    /// The elements of a value with Params put in and expressions worked out; nothing after saying why not.
+    /// The elements of a value, with Params substituted and expressions evaluated; nothing, with a diagnostic, on failure.
     [[nodiscard]] std::optional<GivenValue> evaluate(const Value& value, FileId file, ParamScope& scope);
-    /// True where the parser found fault inside: what seems to be missing or wrong there may only be unreadable.
+    /// Whether the parser reported errors inside the range, so that further errors there may be follow-ups.
     [[nodiscard]] bool broken(const SourceRange& range);
-    /// Works out every Param of the scope, so that faults in unused ones are said too.
+    /// Evaluates every Param of the scope, so that errors in unused ones are reported too.
     void checkAll(ParamScope& scope);
 
 private:
-    /// A number in an expression: a Param's unit goes with it as the base unit of its dimension.
+    /// A number in an expression; a unit is converted to the base unit of its dimension.
     struct Amount {
         double value = 0;
         std::string unit;
@@ -69,7 +69,7 @@ private:
     const TextSet& m_texts;
     Diagnostics& m_diagnostics;
     std::vector<ParamScope::Entry*> m_chain;
-    std::map<FileId, std::vector<std::uint32_t>> m_broken; ///< where each file's faults begin
+    std::map<FileId, std::vector<std::uint32_t>> m_broken; ///< offsets of syntax errors, sorted, by file
 };
 
 } // namespace trundle

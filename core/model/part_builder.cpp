@@ -12,7 +12,7 @@ namespace {
 
 std::string_view kindIn(const Part* parent) { return parent ? std::string_view(parent->block->type.text) : std::string_view(); }
 
-/// The kinds of blocks that `kind` may stand in. Devices, controllers and logs go by their role, whoever described them.
+/// The kinds of blocks that `kind` may be inside. For devices, controllers and logs this depends only on the role.
 std::vector<std::string> places(const Kind& kind) {
     switch (kind.role) {
     case Role::Device: return {"RobotConfig"};
@@ -22,7 +22,7 @@ std::vector<std::string> places(const Kind& kind) {
     }
 }
 
-bool mayStand(const Kind& kind, std::string_view parent) {
+bool isAllowedIn(const Kind& kind, std::string_view parent) {
     const std::vector<std::string> all = places(kind);
     return std::find(all.begin(), all.end(), parent) != all.end();
 }
@@ -42,7 +42,7 @@ std::string lowerFirst(std::string word) {
 
 } // namespace
 
-Part PartBuilder::build(const PlacedBlock& placed, const Part* parent, std::uint32_t order) {
+Part PartBuilder::build(const SourceBlock& placed, const Part* parent, std::uint32_t order) {
     Part part;
     part.block = placed.block;
     part.file = placed.file;
@@ -59,15 +59,15 @@ void PartBuilder::fill(Part& part, FileId file) {
     BlockView view = viewOf(m_texts, part.block->items, file, m_diagnostics);
     part.assignments = std::move(view.assignments);
     part.params = std::move(view.params);
-    if (!part.usable) return; // its values are still looked at by nobody: nothing inside can be said with sense
+    if (!part.usable) return; // no kind to check against: diagnostics about its contents would be misleading
     part.parts.reserve(view.blocks.size());
-    for (const PlacedBlock& inner : view.blocks) {
+    for (const SourceBlock& inner : view.blocks) {
         const Kind* kind = m_registry.find(inner.block->type.text);
         const bool imported = inner.file != file;
         if (imported && kind &&
             (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Pattern ||
              kind->role == Role::Config)) {
-            continue; // stands at the top level: Outline::build lifts it there
+            continue; // Outline::build adds it to the top level
         }
         part.parts.push_back(build(inner, &part, part.order));
     }
@@ -77,15 +77,15 @@ void PartBuilder::fill(Part& part, FileId file) {
 }
 
 void PartBuilder::nameParts(Part& part) {
-    PartNamer namer(m_diagnostics);
+    PartNames names(m_diagnostics);
     if (part.is(Role::Config)) {
-        for (const PlacedParam& p : part.params) namer.take(p.name->text, p.nameRange());
+        for (const SourceParam& p : part.params) names.take(p.name->text, p.nameRange());
     }
     for (const Part& inner : part.parts) {
-        if (inner.block->name) namer.reserve(inner.name); // an automatic name never takes one that is written further down
+        if (inner.block->name) names.reserve(inner.name); // generated names avoid names given further down
     }
     for (Part& inner : part.parts) {
-        if (!namer.name(inner)) inner.usable = false;
+        if (!names.name(inner)) inner.usable = false;
     }
     part.makeIndex();
 }
@@ -95,9 +95,9 @@ bool PartBuilder::fits(Part& part, const Part* parent) {
         unknownKind(part, parent);
         return false;
     }
-    if (mayStand(*part.kind, kindIn(parent))) return true;
-    const bool loose = part.is(Role::Geom) && kindIn(parent) == "RobotConfig" && mayStand(*part.kind, "Body");
-    if (!loose) wrongPlace(part, parent); // loose geoms get one message with its fix
+    if (isAllowedIn(*part.kind, kindIn(parent))) return true;
+    const bool loose = part.is(Role::Geom) && kindIn(parent) == "RobotConfig" && isAllowedIn(*part.kind, "Body");
+    if (!loose) misplaced(part, parent); // loose geoms get a message of their own, with a fix
     return false;
 }
 
@@ -105,7 +105,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     const std::string& word = part.block->type.text;
     std::vector<std::string> candidates;
     for (const Kind* kind : m_registry.all()) {
-        if (mayStand(*kind, kindIn(parent))) candidates.push_back(kind->name);
+        if (isAllowedIn(*kind, kindIn(parent))) candidates.push_back(kind->name);
     }
     const bool holdsModuleKinds =
         parent && (parent->is(Role::Instance) || parent->is(Role::Layout) || kindIn(parent) == "RobotConfig");
@@ -122,7 +122,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     if (near.empty()) {
         d.message += parent ? "; " + withArticle(kindIn(parent)) +
                                   (candidates.empty() ? " holds no blocks" : " may hold " + listText(candidates))
-                            : "; at the top level stand " + listText(candidates, "and");
+                            : "; allowed at the top level: " + listText(candidates, "and");
         if (parent && (parent->is(Role::Instance) || parent->is(Role::Layout)) && candidates.empty()) {
             d.message = "there is no kind " + word + "; a controller's kind comes from the module that #loadModule names";
         }
@@ -130,7 +130,7 @@ void PartBuilder::unknownKind(const Part& part, const Part* parent) {
     suggestWords(d, std::move(near), part.typeRange());
 }
 
-void PartBuilder::wrongPlace(const Part& part, const Part* parent) {
+void PartBuilder::misplaced(const Part& part, const Part* parent) {
     const std::string here = parent ? "in " + withArticle(kindIn(parent)) : std::string("at the top level");
     const std::vector<std::string> legal = places(*part.kind);
     if (part.is(Role::Settings)) {
@@ -140,7 +140,7 @@ void PartBuilder::wrongPlace(const Part& part, const Part* parent) {
     }
     const bool top = legal.size() == 1 && legal[0].empty();
     std::string text =
-        part.block->type.text + " stands " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
+        part.block->type.text + " is allowed " + (top ? "at the top level" : "in " + placeText(legal)) + ", not " + here;
     if (kindIn(parent) == "StaticConfig" && part.is(Role::Body)) text = "a StaticConfig holds its geoms directly, without a Body";
     m_diagnostics.error(Code::WrongPlace, part.typeRange(), text);
 }
@@ -149,14 +149,14 @@ void PartBuilder::looseGeoms(const Part& config) {
     for (std::size_t i = 0; i < config.parts.size(); ++i) {
         const auto loose = [&](std::size_t k) {
             return k < config.parts.size() && config.parts[k].is(Role::Geom) && !config.parts[k].usable &&
-                   mayStand(*config.parts[k].kind, "Body");
+                   isAllowedIn(*config.parts[k].kind, "Body");
         };
         if (!loose(i)) continue;
         std::size_t last = i;
         while (loose(last + 1) && config.parts[last + 1].file == config.parts[i].file) ++last;
         const Part& first = config.parts[i];
         Diagnostic& d = m_diagnostics.error(Code::LooseGeom, first.typeRange(),
-                                            withArticle(first.block->type.text) + " of a RobotConfig stands in a Body");
+                                            withArticle(first.block->type.text) + " of a RobotConfig belongs in a Body");
         const TextRange from = first.range.range, to = config.parts[last].range.range;
         std::string name = "chassis";
         for (int n = 2; config.find(name); ++n) name = "body" + std::to_string(n);
@@ -182,7 +182,7 @@ void PartBuilder::countControllers(Part& robot) {
     }
 }
 
-bool PartNamer::name(Part& part) {
+bool PartNames::name(Part& part) {
     if (!part.block->name) {
         if (part.kind && !part.kind->nameOptional) {
             if (!part.usable) return false;

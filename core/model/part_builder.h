@@ -3,21 +3,21 @@
 
 namespace trundle {
 
-/// Builds the parts of an outline, with everything that can be said from names and kinds alone.
+/// Builds the parts of an outline and reports all errors that follow from names and kinds alone.
 class PartBuilder {
 public:
     PartBuilder(const TextSet& texts, const Registry& registry, Diagnostics& diagnostics)
         : m_texts(texts), m_registry(registry), m_diagnostics(diagnostics) {}
 
-    /// `parent` is the part it stands in, nullptr at the top level.
-    [[nodiscard]] Part build(const PlacedBlock& placed, const Part* parent, std::uint32_t order);
+    /// `parent` is the enclosing part, nullptr at the top level.
+    [[nodiscard]] Part build(const SourceBlock& placed, const Part* parent, std::uint32_t order);
 
 private:
     void fill(Part& part, FileId file);
     void nameParts(Part& part);
     [[nodiscard]] bool fits(Part& part, const Part* parent);
     void unknownKind(const Part& part, const Part* parent);
-    void wrongPlace(const Part& part, const Part* parent);
+    void misplaced(const Part& part, const Part* parent);
     void looseGeoms(const Part& config);
     void countControllers(Part& robot);
 
@@ -26,13 +26,13 @@ private:
     Diagnostics& m_diagnostics;
 };
 
-/// Gives names to unnamed parts, in order: box, box2 ...; says E304 where a name must stand and E303 for the second of a name.
-class PartNamer {
+/// Names unnamed parts in order: box, box2 ...; reports E304 for a missing name and E303 for a duplicate.
+class PartNames {
 public:
-    explicit PartNamer(Diagnostics& diagnostics) : m_diagnostics(diagnostics) {}
+    explicit PartNames(Diagnostics& diagnostics) : m_diagnostics(diagnostics) {}
     void reserve(const std::string& name) { m_reserved.insert(name); }
     void take(const std::string& name, SourceRange where) { m_taken.emplace(name, where); }
-    /// False when the name is somebody else's already.
+    /// False if the name is already taken.
     bool name(Part& part);
 
 private:

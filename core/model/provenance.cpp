@@ -24,7 +24,7 @@ std::string joined(std::span<const std::string> words) {
     return text;
 }
 
-Provenance found(const Outline& outline, const PlacedAssignment& a, Origin origin, const Property* property, SourceRange block) {
+Provenance found(const Outline& outline, const SourceAssignment& a, Origin origin, const Property* property, SourceRange block) {
     const bool param = std::any_of(a.value->elements.begin(), a.value->elements.end(), [](const Element& e) {
         return e.kind == Element::Kind::ParamRef || e.kind == Element::Kind::Expression;
     });
@@ -33,11 +33,11 @@ Provenance found(const Outline& outline, const PlacedAssignment& a, Origin origi
     return {origin, a.valueRange(), block, property};
 }
 
-/// The property itself in the part that holds it.
+/// The provenance of a property that belongs to the part itself.
 std::optional<Provenance> inPart(const Outline& outline, const Part& part, const std::string& key, Origin origin) {
     const Property* property = part.kind ? part.kind->find(key) : nullptr;
     if (!property) return std::nullopt;
-    if (const PlacedAssignment* a = part.assignments.find(key)) return found(outline, *a, origin, property, part.nameRange());
+    if (const SourceAssignment* a = part.assignments.find(key)) return found(outline, *a, origin, property, part.nameRange());
     return Provenance{Origin::Default, {}, part.nameRange(), property};
 }
 
@@ -48,7 +48,7 @@ std::optional<Provenance> fromPart(const Outline& outline, const Part& part, std
 }
 
 const Part* configOf(const Outline& outline, const Part& instance) {
-    const PlacedAssignment* a = instance.assignments.find("Config");
+    const SourceAssignment* a = instance.assignments.find("Config");
     if (!a || a->value->elements.size() != 1) return nullptr;
     return outline.configs.find(a->value->elements[0].text);
 }
@@ -57,7 +57,7 @@ std::optional<Provenance> fromInstance(const Outline& outline, const Part& insta
     if (auto own = fromPart(outline, instance, words, Origin::Instance)) return own;
     const Part* config = configOf(outline, instance);
     std::optional<Provenance> inConfig = config ? fromPart(outline, *config, words, Origin::Config) : std::nullopt;
-    const PlacedAssignment* a = instance.assignments.find(joined(words));
+    const SourceAssignment* a = instance.assignments.find(joined(words));
     if (!inConfig || !a) return inConfig;
     return found(outline, *a, Origin::Instance, inConfig->property, instance.nameRange());
 }
@@ -70,7 +70,7 @@ std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view 
         const Kind* settings = outline.registry().find("settings");
         const Property* property = settings ? settings->find(words[0]) : nullptr;
         if (!property) return std::nullopt;
-        if (const PlacedAssignment* a = outline.settings.find(words[0])) return found(outline, *a, Origin::Config, property, {});
+        if (const SourceAssignment* a = outline.settings.find(words[0])) return found(outline, *a, Origin::Config, property, {});
         return Provenance{Origin::Default, {}, {}, property};
     }
     const Part* part = nullptr;

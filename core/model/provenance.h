@@ -1,5 +1,5 @@
 #pragma once
-// Where a value comes from, found in the outline when somebody asks: a thousand robots cost nothing.
+// The source of a value, looked up in the outline on demand, so that it needs no memory per robot.
 
 #include <optional>
 #include <string_view>
@@ -11,14 +11,14 @@ namespace trundle {
 
 struct Provenance {
     Origin origin = Origin::Default;
-    SourceRange value; ///< its text; unknown for a default
-    SourceRange block; ///< name of the block that holds it, or would
+    SourceRange value; ///< source range of the value; unknown for a default
+    SourceRange block; ///< name of the block that contains it, or would contain it
     const Property* property = nullptr;
 };
 
-/// Of a dotted path: "robot0.chassis.hull.Mass", "robot0.leftMotor.Resistance", "robot0.brain.Speed", "Surface.rubber.Friction",
-/// "RobotConfig.SimpleRobot.leftAxle.Axis", "Tick". Nothing when there is no such property. Members of a Grid or Scatter
-/// ("swarm_3.leftMotor.Resistance") answer for all of them.
+/// The provenance of a dotted path: "robot0.chassis.hull.Mass", "robot0.leftMotor.Resistance", "robot0.brain.Speed",
+/// "Surface.rubber.Friction", "RobotConfig.SimpleRobot.leftAxle.Axis", "Tick". Nothing if there is no such property. All members
+/// of a Grid or Scatter ("swarm_3.leftMotor.Resistance") have the same provenance.
 [[nodiscard]] std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view path);
 
 } // namespace trundle

@@ -3,9 +3,9 @@
 namespace trundle {
 
 void AntennaPatternFields::describe(Describe<AntennaPatternFields>& d) {
-    d.help("How strongly an antenna sends and hears in each direction of its own frame: it looks along +x, its up is +z.");
+    d.help("How strongly an antenna sends and receives in each direction of its own frame: it looks along +x, its up is +z.");
     d.field("Model", &AntennaPatternFields::model, oneOf("isotropic|dipole|inverted_f|patch|yagi|cosine"),
-            "A formula; a dipole stands along z, the others look along x.");
+            "A formula; the axis of a dipole is z, the others point along x.");
     d.field("PeakGain", &AntennaPatternFields::peakGain, unitOf("dBi").within(-30, 60),
             "In its best direction; where absent, what a model without losses has.");
     d.field("BeamWidth", &AntennaPatternFields::beamWidth, degrees().within(1, 179),
@@ -41,7 +41,7 @@ void RadioMediumFields::describe(Describe<RadioMediumFields>& d) {
             "What a receiver needs above the theory of PacketErrors.");
     d.field("Collisions", &RadioMediumFields::collisions, flag(), "Frames that overlap disturb each other.");
     d.field("CaptureMargin", &RadioMediumFields::captureMargin, decibels().within(-30, 60),
-            "A frame this much above all others survives a collision; not with PacketErrors, which know better.");
+            "A frame this much above all others survives a collision; not with PacketErrors, which model this in detail.");
     d.field("CarrierSense", &RadioMediumFields::carrierSense, decibelMilliwatts().within(-200, 0),
             "Power that csma takes for a busy channel.");
     d.field("Offsets", &RadioMediumFields::offsets, decibels().within(0, 20),

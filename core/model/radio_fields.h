@@ -1,5 +1,5 @@
 #pragma once
-// Antennas and the air, as a text describes them.
+// Field tables of antennas and the radio medium.
 
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@ namespace trundle {
 struct AntennaPatternFields {
     std::string model = "isotropic";
     std::optional<double> peakGain, beamWidth; ///< dBi; rad
-    std::vector<double> azimuth, elevation;    ///< deg, dBi, deg, dBi ...
+    std::vector<double> azimuth, elevation;    ///< alternating angle and gain: deg, dBi, deg, dBi ...
     std::optional<std::string> file;
     static void describe(Describe<AntennaPatternFields>& d);
 };

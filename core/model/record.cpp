@@ -2,14 +2,14 @@
 
 #include "base/spelling.h"
 #include "lang/tree_edit.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 #include "schema/value_words.h"
 
 namespace trundle {
 
 namespace {
 
-/// A help line as part of a message: " (full lengths along x, y and z)".
+/// A help text in brackets for a message: " (full lengths along x, y and z)".
 std::string inBrackets(std::string help) {
     if (help.empty()) return help;
     if (help.back() == '.') help.pop_back();
@@ -97,9 +97,9 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
     const std::vector<Property>& properties = record.kind->properties;
     record.values.resize(properties.size());
     record.literal.resize(properties.size(), false);
-    std::vector<bool> tried(properties.size(), false);
-    std::vector<std::string> meant; ///< properties that a misspelt key stands for: not missing as well
-    for (const PlacedAssignment& a : assignments.all()) {
+    std::vector<bool> validated(properties.size(), false);
+    std::vector<std::string> meant; ///< properties meant by misspelt keys: not reported as missing
+    for (const SourceAssignment& a : assignments.all()) {
         const auto it = std::find_if(properties.begin(), properties.end(), [&](const Property& p) { return p.name == a.key; });
         if (it == properties.end()) {
             if (extra.take && extra.take(a)) continue;
@@ -107,8 +107,8 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
             continue;
         }
         const std::size_t i = static_cast<std::size_t>(it - properties.begin());
-        tried[i] = true;
-        if (const OverrideNode* node = below(overrides, a.key); node && node->value) continue; // the instance's value holds
+        validated[i] = true;
+        if (const OverrideNode* node = below(overrides, a.key); node && node->value) continue; // the instance overrides it
         const std::optional<GivenValue> given = evaluator.evaluate(*a.value, a.file, scope);
         if (given) record.values[i] = readGiven(properties[i], *given, origin);
         if (!record.values[i]) record.complete = false;
@@ -117,23 +117,23 @@ void ResolveContext::fill(Record& record, const AssignmentList& assignments, con
     for (std::size_t i = 0; i < properties.size(); ++i) {
         const Property& p = properties[i];
         if (const OverrideNode* node = below(overrides, p.name); node && node->value) {
-            tried[i] = true;
+            validated[i] = true;
             record.values[i] = readGiven(p, *node->value, node->origin);
             if (!record.values[i]) record.complete = false;
         }
         if (record.values[i]) continue;
         if (p.defaultValue)
             record.values[i] =
-                ResolvedValue{*p.defaultValue, {}, Origin::Default}; // also for an unreadable one: the rest is still checked
+                ResolvedValue{*p.defaultValue, {}, Origin::Default}; // also for an invalid value: others are still checked
         if (!p.required || record.values[i]) continue;
         record.complete = false;
-        if (tried[i] || !part || std::count(meant.begin(), meant.end(), p.name) || brokenText(part->range)) continue;
+        if (validated[i] || !part || std::count(meant.begin(), meant.end(), p.name) || brokenText(part->range)) continue;
         diagnostics.error(Code::MissingRequired, part->nameRange(), part->title() + " needs " + p.name + inBrackets(p.help));
     }
-    if (part) checkAlternatives(record, *part, tried, meant);
+    if (part) checkAlternatives(record, *part, validated, meant);
 }
 
-void ResolveContext::unknownKey(const Kind& kind, const PlacedAssignment& a, const std::string& title,
+void ResolveContext::unknownKey(const Kind& kind, const SourceAssignment& a, const std::string& title,
                                 const std::vector<std::string>& more, std::vector<std::string>& meant) {
     if (a.path.size() > 1) {
         Diagnostic& d =

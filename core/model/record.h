@@ -1,5 +1,5 @@
 #pragma once
-// The values of one block by the properties of its kind, and from there into the class that described them.
+// The values of one block by the properties of its kind, and their conversion into the class that described the kind.
 
 #include <map>
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace trundle {
 
-/// What an instance sets inside its config, as a tree of names.
+/// The overrides of an instance as a tree of names.
 struct OverrideNode {
     std::map<std::string, OverrideNode, std::less<>> children;
     std::shared_ptr<const GivenValue> value;
@@ -22,16 +22,16 @@ struct OverrideNode {
 struct Record {
     const Kind* kind = nullptr;
     std::vector<std::optional<ResolvedValue>> values; ///< parallel to kind->properties; defaults filled in
-    std::vector<bool> literal;                        ///< the text of the value may be rewritten by a fix
-    bool complete = true;                             ///< false: something required is missing or unreadable
+    std::vector<bool> literal;                        ///< literal text, which a fix may rewrite
+    bool complete = true;                             ///< false: a required value is missing or invalid
 
     [[nodiscard]] const ResolvedValue* find(std::string_view property) const;
-    /// Where it stands, else the given place.
+    /// The source range of a property's value, or `otherwise` if it has none.
     [[nodiscard]] SourceRange rangeOf(std::string_view property, SourceRange otherwise) const;
     [[nodiscard]] bool given(std::string_view property) const;
 };
 
-/// An object of T with the record's values. The record's kind was made by kindOf<T>.
+/// An object of T with the record's values. The record's kind must have been made by kindOf<T>.
 template <class T> [[nodiscard]] T fieldsFrom(const Record& record) {
     T object{};
     const std::vector<FieldInfo>& fields = descriptionOf<T>().fields();

@@ -1,4 +1,4 @@
-// Names that stand for other things: do they exist, do their kinds fit, and if not, which were meant.
+// Checks references by name: existence and kind of the target, with suggestions.
 
 #include <algorithm>
 
@@ -10,10 +10,10 @@ namespace trundle {
 
 namespace {
 
-constexpr int kMostFollowUps = 3; ///< the same unknown name is said so often; the rest are follow-ups
+constexpr int kMaxFollowUps = 3; ///< number of reports of one unknown name
 
 bool kindFits(const Part& part, const std::vector<std::string>& choices) {
-    if (choices.empty() || !part.kind) return true; // an unknown kind has been said
+    if (choices.empty() || !part.kind) return true; // an unknown kind was reported already
     return std::any_of(choices.begin(), choices.end(),
                        [&](const std::string& c) { return c == part.kind->name || c == roleName(part.kind->role); });
 }
@@ -25,7 +25,7 @@ bool wantsGeom(const Registry& registry, const std::vector<std::string>& choices
     });
 }
 
-/// Every name that would do, in the order of the text.
+/// All names that the property accepts, in text order.
 std::vector<std::string> fitting(const Property& property, const Part& config, bool geoms) {
     std::vector<std::string> names;
     for (const Part& part : config.parts) {
@@ -43,7 +43,7 @@ std::vector<std::string> fitting(const Property& property, const Part& config, b
 
 void ResolveContext::unknownReference(const std::string& property, const std::string& what, const std::string& name,
                                       SourceRange range, bool literal, const std::vector<std::string>& candidates) {
-    if (m_unknownSaid[what + " " + name]++ >= kMostFollowUps) return;
+    if (m_reportedUnknown[what + " " + name]++ >= kMaxFollowUps) return;
     if (manyAlready(diagnostics)) {
         diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
         return;
@@ -51,7 +51,7 @@ void ResolveContext::unknownReference(const std::string& property, const std::st
     Diagnostic& d =
         diagnostics.error(Code::UnknownReference, range, property + " names " + name + ", but there is no such " + what);
     std::vector<std::string> near;
-    for (const std::string& candidate : candidates) { // `bumper` for `chassis.bumper`
+    for (const std::string& candidate : candidates) { // `chassis.bumper` is suggested for `bumper`
         if (candidate.size() > name.size() && candidate.ends_with("." + name)) near.push_back(candidate);
     }
     for (std::string& word : nearestWords(name, candidates)) {
@@ -67,7 +67,7 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
                                     const Part& config) {
     const std::vector<std::string>& choices = property.choices;
     if (name == "world" && std::count(choices.begin(), choices.end(), "world")) return true;
-    if (std::count(choices.begin(), choices.end(), "AntennaPattern")) { // stands at the top level, or is a model's name
+    if (std::count(choices.begin(), choices.end(), "AntennaPattern")) { // at the top level, or an antenna model
         if (outline.patterns.find(name) || antennaModelNamed(name) || outline.unknown.count(name)) return true;
         unknownReference(property.name, "AntennaPattern", name, range, literal, outline.patterns.names());
         return false;
@@ -87,7 +87,7 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
                          manyAlready(diagnostics) ? std::vector<std::string>() : fitting(property, config, geoms));
         return false;
     }
-    if (!part->kind) return false; // said where it stands
+    if (!part->kind) return false; // reported at its block
     if (kindFits(*part, choices)) return part->usable;
     Diagnostic& d = diagnostics.error(Code::UnknownReference, range,
                                       property.name + " names " + name + ", " + withArticle(part->kind->name) + "; it takes " +
@@ -96,7 +96,7 @@ bool ResolveContext::checkReference(const Property& property, const std::string&
     const std::vector<std::string> candidates = fitting(property, config, geoms);
     std::vector<std::string> near;
     for (const std::string& candidate : candidates) {
-        if (candidate.starts_with(name + ".")) near.push_back(candidate); // `chassis` for `chassis.bumper`
+        if (candidate.starts_with(name + ".")) near.push_back(candidate); // `chassis.bumper` is suggested for `chassis`
     }
     for (const std::string& word : nearestWords(name, candidates)) {
         if (!std::count(near.begin(), near.end(), word)) near.push_back(word);
@@ -122,8 +122,8 @@ bool ResolveContext::checkReferences(const Record& record, const Part& config) {
 }
 
 void ResolveContext::hintLater(const Part& found, const Part& user, SourceRange range) {
-    if (found.order <= user.order || m_laterSaid[found.name]) return;
-    m_laterSaid[found.name] = true;
+    if (found.order <= user.order || m_reportedLater[found.name]) return;
+    m_reportedLater[found.name] = true;
     Diagnostic& d = diagnostics.hint(Code::DefinedLater, range, found.title() + " is defined after its first use");
     d.notes.push_back({"defined here", found.nameRange()});
 }
@@ -138,7 +138,7 @@ std::uint32_t ResolveContext::lookUp(const Record& record, const Part& user, con
         if (const Part* part = space.find(name)) hintLater(*part, user, value->range);
         return it->second;
     }
-    if (space.find(name) || outline.unknown.count(name)) return 0; // there, but with faults of its own
+    if (space.find(name) || outline.unknown.count(name)) return 0; // it exists but has errors of its own
     std::vector<std::string> names = manyAlready(diagnostics) ? std::vector<std::string>() : space.names();
     if (std::find(names.begin(), names.end(), "default") == names.end()) names.push_back("default");
     const bool literal = value->origin != Origin::Param;

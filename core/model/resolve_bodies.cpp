@@ -1,8 +1,8 @@
-// Bodies and their mass: the body's own, spread evenly; or the sum of its geoms'; or given outright.
+// Resolves bodies and their mass: Body.Mass distributed evenly over the geoms, the sum of the geoms' masses, or a given inertia.
 #include "lang/tree_edit.h"
 #include "model/config_fields.h"
 #include "model/mass_properties.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 
 namespace trundle {
 
@@ -21,7 +21,7 @@ public:
         bool good = m_record.complete;
         for (const Part& part : m_part.parts) {
             if (!part.usable || !part.is(Role::Geom)) {
-                good = good && !part.kind; // a second geom of one name, say
+                good = good && !part.kind; // for example a duplicate name
                 continue;
             }
             std::optional<GeomSpec> geom = resolveGeom(m_context, part, m_scope, below(m_overrides, part.name), true);
@@ -37,7 +37,7 @@ public:
         m_body.range = m_part.range;
         m_body.nameRange = m_part.nameRange();
         if (!good) return std::nullopt;
-        // Of a body whose mesh is missing nobody knows the mass; it is there to be seen, the missing file was said.
+        // The mass of a body with a missing mesh is unknown: a dummy value lets it be shown. The missing file was reported.
         const auto missing = [](const GeomSpec& g) {
             return (g.shape == GeomShape::Mesh || g.shape == GeomShape::Convex) && !g.mesh;
         };
@@ -55,7 +55,7 @@ private:
     }
 
     bool readMass() {
-        if (m_context.brokenText(m_part.range)) return false; // a mass may stand in what could not be read
+        if (m_context.brokenText(m_part.range)) return false; // the part with errors may contain a mass
         const bool good = m_fields.mass ? spread() : addUp();
         if (!good) return false;
         if (m_fields.centreOfMass) m_body.mass.centre = vec3(*m_fields.centreOfMass);
@@ -82,7 +82,8 @@ private:
         return true;
     }
 
-    /// The shape of a geom as a solid of density 1. An open mesh counts as its hull: where its mass is given, only its spread is guessed.
+    /// A geom's shape as a solid of density 1. An open mesh is replaced by its hull, if its mass is given: then only the inertia
+    /// is approximate.
     Result<MassProperties> solid(const GeomSpec& geom, bool openAllowed) {
         if (!geom.mesh) return solidOf(geom);
         MeshShapes& shapes = *m_context.assets.shapes;
@@ -93,7 +94,7 @@ private:
         return shapes.solid(hull);
     }
 
-    /// Body.Mass, evenly over the volumes of the geoms.
+    /// Distributes Body.Mass evenly over the volumes of the geoms.
     bool spread() {
         std::vector<MassProperties> solids;
         for (std::size_t i = 0; i < m_body.geoms.size(); ++i) {
@@ -129,7 +130,7 @@ private:
                 Diagnostic& d = m_context.diagnostics.error(Code::BadMass, m_parts[i]->nameRange(),
                                                             m_parts[i]->title() + " has no mass: " + s.error().message +
                                                                 "; give it Mass in place of Density");
-                if (const PlacedAssignment* a = m_parts[i]->assignments.find("Density")) {
+                if (const SourceAssignment* a = m_parts[i]->assignments.find("Density")) {
                     d.fixes.push_back({"Mass=1", {{a->keyRange(), "Mass"}, {a->valueRange(), "1"}}});
                 }
                 return false;
@@ -154,7 +155,7 @@ private:
     Record m_record;
     BodyFields m_fields;
     BodySpec m_body;
-    std::vector<const Part*> m_parts; ///< of the geoms
+    std::vector<const Part*> m_parts; ///< one for each geom
 };
 
 } // namespace

@@ -1,6 +1,6 @@
-// A RobotConfig with one set of Param values and overrides: bodies, then joints, then devices.
+// Resolves a RobotConfig with one set of Param values and overrides: bodies, then joints, then devices.
 #include "model/config_fields.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 #include "model/world_fields.h"
 #include "schema/value_words.h"
 
@@ -8,17 +8,17 @@ namespace trundle {
 
 namespace {
 
-/// Which joint joins two bodies.
+/// The name of the joint between two bodies.
 using JoinedPairs = std::map<std::pair<int, int>, std::string>;
 
-void warnOfDoubles(ResolveContext& context, JoinedPairs& pairs, const JointSpec& joint, const Part& part) {
+void warnAboutDuplicateJoints(ResolveContext& context, JoinedPairs& pairs, const JointSpec& joint, const Part& part) {
     const auto [it, fresh] = pairs.try_emplace(std::minmax({joint.parent, joint.child}), joint.name);
     if (fresh) return;
     context.diagnostics.warning(Code::BadJoint, part.nameRange(),
                                 "two joints join the same bodies: " + it->second + " and " + joint.name);
 }
 
-/// Of kinds that come with the program: two numbers of which the first must be the smaller one.
+/// Pairs of properties of shipped kinds of which the first must be smaller than the second.
 constexpr struct { const char *kind, *low, *high; } kAscending[] = {{"Camera", "Near", "Far"}};
 
 bool checkOrder(ResolveContext& context, const Record& record, const Part& part) {
@@ -27,7 +27,7 @@ bool checkOrder(ResolveContext& context, const Record& record, const Part& part)
         const ResolvedValue *low = record.find(pair.low), *high = record.find(pair.high);
         if (!low || !high || low->value.numbers.empty() || high->value.numbers.empty()) continue;
         if (low->value.numbers[0] < high->value.numbers[0]) continue;
-        // Where one of them is a default, the other is the one that was written.
+        // If one of them is a default, report the other.
         const char* written = low->origin == Origin::Default ? pair.high : pair.low;
         context.diagnostics.error(Code::Conflict, record.rangeOf(written, part.nameRange()),
                                   std::string(pair.low) + " of " + part.title() + " is " + numberText(low->value.numbers[0]) +
@@ -57,7 +57,7 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
     spec->name = config.name;
     spec->range = config.range;
     spec->selfCollision = fieldsFrom<RobotConfigFields>(context.read(config, scope, overrides, Origin::Config)).selfCollision;
-    BodyPlaces places;
+    BodyIndices places;
     JoinedPairs pairs;
     bool bodies = false;
     for (const Part& part : config.parts) {
@@ -77,7 +77,7 @@ std::shared_ptr<const RobotConfigSpec> resolveRobotConfig(ResolveContext& contex
         std::optional<JointSpec> joint =
             resolveJoint(context, part, scope, below(overrides, part.name), config, spec->bodies, places);
         if (!joint) continue;
-        warnOfDoubles(context, pairs, *joint, part);
+        warnAboutDuplicateJoints(context, pairs, *joint, part);
         spec->joints.push_back(std::move(*joint));
     }
     for (const Part& part : config.parts) {

@@ -1,7 +1,7 @@
-// Geoms of bodies and of scenery.
-#include "base/mesh_look.h"
+// Resolves geoms of bodies and of scenery.
+#include "base/mesh_appearance.h"
 #include "model/config_fields.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -25,7 +25,7 @@ public:
         m_geom.range = m_part.range;
         m_geom.nameRange = m_part.nameRange();
         const bool read = readShape();
-        noteDefaults();
+        recordDefaults();
         return read ? std::optional<GeomSpec>(std::move(m_geom)) : std::nullopt;
     }
 
@@ -35,11 +35,11 @@ private:
         m_geom.surface = m_context.surfaceIndex(m_record, m_part);
     }
 
-    void noteDefaults() {
-        const bool ownLook = m_geom.shape == GeomShape::Mesh && m_geom.mesh && m_geom.mesh->look;
-        const bool looks = m_record.given("Material") || ownLook, touches = m_record.given("Surface");
+    void recordDefaults() {
+        const bool ownAppearance = m_geom.shape == GeomShape::Mesh && m_geom.mesh && m_geom.mesh->look;
+        const bool looks = m_record.given("Material") || ownAppearance, touches = m_record.given("Surface");
         if (looks && touches) return;
-        if (!m_context.defaultedParts.insert(&m_part).second) return; // met in another instance of the config
+        if (!m_context.defaultedParts.insert(&m_part).second) return; // already recorded for another instance of the config
         m_context.defaulted.emplace_back(&m_part, looks ? "Surface" : touches ? "Material" : "Material and no Surface");
     }
 
@@ -95,8 +95,8 @@ private:
         return solid(f);
     }
 
-    /// The mesh of File, scaled; nullptr after saying why not. A file that cannot be had leaves a geom without a mesh: a stand-in is
-    /// drawn in its place.
+    /// The mesh of File, scaled; nullptr after a diagnostic. If the file is missing, the geom has no mesh and a placeholder is
+    /// drawn.
     std::shared_ptr<const TriangleMesh> load(const std::string& file, const std::vector<double>& scale) {
         const SourceRange place = m_record.rangeOf("File", m_part.nameRange());
         if (scale.size() == 2) {
@@ -159,9 +159,9 @@ private:
         if (!m_geom.mesh) return m_missing && solid(f);
         if (!solid(f)) return false;
         if (m_geom.mesh->look && !m_record.given("Material"))
-            for (const std::string& complaint : m_geom.mesh->look->complaints)
+            for (const std::string& warning : m_geom.mesh->look->warnings)
                 m_context.diagnostics.warning(Code::MeshUnreadable, m_record.rangeOf("File", m_part.nameRange()),
-                                              "the mesh " + f.file + ": " + complaint);
+                                              "the mesh " + f.file + ": " + warning);
         const std::string shape = f.shape.value_or(m_onBody ? "hull" : "mesh");
         if (shape == "none") m_geom.collide = false;
         m_geom.collideAsHull = shape == "hull" && m_geom.collide;
@@ -179,7 +179,7 @@ private:
         Result<FoundAsset<HeightMap>> found = m_context.assets.heightMap(f.file, place.file);
         if (!found.ok()) {
             m_context.diagnostics.error(found.error().code, place, found.error().message);
-            return true; // a stand-in is drawn
+            return true; // a placeholder is drawn
         }
         m_geom.file = found.value().path;
         m_geom.heightMap = found.value().content;

@@ -1,10 +1,10 @@
-// Robots, statics, grids and scatters: which config with which values, where, under which controller. Instances with equal
-// values share one resolved config.
+// Resolves Robots, Statics, Grids and Scatters: config, values, poses and controller. Instances with equal values share one
+// resolved config.
 #include <algorithm>
 
 #include "base/spelling.h"
 #include "model/instance_variants.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 #include "model/world_fields.h"
 #include "schema/value_words.h"
 
@@ -20,11 +20,11 @@ void appendKey(std::string& key, const std::string& name, const GivenValue& valu
     }
 }
 
-/// What one instance gives to its config.
-struct Given {
+/// Values that an instance sets in its config.
+struct InstanceValues {
     std::vector<std::pair<std::string, GivenValue>> params;
     OverrideNode overrides;
-    std::string key; ///< equal for equal values
+    std::string key; ///< identifies the values: equal keys for equal values
 };
 
 std::size_t countParts(const Part& part) {
@@ -47,7 +47,7 @@ public:
         }
     }
 
-    /// One Robot or Static alone, with these Params in place of what it gives.
+    /// Resolves one Robot or Static only, with these Params instead of its own.
     void only(const Part& part, const InstanceVariants::Params& params) {
         m_params = &params;
         if (part.kind->name == "Static") addStatic(part);
@@ -57,14 +57,14 @@ public:
     InstanceVariants::Params paramsOf(const Part& part) {
         ParamScope scope(&m_context.globals), inner(&m_context.globals);
         scope.declare(part.params);
-        Given given;
+        InstanceValues given;
         const Part* config = nullptr;
         (void)readInstance(part, scope, given, config, part.kind->name == "Static" ? "StaticConfig" : "RobotConfig");
         if (!config) return {};
         inner.declare(config->params);
         for (const auto& [name, value] : given.params) inner.preset(name, value);
         InstanceVariants::Params all;
-        for (const PlacedParam& param : config->params) {
+        for (const SourceParam& param : config->params) {
             const std::string& name = param.name->text;
             const auto set = std::find_if(given.params.begin(), given.params.end(), [&](const auto& p) { return p.first == name; });
             std::optional<GivenValue> value =
@@ -75,17 +75,17 @@ public:
     }
 
 private:
-    /// Every config by itself, so that faults in one that nobody uses are said too.
+    /// Resolves every config with its own values, so that errors in unused ones are reported too.
     void checkConfigs() {
         for (const Part* part : m_context.outline.configs.all()) {
-            if (part->kind->name == "RobotConfig") (void)robotConfig(*part, Given{});
-            else (void)staticConfig(*part, Given{});
+            if (part->kind->name == "RobotConfig") (void)robotConfig(*part, InstanceValues{});
+            else (void)staticConfig(*part, InstanceValues{});
         }
     }
 
-    /// The config an instance seems to name, without a word about it.
-    const Part* peekConfig(const Part& part, ParamScope& scope) {
-        const PlacedAssignment* a = part.assignments.find("Config");
+    /// The config that an instance probably names; reports no errors.
+    const Part* likelyConfig(const Part& part, ParamScope& scope) {
+        const SourceAssignment* a = part.assignments.find("Config");
         if (!a || a->value->elements.size() != 1) return nullptr;
         const Element& e = a->value->elements[0];
         if (e.kind == Element::Kind::Word || e.kind == Element::Kind::String) return m_context.outline.configs.find(e.text);
@@ -95,19 +95,19 @@ private:
         return value && value->elements.size() == 1 ? m_context.outline.configs.find(value->elements[0].text) : nullptr;
     }
 
-    Record readInstance(const Part& part, ParamScope& scope, Given& given, const Part*& config, std::string_view kind) {
-        const Part* likely = peekConfig(part, scope);
+    Record readInstance(const Part& part, ParamScope& scope, InstanceValues& given, const Part*& config, std::string_view kind) {
+        const Part* likely = likelyConfig(part, scope);
         ResolveContext::ExtraKeys extra;
         if (likely) {
-            for (const PlacedParam& p : likely->params) extra.words.push_back(p.name->text);
+            for (const SourceParam& p : likely->params) extra.words.push_back(p.name->text);
             for (const Property& p : likely->kind->properties) extra.words.push_back(p.name);
         }
-        std::vector<const PlacedAssignment*> taken;
-        extra.take = [&](const PlacedAssignment& a) {
+        std::vector<const SourceAssignment*> taken;
+        extra.take = [&](const SourceAssignment& a) {
             if (a.path.size() == 1 && (!likely || (!likely->param(a.key) && !likely->kind->find(a.key)))) {
                 const std::vector<std::string> own = propertyNames(*part.kind);
                 return !likely && part.assignments.find("Config") &&
-                       nearestWords(a.key, own).empty(); // its config is unknown: so is what it has
+                       nearestWords(a.key, own).empty(); // of an unknown config the Params are unknown too
             }
             taken.push_back(&a);
             return true;
@@ -115,7 +115,7 @@ private:
         Record record = m_context.read(part, scope, nullptr, Origin::Instance, extra);
         config = m_context.configOf(record, part, kind);
         if (!config) return record;
-        for (const PlacedAssignment* a : taken) takeValue(part, *config, *a, scope, given);
+        for (const SourceAssignment* a : taken) takeValue(part, *config, *a, scope, given);
         for (const auto& [name, value] : m_params ? *m_params : InstanceVariants::Params{}) {
             std::erase_if(given.params, [&, &name = name](const auto& p) { return p.first == name; });
             given.params.emplace_back(name, value);
@@ -124,7 +124,7 @@ private:
         return record;
     }
 
-    void takeValue(const Part& part, const Part& config, const PlacedAssignment& a, ParamScope& scope, Given& given) {
+    void takeValue(const Part& part, const Part& config, const SourceAssignment& a, ParamScope& scope, InstanceValues& given) {
         const bool param = a.path.size() == 1 && config.param(a.key);
         if (!param && a.path.size() > 1 && part.find(a.path[0].text)) {
             m_context.diagnostics.error(Code::NoSuchPath, a.keyRange(),
@@ -147,18 +147,18 @@ private:
         node->value = std::make_shared<const GivenValue>(std::move(*value));
     }
 
-    bool pathLeadsSomewhere(const Part& config, const PlacedAssignment& a) {
+    bool pathLeadsSomewhere(const Part& config, const SourceAssignment& a) {
         const Part* part = &config;
         for (std::size_t i = 0; i + 1 < a.path.size(); ++i) {
             const Part* next = part->find(a.path[i].text);
             if (!next) return noSuchPath(*part, a, i);
-            if (!next->kind) return false; // raw text of a module that is not known
+            if (!next->kind) return false; // raw text of an unavailable module
             part = next;
         }
         return part->kind->find(a.path.back().text) || noSuchPath(*part, a, a.path.size() - 1);
     }
 
-    bool noSuchPath(const Part& part, const PlacedAssignment& a, std::size_t i) {
+    bool noSuchPath(const Part& part, const SourceAssignment& a, std::size_t i) {
         std::vector<std::string> words;
         for (const Part& inner : part.parts) words.push_back(inner.name);
         if (i + 1 == a.path.size()) words = propertyNames(*part.kind);
@@ -172,7 +172,7 @@ private:
         return false;
     }
 
-    /// Where a word was forgotten: `hull.Size` for `chassis.hull.Size`.
+    /// Paths with one more level for a missing word: `chassis.hull.Size` for `hull.Size`.
     static std::vector<std::string> oneDeeper(const Part& part, const std::string& name) {
         std::vector<std::string> paths;
         for (const Part& inner : part.parts)
@@ -180,11 +180,11 @@ private:
         return paths;
     }
 
-    /// Resolves with the values given. What went wrong only with these values is resolved again for the next instance, so that
-    /// each is told of its own fault.
+    /// Resolves a config with these values, or returns the cached result. Results with errors caused by an instance's values are
+    /// not cached, so that every such instance gets its own diagnostics.
     template <class Spec, class Resolve>
     std::shared_ptr<const Spec> shared(std::map<std::string, std::shared_ptr<const Spec>>& cache, const Part& config,
-                                       const Given& given, const Resolve& resolve) {
+                                       const InstanceValues& given, const Resolve& resolve) {
         const std::string key = config.name + given.key;
         const auto it = cache.find(key);
         if (it != cache.end()) return it->second;
@@ -198,7 +198,7 @@ private:
         if (!given.key.empty()) nameInstance(said);
         return spec;
     }
-    /// Adds to what has just been said whose values these are: the place is in the config, the cause in the instance.
+    /// Adds a note with the instance to the new diagnostics: the range is in the config, the cause in the instance.
     void nameInstance(std::size_t said) {
         if (m_context.diagnostics.all().size() == said || manyAlready(m_context.diagnostics)) return;
         for (std::size_t i = said; i < m_context.diagnostics.all().size(); ++i) {
@@ -211,14 +211,14 @@ private:
         return a.range.begin >= b.range.begin && a.range.end <= b.range.end;
     }
 
-    std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const Given& given) {
+    std::shared_ptr<const RobotConfigSpec> robotConfig(const Part& config, const InstanceValues& given) {
         return shared(m_robots, config, given, resolveRobotConfig);
     }
-    std::shared_ptr<const std::vector<GeomSpec>> staticConfig(const Part& config, const Given& given) {
+    std::shared_ptr<const std::vector<GeomSpec>> staticConfig(const Part& config, const InstanceValues& given) {
         return shared(m_statics, config, given, resolveStaticConfig);
     }
 
-    /// Counts before anything is built; false after saying that it would be too many.
+    /// Checks the object count before anything is built; false, with a diagnostic, if there would be too many.
     bool roomFor(const Part& part, const Part& config, double members, SourceRange place) {
         const auto [it, fresh] = m_sizes.try_emplace(&config, 0);
         if (fresh) it->second = countParts(config);
@@ -236,7 +236,7 @@ private:
         m_instance = &part;
         ParamScope scope(&m_context.globals);
         scope.declare(part.params);
-        Given given;
+        InstanceValues given;
         const Part* config = nullptr;
         const Record record = readInstance(part, scope, given, config, "StaticConfig");
         if (!config || !record.complete || !roomFor(part, *config, 1, part.nameRange())) return;
@@ -270,7 +270,7 @@ private:
         ParamScope scope(&m_context.globals);
         scope.declare(part.params);
         m_context.evaluator.checkAll(scope);
-        Given given;
+        InstanceValues given;
         const Part* config = nullptr;
         const Record record = readInstance(part, scope, given, config, "RobotConfig");
         const std::optional<ComponentSpec> brain = controller(part, scope, config);
@@ -280,7 +280,7 @@ private:
         const double members = memberCount(part, record);
         if (!roomFor(part, *config, members, record.rangeOf("Count", part.nameRange()))) return;
         const std::shared_ptr<const RobotConfigSpec> spec = robotConfig(*config, given);
-        if (spec->bodies.empty()) return; // said
+        if (spec->bodies.empty()) return; // reported
         if (!part.is(Role::Layout)) {
             const RobotFields f = fieldsFrom<RobotFields>(record);
             m_context.out.robots.push_back(
@@ -306,7 +306,7 @@ private:
     std::map<std::string, std::shared_ptr<const std::vector<GeomSpec>>> m_statics;
     std::map<const Part*, std::size_t> m_sizes;
     const Part* m_instance = nullptr; ///< whose config is being resolved
-    const InstanceVariants::Params* m_params = nullptr; ///< from outside; null: none
+    const InstanceVariants::Params* m_params = nullptr; ///< values from outside; null: none
     double m_objects = 0;
     bool m_tooMany = false;
 };
@@ -328,7 +328,7 @@ std::optional<std::vector<ConfigGeom>> InstanceVariants::geoms(const Params& cha
     ResolveContext context(*m_outline, m_assets, silent, out);
     Instances(context).only(*m_instance, changed);
     std::vector<ConfigGeom> all;
-    if (!out.robots.empty() && out.robots[0].config) { // members of a Grid or Scatter have one config
+    if (!out.robots.empty() && out.robots[0].config) { // all members of a Grid or Scatter have one config
         for (const BodySpec& body : out.robots[0].config->bodies)
             for (const GeomSpec& geom : body.geoms) all.push_back({geom, body.pose});
     } else if (out.statics.size() == 1 && out.statics[0].geoms) {

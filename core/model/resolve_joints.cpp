@@ -2,7 +2,7 @@
 
 #include "lang/tree_edit.h"
 #include "model/config_fields.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 
 namespace trundle {
 
@@ -38,7 +38,7 @@ public:
     JointReader(ResolveContext& context, const Part& part, const Record& record)
         : m_context(context), m_part(part), m_record(record) {}
 
-    bool read(JointSpec& joint, const std::vector<BodySpec>& bodies, const BodyPlaces& places) {
+    bool read(JointSpec& joint, const std::vector<BodySpec>& bodies, const BodyIndices& places) {
         const JointFields f = jointFields(m_part.kind->name, m_record, joint.type);
         if (f.parent == f.child) return fail("Child", "the child of " + m_part.title() + " is its parent as well");
         joint.name = m_part.name;
@@ -62,9 +62,9 @@ private:
         return false;
     }
 
-    static bool findBody(const BodyPlaces& places, const std::string& name, int& index) {
+    static bool findBody(const BodyIndices& places, const std::string& name, int& index) {
         const auto it = places.find(name);
-        if (it == places.end()) return false; // there, but with faults of its own
+        if (it == places.end()) return false; // it exists but has errors of its own
         index = it->second;
         return true;
     }
@@ -79,7 +79,7 @@ private:
         const double along = std::abs(joint.axis.dot(joint.axis2));
         if (along > 0.999) return fail("Axis2", "Axis and Axis2 of " + m_part.title() + " point the same way");
         if (joint.type != JointType::Universal) return true;
-        if (along > 1e-3) return fail("Axis2", "Axis and Axis2 of " + m_part.title() + " do not stand at a right angle");
+        if (along > 1e-3) return fail("Axis2", "Axis and Axis2 of " + m_part.title() + " are not at a right angle");
         joint.axis2 = (joint.axis2 - joint.axis.dot(joint.axis2) * joint.axis).normalized();
         return true;
     }
@@ -105,7 +105,7 @@ private:
 } // namespace
 
 std::optional<JointSpec> resolveJoint(ResolveContext& context, const Part& part, ParamScope& scope, const OverrideNode* overrides,
-                                      const Part& config, const std::vector<BodySpec>& bodies, const BodyPlaces& places) {
+                                      const Part& config, const std::vector<BodySpec>& bodies, const BodyIndices& places) {
     ParamScope own(&scope);
     own.declare(part.params);
     context.evaluator.checkAll(own);

@@ -1,4 +1,4 @@
-// Where the members of Grid and Scatter stand.
+// Computes the poses of the members of Grid and Scatter.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +6,7 @@
 
 #include "base/rng.h"
 #include "model/footprint.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 #include "model/world_fields.h"
 #include "schema/value_words.h"
 
@@ -14,12 +14,12 @@ namespace trundle {
 
 namespace {
 
-constexpr std::uint64_t kMostTries = 10000;
+constexpr std::uint64_t kMaxTries = 10000;
 
-/// Points by cells as wide as the smallest distance allowed, so that a look at nine cells finds every near one.
-class Spread {
+/// Points in square cells whose side is the minimum distance, so that all near points are in nine cells.
+class PointGrid {
 public:
-    explicit Spread(double distance) : m_distance(distance) {}
+    explicit PointGrid(double distance) : m_distance(distance) {}
 
     bool roomAt(double x, double y) const {
         if (!(m_distance > 0)) return true;
@@ -56,7 +56,7 @@ std::vector<Pose> gridPoses(ResolveContext& context, const Part& part, const Rec
         const bool all = (nx == 1 || sx == 0) && (ny == 1 || sy == 0);
         context.diagnostics.warning(Code::OutOfRange, record.rangeOf("Spacing", part.nameRange()),
                                     (all ? "all members of " : "members of ") + part.title() +
-                                        " stand in one place: Spacing is 0");
+                                        " are in one place: Spacing is 0");
     }
     std::vector<Pose> poses;
     poses.reserve(nx * ny);
@@ -88,11 +88,11 @@ std::vector<Pose> scatterPoses(ResolveContext& context, const Part& part, const 
     const std::uint64_t seed = f.seed > 0 ? static_cast<std::uint64_t>(f.seed) : context.out.settings.seed;
     const std::uint64_t path = fnv1a64(part.name);
     const auto members = static_cast<std::uint64_t>(f.count);
-    Spread spread(f.minDistance.value_or(2 * disc.radius));
+    PointGrid spread(f.minDistance.value_or(2 * disc.radius));
     std::vector<Pose> poses;
     for (std::uint64_t member = 0; member < members; ++member) {
         bool found = false;
-        for (std::uint64_t attempt = 0; attempt < kMostTries && !found; ++attempt) {
+        for (std::uint64_t attempt = 0; attempt < kMaxTries && !found; ++attempt) {
             const auto unit = [&](std::uint64_t k) { return toUnit(randomBits(seed, path, member, attempt * 3 + k)); };
             const Vec3 local(f.area[0] + unit(0) * (f.area[2] - f.area[0]), f.area[1] + unit(1) * (f.area[3] - f.area[1]), 0);
             if (!spread.roomAt(local.x(), local.y())) continue;

@@ -1,17 +1,17 @@
-// Antenna patterns and the air.
+// Resolves antenna patterns and the radio medium.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "model/radio_fields.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 #include "schema/value_words.h"
 
 namespace trundle {
 
 namespace {
 
-constexpr double kMostRadiated = 1.02; ///< rounded tables may be a little over
+constexpr double kMaxRadiated = 1.02; ///< tolerance for tables with rounded gains
 
 std::vector<GainPoint> pointsOf(const std::vector<double>& pairs) {
     std::vector<GainPoint> points;
@@ -70,9 +70,9 @@ private:
     }
 
     void checkPower(const AntennaPattern& pattern, bool cuts) {
-        if (!cuts && !m_fields.file && !m_fields.peakGain) return; // a model without losses
+        if (!cuts && !m_fields.file && !m_fields.peakGain) return; // a lossless model
         const double radiated = pattern.radiated();
-        if (radiated <= kMostRadiated) return;
+        if (radiated <= kMaxRadiated) return;
         const SourceRange whole = m_part.nameRange();
         const SourceRange place = m_fields.file               ? m_record.rangeOf("File", whole)
                                   : !m_fields.azimuth.empty() ? m_record.rangeOf("Azimuth", whole)
@@ -124,7 +124,7 @@ void resolveRadio(ResolveContext& context) {
         if (!part->is(Role::Medium)) continue;
         if (first) {
             context.diagnostics
-                .error(Code::DuplicateName, part->nameRange(), "there is one RadioMedium already, and one air for all")
+                .error(Code::DuplicateName, part->nameRange(), "there is one RadioMedium already, shared by all radios")
                 .notes.emplace_back("the first one", first->nameRange());
             continue;
         }

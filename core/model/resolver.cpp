@@ -3,7 +3,7 @@
 #include <set>
 
 #include "base/spelling.h"
-#include "model/resolve_parts.h"
+#include "model/resolve_steps.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -18,7 +18,7 @@ std::vector<std::string> robotNames(const ResolveContext& context) {
     return names;
 }
 
-/// Checks the robots that a log names; the name of a Grid or Scatter becomes its members' where a list may stand.
+/// Checks the robots that a log names; in a list, the name of a Grid or Scatter is replaced by those of its members.
 bool checkRobots(ResolveContext& context, const Property& property, ResolvedValue& value) {
     std::vector<std::string> names;
     for (const std::string& name : value.value.texts) {
@@ -53,22 +53,22 @@ bool checkRobots(ResolveContext& context, const Property& property, ResolvedValu
     return true;
 }
 
-void sayWhatIsIdle(ResolveContext& context) {
-    std::set<SourceRange> told; // robots share their texts
+void reportUnused(ResolveContext& context) {
+    std::set<SourceRange> reported; // once per source range: robots of a layout share their text
     for (const RobotSpec& robot : context.out.robots) {
         if (!robot.controller) continue;
         for (const char* key : {"Isolation", "Budget"}) {
             const ResolvedValue* value = robot.controller->find(key);
             if (!value || value->origin == Origin::Default || robot.controller->text(key) == "none") continue;
-            if (told.insert(value->range).second) sayIdle(context, key, value->range);
+            if (reported.insert(value->range).second) reportUnusedParts(context, key, value->range);
         }
     }
 }
 
-void sayDefaults(ResolveContext& context) {
+void reportDefaults(ResolveContext& context) {
     if (context.defaulted.empty()) return;
     const auto& [part, missing] = context.defaulted.front();
-    std::string text = part->title() + " names no " + missing + ": the built-in default serves";
+    std::string text = part->title() + " names no " + missing + ": the built-in default is used";
     if (const std::size_t others = context.defaulted.size() - 1)
         text += " (here and for " + std::to_string(others) + (others == 1 ? " other geom)" : " other geoms)");
     context.diagnostics.hint(Code::DefaultUsed, part->nameRange(), text);
@@ -76,13 +76,13 @@ void sayDefaults(ResolveContext& context) {
 
 } // namespace
 
-void sayIdle(ResolveContext& context, const std::string& key, SourceRange place) {
+void reportUnusedParts(ResolveContext& context, const std::string& key, SourceRange place) {
     if (place.known())
         context.diagnostics.warning(Code::Conflict, place, key + " has no effect: all controllers run inside the program");
 }
 
 void resolveLogs(ResolveContext& context) {
-    LookChecker looks(context);
+    AppearanceChecker looks(context);
     for (const Part* part : context.outline.world.all()) {
         if (!part->is(Role::Log) && !part->is(Role::Look)) continue;
         ParamScope scope(&context.globals);
@@ -113,8 +113,8 @@ std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLooku
     checkRadios(context);
     resolveLogs(context);
     checkFrameLogs(context);
-    sayWhatIsIdle(context);
-    sayDefaults(context);
+    reportUnused(context);
+    reportDefaults(context);
     return experiment;
 }
 

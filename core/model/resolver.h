@@ -1,5 +1,5 @@
 #pragma once
-// From the outline of a text to the typed model.
+// Resolves the outline of an experiment into the typed model.
 
 #include <functional>
 #include <memory>
@@ -15,26 +15,26 @@
 
 namespace trundle {
 
-/// A file that a text names, as found.
+/// A file named in the text, and its content.
 template <class T> struct FoundAsset {
     std::string path;
     std::shared_ptr<const T> content;
 };
 
-/// What the resolver asks of the project: `written` stands in the text of `file`.
+/// File access that the project provides to the resolver; `written` is a path in the text of `file`.
 struct AssetLookup {
     std::function<Result<FoundAsset<TriangleMesh>>(const std::string& written, FileId file)> mesh;
     std::function<Result<FoundAsset<HeightMap>>(const std::string& written, FileId file)> heightMap;
-    /// The picture's path, an ending added where none is written; fails with the places looked at.
+    /// The path of an image, completed with a file ending if it has none; fails with the searched paths.
     std::function<Result<std::string>(const std::string& written, FileId file)> texture;
-    /// The content of a file of numbers (an antenna's measured gains); fails with the places looked at.
+    /// The content of a text file with numbers, such as measured antenna gains; fails with the searched paths.
     std::function<Result<std::string>(const std::string& written, FileId file)> table;
-    /// The pixels of the picture at a path; null where nobody reads pictures.
+    /// The pixels of the image at a path; null if pixels are not needed.
     std::function<Result<std::shared_ptr<const Raster>>(const std::string& path)> picture;
-    std::shared_ptr<MeshShapes> shapes = std::make_shared<MeshShapes>(); ///< of this load and of former ones
+    std::shared_ptr<MeshShapes> shapes = std::make_shared<MeshShapes>(); ///< shared with earlier loads
 };
 
-/// Resolves everything that can be; what is wrong is said and left out. Modules are filled in by the caller.
+/// Resolves everything that is valid; reports the rest and leaves it out. The caller fills in the modules.
 [[nodiscard]] std::shared_ptr<ExperimentSpec> resolve(const Outline& outline, const AssetLookup& assets,
                                                       Diagnostics& diagnostics);
 

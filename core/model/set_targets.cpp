@@ -9,7 +9,7 @@ namespace {
 
 class Applier {
 public:
-    /// `lays`: the outline is ours to change.
+    /// `lays`: apply the sets to the outline, which must then be modifiable.
     Applier(const Outline& outline, bool lays, Diagnostics& diagnostics)
         : m_outline(outline), m_lays(lays), m_diagnostics(diagnostics) {}
 
@@ -36,13 +36,13 @@ private:
     void setTop() {
         const std::string& key = m_set->item->path[0].text;
         const Kind* settings = m_outline.registry().find("settings");
-        for (const PlacedParam& p : m_outline.params) {
+        for (const SourceParam& p : m_outline.params) {
             if (p.name->text == key && !(settings && settings->find(key))) return setParam(p, nullptr, key);
         }
         put(m_outline.settings, nullptr, 0);
     }
 
-    /// From a part with the words from `i` on.
+    /// Follows the words of the path from `i` on, starting at `part`.
     void descend(const Part& part, std::size_t i) {
         const std::vector<Name>& path = m_set->item->path;
         const Part* at = &part;
@@ -52,12 +52,12 @@ private:
                 at = next;
                 continue;
             }
-            if (at->is(Role::Instance) || at->is(Role::Layout)) break; // the rest is an override of its config
+            if (at->is(Role::Instance) || at->is(Role::Layout)) break; // the rest is the path of an override
             return noSuch({m_set->file, path[i].range}, at->title() + " has no " + path[i].text, namesIn(*at), path[i].text);
         }
         const std::string& key = path.back().text;
         if (at->is(Role::Config) && i + 1 == path.size() && !at->kind->find(key)) {
-            for (const PlacedParam& p : at->params) {
+            for (const SourceParam& p : at->params) {
                 if (p.name->text == key) return setParam(p, at, key);
             }
         }
@@ -70,10 +70,10 @@ private:
         return names;
     }
 
-    void setParam(const PlacedParam& param, const Part* part, const std::string& key) {
+    void setParam(const SourceParam& param, const Part* part, const std::string& key) {
         m_applied.targets.push_back({part, key, valueRange(), {param.valueFile, param.value->range}});
         if (!m_lays) return;
-        auto& own = const_cast<PlacedParam&>(param);
+        auto& own = const_cast<SourceParam&>(param);
         own.value = &m_set->item->value;
         own.valueFile = m_set->file;
     }
@@ -82,7 +82,7 @@ private:
         const std::span<const Name> path = std::span(m_set->item->path).subspan(firstWord);
         std::string key = path[0].text;
         for (const Name& name : path.subspan(1)) key += "." + name.text;
-        const PlacedAssignment* before = list.find(key);
+        const SourceAssignment* before = list.find(key);
         m_applied.targets.push_back({part, key, valueRange(), before ? before->valueRange() : SourceRange{}});
         if (m_lays) const_cast<AssignmentList&>(list).replace({key, path, &m_set->item->value, m_set->file, m_set->item});
     }

@@ -1,5 +1,5 @@
 #pragma once
-// `--set PATH=VALUE`: where in the text the path leads.
+// Finds the block and property that a `--set PATH=VALUE` refers to.
 
 #include <optional>
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace trundle {
 
-/// One setting from the command line, laid over the outline.
+/// One value set on the command line, on top of the text.
 struct SetTarget {
-    const Part* part = nullptr; ///< the block it belongs into; nullptr: the top level of the opened file
+    const Part* part = nullptr; ///< block that it belongs to; nullptr: the top level of the opened file
     std::string key;            ///< relative to the block: "Tick", "leftMotor.Resistance"
     SourceRange value;          ///< the new value, in its own `--set#N` text
-    SourceRange before;         ///< the value it takes the place of; unknown: there is none, it is added
+    SourceRange before;         ///< the value that it replaces; unknown: there is none
 };
 
-/// A path to one member of a Grid or Scatter, which has no text of its own.
+/// A path to a member of a Grid or Scatter, which has no text of its own.
 struct MemberPath {
     const Part* layout = nullptr;
     std::string name;
@@ -28,13 +28,13 @@ struct AppliedSets {
     std::vector<MemberPath> members;
 };
 
-/// Lays the sets of the outline's texts over it, in order. Wrong paths are E314 with the names that are there; whether the last
-/// word is a property and the value fits is said when values are read.
+/// Applies the sets of the outline's texts in order. Invalid paths are E314 with the available names; whether the last word is a
+/// property and the value is valid is checked when values are read.
 [[nodiscard]] AppliedSets applySets(Outline& outline, Diagnostics& diagnostics);
-/// Where sets that are none of the outline's texts would lead; the outline stays as it is.
+/// The targets of sets that are not part of the outline's texts; the outline is unchanged.
 [[nodiscard]] AppliedSets targetsOfSets(const Outline& outline, std::span<const SetText> sets, Diagnostics& diagnostics);
 
-/// The part that a dotted path begins with, and how many of its words that took; nullptr where it names nothing.
+/// The part that a dotted path begins with, and the number of words it takes; nullptr if there is none.
 struct PathStart {
     const Part* part = nullptr;
     std::size_t words = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The trees of one load and how they hang together: what resolving starts from.
+// The syntax trees of one load and their import relations: the input of the resolver.
 
 #include <memory>
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace trundle {
 
-/// One `--set PATH=VALUE`, read as a text of its own named `--set#N`, so that errors point into what was typed.
+/// One `--set PATH=VALUE`, parsed as a source text named `--set#N`, so that diagnostics refer to the argument.
 struct SetText {
     FileId file = kNoFile;
-    const AssignmentItem* item = nullptr; ///< nullptr: it is not one assignment (already said)
+    const AssignmentItem* item = nullptr; ///< nullptr: not a single assignment (already reported)
 };
 
-/// Immutable once loaded; items are pointed to, so the trees are kept alive here.
+/// Immutable once loaded. Keeps the trees alive, since others point to their items.
 struct TextSet {
     std::vector<std::shared_ptr<const Tree>> trees;        ///< by FileId; [0] is the opened file
-    std::unordered_map<const ImportItem*, FileId> imports; ///< those that were found
+    std::unordered_map<const ImportItem*, FileId> imports; ///< successful imports
     std::vector<SetText> sets;
-    FileId firstSet = kNoFile; ///< files from here on are --set texts
-    bool openModules = false;  ///< a module's kinds are not known: unknown blocks in robots stay raw text
+    FileId firstSet = kNoFile; ///< this file and all later ones are --set texts
+    bool openModules = false;  ///< some module's kinds are unknown: unknown blocks in robots are kept as raw text
 
     [[nodiscard]] bool commandLine(FileId file) const { return file != kNoFile && file >= firstSet; }
     [[nodiscard]] std::string_view slice(FileId file, TextRange range) const { return trees[file]->source().slice(range); }

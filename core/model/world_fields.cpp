@@ -4,7 +4,7 @@ namespace trundle {
 
 namespace {
 
-constexpr double kFarthest = 1e5; ///< m; beyond it the guard of the world stops a run
+constexpr double kFarthest = 1e5; ///< m; larger coordinates stop a run
 constexpr double kLargestWhole = 9007199254740992.0;
 
 constexpr Quantity position() { return metres().within(-kFarthest, kFarthest); }
@@ -15,11 +15,11 @@ constexpr Quantity whole(double low, double high) {
     return q;
 }
 
-template <class T> void describePlace(Describe<T>& d, const char* config, const char* pos) {
-    d.field("Config", &PlaceFields::config, reference(config).required(),
-            std::string("Name of the ") + config + " it is made from.");
-    d.field("Pos", &PlaceFields::pos, position(), pos);
-    d.field("HPR", &PlaceFields::hpr, angles(), "Heading, pitch and roll.");
+template <class T> void describePose(Describe<T>& d, const char* config, const char* pos) {
+    d.field("Config", &PoseFields::config, reference(config).required(),
+            std::string("Name of the ") + config + " it is created from.");
+    d.field("Pos", &PoseFields::pos, position(), pos);
+    d.field("HPR", &PoseFields::hpr, angles(), "Heading, pitch and roll.");
 }
 
 } // namespace
@@ -76,17 +76,17 @@ void StaticConfigFields::describe(Describe<StaticConfigFields>& d) {
 void RobotFields::describe(Describe<RobotFields>& d) {
     d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path. Without joints, "
            "devices and a controller it is a movable object, a ball or a crate, and is counted as one.");
-    describePlace(d, "RobotConfig", "Where its config frame stands at the start.");
+    describePose(d, "RobotConfig", "Position of its config frame at the start.");
 }
 
 void StaticFields::describe(Describe<StaticFields>& d) {
     d.help("One piece of scenery in the world.");
-    describePlace(d, "StaticConfig", "Where it stands.");
+    describePose(d, "StaticConfig", "Its position.");
 }
 
 void GridFields::describe(Describe<GridFields>& d) {
     d.help("Equal robots in rows. Takes what a Robot takes; its members are name_0, name_1 ...");
-    describePlace(d, "RobotConfig", "Centre of the pattern.");
+    describePose(d, "RobotConfig", "Centre of the pattern.");
     d.field("Count", &GridFields::count, whole(1, 200000).required().counted(1, 2), "How many along x, and along y.");
     d.field("Spacing", &GridFields::spacing, metres().within(0, kFarthest).required().counted(1, 2),
             "Distance between neighbours, or along x and along y.");
@@ -95,7 +95,7 @@ void GridFields::describe(Describe<GridFields>& d) {
 void ScatterFields::describe(Describe<ScatterFields>& d) {
     d.help("Equal robots at random places clear of scenery and of each other. Takes what a Robot takes; its members are name_0, "
            "name_1 ...");
-    describePlace(d, "RobotConfig", "Origin of the area.");
+    describePose(d, "RobotConfig", "Origin of the area.");
     d.field("Count", &ScatterFields::count, whole(1, 200000).required(), "How many.");
     d.field("Area", &ScatterFields::area, position().required(), "x0, y0, x1, y1 about Pos.");
     d.field("MinDistance", &ScatterFields::minDistance, metres().within(0, kFarthest),
@@ -134,10 +134,11 @@ void ViewFields::describe(Describe<ViewFields>& d) {
 }
 
 void ControllerFields::describe(Describe<ControllerFields>& d) {
-    d.field("UpdatePeriod", &ControllerFields::updatePeriod, seconds().within(0, 1e6), "Time between its turns; 0 = every tick.");
+    d.field("UpdatePeriod", &ControllerFields::updatePeriod, seconds().within(0, 1e6),
+            "Time between its updates; 0 = every tick.");
     d.field("Isolation", &ControllerFields::isolation, oneOf("none|module|robot"),
             "Which controllers share its process; where absent, the experiment's.");
-    d.field("Budget", &ControllerFields::budget, milliseconds().above(0), "Time one turn may take.");
+    d.field("Budget", &ControllerFields::budget, milliseconds().above(0), "Time one update may take.");
 }
 
 } // namespace trundle

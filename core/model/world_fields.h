@@ -1,5 +1,5 @@
 #pragma once
-// What may be written at the top level and in instances, described once.
+// Field tables of the top-level blocks and instances.
 
 #include <array>
 #include <numbers>
@@ -15,7 +15,7 @@ using Triple = std::array<double, 3>;
 
 struct SettingsFields {
     double tick = 0.01, duration = 0;
-    double seed = 1; ///< whole, below 2^53
+    double seed = 1; ///< integer, below 2^53
     Triple gravity{0, 0, -9.81};
     std::string solver = "auto";
     int iterations = 20;
@@ -46,30 +46,30 @@ struct StaticConfigFields {
     static void describe(Describe<StaticConfigFields>& d);
 };
 
-/// Where an instance stands.
-struct PlaceFields {
+/// Config and pose of an instance.
+struct PoseFields {
     std::string config;
     Triple pos{0, 0, 0}, hpr{0, 0, 0}; ///< m; rad
 };
 
-struct RobotFields : PlaceFields {
+struct RobotFields : PoseFields {
     static void describe(Describe<RobotFields>& d);
 };
-struct StaticFields : PlaceFields {
+struct StaticFields : PoseFields {
     static void describe(Describe<StaticFields>& d);
 };
-struct GridFields : PlaceFields {
+struct GridFields : PoseFields {
     std::vector<double> count, spacing;
     static void describe(Describe<GridFields>& d);
 };
-struct ScatterFields : PlaceFields {
+struct ScatterFields : PoseFields {
     double count = 1, seed = 0;
     std::array<double, 4> area{};
     std::optional<double> minDistance, heading; ///< m; rad
     static void describe(Describe<ScatterFields>& d);
 };
 
-inline constexpr std::size_t kMostLamps = 8; ///< more cost every pixel too much; those that come first count
+inline constexpr std::size_t kMaxLamps = 8; ///< limit for the cost per pixel; the first ones are used
 
 struct LightFields {
     std::string mode = "sun";
@@ -91,7 +91,7 @@ struct ViewFields {
     static void describe(Describe<ViewFields>& d);
 };
 
-/// What every controller block may hold beside the fields of its kind.
+/// Fields of every controller block, in addition to those of its kind.
 struct ControllerFields {
     double updatePeriod = 0; ///< s
     std::optional<std::string> isolation;

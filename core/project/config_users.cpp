@@ -11,14 +11,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostEntries = 5000; ///< of the project's folder
-constexpr std::uint64_t kMostBytes = 4u << 20;
+constexpr int kMaxEntries = 5000; ///< entries of the project's folder
+constexpr std::uint64_t kMaxBytes = 4u << 20;
 
 bool isText(const fs::path& path) { return path.extension() == ".sim" || path.extension() == ".txt"; }
 
 bool isWord(const Element& e) { return e.kind == Element::Kind::Word || e.kind == Element::Kind::String; }
 
-/// What `items` import, and the words that they give to `Config` or to a Param that may lead there.
+/// Collects the imports of `items` and the names given to `Config`, directly or through a Param.
 void collect(const std::vector<Item>& items, std::vector<std::string>& imports, std::set<std::string>& named,
              std::set<std::string>& params, bool& byParam) {
     for (const Item& item : items) {
@@ -53,7 +53,7 @@ std::vector<std::string> ConfigUsers::textsIn(const std::string& folder) {
     std::error_code failed;
     int looked = 0;
     fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, failed), end;
-    for (; !failed && it != end && ++looked < kMostEntries; it.increment(failed)) {
+    for (; !failed && it != end && ++looked < kMaxEntries; it.increment(failed)) {
         std::error_code none;
         if (it->path().filename().string().starts_with('.')) {
             if (it->is_directory(none)) it.disable_recursion_pending();
@@ -64,17 +64,17 @@ std::vector<std::string> ConfigUsers::textsIn(const std::string& folder) {
     return found;
 }
 
-const ConfigUsers::Text* ConfigUsers::read(const Loaded& loaded, const std::string& path) {
+const ConfigUsers::Text* ConfigUsers::read(const LoadedProject& loaded, const std::string& path) {
     if (const auto known = m_ofLoad.find(path); known != m_ofLoad.end()) return &known->second;
     const auto held = std::find(loaded.paths.begin(), loaded.paths.end(), path);
     if (held != loaded.paths.end())
         return &m_ofLoad.emplace(path, textOf(*loaded.trees[static_cast<std::size_t>(held - loaded.paths.begin())]))
                     .first->second;
     const Result<FileStamp> stamp = regularFileStamp(path);
-    if (!stamp || stamp.value().size > kMostBytes) return nullptr;
+    if (!stamp || stamp.value().size > kMaxBytes) return nullptr;
     const auto [known, isNew] = m_onDisk.try_emplace(path);
     if (!isNew && known->second.stamp == stamp.value()) return &known->second.text;
-    Result<std::string> bytes = readRegularFile(path, kMostBytes);
+    Result<std::string> bytes = readRegularFile(path, kMaxBytes);
     if (!bytes) {
         m_onDisk.erase(known);
         return nullptr;
@@ -83,20 +83,21 @@ const ConfigUsers::Text* ConfigUsers::read(const Loaded& loaded, const std::stri
     return &known->second.text;
 }
 
-bool ConfigUsers::reaches(const Loaded& loaded, const std::string& from, const std::string& file, std::set<std::string>& seen) {
+bool ConfigUsers::reaches(const LoadedProject& loaded, const std::string& from, const std::string& file,
+                          std::set<std::string>& seen) {
     if (from == file) return true;
-    if (!seen.insert(from).second || seen.size() > kMostEntries) return false;
+    if (!seen.insert(from).second || seen.size() > kMaxEntries) return false;
     const Text* text = read(loaded, from);
     if (!text) return false;
     const FileSearch search(loaded.importFolders);
-    const std::vector<std::string> imports = text->imports; // read() may move what it gave
+    const std::vector<std::string> imports = text->imports; // copied: read() may move the object that holds them
     return std::any_of(imports.begin(), imports.end(), [&](const std::string& written) {
         const Result<std::string> found = search.find(written, fs::path(from).parent_path().string());
         return found && reaches(loaded, found.value(), file, seen);
     });
 }
 
-std::vector<std::string> ConfigUsers::dependentsOutside(const Loaded& loaded, const std::set<std::string>& files) {
+std::vector<std::string> ConfigUsers::dependentsOutside(const LoadedProject& loaded, const std::set<std::string>& files) {
     m_ofLoad.clear();
     std::vector<std::string> found;
     for (const std::string& path : textsIn(loaded.projectFolder)) {
@@ -111,7 +112,7 @@ std::vector<std::string> ConfigUsers::dependentsOutside(const Loaded& loaded, co
     return found;
 }
 
-std::vector<std::string> ConfigUsers::of(const Loaded& loaded, const Part& config) {
+std::vector<std::string> ConfigUsers::of(const LoadedProject& loaded, const Part& config) {
     m_ofLoad.clear();
     if (config.file >= loaded.paths.size()) return {};
     std::set<std::string> texts;

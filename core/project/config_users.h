@@ -9,36 +9,36 @@
 
 namespace trundle {
 
-/// Finds the texts of a project that place a config. A text on the disk is read again only after it has changed.
+/// Finds the files of a project that place a config. A file on disk is read again only after it has changed.
 class ConfigUsers {
 public:
-    /// Absolute paths, sorted, of the texts that place `config` ("Robot r { Config=Rover }") and import its file: those of the load as
-    /// they are there, and those in the project's folder. At most 5,000 entries of the folder are looked at.
-    [[nodiscard]] std::vector<std::string> of(const Loaded& loaded, const Part& config);
+    /// Absolute paths, sorted, of the files that place `config` ("Robot r { Config=Rover }") and import its file: the loaded ones
+    /// with their loaded text, and the others in the project's folder. Examines at most 5,000 entries of the folder.
+    [[nodiscard]] std::vector<std::string> of(const LoadedProject& loaded, const Part& config);
 
-    /// Absolute paths, sorted, of the texts in the project's folder that import one of `files` (absolute), directly or not, and that the
-    /// load does not have.
-    [[nodiscard]] std::vector<std::string> dependentsOutside(const Loaded& loaded, const std::set<std::string>& files);
-    /// Absolute paths of the texts below a folder, hidden ones and folders not; at most 5,000 entries are looked at.
+    /// Absolute paths, sorted, of the files in the project's folder that import one of `files` (absolute), directly or
+    /// indirectly, and that are not loaded.
+    [[nodiscard]] std::vector<std::string> dependentsOutside(const LoadedProject& loaded, const std::set<std::string>& files);
+    /// Absolute paths of the source files below a folder, without hidden files and folders; examines at most 5,000 entries.
     [[nodiscard]] static std::vector<std::string> textsIn(const std::string& folder);
 
 private:
-    /// What one text says.
+    /// Imports and configs of one file.
     struct Text {
         std::vector<std::string> imports;
-        std::set<std::string> configs; ///< that it places
+        std::set<std::string> configs; ///< configs that it places
     };
     struct OnDisk {
         FileStamp stamp;
         Text text;
     };
     [[nodiscard]] static Text textOf(const Tree& tree);
-    [[nodiscard]] const Text* read(const Loaded& loaded, const std::string& path);
-    [[nodiscard]] bool reaches(const Loaded& loaded, const std::string& from, const std::string& file,
+    [[nodiscard]] const Text* read(const LoadedProject& loaded, const std::string& path);
+    [[nodiscard]] bool reaches(const LoadedProject& loaded, const std::string& from, const std::string& file,
                                std::set<std::string>& seen);
 
     std::map<std::string, OnDisk> m_onDisk;
-    std::map<std::string, Text> m_ofLoad; ///< of the load that is asked about
+    std::map<std::string, Text> m_ofLoad; ///< files of the loaded project of the current query
 };
 
 } // namespace trundle

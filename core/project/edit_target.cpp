@@ -9,14 +9,15 @@ namespace trundle {
 
 namespace {
 
-/// Of an instance: the config that a path below it leads into, and the path there. Null where it leads to what is the instance's own.
+/// The config that a path below an instance leads into, and the path within it. `config` is null if the path means a property of
+/// the instance itself.
 struct ConfigPath {
     const Part* config = nullptr;
     const Part* holder = nullptr; ///< block that has the value
     std::string within;           ///< "leftMotor.Resistance", "trackWidth"
 };
 
-ConfigPath configPathOf(const Loaded& loaded, const ObjectPlace& place, const std::string& key) {
+ConfigPath configPathOf(const LoadedProject& loaded, const ObjectLocation& place, const std::string& key) {
     const Part* config = place.instance ? configOf(loaded, *place.instance) : nullptr;
     if (!config || !place.part) return {};
     if (place.part == place.instance) {
@@ -30,7 +31,7 @@ ConfigPath configPathOf(const Loaded& loaded, const ObjectPlace& place, const st
 
 std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
 
-/// Anything but the block's own first characters.
+/// Whether an edit is inside a block; an insertion right before the block is not.
 bool isInside(const SourceRange& edit, const SourceRange& block) {
     return edit.file == block.file && block.range.begin < edit.range.begin && edit.range.end <= block.range.end &&
            edit.range.begin < block.range.end;
@@ -44,31 +45,31 @@ bool isChanged(const Part& part, const FileEdits& edits) {
     const auto here = edits.find(part.range.file);
     if (here != edits.end() && changesInside(part, here->second)) return true;
     return std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& inner) {
-        return inner.range.file != part.range.file && isChanged(inner, edits); // from a file that the block imports
+        return inner.range.file != part.range.file && isChanged(inner, edits); // defined in a file that the block imports
     });
 }
 
 } // namespace
 
-bool isShippedFile(const Loaded& loaded, FileId file) {
+bool isShippedFile(const LoadedProject& loaded, FileId file) {
     if (file == 0 || file >= loaded.paths.size() || loaded.shippedConfigs.empty()) return false;
     return loaded.paths[file].starts_with(loaded.shippedConfigs + "/");
 }
 
-std::vector<const Part*> instancesOf(const Loaded& loaded, const Part& config) {
+std::vector<const Part*> instancesOf(const LoadedProject& loaded, const Part& config) {
     std::vector<const Part*> instances;
     for (const auto& part : loaded.outline->parts)
         if (isPlaced(*part) && configOf(loaded, *part) == &config) instances.push_back(part.get());
     return instances;
 }
 
-bool EditTarget::isShared(const Loaded& loaded) const {
+bool EditTarget::isShared(const LoadedProject& loaded) const {
     if (!config || isOverride) return false;
     if (config->file != 0 || (instance && instances > 1)) return true;
     return std::any_of(users.begin(), users.end(), [&](const std::string& user) { return user != loaded.paths[0]; });
 }
 
-EditTarget targetOfStructure(const Loaded& loaded, const Part& config, const Part* instance, ConfigUsers& users) {
+EditTarget targetOfStructure(const LoadedProject& loaded, const Part& config, const Part* instance, ConfigUsers& users) {
     EditTarget target;
     target.path = pathOfConfig(config);
     target.file = config.file;
@@ -80,13 +81,13 @@ EditTarget targetOfStructure(const Loaded& loaded, const Part& config, const Par
     return target;
 }
 
-EditTarget targetOfValue(const Loaded& loaded, const std::string& propertyPath, ConfigUsers& users) {
+EditTarget targetOfValue(const LoadedProject& loaded, const std::string& propertyPath, ConfigUsers& users) {
     EditTarget target;
     target.path = propertyPath;
     const std::size_t dot = propertyPath.rfind('.');
     if (dot == std::string::npos) return target;
     const std::string key = propertyPath.substr(dot + 1);
-    const std::optional<ObjectPlace> place = placeOf(loaded, propertyPath.substr(0, dot));
+    const std::optional<ObjectLocation> place = placeOf(loaded, propertyPath.substr(0, dot));
     if (!place || !place->part || place->member) return target;
     target.file = place->part->file;
     const Part* top = place->above.empty() ? place->part : place->above.front();
@@ -113,7 +114,7 @@ EditTarget targetOfValue(const Loaded& loaded, const std::string& propertyPath, 
     return target;
 }
 
-std::vector<const Part*> configsChangedBy(const Loaded& loaded, const EditPlan& plan) {
+std::vector<const Part*> configsChangedBy(const LoadedProject& loaded, const EditPlan& plan) {
     std::vector<const Part*> changed;
     for (const Part* config : loaded.outline->configs.all())
         if (isChanged(*config, plan.edits)) changed.push_back(config);

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "lang/edit_style.h"
+#include "project/import_path.h"
 #include "project/search.h"
-#include "project/written_path.h"
 
 namespace trundle {
 
@@ -45,20 +45,20 @@ Result<Directive> read(std::string_view text) {
     return d;
 }
 
-/// Whether the path ends in the written one.
+/// Whether an absolute path ends with a written path, at a folder boundary.
 bool isFile(const std::string& absolute, const std::string& written) {
     return absolute == written || (absolute.size() > written.size() && absolute.ends_with(written) &&
                                    absolute[absolute.size() - written.size() - 1] == '/');
 }
 
-/// As the author would write it: a file that comes with the program, or lies in the project, needs no absolute path.
-std::string asWritten(const Loaded& loaded, FileId file, const std::string& path) {
+/// The path as an author would write it: relative for a file that is shipped or in the project.
+std::string asWritten(const LoadedProject& loaded, FileId file, const std::string& path) {
     namespace fs = std::filesystem;
     if (!fs::path(path).is_absolute()) return path;
     const fs::path own = fs::path(loaded.paths[file]).parent_path();
     const std::string shown = shownInProject(path, loaded.projectFolder);
     const bool hidden = std::ranges::any_of(std::array{own, fs::path(loaded.projectFolder)}, [&](const fs::path& folder) {
-        std::error_code none; // another file is found first under that name
+        std::error_code none; // without error; another file is found first under that name
         return fs::exists(folder / shown, none) && canonicalPath((folder / shown).string()) != path;
     });
     if (!hidden) return shown;
@@ -68,7 +68,7 @@ std::string asWritten(const Loaded& loaded, FileId file, const std::string& path
 
 class Lines {
 public:
-    Lines(const Loaded& loaded, FileId file)
+    Lines(const LoadedProject& loaded, FileId file)
         : m_loaded(loaded), m_file(file), m_tree(*loaded.trees[file]), m_lineEnd(editStyle(m_tree).lineEnd) {}
 
     bool has(const Directive& d) const {
@@ -117,13 +117,13 @@ private:
         return false;
     }
 
-    /// Behind the end of the line that holds an offset; line ends inside comments do not count.
+    /// The offset after the end of the line that contains an offset; line ends inside comments do not count.
     std::uint32_t behindLine(std::uint32_t from) const {
         for (const Token& token : m_tree.tokens())
             if (token.kind == TokenKind::LineEnd && token.range.begin >= from) return token.range.end;
         return static_cast<std::uint32_t>(m_tree.source().bytes().size());
     }
-    /// The line of the first item (for an import, of the first module).
+    /// The start of the line of the first item (for an import, of the first module).
     std::uint32_t beforeFirst(bool module) const {
         const Item* first = m_tree.items().empty() ? nullptr : &m_tree.items().front();
         for (const Item& item : m_tree.items())
@@ -138,7 +138,7 @@ private:
         return place;
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     FileId m_file;
     const Tree& m_tree;
     std::string m_lineEnd;
@@ -146,7 +146,8 @@ private:
 
 } // namespace
 
-Result<std::vector<TextEdit>> editsForImports(const Loaded& loaded, FileId file, const std::vector<std::string>& directives) {
+Result<std::vector<TextEdit>> editsForImports(const LoadedProject& loaded, FileId file,
+                                              const std::vector<std::string>& directives) {
     const Lines lines(loaded, file);
     std::string texts[2];
     std::set<std::pair<bool, std::string>> done;

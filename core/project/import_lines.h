@@ -7,9 +7,9 @@
 
 namespace trundle {
 
-/// Adds directives to a file ("robots/rover.sim", "#import robots/rover.sim", "#loadModule walker") that it has not got yet, behind
-/// its others of that sort. Fails for a path that no line can hold.
-[[nodiscard]] Result<std::vector<TextEdit>> editsForImports(const Loaded& loaded, FileId file,
+/// Adds those directives ("robots/rover.sim", "#import robots/rover.sim", "#loadModule walker") that a file does not have yet,
+/// after its others of the same type. Fails for a path that cannot be written in one line.
+[[nodiscard]] Result<std::vector<TextEdit>> editsForImports(const LoadedProject& loaded, FileId file,
                                                             const std::vector<std::string>& directives);
 
 } // namespace trundle

@@ -19,7 +19,7 @@ void forEachGeom(const ExperimentSpec& experiment, const std::function<void(cons
 
 } // namespace
 
-std::optional<InstanceVariants> variantsOf(const Loaded& loaded, const ObjectPlace& place) {
+std::optional<InstanceVariants> variantsOf(const LoadedProject& loaded, const ObjectLocation& place) {
     const Part* part = place.part;
     if (!part || part != place.instance || !isPlaced(*part)) return std::nullopt;
     AssetLookup assets;
@@ -28,7 +28,7 @@ std::optional<InstanceVariants> variantsOf(const Loaded& loaded, const ObjectPla
         const auto found = named.find({file, written});
         return found == named.end() ? std::string() : found->second.path;
     };
-    // Of what was read nothing is kept but the shapes made of it.
+    // Keeps only the shapes, not the contents of the files.
     assets.mesh = [pathOf, experiment = loaded.experiment, shapes = loaded.shapes](
                       const std::string& written, FileId file) -> Result<FoundAsset<TriangleMesh>> {
         FoundAsset<TriangleMesh> found{pathOf(written, file), nullptr};

@@ -1,10 +1,10 @@
 #pragma once
 #include "model/instance_variants.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 
-/// Of a Robot, Static, Grid or Scatter of a load, with the meshes that the load has read. Nothing for another kind of part.
-[[nodiscard]] std::optional<InstanceVariants> variantsOf(const Loaded& loaded, const ObjectPlace& place);
+/// The shapes of a Robot, Static, Grid or Scatter, with the meshes that the load has read. Nothing for other blocks.
+[[nodiscard]] std::optional<InstanceVariants> variantsOf(const LoadedProject& loaded, const ObjectLocation& place);
 
 } // namespace trundle

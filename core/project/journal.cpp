@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t kSmallJournal = 1u << 20; ///< bytes below which nothing is worth writing anew
+constexpr std::uint64_t kSmallJournal = 1u << 20; ///< bytes; smaller files are not compacted
 
 std::string now() {
     const auto since = std::chrono::system_clock::now().time_since_epoch();
@@ -62,9 +62,9 @@ Status Journal::append(const std::string& record) {
     return {};
 }
 
-std::string Journal::beginBytes(const std::string& file, const Noted& noted) {
-    JournalRecord record{JournalRecord::Begin, {file, noted.base, now()}};
-    if (noted.isCreated) record.fields.emplace_back(kCreatedMark);
+std::string Journal::beginBytes(const std::string& file, const JournaledText& journaled) {
+    JournalRecord record{JournalRecord::Begin, {file, journaled.base, now()}};
+    if (journaled.isCreated) record.fields.emplace_back(kCreatedMark);
     return journalBytes(record);
 }
 
@@ -72,41 +72,41 @@ Status Journal::note(const std::string& file, const std::string& base, const std
     if (!m_file) {
         if (Status made = makeFile(); !made) return made;
     }
-    const auto known = m_noted.find(file);
-    const bool begins = known == m_noted.end() || known->second.base != base || known->second.isCreated != isCreated;
+    const auto known = m_journaled.find(file);
+    const bool begins = known == m_journaled.end() || known->second.base != base || known->second.isCreated != isCreated;
     const std::string& before = begins ? base : known->second.text;
     const TextSplice splice = spliceBetween(before, text);
     if (!begins && splice.empty()) return {};
-    const Noted noted{base, text, isCreated};
-    std::string record = begins ? beginBytes(file, noted) : std::string();
+    const JournaledText journaled{base, text, isCreated};
+    std::string record = begins ? beginBytes(file, journaled) : std::string();
     record += journalBytes({JournalRecord::Change,
                             {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
     if (Status written = append(record); !written) return written;
-    m_noted.insert_or_assign(file, noted);
+    m_journaled.insert_or_assign(file, journaled);
     return compact();
 }
 
 Status Journal::forget(const std::string& file) {
-    if (m_noted.erase(file) == 0) return {};
-    if (m_noted.empty()) {
+    if (m_journaled.erase(file) == 0) return {};
+    if (m_journaled.empty()) {
         discard();
         return {};
     }
     return append(journalBytes({JournalRecord::Forget, {file}}));
 }
 
-// A long day of typing must not fill the disk: what leads to the same texts in fewer bytes takes the file's place.
+// Keeps the file small: it is replaced by one that gives the same texts in fewer bytes.
 Status Journal::compact() {
     std::uint64_t needed = kSmallJournal;
-    for (const auto& [file, noted] : m_noted) needed += 2 * (noted.base.size() + noted.text.size());
+    for (const auto& [file, journaled] : m_journaled) needed += 2 * (journaled.base.size() + journaled.text.size());
     if (m_bytes <= 2 * needed) return {};
     const std::string path = m_file->path();
     Result<LockedFile> fresh = LockedFile::make(path + ".new");
-    if (!fresh) return {}; // the long one is as good
+    if (!fresh) return {}; // keep the current file
     std::string bytes = headBytes(m_head);
-    for (const auto& [file, noted] : m_noted) {
-        const TextSplice splice = spliceBetween(noted.base, noted.text);
-        bytes += beginBytes(file, noted);
+    for (const auto& [file, journaled] : m_journaled) {
+        const TextSplice splice = spliceBetween(journaled.base, journaled.text);
+        bytes += beginBytes(file, journaled);
         bytes += journalBytes({JournalRecord::Change,
                                {file, std::to_string(splice.at), std::to_string(splice.removed.size()), splice.inserted, now()}});
     }
@@ -121,10 +121,10 @@ Status Journal::compact() {
 }
 
 void Journal::discard() {
-    m_noted.clear();
+    m_journaled.clear();
     if (!m_file) return;
     const fs::path folder = fs::path(m_file->path()).parent_path();
-    m_file->unlink(); // a thread may still wait for it
+    m_file->unlink(); // a thread may still be syncing it
     m_file.reset();
     std::error_code notEmpty;
     if (fs::remove(folder, notEmpty)) tidyWorkFolder(folder.parent_path().string());

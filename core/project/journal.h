@@ -1,5 +1,5 @@
 #pragma once
-// Texts that are not saved, kept on the disk: an append-only file for each window, from which a crash loses nothing that was noted.
+// Unsaved texts on disk: one append-only file per window, so that a crash loses nothing that was written to it.
 
 #include <cstdint>
 #include <map>
@@ -13,38 +13,40 @@
 
 namespace trundle {
 
-/// What is being edited: an opened file and, while no file holds it, the name it is shown under.
+/// The edited file: its path and, until it is saved for the first time, its display name.
 struct JournalHead {
     std::string opened; ///< absolute path
-    std::string name;   ///< "" for a text that has a file
+    std::string name;   ///< "" if the text has a file
 };
 
-/// The writing side. The file is made at the first note, in `journal/` of projectStateFolder(), and is locked as long as it is open.
-/// Records carry checksums; one that was cut off by a crash is left out when the journal is read.
+/// Writes a journal. The file is created at the first note() in `journal/` of projectStateFolder() and is locked while it is
+/// open. Records have checksums; a record truncated by a crash is ignored when the journal is read.
 class Journal {
 public:
     Journal(std::string projectFolder, JournalHead head);
-    ~Journal(); ///< leaves the file where it is
+    ~Journal(); ///< keeps the file
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// A text is now `text`, having begun as `base` on the disk. Writes what differs from the last note. `isCreated`: see RecoveredText.
+    /// Records that a file with the bytes `base` on disk now has the text `text`; writes only the difference to the last note.
+    /// `isCreated`: see RecoveredText.
     [[nodiscard]] Status note(const std::string& file, const std::string& base, const std::string& text, bool isCreated = false);
-    /// A text is saved. When none is left the journal goes.
+    /// Records that a file was saved. Removes the journal when no unsaved text is left.
     [[nodiscard]] Status forget(const std::string& file);
-    [[nodiscard]] bool holds(const std::string& file) const { return m_noted.contains(file); }
-    [[nodiscard]] bool empty() const { return m_noted.empty(); }
-    /// The file, for a thread that waits until the disk has it; null where there is none. May be kept and synced while this goes on.
+    [[nodiscard]] bool holds(const std::string& file) const { return m_journaled.contains(file); }
+    [[nodiscard]] bool empty() const { return m_journaled.empty(); }
+    /// The file, for a thread that syncs it to disk; null if there is none. May be kept and synced concurrently with all other
+    /// calls.
     [[nodiscard]] std::shared_ptr<const LockedFile> file() const { return m_file; }
-    /// Removes the file: there is nothing to bring back.
+    /// Removes the file: nothing is left to restore.
     void discard();
 
 private:
-    struct Noted {
+    struct JournaledText {
         std::string base, text;
         bool isCreated = false;
     };
-    [[nodiscard]] static std::string beginBytes(const std::string& file, const Noted& noted);
+    [[nodiscard]] static std::string beginBytes(const std::string& file, const JournaledText& journaled);
     [[nodiscard]] Status makeFile();
     [[nodiscard]] Status append(const std::string& record);
     [[nodiscard]] Status compact();
@@ -52,35 +54,36 @@ private:
     std::string m_projectFolder;
     JournalHead m_head;
     std::shared_ptr<LockedFile> m_file;
-    std::map<std::string, Noted> m_noted;
-    std::uint64_t m_bytes = 0; // in the file
+    std::map<std::string, JournaledText> m_journaled;
+    std::uint64_t m_bytes = 0; // size of the file
 };
 
 struct RecoveredText {
-    std::string base; ///< the disk's bytes that the edits began with
+    std::string base; ///< bytes on disk when editing began
     std::string text;
-    bool isCreated = false; ///< by an edit that can be undone: the file goes when its text is empty
+    bool isCreated = false; ///< created by an undoable edit: the file is removed if its text is empty
 };
 
-/// What a window that did not end well has left.
+/// Contents of a journal left by a window that closed unexpectedly.
 struct Recovery {
-    std::string journal; ///< the file
-    std::string project; ///< the folder that it was looked for with
+    std::string journal; ///< path of the journal
+    std::string project; ///< folder of the project that was searched
     JournalHead head;
     std::int64_t time = 0; ///< of the last note, s since 1970
     std::map<std::string, RecoveredText> files;
 };
 
-/// Journals of a project whose windows are gone, newest first. Only those in the user's own state folder, which this user wrote and
-/// nobody else may: what comes with a project could say anything, and who restores and saves it would write that to any file.
+/// Journals of a project whose windows are gone, newest first. Only reads journals in the user's own state folder that belong to
+/// this user and that no one else can write: a journal shipped with a project could otherwise overwrite any file when it is
+/// restored and saved.
 [[nodiscard]] std::vector<Recovery> findRecoveries(const std::string& projectFolder);
-/// Journals inside the project's folder, where an earlier version kept them, or somebody put them. They are not read.
+/// Journals inside the project's folder, from an earlier version or another source. They are never read.
 [[nodiscard]] std::vector<std::string> journalsInProject(const std::string& projectFolder);
-/// Files of a journal that are really below none of the folders.
+/// Files of a journal that are not below any of the folders, links resolved.
 [[nodiscard]] std::vector<std::string> filesOutside(const Recovery& recovery, const std::vector<std::string>& folders);
-/// Removes the journal: it was brought back, or is not wanted.
+/// Removes a journal after it was restored or discarded.
 void discardRecovery(const Recovery& recovery);
-/// What a journal's bytes say, as far as they are whole. Nothing where they say nothing.
+/// Parses a journal's bytes up to the first damaged record. Nothing if there is no usable record.
 [[nodiscard]] std::optional<Recovery> readJournal(std::string_view bytes);
 
 } // namespace trundle

@@ -6,7 +6,7 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kMostFields = 16;
+constexpr std::size_t kMaxFields = 16;
 
 /// CRC-32 as in ISO 3309 (polynomial 0xEDB88320 reflected).
 std::uint32_t checksum(std::string_view bytes) {
@@ -27,7 +27,7 @@ void putNumber(std::string& out, std::uint32_t number) {
     for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(number >> shift & 0xFF);
 }
 
-std::optional<std::uint32_t> takeNumber(std::string_view& bytes) {
+std::optional<std::uint32_t> readNumber(std::string_view& bytes) {
     if (bytes.size() < 4) return std::nullopt;
     std::uint32_t number = 0;
     for (std::size_t i = 0; i < 4; ++i) number |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
@@ -50,7 +50,7 @@ std::string journalBytes(const JournalRecord& record) {
 }
 
 std::optional<JournalRecord> nextRecord(std::string_view& bytes) {
-    const auto length = takeNumber(bytes), sum = takeNumber(bytes);
+    const auto length = readNumber(bytes), sum = readNumber(bytes);
     if (!length || !sum || *length == 0 || *length > bytes.size()) return std::nullopt;
     std::string_view content = bytes.substr(0, *length);
     if (checksum(content) != *sum) return std::nullopt;
@@ -58,8 +58,8 @@ std::optional<JournalRecord> nextRecord(std::string_view& bytes) {
     JournalRecord record{content.front(), {}};
     content.remove_prefix(1);
     while (!content.empty()) {
-        const auto size = takeNumber(content);
-        if (!size || *size > content.size() || record.fields.size() >= kMostFields) return std::nullopt;
+        const auto size = readNumber(content);
+        if (!size || *size > content.size() || record.fields.size() >= kMaxFields) return std::nullopt;
         record.fields.emplace_back(content.substr(0, *size));
         content.remove_prefix(*size);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// The records of a journal as bytes. Private to core/project.
+// Binary format of journal records. Private to core/project.
 
 #include <cstdint>
 #include <optional>
@@ -11,19 +11,19 @@ namespace trundle {
 
 inline constexpr std::string_view kJournalMark = "TRUNDLE JOURNAL 1\n";
 
-/// Fourth field of a Begin record: an edit created the file. Journals of earlier versions have three fields.
+/// Fourth field of a Begin record: the file was created by an edit. Journals of earlier versions have three fields.
 inline constexpr std::string_view kCreatedMark = "created";
 
-/// A letter that says what it is, and fields of any bytes.
+/// A letter for the type, and fields of any bytes.
 struct JournalRecord {
     enum Kind : char { Head = 'H', Begin = 'B', Change = 'C', Forget = 'F' };
     char kind = Head;
     std::vector<std::string> fields;
 };
 
-/// Length, checksum, content.
+/// Encodes a record: length, checksum, content.
 [[nodiscard]] std::string journalBytes(const JournalRecord& record);
-/// Takes the next record off the front; nothing at the end, or where the bytes are no whole record.
+/// Removes the next record from the front of `bytes`; nothing at the end, or if it is not a complete record.
 [[nodiscard]] std::optional<JournalRecord> nextRecord(std::string_view& bytes);
 
 } // namespace trundle

@@ -1,8 +1,8 @@
-// needs        three texts, two of them descended from the first
-// assumptions  a line is what ends at LF; a last line without one differs from the same line with one
-// method       the lines each side changed, by the greedy shortest edit script (Myers 1986, An O(ND) difference algorithm); where
-//              a side has more differences than are worth the time, all between its first and last one counts as one change
-// data         hunks: lines [begin, end) of the base that a side replaced by lines [from, to) of its own, in order, never touching
+// needs        three texts, two of them derived from the first
+// assumptions  lines end with LF; a last line without LF differs from the same line with LF
+// method       changed lines of each side by the greedy shortest edit script (Myers 1986, An O(ND) difference algorithm); if a
+//             side has too many differences, everything between the first and the last one counts as one change
+// data         hunks: lines [begin, end) of the base replaced by lines [from, to) of a side, in order, never adjacent
 
 #include "project/line_merge.h"
 
@@ -14,7 +14,7 @@ namespace trundle {
 
 namespace {
 
-constexpr int kMostDifferences = 1000;
+constexpr int kMaxDifferences = 1000;
 
 using Lines = std::vector<std::string_view>;
 using Numbers = std::vector<int>; // equal lines have equal numbers
@@ -40,7 +40,7 @@ Numbers numbered(const Lines& lines, std::unordered_map<std::string_view, int>& 
     return numbers;
 }
 
-/// The way through the edit graph of two ranges, furthest points kept for each number of differences.
+/// The shortest edit script of two ranges, with the furthest reaching points kept for each number of differences.
 class EditScript {
 public:
     EditScript(const Numbers& a, const Numbers& b, Hunk range) : m_a(a), m_b(b), m_range(range) {}
@@ -48,11 +48,11 @@ public:
     std::vector<Hunk> hunks() {
         const int n = m_range.end - m_range.begin, m = m_range.to - m_range.from;
         if (n == 0 || m == 0) return n + m == 0 ? std::vector<Hunk>() : std::vector<Hunk>{m_range};
-        std::vector<int> furthest(2 * kMostDifferences + 3, 0);
-        for (int d = 0; d <= kMostDifferences; ++d) {
-            m_trace.emplace_back(furthest.begin() + kMostDifferences - d, furthest.begin() + kMostDifferences + d + 3);
+        std::vector<int> furthest(2 * kMaxDifferences + 3, 0);
+        for (int d = 0; d <= kMaxDifferences; ++d) {
+            m_trace.emplace_back(furthest.begin() + kMaxDifferences - d, furthest.begin() + kMaxDifferences + d + 3);
             for (int k = -d; k <= d; k += 2) {
-                int& x = furthest[static_cast<std::size_t>(k + kMostDifferences + 1)];
+                int& x = furthest[static_cast<std::size_t>(k + kMaxDifferences + 1)];
                 const int down = (&x)[1], right = (&x)[-1];
                 x = k == -d || (k != d && right < down) ? down : right + 1;
                 while (x < n && x - k < m && same(x, x - k)) ++x;
@@ -115,7 +115,7 @@ std::string joined(const Lines& lines, int from, int to) {
     return text;
 }
 
-/// What a side makes of the base's lines [begin, end).
+/// Replacement of the base's lines [begin, end) by one side.
 struct Change {
     int begin = 0, end = 0;
     std::string text;

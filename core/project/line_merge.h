@@ -1,4 +1,5 @@
 #pragma once
+// Line differences and three-way merge of texts, for files that were changed both here and on disk.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -6,15 +7,15 @@
 
 namespace trundle {
 
-/// Lines [begin, end) of one text that are lines [from, to) of another, counted from 0.
+/// Lines [begin, end) of one text correspond to lines [from, to) of another, counted from 0.
 struct LineHunk {
     int begin = 0, end = 0, from = 0, to = 0;
 };
-/// What differs between two texts, in order; hunks never touch.
+/// The differences of two texts, in order; hunks are never adjacent.
 [[nodiscard]] std::vector<LineHunk> lineHunks(std::string_view before, std::string_view after);
 
-/// Two descendants of one text, put together line by line. Nothing where their changes touch: the same line, or lines side by side.
-/// A change that both made alike is one change.
+/// Three-way merge by lines. Nothing on a conflict: changes of the same or adjacent lines. The same change on both sides counts
+/// once.
 [[nodiscard]] std::optional<std::string> mergedByLines(std::string_view base, std::string_view mine, std::string_view theirs);
 
 } // namespace trundle

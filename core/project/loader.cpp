@@ -38,7 +38,7 @@ Result<Loader::Bytes> Loader::read(const std::string& path, const std::string& a
 
 std::shared_ptr<const Tree> Loader::sameAsBefore(FileId file, const std::string& shown, const std::string& absolute,
                                                  std::string_view bytes) const {
-    const Loaded* before = m_options.previous;
+    const LoadedProject* before = m_options.previous;
     if (!before || absolute.empty() || file >= before->paths.size() || before->paths[file] != absolute) return nullptr;
     const std::shared_ptr<const Tree>& tree = before->trees[file];
     const bool same = tree->source().path() == shown && tree->source().bytes() == bytes;
@@ -75,13 +75,13 @@ void Loader::visit(const std::vector<Item>& items, FileId file, int depth) {
 }
 
 void Loader::import(const ImportItem& item, FileId file, int depth) {
-    if (item.path.empty()) return; // said by the parser
+    if (item.path.empty()) return; // reported by the parser
     const SourceRange range{file, item.pathRange};
-    if (m_notFound > kMostNotFound) return; // a search for each would take minutes
+    if (m_notFound > kMaxNotFound) return; // searching for each of them would take minutes
     Result<std::string> found = m_search.find(item.path, m_folders[file]);
     if (!found.ok()) {
         Diagnostic& d = m_diagnostics.error(found.error().code, range, found.error().message);
-        if (++m_notFound > kMostNotFound) d.message = "too many imports are not found; those from here on are not looked for";
+        if (++m_notFound > kMaxNotFound) d.message = "too many imports are not found; those from here on are not looked for";
         else if (found.error().code == Code::ImportNotFound) suggestWords(d, m_search.nearest(item.path, m_folders[file]), range);
         return;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Opens a file and all it imports, each once, within the limits of the language.
+// Opens a file and everything it imports, each file once, within the limits of the language.
 
 #include <string>
 #include <unordered_map>
@@ -12,30 +12,30 @@
 
 namespace trundle {
 
-/// Imports, and modules, that are not found: enough to give up on the rest, as a search for each would take minutes.
-inline constexpr std::size_t kMostNotFound = 500;
-
+/// After this many missing imports or modules the others are not searched for, since that would take minutes.
+inline constexpr std::size_t kMaxNotFound = 500;
 
 inline constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMaxFiles = 1000;
 inline constexpr int kMaxImportDepth = 32;
 
-/// A #loadModule as met, in the order of the text.
-struct ModuleMention {
+/// A #loadModule directive, in text order.
+struct ModuleReference {
     std::string written;
-    std::string folder; ///< of the file it stands in
+    std::string folder; ///< of the file that contains it
     SourceRange range;  ///< of the path
 };
 
-/// Where a load takes its bytes from, beside the disk, and how it names them.
+/// Sources of text besides the disk, and settings of a load.
 struct LoadOptions {
-    const TextOverlay* texts = nullptr; ///< instead of the files
-    const Loaded* previous = nullptr;   ///< trees of it that are still right are taken over
-    std::string shownFrom;              ///< folder that shown paths start from; empty: the opened file as given, others from here
-    std::size_t mostTokens = static_cast<std::size_t>(-1); ///< of all files together; what is behind them is not read
+    const TextOverlay* texts = nullptr;      ///< used instead of the files on disk
+    const LoadedProject* previous = nullptr; ///< its trees are reused if still valid
+    /// Displayed paths are relative to this folder. Empty: the opened file as given, others relative to the current folder.
+    std::string shownFrom;
+    std::size_t mostTokens = static_cast<std::size_t>(-1); ///< limit for all files together; the rest is not read
 };
 
-/// The one assignment that a `--set` text is; nullptr where it is something else, which is said.
+/// The single assignment of a `--set` text; nullptr, with a diagnostic, if it is anything else.
 [[nodiscard]] const AssignmentItem* assignmentOf(const Tree& tree, Diagnostics& diagnostics);
 
 class Loader {
@@ -43,25 +43,25 @@ public:
     Loader(const FileSearch& search, Diagnostics& diagnostics, LoadOptions options = {})
         : m_search(search), m_diagnostics(diagnostics), m_options(std::move(options)) {}
 
-    /// Fails only when the file itself cannot be read; what is wrong with its imports is said at their place.
+    /// Fails only if the file itself cannot be read; faults of its imports are reported as diagnostics.
     [[nodiscard]] Status open(const std::string& path);
-    /// Reads `--set` texts. To be called after open().
+    /// Reads `--set` texts. Must be called after open().
     void addSets(const std::vector<std::string>& sets);
 
     [[nodiscard]] const TextSet& texts() const { return m_texts; }
     [[nodiscard]] TextSet takeTexts() { return std::move(m_texts); }
     [[nodiscard]] const SourceTable& sources() const { return m_sources; }
-    [[nodiscard]] const std::vector<ModuleMention>& modules() const { return m_modules; }
-    /// Absolute, by FileId; "" for a `--set` text.
+    [[nodiscard]] const std::vector<ModuleReference>& modules() const { return m_modules; }
+    /// Absolute paths by FileId; "" for a `--set` text.
     [[nodiscard]] std::vector<std::string> takePaths() { return std::move(m_paths); }
     [[nodiscard]] std::size_t parses() const { return m_parses; }
-    /// The first file that mostTokens cut short; kNoFile where all were read.
+    /// The first file that mostTokens truncated; kNoFile if all files were read completely.
     [[nodiscard]] FileId limitedFile() const { return m_limited; }
-    /// The folder of a file, by FileId.
+    /// Folders of the files by FileId.
     [[nodiscard]] std::vector<std::string> takeFolders() { return std::move(m_folders); }
 
 private:
-    /// Bytes of the overlay, or of the disk.
+    /// Bytes from the overlay or the disk.
     struct Bytes {
         std::string own;
         std::shared_ptr<const std::string> shared;
@@ -70,7 +70,7 @@ private:
             return shared ? shared : std::make_shared<const std::string>(std::move(own));
         }
     };
-    /// `path` is what to read, `absolute` what it is called in the overlay.
+    /// `path` is the path to read, `absolute` its key in the overlay.
     [[nodiscard]] Result<Bytes> read(const std::string& path, const std::string& absolute, std::size_t most) const;
     [[nodiscard]] std::shared_ptr<const Tree> sameAsBefore(FileId file, const std::string& shown, const std::string& absolute,
                                                            std::string_view bytes) const;
@@ -86,12 +86,12 @@ private:
     SourceTable m_sources;
     std::vector<std::string> m_folders, m_paths;
     std::size_t m_parses = 0;
-    std::vector<ModuleMention> m_modules;
+    std::vector<ModuleReference> m_modules;
     std::unordered_map<std::string, FileId> m_byPath; ///< canonical
-    std::vector<FileId> m_open;                       ///< the chain of imports being followed
+    std::vector<FileId> m_open;                       ///< the current chain of imports
     std::size_t m_bytes = 0, m_tokens = 0;
     FileId m_limited = kNoFile;
-    std::size_t m_notFound = 0; ///< imports
+    std::size_t m_notFound = 0; ///< number of missing imports
     bool m_tooMany = false;
 };
 

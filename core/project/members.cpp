@@ -10,19 +10,19 @@ namespace trundle {
 
 namespace {
 
-/// Millionths of a metre or degree are not worth their digits.
+/// Rounded to 1e-6 (m or degrees).
 std::string rounded(double value) { return numberText(std::round(value * 1e6) / 1e6); }
 
 std::string triple(const Vec3& v) { return rounded(v.x()) + "," + rounded(v.y()) + "," + rounded(v.z()); }
 
 std::string singles(const Part& layout, const TextSet& texts, const ExperimentSpec& experiment) {
     static const std::set<std::string> own{"Pos", "HPR", "Count", "Spacing", "Area", "MinDistance", "Heading", "Seed"};
-    std::string rest; // what every member keeps, as written
+    std::string rest; // properties shared by all members, as written
     for (const Item& item : layout.block->items) {
         const auto* a = item.as<AssignmentItem>();
         if (a && a->path.size() == 1 && own.count(a->path[0].text)) continue;
         rest += " " + std::string(texts.slice(layout.file, item.range));
-        if (item.as<ImportItem>() || item.as<ModuleItem>()) rest += "\n"; // a directive ends with its line
+        if (item.as<ImportItem>() || item.as<ModuleItem>()) rest += "\n"; // a directive needs a line of its own
     }
     std::string out;
     for (const RobotSpec& robot : experiment.robots) {
@@ -36,8 +36,8 @@ std::string singles(const Part& layout, const TextSet& texts, const ExperimentSp
 
 } // namespace
 
-void sayReplaceBySingles(const MemberPath& member, const Outline& outline, const ExperimentSpec& experiment,
-                         Diagnostics& diagnostics) {
+void reportReplaceBySingles(const MemberPath& member, const Outline& outline, const ExperimentSpec& experiment,
+                            Diagnostics& diagnostics) {
     const Part& layout = *member.layout;
     Diagnostic& d = diagnostics.error(Code::ReplaceBySingles, member.range,
                                       member.name + " is a member of " + layout.title() + " and has no text of its own");

@@ -4,8 +4,8 @@
 
 namespace trundle {
 
-/// E323 with the fix that writes a Grid or Scatter out as single robots at their places.
-void sayReplaceBySingles(const MemberPath& member, const Outline& outline, const ExperimentSpec& experiment,
-                         Diagnostics& diagnostics);
+/// Reports E323, with the fix that replaces a Grid or Scatter by single robots at the poses of its members.
+void reportReplaceBySingles(const MemberPath& member, const Outline& outline, const ExperimentSpec& experiment,
+                            Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -1,7 +1,7 @@
-// Needs: a load whose diagnostics are complete. Gives: fixes that import what is defined elsewhere.
-// Assumes: a file that holds definitions alone can be imported; one that also places robots or keeps logs is an experiment.
-// Method: the files below the searched folders are read, and only those whose bytes hold the name are parsed. Nothing is kept.
-// Data: at most kMostImportFiles files and kMostReadBytes bytes for one load.
+// Needs: a load with complete diagnostics. Gives: fixes that import definitions from other files.
+// Assumes: a file with definitions only can be imported; one that also places robots or has logs is an experiment.
+// Method: reads the files below the searched folders and parses only those whose bytes contain the name. Nothing is cached.
+// Data: at most kMaxImportFiles files and kMaxReadBytes bytes per load.
 #include "project/missing_imports.h"
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace trundle {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t kMostImportFiles = 300, kMostImportBytes = std::size_t{1} << 20, kMostReadBytes = std::size_t{16} << 20;
-constexpr std::size_t kMostOffered = 3; ///< files for one name
-constexpr int kMostImportEntries = 5000, kMostImportDepth = 3;
+constexpr std::size_t kMaxImportFiles = 300, kMaxImportBytes = std::size_t{1} << 20, kMaxReadBytes = std::size_t{16} << 20;
+constexpr std::size_t kMaxOffered = 3; ///< files offered per name
+constexpr int kMaxImportEntries = 5000, kMaxImportDepth = 3;
 
-/// A file as the folder that leads to it names it: "robots/evbot.sim".
+/// A file, with its path relative to its search folder: "robots/evbot.sim".
 struct ImportableFile {
     std::string path, written;
     std::string bytes;
@@ -38,17 +38,17 @@ std::vector<ImportableFile> filesBelow(const std::vector<std::string>& folders, 
         std::error_code error;
         fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
         int entries = 0;
-        for (; !error && at != end && files.size() < kMostImportFiles && ++entries < kMostImportEntries; at.increment(error)) {
+        for (; !error && at != end && files.size() < kMaxImportFiles && ++entries < kMaxImportEntries; at.increment(error)) {
             const std::string name = at->path().filename().string();
             std::error_code ignored;
             if (at->is_directory(ignored)) {
-                if (name.starts_with(".") || at.depth() >= kMostImportDepth) at.disable_recursion_pending();
+                if (name.starts_with(".") || at.depth() >= kMaxImportDepth) at.disable_recursion_pending();
                 continue;
             }
             if (!name.ends_with(".sim")) continue;
             const std::string path = canonicalPath(at->path().string());
-            if (bytes > kMostReadBytes || !seen.insert(path).second) continue;
-            Result<std::string> text = readFile(path, kMostImportBytes);
+            if (bytes > kMaxReadBytes || !seen.insert(path).second) continue;
+            Result<std::string> text = readFile(path, kMaxImportBytes);
             if (!text) continue;
             bytes += text.value().size();
             files.push_back({path, at->path().lexically_relative(folder).generic_string(), std::move(text).value()});
@@ -61,18 +61,18 @@ std::vector<ImportableFile> filesBelow(const std::vector<std::string>& folders, 
 
 class ImportOffer {
 public:
-    ImportOffer(const Loaded& loaded, const FileSearch& search, const std::vector<std::string>& folders)
+    ImportOffer(const LoadedProject& loaded, const FileSearch& search, const std::vector<std::string>& folders)
         : m_loaded(loaded), m_search(search), m_folders(folders) {}
 
     void add(Diagnostic& d) {
-        const Site site = siteOf(d.range);
+        const AssignmentContext site = siteOf(d.range);
         const std::string name = site.assignment ? nameIn(d, site) : std::string();
         const std::set<std::string> kinds = name.empty() ? std::set<std::string>() : kindsAt(site);
         if (kinds.empty()) return;
         std::vector<Fix> fixes;
         std::string from;
         for (const ImportableFile& file : files()) {
-            if (fixes.size() == kMostOffered) break;
+            if (fixes.size() == kMaxOffered) break;
             if (file.bytes.find(name) == std::string::npos) continue;
             const auto tree = parse(std::make_shared<const SourceText>(file.path, file.bytes), 0);
             if (!defines(*tree, kinds, name) || !canImport(*tree, file, d.range.file)) continue;
@@ -95,15 +95,15 @@ private:
         return m_files;
     }
 
-    /// An assignment in its block, and the Params that can be seen there.
-    struct Site {
+    /// An assignment, its block, and the Params in scope.
+    struct AssignmentContext {
         const AssignmentItem* assignment = nullptr;
         const BlockItem* block = nullptr;
         std::map<std::string_view, const Value*> params;
     };
-    [[nodiscard]] Site siteOf(const SourceRange& range) const {
-        Site site;
-        for (const PlacedParam& param : m_loaded.outline->params) site.params[param.name->text] = param.value;
+    [[nodiscard]] AssignmentContext siteOf(const SourceRange& range) const {
+        AssignmentContext site;
+        for (const SourceParam& param : m_loaded.outline->params) site.params[param.name->text] = param.value;
         const std::vector<Item>* items = &m_loaded.trees[range.file]->items();
         while (items) {
             const std::vector<Item>* inner = nullptr;
@@ -121,8 +121,8 @@ private:
         return site;
     }
 
-    /// The name as it is written there, or as the Param says it.
-    [[nodiscard]] std::string nameIn(const Diagnostic& d, const Site& site) const {
+    /// The name as written, or as given by a Param.
+    [[nodiscard]] std::string nameIn(const Diagnostic& d, const AssignmentContext& site) const {
         std::string_view name = m_loaded.outline->texts().slice(d.range);
         if (name.starts_with('$')) {
             const auto param = site.params.find(name.substr(1));
@@ -134,8 +134,8 @@ private:
         return std::all_of(name.begin(), name.end(), legal) ? std::string(name) : std::string();
     }
 
-    /// The kinds of block that the property takes; of an override the property's name alone is looked at.
-    [[nodiscard]] std::set<std::string> kindsAt(const Site& site) const {
+    /// The kinds of block that the property accepts; for an override only the property's name is considered.
+    [[nodiscard]] std::set<std::string> kindsAt(const AssignmentContext& site) const {
         if (site.assignment->path.empty()) return {};
         const std::string& key = site.assignment->path.back().text;
         const Kind* own = site.block ? m_loaded.registry->find(site.block->type.text) : nullptr;
@@ -156,7 +156,8 @@ private:
         });
     }
 
-    /// Definitions alone, none of which is there already; found under its name from the file; not importing the file itself.
+    /// Whether a file has definitions only, none of them already defined; is found under its written path; and does not import
+    /// `into`.
     [[nodiscard]] bool canImport(const Tree& tree, const ImportableFile& file, FileId into) const {
         for (const Item& item : tree.items()) {
             if (item.as<AssignmentItem>()) return false;
@@ -176,11 +177,11 @@ private:
                                std::set<std::string>& seen) const {
         for (const Item& item : tree.items()) {
             const auto* import = item.as<ImportItem>();
-            if (!import || seen.size() > kMostImportFiles) continue;
+            if (!import || seen.size() > kMaxImportFiles) continue;
             const Result<std::string> found = m_search.find(import->path, folderOf(from));
             if (!found || !seen.insert(found.value()).second) continue;
             if (found.value() == target) return true;
-            Result<std::string> bytes = readFile(found.value(), kMostImportBytes);
+            Result<std::string> bytes = readFile(found.value(), kMaxImportBytes);
             if (!bytes) continue;
             const auto next = parse(std::make_shared<const SourceText>(found.value(), std::move(bytes).value()), 0);
             if (reaches(*next, found.value(), target, seen)) return true;
@@ -190,7 +191,7 @@ private:
 
     [[nodiscard]] static std::string folderOf(const std::string& path) { return fs::path(path).parent_path().string(); }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const FileSearch& m_search;
     const std::vector<std::string>& m_folders;
     std::vector<ImportableFile> m_files;
@@ -199,14 +200,14 @@ private:
 
 } // namespace
 
-void offerImports(const Loaded& loaded, const FileSearch& search, const std::vector<std::string>& folders,
+void offerImports(const LoadedProject& loaded, const FileSearch& search, const std::vector<std::string>& folders,
                   std::vector<Diagnostic>& diagnostics) {
     ImportOffer offer(loaded, search, folders);
     std::size_t offered = 0;
-    constexpr std::size_t kMostLookedUp = 50; ///< nobody reads more, and each is a search
+    constexpr std::size_t kMaxLookedUp = 50; ///< each is a search; more fixes would not be read
     for (Diagnostic& d : diagnostics) {
         if (d.code != Code::UnknownReference || d.range.file >= loaded.trees.size() || loaded.paths[d.range.file].empty()) continue;
-        if (++offered > kMostLookedUp) return;
+        if (++offered > kMaxLookedUp) return;
         offer.add(d);
     }
 }

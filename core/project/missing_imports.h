@@ -7,11 +7,11 @@
 
 namespace trundle {
 
-struct Loaded;
+struct LoadedProject;
 
-/// Unknown references to what a file that could be imported defines (a config, material, surface or antenna pattern) get that
-/// file's name and the line that imports it. `folders` are looked through in their order. Reads files only where such a reference is.
-void offerImports(const Loaded& loaded, const FileSearch& search, const std::vector<std::string>& folders,
+/// Adds fixes to unknown references to configs, materials, surfaces and antenna patterns: the import line of a file that defines
+/// the name. Searches `folders` in order. Reads files only if there is such a reference.
+void offerImports(const LoadedProject& loaded, const FileSearch& search, const std::vector<std::string>& folders,
                   std::vector<Diagnostic>& diagnostics);
 
 } // namespace trundle

@@ -1,4 +1,5 @@
 #pragma once
+// Finds the modules of a project, registers their kinds, and suggests modules for unknown kinds.
 #include "model/experiment_spec.h"
 #include "project/loader.h"
 #include "project/sources.h"
@@ -6,17 +7,17 @@
 
 namespace trundle {
 
-struct Loaded;
+struct LoadedProject;
 
-/// Asks the catalog about each module once and adds its kinds to the registry.
+/// Queries the catalog once for each module and adds its kinds to the registry.
 struct FoundModules {
     std::vector<ModuleSpec> modules;
-    bool open = false; ///< the kinds of at least one are not known
+    bool open = false; ///< the kinds of at least one module are unknown
 };
-[[nodiscard]] FoundModules findModules(const std::vector<ModuleMention>& mentions, ModuleCatalog& catalog, Registry& registry,
+[[nodiscard]] FoundModules findModules(const std::vector<ModuleReference>& references, ModuleCatalog& catalog, Registry& registry,
                                        Diagnostics& diagnostics);
 
-/// Of the kinds that nobody knows, those that a module of the program would bring get its name and the line that loads it.
-void offerModules(const Loaded& loaded, ModuleCatalog& catalog, std::vector<Diagnostic>& diagnostics);
+/// Adds fixes to unknown kinds that a module shipped with the program provides: its name and the line that loads it.
+void offerModules(const LoadedProject& loaded, ModuleCatalog& catalog, std::vector<Diagnostic>& diagnostics);
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// Items of a block with its imports in their places, and which Params can be seen there. Private to core/project.
+// Items of a block with imports expanded in place, and the Params in scope. Private to core/project.
 
 #include <functional>
 #include <map>
@@ -10,11 +10,11 @@
 
 namespace trundle {
 
-/// Every directive, assignment, Param and block of `items`; files that they import come in the place of the directive, each once.
+/// Calls `take` for every directive, assignment, Param and block of `items`; imported files are expanded in place, each once.
 void eachItem(const TextSet& texts, const std::vector<Item>& items, FileId file,
               const std::function<void(const Item& item, FileId file)>& take);
 
-/// The Params declared in one block, and outward.
+/// The Params declared in one block and its enclosing scopes.
 class NameScope {
 public:
     NameScope() = default;
@@ -27,7 +27,7 @@ public:
         const NameScope* scope = nullptr;
     };
     [[nodiscard]] Declaration find(std::string_view name) const;
-    /// The config whose Params these are, which instances may set.
+    /// The config that declares these Params, which instances may set.
     [[nodiscard]] const Part* config() const { return m_config; }
 
 private:

@@ -3,7 +3,7 @@
 #include <cctype>
 
 #include "lang/characters.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 
@@ -11,7 +11,7 @@ namespace {
 
 bool isReserved(std::string_view word) { return word == "Param" || word == "true" || word == "false" || word == "world"; }
 
-/// "swarm_12" with "swarm".
+/// Whether a name has the form of a member of a layout: "swarm_12" for "swarm".
 bool isMemberOf(std::string_view name, std::string_view layout) {
     return name.size() > layout.size() + 1 && name.starts_with(layout) && name[layout.size()] == '_' &&
            name.find_first_not_of("0123456789", layout.size() + 1) == std::string_view::npos;
@@ -29,9 +29,9 @@ Status legalName(std::string_view name) {
     return {};
 }
 
-std::string legalised(std::string_view wish) {
+std::string legalised(std::string_view preferred) {
     std::string name;
-    for (const char c : wish.substr(0, 60)) name += isIdent(c) ? c : '_';
+    for (const char c : preferred.substr(0, 60)) name += isIdent(c) ? c : '_';
     if (name.empty() || !isIdentStart(name[0])) name.insert(0, "_");
     return isReserved(name) ? name + "_" : name;
 }
@@ -41,7 +41,7 @@ std::string lowerFirst(std::string word) {
     return word;
 }
 
-TakenNames::TakenNames(const Loaded& loaded, const Part* parent, const Kind* kind)
+UsedNames::UsedNames(const LoadedProject& loaded, const Part* parent, const Kind* kind)
     : m_loaded(loaded), m_parent(parent), m_kind(kind) {
     if (parent) return;
     const Outline& o = *loaded.outline;
@@ -49,7 +49,7 @@ TakenNames::TakenNames(const Loaded& loaded, const Part* parent, const Kind* kin
     else m_spaces = {&o.materials, &o.surfaces, &o.patterns, &o.configs, &o.world};
 }
 
-std::string TakenNames::inSpace(const NameSpace& space, const std::string& name) const {
+std::string UsedNames::inSpace(const NameSpace& space, const std::string& name) const {
     const Outline& outline = *m_loaded.outline;
     if (const Part* part = space.find(name)) return part->title();
     if (&space == &outline.materials || &space == &outline.surfaces) return name == "default" ? "the built-in default" : "";
@@ -61,8 +61,8 @@ std::string TakenNames::inSpace(const NameSpace& space, const std::string& name)
     return {};
 }
 
-/// A path into a robot means its controller or a part of its config: the two must not be called the same.
-const Part* TakenNames::beside(const std::string& name) const {
+/// The block that a path into a robot could mean instead: its controller and the parts of its config must not share a name.
+const Part* UsedNames::beside(const std::string& name) const {
     if (isPlaced(*m_parent)) {
         const Part* config = configOf(m_loaded, *m_parent);
         return config ? config->find(name) : nullptr;
@@ -75,13 +75,13 @@ const Part* TakenNames::beside(const std::string& name) const {
     return nullptr;
 }
 
-std::string TakenNames::holder(const std::string& name) const {
+std::string UsedNames::holder(const std::string& name) const {
     if (m_given.count(name)) return "another one";
     for (const NameSpace* space : m_spaces) {
         if (std::string who = inSpace(*space, name); !who.empty()) return who;
     }
     if (!m_parent) {
-        // A path that begins with a kind means the definitions.
+        // A path that begins with a kind refers to definitions.
         const Kind* kind = m_loaded.registry->find(name);
         const bool world = m_kind && m_loaded.outline->spaceOf(*m_kind) == &m_loaded.outline->world;
         return world && kind && m_loaded.outline->spaceOf(*kind) ? "a kind of block" : "";
@@ -92,13 +92,13 @@ std::string TakenNames::holder(const std::string& name) const {
     return {};
 }
 
-std::string TakenNames::take(const std::string& wish) {
-    std::string name = legalised(wish);
+std::string UsedNames::take(const std::string& preferred) {
+    std::string name = legalised(preferred);
     std::size_t digits = name.size();
     while (digits > 1 && isDigit(name[digits - 1]) && name.size() - digits < 9) --digits;
     std::string stem = name.substr(0, digits);
     unsigned long number = digits < name.size() ? std::stoul(name.substr(digits)) : 1;
-    if (!m_parent && layoutOfMember(*m_loaded.outline, stem + "0")) { // no number is free behind `swarm_`
+    if (!m_parent && layoutOfMember(*m_loaded.outline, stem + "0")) { // all names `swarm_<number>` belong to the layout
         stem.pop_back();
         number = 1;
     }

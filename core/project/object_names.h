@@ -1,5 +1,5 @@
 #pragma once
-// Which names things may have. Private to core/project.
+// Checks and generates names. Private to core/project.
 
 #include <set>
 #include <string>
@@ -11,29 +11,29 @@
 
 namespace trundle {
 
-/// Fails with the reason: no name of the language, or a reserved word.
+/// Fails with the reason: not an identifier, or a reserved word.
 [[nodiscard]] Status legalName(std::string_view name);
-/// A legal name near to any wish.
-[[nodiscard]] std::string legalised(std::string_view wish);
-/// "hinge" for "Hinge": what an unnamed block of a kind is called.
+/// The nearest legal name.
+[[nodiscard]] std::string legalised(std::string_view preferred);
+/// The default name of an unnamed block: "hinge" for "Hinge".
 [[nodiscard]] std::string lowerFirst(std::string word);
 
-/// The names of one name space, and those that a plan gives out in it.
-class TakenNames {
+/// The names used in one name space, including those that a plan has generated.
+class UsedNames {
 public:
-    /// Inside `parent`; at the top level (nullptr) those of the kind's name space, of all where the kind is unknown.
-    TakenNames(const Loaded& loaded, const Part* parent, const Kind* kind);
+    /// Inside `parent`; at the top level (nullptr) in the kind's name space, or in all of them if the kind is unknown.
+    UsedNames(const LoadedProject& loaded, const Part* parent, const Kind* kind);
 
-    /// Who has the name: "Robot robot0"; empty: nobody.
+    /// The block that has the name, such as "Robot robot0"; empty if it is free.
     [[nodiscard]] std::string holder(const std::string& name) const;
-    /// `wish`, or the next number behind it that is free. It is taken from now on.
-    std::string take(const std::string& wish);
+    /// Reserves `preferred`, or the next free name with a number.
+    std::string take(const std::string& preferred);
 
 private:
     [[nodiscard]] const Part* beside(const std::string& name) const;
     [[nodiscard]] std::string inSpace(const NameSpace& space, const std::string& name) const;
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const Part* m_parent;
     const Kind* m_kind;
     std::vector<const NameSpace*> m_spaces;

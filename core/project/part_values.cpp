@@ -12,10 +12,10 @@ namespace trundle {
 
 namespace {
 
-/// The Params that can be seen where a part stands, as an instance sets them.
+/// The Params in scope at a part, with the values that an instance sets.
 class Scopes {
 public:
-    Scopes(const Loaded& loaded, const ObjectPlace& place) : m_evaluator(loaded.outline->texts(), m_silent) {
+    Scopes(const LoadedProject& loaded, const ObjectLocation& place) : m_evaluator(loaded.outline->texts(), m_silent) {
         m_scopes.emplace_back(nullptr).declare(loaded.outline->params);
         const bool inConfig =
             place.instance && place.part != place.instance && (place.above.empty() || place.above.front() != place.instance);
@@ -33,7 +33,7 @@ public:
         m_inner = outer;
     }
 
-    std::optional<PropertyValue> read(const PlacedAssignment& a, const Property& property, bool override) {
+    std::optional<PropertyValue> read(const SourceAssignment& a, const Property& property, bool override) {
         ParamScope& scope = override && m_instance ? *m_instance : *m_inner;
         const std::optional<GivenValue> given = m_evaluator.evaluate(*a.value, a.file, scope);
         return given ? readValue(property, *given, m_silent) : std::nullopt;
@@ -41,8 +41,8 @@ public:
 
 private:
     void preset(ParamScope& scope, const Part& config, const Part& instance) {
-        for (const PlacedParam& p : config.params) {
-            const PlacedAssignment* a = instance.assignments.find(p.name->text);
+        for (const SourceParam& p : config.params) {
+            const SourceAssignment* a = instance.assignments.find(p.name->text);
             if (!a || (instance.kind && instance.kind->find(p.name->text))) continue;
             if (const auto value = m_evaluator.evaluate(*a->value, a->file, *m_instance)) scope.preset(p.name->text, *value);
         }
@@ -50,7 +50,7 @@ private:
 
     Diagnostics m_silent;
     Evaluator m_evaluator;
-    std::deque<ParamScope> m_scopes; // they point to each other
+    std::deque<ParamScope> m_scopes; // a deque: the scopes point to each other
     ParamScope* m_instance = nullptr;
     ParamScope* m_inner = nullptr;
 };
@@ -71,15 +71,15 @@ std::string quoted(const std::string& text) {
 
 } // namespace
 
-std::optional<PropertyValue> valueAt(const Loaded& loaded, const ObjectPlace& place, const std::string& key) {
+std::optional<PropertyValue> valueAt(const LoadedProject& loaded, const ObjectLocation& place, const std::string& key) {
     const Property* property = place.part && place.part->kind ? place.part->kind->find(key) : nullptr;
     if (!property) return std::nullopt;
     Scopes scopes(loaded, place);
     if (place.instance && place.part != place.instance) {
-        if (const PlacedAssignment* a = place.instance->assignments.find(place.within + "." + key))
+        if (const SourceAssignment* a = place.instance->assignments.find(place.within + "." + key))
             return scopes.read(*a, *property, true);
     }
-    if (const PlacedAssignment* a = place.part->assignments.find(key)) return scopes.read(*a, *property, false);
+    if (const SourceAssignment* a = place.part->assignments.find(key)) return scopes.read(*a, *property, false);
     return property->defaultValue;
 }
 
@@ -98,7 +98,7 @@ std::string valueText(const Property& property, const PropertyValue& value) {
         if (property.type == PropertyType::Boolean) text += number != 0 ? "true" : "false";
         else {
             const double written = number / property.scale;
-            const double tidy = std::round(written * 1e12) / 1e12; // 90 deg by way of radians is 90 again
+            const double tidy = std::round(written * 1e12) / 1e12; // 90 deg converted to rad and back is 90
             text += numberText(std::abs(tidy - written) <= 1e-14 * std::abs(written) ? tidy : written);
         }
     }
@@ -106,7 +106,7 @@ std::string valueText(const Property& property, const PropertyValue& value) {
     return text;
 }
 
-Pose poseAt(const Loaded& loaded, const ObjectPlace& place) {
+Pose poseAt(const LoadedProject& loaded, const ObjectLocation& place) {
     return {triple(valueAt(loaded, place, "Pos")), rotationFromHpr(triple(valueAt(loaded, place, "HPR")))};
 }
 

@@ -3,8 +3,8 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
-#include "project/edit_sheet.h"
-#include "project/object_place.h"
+#include "project/edit_builder.h"
+#include "project/object_location.h"
 
 namespace trundle {
 
@@ -12,7 +12,8 @@ namespace {
 
 bool isGap(char c) { return isBlank(c) || c == '\n' || c == '\r'; }
 
-/// `chassis.hull` means a pasted chassis where that has a hull, or something that may be called so.
+/// Whether `chassis.hull` may refer to a pasted block `chassis`: it contains a `hull`, or an unnamed block or import that may
+/// provide it.
 bool holds(const BlockItem& block, const std::string& word, std::size_t dot) {
     if (dot >= word.size() || word[dot] != '.') return true;
     return std::any_of(block.items.begin(), block.items.end(), [&](const Item& item) {
@@ -48,7 +49,7 @@ Result<PastedBlocks> PastedBlocks::read(const Registry& registry, const std::str
             return Error{Code::UnexpectedText, "only blocks can be added, not `" +
                                                    std::string(pasted.m_tree->source().slice(item.range).substr(0, 40)) + "`"};
     }
-    if (!pasted.entries.empty() && pasted.entries.back().item == &pasted.m_tree->items().back()) { // comments at the very end
+    if (!pasted.entries.empty() && pasted.entries.back().item == &pasted.m_tree->items().back()) { // trailing comments
         TextRange& last = pasted.entries.back().whole;
         last.end = static_cast<std::uint32_t>(bytes.size());
         while (isGap(bytes[last.end - 1])) --last.end;
@@ -57,7 +58,7 @@ Result<PastedBlocks> PastedBlocks::read(const Registry& registry, const std::str
     return pasted;
 }
 
-const PastedBlocks::Entry* PastedBlocks::named(const Loaded& loaded, const Entry& user, const Property& property,
+const PastedBlocks::Entry* PastedBlocks::named(const LoadedProject& loaded, const Entry& user, const Property& property,
                                                std::string_view name) const {
     const Outline& outline = *loaded.outline;
     const auto find = [&](const NameSpace* space, const Part* target) -> const Entry* {
@@ -77,12 +78,12 @@ const PastedBlocks::Entry* PastedBlocks::named(const Loaded& loaded, const Entry
         if (const Entry* entry = space ? find(space, nullptr) : nullptr) return entry;
     }
     if (!local) return nullptr;
-    // A controller names parts of its robot's config.
+    // A controller refers to parts of its robot's config.
     const Part* holder = user.target && isPlaced(*user.target) ? configOf(loaded, *user.target) : user.target;
     return holder ? find(nullptr, holder) : nullptr;
 }
 
-void PastedBlocks::collect(const Loaded& loaded, const Entry& entry, const BlockItem& block, const Kind* kind,
+void PastedBlocks::collect(const LoadedProject& loaded, const Entry& entry, const BlockItem& block, const Kind* kind,
                            std::vector<TextEdit>& edits) const {
     for (const Item& item : block.items) {
         if (const auto* inner = item.as<BlockItem>())
@@ -102,7 +103,7 @@ void PastedBlocks::collect(const Loaded& loaded, const Entry& entry, const Block
     }
 }
 
-std::string PastedBlocks::textOf(const Loaded& loaded, const Entry& entry) const {
+std::string PastedBlocks::textOf(const LoadedProject& loaded, const Entry& entry) const {
     std::vector<TextEdit> edits;
     const BlockItem& block = *entry.block;
     if (block.name) edits.push_back({{0, block.name->range}, entry.name});

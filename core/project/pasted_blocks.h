@@ -1,5 +1,5 @@
 #pragma once
-// Blocks given as text on their way to places of their own. Private to core/project.
+// Blocks given as text, and the blocks that they are to be inserted into. Private to core/project.
 
 #include <map>
 #include <string>
@@ -16,37 +16,39 @@ public:
     struct Entry {
         const Item* item = nullptr;
         const BlockItem* block = nullptr;
-        const Kind* kind = nullptr;   ///< nullptr: not known here
-        const Part* target = nullptr; ///< block it goes into; nullptr: the top level
-        std::string name;             ///< that it gets; empty: it stays without one
-        TextRange whole;              ///< with the comments before it, and behind it on its line
+        const Kind* kind = nullptr;   ///< nullptr: unknown kind
+        const Part* target = nullptr; ///< the block to insert it into; nullptr: the top level
+        std::string name;             ///< its new name; empty: unnamed
+        TextRange whole;              ///< including comments before it, and after it on its line
     };
 
-    /// Fails where the text cannot be read or holds something else than blocks and directives.
+    /// Fails if the text has syntax errors or contains anything but blocks and directives.
     [[nodiscard]] static Result<PastedBlocks> read(const Registry& registry, const std::string& text);
 
     std::vector<Entry> entries;
     struct GivenParam {
         std::string text, value; ///< "Param side = 3", "3"
     };
-    std::map<std::string, GivenParam> params; ///< of the top level, by their names
+    std::map<std::string, GivenParam> params; ///< of the top level, by name
     std::vector<std::string> directives;      ///< "#import robots/rover.sim"
 
-    /// The entry's text under its name, where what it says of other entries that got another name is changed as well.
-    [[nodiscard]] std::string textOf(const Loaded& loaded, const Entry& entry) const;
-    /// What the entry's text names and there is not where it goes: "$side", "Material red"; empty: nothing. `round` are the blocks
-    /// round its place, the innermost last.
-    [[nodiscard]] std::string missing(const Loaded& loaded, const Entry& entry, const std::vector<const Part*>& round) const;
+    /// The entry's text under its new name, with its references to renamed entries updated.
+    [[nodiscard]] std::string textOf(const LoadedProject& loaded, const Entry& entry) const;
+    /// The first name in the entry's text that is undefined at its target: "$side", "Material red"; empty: none. `round` are the
+    /// blocks around the target, innermost last.
+    [[nodiscard]] std::string missing(const LoadedProject& loaded, const Entry& entry,
+                                      const std::vector<const Part*>& round) const;
 
 private:
-    struct Seen;
-    [[nodiscard]] std::string missingIn(const Loaded& loaded, const Entry& entry, const BlockItem& block, Seen seen) const;
-    [[nodiscard]] bool leadsSomewhere(const Loaded& loaded, const Entry& entry, const Kind& kind, const Property& property,
-                                      const std::string& word, const Seen& seen) const;
-    /// What `entry` means by `name` in a value that takes `choices`: the new name, or nothing.
-    [[nodiscard]] const Entry* named(const Loaded& loaded, const Entry& user, const Property& property,
+    struct PasteContext;
+    [[nodiscard]] std::string missingIn(const LoadedProject& loaded, const Entry& entry, const BlockItem& block,
+                                        PasteContext seen) const;
+    [[nodiscard]] bool leadsSomewhere(const LoadedProject& loaded, const Entry& entry, const Kind& kind, const Property& property,
+                                      const std::string& word, const PasteContext& seen) const;
+    /// The entry that `entry` refers to by `name` in a value that accepts `choices`, or nullptr.
+    [[nodiscard]] const Entry* named(const LoadedProject& loaded, const Entry& user, const Property& property,
                                      std::string_view name) const;
-    void collect(const Loaded& loaded, const Entry& entry, const BlockItem& block, const Kind* kind,
+    void collect(const LoadedProject& loaded, const Entry& entry, const BlockItem& block, const Kind* kind,
                  std::vector<TextEdit>& edits) const;
 
     std::shared_ptr<const Tree> m_tree;

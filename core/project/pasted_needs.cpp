@@ -1,23 +1,23 @@
-// What a pasted text needs and does not bring along.
+// Finds names that a pasted text uses but does not define.
 
 #include <set>
 
-#include "project/mentions.h"
-#include "project/object_place.h"
+#include "project/name_references.h"
+#include "project/object_location.h"
 #include "project/pasted_blocks.h"
 
 namespace trundle {
 
-/// What can be seen from a block.
-struct PastedBlocks::Seen {
+/// Names visible inside a block.
+struct PastedBlocks::PasteContext {
     std::set<std::string> params;
-    const BlockItem* pastedConfig = nullptr; ///< it stands in a config that is pasted as a whole
-    const Part* config = nullptr;            ///< or goes into this one
+    const BlockItem* pastedConfig = nullptr; ///< set inside a config that is pasted as a whole
+    const Part* config = nullptr;            ///< set if the target is this config
 };
 
 namespace {
 
-/// The first name of a formula that is no Param here.
+/// The first name of an expression that is not a Param in scope.
 std::string unknownIn(const Expression& e, const std::set<std::string>& params) {
     if (e.op == Expression::Op::Name && e.name != "pi" && !params.count(e.name)) return "$" + e.name;
     for (const Expression& argument : e.arguments)
@@ -28,7 +28,7 @@ std::string unknownIn(const Expression& e, const std::set<std::string>& params) 
 const BlockItem* blockNamed(const BlockItem& holder, const std::string& name) {
     for (const Item& item : holder.items) {
         const auto* block = item.as<BlockItem>();
-        // One without a name has one that its place gives it.
+        // An unnamed block matches any name: its default name depends on its siblings.
         if (block && (block->name ? block->name->text == name : true)) return block;
     }
     return nullptr;
@@ -36,14 +36,14 @@ const BlockItem* blockNamed(const BlockItem& holder, const std::string& name) {
 
 } // namespace
 
-bool PastedBlocks::leadsSomewhere(const Loaded& loaded, const Entry& entry, const Kind& kind, const Property& property,
-                                  const std::string& word, const Seen& seen) const {
+bool PastedBlocks::leadsSomewhere(const LoadedProject& loaded, const Entry& entry, const Kind& kind, const Property& property,
+                                  const std::string& word, const PasteContext& seen) const {
     if (namesWorld(kind, property) || named(loaded, entry, property, word)) return true;
     bool local = property.choices.empty();
     for (const std::string& choice : property.choices) {
         const Kind* named = loaded.registry->find(choice);
         const NameSpace* space = named ? loaded.outline->spaceOf(*named) : nullptr;
-        if (choice == word || (space && space->find(word))) return true; // `world`
+        if (choice == word || (space && space->find(word))) return true; // such as `world`
         if (space && word == "default") return true;
         local = local || !space;
     }
@@ -55,11 +55,12 @@ bool PastedBlocks::leadsSomewhere(const Loaded& loaded, const Entry& entry, cons
     return part && (first.size() == word.size() || part->find(word.substr(first.size() + 1)));
 }
 
-std::string PastedBlocks::missingIn(const Loaded& loaded, const Entry& entry, const BlockItem& block, Seen seen) const {
+std::string PastedBlocks::missingIn(const LoadedProject& loaded, const Entry& entry, const BlockItem& block,
+                                    PasteContext seen) const {
     const Kind* kind = loaded.registry->find(block.type.text);
     for (const Item& item : block.items)
         if (const auto* param = item.as<ParamItem>()) seen.params.insert(param->name.text);
-        else if (item.as<ImportItem>()) return {}; // who knows what it brings
+        else if (item.as<ImportItem>()) return {}; // the imported file may define anything
     if (kind && kind->role == Role::Config) seen.pastedConfig = &block;
     for (const Item& item : block.items) {
         std::string found;
@@ -82,12 +83,12 @@ std::string PastedBlocks::missingIn(const Loaded& loaded, const Entry& entry, co
     return {};
 }
 
-std::string PastedBlocks::missing(const Loaded& loaded, const Entry& entry, const std::vector<const Part*>& round) const {
-    Seen seen;
-    for (const PlacedParam& p : loaded.outline->params) seen.params.insert(p.name->text);
+std::string PastedBlocks::missing(const LoadedProject& loaded, const Entry& entry, const std::vector<const Part*>& round) const {
+    PasteContext seen;
+    for (const SourceParam& p : loaded.outline->params) seen.params.insert(p.name->text);
     for (const auto& [name, text] : params) seen.params.insert(name);
     for (const Part* part : round) {
-        for (const PlacedParam& p : part->params) seen.params.insert(p.name->text);
+        for (const SourceParam& p : part->params) seen.params.insert(p.name->text);
         if (part->is(Role::Config)) seen.config = part;
         if (isPlaced(*part)) seen.config = configOf(loaded, *part);
     }

@@ -1,7 +1,7 @@
 #include <set>
 
 #include "lang/edit_style.h"
-#include "project/edit_sheet.h"
+#include "project/edit_builder.h"
 #include "project/import_lines.h"
 #include "project/object_names.h"
 #include "project/pasted_blocks.h"
@@ -16,8 +16,8 @@ const Part* controllerOf(const Part& robot) {
     return it == robot.parts.end() ? nullptr : &*it;
 }
 
-/// In place of a block, with its indent.
-void replace(const Loaded& loaded, const Part& part, const std::string& text, EditSheet& sheet) {
+/// Replaces a block, keeping its indent.
+void replace(const LoadedProject& loaded, const Part& part, const std::string& text, EditBuilder& sheet) {
     const Tree& tree = *loaded.trees[part.file];
     const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(tree.source().bytes(), part.range.range.begin);
     std::string out;
@@ -27,7 +27,7 @@ void replace(const Loaded& loaded, const Part& part, const std::string& text, Ed
 
 } // namespace
 
-Result<EditPlan> planController(const Loaded& loaded, const std::vector<std::string>& robots, const std::string& text,
+Result<EditPlan> planController(const LoadedProject& loaded, const std::vector<std::string>& robots, const std::string& text,
                                 const std::vector<std::string>& imports) {
     Result<PastedBlocks> read = PastedBlocks::read(*loaded.registry, text);
     if (!read.ok()) return read.error();
@@ -36,7 +36,7 @@ Result<EditPlan> planController(const Loaded& loaded, const std::vector<std::str
         return Error{Code::WrongPlace, "this is not one controller"};
     const Result<std::vector<Chosen>> all = chosen(loaded, robots);
     if (!all.ok()) return all.error();
-    EditSheet sheet(loaded);
+    EditBuilder sheet(loaded);
     EditPlan done;
     std::set<FileId> files;
     for (const Chosen& c : all.value()) {
@@ -46,8 +46,8 @@ Result<EditPlan> planController(const Loaded& loaded, const std::vector<std::str
         PastedBlocks::Entry& entry = blocks.entries[0];
         entry.target = &robot;
         const Part* before = controllerOf(robot);
-        const std::string wish = entry.block->name ? entry.block->name->text : before ? before->name : "brain";
-        entry.name = before && before->name == wish ? wish : TakenNames(loaded, &robot, entry.kind).take(wish);
+        const std::string preferred = entry.block->name ? entry.block->name->text : before ? before->name : "brain";
+        entry.name = before && before->name == preferred ? preferred : UsedNames(loaded, &robot, entry.kind).take(preferred);
         const std::string block = blocks.textOf(loaded, entry);
         if (before) replace(loaded, *before, block, sheet);
         else sheet.addItem(robot.file, robot.block, block);

@@ -1,7 +1,8 @@
 // needs        a config and the instances that are to use a copy of it
-// assumptions  what the config names is found by name wherever the copy is; only files are looked for from the folder of the text
-// method       the block's text, with its name and the words of files changed, before the first instance; each instance's Config is set
-// data         edits of the block count from its first byte
+// assumptions  names in the config resolve wherever the copy is; only file paths are relative to the folder of the file
+// method       the block's text, with its name and file paths changed, is inserted before the first instance, and the Config of
+//             each instance is set
+// data         edits of the block have offsets relative to its first byte
 
 #include <algorithm>
 #include <filesystem>
@@ -10,7 +11,7 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
-#include "project/edit_sheet.h"
+#include "project/edit_builder.h"
 #include "project/edit_target.h"
 #include "project/import_lines.h"
 #include "project/object_names.h"
@@ -23,18 +24,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The beginning of the line of a block, or of the comments right above it.
-std::uint32_t aboveBlock(const Tree& tree, std::uint32_t at) {
+/// The start of the line of a block, or of the comments directly above it.
+std::uint32_t commentAbove(const Tree& tree, std::uint32_t at) {
     const std::string_view bytes = tree.source().bytes();
     const auto lineStart = [&](std::uint32_t from) {
         while (from > 0 && bytes[from - 1] != '\n' && bytes[from - 1] != '\r') --from;
         return from;
     };
     std::uint32_t start = lineStart(at);
-    if (!std::all_of(bytes.begin() + start, bytes.begin() + at, isBlank)) return at; // behind another item of its line
+    if (!std::all_of(bytes.begin() + start, bytes.begin() + at, isBlank)) return at; // not the first item of its line
     const auto& tokens = tree.tokens();
     for (;;) {
-        std::uint32_t end = start; // of the line above
+        std::uint32_t end = start; // end of the line above
         if (end > 0 && bytes[end - 1] == '\n') --end;
         if (end > 0 && bytes[end - 1] == '\r') --end;
         if (end == start) return start;
@@ -50,7 +51,8 @@ std::uint32_t aboveBlock(const Tree& tree, std::uint32_t at) {
 
 class ConfigCopy {
 public:
-    ConfigCopy(const Loaded& loaded, const Part& config, std::vector<const Part*> instances, const std::set<std::string>& inlined)
+    ConfigCopy(const LoadedProject& loaded, const Part& config, std::vector<const Part*> instances,
+               const std::set<std::string>& inlined)
         : m_loaded(loaded), m_config(config), m_instances(std::move(instances)), m_inlined(inlined), m_sheet(loaded) {
         std::stable_sort(m_instances.begin(), m_instances.end(),
                          [](const Part* a, const Part* b) { return a->range.range.begin < b->range.range.begin; });
@@ -58,12 +60,12 @@ public:
     }
 
     Result<EditPlan> plan() {
-        const std::string name = TakenNames(m_loaded, nullptr, m_config.kind).take(m_config.name);
+        const std::string name = UsedNames(m_loaded, nullptr, m_config.kind).take(m_config.name);
         const Result<std::string> text = block(name);
         if (!text.ok()) return text.error();
         write(text.value());
         for (const Part* instance : m_instances) {
-            const PlacedAssignment* a = instance->assignments.find("Config");
+            const SourceAssignment* a = instance->assignments.find("Config");
             if (a && a->file == m_home) m_sheet.add(editSetValue(*m_loaded.trees[m_home], *a->value, name));
         }
         if (Status status = import(); !status.ok()) return status.error();
@@ -71,7 +73,7 @@ public:
     }
 
 private:
-    /// The block under its new name, without the indent of its place.
+    /// The text of the block under its new name, without the indent of its surroundings.
     Result<std::string> block(const std::string& name) {
         const SourceRange whole = m_config.range;
         std::vector<TextEdit> edits{{{whole.file, m_config.block->name->range}, name}};
@@ -91,8 +93,8 @@ private:
         return from + dedented(text.value(), indent);
     }
 
-    /// What is written otherwise in the copy: words of files that mean another one, or none, from its folder, and imports that are
-    /// written out.
+    /// Collects the changes inside the copy: file paths that would not lead to the same file from its new folder, and imports
+    /// that are expanded.
     Status collect(const std::vector<Item>& items, const Kind* kind, FileId file, std::vector<TextEdit>& edits) {
         for (const Item& item : items) {
             if (const auto* inner = item.as<BlockItem>())
@@ -151,7 +153,7 @@ private:
         std::error_code none;
         const fs::path before = fs::path(m_loaded.paths[range.file]).parent_path();
         const bool beside = fs::weakly_canonical(before / written, none) == path;
-        if (!beside || leads(written)) return; // it was found in a folder that is searched from anywhere
+        if (!beside || leads(written)) return; // found in a search folder, independent of the file's folder
         std::vector<std::string> words;
         for (const std::string& folder : m_loaded.importFolders)
             if (!folder.empty()) words.push_back(fs::path(path).lexically_relative(folder).string());
@@ -164,7 +166,7 @@ private:
     void write(const std::string& text) {
         if (m_instances.empty()) return m_sheet.addItem(m_home, nullptr, text);
         const Tree& tree = *m_loaded.trees[m_home];
-        const std::uint32_t at = aboveBlock(tree, m_instances.front()->range.range.begin);
+        const std::uint32_t at = commentAbove(tree, m_instances.front()->range.range.begin);
         const std::string lineEnd = editStyle(tree).lineEnd;
         const std::string_view bytes = tree.source().bytes();
         const bool first =
@@ -174,17 +176,19 @@ private:
         m_sheet.add({{m_home, {at, at}}, out + lineEnd + lineEnd});
     }
 
-    /// What the block names, where the new text would not get it from what it imports already.
+    /// Imports the definitions that the block uses, unless they are already imported.
     Status import() {
         if (m_copied.size() == 1 && m_config.file == m_home) return {};
         std::vector<std::string> paths;
-        for (const Mention& mention : mentionsIn(m_loaded)) {
-            const auto isUser = [&](const SourceRange& copied) { return mention.user && isWithin(mention.user->range, copied); };
+        for (const NameReference& reference : referencesIn(m_loaded)) {
+            const auto isUser = [&](const SourceRange& copied) {
+                return reference.user && isWithin(reference.user->range, copied);
+            };
             if (std::none_of(m_copied.begin(), m_copied.end(), isUser)) continue;
             for (const auto& part : m_loaded.outline->parts)
-                if (mention.target == part->block && part->file != m_home) paths.push_back(m_loaded.paths[part->file]);
-            for (const PlacedParam& param : m_loaded.outline->params)
-                if (mention.param && param.name == &mention.param->name && param.file != m_home)
+                if (reference.target == part->block && part->file != m_home) paths.push_back(m_loaded.paths[part->file]);
+            for (const SourceParam& param : m_loaded.outline->params)
+                if (reference.param && param.name == &reference.param->name && param.file != m_home)
                     paths.push_back(m_loaded.paths[param.file]);
         }
         Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, m_home, paths);
@@ -193,18 +197,18 @@ private:
         return {};
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const Part& m_config;
     std::vector<const Part*> m_instances;
     const std::set<std::string>& m_inlined;
-    std::vector<SourceRange> m_copied; ///< texts that come into the copy
-    EditSheet m_sheet;
+    std::vector<SourceRange> m_copied; ///< source ranges that are part of the copy
+    EditBuilder m_sheet;
     FileId m_home = 0;
 };
 
 } // namespace
 
-Result<EditPlan> planCopyConfig(const Loaded& loaded, const Part& config, const std::vector<const Part*>& instances,
+Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config, const std::vector<const Part*>& instances,
                                 const std::set<std::string>& inlined) {
     if (!config.kind || !config.block->name) return Error{Code::WrongPlace, config.title() + " cannot be copied: it has no name"};
     for (const Part* instance : instances)

@@ -1,17 +1,18 @@
 #include "lang/characters.h"
 #include "lang/edit_style.h"
-#include "project/edit_sheet.h"
+#include "project/edit_builder.h"
+#include "project/moved_block.h"
 #include "project/object_names.h"
 #include "project/part_values.h"
 #include "project/pasted_blocks.h"
-#include "project/placed_text.h"
 #include "project/plan_targets.h"
 
 namespace trundle {
 
 namespace {
 
-/// A copy goes behind its original: on the same line where that shares one, else on a line of its own behind what is said there.
+/// Inserts a copy after its original: on the same line if other items share that line, else on a line of its own, after a
+/// trailing comment.
 TextEdit behind(const Tree& tree, TextRange item, const std::string& text) {
     const std::string_view bytes = tree.source().bytes();
     const std::string indent = indentOfLine(bytes, item.begin);
@@ -42,7 +43,7 @@ TextEdit behind(const Tree& tree, TextRange item, const std::string& text) {
 
 } // namespace
 
-Result<EditPlan> planDuplicate(const Loaded& loaded, const std::vector<std::string>& paths, const Vec3& offset) {
+Result<EditPlan> planDuplicate(const LoadedProject& loaded, const std::vector<std::string>& paths, const Vec3& offset) {
     const Result<std::vector<Chosen>> all = chosen(loaded, paths);
     if (!all.ok()) return all.error();
     std::string text;
@@ -51,28 +52,28 @@ Result<EditPlan> planDuplicate(const Loaded& loaded, const std::vector<std::stri
         if (part.is(Role::Controller))
             return Error{Code::MultipleControllers, part.title() + " cannot be doubled: a robot has one controller"};
         if (part.is(Role::Medium))
-            return Error{Code::DuplicateName, part.title() + " cannot be doubled: an experiment has one air for all radios"};
+            return Error{Code::DuplicateName, part.title() + " cannot be doubled: an experiment has one radio medium"};
         if (!part.kind) return Error{Code::UnknownKind, part.title() + " is of a kind that is not loaded"};
         text += blockText(loaded, part.range) + "\n";
     }
     Result<PastedBlocks> read = PastedBlocks::read(*loaded.registry, text);
     if (!read.ok() || read.value().entries.size() != all.value().size())
-        return Error{Code::UnexpectedText, "the text has faults here; mend them first"};
+        return Error{Code::UnexpectedText, "the text has errors here; fix them first"};
     PastedBlocks& copies = read.value();
-    std::map<std::pair<const Part*, const NameSpace*>, TakenNames> names;
+    std::map<std::pair<const Part*, const NameSpace*>, UsedNames> names;
     for (std::size_t i = 0; i < all.value().size(); ++i) {
-        const ObjectPlace& place = all.value()[i].place;
+        const ObjectLocation& place = all.value()[i].place;
         PastedBlocks::Entry& copy = copies.entries[i];
         copy.target = place.above.empty() ? nullptr : place.above.back();
         const NameSpace* space = copy.target ? nullptr : loaded.outline->spaceOf(*copy.kind);
         copy.name = names.try_emplace({copy.target, space}, loaded, copy.target, copy.kind).first->second.take(place.part->name);
     }
-    EditSheet sheet(loaded);
+    EditBuilder sheet(loaded);
     std::vector<std::string> selects;
     for (std::size_t i = 0; i < all.value().size(); ++i) {
         const Chosen& c = all.value()[i];
         const PastedBlocks::Entry& copy = copies.entries[i];
-        PlacedText block(copies.textOf(loaded, copy));
+        MovedBlock block(copies.textOf(loaded, copy));
         if (offset != Vec3::Zero()) {
             if (copy.kind->find("Pos")) block.shift("Pos", offset, poseAt(loaded, c.place).position);
             const auto anchor = copy.kind->find("Anchor") ? valueAt(loaded, c.place, "Anchor") : std::nullopt;

@@ -1,8 +1,8 @@
 // needs: Statics, or Robots without joints, devices and controllers, all in the opened file.
-// assumes: a property says all about a geom or body but where it is; that is written anew.
-// method: each geom of each object becomes one of the config, at its place seen from the middle of all; a value that is a number or a
-//   word stays as it is written, others are worked out. What the values name is imported where a file has it, and comes along from the
-//   opened file, which nobody can import.
+// assumes: only the pose of a geom or body depends on the grouping; it is rewritten, all other properties are kept.
+// method: each geom of each object becomes a geom of the new config, with its pose relative to the common centre; literal values
+// are copied as written, others are evaluated. Names used by the values are imported from their files, or moved along if they are
+// defined in the opened file, which cannot be imported.
 // data: the text of the new file; edits of the opened one.
 #include "project/plan_group.h"
 
@@ -13,13 +13,13 @@
 
 #include "lang/characters.h"
 #include "lang/tree_edit.h"
-#include "model/passive.h"
-#include "project/edit_sheet.h"
+#include "model/passive_objects.h"
+#include "project/edit_builder.h"
 #include "project/import_lines.h"
 #include "project/object_names.h"
 #include "project/part_values.h"
+#include "project/plan_dependents.h"
 #include "project/plan_targets.h"
-#include "project/plan_users.h"
 #include "project/search.h"
 
 namespace trundle {
@@ -28,9 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kDigits = 1e6; // of the group's own Pos, per m
+constexpr double kDigits = 1e6; // 1/m; the group's own Pos is rounded to 1e-6 m
 
-/// "red_wall" for "RedWall".
+/// The file name for a config: "red_wall" for "RedWall".
 std::string fileNameFor(const std::string& name) {
     std::string file;
     for (std::size_t i = 0; i < name.size(); ++i) {
@@ -50,12 +50,12 @@ bool isPlainName(const std::string& name) {
     return !name.empty() && isIdentStart(name[0]) && std::all_of(name.begin(), name.end(), isIdent);
 }
 
-/// Below the project's folder, and below that of the program's configs.
+/// The path of the new file, relative to the project's folder or the folder of shipped configs.
 std::string pieceFile(const std::string& folder, const std::string& name) {
     return (fs::path(folder) / "objects" / (fileNameFor(name) + ".sim")).string();
 }
 
-bool isFree(const Loaded& loaded, const std::string& shippedConfigs, const std::string& name) {
+bool isFree(const LoadedProject& loaded, const std::string& shippedConfigs, const std::string& name) {
     std::error_code none;
     return !loaded.outline->configs.find(name) && !fs::exists(pieceFile(loaded.projectFolder, name), none) &&
            (shippedConfigs.empty() || !fs::exists(pieceFile(shippedConfigs, name), none));
@@ -67,9 +67,9 @@ bool isLiteral(const Value& value) {
     });
 }
 
-class Grouping {
+class GroupPlanner {
 public:
-    Grouping(const Loaded& loaded, std::string name) : m_loaded(loaded), m_name(std::move(name)), m_sheet(loaded) {}
+    GroupPlanner(const LoadedProject& loaded, std::string name) : m_loaded(loaded), m_name(std::move(name)), m_sheet(loaded) {}
 
     Result<GroupPlan> of(const std::vector<std::string>& paths) {
         if (Status status = take(paths); !status.ok()) return status.error();
@@ -89,7 +89,7 @@ public:
                      " grouped. Its origin is the middle of its base.\n" + head.value() + m_moved + "\n" +
                      (m_scenery ? "StaticConfig " : "RobotConfig ") + m_name + " {\n" +
                      (m_scenery || m_objects.size() < 2 ? "" : "  SelfCollision=true\n") + parts + "}\n";
-        const std::string instance = TakenNames(m_loaded, nullptr, m_objects.front()->kind).take(lowerFirstOf(m_name));
+        const std::string instance = UsedNames(m_loaded, nullptr, m_objects.front()->kind).take(lowerFirstOf(m_name));
         for (const Part* part : m_objects) m_sheet.removeItem(part->range);
         m_sheet.addItem(0, nullptr, std::string(m_scenery ? "Static " : "Robot ") + instance + " { Config=" + m_name + " Pos=" +
                                         positionText(m_middle) + " HPR=0,0,0 }");
@@ -115,7 +115,7 @@ private:
                 return Error{Code::WrongPlace, (part ? part->title() : path) + " cannot be part of a piece: select scenery, or robots "
                                                    "without joints, devices and controller"};
             if (part->file != 0)
-                return Error{Code::WrongPlace, part->title() + " stands in " + shownInProject(m_loaded.paths[part->file], m_loaded.projectFolder) +
+                return Error{Code::WrongPlace, part->title() + " is in " + shownInProject(m_loaded.paths[part->file], m_loaded.projectFolder) +
                                                    ", not in the opened file; open that to group it"};
             if (!m_objects.empty() && scenery != m_scenery)
                 return Error{Code::WrongPlace, "scenery and movable objects cannot be one piece: " + m_objects.front()->title() + " and " +
@@ -126,10 +126,11 @@ private:
         if (m_objects.empty()) return Error{Code::WrongPlace, "select what is to be one piece"};
         std::sort(m_objects.begin(), m_objects.end(),
                   [](const Part* a, const Part* b) { return a->range.range.begin < b->range.range.begin; });
-        for (const Mention& mention : mentionsIn(m_loaded))
+        for (const NameReference& reference : referencesIn(m_loaded))
             for (const Part* part : m_objects)
-                if (mention.target == part->block && mention.user)
-                    return Error{Code::UnknownReference, part->title() + " is named by " + mention.user->title() + "; it cannot become part of a piece"};
+                if (reference.target == part->block && reference.user)
+                    return Error{Code::UnknownReference, part->title() + " is named by " + reference.user->title() +
+                                                             "; it cannot become part of a piece"};
         return {};
     }
 
@@ -138,7 +139,7 @@ private:
         return poseAt(m_loaded, *place);
     }
 
-    /// Level with the lowest of them; numbers that can be written whole.
+    /// The centre of the objects, at the height of the lowest one, rounded.
     void findMiddle() {
         m_middle = Vec3::Zero();
         double low = poseOf(*m_objects.front()).position.z();
@@ -152,13 +153,13 @@ private:
         m_inverse = Pose{m_middle, Quat::Identity()}.inverse();
     }
 
-    [[nodiscard]] std::string free(std::set<std::string>& taken, const std::string& wish) const {
-        std::string name = wish;
-        for (int n = 2; !taken.insert(name).second; ++n) name = wish + std::to_string(n);
+    [[nodiscard]] std::string free(std::set<std::string>& taken, const std::string& preferred) const {
+        std::string name = preferred;
+        for (int n = 2; !taken.insert(name).second; ++n) name = preferred + std::to_string(n);
         return name;
     }
 
-    /// The geoms of a config or body as lines of text. `at`: where their frame is in the new config.
+    /// The geoms of a config or body as lines of text. `at`: pose of their frame in the new config.
     Result<std::string> geomsOf(const Part& instance, const Part& owner, const Pose& at, const std::string& prefix) {
         std::string text;
         std::set<std::string>& taken = m_scenery ? m_names : m_geomNames;
@@ -200,13 +201,13 @@ private:
         return "Pos=" + positionText(pose.position) + (turn == "0,0,0" ? "" : " HPR=" + turn);
     }
 
-    /// All that is given but the pose: " Size=1,2,3 Material=red".
+    /// All given properties except the pose: " Size=1,2,3 Material=red".
     Result<std::string> valuesOf(const Part& instance, const Part& part, const std::string& within) {
         std::string text;
         const auto place = placeOf(m_loaded, instance.name + "." + within);
         for (const Property& property : part.kind->properties) {
             if (property.name == "Pos" || property.name == "HPR") continue;
-            const PlacedAssignment* a = instance.assignments.find(within + "." + property.name);
+            const SourceAssignment* a = instance.assignments.find(within + "." + property.name);
             if (!a) a = part.assignments.find(property.name);
             if (!a || !place) continue;
             const std::optional<PropertyValue> value = valueAt(m_loaded, *place, property.name);
@@ -220,19 +221,19 @@ private:
         return text;
     }
 
-    /// A file that was found from the config's folder is named so that it is found from the new one's.
-    std::string fileText(const PlacedAssignment& a, const std::string& name, const std::string& written) const {
+    /// The path of a file, rewritten so that it is found from the folder of the new config too.
+    std::string fileText(const SourceAssignment& a, const std::string& name, const std::string& written) const {
         const auto named = m_loaded.named.find({a.file, name});
         if (named == m_loaded.named.end() || named->second.path.empty()) return written;
         const std::string shown = shownInProject(named->second.path, m_loaded.projectFolder);
         return fs::path(shown).is_absolute() ? written : "\"" + shown + "\"";
     }
 
-    /// A block of the opened file as it is written in the new one: without the Params of this file, which cannot be named there.
+    /// The text of a block that is moved from the opened file to the new one, with Params replaced by their values.
     Result<std::string> movedText(const Part& part) const {
         const auto place = placeOf(m_loaded, part.kind->name + "." + part.name);
         std::vector<TextEdit> edits;
-        for (const PlacedAssignment& a : part.assignments.all()) {
+        for (const SourceAssignment& a : part.assignments.all()) {
             if (isLiteral(*a.value) || a.file != part.range.file) continue;
             const Property* property = part.kind->find(a.key);
             const std::optional<PropertyValue> value = place ? valueAt(m_loaded, *place, a.key) : std::nullopt;
@@ -246,7 +247,7 @@ private:
         return applyEdits(blockText(m_loaded, part.range), edits);
     }
 
-    /// Imports of what is used; what stands in the opened file itself is taken out of it.
+    /// The import lines for everything used; definitions in the opened file are removed there and moved along.
     Result<std::string> imports() {
         std::set<std::string> files;
         std::set<const Part*> moved;
@@ -268,33 +269,33 @@ private:
         return text;
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const std::string m_name;
-    EditSheet m_sheet;
+    EditBuilder m_sheet;
     std::vector<const Part*> m_objects; // in text order
     bool m_scenery = false;
     Vec3 m_middle = Vec3::Zero();
     Pose m_inverse;
     std::set<std::string> m_names, m_geomNames;
-    std::set<std::pair<std::string, std::string>> m_used; // property and name
+    std::set<std::pair<std::string, std::string>> m_used; // (property, name)
     std::string m_moved;
 };
 
 } // namespace
 
-std::string freeGroupName(const Loaded& loaded, const std::string& shippedConfigs) {
+std::string freeGroupName(const LoadedProject& loaded, const std::string& shippedConfigs) {
     std::string name = "Piece";
     for (int n = 2; !isFree(loaded, shippedConfigs, name); ++n) name = "Piece" + std::to_string(n);
     return name;
 }
 
-Result<GroupPlan> planGroup(const Loaded& loaded, const std::vector<std::string>& paths, const std::string& name,
+Result<GroupPlan> planGroup(const LoadedProject& loaded, const std::vector<std::string>& paths, const std::string& name,
                             const std::string& shippedConfigs) {
     if (!isPlainName(name))
         return Error{Code::WrongPlace, "`" + name + "` is no name: it takes letters, digits and _, and begins with no digit"};
     if (!isFree(loaded, shippedConfigs, name))
         return Error{Code::DuplicateName, "there is a config " + name + ", or a file objects/" + fileNameFor(name) + ".sim, already"};
-    return Grouping(loaded, name).of(paths);
+    return GroupPlanner(loaded, name).of(paths);
 }
 
 } // namespace trundle

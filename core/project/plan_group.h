@@ -1,5 +1,5 @@
 #pragma once
-// Several pieces of scenery, or several movable objects, made one piece that can be placed again: a config in a file of its own.
+// Groups several Statics, or several Robots that nothing drives, into one config in a file of its own.
 
 #include <string>
 #include <vector>
@@ -9,18 +9,18 @@
 namespace trundle {
 
 struct GroupPlan {
-    EditPlan plan;    ///< of the texts that there are: one instance in the place of those
-    std::string file; ///< absolute, of the new one
-    std::string text; ///< of that
+    EditPlan plan;    ///< edits of the existing files: one instance replaces the objects
+    std::string file; ///< absolute path of the new file
+    std::string text; ///< content of the new file
 };
 
-/// A name for such a config that is free: "Piece", "Piece2" ... A file of the program's configs is not hidden by one of the same path.
-[[nodiscard]] std::string freeGroupName(const Loaded& loaded, const std::string& shippedConfigs);
-/// Statics become one StaticConfig, Robots that nothing drives one RobotConfig with their bodies; `name` is that of the config, and the
-/// file is objects/<name>.sim in the project's folder. Every shape stays where it is. Params and overrides are written as the values that
-/// they have. Materials and surfaces of the opened file that it uses go into the new one. Fails where something else refers to one of the
-/// objects, where one stands in another file, and where they are of both sorts.
-[[nodiscard]] Result<GroupPlan> planGroup(const Loaded& loaded, const std::vector<std::string>& paths, const std::string& name,
-                                          const std::string& shippedConfigs = {});
+/// A free name for a grouped config: "Piece", "Piece2" ... Its file must not hide a shipped one with the same relative path.
+[[nodiscard]] std::string freeGroupName(const LoadedProject& loaded, const std::string& shippedConfigs);
+/// Statics become one StaticConfig, Robots that nothing drives one RobotConfig with their bodies; `name` is the name of the
+/// config, and its file is objects/<name>.sim in the project's folder. Every shape keeps its pose in the world. Params and
+/// overrides are replaced by their values. Materials and surfaces of the opened file that are used are moved to the new file.
+/// Fails if something else refers to one of the objects, if one is in another file, or if both types are mixed.
+[[nodiscard]] Result<GroupPlan> planGroup(const LoadedProject& loaded, const std::vector<std::string>& paths,
+                                          const std::string& name, const std::string& shippedConfigs = {});
 
 } // namespace trundle

@@ -1,10 +1,10 @@
-// Needs: blocks as text and where somebody wants them. Gives: each in a place where it may stand, under a free name, with the
-// imports that it needs.
+// Needs: blocks as text and the requested target. Gives: each block at a valid position, under a free name, with the imports that
+// it needs.
 
 #include <set>
 
 #include "lang/characters.h"
-#include "project/edit_sheet.h"
+#include "project/edit_builder.h"
 #include "project/import_lines.h"
 #include "project/object_names.h"
 #include "project/pasted_blocks.h"
@@ -14,34 +14,34 @@ namespace trundle {
 
 namespace {
 
-/// A block that something may be put into, under the path it was come by.
+/// A block that could receive the new ones, and its path.
 struct Target {
     const Part* part = nullptr; ///< nullptr: the top level
     std::string path;
 };
 
-/// The place itself, what is round it, and the config or the instance it is reached through.
-std::vector<Target> nearTo(const Loaded& loaded, const ObjectPlace& place, std::string path) {
+/// The location itself, its enclosing blocks, and the config or the instance that it is reached through.
+std::vector<Target> nearTo(const LoadedProject& loaded, const ObjectLocation& place, std::string path) {
     std::vector<Target> all{{place.part, path}};
     for (auto it = place.above.rbegin(); it != place.above.rend(); ++it) {
         path = path.substr(0, path.rfind('.'));
         all.push_back({*it, path});
     }
     if (!place.instance) return all;
-    if (all.back().part != place.instance) all.push_back({place.instance, path}); // its config stands for it
+    if (all.back().part != place.instance) all.push_back({place.instance, path}); // same path: its config is reached through it
     else if (const Part* config = configOf(loaded, *place.instance)) all.push_back({config, path});
     return all;
 }
 
-bool holdsControllers(const Part& part) { return isPlaced(part) && part.block->type.text != "Static"; }
+bool canHoldControllers(const Part& part) { return isPlaced(part) && part.block->type.text != "Static"; }
 
-class Insertion {
+class InsertPlanner {
 public:
-    Insertion(const Loaded& loaded, PastedBlocks blocks, FileId file)
+    InsertPlanner(const LoadedProject& loaded, PastedBlocks blocks, FileId file)
         : m_loaded(loaded), m_blocks(std::move(blocks)), m_sheet(loaded), m_file(file) {}
 
     Result<EditPlan> into(const std::string& parent, const std::vector<std::string>& imports) {
-        const std::optional<ObjectPlace> place = placeOf(m_loaded, parent);
+        const std::optional<ObjectLocation> place = placeOf(m_loaded, parent);
         if (!place) return Error{Code::NoSuchPath, "there is no " + parent};
         if (place->part) m_near = nearTo(m_loaded, *place, parent);
         m_member = place->member;
@@ -50,8 +50,8 @@ public:
         }
         std::vector<std::string> selects;
         for (const auto& [name, param] : m_blocks.params) {
-            const PlacedParam* there = paramHere(name);
-            if (there && !saysTheSame(*there, param.value))
+            const SourceParam* there = paramHere(name);
+            if (there && !hasSameText(*there, param.value))
                 return Error{Code::DuplicateName, "Param " + name + " is " + valueOf(*there) + " here, and " + param.value +
                                                       " where this comes from; rename one of the two first"};
             if (!there) m_sheet.addItem(m_file, nullptr, param.text);
@@ -69,15 +69,15 @@ public:
     }
 
 private:
-    const PlacedParam* paramHere(const std::string& name) const {
+    const SourceParam* paramHere(const std::string& name) const {
         const auto& params = m_loaded.outline->params;
-        const auto it = std::find_if(params.begin(), params.end(), [&](const PlacedParam& p) { return p.name->text == name; });
+        const auto it = std::find_if(params.begin(), params.end(), [&](const SourceParam& p) { return p.name->text == name; });
         return it == params.end() ? nullptr : &*it;
     }
-    std::string valueOf(const PlacedParam& param) const {
+    std::string valueOf(const SourceParam& param) const {
         return std::string(m_loaded.outline->texts().slice({param.valueFile, param.value->range}));
     }
-    bool saysTheSame(const PlacedParam& param, std::string value) const {
+    bool hasSameText(const SourceParam& param, std::string value) const {
         std::string here = valueOf(param);
         for (std::string* text : {&here, &value}) std::erase_if(*text, isBlank);
         return here == value;
@@ -93,7 +93,7 @@ private:
         if (entry.kind && entry.kind->role == Role::Controller && entry.target)
             if (Status status = oneController(*entry.target); !status.ok()) return status;
         const bool optional = !entry.kind || entry.kind->nameOptional;
-        TakenNames& names = namesIn(entry);
+        UsedNames& names = namesIn(entry);
         if (entry.block->name) entry.name = names.take(entry.block->name->text);
         else if (!optional) entry.name = names.take(lowerFirst(entry.block->type.text));
         return {};
@@ -101,20 +101,21 @@ private:
 
     Result<Target> targetFor(const PastedBlocks::Entry& entry) const {
         if (!entry.kind) return unknown();
-        if (mayStand(*entry.kind, nullptr)) return Target{};
+        if (isAllowedIn(*entry.kind, nullptr)) return Target{};
         if (entry.kind->role == Role::Controller && m_member)
             return Error{Code::ReplaceBySingles, "a member of a Grid or Scatter has no text of its own; replace that by single "
                                                  "robots first"};
         for (const Target& target : m_near)
-            if (target.part->usable && mayStand(*entry.kind, target.part)) return target;
-        return Error{Code::WrongPlace, standsIn(*entry.kind) + ", not " +
+            if (target.part->usable && isAllowedIn(*entry.kind, target.part)) return target;
+        return Error{Code::WrongPlace, allowedPlaces(*entry.kind) + ", not " +
                                            (m_near.empty() ? "at the top level" : "in " + m_near.front().part->title())};
     }
 
-    /// A kind of a module that is not loaded yet: a controller of a robot or a device of a config, as far as one can tell.
+    /// The target for an unknown kind, such as one of a module that is not loaded: a robot or a config, as for controllers and
+    /// devices.
     Result<Target> unknown() const {
         for (const Target& target : m_near)
-            if (holdsControllers(*target.part) || target.part->is(Role::Config)) return target;
+            if (canHoldControllers(*target.part) || target.part->is(Role::Config)) return target;
         return Target{};
     }
 
@@ -138,7 +139,7 @@ private:
         return {};
     }
 
-    TakenNames& namesIn(const PastedBlocks::Entry& entry) {
+    UsedNames& namesIn(const PastedBlocks::Entry& entry) {
         const NameSpace* space = !entry.target && entry.kind ? m_loaded.outline->spaceOf(*entry.kind) : nullptr;
         return m_names.try_emplace({entry.target, space}, m_loaded, entry.target, entry.kind).first->second;
     }
@@ -151,7 +152,7 @@ private:
         return space == &m_loaded.outline->world || !entry.kind ? name : entry.kind->name + "." + name;
     }
 
-    /// The name that an unnamed block will be given: the next one of its kind.
+    /// The default name of an unnamed block: the next one of its kind.
     std::string automatic(const PastedBlocks::Entry& entry) {
         const std::string& type = entry.block->type.text;
         const auto unnamed = [&](const Part& p) { return !p.block->name && p.block->type.text == type; };
@@ -162,7 +163,7 @@ private:
             else
                 for (const auto& part : m_loaded.outline->parts) count += unnamed(*part);
         }
-        TakenNames& names = namesIn(entry);
+        UsedNames& names = namesIn(entry);
         const std::string base = lowerFirst(type);
         for (;;) {
             ++count;
@@ -171,7 +172,7 @@ private:
         }
     }
 
-    /// Into each file that gets something, what it has not got.
+    /// Adds the missing imports to each file that receives a block.
     Status import(std::vector<std::string> imports) {
         imports.insert(imports.end(), m_blocks.directives.begin(), m_blocks.directives.end());
         std::set<FileId> files;
@@ -186,11 +187,11 @@ private:
         return {};
     }
 
-    /// Without new imports it is known what there is.
+    /// Checks that all names used are defined. Only possible without new imports.
     Status nothingMissing() const {
         for (const PastedBlocks::Entry& entry : m_blocks.entries) {
             std::vector<const Part*> round;
-            for (const Target& target : m_near) // the innermost comes first in it
+            for (const Target& target : m_near) // ordered from the innermost outwards
                 if (entry.target &&
                     (target.part == entry.target || (!round.empty() && isWithin(entry.target->range, target.part->range))))
                     round.insert(round.begin(), target.part);
@@ -203,24 +204,24 @@ private:
         return {};
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     PastedBlocks m_blocks;
-    EditSheet m_sheet;
-    const FileId m_file; ///< of what stands at the top level
+    EditBuilder m_sheet;
+    const FileId m_file; ///< for blocks at the top level
     std::vector<Target> m_near;
     bool m_member = false, m_imports = false;
-    std::vector<std::string> m_paths; ///< of the targets
-    std::map<std::pair<const Part*, const NameSpace*>, TakenNames> m_names;
+    std::vector<std::string> m_paths; ///< of the inserted blocks
+    std::map<std::pair<const Part*, const NameSpace*>, UsedNames> m_names;
     std::map<std::pair<const Part*, std::string>, int> m_unnamed;
 };
 
 } // namespace
 
-Result<EditPlan> planInsert(const Loaded& loaded, const std::string& parent, const std::string& text,
+Result<EditPlan> planInsert(const LoadedProject& loaded, const std::string& parent, const std::string& text,
                             const std::vector<std::string>& imports, FileId file) {
     Result<PastedBlocks> blocks = PastedBlocks::read(*loaded.registry, text);
     if (!blocks.ok()) return blocks.error();
-    return Insertion(loaded, std::move(blocks).value(), file).into(parent, imports);
+    return InsertPlanner(loaded, std::move(blocks).value(), file).into(parent, imports);
 }
 
 } // namespace trundle

@@ -1,45 +1,45 @@
-// Needs: blocks and the place they are to have. Gives: their text there, with what names them and where they stand put right.
+// Needs: blocks and their target position. Gives: their text there, with references and poses updated.
 
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
-#include "project/edit_sheet.h"
+#include "project/edit_builder.h"
 #include "project/import_lines.h"
+#include "project/moved_block.h"
 #include "project/name_scope.h"
 #include "project/object_names.h"
 #include "project/part_values.h"
-#include "project/placed_text.h"
 #include "project/plan_targets.h"
 
 namespace trundle {
 
 namespace {
 
-/// A block on its way.
-struct Moved {
+/// A block to be moved.
+struct MovedItem {
     const Chosen* chosen = nullptr;
     const Part* part = nullptr;
     const Part* from = nullptr; ///< nullptr: the top level
     const Part* to = nullptr;
-    std::string path; ///< of what it goes into
+    std::string path; ///< path of the new parent
     std::string name;
-    FileId file = 0;             ///< that it goes into
-    const Part* next = nullptr;  ///< that it goes in front of
-    const Part* after = nullptr; ///< or behind; without both to the end
+    FileId file = 0;             ///< the target file
+    const Part* next = nullptr;  ///< inserted before this block
+    const Part* after = nullptr; ///< or after this one; at the end if both are null
     [[nodiscard]] bool goes() const { return after != part; }
 };
 
-/// What the tree shows together.
-bool areAlike(const Part& a, const Part& b) {
+/// Whether two blocks belong to the same group in the Scene tree.
+bool hasSameType(const Part& a, const Part& b) {
     return a.kind && b.kind && (a.kind == b.kind || (isPlaced(a) && isPlaced(b)) || (a.kind->role == b.kind->role));
 }
 
-const Part* holderOf(const ObjectPlace& place) { return place.above.empty() ? nullptr : place.above.back(); }
+const Part* holderOf(const ObjectLocation& place) { return place.above.empty() ? nullptr : place.above.back(); }
 
-/// The config or instance at the top of what holds a block.
-const Part* topOf(const Part* holder, const ObjectPlace& place) { return place.above.empty() ? holder : place.above.front(); }
+/// The outermost block, a config or instance, around a block.
+const Part* topOf(const Part* holder, const ObjectLocation& place) { return place.above.empty() ? holder : place.above.front(); }
 
-ObjectPlace outer(ObjectPlace place) {
+ObjectLocation outer(ObjectLocation place) {
     place.part = holderOf(place);
     if (!place.above.empty()) place.above.pop_back();
     place.within = place.within.substr(0, place.within.find('.') == std::string::npos ? 0 : place.within.rfind('.'));
@@ -48,31 +48,31 @@ ObjectPlace outer(ObjectPlace place) {
 
 class Move {
 public:
-    Move(const Loaded& loaded, const std::vector<Chosen>& all, FileId file)
-        : m_loaded(loaded), m_texts(loaded.outline->texts()), m_mentions(mentionsIn(loaded)), m_sheet(loaded), m_file(file) {
+    Move(const LoadedProject& loaded, const std::vector<Chosen>& all, FileId file)
+        : m_loaded(loaded), m_texts(loaded.outline->texts()), m_references(referencesIn(loaded)), m_sheet(loaded), m_file(file) {
         for (const Chosen& c : all) m_moved.push_back({&c, c.place.part, holderOf(c.place), nullptr, {}, c.place.part->name});
     }
 
     Result<EditPlan> run(const std::string& parent, const std::string& before) {
-        const std::optional<ObjectPlace> into = placeOf(m_loaded, parent);
+        const std::optional<ObjectLocation> into = placeOf(m_loaded, parent);
         if (!into) return Error{Code::NoSuchPath, "there is no " + parent};
         m_into = *into;
-        for (Moved& m : m_moved)
+        for (MovedItem& m : m_moved)
             if (Status status = settle(m, parent); !status.ok()) return status.error();
         if (!before.empty())
             if (Status status = findBefore(before); !status.ok()) return status.error();
-        for (Moved& m : m_moved) settleBeside(m);
+        for (MovedItem& m : m_moved) choosePosition(m);
         if (nothingChanges()) {
             EditPlan same;
-            for (const Moved& m : m_moved) same.selects.push_back(m.chosen->path);
+            for (const MovedItem& m : m_moved) same.selects.push_back(m.chosen->path);
             return same;
         }
         std::vector<std::string> selects;
-        for (Moved& m : m_moved) {
+        for (MovedItem& m : m_moved) {
             if (m.from != m.to)
                 if (Status status = changePlace(m); !status.ok()) return status.error();
         }
-        for (const Moved& m : m_moved) {
+        for (const MovedItem& m : m_moved) {
             if (Status status = put(m); !status.ok()) return status.error();
             const bool kindFirst = !m.to && m_loaded.outline->spaceOf(*m.part->kind) != &m_loaded.outline->world;
             selects.push_back((m.to ? m.path + "." : kindFirst ? m.part->kind->name + "." : "") + m.name);
@@ -82,17 +82,18 @@ public:
     }
 
 private:
-    Status settle(Moved& m, const std::string& parent) {
+    Status settle(MovedItem& m, const std::string& parent) {
         const Part& part = *m.part;
         if (!part.kind) return Error{Code::UnknownKind, part.title() + " is of a kind that is not loaded"};
         const Part* config = m_into.part && m_into.part == m_into.instance ? configOf(m_loaded, *m_into.part) : nullptr;
         m.path = parent;
-        if (mayStand(*part.kind, m_into.part)) m.to = m_into.part;
-        else if (config && mayStand(*part.kind, config)) m.to = config;
+        if (isAllowedIn(*part.kind, m_into.part)) m.to = m_into.part;
+        else if (config && isAllowedIn(*part.kind, config)) m.to = config;
         else
-            return Error{Code::WrongPlace,
-                         standsIn(*part.kind) + ", not " + (m_into.part ? "in " + m_into.part->title() : "at the top level")};
-        if (m.to && isWithin(m.to->range, part.range)) return Error{Code::WrongPlace, part.title() + " cannot stand in itself"};
+            return Error{Code::WrongPlace, allowedPlaces(*part.kind) + ", not " +
+                                               (m_into.part ? "in " + m_into.part->title() : "at the top level")};
+        if (m.to && isWithin(m.to->range, part.range))
+            return Error{Code::WrongPlace, part.title() + " cannot be moved into itself"};
         if (m_loaded.outline->texts().commandLine(part.file)) return Error{Code::Internal, "a --set text cannot be changed"};
         std::size_t places = 0;
         const auto count = [&](const auto& self, const std::vector<Part>& parts) -> void {
@@ -102,7 +103,7 @@ private:
             }
         };
         for (const auto& top : m_loaded.outline->parts) count(count, top->parts);
-        if (places > 1) return Error{Code::WrongPlace, part.title() + " stands in a file that several blocks import"};
+        if (places > 1) return Error{Code::WrongPlace, part.title() + " is in a file that several blocks import"};
         if (m.from == m.to) return {};
         if (part.is(Role::Controller))
             for (const Part& other : m.to->parts)
@@ -114,7 +115,7 @@ private:
     }
 
     bool isMoved(const BlockItem* block) const {
-        return std::any_of(m_moved.begin(), m_moved.end(), [&](const Moved& m) { return m.part->block == block; });
+        return std::any_of(m_moved.begin(), m_moved.end(), [&](const MovedItem& m) { return m.part->block == block; });
     }
 
     std::vector<const Part*> siblings() const {
@@ -128,45 +129,46 @@ private:
     }
 
     Status findBefore(const std::string& path) {
-        const std::optional<ObjectPlace> place = placeOf(m_loaded, path);
+        const std::optional<ObjectLocation> place = placeOf(m_loaded, path);
         const auto all = siblings();
         const auto it = place ? std::find(all.begin(), all.end(), place->part) : all.end();
-        if (it == all.end()) return Error{Code::NoSuchPath, path + " does not stand in the same block"};
+        if (it == all.end()) return Error{Code::NoSuchPath, path + " is not in the same block"};
         m_before = *it;
         return {};
     }
 
-    /// A place in the file that the block stands in or goes to: in front of what was asked for, or of the next of its like; else behind
-    /// the last of its like, where it stays in its file.
-    void settleBeside(Moved& m) const {
+    /// Chooses the position in the target file: before the requested block, or before the next one of the same type; else, if the
+    /// block stays in its file, after the last one of the same type.
+    void choosePosition(MovedItem& m) const {
         const bool stays = m.from == m.to && (m_file == kNoFile || m.to);
         m.file = stays ? m.part->file : m.to ? m.to->file : m_file == kNoFile ? FileId{0} : m_file;
         const auto all = siblings();
         const auto from = std::find(all.begin(), all.end(), m_before);
         const bool beside = from != all.end() && (!stays || (*from)->file == m.file);
         const auto fits = [&](const Part* p) { return p->file == m.file && !isMoved(p->block); };
-        const auto alike = [&](const Part* p) { return fits(p) && areAlike(*p, *m.part); };
+        const auto alike = [&](const Part* p) { return fits(p) && hasSameType(*p, *m.part); };
         const auto next = beside ? std::find_if(from, all.end(), fits) : std::find_if(from, all.end(), alike);
         if (next != all.end()) m.next = *next;
-        const bool inBlock = m.to && m.to->file == m.file; // its end is a good place
+        const bool inBlock = m.to && m.to->file == m.file; // inserting at its end is fine
         if (m.next || !stays || inBlock) return;
         const auto last = std::find_if(all.rbegin(), all.rend(), [&](const Part* p) { return alike(p) || p == m.part; });
         if (last != all.rend()) m.after = *last;
     }
 
-    /// Whether all stand where they go to.
+    /// Whether all blocks are already at their target.
     bool nothingChanges() const {
-        if (std::any_of(m_moved.begin(), m_moved.end(), [](const Moved& m) { return m.from != m.to || m.part->file != m.file; }))
+        if (std::any_of(m_moved.begin(), m_moved.end(),
+                        [](const MovedItem& m) { return m.from != m.to || m.part->file != m.file; }))
             return false;
         std::map<FileId, std::vector<const Part*>> before, after;
         for (const Part* p : siblings()) {
             before[p->file].push_back(p);
             const bool goes =
-                std::any_of(m_moved.begin(), m_moved.end(), [&](const Moved& m) { return m.part == p && m.goes(); });
+                std::any_of(m_moved.begin(), m_moved.end(), [&](const MovedItem& m) { return m.part == p && m.goes(); });
             if (!goes) after[p->file].push_back(p);
         }
         std::map<const Part*, std::ptrdiff_t> behind;
-        for (const Moved& m : m_moved) {
+        for (const MovedItem& m : m_moved) {
             if (!m.goes()) continue;
             std::vector<const Part*>& now = after[m.file];
             auto at = std::find(now.begin(), now.end(), m.after ? m.after : m.next);
@@ -176,24 +178,24 @@ private:
         return before == after;
     }
 
-    /// The block gets another parent: who names it, and what does it name?
-    Status changePlace(Moved& m) {
+    /// Checks the references to and from a block that gets another parent, and updates them.
+    Status changePlace(MovedItem& m) {
         const bool sameConfig = m.part->is(Role::Geom) && m.from && m.to && topOf(m.from, m.chosen->place) == topOf(m.to, m_into);
         const Part* top = sameConfig ? nullptr : m.to;
-        std::vector<const Mention*> users, wants;
-        for (const Mention& mention : m_mentions) {
-            const bool byMoved = mention.user && movedAlong(*mention.user);
-            if (mention.target && stands(mention.target, *m.part) && mention.name.known()) {
-                if (mention.target == m.part->block && (sameConfig || byMoved || m.from == nullptr)) {
-                    if (mention.before.known()) change({mention.before, m.to->name});
-                    change({mention.name, m.name});
-                } else if (!sameConfig && !byMoved && !mention.pattern && m.from) users.push_back(&mention);
+        std::vector<const NameReference*> users, wants;
+        for (const NameReference& reference : m_references) {
+            const bool byMoved = reference.user && movedAlong(*reference.user);
+            if (reference.target && containsBlock(reference.target, *m.part) && reference.name.known()) {
+                if (reference.target == m.part->block && (sameConfig || byMoved || m.from == nullptr)) {
+                    if (reference.before.known()) change({reference.before, m.to->name});
+                    change({reference.name, m.name});
+                } else if (!sameConfig && !byMoved && !reference.pattern && m.from) users.push_back(&reference);
             }
-            if (!byMoved || !isWithin(mention.user->range, m.part->range)) continue;
-            if (top && mention.target && !isTop(mention.target) && !movedTarget(mention.target) &&
-                !top->find(m_texts.slice(mention.before.known() ? mention.before : mention.name)))
-                wants.push_back(&mention);
-            if (mention.param && !seenAt(m, m_texts.slice(mention.name)) && !inMoved(mention)) wants.push_back(&mention);
+            if (!byMoved || !isWithin(reference.user->range, m.part->range)) continue;
+            if (top && reference.target && !isTop(reference.target) && !movedTarget(reference.target) &&
+                !top->find(m_texts.slice(reference.before.known() ? reference.before : reference.name)))
+                wants.push_back(&reference);
+            if (reference.param && !seenAt(m, m_texts.slice(reference.name)) && !inMoved(reference)) wants.push_back(&reference);
         }
         if (!users.empty()) return Error{Code::UnknownReference, m.part->title() + " is still used by " + usersText(users)};
         if (!wants.empty())
@@ -202,43 +204,44 @@ private:
         return {};
     }
 
-    /// Whether a block is one of these, or stands in one.
+    /// Whether a block is a moved one or is inside one.
     bool movedAlong(const Part& user) const {
-        return std::any_of(m_moved.begin(), m_moved.end(), [&](const Moved& m) { return isWithin(user.range, m.part->range); });
+        return std::any_of(m_moved.begin(), m_moved.end(),
+                           [&](const MovedItem& m) { return isWithin(user.range, m.part->range); });
     }
-    static bool stands(const BlockItem* block, const Part& part) {
+    static bool containsBlock(const BlockItem* block, const Part& part) {
         return part.block == block ||
-               std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& p) { return stands(block, p); });
+               std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& p) { return containsBlock(block, p); });
     }
     bool movedTarget(const BlockItem* block) const {
-        return std::any_of(m_moved.begin(), m_moved.end(), [&](const Moved& m) { return stands(block, *m.part); });
+        return std::any_of(m_moved.begin(), m_moved.end(), [&](const MovedItem& m) { return containsBlock(block, *m.part); });
     }
     bool isTop(const BlockItem* block) const {
         return std::any_of(m_loaded.outline->parts.begin(), m_loaded.outline->parts.end(),
                            [&](const auto& p) { return p->block == block; });
     }
-    bool inMoved(const Mention& mention) const { // its Param comes along
+    bool inMoved(const NameReference& reference) const { // its Param is moved too
         const auto declares = [&](const auto& self, const std::vector<Item>& items) -> bool {
             return std::any_of(items.begin(), items.end(), [&](const Item& item) {
                 const auto* block = item.as<BlockItem>();
-                return item.as<ParamItem>() == mention.param || (block && self(self, block->items));
+                return item.as<ParamItem>() == reference.param || (block && self(self, block->items));
             });
         };
         return std::any_of(m_moved.begin(), m_moved.end(),
-                           [&](const Moved& m) { return declares(declares, m.part->block->items); });
+                           [&](const MovedItem& m) { return declares(declares, m.part->block->items); });
     }
-    bool seenAt(const Moved& m, std::string_view name) const {
-        const auto has = [&](const std::vector<PlacedParam>& params) {
-            return std::any_of(params.begin(), params.end(), [&](const PlacedParam& p) { return p.name->text == name; });
+    bool seenAt(const MovedItem& m, std::string_view name) const {
+        const auto has = [&](const std::vector<SourceParam>& params) {
+            return std::any_of(params.begin(), params.end(), [&](const SourceParam& p) { return p.name->text == name; });
         };
         if (has(m_loaded.outline->params) || (m.to && has(m.to->params))) return true;
         return m.to == m_into.part &&
                std::any_of(m_into.above.begin(), m_into.above.end(), [&](const Part* p) { return has(p->params); });
     }
 
-    /// Into the moved text where it stands in one, else into the sheet.
+    /// Adds an edit: to the moved text if it is inside one, else to the files.
     void change(TextEdit edit) {
-        for (const Moved& m : m_moved) {
+        for (const MovedItem& m : m_moved) {
             if (!isWithin(edit.range, m.part->range)) continue;
             std::vector<TextEdit>& edits = m_inside[m.part];
             const bool known = std::any_of(edits.begin(), edits.end(), [&](const TextEdit& e) { return e.range == edit.range; });
@@ -250,25 +253,25 @@ private:
         m_sheet.add(std::move(edit));
     }
 
-    /// Into each file that gets a block from another, what the block uses, where no circle comes of it: the opened file is
-    /// imported by nobody.
+    /// Adds imports for what the moved blocks use to each file that receives a block, unless that would create an import cycle.
+    /// The opened file is never imported.
     Status import() {
         std::map<FileId, std::vector<std::string>> imports;
-        const std::set<FileId> atTop = imported(0); // another file is read inside of a block
+        const std::set<FileId> atTop = imported(0); // files imported inside a block do not count
         const auto use = [&](FileId used, FileId by) {
             if (used != 0 && used != by && atTop.contains(used) && atTop.contains(by) && !imported(used).contains(by))
                 imports[by].push_back(m_loaded.paths[used]);
         };
-        for (const Mention& mention : m_mentions) {
-            const auto m = std::find_if(m_moved.begin(), m_moved.end(), [&](const Moved& one) {
-                return mention.user && one.file != one.part->file && isWithin(mention.user->range, one.part->range);
+        for (const NameReference& reference : m_references) {
+            const auto m = std::find_if(m_moved.begin(), m_moved.end(), [&](const MovedItem& one) {
+                return reference.user && one.file != one.part->file && isWithin(reference.user->range, one.part->range);
             });
             if (m == m_moved.end()) continue;
             for (const auto& part : m_loaded.outline->parts)
-                if (mention.target && part->block == mention.target && !mention.pattern && !movedTarget(part->block))
+                if (reference.target && part->block == reference.target && !reference.pattern && !movedTarget(part->block))
                     use(part->file, m->file);
-            for (const PlacedParam& param : m_loaded.outline->params)
-                if (mention.param && param.name == &mention.param->name) use(param.file, m->file);
+            for (const SourceParam& param : m_loaded.outline->params)
+                if (reference.param && param.name == &reference.param->name) use(param.file, m->file);
         }
         for (const auto& [file, paths] : imports) {
             Result<std::vector<TextEdit>> edits = editsForImports(m_loaded, file, paths);
@@ -277,7 +280,7 @@ private:
         }
         return {};
     }
-    /// A file and what it imports, and they do.
+    /// A file and its imports, direct and indirect.
     std::set<FileId> imported(FileId file) const {
         std::set<FileId> files{file};
         eachItem(m_texts, m_loaded.trees[file]->items(), file, [&](const Item& item, FileId) {
@@ -287,28 +290,28 @@ private:
         return files;
     }
 
-    /// Below its config.
-    static std::string withinOf(const ObjectPlace& place) {
+    /// The path of an object below its config.
+    static std::string withinOf(const ObjectLocation& place) {
         std::string within;
         for (std::size_t i = 1; i < place.above.size(); ++i) within += place.above[i]->name + ".";
         return place.above.empty() || !place.part ? std::string() : within + place.part->name;
     }
-    /// Where the block stands in what will hold it, when it stays where it is in the world, and before, as the instances have both.
-    std::pair<Pose, Pose> posesOf(const Moved& m, const Part* oldInstance, const Part* newInstance) const {
-        ObjectPlace old = m.chosen->place, into = m_into;
-        const bool ofConfig = into.part != m.to; // "robot0" for its config
+    /// Pose in the new parent that keeps the pose in the world, and pose in the old parent, evaluated with the given instances.
+    std::pair<Pose, Pose> posesOf(const MovedItem& m, const Part* oldInstance, const Part* newInstance) const {
+        ObjectLocation old = m.chosen->place, into = m_into;
+        const bool ofConfig = into.part != m.to; // "robot0" means its config
         if (ofConfig) into.part = m.to;
         old.instance = oldInstance;
         old.within = withinOf(old);
         into.instance = newInstance;
         into.within = withinOf(into);
-        const auto frame = [&](const ObjectPlace& holder) {
+        const auto frame = [&](const ObjectLocation& holder) {
             return holder.part && holder.part->is(Role::Body) ? poseAt(m_loaded, holder) : Pose{};
         };
         Pose from = frame(outer(old)), to = ofConfig ? Pose{} : frame(into);
         if (oldInstance && newInstance && oldInstance != newInstance && !old.member && !into.member) {
             const auto world = [&](const Part* instance) {
-                ObjectPlace place;
+                ObjectLocation place;
                 place.part = place.instance = instance;
                 return poseAt(m_loaded, place);
             };
@@ -322,19 +325,19 @@ private:
         return (a.position - b.position).norm() < 1e-9 && a.rotation.angularDistance(b.rotation) < 1e-9;
     }
 
-    Status keepPose(const Moved& m, PlacedText& text) const {
+    Status keepPose(const MovedItem& m, MovedBlock& text) const {
         if (!m.part->is(Role::Geom) && !m.part->is(Role::Body)) return {};
         const Part* config = topOf(m.from, m.chosen->place);
         const bool sameConfig = config && config->is(Role::Config) && config == topOf(m.to, m_into);
         const auto [after, before] =
             sameConfig ? posesOf(m, nullptr, nullptr) : posesOf(m, m.chosen->place.instance, m_into.instance);
         const std::string within = withinOf(m.chosen->place);
-        for (const auto& part : m_loaded.outline->parts) { // who has it elsewhere, by a Param or a value of its own
+        for (const auto& part : m_loaded.outline->parts) { // other instances may differ by a Param or an override
             if (!sameConfig || !isPlaced(*part) || configOf(m_loaded, *part) != config) continue;
             const auto [own, was] = posesOf(m, part.get(), part.get());
             const bool said = part->assignments.find(within + ".Pos") || part->assignments.find(within + ".HPR");
             if (said ? isSame(own, was) && isSame(after, before) : isSame(own, after)) continue;
-            return Error{Code::WrongPlace, m.part->title() + " cannot keep its place in " + part->title() +
+            return Error{Code::WrongPlace, m.part->title() + " cannot keep its pose in " + part->title() +
                                                ", which sets a Pos, HPR or Param of its own there; reset that first"};
         }
         if ((after.position - before.position).norm() > 1e-12) text.set("Pos", positionText(after.position));
@@ -342,21 +345,21 @@ private:
         return {};
     }
 
-    Status put(const Moved& m) {
+    Status put(const MovedItem& m) {
         const Part& part = *m.part;
         if (!m.goes()) return {};
         Result<std::string> written = applyEdits(m_texts.slice(part.range), m_inside[&part]);
         const std::size_t indent = indentOfLine(m_loaded.trees[part.file]->source().bytes(), part.range.range.begin).size();
         const SourceRange whole = withComment(m_loaded, part.range);
         const std::string comment(m_texts.slice({whole.file, {part.range.range.end, whole.range.end}}));
-        PlacedText text(dedented(written.ok() ? written.value() + comment : std::string(m_texts.slice(whole)), indent));
+        MovedBlock text(dedented(written.ok() ? written.value() + comment : std::string(m_texts.slice(whole)), indent));
         if (m.name != part.name || !part.block->name) text.rename(m.name);
         if (m.from != m.to)
             if (Status kept = keepPose(m, text); !kept.ok()) return kept;
         m_sheet.removeItem(whole);
         std::vector<const Part*> all;
-        for (const Moved& other : m_moved) all.push_back(other.part);
-        if (!part.block->name && m.from) keepNames(m.from->parts, part.block->type.text, m_mentions, all, m_sheet);
+        for (const MovedItem& other : m_moved) all.push_back(other.part);
+        if (!part.block->name && m.from) keepNames(m.from->parts, part.block->type.text, m_references, all, m_sheet);
         if (!m.next && !m.after) {
             m_sheet.addItem(m.file, m.to ? m.to->block : nullptr, text.text());
             return {};
@@ -368,7 +371,7 @@ private:
         const bool lines = text.text().find('\n') != std::string::npos || text.text().find("//") != std::string::npos;
         std::string out;
         for (const char c : text.text()) out += c == '\n' ? lineEnd : std::string(1, c);
-        if (m.after) { // the comment behind it stays with it
+        if (m.after) { // a trailing comment stays with it
             const std::optional<std::uint32_t> end = endOfLineBehind(tree, beside.end);
             const std::uint32_t at = end.value_or(beside.end);
             m_sheet.add({{m.file, {at, at}}, end ? lineEnd + out : lines ? lineEnd + out + lineEnd : " " + out});
@@ -384,21 +387,21 @@ private:
         return {};
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const TextSet& m_texts;
-    const std::vector<Mention> m_mentions;
-    EditSheet m_sheet;
-    std::vector<Moved> m_moved;
-    ObjectPlace m_into;
-    const FileId m_file; ///< kNoFile: none was asked for
+    const std::vector<NameReference> m_references;
+    EditBuilder m_sheet;
+    std::vector<MovedItem> m_moved;
+    ObjectLocation m_into;
+    const FileId m_file; ///< kNoFile: no file was requested
     const Part* m_before = nullptr;
-    std::map<std::pair<const Part*, const NameSpace*>, TakenNames> m_names;
-    std::map<const Part*, std::vector<TextEdit>> m_inside; ///< edits of the moved texts, from their beginnings
+    std::map<std::pair<const Part*, const NameSpace*>, UsedNames> m_names;
+    std::map<const Part*, std::vector<TextEdit>> m_inside; ///< edits of the moved texts, relative to their beginnings
 };
 
 } // namespace
 
-Result<EditPlan> planMove(const Loaded& loaded, const std::vector<std::string>& paths, const std::string& parent,
+Result<EditPlan> planMove(const LoadedProject& loaded, const std::vector<std::string>& paths, const std::string& parent,
                           const std::string& before, FileId file) {
     const Result<std::vector<Chosen>> all = chosen(loaded, paths);
     if (!all.ok()) return all.error();

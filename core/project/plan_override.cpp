@@ -1,9 +1,9 @@
-// Values that an instance sets in its config: away, up into it, or down from it.
+// Overrides of instances: reset, move into the config, copy from the config.
 
 #include "lang/edit_style.h"
 #include "lang/tree_edit.h"
 #include "model/provenance.h"
-#include "project/edit_sheet.h"
+#include "project/edit_builder.h"
 #include "project/name_scope.h"
 #include "project/part_values.h"
 #include "project/plan_targets.h"
@@ -14,20 +14,20 @@ namespace {
 
 /// A property, or a Param that an instance may set.
 struct OverrideTarget {
-    ObjectPlace place;                  ///< of the object that has it
+    ObjectLocation place;               ///< of the object that has the property
     std::string key;                    ///< "Resistance"
     const Property* property = nullptr; ///< nullptr: it is a Param
-    const PlacedParam* param = nullptr; ///< of the instance's config
-    std::string within;                 ///< "leftMotor.Resistance" as the instance would write it; empty: not through one
+    const SourceParam* param = nullptr; ///< declared by the instance's config
+    std::string within;                 ///< path in the instance, "leftMotor.Resistance"; empty: not reached through an instance
 
-    /// What the instance itself writes.
-    [[nodiscard]] const PlacedAssignment* override() const {
+    /// The instance's own assignment; nullptr if it does not override the value.
+    [[nodiscard]] const SourceAssignment* override() const {
         return within.empty() || !place.instance ? nullptr : place.instance->assignments.find(within);
     }
-    [[nodiscard]] const PlacedAssignment* own() const { return place.part ? place.part->assignments.find(key) : nullptr; }
+    [[nodiscard]] const SourceAssignment* own() const { return place.part ? place.part->assignments.find(key) : nullptr; }
 };
 
-std::optional<OverrideTarget> targetOf(const Loaded& loaded, const std::string& path) {
+std::optional<OverrideTarget> targetOf(const LoadedProject& loaded, const std::string& path) {
     const std::size_t dot = path.rfind('.');
     OverrideTarget t;
     t.key = path.substr(dot == std::string::npos ? 0 : dot + 1);
@@ -36,7 +36,7 @@ std::optional<OverrideTarget> targetOf(const Loaded& loaded, const std::string& 
         t.property = settings ? settings->find(t.key) : nullptr;
         return t.property ? std::optional(t) : std::nullopt;
     }
-    const std::optional<ObjectPlace> place = placeOf(loaded, path.substr(0, dot));
+    const std::optional<ObjectLocation> place = placeOf(loaded, path.substr(0, dot));
     if (!place || !place->part) return std::nullopt;
     t.place = *place;
     t.property = place->part->kind ? place->part->kind->find(t.key) : nullptr;
@@ -54,8 +54,8 @@ std::optional<OverrideTarget> targetOf(const Loaded& loaded, const std::string& 
     return t.property || t.param ? std::optional(t) : std::nullopt;
 }
 
-/// Whether every Param that a value names means the same at the top level, so that it can stand anywhere.
-bool standsAnywhere(const Loaded& loaded, const Part& instance, const Part& config, const Value& value) {
+/// Whether every Param that a value uses means the same at the top level, so that the value can be moved anywhere.
+bool isInScope(const LoadedProject& loaded, const Part& instance, const Part& config, const Value& value) {
     const NameScope globals(loaded.outline->texts(), loaded.trees[0]->items(), 0, nullptr);
     const auto same = [&](const std::string& name) {
         const bool here = instance.param(name) || config.param(name);
@@ -71,30 +71,32 @@ bool standsAnywhere(const Loaded& loaded, const Part& instance, const Part& conf
     });
 }
 
-/// The value as text for another block: as written where it means the same there, else worked out.
-Result<std::string> textElsewhere(const Loaded& loaded, const OverrideTarget& t, const PlacedAssignment& a) {
+/// The value as text for another block: as written if it means the same there, else evaluated.
+Result<std::string> textElsewhere(const LoadedProject& loaded, const OverrideTarget& t, const SourceAssignment& a) {
     const Part* config = configOf(loaded, *t.place.instance);
-    if (config && standsAnywhere(loaded, *t.place.instance, *config, *a.value))
+    if (config && isInScope(loaded, *t.place.instance, *config, *a.value))
         return std::string(loaded.outline->texts().slice(a.valueRange()));
     const std::optional<PropertyValue> value = t.property ? valueAt(loaded, t.place, t.key) : std::nullopt;
     if (!value) return Error{Code::UnknownParam, t.key + " uses Params that are not known there"};
     return valueText(*t.property, *value);
 }
 
-/// With the line ends of the file that takes it.
-std::string inFile(const Loaded& loaded, FileId file, const std::string& text) {
+/// The text with the line ends of the target file.
+std::string inFile(const LoadedProject& loaded, FileId file, const std::string& text) {
     const std::string lineEnd = editStyle(*loaded.trees[file]).lineEnd;
     std::string out;
     for (const char c : dedented(text, 0)) out += c == '\n' ? lineEnd : std::string(1, c);
     return out;
 }
 
-SourceRange itemRange(const PlacedAssignment& a) { return {a.file, {a.path.front().range.begin, a.value->range.end}}; }
+SourceRange itemRange(const SourceAssignment& a) { return {a.file, {a.path.front().range.begin, a.value->range.end}}; }
 
-bool fromCommandLine(const Loaded& loaded, const PlacedAssignment& a) { return loaded.outline->texts().commandLine(a.file); }
+bool fromCommandLine(const LoadedProject& loaded, const SourceAssignment& a) {
+    return loaded.outline->texts().commandLine(a.file);
+}
 
-/// A property of which something must be given.
-bool mustStay(const OverrideTarget& t) {
+/// Whether the property is required, by itself or as the last of its alternatives.
+bool isRequired(const OverrideTarget& t) {
     if (!t.property || t.override()) return false;
     const Kind* kind = t.place.part ? t.place.part->kind : nullptr;
     if (t.property->required || !kind) return t.property->required;
@@ -107,14 +109,14 @@ bool mustStay(const OverrideTarget& t) {
 
 } // namespace
 
-Result<EditPlan> planReset(const Loaded& loaded, const std::vector<std::string>& propertyPaths) {
-    EditSheet sheet(loaded);
+Result<EditPlan> planReset(const LoadedProject& loaded, const std::vector<std::string>& propertyPaths) {
+    EditBuilder sheet(loaded);
     bool any = false;
     Error reason{Code::NoSuchPath, "nothing is set here"};
     for (const std::string& path : propertyPaths) {
         const std::optional<OverrideTarget> t = targetOf(loaded, path);
         if (!t) return Error{Code::NoSuchPath, "there is no property " + path};
-        const PlacedAssignment* a = !t->within.empty() ? t->override()
+        const SourceAssignment* a = !t->within.empty() ? t->override()
                                     : t->place.part    ? t->own()
                                                        : loaded.outline->settings.find(t->key);
         if (!a || fromCommandLine(loaded, *a)) {
@@ -122,7 +124,7 @@ Result<EditPlan> planReset(const Loaded& loaded, const std::vector<std::string>&
                                                           : t->key + " has no value of its own in " + t->place.instance->title()};
             continue;
         }
-        if (mustStay(*t)) {
+        if (isRequired(*t)) {
             reason = {Code::MissingRequired, t->key + " of " + (t->place.part ? t->place.part->title() : "the experiment") +
                                                  " must be given, it has no default"};
             continue;
@@ -134,27 +136,27 @@ Result<EditPlan> planReset(const Loaded& loaded, const std::vector<std::string>&
     return sheet.plan({});
 }
 
-Result<EditPlan> planPushOverride(const Loaded& loaded, const std::string& propertyPath) {
+Result<EditPlan> planPushOverride(const LoadedProject& loaded, const std::string& propertyPath) {
     const std::optional<OverrideTarget> t = targetOf(loaded, propertyPath);
     if (!t) return Error{Code::NoSuchPath, "there is no property " + propertyPath};
-    const PlacedAssignment* a = t->override();
+    const SourceAssignment* a = t->override();
     if (!a || fromCommandLine(loaded, *a))
         return Error{Code::NoSuchPath, propertyPath + " is no override: there is nothing to be moved into a config"};
     const Result<std::string> text = textElsewhere(loaded, *t, *a);
     if (!text.ok()) return text.error();
-    EditSheet sheet(loaded);
+    EditBuilder sheet(loaded);
     const auto set = [&](FileId file, const Value& value) {
         sheet.add(editSetValue(*loaded.trees[file], value, inFile(loaded, file, text.value())));
     };
     if (t->param) set(t->param->valueFile, *t->param->value);
-    else if (const PlacedAssignment* own = t->own()) set(own->file, *own->value);
+    else if (const SourceAssignment* own = t->own()) set(own->file, *own->value);
     else
         sheet.addAssignment(t->place.part->file, t->place.part->block, t->key, inFile(loaded, t->place.part->file, text.value()));
     sheet.removeItem(itemRange(*a));
     return sheet.plan({});
 }
 
-Result<EditPlan> planPullOverride(const Loaded& loaded, const std::string& propertyPath) {
+Result<EditPlan> planPullOverride(const LoadedProject& loaded, const std::string& propertyPath) {
     const std::optional<OverrideTarget> t = targetOf(loaded, propertyPath);
     if (!t) return Error{Code::NoSuchPath, "there is no property " + propertyPath};
     if (t->within.empty()) return Error{Code::NoSuchPath, propertyPath + " comes from no config"};
@@ -168,7 +170,7 @@ Result<EditPlan> planPullOverride(const Loaded& loaded, const std::string& prope
         });
         if (!plain) return Error{Code::UnknownParam, t->key + " is worked out from other Params; set it by hand"};
         text = loaded.outline->texts().slice({t->param->valueFile, value.range});
-    } else if (const PlacedAssignment* own = t->own()) {
+    } else if (const SourceAssignment* own = t->own()) {
         const Result<std::string> there = textElsewhere(loaded, *t, *own);
         if (!there.ok()) return there.error();
         text = there.value();
@@ -177,7 +179,7 @@ Result<EditPlan> planPullOverride(const Loaded& loaded, const std::string& prope
     } else {
         return Error{Code::MissingValue, t->key + " has no value that could be copied"};
     }
-    EditSheet sheet(loaded);
+    EditBuilder sheet(loaded);
     sheet.addAssignment(instance.file, instance.block, t->within, inFile(loaded, instance.file, text));
     return sheet.plan({});
 }

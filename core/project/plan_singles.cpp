@@ -1,17 +1,17 @@
 #include "lang/edit_style.h"
-#include "project/edit_sheet.h"
+#include "project/edit_builder.h"
 #include "project/members.h"
 #include "project/object_names.h"
 #include "project/plan_targets.h"
 
 namespace trundle {
 
-Result<EditPlan> planReplaceBySingles(const Loaded& loaded, const std::string& path) {
-    const std::optional<ObjectPlace> place = placeOf(loaded, path);
+Result<EditPlan> planReplaceBySingles(const LoadedProject& loaded, const std::string& path) {
+    const std::optional<ObjectLocation> place = placeOf(loaded, path);
     const Part* layout = place ? place->instance : nullptr;
     if (!layout || !layout->is(Role::Layout)) return Error{Code::NoSuchPath, path + " is no Grid or Scatter"};
     Diagnostics said;
-    sayReplaceBySingles({layout, layout->name, layout->nameRange()}, *loaded.outline, *loaded.experiment, said);
+    reportReplaceBySingles({layout, layout->name, layout->nameRange()}, *loaded.outline, *loaded.experiment, said);
     if (said.all().empty() || said.all()[0].fixes.empty())
         return Error{Code::ReplaceBySingles, layout->title() + " has no members that could be written out"};
     const TextEdit& edit = said.all()[0].fixes[0].edits.at(0);
@@ -19,7 +19,7 @@ Result<EditPlan> planReplaceBySingles(const Loaded& loaded, const std::string& p
     const std::string lineEnd = editStyle(tree).lineEnd + indentOfLine(tree.source().bytes(), layout->range.range.begin);
     std::string text;
     for (const char c : dedented(edit.text)) text += c == '\n' ? lineEnd : std::string(1, c);
-    EditSheet sheet(loaded);
+    EditBuilder sheet(loaded);
     sheet.add({edit.range, text});
     std::vector<std::string> selects;
     for (const RobotSpec& robot : loaded.experiment->robots)
@@ -27,10 +27,10 @@ Result<EditPlan> planReplaceBySingles(const Loaded& loaded, const std::string& p
     return sheet.plan(std::move(selects));
 }
 
-std::string textOf(const Loaded& loaded, const std::vector<std::string>& paths) {
+std::string textOf(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     std::vector<std::string> there;
     for (const std::string& path : paths)
-        if (changeable(loaded, path).ok()) there.push_back(path);
+        if (requireChangeable(loaded, path).ok()) there.push_back(path);
     const Result<std::vector<Chosen>> all = chosen(loaded, there);
     if (!all.ok()) return {};
     std::string text;
@@ -38,12 +38,12 @@ std::string textOf(const Loaded& loaded, const std::vector<std::string>& paths) 
     return text;
 }
 
-std::string freeName(const Loaded& loaded, const std::string& parent, const std::string& wish) {
-    const std::optional<ObjectPlace> place = placeOf(loaded, parent);
+std::string freeName(const LoadedProject& loaded, const std::string& parent, const std::string& preferred) {
+    const std::optional<ObjectLocation> place = placeOf(loaded, parent);
     const Part* part = place ? place->part : nullptr;
     if (part && part == place->instance)
         if (const Part* config = configOf(loaded, *part)) part = config;
-    return TakenNames(loaded, part, nullptr).take(wish);
+    return UsedNames(loaded, part, nullptr).take(preferred);
 }
 
 } // namespace trundle

@@ -17,8 +17,8 @@ std::vector<std::string> placesOf(const Kind& kind) {
 
 } // namespace
 
-Result<ObjectPlace> changeable(const Loaded& loaded, const std::string& path) {
-    std::optional<ObjectPlace> place = placeOf(loaded, path);
+Result<ObjectLocation> requireChangeable(const LoadedProject& loaded, const std::string& path) {
+    std::optional<ObjectLocation> place = placeOf(loaded, path);
     if (!place) return Error{Code::NoSuchPath, "there is no " + path};
     if (!place->part) return Error{Code::WrongPlace, "the experiment itself is no block"};
     if (place->member && place->within.empty())
@@ -31,10 +31,10 @@ bool isWithin(const SourceRange& inner, const SourceRange& outer) {
     return inner.file == outer.file && outer.range.begin <= inner.range.begin && inner.range.end <= outer.range.end;
 }
 
-Result<std::vector<Chosen>> chosen(const Loaded& loaded, const std::vector<std::string>& paths) {
+Result<std::vector<Chosen>> chosen(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     std::vector<Chosen> all;
     for (const std::string& path : paths) {
-        Result<ObjectPlace> place = changeable(loaded, path);
+        Result<ObjectLocation> place = requireChangeable(loaded, path);
         if (!place.ok()) return place.error();
         all.push_back({std::move(place).value(), path});
     }
@@ -42,7 +42,7 @@ Result<std::vector<Chosen>> chosen(const Loaded& loaded, const std::vector<std::
         const SourceRange &x = a.place.part->range, &y = b.place.part->range;
         return std::tuple(x.file, x.range.begin, y.range.end) < std::tuple(y.file, y.range.begin, x.range.end);
     });
-    std::vector<Chosen> kept; // an outer block comes before what stands in it
+    std::vector<Chosen> kept; // outer blocks come before the blocks inside them
     for (Chosen& c : all) {
         const bool inside = std::any_of(kept.begin(), kept.end(), [&](const Chosen& k) {
             const auto& above = c.place.above;
@@ -55,19 +55,19 @@ Result<std::vector<Chosen>> chosen(const Loaded& loaded, const std::vector<std::
     return kept;
 }
 
-bool mayStand(const Kind& kind, const Part* parent) {
+bool isAllowedIn(const Kind& kind, const Part* parent) {
     const std::vector<std::string> places = placesOf(kind);
     return std::find(places.begin(), places.end(), parent ? parent->block->type.text : std::string()) != places.end();
 }
 
-std::string standsIn(const Kind& kind) {
+std::string allowedPlaces(const Kind& kind) {
     std::vector<std::string> places = placesOf(kind);
     for (std::string& place : places) place = place.empty() ? "the top level" : withArticle(place);
     const bool top = places.size() == 1 && places[0] == "the top level";
-    return withArticle(kind.name) + " stands " + (top ? "at " : "in ") + listText(places);
+    return withArticle(kind.name) + " is allowed " + (top ? "at " : "in ") + listText(places);
 }
 
-std::string parentPath(const ObjectPlace& place, const std::string& path) {
+std::string parentPath(const ObjectLocation& place, const std::string& path) {
     const bool top = place.above.empty() && (!place.instance || place.within.empty());
     return top ? "" : path.substr(0, path.rfind('.'));
 }

@@ -1,33 +1,33 @@
 #pragma once
-// The objects that a plan is about. Private to core/project.
+// Looks up the objects that a plan changes. Private to core/project.
 
 #include <string>
 #include <vector>
 
 #include "base/result.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 
-/// The place of a path whose block may be changed. Fails for the experiment itself, for what is not there, and for a member of a
+/// The location of an object whose block can be changed. Fails for the experiment itself, a missing object, and a member of a
 /// Grid or Scatter, which has no text.
-[[nodiscard]] Result<ObjectPlace> changeable(const Loaded& loaded, const std::string& path);
+[[nodiscard]] Result<ObjectLocation> requireChangeable(const LoadedProject& loaded, const std::string& path);
 
-/// One of several objects, with the path it was named by.
+/// One of the selected objects, with its requested path.
 struct Chosen {
-    ObjectPlace place;
+    ObjectLocation place;
     std::string path;
 };
-/// In the order of the text, each block once, none that stands in another of them.
-[[nodiscard]] Result<std::vector<Chosen>> chosen(const Loaded& loaded, const std::vector<std::string>& paths);
+/// In text order, each block once, without blocks that are inside another one.
+[[nodiscard]] Result<std::vector<Chosen>> chosen(const LoadedProject& loaded, const std::vector<std::string>& paths);
 
-/// Whether a block stands in another, or is it.
+/// Whether a range is inside another or equal to it.
 [[nodiscard]] bool isWithin(const SourceRange& inner, const SourceRange& outer);
-/// Whether a kind of block may stand in `parent` (nullptr: at the top level).
-[[nodiscard]] bool mayStand(const Kind& kind, const Part* parent);
-/// "a Box stands in a Body or a StaticConfig".
-[[nodiscard]] std::string standsIn(const Kind& kind);
-/// The path without its last name; "" for one of the top level.
-[[nodiscard]] std::string parentPath(const ObjectPlace& place, const std::string& path);
+/// Whether a kind of block is allowed in `parent` (nullptr: at the top level).
+[[nodiscard]] bool isAllowedIn(const Kind& kind, const Part* parent);
+/// For messages: "a Box is in a Body or a StaticConfig".
+[[nodiscard]] std::string allowedPlaces(const Kind& kind);
+/// The path without its last name; "" at the top level.
+[[nodiscard]] std::string parentPath(const ObjectLocation& place, const std::string& path);
 
 } // namespace trundle

@@ -1,5 +1,5 @@
-// The smallest text of a kind that means something where it is put: what must be given is given, names are chosen from what is
-// there, and what has to be there first comes with it.
+// Writes the smallest valid text of a kind at a given position: required properties have values, references use existing names,
+// and missing prerequisites are written before it.
 
 #include <filesystem>
 #include <set>
@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostDeep = 4;       ///< a motor needs a joint needs a body ...
-constexpr int kMostEntries = 5000; ///< of folders that are looked through for a file
+constexpr int kMaxDeep = 4;       ///< depth of prerequisites: a motor needs a joint, which needs a body ...
+constexpr int kMaxEntries = 5000; ///< entries of folders searched for a file
 
 bool fitsChoice(const Part& part, const std::string& choice) {
     return part.usable && part.kind && (choice == part.kind->name || choice == roleName(part.kind->role));
 }
 
-/// A number that is inside the limits, of a size that things of that unit have.
+/// A number within the limits, of a typical size for its unit.
 double likelyNumber(const Property& p) {
     double value = p.unit == "m" ? 0.1 : p.unit == "V" ? 12 : p.unit == "N m/A" || p.unit == "Nm/A" ? 0.05 : 1;
     if (p.name.find("Separation") != std::string::npos) value = 0.3;
@@ -39,8 +39,8 @@ double likelyNumber(const Property& p) {
 
 class Template {
 public:
-    Template(const Loaded& loaded, const std::string& parent) : m_loaded(loaded) {
-        const std::optional<ObjectPlace> place = placeOf(loaded, parent);
+    Template(const LoadedProject& loaded, const std::string& parent) : m_loaded(loaded) {
+        const std::optional<ObjectLocation> place = placeOf(loaded, parent);
         if (!place || !place->part) return;
         m_chain = place->above;
         m_chain.push_back(place->part);
@@ -59,13 +59,13 @@ public:
         return all;
     }
 
-    /// A Robot of one body that has one geom, standing on the ground.
+    /// A Robot of one body with one geom, resting on the ground.
     std::string writeObject(const Kind& geom) {
         const Kind *config = m_loaded.registry->find("RobotConfig"), *robot = m_loaded.registry->find("Robot");
         if (geom.role != Role::Geom || std::find(geom.parents.begin(), geom.parents.end(), "Body") == geom.parents.end()) return {};
         const std::string title = geom.name == "Sphere" ? "Ball" : geom.name;
-        const std::string configName = TakenNames(m_loaded, nullptr, config).take(title + "Object");
-        const std::string name = TakenNames(m_loaded, nullptr, robot).take(lowerFirst(title));
+        const std::string configName = UsedNames(m_loaded, nullptr, config).take(title + "Object");
+        const std::string name = UsedNames(m_loaded, nullptr, robot).take(lowerFirst(title));
         std::string size;
         for (const Property& p : geom.properties)
             if (p.required) size += " " + p.name + "=" + (p.name == "Radius" ? "0.1" : repeated(p, "0.2"));
@@ -74,12 +74,12 @@ public:
     }
 
 private:
-    /// Writes a block and before it what it needs; gives its name.
+    /// Writes a block, after the blocks that it needs; returns its name.
     std::string block(const Kind& kind, int depth) {
-        const Part* target = mayStand(kind, nullptr) ? nullptr : holder(kind);
+        const Part* target = isAllowedIn(kind, nullptr) ? nullptr : holder(kind);
         const NameSpace* space = target ? nullptr : m_loaded.outline->spaceOf(kind);
-        TakenNames& names = m_names.try_emplace({target, space}, m_loaded, target, &kind).first->second;
-        const std::string name = names.take(wish(kind));
+        UsedNames& names = m_names.try_emplace({target, space}, m_loaded, target, &kind).first->second;
+        const std::string name = names.take(preferred(kind));
         std::string text = kind.name + " " + name + " {";
         if (kind.role == Role::Joint) text += ends(depth);
         else
@@ -100,7 +100,7 @@ private:
         return name;
     }
 
-    std::string wish(const Kind& kind) const {
+    std::string preferred(const Kind& kind) const {
         if (kind.role == Role::Controller) return "brain";
         if (kind.name == "Robot") return "robot0";
         if (kind.name == "Grid" || kind.name == "Scatter") return "swarm";
@@ -108,10 +108,10 @@ private:
         return lowerFirst(kind.name);
     }
 
-    /// The block of the parent's chain that the kind goes into.
+    /// The block of the parent's chain that can contain the kind.
     const Part* holder(const Kind& kind) const {
         for (auto it = m_chain.rbegin(); it != m_chain.rend(); ++it)
-            if (mayStand(kind, *it)) return *it;
+            if (isAllowedIn(kind, *it)) return *it;
         return nullptr;
     }
 
@@ -134,7 +134,7 @@ private:
         return all;
     }
 
-    /// One of several properties: the one whose value follows from another where that is known.
+    /// Writes one of several alternative properties; its value is that of `choice.likely` if that property is required.
     std::string alternative(const Kind& kind, const Alternatives& choice, const std::string& name, int depth) {
         if (choice.names.empty()) return {};
         for (const std::string& each : choice.names)
@@ -153,7 +153,7 @@ private:
 
     // --- references ---
 
-    /// Things that `choice` allows: of this text, else those that are there.
+    /// Names of objects that `choice` allows: existing ones, then those of this text.
     std::vector<std::string> candidates(const std::string& choice) const {
         std::vector<std::string> names;
         const Kind* kind = m_loaded.registry->find(choice);
@@ -174,17 +174,17 @@ private:
         return names;
     }
 
-    /// A config without a body carries no robot.
+    /// A RobotConfig needs a body to be usable.
     static bool sound(const Part& part) {
         return part.kind->name != "RobotConfig" ||
                std::any_of(part.parts.begin(), part.parts.end(), [](const Part& p) { return p.usable && p.is(Role::Body); });
     }
 
-    /// Whether a device of the kind has it already.
+    /// Whether a device of the same kind already uses the name.
     bool usedBySame(const Kind& kind, const Property& p, const std::string& name) const {
         if (!m_config) return false;
         return std::any_of(m_config->parts.begin(), m_config->parts.end(), [&](const Part& part) {
-            const PlacedAssignment* a = part.kind == &kind ? part.assignments.find(p.name) : nullptr;
+            const SourceAssignment* a = part.kind == &kind ? part.assignments.find(p.name) : nullptr;
             return a && std::any_of(a->value->elements.begin(), a->value->elements.end(),
                                     [&](const Element& e) { return e.text == name; });
         });
@@ -206,9 +206,9 @@ private:
         return text;
     }
 
-    /// Writes something that the property can name.
+    /// Writes a block that the property can refer to; returns its name.
     std::string make(const Property& p, int depth) {
-        if (depth >= kMostDeep) return {};
+        if (depth >= kMaxDeep) return {};
         for (const std::string& choice : p.choices) {
             const Kind* kind = m_loaded.registry->find(choice);
             if (choice == "Joint") kind = m_loaded.registry->find("Hinge");
@@ -216,13 +216,14 @@ private:
                 return block(*m_loaded.registry->find("Body"), depth + 1) + ".box";
             if (kind && kind->role != Role::Settings) return block(*kind, depth + 1);
         }
-        for (const std::string& choice : p.choices) // a role
+        for (const std::string& choice : p.choices) // choices that are roles
             for (const Kind* kind : m_loaded.registry->all())
                 if (choice == roleName(kind->role) && kind->role != Role::Settings) return block(*kind, depth + 1);
         return {};
     }
 
-    /// Parent and Child: a body that no joint moves yet, and the first other one; the world where there is none.
+    /// Parent and Child of a joint: Child is a body that is not yet the child of a joint, Parent another body, or the world if
+    /// there is none.
     std::string ends(int depth) {
         std::vector<std::string> bodies = candidates("Body");
         std::string child, parent = "world";
@@ -238,14 +239,14 @@ private:
     }
     bool isChild(const std::string& body) const {
         return m_config && std::any_of(m_config->parts.begin(), m_config->parts.end(), [&](const Part& part) {
-                   const PlacedAssignment* a = part.is(Role::Joint) ? part.assignments.find("Child") : nullptr;
+                   const SourceAssignment* a = part.is(Role::Joint) ? part.assignments.find("Child") : nullptr;
                    return a && a->value->elements.size() == 1 && a->value->elements[0].text == body;
                });
     }
 
     // --- geoms ---
 
-    /// Material and Surface as its neighbours have them, else the first ones there are.
+    /// Material and Surface as used by the sibling geoms, else the first ones defined.
     std::string looks(const Kind& kind, const Part* target) const {
         (void)kind;
         std::string text;
@@ -254,7 +255,7 @@ private:
             const NameSpace& space =
                 std::string_view(key) == "Material" ? m_loaded.outline->materials : m_loaded.outline->surfaces;
             for (const Part& part : target ? target->parts : std::vector<Part>()) {
-                const PlacedAssignment* a = part.assignments.find(key);
+                const SourceAssignment* a = part.assignments.find(key);
                 if (name.empty() && a && a->value->elements.size() == 1 && space.find(a->value->elements[0].text))
                     name = a->value->elements[0].text;
             }
@@ -271,7 +272,7 @@ private:
 
     // --- files ---
 
-    /// A file of a fitting kind: one that is used already, one of the project, else one that comes with the program.
+    /// A file of a suitable type: one in the project, else one shipped with the program.
     std::string file(const Property& p, const std::string& name) const {
         std::string found;
         const auto fits = [&](const std::string& path) {
@@ -280,7 +281,7 @@ private:
         std::error_code ec;
         int looked = 0;
         fs::recursive_directory_iterator it(m_loaded.projectFolder, fs::directory_options::skip_permission_denied, ec), end;
-        for (; !ec && it != end && ++looked < kMostEntries; it.increment(ec)) {
+        for (; !ec && it != end && ++looked < kMaxEntries; it.increment(ec)) {
             if (it.depth() > 4) it.disable_recursion_pending();
             std::error_code status;
             if (!it->is_regular_file(status) || !fits(it->path().filename().string())) continue;
@@ -294,21 +295,21 @@ private:
         return "\"" + found + "\"";
     }
 
-    const Loaded& m_loaded;
-    std::vector<const Part*> m_chain; ///< from the outermost to the parent
+    const LoadedProject& m_loaded;
+    std::vector<const Part*> m_chain; ///< from the outermost block to the parent
     const Part* m_config = nullptr;
     std::vector<std::string> m_texts;
-    std::vector<std::pair<const Kind*, std::string>> m_made; ///< in this text
-    std::set<std::pair<const Kind*, std::string>> m_used;    ///< named by a reference of such a block
-    std::map<std::pair<const Part*, const NameSpace*>, TakenNames> m_names;
+    std::vector<std::pair<const Kind*, std::string>> m_made; ///< blocks of this text
+    std::set<std::pair<const Kind*, std::string>> m_used;    ///< names already used by references of blocks of that kind
+    std::map<std::pair<const Part*, const NameSpace*>, UsedNames> m_names;
 };
 
 } // namespace
 
-std::string templateOf(const Loaded& loaded, const Kind& kind, const std::string& parent) {
+std::string templateOf(const LoadedProject& loaded, const Kind& kind, const std::string& parent) {
     return Template(loaded, parent).write(kind);
 }
 
-std::string objectTemplateOf(const Loaded& loaded, const Kind& geom) { return Template(loaded, {}).writeObject(geom); }
+std::string objectTemplateOf(const LoadedProject& loaded, const Kind& geom) { return Template(loaded, {}).writeObject(geom); }
 
 } // namespace trundle

@@ -7,7 +7,7 @@
 
 #include "model/model_kinds.h"
 #include "model/resolver.h"
-#include "project/hopeless_text.h"
+#include "project/error_limit.h"
 #include "project/loader.h"
 #include "project/members.h"
 #include "project/missing_imports.h"
@@ -30,9 +30,9 @@ Result<std::string> readTable(const std::string& path) {
     return text;
 }
 
-/// One wrong Param is one mistake, however many properties take it: of the errors that point at the same given value the first stays.
+/// Removes repeated errors: a wrong Param is reported once, however many properties use it.
 std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
-    std::map<std::tuple<Code, SourceRange>, std::size_t> first; // where in kept
+    std::map<std::tuple<Code, SourceRange>, std::size_t> first; // index in kept
     std::vector<Diagnostic> kept;
     std::vector<std::size_t> others;
     for (Diagnostic& d : all) {
@@ -54,7 +54,7 @@ std::vector<Diagnostic> oncePerValue(std::vector<Diagnostic> all) {
     return kept;
 }
 
-/// In the order of the text, each message once: a config resolved for several instances repeats itself.
+/// Sorts diagnostics by text order and removes duplicates, which arise if a config is resolved for several instances.
 Diagnostics tidied(const Diagnostics& given, std::vector<Diagnostic> all) {
     std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.range.file, a.range.range.begin) < std::pair(b.range.file, b.range.range.begin);
@@ -66,19 +66,20 @@ Diagnostics tidied(const Diagnostics& given, std::vector<Diagnostic> all) {
         if (said.emplace(static_cast<int>(d.code), d.range, d.message).second) kept.push_back(std::move(d));
     }
     tidy.append(oncePerValue(std::move(kept)));
-    tidy.addUnkept(given);
+    tidy.addOmitted(given);
     tidy.summarize();
     return tidy;
 }
 
-constexpr std::size_t kFirstTokens = 250'000; // about 1 MiB of text
+constexpr std::size_t kFirstTokens = 250'000; // first limit, about 1 MiB of text
 
 FileStamp stampOf(const std::string& path) {
     const Result<FileStamp> stamp = regularFileStamp(path);
     return stamp ? stamp.value() : FileStamp{};
 }
 
-AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch& search, MeshSource& meshes, Loaded& loaded) {
+AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch& search, MeshSource& meshes,
+                       LoadedProject& loaded) {
     AssetLookup lookup;
     const auto folder = [&folders](FileId file) { return file < folders.size() ? folders[file] : std::string("."); };
     const auto find = [=, &search, &loaded](const std::string& written, FileId file, std::span<const std::string> endings = {}) {
@@ -131,35 +132,35 @@ AssetLookup assetsFrom(const std::vector<std::string>& folders, const FileSearch
 Project::Project(std::shared_ptr<const Registry> builtIn, ModuleCatalog& catalog, MeshSource& meshes, ProjectOptions options)
     : m_builtIn(std::move(builtIn)), m_catalog(catalog), m_meshes(meshes), m_options(std::move(options)) {}
 
-/// A load of as much text as it was allowed to read.
+/// A load that reads a limited amount of text.
 struct Project::Attempt {
-    std::shared_ptr<Loaded> loaded;
-    Diagnostics diagnostics;      ///< as they came
-    std::vector<Diagnostic> said; ///< the same with fixes that modules and imports offer
+    std::shared_ptr<LoadedProject> loaded;
+    Diagnostics diagnostics;      ///< in the order of their creation
+    std::vector<Diagnostic> said; ///< with fixes added for modules and imports
     FileId limitedFile = kNoFile;
 };
 
-Result<std::shared_ptr<const Loaded>> Project::open(const std::string& path) {
-    std::shared_ptr<const Loaded> previous = m_options.previous;
+Result<std::shared_ptr<const LoadedProject>> Project::open(const std::string& path) {
+    std::shared_ptr<const LoadedProject> previous = m_options.previous;
     for (std::size_t most = kFirstTokens;; most *= 4) {
         Result<Attempt> tried = attempt(path, most, previous);
         if (!tried.ok()) return tried.error();
         Attempt& a = tried.value();
         const FileId limited = a.limitedFile;
-        if (limited != kNoFile && !isHopeless(*a.loaded->trees[limited], a.diagnostics)) {
-            previous = std::move(a.loaded); // its other trees are right
+        if (limited != kNoFile && !hasTooManyErrors(*a.loaded->trees[limited], a.diagnostics)) {
+            previous = std::move(a.loaded); // its other trees can be reused
             continue;
         }
         a.loaded->diagnostics = tidied(a.diagnostics, std::move(a.said));
         if (limited != kNoFile) a.loaded->diagnostics.addLast(restUnread(*a.loaded->trees[limited]));
-        return std::shared_ptr<const Loaded>(std::move(a.loaded));
+        return std::shared_ptr<const LoadedProject>(std::move(a.loaded));
     }
 }
 
 Result<Project::Attempt> Project::attempt(const std::string& path, std::size_t mostTokens,
-                                          std::shared_ptr<const Loaded> previous) {
+                                          std::shared_ptr<const LoadedProject> previous) {
     Attempt attempt;
-    auto loaded = std::make_shared<Loaded>();
+    auto loaded = std::make_shared<LoadedProject>();
     loaded->projectFolder = projectFolderOf(path);
     std::vector<std::string> folders{loaded->projectFolder};
     folders.insert(folders.end(), m_options.includeFolders.begin(), m_options.includeFolders.end());
@@ -198,7 +199,7 @@ Result<Project::Attempt> Project::attempt(const std::string& path, std::size_t m
     std::shared_ptr<ExperimentSpec> experiment = resolve(*outline, assets, diagnostics);
     experiment->modules = std::move(modules.modules);
     loaded->pending = m_meshes.pending();
-    for (const MemberPath& member : sets.members) sayReplaceBySingles(member, *outline, *experiment, diagnostics);
+    for (const MemberPath& member : sets.members) reportReplaceBySingles(member, *outline, *experiment, diagnostics);
     loaded->sets = std::move(sets.targets);
     loaded->outline = std::move(outline);
     loaded->experiment = std::move(experiment);

@@ -1,5 +1,5 @@
 #pragma once
-// An opened experiment: its files as trees, what they resolve to, and what is wrong with them. The edit loop with no GUI.
+// A loaded experiment: the syntax trees of its files, the resolved specs and the diagnostics. Independent of the GUI.
 
 #include <map>
 #include <memory>
@@ -21,58 +21,58 @@ namespace trundle {
 
 class MeshShapes;
 
-struct Loaded;
+struct LoadedProject;
 
 struct ProjectOptions {
-    std::vector<std::string> includeFolders; ///< -I
-    std::string shippedConfigs;              ///< the program's own configs/
-    std::string resources;                   ///< textures and meshes
+    std::vector<std::string> includeFolders; ///< import search folders (-I)
+    std::string shippedConfigs;              ///< folder of the configs shipped with the program
+    std::string resources;                   ///< folder of textures and meshes
     std::vector<std::string> sets;           ///< "robot0.leftMotor.Resistance=3", applied to an in-memory copy in order
-    TextOverlay texts;                       ///< read instead of the files
-    /// A former load of the same file: its trees whose path, FileId and bytes are the same are taken over, not parsed again.
-    std::shared_ptr<const Loaded> previous;
-    bool shownFromProject = false; ///< messages name files from the project's folder on, not from where the program stands
+    TextOverlay texts;                       ///< used instead of the files on disk
+    /// An earlier load of the same file: trees with unchanged path, FileId and bytes are reused instead of parsed again.
+    std::shared_ptr<const LoadedProject> previous;
+    bool shownFromProject = false; ///< file names in messages are relative to the project's folder instead of the current folder
 };
 
-/// A mesh, a picture or a table that a text names.
+/// A mesh, image or table that a source file names.
 struct NamedFile {
-    std::string path; ///< absolute; "" where it was not found
-    FileStamp stamp;  ///< before it was read; of nothing where it was not found
+    std::string path; ///< absolute; "" if not found
+    FileStamp stamp;  ///< taken before it was read; empty if not found
 };
 
-/// What one load gave. Immutable; a new edit gives a new one.
-struct Loaded {
+/// Result of one load. Immutable; every edit gives a new one.
+struct LoadedProject {
     SourceTable sources;
     std::vector<std::shared_ptr<const Tree>> trees;   ///< by FileId; [0] is the opened file
     std::vector<std::string> paths;                   ///< absolute, by FileId; "" for a `--set` text
-    std::shared_ptr<const ExperimentSpec> experiment; ///< never null; what could be resolved
+    std::shared_ptr<const ExperimentSpec> experiment; ///< never null; contains everything that could be resolved
     std::shared_ptr<const Registry> registry;         ///< built-in kinds and those of the loaded modules
-    Diagnostics diagnostics;                          ///< in the order of the text, each once
+    Diagnostics diagnostics;                          ///< in text order, without duplicates
     std::string projectFolder;
-    std::vector<std::string> importFolders; ///< in which imports are looked for after the importing file's own folder
-    std::string shippedConfigs;             ///< canonical; "" where the program's own texts are not known
-    std::shared_ptr<const Outline> outline; ///< what stands where: for provenance (model/provenance.h), navigation and edits
-    std::vector<SetTarget> sets;            ///< where the options' sets lead; see project/set_path.h
-    /// By the text that names them, and the words there.
+    std::vector<std::string> importFolders; ///< import search folders, used after the importing file's own folder
+    std::string shippedConfigs;             ///< canonical; "" if unknown
+    std::shared_ptr<const Outline> outline; ///< blocks by name, for provenance (model/provenance.h), navigation and edits
+    std::vector<SetTarget> sets;            ///< targets of the options' sets; see project/set_path.h
+    /// By the file that names it and the path as written.
     std::map<std::pair<FileId, std::string>, NamedFile> named;
-    std::shared_ptr<MeshShapes> shapes; ///< what was worked out from meshes; a load takes over the previous one's
+    std::shared_ptr<MeshShapes> shapes; ///< shapes computed from meshes; taken over from the previous load
     bool pending = false;               ///< some mesh or height map is not read yet; see OpenOptions::meshesLater
-    std::size_t parses = 0;             ///< texts that were parsed for this load; the others came from the previous one
+    std::size_t parses = 0;             ///< number of files parsed for this load; the other trees were reused
 };
 
 class Project {
 public:
-    /// `builtIn` holds the kinds of model, devices and logs. catalog and meshes outlive the project.
+    /// `builtIn` holds the kinds of model, devices and logs. `catalog` and `meshes` must outlive the project.
     Project(std::shared_ptr<const Registry> builtIn, ModuleCatalog& catalog, MeshSource& meshes, ProjectOptions options);
 
-    /// Reads the file and all it imports. Fails only when the file itself cannot be read. Touches nothing but its own parts: loads
-    /// may go on in several threads. Of a large text that begins with mistakes alone the rest is not read.
-    [[nodiscard]] Result<std::shared_ptr<const Loaded>> open(const std::string& path);
+    /// Loads the file and everything it imports. Fails only if the file itself cannot be read. Thread-safe for concurrent loads.
+    /// Stops reading a large file if its beginning has too many errors.
+    [[nodiscard]] Result<std::shared_ptr<const LoadedProject>> open(const std::string& path);
 
 private:
     struct Attempt;
     [[nodiscard]] Result<Attempt> attempt(const std::string& path, std::size_t mostTokens,
-                                          std::shared_ptr<const Loaded> previous);
+                                          std::shared_ptr<const LoadedProject> previous);
 
     std::shared_ptr<const Registry> m_builtIn;
     ModuleCatalog& m_catalog;

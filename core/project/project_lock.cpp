@@ -13,7 +13,7 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kMostShown = 64; ///< bytes of a host's name, which a file says
+constexpr std::size_t kMaxShown = 64; ///< characters of a host name that are shown; it comes from a file
 
 std::string written(const LockHolder& holder) {
     std::ostringstream out;
@@ -39,22 +39,22 @@ LockHolder read(const std::string& path) {
     return holder;
 }
 
-/// Held by a process that is still there, as far as can be told from what the file says: for file systems without locks.
-bool heldByWords(const LockHolder& holder) {
+/// Whether the holder's process on this host still runs, as far as the file's content shows; for file systems without locks.
+bool isHolderAlive(const LockHolder& holder) {
     const ProcessIdentity self = thisProcess();
     return holder.process.pid > 0 && holder.process.host == self.host && holder.process.pid != self.pid &&
-           mayBeAlive(holder.process);
+           isPossiblyAlive(holder.process);
 }
 
 } // namespace
 
-std::string LockHolder::said() const {
+std::string LockHolder::description() const {
     if (process.pid <= 0) return "another window";
     const std::time_t when = since;
     std::tm local{};
     char clock[32] = "";
     if (since > 0 && ::localtime_r(&when, &local)) std::strftime(clock, sizeof clock, ", since %H:%M", &local);
-    return "another window (process " + std::to_string(process.pid) + " on " + cleanLine(process.host).substr(0, kMostShown) +
+    return "another window (process " + std::to_string(process.pid) + " on " + cleanLine(process.host).substr(0, kMaxShown) +
            clock + ")";
 }
 
@@ -65,7 +65,7 @@ ProjectLock::ProjectLock(const std::string& projectFolder, const std::string& op
     const LockHolder before = read(path);
     Result<std::optional<LockedFile>> file = LockedFile::take(path);
     if (!file) return;
-    m_taken = file.value().has_value() && !heldByWords(before);
+    m_taken = file.value().has_value() && !isHolderAlive(before);
     if (!m_taken) {
         m_holder = before;
         return;
@@ -73,7 +73,7 @@ ProjectLock::ProjectLock(const std::string& projectFolder, const std::string& op
     m_file = std::move(file).value();
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     m_holder = {thisProcess(), opened, std::chrono::duration_cast<std::chrono::seconds>(now).count()};
-    (void)m_file->rewrite(written(m_holder)); // only words for others
+    (void)m_file->rewrite(written(m_holder)); // the content is only informative
 }
 
 ProjectLock::~ProjectLock() {

@@ -1,6 +1,6 @@
 #pragma once
-// One window at a time edits a project. The lock is a file that the system lets go of when its process ends, so a crash leaves none
-// behind; what stands in it tells the others who holds it.
+// Allows one window at a time to edit a project. The lock is a locked file, which the system releases when the process ends, even
+// after a crash; its content names the holder.
 
 #include <cstdint>
 #include <memory>
@@ -13,17 +13,17 @@ namespace trundle {
 
 struct LockHolder {
     ProcessIdentity process;
-    std::string opened;     ///< the file it has open
+    std::string opened;     ///< path of its opened file
     std::int64_t since = 0; ///< s since 1970
 
-    /// "another window (process 4711 on rover, since 14:05)".
-    [[nodiscard]] std::string said() const;
+    /// For messages: "another window (process 4711 on rover, since 14:05)".
+    [[nodiscard]] std::string description() const;
 };
 
 class ProjectLock {
 public:
-    /// Tries to take a project; holder() says who has it where that failed. Where the lock's file cannot be written there is nothing
-    /// to take, and it counts as taken: who cannot write there cannot harm the project either.
+    /// Tries to lock a project; if that fails, holder() describes the holder. If the lock file cannot be written, the lock counts
+    /// as acquired: without write access this process cannot damage the project either.
     ProjectLock(const std::string& projectFolder, const std::string& opened);
     ~ProjectLock();
     ProjectLock(const ProjectLock&) = delete;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostEntries = 2000; ///< of a folder that are looked at for suggestions
+constexpr int kMaxEntries = 2000; ///< entries of a folder examined for suggestions
 
 bool liesUnder(const fs::path& file, const fs::path& folder) {
     const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
@@ -43,10 +43,10 @@ std::string canonicalPath(const std::string& path) {
     return ec ? path : canonical.string();
 }
 
-bool liesInside(const std::string& file, const std::vector<std::string>& folders) {
+bool isInside(const std::string& file, const std::vector<std::string>& folders) {
     if (!fs::path(file).is_absolute() || file.find('\0') != std::string::npos) return false;
     const fs::path real = canonicalPath(file);
-    fs::path part; // what is still a link leads to nothing, and a file that is written would be made there
+    fs::path part; // a remaining link is dangling: writing would create a file at its target
     for (const fs::path& name : real) {
         std::error_code none;
         part /= name;
@@ -68,7 +68,7 @@ std::string shownInProject(const std::string& absolute, const std::string& folde
     if (folder.empty()) return absolute;
     if (const std::string shown = shownPath(absolute, folder); shown != absolute) return shown;
     const std::string own = projectFolderOf(absolute);
-    const bool bare = fs::path(own) == fs::path(absolute).parent_path(); // its name alone would tell too little
+    const bool bare = fs::path(own) == fs::path(absolute).parent_path(); // the file name alone would be ambiguous
     return bare ? absolute : shownPath(absolute, own);
 }
 
@@ -98,7 +98,7 @@ Result<std::string> FileSearch::find(std::string written, const std::string& fol
     for (const std::string& root : folders) {
         for (const std::string& name : names) {
             std::error_code ec;
-            const fs::path path = fs::path(root) / name; // an absolute name stays what it is
+            const fs::path path = fs::path(root) / name; // operator/ keeps an absolute `name`
             const fs::file_status status = fs::status(path, ec);
             loop = loop || isLoop(ec);
             std::string real;
@@ -132,7 +132,7 @@ std::vector<std::string> FileSearch::nearest(std::string written, const std::str
         std::error_code ec;
         const fs::path place = (fs::path(root) / wanted).parent_path();
         int looked = 0;
-        for (fs::directory_iterator it(place, ec), end; !ec && it != end && ++looked < kMostEntries; it.increment(ec)) {
+        for (fs::directory_iterator it(place, ec), end; !ec && it != end && ++looked < kMaxEntries; it.increment(ec)) {
             std::error_code status;
             if (it->is_regular_file(status)) names.push_back(it->path().filename().string());
         }

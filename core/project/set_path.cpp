@@ -10,7 +10,7 @@ namespace trundle {
 
 namespace {
 
-/// Two additions to one block begin at the same place: one edit, the texts in their order.
+/// Adds an edit; insertions at the same position are combined in order.
 void addEdit(std::vector<TextEdit>& edits, TextEdit edit) {
     for (TextEdit& other : edits) {
         if (other.range == edit.range && other.range.range.size() == 0) {
@@ -21,12 +21,13 @@ void addEdit(std::vector<TextEdit>& edits, TextEdit edit) {
     edits.push_back(std::move(edit));
 }
 
-/// `valueOf` gives the text of a new value.
+/// `valueOf` returns the text of a new value.
 template <class ValueOf>
-std::map<FileId, std::vector<TextEdit>> editsFor(const Loaded& loaded, const std::vector<SetTarget>& sets, ValueOf valueOf) {
+std::map<FileId, std::vector<TextEdit>> editsFor(const LoadedProject& loaded, const std::vector<SetTarget>& sets,
+                                                 ValueOf valueOf) {
     const TextSet& texts = loaded.outline->texts();
     std::vector<SetTarget> targets;
-    for (const SetTarget& set : sets) { // a later one of the same path takes the place of the earlier
+    for (const SetTarget& set : sets) { // a later set of the same path replaces an earlier one
         const auto same = std::find_if(targets.begin(), targets.end(),
                                        [&](const SetTarget& t) { return t.part == set.part && t.key == set.key; });
         if (same == targets.end()) targets.push_back(set);
@@ -48,12 +49,12 @@ std::map<FileId, std::vector<TextEdit>> editsFor(const Loaded& loaded, const std
 
 } // namespace
 
-std::map<FileId, std::vector<TextEdit>> editsForSets(const Loaded& loaded) {
+std::map<FileId, std::vector<TextEdit>> editsForSets(const LoadedProject& loaded) {
     return editsFor(loaded, loaded.sets, [&](const SourceRange& value) { return loaded.outline->texts().slice(value); });
 }
 
-Result<std::map<FileId, std::vector<TextEdit>>> editsForSets(const Loaded& loaded, const std::vector<std::string>& sets) {
-    const auto first = static_cast<FileId>(loaded.trees.size()); // behind the files that there are
+Result<std::map<FileId, std::vector<TextEdit>>> editsForSets(const LoadedProject& loaded, const std::vector<std::string>& sets) {
+    const auto first = static_cast<FileId>(loaded.trees.size()); // after the FileIds in use
     std::vector<std::shared_ptr<const Tree>> trees;
     std::vector<SetText> texts;
     Diagnostics diagnostics;
@@ -65,14 +66,14 @@ Result<std::map<FileId, std::vector<TextEdit>>> editsForSets(const Loaded& loade
     }
     const AppliedSets applied = targetsOfSets(*loaded.outline, texts, diagnostics);
     for (const MemberPath& member : applied.members)
-        sayReplaceBySingles(member, *loaded.outline, *loaded.experiment, diagnostics);
+        reportReplaceBySingles(member, *loaded.outline, *loaded.experiment, diagnostics);
     for (const Diagnostic& d : diagnostics.all())
         if (d.severity == Severity::Error) return Error{d.code, d.message};
     return editsFor(loaded, applied.targets,
                     [&](const SourceRange& value) { return trees[value.file - first]->source().slice(value.range); });
 }
 
-bool setsFailed(const Loaded& loaded) {
+bool setsFailed(const LoadedProject& loaded) {
     const std::vector<Diagnostic>& all = loaded.diagnostics.all();
     return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) {
         return d.severity == Severity::Error && loaded.outline->texts().commandLine(d.range.file);

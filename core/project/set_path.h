@@ -1,5 +1,5 @@
 #pragma once
-// The settings of a load (`--set`) as edits of the files that own the values.
+// Converts overrides of a load (`--set`) into edits of the files that define the values.
 
 #include <map>
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace trundle {
 
-/// By file, the edits that write the load's sets into the text: only the characters of a value that is there already, else a new
-/// assignment in its block. To be used when the load has no errors in its `--set` texts.
-[[nodiscard]] std::map<FileId, std::vector<TextEdit>> editsForSets(const Loaded& loaded);
+/// Edits by file that write the load's sets into the text: an existing value is replaced, otherwise an assignment is added to its
+/// block. Only valid if the load has no errors in its `--set` texts.
+[[nodiscard]] std::map<FileId, std::vector<TextEdit>> editsForSets(const LoadedProject& loaded);
 
-/// The same for sets that the load does not have: nothing is loaded for them. Fails where one cannot be read or leads nowhere;
-/// whether the values fit shows in a load of the edited texts.
-[[nodiscard]] Result<std::map<FileId, std::vector<TextEdit>>> editsForSets(const Loaded& loaded,
-                                                                         const std::vector<std::string>& sets);
+/// The same for sets that are not part of the load, without loading again. Fails if one cannot be parsed or its path leads
+/// nowhere; the values are checked only when the edited texts are loaded.
+[[nodiscard]] Result<std::map<FileId, std::vector<TextEdit>>> editsForSets(const LoadedProject& loaded,
+                                                                           const std::vector<std::string>& sets);
 
-/// Whether one of the load's errors stands in a `--set` text.
-[[nodiscard]] bool setsFailed(const Loaded& loaded);
+/// Whether one of the load's errors is in a `--set` text.
+[[nodiscard]] bool setsFailed(const LoadedProject& loaded);
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// What a project asks of others: modules' kinds (answered by control) and meshes and height maps (answered by assets).
+// Interfaces that a project needs: kinds of modules (implemented by control), meshes and height maps (implemented by assets).
 
 #include <memory>
 #include <string>
@@ -12,19 +12,20 @@
 
 namespace trundle {
 
-/// What is known of a module without running its code.
+/// Facts about a module that are available without running its code.
 struct ModuleListing {
     std::string library;    ///< absolute path
-    bool described = false; ///< false: no description file beside it; its blocks stay raw text
+    bool described = false; ///< false: it has no description file; its blocks are kept as raw text
     std::vector<Kind> kinds;
 };
 
 class ModuleCatalog {
 public:
     virtual ~ModuleCatalog() = default;
-    /// `written` is the path of a #loadModule, `folder` the importing file's. Fails with the paths tried, or with "not trusted".
+    /// `written` is the path of a #loadModule, `folder` that of the importing file. Fails with the tried paths, or with "not
+    /// trusted".
     [[nodiscard]] virtual Result<ModuleListing> find(const std::string& written, const std::string& folder) = 0;
-    /// How a #loadModule names a module that comes with the program and brings this kind; "" where there is none.
+    /// The #loadModule path of a shipped module that provides this kind; "" if there is none.
     [[nodiscard]] virtual std::string moduleWith(const std::string& /*kind*/) { return {}; }
 };
 
@@ -33,11 +34,11 @@ public:
     virtual ~MeshSource() = default;
     [[nodiscard]] virtual Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) = 0;
     [[nodiscard]] virtual Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) = 0;
-    /// The pixels of a texture; null where nobody looks at them.
+    /// The pixels of a texture; null if pixels are not needed.
     [[nodiscard]] virtual Result<std::shared_ptr<const Raster>> picture(const std::string&) {
         return std::shared_ptr<const Raster>();
     }
-    /// Whether some answer was "not yet": asked again later, it may be another.
+    /// Whether a result was "not read yet", so that a later call may succeed.
     [[nodiscard]] virtual bool pending() const { return false; }
 };
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// FNV-1a, 64 bit: a short name that is the same in every run.
+/// FNV-1a, 64 bit: a short name that is stable across runs.
 std::string shortName(const std::string& path) {
     std::uint64_t hash = 14695981039346656037u;
     for (const char letter : path) hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211u;
@@ -47,7 +47,7 @@ bool canWriteIn(const std::string& folder) {
 } // namespace
 
 std::string userStateFolder() {
-    // A relative path in either variable is no place: it would wander with the working folder.
+    // Relative paths are ignored: they would depend on the current folder.
     if (const char* state = std::getenv("XDG_STATE_HOME"); state && fs::path(state).is_absolute())
         return (fs::path(state) / "trundle").string();
     if (const std::string home = homeFolder(); !home.empty()) return home + "/.local/state/trundle";

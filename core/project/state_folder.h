@@ -4,20 +4,20 @@
 
 namespace trundle {
 
-/// The folder of this user in which the program keeps what belongs to no project: $XDG_STATE_HOME/trundle, else
-/// ~/.local/state/trundle, else a new one below the folder for temporary files. It need not exist yet.
+/// This user's folder for program state that belongs to no project: $XDG_STATE_HOME/trundle, else ~/.local/state/trundle, else a
+/// new folder inside the one for temporary files. It may not exist yet.
 [[nodiscard]] std::string userStateFolder();
 
-/// The folder of this user for what belongs to one project and must not come with it: its journals. It need not exist yet.
+/// This user's folder for state of one project that must not be distributed with it: its journals. It may not exist yet.
 [[nodiscard]] std::string projectStateFolder(const std::string& projectFolder);
 
-/// Where the lock of a project may be, best first: `.trundle` in the project's folder, where all its users see it, unless that is a
-/// symbolic link; then projectStateFolder(). A folder that is no marked project gets no `.trundle`, since that would make a project of
-/// everything below it.
+/// Candidate folders for the lock of a project, best first: `.trundle` in the project's folder, where all users see it, unless
+/// that is a symbolic link; then projectStateFolder(). A folder without a project marker gets no `.trundle`, since that would
+/// turn everything below it into a project.
 [[nodiscard]] std::vector<std::string> workFolders(const std::string& projectFolder);
-/// The first of them that can be written, made where it is missing; "" where none can.
+/// The first of them that is writable, created if missing; "" if there is none.
 [[nodiscard]] std::string makeWorkFolder(const std::string& projectFolder);
-/// Removes one that is empty, unless it is what marks the project.
+/// Removes an empty work folder, unless it is the project's marker.
 void tidyWorkFolder(const std::string& folder);
 
 } // namespace trundle

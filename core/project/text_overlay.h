@@ -5,8 +5,8 @@
 
 namespace trundle {
 
-/// Bytes that stand in for the content of files, by absolute canonical path: what an editor holds and has not saved. A path that
-/// no file holds yet is as good as one that does.
+/// Unsaved file contents of an editor, by absolute canonical path, used instead of the files on disk. A path without a file on
+/// disk is valid too.
 using TextOverlay = std::map<std::string, std::shared_ptr<const std::string>>;
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// The difference of two texts as one replaced stretch: what an undo step and a journal keep instead of whole files.
+// The difference of two texts as one replaced range: undo steps and journals store this instead of whole files.
 
 #include <cstdint>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace trundle {
 
-/// At byte `at`, `removed` stood before and `inserted` stands after.
+/// At byte `at`, `removed` is replaced by `inserted`.
 struct TextSplice {
     std::uint64_t at = 0;
     std::string removed, inserted;
@@ -15,11 +15,11 @@ struct TextSplice {
     [[nodiscard]] bool empty() const { return removed.empty() && inserted.empty(); }
 };
 
-/// The shortest one that leads from one text to the other.
+/// The shortest splice from one text to the other.
 [[nodiscard]] TextSplice spliceBetween(std::string_view before, std::string_view after);
-/// The text after; exact where `before` is the text that the splice was made from.
+/// Applies a splice; exact if `before` is the text that it was made from.
 [[nodiscard]] std::string spliced(std::string_view before, const TextSplice& splice);
-/// The text before.
+/// Reverts a splice.
 [[nodiscard]] std::string unspliced(std::string_view after, const TextSplice& splice);
 
 } // namespace trundle

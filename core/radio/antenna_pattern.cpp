@@ -1,7 +1,8 @@
-// Antenna models in closed form. Needs: a direction in the antenna's frame. Gives: dBi. Method: a relative power per model, scaled so that
-// its mean over the sphere is 1 (no losses) or its peak is the given gain. A half-wave dipole along z: (cos(pi/2 cos t) / sin t)^2 (Balanis,
-// Antenna Theory, 4-84). Inverted F: two short currents at right angles in space and phase, so that their powers add. Patch: a cosine lobe
-// and a back lobe of -20 dB. Yagi: a dipole times an end-fire row of elements a quarter wave apart (Balanis, 6-10).
+// Antenna models in closed form. Needs: a direction in the antenna's frame. Gives: dBi. Method: a relative power per model,
+// scaled so that its mean over the sphere is 1 (no losses) or its peak is the given gain. A half-wave dipole along z: (cos(pi/2
+// cos t) / sin t)^2 (Balanis, Antenna Theory, 4-84). Inverted F: two short currents at right angles in space and phase, so that
+// their powers add. Patch: a cosine lobe and a back lobe of -20 dB. Yagi: a dipole times an end-fire array with quarter-wave
+// spacing (Balanis, 6-10).
 #include "radio/antenna_pattern.h"
 
 #include <algorithm>
@@ -15,13 +16,13 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kDipoleDirectivity = 1.640922376984585;
-constexpr double kSecondCurrent = 0.3; ///< share of an inverted F's power in the current along y
+constexpr double kSecondCurrent = 0.3; ///< fraction of an inverted F's power in the current along y
 constexpr double kBackLobe = 0.01;     ///< of a patch
 constexpr double kPatchBeam = 80 * kPi / 180, kYagiBeam = 60 * kPi / 180;
 
 constexpr std::array<std::string_view, 6> kWords{"isotropic", "dipole", "inverted_f", "patch", "yagi", "cosine"};
 
-/// cos^n is one half at half the beam's width.
+/// The exponent n for which cos^n falls to one half at half the beam width.
 double lobeExponent(double beamWidth) { return std::log(0.5) / std::log(std::cos(std::min(beamWidth, 0.999 * kPi) / 2)); }
 
 double dipole(double cosine) {
@@ -31,7 +32,7 @@ double dipole(double cosine) {
     return c * c / square;
 }
 
-/// Power of an end-fire row of `elements` a quarter wave apart, `cosine` off its axis.
+/// Relative power of an end-fire array of `elements` with quarter-wave spacing; `cosine` of the angle to its axis.
 double endFire(double elements, double cosine) {
     const double half = kPi / 4 * (cosine - 1);
     if (std::abs(half) < 1e-9) return 1;
@@ -39,7 +40,7 @@ double endFire(double elements, double cosine) {
     return f * f;
 }
 
-/// So many elements make a beam of this width.
+/// The number of elements that gives a beam of this width.
 double yagiElements(double beamWidth) {
     const double cosine = std::cos(std::clamp(beamWidth, 0.02, 0.999 * kPi) / 2);
     double few = 1, many = 1;
@@ -102,7 +103,7 @@ double AntennaPattern::shape(const Vec3& d) const {
 }
 
 void AntennaPattern::normalise(std::optional<double> peakGain) {
-    double directivity = 1; // every shape is 1 along +x
+    double directivity = 1; // every model has relative power 1 along +x
     switch (m_model) {
     case AntennaModel::Isotropic: break;
     case AntennaModel::Dipole: directivity = kDipoleDirectivity; break;

@@ -1,6 +1,6 @@
 #pragma once
-// How strongly an antenna sends and hears in each direction of its own frame. It looks along +x, its up is +z; azimuth 0 is +x and
-// grows to the left, elevation grows upwards.
+// Gain of an antenna by direction, for sending and receiving. Antenna frame: main direction +x, up +z; azimuth 0 is +x and
+// increases to the left, elevation increases upwards.
 
 #include <optional>
 #include <string_view>
@@ -14,7 +14,7 @@ namespace trundle {
 
 enum class AntennaModel { Isotropic, Dipole, InvertedF, Patch, Yagi, Cosine };
 
-/// "isotropic|dipole|inverted_f|patch|yagi|cosine", as the text writes them.
+/// The names of the models in the text: "isotropic|dipole|inverted_f|patch|yagi|cosine".
 [[nodiscard]] std::string_view antennaModelWords();
 [[nodiscard]] std::optional<AntennaModel> antennaModelNamed(std::string_view word);
 
@@ -25,30 +25,30 @@ struct GainPoint {
 
 class AntennaPattern {
 public:
-    static constexpr double kFloor = -30; ///< dBi: no null is deeper
+    static constexpr double kFloor = -30; ///< dBi, lowest gain of any direction
 
     AntennaPattern() = default; ///< isotropic, 0 dBi
 
-    /// A model without losses, or with the given gain at its peak (dBi). `beamWidth` (rad, between the points of half power) shapes
-    /// patch, yagi and cosine; of a cosine it follows from the gain where only that is given.
+    /// A lossless model, or one with the given peak gain (dBi). `beamWidth` (rad, between the half-power points) shapes patch,
+    /// yagi and cosine; for a cosine it follows from the gain if only that is given.
     [[nodiscard]] static AntennaPattern of(AntennaModel model, std::optional<double> peakGain = {},
                                            std::optional<double> beamWidth = {});
-    /// From a cut at elevation 0 and one at azimuth 0; either may be empty. Off the cuts both count: az + el - el(0).
+    /// From a cut at elevation 0 and one at azimuth 0; either may be empty. Between the cuts the gain is az + el - el(0).
     [[nodiscard]] static AntennaPattern fromCuts(std::vector<GainPoint> azimuth, std::vector<GainPoint> elevation);
-    /// From lines "azimuth, elevation, gain" (deg, deg, dBi) that fill a grid; one line of words at the top is passed over. Fails with
-    /// the line.
+    /// From lines "azimuth, elevation, gain" (deg, deg, dBi) that form a complete grid; one header line is skipped. The error
+    /// names the line.
     [[nodiscard]] static Result<AntennaPattern> fromCsv(std::string_view text);
 
-    /// dBi towards a direction of any length but 0.
+    /// Gain (dBi) in a direction (antenna frame, any length except 0).
     [[nodiscard]] double gain(const Vec3& direction) const;
-    [[nodiscard]] double gain(double azimuth, double elevation) const; ///< rad
+    [[nodiscard]] double gain(double azimuth, double elevation) const; ///< dBi; angles in rad
     [[nodiscard]] double peak() const { return m_peak; }               ///< dBi
-    /// What it radiates of what it gets: the mean of its gain over all directions, 1 for an antenna without losses.
+    /// Efficiency: the mean gain over all directions; 1 for a lossless antenna.
     [[nodiscard]] double radiated() const;
 
 private:
-    /// Gains on a grid, azimuth by azimuth; angles in rad, rising. Between the points the dB are interpolated along both angles; around
-    /// the azimuth it closes, beyond the last elevation it stays.
+    /// Gains (dBi) on a grid, ordered by azimuth, then elevation; angles in rad, increasing. Interpolated linearly in dB along
+    /// both angles; azimuth wraps around, elevation is clamped.
     struct Table {
         std::vector<double> azimuths, elevations, gains;
         [[nodiscard]] double at(double azimuth, double elevation) const;
@@ -58,7 +58,7 @@ private:
     void normalise(std::optional<double> peakGain);
 
     AntennaModel m_model = AntennaModel::Isotropic;
-    double m_power = 0;  ///< exponent of a lobe, elements of a yagi
+    double m_power = 0;  ///< lobe exponent, or number of elements of a yagi
     double m_offset = 0; ///< dB on 10 log10(shape)
     double m_peak = 0;
     std::optional<Table> m_table;

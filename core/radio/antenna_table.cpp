@@ -19,12 +19,12 @@ double wrapped(double angle) {
     return a < 0 ? a + kTurn : a;
 }
 
-/// Rising angles; of two equal ones the later counts.
+/// Sorted by angle; of two equal angles the later entry is kept.
 std::vector<GainPoint> sorted(std::vector<GainPoint> points, bool around) {
     if (around)
         for (GainPoint& p : points) {
             p.angle = wrapped(p.angle);
-            if (kTurn - p.angle < kSameAngle) p.angle = 0; // 360 closes what 0 began
+            if (kTurn - p.angle < kSameAngle) p.angle = 0; // 360 degrees is the same as 0
         }
     std::stable_sort(points.begin(), points.end(), [](const GainPoint& a, const GainPoint& b) { return a.angle < b.angle; });
     std::vector<GainPoint> out;
@@ -35,7 +35,7 @@ std::vector<GainPoint> sorted(std::vector<GainPoint> points, bool around) {
     return out;
 }
 
-/// Between which two of the rising angles, and how far from the first.
+/// The two neighbouring angles and the interpolation weight of the second.
 struct Span {
     std::size_t low = 0, high = 0;
     double share = 0;
@@ -52,7 +52,7 @@ Span spanOf(const std::vector<double>& angles, double at, bool around) {
     return {n - 1, 0, past / gap};
 }
 
-/// Three numbers of a line, separated by commas, semicolons or blanks.
+/// Reads three numbers from a line, separated by commas, semicolons or blanks. False if the line has anything else.
 bool threeNumbers(std::string_view line, double (&out)[3]) {
     std::size_t at = 0;
     for (double& number : out) {
@@ -130,7 +130,7 @@ Result<AntennaPattern> AntennaPattern::fromCsv(std::string_view text) {
         double azimuth = std::fmod(v[0], 360);
         if (azimuth < 0) azimuth += 360;
         const auto [it, fresh] = grid.emplace(std::pair(azimuth, v[1]), v[2]);
-        if (!fresh && it->second != v[2]) return atLine(number, "this direction stands there already with another gain");
+        if (!fresh && it->second != v[2]) return atLine(number, "this direction is listed already with another gain");
         azimuths.emplace(azimuth, 0);
         elevations.emplace(v[1], 0);
     }

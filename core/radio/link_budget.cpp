@@ -10,8 +10,8 @@ namespace trundle {
 
 namespace {
 
-constexpr double kMostSigmas = 4, kTwoRayGain = 6.03; ///< what shadowing and a second ray can add at most
-constexpr double kPerMetre = 1000; ///< places that shadowing tells apart: what lies still never lies quite still
+constexpr double kMaxSigmas = 4, kTwoRayGain = 6.03; ///< limits of the gain by shadowing and by a second ray
+constexpr double kPerMetre = 1000; ///< 1/m; positions for shadowing are rounded to 1 mm, as bodies at rest still jitter
 
 Vec3 shadowPlace(const Vec3& p) { return ((p * kPerMetre).array().round() / kPerMetre).matrix(); }
 
@@ -19,33 +19,34 @@ Vec3 shadowPlace(const Vec3& p) { return ((p * kPerMetre).array().round() / kPer
 
 double LinkModel::wavelengthOf(const MediumSettings& settings) { return wavelength(settings.frequency); }
 
-const LinkModel::Obstacles& LinkModel::obstacles(const AntennaPlace& low, const AntennaPlace& high) const {
+const LinkModel::Obstacles& LinkModel::obstacles(const AntennaPose& low, const AntennaPose& high) const {
     const std::uint64_t pair = static_cast<std::uint64_t>(low.id) << 32 | high.id;
     const auto [it, fresh] = m_obstacles.try_emplace(pair);
     Obstacles& o = it->second;
     const Vec3 a = shadowPlace(low.pose.position), b = shadowPlace(high.pose.position);
     const bool stands = !fresh && o.a == a && o.b == b;
     if (m_settings.shadowing > 0 && !stands) {
-        // by key and not by id: who else is there must not matter
+        // ordered by key, not by id, so that other radios do not affect the result
         const bool swap = high.key < low.key;
         const std::uint64_t keys[2] = {std::min(low.key, high.key), std::max(low.key, high.key)};
         o.shadow = m_settings.shadowing * shadowing(m_settings.seed, randomBits(keys[0], keys[1], 0, 0), swap ? b : a,
                                                     swap ? a : b, m_settings.correlation);
     }
     if (m_settings.wallLoss > 0 && m_walls)
-        o.walls = m_settings.wallLoss * m_walls(low.id, low.pose.position, high.id, high.pose.position); // things may have moved
+        // not cached: other objects may have moved
+        o.walls = m_settings.wallLoss * m_walls(low.id, low.pose.position, high.id, high.pose.position);
     o.a = a;
     o.b = b;
     return o;
 }
 
-LinkBudget LinkModel::between(const AntennaPlace& from, const AntennaPlace& to, double outputPower) const {
+LinkBudget LinkModel::between(const AntennaPose& from, const AntennaPose& to, double outputPower) const {
     const bool forward = from.id < to.id;
-    const AntennaPlace &low = forward ? from : to, &high = forward ? to : from;
+    const AntennaPose &low = forward ? from : to, &high = forward ? to : from;
     const Vec3 way = high.pose.position - low.pose.position;
     LinkBudget link;
     link.distance = way.norm();
-    const auto gainTowards = [](const AntennaPlace& end, const Vec3& direction) {
+    const auto gainTowards = [](const AntennaPose& end, const Vec3& direction) {
         return end.pattern ? end.pattern->gain(Vec3(end.pose.rotation.conjugate() * direction)) : 0.0;
     };
     const double lowGain = gainTowards(low, way), highGain = gainTowards(high, -way);
@@ -68,7 +69,7 @@ LinkBudget LinkModel::between(const AntennaPlace& from, const AntennaPlace& to, 
 }
 
 double LinkModel::range(double budget, double power) const {
-    double most = budget - power + kMostSigmas * m_settings.shadowing - freeSpaceLoss(1, m_lambda);
+    double most = budget - power + kMaxSigmas * m_settings.shadowing - freeSpaceLoss(1, m_lambda);
     if (m_settings.model == PropagationModel::TwoRay) most += kTwoRayGain;
     const double exponent = m_settings.model == PropagationModel::LogDistance ? std::max(m_settings.exponent, 0.1) : 2;
     const double far = std::pow(10, most / (10 * exponent));

@@ -1,5 +1,5 @@
 #pragma once
-// What arrives of what is sent, between two antennas as they stand.
+// Received power between two antennas at given poses.
 
 #include <functional>
 #include <unordered_map>
@@ -9,13 +9,13 @@
 
 namespace trundle {
 
-/// How many solids stand between two points; those of the two radios' own robots do not count. Asked from the lower id to the higher.
+/// Number of solids between two points, not counting the two radios' own robots. Called with the lower id first.
 using WallCount = std::function<int(RadioId, const Vec3&, RadioId, const Vec3&)>;
 
-/// One end of a link.
-struct AntennaPlace {
+/// Antenna of one end of a link.
+struct AntennaPose {
     RadioId id = kNoRadio;
-    std::uint64_t key = 0; ///< of its path: the same whoever else is there
+    std::uint64_t key = 0; ///< hash of its path, independent of other radios
     Pose pose;
     const AntennaPattern* pattern = nullptr;
 };
@@ -25,9 +25,10 @@ public:
     explicit LinkModel(const MediumSettings& settings) : m_settings(settings), m_lambda(wavelengthOf(settings)) {}
     void setWalls(WallCount walls) { m_walls = std::move(walls); }
 
-    /// The same loss in both directions, to the last bit. `outputPower` is what leaves the sender.
-    [[nodiscard]] LinkBudget between(const AntennaPlace& from, const AntennaPlace& to, double outputPower) const;
-    /// Farther away nothing arrives that is stronger than `power`; `budget` is what leaves with the best gains of both ends.
+    /// Symmetric: the loss is bit for bit the same in both directions. `outputPower` (dBm) is the power that leaves the sender.
+    [[nodiscard]] LinkBudget between(const AntennaPose& from, const AntennaPose& to, double outputPower) const;
+    /// The distance (m) beyond which no signal is stronger than `power` (dBm); `budget` is the output power plus the best gains
+    /// of both ends.
     [[nodiscard]] double range(double budget, double power) const;
 
 private:
@@ -36,12 +37,12 @@ private:
         Vec3 a, b;
         double shadow = 0, walls = 0;
     };
-    [[nodiscard]] const Obstacles& obstacles(const AntennaPlace& low, const AntennaPlace& high) const;
+    [[nodiscard]] const Obstacles& obstacles(const AntennaPose& low, const AntennaPose& high) const;
 
     MediumSettings m_settings;
     double m_lambda;
     WallCount m_walls;
-    mutable std::unordered_map<std::uint64_t, Obstacles> m_obstacles; ///< by pair of ids; looked up, never walked
+    mutable std::unordered_map<std::uint64_t, Obstacles> m_obstacles; ///< by pair of ids; iteration order is never used
 };
 
 } // namespace trundle

@@ -8,17 +8,17 @@
 
 namespace trundle {
 
-std::string_view fateName(Fate fate) {
-    switch (fate) {
-    case Fate::Delivered: return "delivered";
-    case Fate::NotForIt: return "not for it";
-    case Fate::TooWeak: return "too weak";
-    case Fate::Sending: return "was sending";
-    case Fate::Busy: return "heard another";
-    case Fate::Collision: return "collision";
-    case Fate::BitErrors: return "bit errors";
-    case Fate::BufferFull: return "buffer full";
-    case Fate::Duplicate: return "duplicate";
+std::string_view outcomeName(ReceptionOutcome outcome) {
+    switch (outcome) {
+    case ReceptionOutcome::Delivered: return "delivered";
+    case ReceptionOutcome::NotAddressed: return "not for it";
+    case ReceptionOutcome::TooWeak: return "too weak";
+    case ReceptionOutcome::Sending: return "was sending";
+    case ReceptionOutcome::Busy: return "heard another";
+    case ReceptionOutcome::Collision: return "collision";
+    case ReceptionOutcome::BitErrors: return "bit errors";
+    case ReceptionOutcome::BufferFull: return "buffer full";
+    case ReceptionOutcome::Duplicate: return "duplicate";
     }
     return "";
 }
@@ -78,7 +78,7 @@ std::optional<RadioId> Medium::find(std::string_view path) const {
 
 bool Medium::send(RadioId id, std::span<const std::uint8_t> bytes, std::uint32_t to, double power) {
     Radio& radio = m_radios[id];
-    if (bytes.size() > kMostPayload || !std::isfinite(power) || radio.queue.size() >= radio.definition.bufferLimit) {
+    if (bytes.size() > kMaxPayload || !std::isfinite(power) || radio.queue.size() >= radio.definition.bufferLimit) {
         ++radio.counts.refused;
         return false;
     }
@@ -105,7 +105,7 @@ std::shared_ptr<RadioTrace> Medium::trace() {
     return trace;
 }
 
-/// The nearest level, and what this one radio makes of it.
+/// The nearest level, plus this radio's offset.
 double Medium::outputPower(const Radio& radio, double wanted) const {
     return outputLevel(radio.definition, wanted) + radio.powerOffset;
 }
@@ -118,7 +118,7 @@ double Medium::sendCurrent(const Radio& radio, double power) const {
     return d.transmitCurrents.front();
 }
 
-/// Books what was drawn up to now and goes on with this current.
+/// Adds the energy used since the last change, then switches to a new current (A).
 void Medium::setCurrent(Radio& radio, double current) {
     radio.counts.energy += radio.definition.supply * radio.current * (static_cast<double>(m_now - radio.energyUntil) * 1e-6);
     radio.energyUntil = m_now;

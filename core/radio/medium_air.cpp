@@ -1,6 +1,7 @@
-// Frames in the air. Needs: who sends, where everybody stands. Assumptions: places and gains hold for the whole of a frame; a frame reaches
-// all at once (300 m are one microsecond); what is 10 dB below the noise disturbs nobody. A receiver that may be disturbed holds on to the
-// first frame it can hear; from then on each stretch of time with the same others in the air counts by its own signal to noise ratio.
+// Transmission and reception of frames. Needs: sender, poses of all radios. Assumptions: poses and gains are constant during a
+// frame; a frame reaches all receivers at once (300 m are one microsecond); signals 10 dB below the noise are ignored. With
+// collisions a receiver locks on to the first frame that it can decode; each interval with the same interfering frames then
+// counts by its own signal-to-noise ratio.
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +13,8 @@ namespace trundle {
 
 namespace {
 
-constexpr double kNegligible = 10; ///< dB below the noise
-constexpr double kAlone = 1e9;     ///< dB over nothing
+constexpr double kNegligible = 10; ///< dB below the noise; weaker signals are ignored
+constexpr double kAlone = 1e9;     ///< dB, signal-to-interference ratio without interference
 
 double decibels(double ratio) { return 10 * std::log10(ratio); }
 
@@ -33,11 +34,11 @@ void Medium::startFrame(RadioId sender, const Outgoing& packet, bool ack) {
     const std::uint32_t index = m_freeFrames.back();
     m_freeFrames.pop_back();
     Radio& radio = m_radios[sender];
-    Frame& frame = m_frames[index];
+    MacFrame& frame = m_frames[index];
     frame = {sender, m_now, 0, packet, ack, radio.frames++, outputPower(radio, packet.power), {}, {}};
     const auto mpdu = ack ? kAckBytes : static_cast<std::uint32_t>(packet.bytes.size()) + kFrameOverhead;
     frame.end = m_now + airtimeUs(mpdu, radio.definition.bitRate);
-    deafen(sender);
+    abortReception(sender);
     radio.sending = true;
     setCurrent(radio, sendCurrent(radio, frame.outputPower));
     if (!ack) ++radio.counts.sent;
@@ -59,7 +60,7 @@ void Medium::startFrame(RadioId sender, const Outgoing& packet, bool ack) {
     std::uint64_t heard = 0;
     for (const RadioId other : m_near) {
         if (other == sender || m_radios[other].definition.channel != channel) continue;
-        if ((m_radios[other].place.pose.position - place).squaredNorm() > range * range) continue; // the grid is coarse
+        if ((m_radios[other].place.pose.position - place).squaredNorm() > range * range) continue; // grid cells are coarse
         ++heard;
         if (!ack) ++m_expected, ++m_inTheAir;
         arrive(index, other);
@@ -67,47 +68,48 @@ void Medium::startFrame(RadioId sender, const Outgoing& packet, bool ack) {
     if (ack) return;
     const std::uint64_t far = m_onChannel[channel] - 1 - heard;
     m_expected += far;
-    m_fates[static_cast<std::size_t>(Fate::TooWeak)] += far;
+    m_outcomes[static_cast<std::size_t>(ReceptionOutcome::TooWeak)] += far;
 }
 
-/// The frame's first bit at a radio.
+/// Starts the reception of a frame at a radio, at the frame's first bit.
 void Medium::arrive(std::uint32_t index, RadioId id) {
-    Frame& frame = m_frames[index];
+    MacFrame& frame = m_frames[index];
     Radio& radio = m_radios[id];
     Reception reception{id, m_links.between(m_radios[frame.from].place, radio.place, frame.outputPower)};
     reception.since = m_now;
     if (m_settings.collisions || m_settings.csma) {
-        settleListening(radio);
+        updateActiveReceptions(radio);
         radio.incidents.push_back({index, std::pow(10, reception.link.power / 10)});
-        frame.heardBy.push_back(id);
+        frame.incidentAt.push_back(id);
     }
     frame.receptions.push_back(reception);
     Reception& mine = frame.receptions.back();
-    if (mine.link.power < radio.definition.minReceivePower) close(frame, mine, Fate::TooWeak);
-    else if (radio.sending || radio.turn == Turn::Turnaround) close(frame, mine, Fate::Sending);
-    else if (m_settings.collisions && !radio.listening.empty()) close(frame, mine, Fate::Busy);
+    if (mine.link.power < radio.definition.minReceivePower) close(frame, mine, ReceptionOutcome::TooWeak);
+    else if (radio.sending || radio.state == MacState::Turnaround) close(frame, mine, ReceptionOutcome::Sending);
+    else if (m_settings.collisions && !radio.listening.empty()) close(frame, mine, ReceptionOutcome::Busy);
     else radio.listening.push_back({index, static_cast<std::uint32_t>(frame.receptions.size() - 1)});
 }
 
-/// A radio that sends hears nothing.
-void Medium::deafen(RadioId id) {
+/// Ends all receptions of a radio that starts to send: it is half-duplex.
+void Medium::abortReception(RadioId id) {
     Radio& radio = m_radios[id];
-    settleListening(radio);
-    for (const Listening& l : radio.listening) close(m_frames[l.frame], m_frames[l.frame].receptions[l.reception], Fate::Sending);
+    updateActiveReceptions(radio);
+    for (const ActiveReception& l : radio.listening)
+        close(m_frames[l.frame], m_frames[l.frame].receptions[l.reception], ReceptionOutcome::Sending);
     radio.listening.clear();
 }
 
-/// To be called before what is in the air at a radio changes.
-void Medium::settleListening(Radio& radio) {
-    for (const Listening& l : radio.listening)
-        settle(radio, m_frames[l.frame], l.frame, m_frames[l.frame].receptions[l.reception]);
+/// Must be called before the set of incident signals at a radio changes.
+void Medium::updateActiveReceptions(Radio& radio) {
+    for (const ActiveReception& l : radio.listening)
+        updateReception(radio, m_frames[l.frame], l.frame, m_frames[l.frame].receptions[l.reception]);
 }
 
-void Medium::settle(const Radio& radio, const Frame& frame, std::uint32_t index, Reception& reception) {
+void Medium::updateReception(const Radio& radio, const MacFrame& frame, std::uint32_t index, Reception& reception) {
     if (m_now == reception.since) return;
     double others = 0;
     if (m_settings.collisions)
-        for (const Incident& i : radio.incidents)
+        for (const IncidentSignal& i : radio.incidents)
             if (i.frame != index) others += i.milliwatts;
     const double power = reception.link.power, sinr = power - decibels(m_noise + others);
     reception.worstSinr = std::min(reception.worstSinr, sinr);
@@ -120,26 +122,27 @@ void Medium::settle(const Radio& radio, const Frame& frame, std::uint32_t index,
     reception.since = m_now;
 }
 
-Fate Medium::judge(const Frame& frame, const Reception& reception) const {
+ReceptionOutcome Medium::outcomeOf(const MacFrame& frame, const Reception& reception) const {
     if (m_settings.packetErrors) {
         const std::uint64_t a = m_radios[frame.from].place.key, b = m_radios[reception.radio].place.key;
         const std::uint64_t pair = randomBits(std::min(a, b), std::max(a, b), 0, 0);
         const double chance = toUnit(randomBits(m_settings.seed, pair, frame.number, a));
-        if (chance < reception.success) return Fate::Delivered;
+        if (chance < reception.success) return ReceptionOutcome::Delivered;
         const double bits = 8.0 * (frame.ack ? kAckBytes : static_cast<double>(frame.packet.bytes.size()) + kFrameOverhead);
         const double alone = reception.link.power - m_settings.noiseFloor - m_settings.implementationLoss;
-        return chance < receptionRate(alone, bits) ? Fate::Collision : Fate::BitErrors;
+        return chance < receptionRate(alone, bits) ? ReceptionOutcome::Collision : ReceptionOutcome::BitErrors;
     }
-    return m_settings.collisions && reception.worstSir < m_settings.captureMargin ? Fate::Collision : Fate::Delivered;
+    return m_settings.collisions && reception.worstSir < m_settings.captureMargin ? ReceptionOutcome::Collision
+                                                                                  : ReceptionOutcome::Delivered;
 }
 
-/// Whole and without an error.
-Fate Medium::deliver(Radio& radio, const Frame& frame, const Reception& reception) {
+/// Delivers a frame that was received without errors.
+ReceptionOutcome Medium::deliver(Radio& radio, const MacFrame& frame, const Reception& reception) {
     const std::uint32_t mine = radio.definition.address, to = frame.packet.to;
-    if (to != kBroadcastAddress && to != mine) return Fate::NotForIt;
+    if (to != kBroadcastAddress && to != mine) return ReceptionOutcome::NotAddressed;
     if (frame.ack) {
         acknowledged(radio.place.id, frame);
-        return Fate::Delivered;
+        return ReceptionOutcome::Delivered;
     }
     const std::uint32_t from = m_radios[frame.from].definition.address;
     const bool answers = m_settings.csma && to == mine;
@@ -151,12 +154,12 @@ Fate Medium::deliver(Radio& radio, const Frame& frame, const Reception& receptio
         const auto last = radio.lastSequence.find(from);
         if (last != radio.lastSequence.end() && last->second == frame.packet.sequence) {
             answer();
-            return Fate::Duplicate;
+            return ReceptionOutcome::Duplicate;
         }
     }
     if (radio.inbox.size() >= radio.definition.bufferLimit) {
         ++radio.counts.dropped;
-        return Fate::BufferFull;
+        return ReceptionOutcome::BufferFull;
     }
     ++radio.counts.received;
     radio.counts.lastRssi = rssiOf(radio.definition, reception.link.power + radio.readingOffset);
@@ -167,19 +170,19 @@ Fate Medium::deliver(Radio& radio, const Frame& frame, const Reception& receptio
         radio.lastSequence[from] = frame.packet.sequence;
         answer();
     }
-    return Fate::Delivered;
+    return ReceptionOutcome::Delivered;
 }
 
-void Medium::close(const Frame& frame, Reception& reception, Fate fate) {
+void Medium::close(const MacFrame& frame, Reception& reception, ReceptionOutcome outcome) {
     reception.open = false;
     if (!frame.ack) {
-        ++m_fates[static_cast<std::size_t>(fate)];
+        ++m_outcomes[static_cast<std::size_t>(outcome)];
         --m_inTheAir;
     }
-    if (!m_traces.empty()) record(frame, reception, fate);
+    if (!m_traces.empty()) record(frame, reception, outcome);
 }
 
-void Medium::record(const Frame& frame, const Reception& reception, Fate fate) {
+void Medium::record(const MacFrame& frame, const Reception& reception, ReceptionOutcome outcome) {
     const Radio& radio = m_radios[reception.radio];
     const double sinr = std::min(reception.worstSinr, reception.link.power - m_settings.noiseFloor);
     const FrameRecord r{static_cast<double>(frame.start) * 1e-6,
@@ -194,26 +197,26 @@ void Medium::record(const Frame& frame, const Reception& reception, Fate fate) {
                         rssiOf(radio.definition, reception.link.power + radio.readingOffset),
                         sinr,
                         linkQuality(sinr),
-                        fate};
+                        outcome};
     forTraces([&](RadioTrace& trace) { trace.records.push_back(r); });
 }
 
 void Medium::endFrame(std::uint32_t index) {
     const RadioId sender = m_frames[index].from;
     for (std::size_t i = 0; i < m_frames[index].receptions.size(); ++i) {
-        Frame& frame = m_frames[index];
+        MacFrame& frame = m_frames[index];
         Reception& reception = frame.receptions[i];
         if (!reception.open) continue;
         Radio& radio = m_radios[reception.radio];
-        settle(radio, frame, index, reception);
-        std::erase_if(radio.listening, [&](const Listening& l) { return l.frame == index; });
-        Fate fate = judge(frame, reception);
-        if (fate == Fate::Delivered) fate = deliver(radio, frame, reception);
-        close(frame, reception, fate);
+        updateReception(radio, frame, index, reception);
+        std::erase_if(radio.listening, [&](const ActiveReception& l) { return l.frame == index; });
+        ReceptionOutcome outcome = outcomeOf(frame, reception);
+        if (outcome == ReceptionOutcome::Delivered) outcome = deliver(radio, frame, reception);
+        close(frame, reception, outcome);
     }
-    for (const RadioId id : m_frames[index].heardBy) {
-        settleListening(m_radios[id]);
-        std::erase_if(m_radios[id].incidents, [&](const Incident& i) { return i.frame == index; });
+    for (const RadioId id : m_frames[index].incidentAt) {
+        updateActiveReceptions(m_radios[id]);
+        std::erase_if(m_radios[id].incidents, [&](const IncidentSignal& i) { return i.frame == index; });
     }
     const bool ack = m_frames[index].ack;
     const std::uint32_t to = m_frames[index].packet.to;
@@ -223,7 +226,7 @@ void Medium::endFrame(std::uint32_t index) {
     setCurrent(radio, radio.definition.receiveCurrent);
     if (ack) return;
     if (m_settings.csma && to != kBroadcastAddress) {
-        radio.turn = Turn::AwaitAck;
+        radio.state = MacState::AwaitAck;
         schedule(m_now + kAckWaitUs, EventKind::AckTimeout, sender, ++radio.attempt);
     } else {
         finish(sender);

@@ -1,5 +1,6 @@
-// Who may send when. Without a protocol a radio sends at once and asks nobody. CSMA-CA: unslotted, IEEE 802.15.4-2006, 7.5.1.4 and 7.5.6;
-// a packet for one address is acknowledged and repeated up to three times, and between two packets of one sender is a space.
+// Medium access. Without a protocol a radio sends at once, without listening. CSMA-CA: unslotted, IEEE 802.15.4-2006, 7.5.1.4 and
+// 7.5.6; a packet for one address is acknowledged and sent again up to three times, with an interframe space between two packets
+// of one sender.
 #include <algorithm>
 #include <cmath>
 
@@ -29,23 +30,23 @@ void Medium::handle(const Event& event) {
     }
 }
 
-/// Begins with the first packet that waits, where nothing is under way.
+/// Starts on the first queued packet if the radio is idle.
 void Medium::serve(RadioId id) {
     Radio& radio = m_radios[id];
-    if (radio.turn != Turn::Rest || radio.queue.empty()) return;
+    if (radio.state != MacState::Rest || radio.queue.empty()) return;
     radio.retries = 0;
     if (m_settings.csma) {
         radio.backoffs = 0;
         radio.exponent = kLeastExponent;
         return backOff(id);
     }
-    radio.turn = Turn::Send;
+    radio.state = MacState::Send;
     startFrame(id, radio.queue.front(), false);
 }
 
 void Medium::backOff(RadioId id) {
     Radio& radio = m_radios[id];
-    radio.turn = Turn::Backoff;
+    radio.state = MacState::Backoff;
     const std::uint64_t bits = randomBits(m_settings.seed, radio.place.key, kBackoffSalt, radio.draws++);
     const auto units = static_cast<std::int64_t>(bits >> 32 & ((1u << radio.exponent) - 1));
     schedule(std::max(m_now, radio.restUntil) + units * kBackoffUnitUs, EventKind::ListenStart, id, 0);
@@ -54,13 +55,13 @@ void Medium::backOff(RadioId id) {
 bool Medium::channelBusy(const Radio& radio) const {
     if (radio.sending || !radio.listening.empty()) return true;
     double power = m_noise;
-    for (const Incident& i : radio.incidents) power += i.milliwatts;
+    for (const IncidentSignal& i : radio.incidents) power += i.milliwatts;
     return 10 * std::log10(power) >= m_settings.carrierSense;
 }
 
 void Medium::listenStart(RadioId id) {
     Radio& radio = m_radios[id];
-    radio.turn = Turn::Listen;
+    radio.state = MacState::Listen;
     radio.heardBusy = channelBusy(radio);
     schedule(m_now + kListenUs, EventKind::ListenEnd, id, 0);
 }
@@ -68,19 +69,19 @@ void Medium::listenStart(RadioId id) {
 void Medium::listenEnd(RadioId id) {
     Radio& radio = m_radios[id];
     if (!radio.heardBusy && !channelBusy(radio)) {
-        radio.turn = Turn::Turnaround;
+        radio.state = MacState::Turnaround;
         return schedule(m_now + kTurnaroundUs, EventKind::SendStart, id, 0);
     }
-    radio.exponent = std::min(radio.exponent + 1, kMostExponent);
-    if (++radio.backoffs <= kMostBackoffs) return backOff(id);
+    radio.exponent = std::min(radio.exponent + 1, kMaxExponent);
+    if (++radio.backoffs <= kMaxBackoffs) return backOff(id);
     ++radio.counts.noChannel;
     finish(id);
 }
 
 void Medium::sendStart(RadioId id) {
     Radio& radio = m_radios[id];
-    if (radio.sending) return backOff(id); // an acknowledgement went first
-    radio.turn = Turn::Send;
+    if (radio.sending) return backOff(id); // an acknowledgement is being sent
+    radio.state = MacState::Send;
     startFrame(id, radio.queue.front(), false);
 }
 
@@ -89,21 +90,21 @@ void Medium::ackStart(RadioId id) {
     if (radio.acks.empty()) return;
     const Outgoing ack = std::move(radio.acks.front());
     radio.acks.pop_front();
-    if (!radio.sending && radio.turn != Turn::Turnaround) startFrame(id, ack, true);
+    if (!radio.sending && radio.state != MacState::Turnaround) startFrame(id, ack, true);
 }
 
-void Medium::acknowledged(RadioId id, const Frame& frame) {
+void Medium::acknowledged(RadioId id, const MacFrame& frame) {
     Radio& radio = m_radios[id];
-    if (radio.turn != Turn::AwaitAck || radio.queue.front().sequence != frame.packet.sequence) return;
+    if (radio.state != MacState::AwaitAck || radio.queue.front().sequence != frame.packet.sequence) return;
     ++radio.counts.acknowledged;
-    ++radio.attempt; // the time-out that waits is for nothing
+    ++radio.attempt; // invalidates the pending time-out
     finish(id);
 }
 
 void Medium::ackTimeout(RadioId id, std::uint32_t attempt) {
     Radio& radio = m_radios[id];
-    if (radio.turn != Turn::AwaitAck || radio.attempt != attempt) return;
-    if (radio.retries < kMostRetries) {
+    if (radio.state != MacState::AwaitAck || radio.attempt != attempt) return;
+    if (radio.retries < kMaxRetries) {
         ++radio.retries;
         radio.backoffs = 0;
         radio.exponent = kLeastExponent;
@@ -113,14 +114,14 @@ void Medium::ackTimeout(RadioId id, std::uint32_t attempt) {
     finish(id);
 }
 
-/// Done with the first packet, one way or the other.
+/// Removes the first packet from the queue, sent or given up, and continues with the next.
 void Medium::finish(RadioId id) {
     Radio& radio = m_radios[id];
-    const bool isSent = radio.turn != Turn::Listen;
-    const bool isShort = kFrameOverhead + radio.queue.front().bytes.size() <= kMostBytesForShortSpace;
+    const bool isSent = radio.state != MacState::Listen;
+    const bool isShort = kFrameOverhead + radio.queue.front().bytes.size() <= kMaxBytesForShortSpace;
     if (isSent) radio.restUntil = m_now + (isShort ? kShortSpaceUs : kLongSpaceUs);
     radio.queue.pop_front();
-    radio.turn = Turn::Rest;
+    radio.state = MacState::Rest;
     serve(id);
 }
 

@@ -15,12 +15,12 @@ std::uint64_t Neighbours::cellOf(std::int64_t x, std::int64_t y) {
 }
 
 void Neighbours::put(RadioId id, const Vec3& place) {
-    if (id >= m_seats.size()) m_seats.resize(id + 1);
-    Seat& seat = m_seats[id];
+    if (id >= m_entries.size()) m_entries.resize(id + 1);
+    CellEntry& entry = m_entries[id];
     const std::uint64_t cell = cellOf(column(place.x()), column(place.y()));
-    if (seat.taken && seat.cell == cell) return;
-    if (seat.taken) std::erase(m_cells[seat.cell], id);
-    seat = {cell, true};
+    if (entry.taken && entry.cell == cell) return;
+    if (entry.taken) std::erase(m_cells[entry.cell], id);
+    entry = {cell, true};
     m_cells[cell].push_back(id);
 }
 
@@ -29,8 +29,8 @@ void Neighbours::near(const Vec3& place, double range, std::vector<RadioId>& out
     const std::int64_t left = column(place.x() - range), right = column(place.x() + range);
     const std::int64_t low = column(place.y() - range), high = column(place.y() + range);
     const double cells = static_cast<double>(right - left + 1) * static_cast<double>(high - low + 1);
-    if (cells > static_cast<double>(m_cells.size())) { // wider than all there is
-        out.resize(m_seats.size());
+    if (cells > static_cast<double>(m_cells.size())) { // more cells than are occupied
+        out.resize(m_entries.size());
         std::iota(out.begin(), out.end(), 0u);
         return;
     }

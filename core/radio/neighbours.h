@@ -1,5 +1,5 @@
 #pragma once
-// Who is near a place, from a uniform grid over the floor.
+// Finds radios near a position with a uniform grid over the ground plane.
 
 #include <cstdint>
 #include <unordered_map>
@@ -13,22 +13,22 @@ namespace trundle {
 
 class Neighbours {
 public:
-    /// Edge of a cell, m. To be called before the first radio is put anywhere.
+    /// Edge of a cell, m. Must be called before the first put().
     void setCell(double edge) { m_edge = edge; }
     void put(RadioId id, const Vec3& place);
-    /// All within `range` and some beyond, rising.
+    /// All radios within `range` (m) and some beyond, in order of their ids.
     void near(const Vec3& place, double range, std::vector<RadioId>& out) const;
 
 private:
     [[nodiscard]] std::int64_t column(double x) const;
     [[nodiscard]] static std::uint64_t cellOf(std::int64_t x, std::int64_t y);
-    struct Seat {
+    struct CellEntry {
         std::uint64_t cell = 0;
         bool taken = false;
     };
     double m_edge = 50;
-    std::vector<Seat> m_seats;                                       ///< by id
-    std::unordered_map<std::uint64_t, std::vector<RadioId>> m_cells; ///< looked up, never walked
+    std::vector<CellEntry> m_entries;                                ///< by radio id
+    std::unordered_map<std::uint64_t, std::vector<RadioId>> m_cells; ///< iteration order is never used
 };
 
 } // namespace trundle

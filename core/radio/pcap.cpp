@@ -7,7 +7,7 @@ namespace trundle {
 
 namespace {
 
-constexpr std::uint32_t kPcapMagic = 0xa1b2c3d4, kVersion = 2 | 4 << 16, kMostBytes = 127, kIeee802154 = 195;
+constexpr std::uint32_t kPcapMagic = 0xa1b2c3d4, kVersion = 2 | 4 << 16, kMaxBytes = 127, kIeee802154 = 195;
 
 void putLittle(std::string& bytes, std::uint32_t value) {
     for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
@@ -16,7 +16,7 @@ void putLittle(std::string& bytes, std::uint32_t value) {
 } // namespace
 
 void beginPcap(std::string& bytes) {
-    for (const std::uint32_t word : {kPcapMagic, kVersion, 0u, 0u, kMostBytes, kIeee802154}) putLittle(bytes, word);
+    for (const std::uint32_t word : {kPcapMagic, kVersion, 0u, 0u, kMaxBytes, kIeee802154}) putLittle(bytes, word);
 }
 
 void addToPcap(const AirFrame& frame, std::string& bytes) {

@@ -5,7 +5,7 @@
 
 namespace trundle {
 
-/// A capture file of link type 195 (IEEE 802.15.4 with check sequence), as Wireshark opens it: its head, then each frame.
+/// A capture file of link type 195 (IEEE 802.15.4 with check sequence), for Wireshark: header, then one record per frame.
 void beginPcap(std::string& bytes);
 void addToPcap(const AirFrame& frame, std::string& bytes);
 

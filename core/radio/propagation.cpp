@@ -1,6 +1,7 @@
-// Needs: places of two antennas. Assumptions: flat ground at z = 0 for the two rays, both of which get the gain of the direct one.
-// Method for shadowing: a sum of cosines whose wave vectors follow the spectrum of exp(-|d|/dc) in space, which is a Cauchy distribution
-// (Rahimi and Recht, Random Features for Large-Scale Kernel Machines, 2007). A function, not a state: looking at a link changes nothing.
+// Needs: positions of two antennas. Assumptions: flat ground at z = 0 for the two-ray model, both rays with the gain of the
+// direct one. Method for shadowing: a sum of cosines whose wave vectors follow the spectrum of exp(-|d|/dc) in space, which is a
+// Cauchy distribution (Rahimi and Recht, Random Features for Large-Scale Kernel Machines, 2007). It is a pure function:
+// evaluating a link changes no state.
 #include "radio/propagation.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double kLight = 299792458.0;
 constexpr int kWaves = 32;
-constexpr double kMostSigmas = 4;
+constexpr double kMaxSigmas = 4;
 constexpr std::uint64_t kShadowSalt = 0x5348414457ull;
 
 /// The cosines whose sum is the shadowing of one pair.
@@ -56,7 +57,7 @@ public:
                 phase = phase + wave.direction[0].dot(first) / wave.length[0] + wave.direction[1].dot(second) / wave.length[1];
             sum += std::cos(phase);
         }
-        return std::clamp(sum * std::sqrt(2.0 / kWaves), -kMostSigmas, kMostSigmas);
+        return std::clamp(sum * std::sqrt(2.0 / kWaves), -kMaxSigmas, kMaxSigmas);
     }
 
 private:
@@ -89,7 +90,7 @@ double twoRayLoss(const Vec3& a, const Vec3& b, double lambda, double permittivi
     }
     const double k = 2 * std::numbers::pi / lambda;
     const std::complex<double> field = std::polar(1 / direct, -k * direct) + reflected * std::polar(1 / bounced, -k * bounced);
-    const double strength = std::max(std::abs(field), 1e-12); // of a perfect null
+    const double strength = std::max(std::abs(field), 1e-12); // avoids the logarithm of 0 at total cancellation
     return -20 * std::log10(lambda / (4 * std::numbers::pi) * strength);
 }
 
@@ -98,7 +99,8 @@ double logDistanceLoss(double distance, double lambda, double exponent) {
 }
 
 double shadowing(std::uint64_t seed, std::uint64_t pair, const Vec3& first, const Vec3& second, double correlation) {
-    // Maps ask for one pair at thousands of places, and its waves are most of the work. Kept or not, they are the same.
+    // Radio maps evaluate one pair at thousands of positions, and setting up the waves is most of the work. Caching does not
+    // change the result.
     thread_local std::optional<ShadowWaves> waves;
     if (!waves || !waves->belongTo(seed, pair, correlation)) waves.emplace(seed, pair, correlation);
     return waves->at(first, second);

@@ -41,7 +41,7 @@ LinkReport RadioNodes::link(RadioId from, RadioId to, double power, std::uint32_
     return report;
 }
 
-LinkBudget RadioNodes::reach(RadioId from, const AntennaPlace& there, double power) const {
+LinkBudget RadioNodes::reach(RadioId from, const AntennaPose& there, double power) const {
     return m_links.between(m_places[from], there, outputLevel(m_nodes[from].radio, power) + m_offsets[from].power);
 }
 

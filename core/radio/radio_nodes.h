@@ -1,6 +1,6 @@
 #pragma once
-// Radios at places of one's choosing, without a run: what a link comes to, term by term, as a frame in a run would find it. For windows and
-// maps. scene/radio_model.h finds the radios of an experiment and what stands between them.
+// Link budgets between radios at chosen poses, without a run: term by term, as a frame in a run would have them. For windows and
+// maps. scene/radio_model.h finds the radios of an experiment and the solids between them.
 
 #include <optional>
 #include <string>
@@ -12,27 +12,27 @@
 
 namespace trundle {
 
-/// A radio of an experiment and where its antenna sits.
+/// A radio of an experiment and the mounting of its antenna.
 struct RadioNode {
-    RadioDefinition radio; ///< path "robot0/radio", antenna, figures; its address as written, 0 where the run gives it one
+    RadioDefinition radio; ///< path "robot0/radio", antenna, levels; its address as written, 0 if the run assigns it
     std::string robot;
-    std::size_t body = 0; ///< which of the experiment's bodies carries it, as in BodyPoses
-    Pose mounting;        ///< of the antenna in that body; it looks along +x, its up is +z
+    std::size_t body = 0; ///< index of its body, as in BodyPoses
+    Pose mounting;        ///< pose of the antenna in that body; main direction +x, up +z
 };
 
 /// One link, dBm and dB.
 struct LinkReport {
-    double outputPower = 0; ///< leaves the sender: the nearest level that it has, with its offset
+    double outputPower = 0; ///< of the sender: the nearest available level plus its offset
     LinkBudget link;        ///< link.power = outputPower + sendGain + receiveGain - pathLoss - shadow - wallLoss
     double rssi = 0;        ///< as the receiver reads it
-    double snr = 0;         ///< over the noise floor, with nobody else in the air
+    double snr = 0;         ///< over the noise floor, without interference
     int lqi = 0;
-    double margin = 0;     ///< over the receiver's MinReceivePower: below 0 nothing is received
-    double packetLoss = 0; ///< probability, with nobody else in the air
+    double margin = 0;     ///< over the receiver's MinReceivePower; nothing is received below 0
+    double packetLoss = 0; ///< probability, without interference
     bool sameChannel = true;
 };
 
-/// Not to be asked on two threads at once.
+/// Not thread-safe, not even for const calls.
 class RadioNodes {
 public:
     RadioNodes(const MediumSettings& settings, std::vector<RadioNode> nodes);
@@ -41,25 +41,25 @@ public:
     [[nodiscard]] const std::vector<RadioNode>& all() const { return m_nodes; }
     [[nodiscard]] std::optional<RadioId> find(std::string_view path) const;
 
-    /// Where the bodies stand from now on, in BodyPoses' order. An antenna whose body has no pose stays.
+    /// Sets the poses of all bodies (world frame), in BodyPoses' order. An antenna whose body has no pose keeps its own.
     void place(const std::vector<Pose>& bodies);
-    /// What stands between; asked only where walls take something away.
+    /// Counts the solids between two antennas; called only if walls have a loss.
     void setWalls(WallCount walls) { m_links.setWalls(std::move(walls)); }
-    /// Its pose in the world and its pattern; null is isotropic.
-    [[nodiscard]] const AntennaPlace& antenna(RadioId node) const { return m_places[node]; }
+    /// Its pose in the world frame and its pattern; null means isotropic.
+    [[nodiscard]] const AntennaPose& antenna(RadioId node) const { return m_places[node]; }
 
     [[nodiscard]] const RadioOffsets& offsets(RadioId node) const { return m_offsets[node]; }
 
-    /// As a packet of `payload` bytes sent with `power` would find it.
+    /// The link for a packet of `payload` bytes sent with `power` (dBm).
     [[nodiscard]] LinkReport link(RadioId from, RadioId to, double power, std::uint32_t payload = 20) const;
-    /// What an antenna anywhere would get: for maps. A copy of antenna(), put elsewhere, gets what that radio would get there.
-    [[nodiscard]] LinkBudget reach(RadioId from, const AntennaPlace& there, double power) const;
+    /// Received power at an antenna with any pose, for maps. To move a radio, pass a copy of its antenna() with another pose.
+    [[nodiscard]] LinkBudget reach(RadioId from, const AntennaPose& there, double power) const;
 
 private:
     MediumSettings m_settings;
     LinkModel m_links;
     std::vector<RadioNode> m_nodes;
-    std::vector<AntennaPlace> m_places;
+    std::vector<AntennaPose> m_places;
     std::vector<RadioOffsets> m_offsets;
 };
 

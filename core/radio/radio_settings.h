@@ -1,5 +1,5 @@
 #pragma once
-// What a text says about the air (RadioMedium) and about one radio in it (Transceiver). dB, dBm, m, s, Hz, A, V.
+// Settings of the medium (RadioMedium) and of one radio (Transceiver), read from the text. dB, dBm, m, s, Hz, A, V.
 
 #include <cstdint>
 #include <memory>
@@ -16,18 +16,18 @@ struct MediumSettings {
     PropagationModel model = PropagationModel::Ideal;
     bool csma = false;
     double frequency = 2.45e9;
-    double exponent = 2;       ///< of LogDistance
+    double exponent = 2;       ///< for LogDistance
     double shadowing = 0;      ///< dB, standard deviation
-    double correlation = 2;    ///< m, of the shadowing
-    double permittivity = 15;  ///< of the ground of TwoRay; 0: reflects all
-    double wallLoss = 0;       ///< dB for each solid between
+    double correlation = 2;    ///< m, correlation distance of the shadowing
+    double permittivity = 15;  ///< of the ground, for TwoRay; 0: total reflection
+    double wallLoss = 0;       ///< dB for each solid between the antennas
     double noiseFloor = -98;   ///< dBm
-    bool packetErrors = false; ///< by IEEE 802.15.4 instead of a sharp threshold
+    bool packetErrors = false; ///< use bit error rates (IEEE 802.15.4) instead of a sharp threshold
     double implementationLoss = 3.5;
-    bool collisions = false;   ///< frames that overlap disturb each other, and a receiver holds on to one
-    double captureMargin = 3;  ///< dB over all others that saves a frame where there are no packet errors
+    bool collisions = false;   ///< overlapping frames disturb each other, and a receiver locks on to one of them
+    double captureMargin = 3;  ///< dB over all others that a frame needs to survive, if packetErrors is off
     double carrierSense = -77; ///< dBm
-    double offsets = 0;        ///< dB, standard deviation of each radio's output power and reading
+    double offsets = 0;        ///< dB, standard deviation of each radio's output power and RSSI reading
     double clockDrift = 0;     ///< ppm, standard deviation of each radio's clock
     std::uint64_t seed = 1;
 };
@@ -35,13 +35,13 @@ struct MediumSettings {
 struct RadioDefinition {
     std::string path; ///< "robot0/radio"
     double maxOutputPower = 0, minReceivePower = -94, maxReceivePower = 0;
-    double rssiStep = 1; ///< dB; 0: exact
+    double rssiStep = 1; ///< dB; 0: no rounding
     std::uint32_t bufferLimit = 16, channel = 26;
-    std::uint32_t address = 0; ///< 0: the next free one
+    std::uint32_t address = 0; ///< 0: the next free address
     double bitRate = 250000;
     std::shared_ptr<const AntennaPattern> antenna; ///< nullptr: isotropic
-    std::vector<double> powerLevels;               ///< dBm; empty: any power
-    std::vector<double> transmitCurrents;          ///< A, one for each level; or one for all
+    std::vector<double> powerLevels;               ///< dBm; empty: continuous
+    std::vector<double> transmitCurrents;          ///< A, one per level, or one for all
     double receiveCurrent = 0, supply = 3;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What happened in the air, for logs and windows. Whoever reads it changes nothing.
+// Trace of what happened on the medium, for logs and windows. Reading it does not affect the simulation.
 
 #include <array>
 #include <cstdint>
@@ -11,47 +11,47 @@ namespace trundle {
 using RadioId = std::uint32_t;
 inline constexpr RadioId kNoRadio = 0xffffffffu;
 
-/// What became of a frame at one receiver.
-enum class Fate {
+/// Result of a frame at one receiver.
+enum class ReceptionOutcome {
     Delivered,
-    NotForIt,  ///< received, but addressed to another
-    TooWeak,   ///< below MinReceivePower
-    Sending,   ///< the receiver was sending or turning to send
-    Busy,      ///< the receiver held on to another frame
-    Collision, ///< another frame was too strong
+    NotAddressed, ///< received, but addressed to another radio
+    TooWeak,      ///< below MinReceivePower
+    Sending,      ///< the receiver was sending or switching to send
+    Busy,         ///< the receiver was locked on to another frame
+    Collision,    ///< another frame was too strong
     BitErrors,
     BufferFull,
-    Duplicate, ///< received before; the acknowledgement was lost
+    Duplicate, ///< received before; its acknowledgement was lost
 };
-inline constexpr std::size_t kFates = 9;
-/// "delivered", "too weak" ...
-[[nodiscard]] std::string_view fateName(Fate fate);
+inline constexpr std::size_t kReceptionOutcomes = 9;
+/// The name of an outcome: "delivered", "too weak" ...
+[[nodiscard]] std::string_view outcomeName(ReceptionOutcome outcome);
 
-/// A link's terms, dB, dBm, dBi.
+/// Terms of a link budget, dB, dBm, dBi.
 struct LinkBudget {
     double distance = 0;
     double sendGain = 0, receiveGain = 0;
-    double pathLoss = 0; ///< of the model
+    double pathLoss = 0; ///< of the propagation model
     double shadow = 0;   ///< added to the loss
     double wallLoss = 0;
-    double power = 0; ///< at the receiver
+    double power = 0; ///< received, dBm
 };
 
 /// One frame at one receiver.
 struct FrameRecord {
-    double time = 0; ///< s, of its first bit
+    double time = 0; ///< s, arrival of its first bit
     RadioId from = kNoRadio, to = kNoRadio;
     bool ack = false;
     std::uint8_t sequence = 0;
-    std::uint32_t address = 0, bytes = 0; ///< addressed to; payload
+    std::uint32_t address = 0, bytes = 0; ///< destination; bytes of the payload
     double outputPower = 0;
     LinkBudget link;
     double rssi = 0, sinr = 0;
     int lqi = 0;
-    Fate fate = Fate::Delivered;
+    ReceptionOutcome outcome = ReceptionOutcome::Delivered;
 };
 
-/// One frame as a sniffer next to its sender sees it.
+/// One frame as received by a sniffer next to its sender.
 struct AirFrame {
     double time = 0;
     RadioId from = kNoRadio;
@@ -59,7 +59,7 @@ struct AirFrame {
 };
 
 struct RadioTrace {
-    std::vector<FrameRecord> records; ///< in the order of their ends; the reader empties it
+    std::vector<FrameRecord> records; ///< in the order of their ends; cleared by the reader
     std::vector<AirFrame> frames;
 };
 

@@ -17,7 +17,7 @@ DrawingView::DrawingView(GraphicsContext& context, std::uint32_t width, std::uin
     camera->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     camera->setClearColor(osg::Vec4(0.5f, 0.5f, 0.5f, 1));
     camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    m_view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR); // the view does not ask its camera
+    m_view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR); // not taken over from its camera
     camera->setViewport(0, 0, int(width), int(height));
     m_view->setLODScale(1 / detail);
     m_view->init();

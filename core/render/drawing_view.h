@@ -1,5 +1,5 @@
 #pragma once
-// A view that draws a part of a scene into a framebuffer; all passes of a picture are made with these.
+// An OSG view that draws a part of a scene into a framebuffer; used for every pass of an image.
 
 #include <osgUtil/SceneView>
 
@@ -8,10 +8,10 @@
 
 namespace trundle {
 
-/// Lives and is used while the context is current.
+/// Must be created, used and destroyed while the context is current.
 class DrawingView {
 public:
-    /// `detail` above 1: round things are cut so much more finely.
+    /// `detail` above 1 selects finer levels of detail by that factor.
     DrawingView(GraphicsContext& context, std::uint32_t width, std::uint32_t height, float detail = 1);
     ~DrawingView();
     DrawingView(const DrawingView&) = delete;
@@ -22,7 +22,7 @@ public:
         osg::Group& root;
         std::uint32_t mask = ~0u;
         osg::Vec4 background;
-        osg::StateSet* state = nullptr; ///< over the root's own; may be null
+        osg::StateSet* state = nullptr; ///< applied over the root's own state; may be null
         unsigned number = 0;
     };
     void draw(const Pass& pass);

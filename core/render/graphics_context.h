@@ -1,5 +1,5 @@
 #pragma once
-// What OSG is told of the context that render holds: already made, always current, no window.
+// OSG's representation of the render thread's EGL context: already created, always current, without a window.
 
 #include <atomic>
 
@@ -7,13 +7,13 @@
 
 namespace trundle {
 
-/// Made and closed while the real context is current.
+/// Must be created and closed while the EGL context is current.
 class GraphicsContext final : public osg::GraphicsContext {
 public:
     GraphicsContext();
-    /// Deletes what OSG still holds in the context.
+    /// Deletes the GL objects that OSG still holds in the context.
     void release();
-    /// Drawing ends as soon as `enough` is set; another thread may set it. It outlives this.
+    /// Drawing stops as soon as `enough` is set, from any thread. `enough` must outlive this object.
     void endEarlyOn(bool& enough) { getState()->setAbortRenderingPtr(m_enough = &enough); }
     [[nodiscard]] bool endedEarly() const { return m_enough && std::atomic_ref(*m_enough).load(); }
 
@@ -28,7 +28,7 @@ public:
     void swapBuffersImplementation() override {}
 
 private:
-    bool* m_enough = nullptr; ///< OSG reads it too, so it is no std::atomic
+    bool* m_enough = nullptr; ///< also read by OSG, therefore not a std::atomic
 };
 
 } // namespace trundle

@@ -7,7 +7,7 @@
 
 namespace trundle {
 
-/// Red, green, blue, 8 bits each as shown on a screen; rows from the top, no padding.
+/// RGB, 8 bits per channel as displayed; rows from the top, no padding.
 struct Image {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> pixels; ///< width * height * 3
@@ -18,12 +18,12 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
-/// Equal pictures give equal bytes.
+/// Deterministic: equal images give equal bytes.
 [[nodiscard]] Result<std::string> pngBytes(const Image& image);
 [[nodiscard]] Result<std::string> jpegBytes(const Image& image, int quality = 92);
-/// PNG or JPEG by the ending of the name (.png, .jpg, .jpeg); another ending is refused.
+/// PNG or JPEG, depending on the extension (.png, .jpg, .jpeg); other extensions are an error.
 [[nodiscard]] Result<std::string> imageBytes(const Image& image, const std::string& name);
-/// The same as a file. Atomic.
+/// Writes the same bytes to a file, atomically.
 [[nodiscard]] Status saveImage(const Image& image, const std::string& path);
 
 } // namespace trundle

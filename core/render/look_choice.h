@@ -4,14 +4,14 @@
 
 namespace trundle {
 
-/// How pictures look. Fast is made for a processor that computes every pixel itself; rich for a graphics card: what the sun does not
-/// reach lies in shadow, on things too, corners are darker, and edges are smooth.
+/// Quality of rendered images. Fast is made for software rendering; Rich for graphics cards: sun shadows also on objects, ambient
+/// occlusion and smooth edges.
 enum class LookChoice : std::uint8_t { Automatic, Fast, Rich };
 
-/// Whether a renderer, as GL_RENDERER names it, computes pixels on the processor. So does one that names itself not at all.
+/// True if a renderer, by its GL_RENDERER string, computes pixels on the CPU. An empty name counts as software.
 [[nodiscard]] bool isSoftwareRenderer(std::string_view renderer);
 
-/// Automatic is rich on a graphics card.
+/// Automatic means rich on a graphics card.
 [[nodiscard]] bool isRich(LookChoice choice, std::string_view renderer);
 
 } // namespace trundle

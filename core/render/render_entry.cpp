@@ -4,26 +4,26 @@
 #include <exception>
 
 #include "base/platform/atomic_file.h"
-#include "render/frame_drawer.h"
+#include "render/camera_image_renderer.h"
 
 namespace trundle {
 namespace {
 
 Vec3 vectorOf(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-/// Only borrowed: whoever gets it ends first.
+/// Non-owning; the experiment outlives every user of the pointer.
 std::shared_ptr<const ExperimentSpec> borrowed(const ExperimentSpec* experiment) {
     return {std::shared_ptr<const void>(), experiment};
 }
 
 Status renderNamed(const RenderJob& job) {
     const SignalLayout noLayout;
-    const SignalBlock noBlock(noLayout); // everything then stands where it starts
+    const SignalBlock noBlock(noLayout); // an empty block: everything is at its start pose
     const bool started = job.layout && job.block;
-    FrameDrawer drawer(borrowed(job.experiment), started ? *job.layout : noLayout,
-                       {job.look, job.warn ? *job.warn : std::function<void(const std::string&)>()});
+    CameraImageRenderer drawer(borrowed(job.experiment), started ? *job.layout : noLayout,
+                               {job.look, job.warn ? *job.warn : std::function<void(const std::string&)>()});
     const SignalBlock& block = started ? *job.block : noBlock;
-    const Result<Frame> frame =
+    const Result<CameraImage> frame =
         job.camera ? drawer.capture(job.camera, block) : drawer.view(job.view, job.width, job.height, block);
     if (!frame) return frame.error();
     const Result<std::string> bytes = drawer.encode(frame.value(), job.camera ? job.camera : "", job.outputPath);
@@ -32,10 +32,10 @@ Status renderNamed(const RenderJob& job) {
 
 Status check(const RenderJob& job) {
     const SignalLayout noLayout;
-    FrameDrawer drawer(borrowed(job.experiment), noLayout);
+    CameraImageRenderer drawer(borrowed(job.experiment), noLayout);
     Status status = job.camera ? drawer.hasCamera(job.camera) : job.view ? drawer.hasView(job.view) : Status();
     if (!status) return status;
-    const Result<std::string> bytes = imageBytes({1, 1, {0, 0, 0}}, job.outputPath); // the smallest picture has its ending too
+    const Result<std::string> bytes = imageBytes({1, 1, {0, 0, 0}}, job.outputPath); // checks the extension
     return bytes ? Status() : Status(bytes.error());
 }
 
@@ -66,20 +66,20 @@ Status renderOnce(const RenderJob& job) {
         request.poses = std::move(poses);
     }
     const Result<Image> image = service.value()->draw(std::move(request)).get();
-    if (const std::string notice = service.value()->takeNotice(); job.warn && !notice.empty()) (*job.warn)(notice);
+    if (const std::string notice = service.value()->takeWarning(); job.warn && !notice.empty()) (*job.warn)(notice);
     return image ? saveImage(image.value(), job.outputPath) : Status(image.error());
 }
 
 } // namespace
 } // namespace trundle
 
-extern "C" trundle::FrameSource* trundle_frame_source(const trundle::ExperimentSpec* experiment,
-                                                      const trundle::SignalLayout* layout, const trundle::FrameSourceWish* wish,
-                                                      std::size_t build) {
+extern "C" trundle::ImageSource* trundle_frame_source(const trundle::ExperimentSpec* experiment,
+                                                      const trundle::SignalLayout* layout,
+                                                      const trundle::ImageSourceRequest* imageRequest, std::size_t build) {
     using namespace trundle;
-    if (!experiment || !layout || !wish || build != sizeof(RenderJob)) return nullptr;
+    if (!experiment || !layout || !imageRequest || build != sizeof(RenderJob)) return nullptr;
     try {
-        return new FrameDrawer(borrowed(experiment), *layout, *wish);
+        return new CameraImageRenderer(borrowed(experiment), *layout, *imageRequest);
     } catch (const std::exception&) { return nullptr; }
 }
 

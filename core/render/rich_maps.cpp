@@ -25,12 +25,12 @@ osg::ref_ptr<osg::Texture2D> mapOf(std::uint32_t width, std::uint32_t height, GL
     return map;
 }
 
-/// Makes everything that is attached; an Error where it cannot be drawn into.
+/// Creates all attachments; an Error if the framebuffer is not complete.
 Status complete(GraphicsContext& context, osg::FrameBufferObject& frame, const osg::Texture2D& map) {
     osg::State& state = *context.getState();
     state.setActiveTextureUnit(kMapUnit);
     frame.apply(state);
-    state.haveAppliedTextureAttribute(kMapUnit, &map); // attaching it has bound one
+    state.haveAppliedTextureAttribute(kMapUnit, &map); // attaching it has bound it
     const bool whole =
         state.get<osg::GLExtensions>()->glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) == GL_FRAMEBUFFER_COMPLETE_EXT;
     if (glGetError() == GL_NO_ERROR && whole) return {};
@@ -48,7 +48,7 @@ SunMap::SunMap(GraphicsContext& context, std::uint32_t pixels)
     : m_view(context, pixels, pixels, kRichDetail), m_pixels(pixels),
       m_tests(mapOf(pixels, pixels, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT)),
       m_depths(mapOf(pixels, pixels, kOneFloat, kRed, GL_FLOAT)) {
-    // Beyond the map nothing hides the sun.
+    // Outside the map nothing occludes the sun.
     for (osg::Texture2D* map : {m_tests.get(), m_depths.get()}) {
         for (const auto which : {osg::Texture::WRAP_S, osg::Texture::WRAP_T}) map->setWrap(which, osg::Texture::CLAMP_TO_BORDER);
         map->setBorderColor(osg::Vec4d(1, 1, 1, 1));
@@ -77,7 +77,7 @@ void SunMap::draw(Scene& scene, const CameraView& view, std::uint32_t width, std
     lit.removeDefine("SUN_MAP");
     const std::optional<SunFit> fit = fitSun(scene.sun(), scene.sunCasters(), view, width, height, m_pixels);
     if (!fit) return;
-    osg::Matrixd place; // as rows of OSG
+    osg::Matrixd place; // row-vector convention of OSG
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) place(column, row) = fit->axes(row, column);
     const Vec3 top = fit->axes.col(2) * fit->origin.z();
@@ -134,7 +134,7 @@ SkyMap::~SkyMap() {
 }
 
 void SkyMap::draw(Scene& scene, const osg::Camera& camera, std::uint32_t mask, unsigned number, osg::StateSet& lit) {
-    const Look& look = scene.store().look;
+    const SceneShading& look = scene.store().look;
     m_view.camera().setViewMatrix(camera.getViewMatrix());
     m_view.camera().setProjectionMatrix(camera.getProjectionMatrix());
     const osg::Vec4 nothing(0, 0, 0, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// What the rich look knows of the light before it draws: how far the sun reaches, and how open to the sky each pixel is.
+// Textures that the rich look renders before the image: the sun's shadow map, and ambient occlusion per pixel.
 
 #include <memory>
 #include <optional>
@@ -12,19 +12,20 @@
 
 namespace trundle {
 
-/// Where a map stands among the textures.
+/// Texture units of the maps.
 inline constexpr unsigned kSunTestUnit = 3, kSunDepthUnit = 4, kSkyUnit = 5, kMapUnit = 6;
 
-inline constexpr float kRichDetail = 2; ///< of all that is drawn for a rich picture
+inline constexpr float kRichDetail = 2; ///< level-of-detail factor for rich images
 
-/// Distances from the sun. One for all pictures of about one size, drawn anew for each.
+/// Shadow map of the sun. One map serves all images of similar size and is redrawn for each.
 class SunMap {
 public:
-    /// Of so many pixels along each side.
+    /// `pixels` along each side.
     [[nodiscard]] static Result<std::unique_ptr<SunMap>> create(GraphicsContext& context, std::uint32_t pixels);
     ~SunMap();
 
-    /// Draws what matters to a picture of that size, and has `lit` tell the programs; what it told of another picture is taken back.
+    /// Draws the casters that matter for an image of that size and sets the uniforms of `lit`; removes those of the previous
+    /// image.
     void draw(Scene& scene, const CameraView& view, std::uint32_t width, std::uint32_t height, std::uint32_t mask,
               unsigned number, osg::StateSet& lit);
 
@@ -36,14 +37,14 @@ private:
     osg::ref_ptr<osg::FrameBufferObject> m_frame = new osg::FrameBufferObject;
 };
 
-/// What of the sky the pixels of one target see.
+/// Ambient occlusion (visible fraction of the sky) for each pixel of a target.
 class SkyMap {
 public:
     [[nodiscard]] static Result<std::unique_ptr<SkyMap>> create(GraphicsContext& context, std::uint32_t width,
                                                                 std::uint32_t height);
     ~SkyMap();
 
-    /// Draws it as `camera` looks, with the floors where `mask` has them, and has `lit` tell the programs.
+    /// Draws the map for the view of `camera`, with the floors selected by `mask`, and sets the uniforms of `lit`.
     void draw(Scene& scene, const osg::Camera& camera, std::uint32_t mask, unsigned number, osg::StateSet& lit);
 
 private:

@@ -7,16 +7,16 @@
 #include <thread>
 
 #include "base/platform/thread_priority.h"
-#include "render/studio.h"
+#include "render/render_thread_state.h"
 
 namespace trundle {
 namespace {
 
 enum class Rank { Scene, Capture, View };
 
-/// A request that waits. `refuse` is called instead of `work` where it is not to be served any more.
+/// A queued request. `refuse` is called instead of `work` if the request is not served any more.
 struct Job {
-    std::function<void(Studio&)> work;
+    std::function<void(RenderThreadState&)> work;
     std::function<void(const Error&)> refuse;
     std::uint64_t stream = 0;
     Rank rank = Rank::View;
@@ -27,18 +27,18 @@ template <class T, class Work> Job jobFor(Work work, std::function<void(Result<T
     auto answer = std::make_shared<std::function<void(Result<T>)>>(std::move(done));
     Job job;
     job.refuse = [answer](const Error& why) { (*answer)(why); };
-    job.work = [answer, work = std::move(work)](Studio& studio) {
-        // Memory that runs out in OSG or in a picture's buffer ends this request only.
+    job.work = [answer, work = std::move(work)](RenderThreadState& state) {
+        // Running out of memory in OSG or in an image buffer fails this request only.
         Result<T> result = Error{Code::PictureFailed, "it failed"};
         try {
-            result = work(studio);
+            result = work(state);
         } catch (const std::exception& e) { result = Error{Code::PictureFailed, e.what()}; }
         (*answer)(std::move(result));
     };
     return job;
 }
 
-/// A future for what a callback gets.
+/// A callback and the future that it fulfils.
 template <class T> std::pair<std::function<void(Result<T>)>, std::future<Result<T>>> promised() {
     auto promise = std::make_shared<std::promise<Result<T>>>();
     std::future<Result<T>> future = promise->get_future();
@@ -52,18 +52,18 @@ struct RenderService::Thread {
     std::condition_variable wake;
     std::deque<Job> jobs;
     bool stopping = false;
-    bool yielding = false;       // what is drawn now yields
-    bool enough = false;         // and is not to be drawn to its end; OSG looks here too, so it is no std::atomic
-    std::optional<Error> failed; // no context: nothing will ever be drawn
+    bool yielding = false;       // the current image is cancelled by a newer request
+    bool enough = false;         // cancels the current image; also read by OSG, therefore not a std::atomic
+    std::optional<Error> failed; // no context: every request fails with this
     std::uint64_t lastScene = 0;
     std::string renderer;
     std::atomic<LookChoice> look = LookChoice::Automatic;
-    std::string notice; // nobody has been told yet
+    std::string notice; // a warning that has not been taken yet
     std::promise<Status> promise;
     std::shared_future<Status> opened = promise.get_future().share();
     std::thread thread;
 
-    /// Where a capture goes: before the views that wait at the end, behind the scenes it may need.
+    /// Queue position of a job: captures go before all views at the end of the queue, but behind scenes they may need.
     [[nodiscard]] std::deque<Job>::iterator placeFor(const Job& job) {
         auto place = jobs.end();
         if (job.rank == Rank::Capture)
@@ -95,11 +95,11 @@ struct RenderService::Thread {
         if (replaced && replaced->refuse) replaced->refuse(*why);
     }
 
-    [[nodiscard]] Result<Image> draw(Studio& studio, const PictureRequest& request) {
-        Result<Image> image = studio.draw(request, request.capture ? LookChoice::Automatic : look.load());
-        if (std::string told = studio.takeNotice(); !told.empty()) {
+    [[nodiscard]] Result<Image> draw(RenderThreadState& state, const PictureRequest& request) {
+        Result<Image> image = state.draw(request, request.capture ? LookChoice::Automatic : look.load());
+        if (std::string warning = state.takeWarning(); !warning.empty()) {
             const std::lock_guard lock(mutex);
-            notice = std::move(told);
+            notice = std::move(warning);
         }
         return image;
     }
@@ -115,18 +115,18 @@ struct RenderService::Thread {
     }
 
     void run() {
-        Result<std::unique_ptr<Studio>> studio = Studio::open();
-        if (!studio) {
+        Result<std::unique_ptr<RenderThreadState>> state = RenderThreadState::open();
+        if (!state) {
             {
                 const std::lock_guard lock(mutex);
-                failed = studio.error();
+                failed = state.error();
             }
-            promise.set_value(studio.error());
-            refuseAll(studio.error());
+            promise.set_value(state.error());
+            refuseAll(state.error());
             return;
         }
-        studio.value()->endEarlyOn(enough);
-        renderer = studio.value()->context().renderer();
+        state.value()->endEarlyOn(enough);
+        renderer = state.value()->context().renderer();
         promise.set_value({});
         std::unique_lock lock(mutex);
         while (true) {
@@ -137,7 +137,7 @@ struct RenderService::Thread {
             yielding = job.yields;
             enough = yielding && std::any_of(jobs.begin(), jobs.end(), [](const Job& other) { return !other.yields; });
             lock.unlock();
-            job.work(*studio.value());
+            job.work(*state.value());
             job = {};
             lock.lock();
         }
@@ -149,7 +149,7 @@ RenderService::RenderService(std::unique_ptr<Thread> thread) : m_thread(std::mov
 std::unique_ptr<RenderService> RenderService::startInBackground() {
     auto thread = std::make_unique<Thread>();
     thread->thread = std::thread([t = thread.get()] {
-        letOthersGoFirst(); // with no graphics card pictures take all the processors that there are: a window's own work goes first
+        lowerThreadPriority(); // software rendering uses all processors; the user interface has priority
         t->run();
     });
     return std::unique_ptr<RenderService>(new RenderService(std::move(thread)));
@@ -181,18 +181,18 @@ SceneId RenderService::addScene(std::shared_ptr<const ExperimentSpec> experiment
         id = SceneId(++m_thread->lastScene);
     }
     if (!experiment) return id;
-    m_thread->post({[id, experiment = std::move(experiment), ghosts = std::move(ghosts)](Studio& studio) {
-                        // A scene too large for memory is no scene; drawing it says so.
+    m_thread->post({[id, experiment = std::move(experiment), ghosts = std::move(ghosts)](RenderThreadState& state) {
+                        // A scene too large for memory is not added; requests for it report that.
                         try {
-                            studio.add(id, experiment, ghosts);
-                        } catch (const std::exception&) { studio.remove(id); }
+                            state.add(id, experiment, ghosts);
+                        } catch (const std::exception&) { state.remove(id); }
                     },
                     nullptr, 0, Rank::Scene});
     return id;
 }
 
 void RenderService::removeScene(SceneId scene) {
-    m_thread->post({[scene](Studio& studio) { studio.remove(scene); }, nullptr, 0, Rank::Scene});
+    m_thread->post({[scene](RenderThreadState& state) { state.remove(scene); }, nullptr, 0, Rank::Scene});
 }
 
 void RenderService::draw(PictureRequest request, ImageDone done) {
@@ -200,7 +200,8 @@ void RenderService::draw(PictureRequest request, ImageDone done) {
     const Rank rank = request.capture ? Rank::Capture : Rank::View;
     const bool yields = request.yields;
     Job job = jobFor<Image>(
-        [request = std::move(request), t = m_thread.get()](Studio& studio) { return t->draw(studio, request); }, std::move(done));
+        [request = std::move(request), t = m_thread.get()](RenderThreadState& state) { return t->draw(state, request); },
+        std::move(done));
     job.stream = stream;
     job.rank = rank;
     job.yields = yields;
@@ -213,26 +214,26 @@ std::future<Result<Image>> RenderService::draw(PictureRequest request) {
     return std::move(future);
 }
 
-std::future<Result<Measured>> RenderService::measure(PictureRequest request) {
-    auto [done, future] = promised<Measured>();
+std::future<Result<DataImage>> RenderService::measure(PictureRequest request) {
+    auto [done, future] = promised<DataImage>();
     const Rank rank = request.capture ? Rank::Capture : Rank::View;
-    Job job =
-        jobFor<Measured>([request = std::move(request)](Studio& studio) { return studio.measure(request); }, std::move(done));
+    Job job = jobFor<DataImage>([request = std::move(request)](RenderThreadState& state) { return state.measure(request); },
+                                std::move(done));
     job.rank = rank;
     m_thread->post(std::move(job));
     return std::move(future);
 }
 
 void RenderService::pickAll(PickRequest request, PickDone done) {
-    m_thread->post(jobFor<std::vector<Picked>>([request = std::move(request)](Studio& studio) { return studio.pick(request); },
-                                               std::move(done)));
+    m_thread->post(jobFor<std::vector<PickResult>>(
+        [request = std::move(request)](RenderThreadState& state) { return state.pick(request); }, std::move(done)));
 }
 
-std::future<Result<Picked>> RenderService::pick(PickRequest request) {
-    auto [done, future] = promised<Picked>();
-    pickAll(std::move(request), [done = std::move(done)](Result<std::vector<Picked>> all) {
+std::future<Result<PickResult>> RenderService::pick(PickRequest request) {
+    auto [done, future] = promised<PickResult>();
+    pickAll(std::move(request), [done = std::move(done)](Result<std::vector<PickResult>> all) {
         if (!all) done(all.error());
-        else done(all.value().empty() ? Picked{} : all.value().front());
+        else done(all.value().empty() ? PickResult{} : all.value().front());
     });
     return std::move(future);
 }
@@ -249,7 +250,7 @@ bool RenderService::isSoftware() const {
 
 void RenderService::setLook(LookChoice look) { m_thread->look = look; }
 
-std::string RenderService::takeNotice() {
+std::string RenderService::takeWarning() {
     const std::lock_guard lock(m_thread->mutex);
     return std::exchange(m_thread->notice, {});
 }

@@ -7,13 +7,13 @@
 namespace trundle {
 namespace {
 
-constexpr double kLeastNear = 0.01, kMostNear = 2.0, kFar = 8000; // m
-constexpr GLenum kDataFormat = 0x8814;                            // four 32-bit floats for each pixel
+constexpr double kLeastNear = 0.01, kMaxNear = 2.0, kFar = 8000;  // m
+constexpr GLenum kDataFormat = 0x8814;                            // four 32-bit floats per pixel
 
-constexpr float kDataDetail = 16;  // flat sides of a ball would be nearer or farther than it
-constexpr std::size_t kValues = 4; // that are read for each pixel
+constexpr float kDataDetail = 16;  // the flat faces of a coarse sphere would falsify its depth
+constexpr std::size_t kValues = 4; // values read per pixel
 
-/// OpenGL counts rows from the bottom.
+/// Reverses the rows, since OpenGL counts them from the bottom.
 template <class Value> std::vector<Value> rowsFromTop(const Value* read, const TargetShape& shape) {
     const std::size_t row = kValues * shape.width;
     std::vector<Value> values(row * shape.height);
@@ -80,11 +80,11 @@ Target::~Target() {
 }
 
 void Target::aim(const Scene& scene, const CameraView& view) {
-    // Depth is finest where the near plane is far: it keeps half the way to what is nearest.
+    // Depth resolution improves with the distance of the near plane; it is set to half the distance of the nearest object.
     const auto chosenNear = [&] {
         double nearest = scene.bounds().distanceTo(view.eye);
         if (const auto floor = scene.floorHeight()) nearest = std::min(nearest, std::abs(view.eye.z() - *floor));
-        return std::clamp(0.5 * nearest, kLeastNear, kMostNear);
+        return std::clamp(0.5 * nearest, kLeastNear, kMaxNear);
     };
     const double nearPlane = view.nearPlane > 0 ? view.nearPlane : chosenNear();
     const double farPlane = std::max(view.farPlane > 0 ? view.farPlane : kFar, 1.001 * nearPlane);
@@ -98,48 +98,48 @@ void Target::aim(const Scene& scene, const CameraView& view) {
         camera->setProjectionMatrixAsFrustum(-half, half, -half * aspect, half * aspect, nearPlane, farPlane);
     }
     const Mat3 axes = cameraAxes(view);
-    osg::Matrixd world; // camera to world, as rows of OSG
+    osg::Matrixd world; // X_WC, row-vector convention of OSG
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) world(column, row) = axes(row, column);
     world.setTrans(view.eye.x(), view.eye.y(), view.eye.z());
     camera->setViewMatrix(osg::Matrixd::inverse(world));
 }
 
-/// Draws the maps of the rich look. Gives the mask of what is left to be drawn.
-std::uint32_t Target::light(Scene& scene, const Shot& shot) {
+/// Draws the maps of the rich look. Returns the mask of what remains to be drawn.
+std::uint32_t Target::light(Scene& scene, const DrawRequest& drawRequest) {
     const std::uint32_t shadows = kMaskShadows | kMaskSoftShadows;
     m_lit->removeDefine("SUN_MAP");
     m_lit->removeDefine("SKY_MAP");
-    if (!shot.lines) m_sky->draw(scene, m_view.camera(), shot.mask, shot.number, *m_lit);
-    if (!shot.sun || !(shot.mask & shadows)) return shot.mask;
-    shot.sun->draw(scene, shot.view, m_shape.width, m_shape.height, shot.mask, shot.number, *m_lit);
-    return (shot.mask & ~shadows) | kMaskLampShadows;
+    if (!drawRequest.lines) m_sky->draw(scene, m_view.camera(), drawRequest.mask, drawRequest.number, *m_lit);
+    if (!drawRequest.sun || !(drawRequest.mask & shadows)) return drawRequest.mask;
+    drawRequest.sun->draw(scene, drawRequest.view, m_shape.width, m_shape.height, drawRequest.mask, drawRequest.number, *m_lit);
+    return (drawRequest.mask & ~shadows) | kMaskLampShadows;
 }
 
-Result<Image> Target::draw(Scene& scene, const Shot& shot) {
-    aim(scene, shot.view);
-    const std::uint32_t mask = m_sky ? light(scene, shot) : shot.mask;
-    m_view.draw({m_frame, scene.root(), mask, {0.5f, 0.5f, 0.5f, 1}, m_sky ? m_lit.get() : nullptr, shot.number});
+Result<Image> Target::draw(Scene& scene, const DrawRequest& drawRequest) {
+    aim(scene, drawRequest.view);
+    const std::uint32_t mask = m_sky ? light(scene, drawRequest) : drawRequest.mask;
+    m_view.draw({m_frame, scene.root(), mask, {0.5f, 0.5f, 0.5f, 1}, m_sky ? m_lit.get() : nullptr, drawRequest.number});
     if (m_context.endedEarly()) return Error{Code::PictureFailed, {}};
     Image image = readImage();
     if (scene.marks().getBound().valid()) {
-        m_view.draw({m_frame, scene.marks(), ~0u, {0, 0, 0, 0}, nullptr, shot.number});
-        if (m_context.endedEarly()) return Error{Code::PictureFailed, {}}; // it would be the picture of nothing selected
-        drawOutlines(image, rowsFromTop(readBack<std::uint8_t>(GL_UNSIGNED_BYTE).get(), m_shape), shot.outline);
+        m_view.draw({m_frame, scene.marks(), ~0u, {0, 0, 0, 0}, nullptr, drawRequest.number});
+        if (m_context.endedEarly()) return Error{Code::PictureFailed, {}}; // otherwise the image would lack the selection
+        drawOutlines(image, rowsFromTop(readBack<std::uint8_t>(GL_UNSIGNED_BYTE).get(), m_shape), drawRequest.outline);
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         return Error{Code::PictureFailed, "OpenGL reports error " + std::to_string(error)};
     return image;
 }
 
-Result<Measured> Target::measure(Scene& scene, const CameraView& view, unsigned frame) {
+Result<DataImage> Target::measure(Scene& scene, const CameraView& view, unsigned frame) {
     aim(scene, view);
     m_view.draw({m_frame, scene.root(), kMaskData, {0, 0, 0, 0}, nullptr, frame});
     const std::unique_ptr<float[]> read = readBack<float>(GL_FLOAT);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         return Error{Code::PictureFailed, "OpenGL reports error " + std::to_string(error)};
     const std::vector<float> values = rowsFromTop(read.get(), m_shape);
-    Measured measured{m_shape.width, m_shape.height, {}, {}};
+    DataImage measured{m_shape.width, m_shape.height, {}, {}};
     const std::size_t count = values.size() / kValues;
     measured.depth.resize(count);
     measured.objects.resize(count);
@@ -172,7 +172,7 @@ Image Target::readImage() {
     for (std::size_t y = 0; y < height; ++y) {
         const std::uint8_t* from = read.get() + kValues * width * (height - 1 - y);
         std::uint8_t* to = image.pixels.data() + 3 * width * y;
-        // Four bytes at once are faster than three; the next pixel covers the fourth.
+        // Copying four bytes is faster than three; the next pixel overwrites the fourth.
         for (std::size_t x = 0; x + 1 < width; ++x, from += kValues, to += 3) std::memcpy(to, from, 4);
         std::memcpy(to, from, 3);
     }

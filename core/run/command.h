@@ -1,5 +1,5 @@
 #pragma once
-// Whatever comes from outside a run - a push, a pose, a value - enters as a command stamped with its tick and is kept.
+// Commands from outside a run, such as pushes, poses and values. Each is stamped with its tick and recorded.
 
 #include <string>
 #include <variant>
@@ -19,27 +19,27 @@ struct PlaceCommand {
     std::string robot;
     Pose pose;
 };
-/// Writes one command signal, "robot0/base/linearVelocity".
+/// Writes one command signal, such as "robot0/base/linearVelocity".
 struct SignalCommand {
     std::string path;
     double value = 0;
 };
-/// While held a robot's controller has no turn: somebody else commands.
+/// While a robot is held, its controller is not called: commands come from elsewhere.
 struct HoldCommand {
     std::string robot;
     bool held = true;
 };
-/// Gives a surface other values, by its name. Contacts of the coming tick have them.
+/// Changes the values of a surface, found by name; applies to contacts from the coming tick on.
 struct SurfaceCommand {
     SurfaceSpec surface;
 };
-/// Sets a property that may change during a run, of a device or controller "robot0/leftMotor".
+/// Sets a property that can be changed during a run, of a device or controller such as "robot0/leftMotor".
 struct PropertyCommand {
     std::string object, property;
     PropertyValue value;
 };
 
-/// Applied before tick `tick + 1` thinks: `tick` is the number of completed ticks.
+/// Applied before the controllers are called in tick `tick + 1`: `tick` is the number of completed ticks.
 struct Command {
     std::uint64_t tick = 0;
     std::variant<PushCommand, PlaceCommand, SignalCommand, HoldCommand, SurfaceCommand, PropertyCommand> what;

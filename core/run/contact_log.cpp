@@ -8,12 +8,12 @@
 namespace trundle {
 namespace {
 
-/// "robot0" of "robot0/chassis/bumper".
+/// The first word of a path: "robot0" of "robot0/chassis/bumper".
 std::string_view ownerOf(std::string_view path) { return path.substr(0, path.find('/')); }
 
 class ContactLog final : public Log {
 public:
-    /// An empty set: every contact.
+    /// With an empty set, all contacts are logged.
     explicit ContactLog(std::set<std::string, std::less<>> robots) : m_robots(std::move(robots)) {}
 
     void header(std::string& csv) const override {

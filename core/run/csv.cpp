@@ -26,7 +26,7 @@ CsvWriter& CsvWriter::cell(std::string_view text) {
 
 CsvWriter& CsvWriter::cell(double number) {
     separate();
-    if (number == 0) number = 0; // -0 says nothing to a reader of tables
+    if (number == 0) number = 0; // write -0 as 0
     char digits[64];
     m_out.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
     return *this;

@@ -4,8 +4,8 @@
 
 namespace trundle {
 
-/// Adds cells and rows to a CSV text by RFC 4180: cells are quoted where they must be, rows end with LF, numbers are the shortest text
-/// that reads back to the same double.
+/// Appends cells and rows to a CSV text (RFC 4180): cells are quoted if necessary, rows end with LF, numbers are the shortest
+/// text that parses to the same double.
 class CsvWriter {
 public:
     explicit CsvWriter(std::string& out) : m_out(out) {}

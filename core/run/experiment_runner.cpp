@@ -13,8 +13,8 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostControllerErrors = 20; // a swarm of one broken controller says it once, ten kinds ten times
-constexpr std::size_t kMostControllerLogs = 1000;
+constexpr std::size_t kMaxControllerErrors = 20; // equal errors of several robots count once
+constexpr std::size_t kMaxControllerLogs = 1000;
 constexpr std::size_t kLongestReason = 1000; // bytes
 
 CallTarget targetOf(const RobotSpec& robot, std::size_t index) {
@@ -26,21 +26,21 @@ CallTarget targetOf(const RobotSpec& robot, std::size_t index) {
 
 ExperimentRunner::ExperimentRunner(std::unique_ptr<World> world, RunOptions options)
     : m_options(std::move(options)), m_world(std::move(world)), m_cameras(*m_world, m_options.pictures),
-      m_folder(m_options.logFolder), m_tellsDropped(1, m_world->experiment().settings.tick) {
+      m_folder(m_options.logFolder), m_reportsDropped(1, m_world->experiment().settings.tick) {
     if (!m_options.calls) m_options.calls = std::make_shared<CallMonitor>();
-    (void)m_tellsDropped.due(0);
+    (void)m_reportsDropped.due(0);
     m_world->setDeviceText(
-        [this](const std::string& device, int severity, const std::string& text) { say(device, severity, text); });
+        [this](const std::string& device, int severity, const std::string& text) { addMessage(device, severity, text); });
 }
 
-void ExperimentRunner::say(const std::string& who, int severity, const std::string& text) {
+void ExperimentRunner::addMessage(const std::string& who, int severity, const std::string& text) {
     if (!m_options.console) return;
     const std::string_view part = m_console.pass(who, m_world->ticks(), text);
     if (!part.empty() || text.empty())
         m_options.console(tickTime(m_world->ticks(), experiment().settings.tick), who, severity, cleanText(part));
 }
 
-void ExperimentRunner::tellDropped() {
+void ExperimentRunner::reportDropped() {
     for (const auto& [who, lines] : m_console.takeDropped()) {
         const std::string text = codeName(Code::DroppedLines) + ": \u2026 " + std::to_string(lines) +
                                  (lines == 1 ? " line dropped" : " lines dropped");
@@ -49,9 +49,9 @@ void ExperimentRunner::tellDropped() {
     }
 }
 
-/// Its time grows with the cube of what touches: whoever asked for it may wait for minutes and not know why.
+/// The exact solver's time grows with the cube of the number of connected contacts: warns the user who selected it.
 void ExperimentRunner::warnOfCluster() {
-    m_toldCluster = true;
+    m_reportedCluster = true;
     const SettingsSpec& settings = experiment().settings;
     Diagnostic d{Severity::Warning, Code::BigCluster, "", settings.solverRange, {}, {}, {}};
     d.message = "at t = " + numberText(tickTime(m_world->ticks(), settings.tick)) + " s " +
@@ -66,34 +66,34 @@ Status ExperimentRunner::fail(const Error& error, SourceRange range) {
     return error;
 }
 
-// ---- the start ----
+// ---- start ----
 
-ControllerOutlet ExperimentRunner::outletFor(const RobotSpec& robot) {
-    ControllerOutlet outlet;
-    outlet.finish = [this, &robot](const std::string& reason) {
+ControllerOutputs ExperimentRunner::outputsFor(const RobotSpec& robot) {
+    ControllerOutputs outputs;
+    outputs.finish = [this, &robot](const std::string& reason) {
         if (!m_finishAsked) m_finishAsked = RunFinish{robot.name, robot.controller->name, reason.substr(0, kLongestReason), 0};
     };
-    outlet.print = [this, name = robot.name](int severity, const std::string& text) { say(name, severity, text); };
-    outlet.openLog = [this, name = robot.name](const std::string& fileName) {
-        if (m_controllerLogs.size() >= kMostControllerLogs) {
-            say(name, TRUNDLE_ERROR, "no more than 1000 logs may be opened by controllers");
+    outputs.print = [this, name = robot.name](int severity, const std::string& text) { addMessage(name, severity, text); };
+    outputs.openLog = [this, name = robot.name](const std::string& fileName) {
+        if (m_controllerLogs.size() >= kMaxControllerLogs) {
+            addMessage(name, TRUNDLE_ERROR, "no more than 1000 logs may be opened by controllers");
             return -1;
         }
         const Result<LogFile*> file = m_folder.create(fileName);
         if (!file) {
-            say(name, TRUNDLE_ERROR, file.error().message);
+            addMessage(name, TRUNDLE_ERROR, file.error().message);
             return -1;
         }
         m_controllerLogs.push_back(file.value());
         return static_cast<int>(m_controllerLogs.size() - 1);
     };
-    outlet.writeLog = [this](int log, std::string_view bytes) {
+    outputs.writeLog = [this](int log, std::string_view bytes) {
         if (log >= 0 && static_cast<std::size_t>(log) < m_controllerLogs.size())
             m_controllerLogs[static_cast<std::size_t>(log)]->write(bytes);
     };
-    addCameras(outlet, robot.name);
-    outlet.medium = m_world->medium();
-    return outlet;
+    addCameras(outputs, robot.name);
+    outputs.medium = m_world->medium();
+    return outputs;
 }
 
 void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnostics& diagnostics) {
@@ -102,7 +102,7 @@ void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnost
         if (said.insert(spec.kind + "\n" + error.message).second) diagnostics.error(error.code, spec.nameRange, error.message);
     };
     const std::vector<RobotSpec>& robots = experiment().robots;
-    for (std::size_t i = 0; i < robots.size() && said.size() < kMostControllerErrors; ++i) {
+    for (std::size_t i = 0; i < robots.size() && said.size() < kMaxControllerErrors; ++i) {
         if (!robots[i].controller) continue;
         const ComponentSpec& spec = *robots[i].controller;
         Result<std::unique_ptr<ControllerBackend>> backend = backends(robots[i], experiment().settings);
@@ -114,13 +114,13 @@ void ExperimentRunner::startControllers(const BackendFactory& backends, Diagnost
                                  Schedule(spec.number("UpdatePeriod"), experiment().settings.tick),
                                  m_options.calls->add(targetOf(robots[i], i))});
         const MonitoredCall call(*m_options.calls, m_controllers.back().target, "setup");
-        const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outletFor(robots[i]));
+        const Status started = m_controllers.back().backend->start(m_world->layout(), m_world->block(), outputsFor(robots[i]));
         if (!started) report(started.error(), spec);
     }
 }
 
 void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
-    std::set<std::string> said; // a folder that cannot be written is one mistake, however many logs
+    std::set<std::string> said; // report a folder that cannot be written once, not for each log
     for (const ComponentSpec& spec : experiment().logs) {
         const std::size_t errorsBefore = diagnostics.errorCount();
         std::unique_ptr<Log> log = makeLog(spec, *m_world, diagnostics);
@@ -131,8 +131,8 @@ void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
                 diagnostics.error(file.error().code, spec.nameRange, file.error().message);
             continue;
         }
-        log->usePictures([this, &spec](const PictureWish& wish, const std::string& name) {
-            const Result<double> saved = savePicture(wish, name);
+        log->usePictures([this, &spec](const PictureOptions& pictureOptions, const std::string& name) {
+            const Result<double> saved = savePicture(pictureOptions, name);
             if (!saved) warnOfLost(spec, name, saved.error());
             return saved;
         });
@@ -143,10 +143,10 @@ void ExperimentRunner::openLogs(Diagnostics& diagnostics) {
             {std::move(log), file.value(), Schedule(spec.number("Interval"), experiment().settings.tick), spec.nameRange});
     }
     if (const Status written = writeLogs(); !written && m_failure) diagnostics.append({*m_failure});
-    settleFinish();
+    closeFinish();
 }
 
-// ---- the tick ----
+// ---- tick ----
 
 void ExperimentRunner::command(decltype(Command::what) what) { m_commands.push_back({m_world->ticks(), std::move(what)}); }
 
@@ -175,7 +175,7 @@ ExperimentRunner::Controller* ExperimentRunner::controllerOf(const std::string& 
     return it == m_controllers.end() ? nullptr : &*it;
 }
 
-/// A robot without a controller is held by nobody anyway.
+/// Ignored for a robot without a controller.
 Status ExperimentRunner::apply(const HoldCommand& hold) {
     if (Controller* controller = controllerOf(hold.robot)) controller->held = hold.held;
     return {};
@@ -196,7 +196,7 @@ Status ExperimentRunner::apply(const PropertyCommand& command) {
 void ExperimentRunner::applyCommands() {
     for (; m_applied < m_commands.size(); ++m_applied)
         if (const Status done = apply(m_commands[m_applied]); !done)
-            say("", TRUNDLE_ERROR, "command refused: " + done.error().message);
+            addMessage("", TRUNDLE_ERROR, "command refused: " + done.error().message);
 }
 
 Status ExperimentRunner::think() {
@@ -232,7 +232,7 @@ Status ExperimentRunner::writeLogs() {
 
 Status ExperimentRunner::tick() {
     if (m_failure) return Error{m_failure->code, m_failure->message};
-    m_options.calls->noteTicks(m_world->ticks(), m_world->time());
+    m_options.calls->recordTicks(m_world->ticks(), m_world->time());
     applyCommands();
     if (Status done = think(); !done) return done;
     if (const Status done = m_world->tick(); !done) {
@@ -240,15 +240,15 @@ Status ExperimentRunner::tick() {
         return fail(done.error(), fault ? fault->range : SourceRange{});
     }
     m_cameras.afterTick();
-    if (!m_toldCluster && m_world->largestExactCluster() > 0) warnOfCluster();
-    if (m_tellsDropped.due(m_world->ticks())) tellDropped();
+    if (!m_reportedCluster && m_world->largestExactCluster() > 0) warnOfCluster();
+    if (m_reportsDropped.due(m_world->ticks())) reportDropped();
     if (Status done = writeLogs(); !done) return done;
-    settleFinish();
+    closeFinish();
     return {};
 }
 
-/// Only a tick that is whole, its log rows written, can be the last.
-void ExperimentRunner::settleFinish() {
+/// Ends a run requested by finish(), only after a complete tick with its log rows.
+void ExperimentRunner::closeFinish() {
     if (!m_finishAsked || m_finish) return;
     m_finish = m_finishAsked;
     m_finish->time = tickTime(m_world->ticks(), experiment().settings.tick);
@@ -268,7 +268,7 @@ Status ExperimentRunner::finish() {
         const MonitoredCall call(*m_options.calls, controller.target, "destructor");
         controller.backend->stop();
     }
-    tellDropped();
+    reportDropped();
     for (const auto& file : m_folder.files())
         if (const Status closed = file->close(); !closed) (void)fail(closed.error(), {});
     m_folder.settle();

@@ -1,5 +1,5 @@
 #pragma once
-// The Runner that core/run gives out: see runner.h for the promises.
+// The Runner implementation; see runner.h for the contract.
 
 #include <optional>
 #include <set>
@@ -18,7 +18,7 @@ public:
     ExperimentRunner(std::unique_ptr<World> world, RunOptions options);
     ~ExperimentRunner() override { (void)finish(); }
 
-    // Steps of create(), in this order. Problems go to `diagnostics`.
+    // Steps of create(), in this order. Errors go to `diagnostics`.
     void startControllers(const BackendFactory& backends, Diagnostics& diagnostics);
     void openLogs(Diagnostics& diagnostics);
 
@@ -31,7 +31,7 @@ public:
     void flushLogs() override;
     Status finish() override;
     World& world() override { return *m_world; }
-    CameraDesk& cameras() override { return m_cameras; }
+    CameraCapture& cameras() override { return m_cameras; }
     std::vector<std::string> logFiles() const override;
 
 private:
@@ -39,7 +39,7 @@ private:
         std::size_t robot;
         std::unique_ptr<ControllerBackend> backend;
         Schedule schedule;
-        const CallTarget* target; ///< of its calls
+        const CallTarget* target; ///< for monitoring its calls
         double lastTime = 0;
         bool called = false, held = false;
     };
@@ -51,15 +51,15 @@ private:
     };
 
     const ExperimentSpec& experiment() const { return m_world->experiment(); }
-    ControllerOutlet outletFor(const RobotSpec& robot);
-    void addCameras(ControllerOutlet& outlet, const std::string& robot);
+    ControllerOutputs outputsFor(const RobotSpec& robot);
+    void addCameras(ControllerOutputs& outputs, const std::string& robot);
     [[nodiscard]] Status savePicture(const std::string& camera, const std::string& fileName);
-    [[nodiscard]] Result<double> savePicture(const PictureWish& wish, const std::string& fileName);
+    [[nodiscard]] Result<double> savePicture(const PictureOptions& pictureOptions, const std::string& fileName);
     [[nodiscard]] Status writePicture(const Result<std::string>& bytes, const std::string& fileName);
     void warnOfPictures(const Error& error);
     void warnOfLost(const ComponentSpec& log, const std::string& fileName, const Error& error);
-    void say(const std::string& who, int severity, const std::string& text);
-    void tellDropped();
+    void addMessage(const std::string& who, int severity, const std::string& text);
+    void reportDropped();
     void warnOfCluster();
     Status fail(const Error& error, SourceRange range);
 
@@ -71,26 +71,26 @@ private:
     [[nodiscard]] Controller* controllerOf(const std::string& robot);
     Status think();
     Status writeLogs();
-    void settleFinish();
+    void closeFinish();
 
     RunOptions m_options;
     ConsoleLimit m_console;
-    std::unique_ptr<World> m_world; // before the controllers, which hold on to its block
-    CameraDesk m_cameras;
-    LogFolder m_folder; // before them too: they write into it
+    std::unique_ptr<World> m_world; // before the controllers, which refer to its signal block
+    CameraCapture m_cameras;
+    LogFolder m_folder; // before the controllers, which write into it
     std::vector<Controller> m_controllers;
     std::vector<OpenLog> m_logs;
-    std::vector<LogFile*> m_controllerLogs; // by the number a controller was given
+    std::vector<LogFile*> m_controllerLogs; // index: the number returned to the controller
     std::vector<Command> m_commands;
-    std::size_t m_applied = 0; // commands before this one are done
+    std::size_t m_applied = 0; // number of commands already applied
     std::vector<Diagnostic> m_warnings;
     std::optional<Diagnostic> m_failure;
-    std::optional<RunFinish> m_finishAsked, m_finish; // in the tick under way; when that is done
-    Schedule m_tellsDropped;                          // once a second
+    std::optional<RunFinish> m_finishAsked, m_finish; // requested in the current tick; set after that tick
+    Schedule m_reportsDropped;                        // once per second
     std::string m_rows;
-    std::size_t m_pictures = 0;       // saved
-    std::set<std::string> m_toldLost; // logs, with why they leave pictures out
-    bool m_toldCluster = false, m_toldNoPictures = false, m_toldLostPicture = false;
+    std::size_t m_pictures = 0;       // number of saved pictures
+    std::set<std::string> m_reportedLost; // log name and cause of left-out pictures, already reported
+    bool m_reportedCluster = false, m_reportedNoPictures = false, m_reportedLostPicture = false;
     bool m_finished = false;
 };
 

@@ -10,7 +10,7 @@ namespace {
 class FrameLog final : public Log {
 public:
     FrameLog(std::string name, const FrameLogSettings& settings)
-        : m_name(std::move(name)), m_wish{settings.camera.value_or(""), settings.view.value_or(""),
+        : m_name(std::move(name)), m_pictureOptions{settings.camera.value_or(""), settings.view.value_or(""),
                                           static_cast<std::uint32_t>(settings.size[0]),
                                           static_cast<std::uint32_t>(settings.size[1])},
           m_ending(settings.format) {}
@@ -23,12 +23,12 @@ public:
         out.endRow();
     }
 
-    /// The time is the picture's own. One that could not be taken has no name in its row.
+    /// The time is that of the image. The file name is empty if the image could not be taken.
     void rows(const World&, double time, std::string& csv) override {
         char number[32];
         std::snprintf(number, sizeof number, "_%06llu.", static_cast<unsigned long long>(m_frames++));
         const std::string file = m_name + number + m_ending;
-        const Result<double> taken = m_save ? m_save(m_wish, file) : Result<double>(Error{Code::NoGraphics, ""});
+        const Result<double> taken = m_save ? m_save(m_pictureOptions, file) : Result<double>(Error{Code::NoGraphics, ""});
         CsvWriter out(csv);
         out.cell(taken ? taken.value() : time).cell(taken ? file : std::string());
         out.endRow();
@@ -36,7 +36,7 @@ public:
 
 private:
     std::string m_name;
-    PictureWish m_wish;
+    PictureOptions m_pictureOptions;
     std::string m_ending;
     PictureSaver m_save;
     std::uint64_t m_frames = 0;

@@ -28,14 +28,14 @@ LivePace::Clock::time_point LivePace::due(Clock::time_point now, double tickS, d
     return now;
 }
 
-void LiveMeter::restart(Clock::time_point now, double time) { m_samples = {{now, time}}; }
+void RunTiming::restart(Clock::time_point now, double time) { m_samples = {{now, time}}; }
 
-void LiveMeter::ticked(Clock::duration took) {
+void RunTiming::ticked(Clock::duration took) {
     m_spent += took;
     ++m_count;
 }
 
-double LiveMeter::realTimeFactor(Clock::time_point now, double time) {
+double RunTiming::realTimeFactor(Clock::time_point now, double time) {
     if (m_samples.empty()) return 0;
     while (m_samples.size() > 1 && now - m_samples[1].wall >= kWindow) m_samples.pop_front();
     const Sample& first = m_samples.front();
@@ -44,7 +44,7 @@ double LiveMeter::realTimeFactor(Clock::time_point now, double time) {
     return wall > 0 ? (time - first.time) / wall : 0;
 }
 
-double LiveMeter::takeStepMs() {
+double RunTiming::takeStepMs() {
     if (m_count > 0) m_stepMs = secondsOf(m_spent) * 1e3 / static_cast<double>(m_count);
     m_spent = {};
     m_count = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Wall time around a live run. Nothing here reaches the world: pace and figures never change a result.
+// Wall-clock pacing and timing of a live run. None of this affects the simulation.
 
 #include <chrono>
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace trundle {
 
-/// When each tick is due at a speed.
+/// The due time of each tick at a given speed.
 class LivePace {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// From here on: the next tick is due one tick's time after `now`.
+    /// Restarts the schedule: the next tick is due one tick period after `now`.
     void restart(Clock::time_point now);
-    /// When the coming tick of `tickS` simulated seconds is due. One that is late by more than a quarter of a second is due now: lost
-    /// time is not made up for by a rush.
+    /// The due time of the coming tick of `tickS` simulated seconds. If the schedule is more than 0.25 s late, the tick is due
+    /// now and the lost time is not caught up.
     [[nodiscard]] Clock::time_point due(Clock::time_point now, double tickS, double speed);
     void ticked() { ++m_done; }
 
@@ -25,16 +25,16 @@ private:
     double m_speed = -1;
 };
 
-/// How fast it goes.
-class LiveMeter {
+/// Measures the speed of a run.
+class RunTiming {
 public:
     using Clock = std::chrono::steady_clock;
 
     void restart(Clock::time_point now, double time);
     void ticked(Clock::duration took);
-    /// Simulated s per s over about the last second.
+    /// Simulated time per wall time over about the last second.
     [[nodiscard]] double realTimeFactor(Clock::time_point now, double time);
-    /// Mean wall time of the ticks since the last call; what it was before where there were none.
+    /// Mean wall time per tick since the last call, ms; the previous value if there were no ticks.
     [[nodiscard]] double takeStepMs();
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// What flies between a live run's radios, from its thread to whoever watches.
+// Passes the radio frames of a live run from its thread to observers.
 
 #include <array>
 #include <atomic>
@@ -15,41 +15,41 @@ namespace trundle {
 
 class Medium;
 
-/// What flew since the last look. What nobody fetched in time is counted and gone, oldest first.
+/// Radio frames since the last take(). If too many are waiting, the oldest are dropped and counted.
 struct LiveRadio {
-    std::shared_ptr<const std::vector<RadioDefinition>> radios; ///< by RadioId; null until built and in a world without radios
-    std::vector<FrameRecord> records;                           ///< frames at their receivers, in the order of their ends
-    std::vector<AirFrame> frames;                               ///< in the order of their starts
+    std::shared_ptr<const std::vector<RadioDefinition>> radios; ///< by RadioId; null until built, and in a world without radios
+    std::vector<FrameRecord> records;                           ///< frames at their receivers, ordered by end
+    std::vector<AirFrame> frames;                               ///< ordered by start
     std::uint64_t droppedRecords = 0, droppedFrames = 0;
-    /// Since the start of the run, fetched or not: data frames times the radios of their channel, and what became of them.
+    /// Totals since the start of the run: see Medium::expected() and Medium::outcomes().
     std::uint64_t expected = 0, inTheAir = 0;
-    std::array<std::uint64_t, kFates> fates{};
+    std::array<std::uint64_t, kReceptionOutcomes> outcomes{};
 };
 
-/// Stands between the run's thread and another one; neither waits for more than a copy.
-class RadioTap {
+/// Queue between the run's thread and one reader; both hold the lock only for a copy.
+class RadioTraceQueue {
 public:
-    static constexpr std::size_t kMost = 20'000; ///< records, and frames, that wait to be fetched
-    /// Where more than this many wait, what was too weak for its receiver is left out: in a large network it is nearly everything.
-    static constexpr std::size_t kFlood = kMost / 10;
+    static constexpr std::size_t kMost = 20'000; ///< limit for waiting records, and for waiting frames
+    /// Above this number of records those with TooWeak are dropped: in a large network they are the great majority.
+    static constexpr std::size_t kDropWeakAbove = kMost / 10;
 
-    // --- who watches ---
-    void want(bool wanted) { m_wanted = wanted; } ///< from the next tick on
+    // --- reader ---
+    void setEnabled(bool wanted) { m_wanted = wanted; } ///< effective from the next tick
     [[nodiscard]] LiveRadio take();
 
-    // --- the run's thread ---
+    // --- run thread ---
     void open(const Medium& medium);
     void beforeTick(Medium& medium);
     void afterTick(const Medium& medium);
 
 private:
     std::atomic<bool> m_wanted = false;
-    std::shared_ptr<RadioTrace> m_trace; ///< of the run's thread
-    std::mutex m_lock;                   ///< for the rest
+    std::shared_ptr<RadioTrace> m_trace; ///< used by the run thread only
+    std::mutex m_lock;                   ///< guards the members below
     std::shared_ptr<const std::vector<RadioDefinition>> m_radios;
     std::deque<FrameRecord> m_records;
     std::deque<AirFrame> m_frames;
-    LiveRadio m_counts; ///< its figures alone
+    LiveRadio m_counts; ///< without records and frames
 };
 
 } // namespace trundle

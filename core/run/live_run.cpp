@@ -11,17 +11,17 @@ namespace trundle {
 LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared<Shared>()) {
     m_shared->running = options.startsRunning;
     m_shared->steps = options.startsRunning ? 0 : options.steps;
-    m_shared->goesOn = options.goesOn;
+    m_shared->canContinue = options.canContinue;
     m_shared->contacts = options.contacts;
-    m_shared->radio.want(options.radio);
+    m_shared->radio.setEnabled(options.radio);
     m_shared->changed = std::move(options.changed);
     m_shared->busySince = LiveClock::now();
     setSpeed(options.speed);
     try {
         m_shared->thread =
             std::thread([shared = m_shared, maker = std::move(maker), folder = std::move(options.logFolder),
-                         after = options.after ? options.after->m_shared : nullptr, patience = options.patience]() mutable {
-                LiveThread(std::move(shared), std::move(folder)).after(std::move(after), patience).go(std::move(maker));
+                         after = options.after ? options.after->m_shared : nullptr, timeout = options.timeout]() mutable {
+                LiveThread(std::move(shared), std::move(folder)).after(std::move(after), timeout).go(std::move(maker));
             });
     } catch (const std::system_error&) {
         LiveEnd end;
@@ -35,7 +35,7 @@ LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared
 LiveRun::~LiveRun() {
     stop();
     if (!m_shared->thread.joinable()) return;
-    // One that is through is joined at once, so that nothing of it is left; any other finds its own end.
+    // A finished thread is joined at once; a running one is detached and ends by itself.
     if (gone()) m_shared->thread.join();
     else m_shared->thread.detach();
 }
@@ -44,47 +44,47 @@ void LiveRun::run() {
     const std::scoped_lock guard(m_shared->lock);
     m_shared->running = true;
     m_shared->steps = 0;
-    m_shared->wishes.notify_all();
+    m_shared->wake.notify_all();
 }
 
 void LiveRun::pause() {
     const std::scoped_lock guard(m_shared->lock);
     m_shared->running = false;
     m_shared->steps = 0;
-    m_shared->wishes.notify_all();
+    m_shared->wake.notify_all();
 }
 
 void LiveRun::step(std::uint64_t ticks) {
     const std::scoped_lock guard(m_shared->lock);
     m_shared->running = false;
     m_shared->steps += ticks;
-    m_shared->wishes.notify_all();
+    m_shared->wake.notify_all();
 }
 
 void LiveRun::stop() {
     const std::scoped_lock guard(m_shared->lock);
     m_shared->stop = true;
-    m_shared->wishes.notify_all();
+    m_shared->wake.notify_all();
 }
 
 void LiveRun::setSpeed(double factor) {
     const std::scoped_lock guard(m_shared->lock);
     m_shared->speed = std::isfinite(factor) && factor > 0 ? std::max(factor, 1e-3) : 0;
-    m_shared->wishes.notify_all();
+    m_shared->wake.notify_all();
 }
 
-void LiveRun::wantContacts(bool wanted) {
+void LiveRun::setContactsEnabled(bool wanted) {
     const std::scoped_lock guard(m_shared->lock);
     m_shared->showAgain = m_shared->showAgain || (wanted && !m_shared->contacts);
     m_shared->contacts = wanted;
-    m_shared->wishes.notify_all();
+    m_shared->wake.notify_all();
 }
 
-void LiveRun::wantRadio(bool wanted) { m_shared->radio.want(wanted); }
+void LiveRun::setRadioEnabled(bool wanted) { m_shared->radio.setEnabled(wanted); }
 
 namespace {
 
-/// Whether the later of two commands before one tick makes the earlier one idle.
+/// Whether the later of two commands for the same tick replaces the earlier one.
 bool replaces(const decltype(Command::what)& later, const decltype(Command::what)& earlier) {
     if (later.index() != earlier.index()) return false;
     if (const auto* push = std::get_if<PushCommand>(&later)) return push->body == std::get<PushCommand>(earlier).body;
@@ -97,7 +97,7 @@ bool replaces(const decltype(Command::what)& later, const decltype(Command::what
 
 void LiveRun::command(decltype(Command::what) what) {
     const std::scoped_lock guard(m_shared->lock);
-    if (m_shared->phase == LivePhase::Ended && !(m_shared->end && m_shared->end->goesOn)) return;
+    if (m_shared->phase == LivePhase::Ended && !(m_shared->end && m_shared->end->canContinue)) return;
     for (auto& earlier : m_shared->commands)
         if (replaces(what, earlier)) {
             earlier = std::move(what);

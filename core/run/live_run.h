@@ -1,6 +1,6 @@
 #pragma once
-// One experiment in a thread of its own: wishes and commands in, newest state and console lines out. No call here waits for
-// the thread.
+// Runs one experiment in a thread of its own: requests and commands in, the latest state and console lines out. No call here
+// waits for the thread, except waitUntilGone().
 
 #include <chrono>
 #include <functional>
@@ -17,43 +17,43 @@
 
 namespace trundle {
 
-/// Running also while single ticks are under way; with Paused comes the snapshot of the tick it stands at.
-/// Ended: by Duration (see Options::goesOn), by a controller's finish(), by a fault, by a failed controller, or because nothing could be built; logs are closed by then.
+/// Running: also while single ticks are executed. Paused: the snapshot shows the current tick. Ended: by Duration (see
+/// Options::canContinue), a controller's finish(), a fault, a failed controller, or a failed build; the logs are closed by then.
 enum class LivePhase { Building, Paused, Running, Ended };
 
-/// A contact that outlives the world.
+/// A copy of a contact, valid without the world.
 struct LiveContact {
     std::string first, second; ///< geoms "robot0/chassis/bumper", "arena/north"
     Vec3 position = Vec3::Zero(), normal = Vec3::UnitZ();
     double depth = 0, force = 0; ///< m, N
 };
 
-/// The world after one tick. Immutable: keep it as long as needed.
+/// The state after one tick. Immutable; may be kept as long as needed.
 struct LiveSnapshot {
     std::shared_ptr<const SignalBlock> block;
-    std::shared_ptr<const std::vector<LiveContact>> contacts; ///< null unless they were wanted
+    std::shared_ptr<const std::vector<LiveContact>> contacts; ///< null unless enabled
     std::uint64_t tick = 0, quickTicks = 0;
     double time = 0;           ///< s, simulated
-    double realTimeFactor = 0; ///< over about the last second; 0 while it stands
-    double stepMs = 0;         ///< wall time of a tick, mean since the snapshot before
+    double realTimeFactor = 0; ///< over about the last second; 0 while paused
+    double stepMs = 0;         ///< mean wall time per tick since the previous snapshot
     std::size_t contactCount = 0;
-    std::optional<std::uint64_t> hash; ///< World::stateHash(), whenever the run stands
+    std::optional<std::uint64_t> hash; ///< World::stateHash(); set only while paused or ended
 };
 
 struct LiveLine {
     double time = 0;
-    std::string who; ///< "robot0", "robot0/leftMotor", "" for the run itself
+    std::string who; ///< "robot0", "robot0/leftMotor"; "" for the run itself
     int severity = 0;
     std::string text;
 };
 
-/// Console lines since the last look. What nobody fetched in time is counted and gone, oldest first.
+/// Console lines since the last call. If too many are waiting, the oldest are dropped and counted.
 struct LiveLines {
     std::vector<LiveLine> lines;
     std::uint64_t dropped = 0;
 };
 
-/// All that belongs together at one moment.
+/// A consistent view of the run at one moment.
 struct LiveView {
     LivePhase phase = LivePhase::Building;
     std::shared_ptr<const SignalLayout> layout;   ///< null until built
@@ -61,16 +61,16 @@ struct LiveView {
 };
 
 struct LiveEnd {
-    std::optional<Diagnostic> failure; ///< none: it came to its Duration, or a controller finished it
-    std::optional<RunFinish> finish;   ///< by a controller
-    std::string body;                  ///< that blew up: "robot0/chassis"; empty where it is none
+    std::optional<Diagnostic> failure; ///< none: ended by Duration or by a controller
+    std::optional<RunFinish> finish;   ///< set if a controller ended the run
+    std::string body;                  ///< the body with the fault: "robot0/chassis"; empty: none
     double time = 0;                   ///< s, simulated
-    std::vector<Diagnostic> problems;  ///< of building
+    std::vector<Diagnostic> problems;  ///< diagnostics of the build
     std::vector<std::string> logFiles;
-    bool goesOn = false; ///< it stands at its Duration, its logs written so far but open: run() and step() go on without limit
+    bool canContinue = false; ///< ended by Duration with logs flushed but open: run() and step() continue without limit
 };
 
-/// Makes the runner; called once, on the run's thread. What it holds on to must live as long as the run.
+/// Creates the runner; called once, on the run's thread. Everything that it references must outlive the run.
 using RunnerMaker = std::function<std::unique_ptr<Runner>(RunOptions, Diagnostics&)>;
 
 class LiveRun {
@@ -78,41 +78,42 @@ public:
     struct Options {
         LogLocation logFolder;
         double speed = 1;                     ///< see setSpeed()
-        bool startsRunning = false;           ///< runs as soon as it is built, else it is paused at tick 0
-        std::uint64_t steps = 0;              ///< ticks to take first of all, unless it runs anyway
-        bool goesOn = false; ///< at its Duration it does not close its logs, and can go on; else it is over
-        bool contacts = false, radio = false; ///< as by wantContacts(), wantRadio()
-        /// Called on the run's thread when phase() changed or a step was done. Must not block.
+        bool startsRunning = false;           ///< starts when built; otherwise paused at tick 0
+        std::uint64_t steps = 0;              ///< ticks to execute at the start, unless startsRunning
+        bool canContinue = false;             ///< at Duration, keeps its logs open so that it can continue
+        bool contacts = false, radio = false; ///< initial values of setContactsEnabled(), setRadioEnabled()
+        /// Called on the run's thread when phase() has changed or a step is done. Must not block.
         std::function<void()> changed;
-        /// A run of the same logs that was told to stop: building waits for its end. One that does not end keeps its logs, and
-        /// this one writes none.
+        /// An earlier run with the same logs that was asked to stop: building waits for its end. If it does not end within
+        /// `timeout`, this run writes no logs.
         const LiveRun* after = nullptr;
-        std::chrono::milliseconds patience{5000}; ///< how long it waits for that
+        std::chrono::milliseconds timeout{5000}; ///< limit for that wait
     };
 
     LiveRun(RunnerMaker maker, Options options);
-    /// Tells the thread to stop and does not wait. It ends after the tick it is in; one that never comes back (a controller in an
-    /// endless loop) is left behind with all it holds.
+    /// Requests a stop and returns without waiting. The thread ends after the current tick; if a tick never returns (an endless
+    /// loop in a controller), the thread and its resources are leaked.
     ~LiveRun();
     LiveRun(const LiveRun&) = delete;
     LiveRun& operator=(const LiveRun&) = delete;
 
     void run();
     void pause();
-    void step(std::uint64_t ticks = 1); ///< then pauses
-    void stop();                        ///< for good, after the tick it is in
+    void step(std::uint64_t ticks = 1); ///< executes ticks, then pauses
+    void stop();                        ///< permanently, after the current tick
     void setSpeed(double factor);       ///< simulated s per s; 0: as fast as possible
-    void wantContacts(bool wanted);     ///< in snapshots from now on; a run that stands makes a new one
-    void wantRadio(bool wanted);        ///< what flies is kept from the next tick on
-    /// For the coming tick. Of several before it that push one body, place one robot or write one signal, the last counts.
+    void setContactsEnabled(bool wanted); ///< for future snapshots; a paused run makes a new snapshot
+    void setRadioEnabled(bool wanted);    ///< effective from the next tick
+    /// Applies to the coming tick. Of several commands for one tick that push the same body, place the same robot or write the
+    /// same signal, only the last counts.
     void command(decltype(Command::what) what);
-    /// Pushes before every tick from now on, until it is replaced or ended; each is a command of its own.
+    /// Repeats a push before every tick until it is replaced or removed; each repetition is a command of its own.
     void keepPushing(std::optional<PushCommand> push);
 
     [[nodiscard]] LiveView view() const;
     [[nodiscard]] LivePhase phase() const;
-    [[nodiscard]] bool gone() const; ///< its thread is through
-    /// Waits for that at most so long.
+    [[nodiscard]] bool gone() const; ///< its thread has ended
+    /// Waits for the end of the thread for at most this time.
     bool waitUntilGone(std::chrono::milliseconds atMost);
     [[nodiscard]] double speed() const;
     /// Null until built.
@@ -120,13 +121,13 @@ public:
     [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const;
     [[nodiscard]] LiveLines takeLines();
     [[nodiscard]] LiveRadio takeRadio();
-    [[nodiscard]] std::vector<Diagnostic> takeWarnings(); ///< also those of building
+    [[nodiscard]] std::vector<Diagnostic> takeWarnings(); ///< including those of the build
     [[nodiscard]] std::optional<LiveEnd> end() const;
-    /// As stamped by the runner.
+    /// All commands with their ticks.
     [[nodiscard]] std::vector<Command> commands() const;
-    /// Wall s that the thread has been busy with one tick (or with building); 0 while it waits.
+    /// Wall time (s) of the tick or build in progress; 0 while the thread waits.
     [[nodiscard]] double busyS() const;
-    /// Robot whose controller has its turn now, by its place in the experiment.
+    /// Index of the robot whose controller is being called.
     [[nodiscard]] std::optional<std::size_t> turn() const;
 
 private:

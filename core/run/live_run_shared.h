@@ -1,5 +1,6 @@
 #pragma once
-// What the two sides of a LiveRun share: wishes go one way, results the other, under one lock that nobody holds for long.
+// State shared between a LiveRun and its thread: requests in one direction, results in the other, under one lock that is held
+// only briefly.
 
 #include <condition_variable>
 #include <deque>
@@ -14,21 +15,21 @@ using LiveClock = std::chrono::steady_clock;
 
 struct LiveRun::Shared {
     std::mutex lock;
-    std::condition_variable wishes; ///< the thread waits here
-    std::condition_variable ends;   ///< whoever waits for its end
+    std::condition_variable wake;   ///< the run thread waits here
+    std::condition_variable ends;   ///< others wait here for its end
 
-    // in
-    bool stop = false, running = false, contacts = false, showAgain = false, goesOn = false;
+    // requests
+    bool stop = false, running = false, contacts = false, showAgain = false, canContinue = false;
     std::uint64_t steps = 0;
     double speed = 1;
     std::vector<decltype(Command::what)> commands;
-    std::optional<PushCommand> push; ///< before every tick
+    std::optional<PushCommand> push; ///< repeated before every tick
     std::function<void()> changed;
 
-    // out
+    // results
     LivePhase phase = LivePhase::Building;
     bool gone = false;
-    bool fetched = true; ///< somebody took the snapshot
+    bool fetched = true; ///< the snapshot was fetched
     std::shared_ptr<const SignalLayout> layout;
     std::shared_ptr<const LiveSnapshot> snapshot;
     std::deque<LiveLine> lines;
@@ -38,12 +39,12 @@ struct LiveRun::Shared {
     std::vector<Command> stamped;
     std::optional<LiveClock::time_point> busySince;
 
-    RadioTap radio; ///< has a lock of its own
+    RadioTraceQueue radio; ///< has its own lock
 
     /// Written by the runner.
     std::shared_ptr<CallMonitor> calls = std::make_shared<CallMonitor>();
 
-    std::thread thread; ///< touched by the owner only
+    std::thread thread; ///< used by the LiveRun only
 };
 
 } // namespace trundle

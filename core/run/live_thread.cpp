@@ -9,8 +9,8 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostLines = 10'000;          // that nobody fetched yet
-constexpr std::chrono::milliseconds kFlushGap(200); // so much of the logs is lost at most where the program ends in the middle
+constexpr std::size_t kMaxLines = 10'000;           // limit for waiting console lines
+constexpr std::chrono::milliseconds kFlushGap(200); // at most this much of the logs is lost in a crash
 
 std::shared_ptr<const std::vector<LiveContact>> copied(const std::vector<WorldContact>& contacts) {
     auto list = std::make_shared<std::vector<LiveContact>>();
@@ -24,7 +24,7 @@ std::shared_ptr<const std::vector<LiveContact>> copied(const std::vector<WorldCo
 
 void LiveThread::go(RunnerMaker maker) {
     try {
-        waitForFormer();
+        waitForPrevious();
         build(maker);
         if (m_runner) loop();
         end();
@@ -32,7 +32,7 @@ void LiveThread::go(RunnerMaker maker) {
         fail("something was thrown that is no std::exception");
     }
     m_runner.reset();
-    maker = nullptr; // with all that it held on to
+    maker = nullptr; // releases everything that it captured
     std::function<void()> changed;
     {
         const std::scoped_lock guard(m_shared->lock);
@@ -44,22 +44,22 @@ void LiveThread::go(RunnerMaker maker) {
     if (changed) changed();
 }
 
-/// Two runs must not write the same logs at once.
-void LiveThread::waitForFormer() {
+/// Two runs must not write the same logs at the same time.
+void LiveThread::waitForPrevious() {
     if (!m_after) return;
     {
         std::unique_lock guard(m_after->lock);
-        if (m_after->ends.wait_for(guard, m_patience, [&] { return m_after->gone; })) return m_after.reset();
+        if (m_after->ends.wait_for(guard, m_timeout, [&] { return m_after->gone; })) return m_after.reset();
     }
     m_after.reset();
     m_logFolder = {};
-    say({0, "", TRUNDLE_WARNING,
-         "the run before has not ended: code of one of its controllers does not come back. This run writes no logs"});
+    addMessage({0, "", TRUNDLE_WARNING,
+                "the previous run has not ended: one of its controllers is not responding. This run writes no logs"});
 }
 
-void LiveThread::say(LiveLine line) {
+void LiveThread::addMessage(LiveLine line) {
     const std::scoped_lock guard(m_shared->lock);
-    if (m_shared->lines.size() >= kMostLines) {
+    if (m_shared->lines.size() >= kMaxLines) {
         m_shared->lines.pop_front();
         ++m_shared->dropped;
     }
@@ -70,9 +70,9 @@ void LiveThread::build(const RunnerMaker& maker) {
     RunOptions options;
     options.logFolder = m_logFolder;
     options.calls = m_shared->calls;
-    // The runner outlives neither this object nor its thread.
+    // `this` outlives the runner, which is used on this thread only.
     options.console = [this](double time, const std::string& who, int severity, const std::string& text) {
-        say({time, who, severity, text});
+        addMessage({time, who, severity, text});
     };
     Diagnostics problems;
     m_runner = maker(std::move(options), problems);
@@ -106,85 +106,85 @@ void LiveThread::build(const RunnerMaker& maker) {
         m_shared->busySince.reset();
     }
     passWarnings();
-    tellChanged();
+    notifyChanged();
 }
 
 void LiveThread::loop() {
     while (!atEnd() || holdAtDuration()) {
         switch (awaitNext()) {
-        case Next::Stop: return;
-        case Next::Show: publish(true); break;
-        case Next::Tick:
+        case NextStep::Stop: return;
+        case NextStep::Show: publish(true); break;
+        case NextStep::Tick:
             if (!tick()) return;
             break;
         }
     }
 }
 
-/// Says that it is at its end, for who goes on from there. False where the end is one for good.
+/// Reports the end by Duration if the run can continue from there. False if the end is final.
 bool LiveThread::holdAtDuration() {
     if (m_runner->finished()) return false;
     m_runner->flushLogs();
     auto shot = look(true, true);
     {
         const std::scoped_lock guard(m_shared->lock);
-        if (!m_shared->goesOn || m_shared->stop || m_runner->failure()) return false;
-        m_ticks = 0; // nothing limits it from here on
+        if (!m_shared->canContinue || m_shared->stop || m_runner->failure()) return false;
+        m_ticks = 0; // no limit from here on
         m_shared->running = false;
         m_shared->steps = 0;
         m_shared->end = endNow();
-        m_shared->end->goesOn = true;
+        m_shared->end->canContinue = true;
         m_shared->snapshot = std::move(shot);
         m_shared->fetched = false;
         m_shared->phase = LivePhase::Ended;
     }
-    tellChanged();
+    notifyChanged();
     return true;
 }
 
-/// Sleeps until there is something to do. Leaves the coming tick's commands in m_commands.
-LiveThread::Next LiveThread::awaitNext() {
+/// Waits until there is something to do. For a tick, moves the pending commands to m_commands.
+LiveThread::NextStep LiveThread::awaitNext() {
     const double tickS = m_runner->world().experiment().settings.tick;
     std::unique_lock guard(m_shared->lock);
     for (;;) {
-        if (m_shared->stop) return Next::Stop;
+        if (m_shared->stop) return NextStep::Stop;
         const bool runs = m_shared->running;
-        if (!runs) m_flows = false;
+        if (!runs) m_paced = false;
         if (!runs && m_shared->steps == 0) {
-            const bool stops = m_shared->phase == LivePhase::Running; // publish() says so, together with the tick it stands at
-            if (std::exchange(m_shared->showAgain, false) || stops) return Next::Show;
-            m_shared->wishes.wait(guard);
+            const bool stops = m_shared->phase == LivePhase::Running; // publish() sets the phase together with the snapshot
+            if (std::exchange(m_shared->showAgain, false) || stops) return NextStep::Show;
+            m_shared->wake.wait(guard);
             continue;
         }
         const LiveClock::time_point now = LiveClock::now();
-        if (runs && !m_flows) {
-            m_flows = true;
+        if (runs && !m_paced) {
+            m_paced = true;
             m_pace.restart(now);
             m_meter.restart(now, m_runner->world().time());
         }
         m_shared->end.reset();
         if (std::exchange(m_shared->phase, LivePhase::Running) != LivePhase::Running &&
-            runs) { // a single tick is told when it is done
+            runs) { // a single tick is reported when it is done
             guard.unlock();
-            tellChanged();
+            notifyChanged();
             guard.lock();
             continue;
         }
         if (runs) {
             const LiveClock::time_point due = m_pace.due(now, tickS, m_shared->speed);
             if (due > now) {
-                m_shared->wishes.wait_until(guard, due);
+                m_shared->wake.wait_until(guard, due);
                 continue;
             }
         }
         m_commands = std::exchange(m_shared->commands, {});
         if (m_shared->push) m_commands.emplace_back(*m_shared->push);
         m_shared->busySince = now;
-        return Next::Tick;
+        return NextStep::Tick;
     }
 }
 
-/// False where the run is at its end.
+/// Executes one tick. False if it failed.
 bool LiveThread::tick() {
     for (auto& what : std::exchange(m_commands, {})) m_runner->command(std::move(what));
     const LiveClock::time_point before = LiveClock::now();
@@ -253,14 +253,14 @@ void LiveThread::publish(bool stands) {
         contacts = m_shared->contacts;
     }
     auto shot = look(stands, contacts);
-    if (stands) m_runner->flushLogs(); // who pauses may want to read them
+    if (stands) m_runner->flushLogs(); // users may read the logs while paused
     {
         const std::scoped_lock guard(m_shared->lock);
         m_shared->snapshot = std::move(shot);
         m_shared->fetched = false;
         if (stands && !m_shared->running && m_shared->steps == 0 && !m_shared->end) m_shared->phase = LivePhase::Paused;
     }
-    if (stands) tellChanged();
+    if (stands) notifyChanged();
 }
 
 LiveEnd LiveThread::endNow() const {
@@ -276,12 +276,12 @@ LiveEnd LiveThread::endNow() const {
     return end;
 }
 
-/// Closes the logs, then says that it is over.
+/// Closes the logs, then reports the end.
 void LiveThread::end() {
     std::optional<LiveEnd> end;
     std::shared_ptr<const LiveSnapshot> last;
     if (m_runner) {
-        (void)m_runner->finish(); // what fails here stands in failure()
+        (void)m_runner->finish(); // a failure is reported by failure()
         passWarnings();
         end = endNow();
         last = look(true, true);
@@ -292,7 +292,7 @@ void LiveThread::end() {
         if (last) m_shared->snapshot = std::move(last);
         m_shared->phase = LivePhase::Ended;
     }
-    tellChanged();
+    notifyChanged();
 }
 
 void LiveThread::fail(const std::string& why) {
@@ -305,10 +305,10 @@ void LiveThread::fail(const std::string& why) {
         if (!m_shared->end) m_shared->end = std::move(end);
         m_shared->phase = LivePhase::Ended;
     }
-    tellChanged();
+    notifyChanged();
 }
 
-void LiveThread::tellChanged() {
+void LiveThread::notifyChanged() {
     std::function<void()> changed;
     {
         const std::scoped_lock guard(m_shared->lock);

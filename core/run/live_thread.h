@@ -1,5 +1,5 @@
 #pragma once
-// The run's own side of a LiveRun. Runner, world and controllers are made, used and destroyed on its thread alone.
+// The thread of a LiveRun. Runner, world and controllers are created, used and destroyed on this thread only.
 
 #include <string>
 
@@ -12,23 +12,23 @@ class LiveThread {
 public:
     LiveThread(std::shared_ptr<LiveRun::Shared> shared, LogLocation logFolder)
         : m_shared(std::move(shared)), m_logFolder(std::move(logFolder)) {}
-    LiveThread& after(std::shared_ptr<LiveRun::Shared> former, std::chrono::milliseconds patience) {
+    LiveThread& after(std::shared_ptr<LiveRun::Shared> former, std::chrono::milliseconds timeout) {
         m_after = std::move(former);
-        m_patience = patience;
+        m_timeout = timeout;
         return *this;
     }
 
-    /// From building to the closed logs. Nothing that is thrown leaves it.
+    /// The whole run, from building to closing the logs. Catches all exceptions.
     void go(RunnerMaker maker);
 
 private:
-    enum class Next { Tick, Show, Stop };
+    enum class NextStep { Tick, Show, Stop };
 
     void build(const RunnerMaker& maker);
-    void waitForFormer();
-    void say(LiveLine line);
+    void waitForPrevious();
+    void addMessage(LiveLine line);
     void loop();
-    [[nodiscard]] Next awaitNext();
+    [[nodiscard]] NextStep awaitNext();
     [[nodiscard]] bool tick();
     [[nodiscard]] bool atEnd() const { return m_runner->finished() || (m_ticks > 0 && m_runner->world().ticks() >= m_ticks); }
     void passWarnings();
@@ -38,20 +38,20 @@ private:
     [[nodiscard]] LiveEnd endNow() const;
     void end();
     void fail(const std::string& why);
-    void tellChanged();
+    void notifyChanged();
 
     std::shared_ptr<LiveRun::Shared> m_shared, m_after;
-    std::chrono::milliseconds m_patience{0};
+    std::chrono::milliseconds m_timeout{0};
     LogLocation m_logFolder;
     std::unique_ptr<Runner> m_runner;
-    Medium* m_medium = nullptr;      ///< of its world; null without radios
-    std::uint64_t m_ticks = 0;       ///< of the whole run; 0: until stopped
-    LiveClock::time_point m_flushed; // when logs were
+    Medium* m_medium = nullptr;      ///< of the runner's world; null without radios
+    std::uint64_t m_ticks = 0;       ///< total for the run; 0: no limit
+    LiveClock::time_point m_flushed; // time of the last log flush
     LivePace m_pace;
-    LiveMeter m_meter;
+    RunTiming m_meter;
     std::vector<decltype(Command::what)> m_commands;
     std::size_t m_stampedPassed = 0, m_warningsPassed = 0;
-    bool m_flows = false; ///< at its speed: m_pace counts
+    bool m_paced = false; ///< running at the set speed; m_pace is valid
 };
 
 } // namespace trundle

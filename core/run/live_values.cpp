@@ -7,15 +7,15 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostBound = 256;
-constexpr std::uint32_t kMostNumbers = 6; // of one signal: a row of ranges has hundreds
+constexpr std::size_t kMaxBound = 256;
+constexpr std::uint32_t kMaxNumbers = 6; // limit per signal: a range scan has hundreds
 
 template <class Range> auto* named(Range& range, std::string_view name) {
     const auto it = std::ranges::find_if(range, [&](const auto& item) { return item.name == name; });
     return it == range.end() ? nullptr : &*it;
 }
 
-/// The word before the first dot, which is taken off.
+/// Removes the first word, up to a dot, and returns it.
 std::string_view takeWord(std::string_view& path) {
     const std::size_t dot = std::min(path.find('.'), path.size());
     const std::string_view word = path.substr(0, dot);
@@ -98,7 +98,7 @@ void LiveObject::addVector(const SignalEntry& entry, LiveValue value, const char
     });
 }
 
-/// Of a robot, a body, or a geom that is fixed in one.
+/// Adds pose and velocity of a robot, a body, or a geom that is fixed to a body.
 void LiveObject::addMotion(const SignalLayout& layout, const std::string& prefix, const Pose& inFrame) {
     const SignalEntry *pose = layout.find(prefix + "pose"), *velocity = layout.find(prefix + "velocity");
     if (!pose || shapeOf(*pose) != SignalShape::Pose) return;
@@ -117,7 +117,7 @@ void LiveObject::addMotion(const SignalLayout& layout, const std::string& prefix
 
 void LiveObject::addRobot(const RobotSpec& robot, const SignalLayout& layout, const Registry& registry) {
     addMotion(layout, robot.name + "/", {});
-    // What its controller publishes belongs to the robot's own rows, as the controller's properties do.
+    // Signals published by the controller are shown with the robot, like the controller's properties.
     if (robot.controller)
         addSignals(layout, robot.name + "/" + robot.controller->name + "/", registry.find(robot.controller->kind));
 }
@@ -149,9 +149,9 @@ void LiveObject::addSignal(const SignalEntry& entry, LiveValue value) {
     }
     case SignalShape::Plain: break;
     }
-    addVector(entry, std::move(value), entry.unit.c_str(), 0, std::min(entry.count, kMostNumbers));
+    addVector(entry, std::move(value), entry.unit.c_str(), 0, std::min(entry.count, kMaxNumbers));
     m_lines.back().type = entry.type;
-    m_lines.back().more = entry.count > kMostNumbers;
+    m_lines.back().more = entry.count > kMaxNumbers;
     if (entry.type != SignalType::Real) m_lines.back().scale = NumberScale(entry.unit, NumberScale::Kind::Whole);
 }
 
@@ -179,7 +179,7 @@ LiveObjects::LiveObjects(std::shared_ptr<const ExperimentSpec> experiment, std::
 const std::vector<LiveValue>& LiveObjects::read(const std::string& path, const LiveSnapshot& snapshot) {
     auto it = m_objects.find(path);
     if (it == m_objects.end()) {
-        if (m_objects.size() >= kMostBound) m_objects.clear();
+        if (m_objects.size() >= kMaxBound) m_objects.clear();
         it = m_objects.emplace(path, LiveObject(*m_experiment, *m_layout, *m_registry, path)).first;
     }
     return it->second.read(snapshot);

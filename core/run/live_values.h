@@ -1,5 +1,5 @@
 #pragma once
-// What the objects of a run measure and do now, in words: one source for property rows, tooltips and read-outs.
+// Current values of the objects of a run, formatted for property rows, tooltips and read-outs.
 
 #include <functional>
 #include <map>
@@ -15,38 +15,38 @@
 
 namespace trundle {
 
-/// One line: "current  0.213 A".
+/// One displayed line: "current  0.213 A".
 struct LiveValue {
     std::string name;                 ///< "current", "position"
-    std::string signal;               ///< the signal that it is read from, "robot0/leftMotor/current"; empty: from none
-    std::string help;                 ///< a sentence; may be empty
-    std::vector<std::string> numbers; ///< as shown, in `unit`; or one word
-    std::string unit;                 ///< "mA", "°"; may be empty
+    std::string signal;               ///< path of the signal that it is read from, "robot0/leftMotor/current"; empty: none
+    std::string help;                 ///< a sentence, or empty
+    std::vector<std::string> numbers; ///< formatted, in `unit`; or one word
+    std::string unit;                 ///< "mA", "°"; or empty
     bool commanded = false;           ///< set by a controller, not measured
 
     /// "0.120, -0.400, 0.050"
     [[nodiscard]] std::string text() const;
 };
 
-/// The values of one object of a run. Finds its signals once; read() looks nothing up.
+/// The values of one object of a run. Its signals are looked up once, in the constructor.
 class LiveObject {
 public:
-    /// `path`: "robot0", "swarm_3.chassis.hull", "robot0.leftMotor", "robot0.brain"; "" is the run itself. Without values where it
-    /// is none of the run's robots nor in one, or has no signals.
+    /// `path`: "robot0", "swarm_3.chassis.hull", "robot0.leftMotor", "robot0.brain"; "" is the run itself. Has no values if the
+    /// path is not a robot of the run or part of one, or has no signals.
     LiveObject(const ExperimentSpec& experiment, const SignalLayout& layout, const Registry& registry, std::string_view path);
 
-    /// Lengths in m, angles in degrees, rates in rad/s, the rest in SI units with a prefix where that reads better. Decimals and
-    /// prefixes follow the largest value read so far: digits do not dance.
+    /// Lengths in m, angles in degrees, rates in rad/s, other values in SI units with a suitable prefix. Decimals and prefixes
+    /// follow the largest value read so far, so that the digits keep their positions.
     [[nodiscard]] const std::vector<LiveValue>& read(const LiveSnapshot& snapshot);
 
 private:
     using Numbers = std::vector<double>;
     struct Line {
-        std::size_t value = 0; ///< index
+        std::size_t value = 0; ///< index in m_values
         NumberScale scale;
         std::function<void(const LiveSnapshot&, Numbers&)> read;
         SignalType type = SignalType::Real;
-        bool more = false; ///< numbers than are shown
+        bool more = false; ///< the signal has more numbers than are shown
     };
     void bind(const ExperimentSpec& experiment, const SignalLayout& layout, const Registry& registry, std::string_view path);
     void addRun();
@@ -60,16 +60,16 @@ private:
 
     std::vector<LiveValue> m_values;
     std::vector<Line> m_lines;
-    Numbers m_numbers; // of one line
+    Numbers m_numbers; // scratch buffer for one line
     std::shared_ptr<const SignalBlock> m_read;
 };
 
-/// The objects of one run that somebody looks at, each bound when it is first asked for.
+/// The observed objects of one run; each is bound at its first read().
 class LiveObjects {
 public:
     LiveObjects(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<const SignalLayout> layout,
                 std::shared_ptr<const Registry> registry);
-    /// Good until the next call.
+    /// The result is valid until the next call.
     [[nodiscard]] const std::vector<LiveValue>& read(const std::string& path, const LiveSnapshot& snapshot);
 
 private:

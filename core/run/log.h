@@ -1,5 +1,5 @@
 #pragma once
-// A log of an experiment: a CSV file with a row, or some rows, at the initial state and every `Interval`.
+// Interface of logs: a CSV file with one or more rows for the initial state and then every `Interval`.
 
 #include <functional>
 #include <memory>
@@ -15,31 +15,31 @@
 
 namespace trundle {
 
-/// What every log has in the text.
+/// Settings shared by all logs.
 struct LogSettings {
-    double interval = 0;             ///< s, 0: every tick
-    std::optional<std::string> file; ///< in the log folder; none: "<name>.csv"
+    double interval = 0;             ///< s; 0: every tick
+    std::optional<std::string> file; ///< path in the log folder; none: "<name>.csv"
 };
 
-/// A picture that a log asks for.
-struct PictureWish {
-    std::string camera, view; ///< both empty: everything
+/// An image requested by a log.
+struct PictureOptions {
+    std::string camera, view; ///< both empty: the whole scene
     std::uint32_t width = 0, height = 0;
 };
-/// Gives the time that the picture shows (s): a camera with an UpdatePeriod took it earlier.
-using PictureSaver = std::function<Result<double>(const PictureWish&, const std::string& fileName)>;
+/// Saves an image and returns the time (s) that it shows: earlier than now for a camera with an UpdatePeriod.
+using PictureSaver = std::function<Result<double>(const PictureOptions&, const std::string& fileName)>;
 
 class Log {
 public:
     virtual ~Log() = default;
-    /// Called before anything else.
+    /// Called before all other functions.
     virtual void usePictures(PictureSaver) {}
-    /// The header row, then rows of the state that the world stands in.
+    /// The header row; rows() appends the rows for the world's current state.
     virtual void header(std::string& csv) const = 0;
     virtual void rows(const World& world, double time, std::string& csv) = 0;
 };
 
-/// Fills the object's fields from a resolved component; what the text leaves out keeps its default.
+/// Sets the fields of a T from a resolved component; properties not given keep their defaults.
 template <class T> T settingsFrom(const ComponentSpec& spec) {
     T settings;
     for (const FieldInfo& field : descriptionOf<T>().fields()) {
@@ -55,14 +55,14 @@ template <class T> T settingsFrom(const ComponentSpec& spec) {
     return settings;
 }
 
-/// Describes what every log has, after its own fields.
+/// Describes the settings shared by all logs, after the log's own fields.
 template <class T> void describeLogSettings(Describe<T>& d) {
     d.field("Interval", &T::interval, seconds().atLeast(0),
             "Time between rows; 0 writes one every tick. The initial state is always there.");
     d.field("File", &T::file, text(), "File in the log folder; by default the log's name with .csv.");
 }
 
-// One maker per kind. Names that do not exist are diagnostics that list those that do; then there is no log.
+// One factory per kind. An unknown name is an error that lists the existing names; the result is then nullptr.
 std::unique_ptr<Log> makePoseLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 std::unique_ptr<Log> makeSignalLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 std::unique_ptr<Log> makeContactLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);

@@ -8,24 +8,24 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kMaxListed = 12;
 
-/// "robot0, robot1 and 98 more"
+/// For messages: "robot0, robot1 and 98 more".
 std::string listed(const std::vector<std::string>& names) {
     if (names.empty()) return "there are none";
     std::string text = "there is ";
-    for (std::size_t i = 0; i < names.size() && i < kMostListed; ++i) text += (i ? ", " : "") + names[i];
-    if (names.size() > kMostListed) text += " and " + std::to_string(names.size() - kMostListed) + " more";
+    for (std::size_t i = 0; i < names.size() && i < kMaxListed; ++i) text += (i ? ", " : "") + names[i];
+    if (names.size() > kMaxListed) text += " and " + std::to_string(names.size() - kMaxListed) + " more";
     return text;
 }
 
-/// `name` is "swarm_12" and `grid` "swarm".
+/// Whether a name has the form of a member: `name` "swarm_12" for `grid` "swarm".
 bool isMemberOf(std::string_view name, std::string_view grid) {
     if (name.size() < grid.size() + 2 || !name.starts_with(grid) || name[grid.size()] != '_') return false;
     return name.find_first_not_of("0123456789", grid.size() + 1) == std::string_view::npos;
 }
 
-/// `best`: what was surely meant, where that is known; then it stands in place of the list.
+/// Reports an unknown name. `best`: the intended name if it is certain; replaces the list of names.
 void unknownName(const ComponentSpec& spec, const char* key, const std::string& what, const std::string& written,
                  const std::vector<std::string>& names, const std::string& best, Diagnostics& diagnostics) {
     const ResolvedValue* value = spec.find(key);
@@ -35,7 +35,7 @@ void unknownName(const ComponentSpec& spec, const char* key, const std::string& 
     d.suggestions = best.empty() ? nearestWords(written, names) : std::vector<std::string>{best};
 }
 
-/// "swarm_*/pose" for "swarm/pose", where swarm is a Grid or Scatter whose members have such a signal; else empty.
+/// The pattern "swarm_*/pose" for "swarm/pose", if swarm is a Grid or Scatter whose members have such a signal; else empty.
 std::string patternForMembers(const std::string& written, const SignalLayout& layout) {
     const std::size_t slash = written.find('/');
     if (slash == std::string::npos || slash == 0) return {};
@@ -50,7 +50,7 @@ std::string patternForMembers(const std::string& written, const SignalLayout& la
 
 bool hasWildcard(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
 
-/// The signals of the robot (or static) that `written` starts with, so that the list fits the mistake.
+/// The signals of the robot or static that `written` begins with, or all signals.
 std::vector<std::string> signalNamesNear(const std::string& written, const SignalLayout& layout) {
     const std::string owner = written.substr(0, written.find('/') == std::string::npos ? 0 : written.find('/') + 1);
     std::vector<std::string> near, all;

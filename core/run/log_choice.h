@@ -1,5 +1,5 @@
 #pragma once
-// Which robots and which signals a log means.
+// Selects the robots and signals of a log.
 
 #include <string>
 #include <string_view>
@@ -11,15 +11,15 @@
 
 namespace trundle {
 
-/// `*` stands for any characters, also none and also `/`; `?` for one.
+/// `*` matches any characters, including none and `/`; `?` matches one character.
 [[nodiscard]] bool matchesWildcard(std::string_view pattern, std::string_view text);
 
-/// Indices of the robots under `Robot`, rising: names, wildcards, or a Grid's or Scatter's name for all its members. All robots where
-/// nothing is named. A name that means no robot is an error.
+/// Indices, in increasing order, of the robots selected by `Robot`: names, wildcards, or the name of a Grid or Scatter for all
+/// its members. All robots if none is given. A name that matches no robot is an error.
 [[nodiscard]] std::vector<std::size_t> chooseRobots(const ComponentSpec& spec, const std::vector<RobotSpec>& robots,
                                                     Diagnostics& diagnostics);
 
-/// The signals under `Signals`, in the text's order, each once. A name that means no signal is an error.
+/// The signals selected by `Signals`, in text order, each once. A name that matches no signal is an error.
 [[nodiscard]] std::vector<const SignalEntry*> chooseSignals(const ComponentSpec& spec, const SignalLayout& layout,
                                                             Diagnostics& diagnostics);
 

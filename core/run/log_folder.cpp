@@ -13,16 +13,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kListTitle = "logs of the last run, removed by the next";
-constexpr std::uint64_t kMostListBytes = 16 << 20;
+constexpr std::uint64_t kMaxListBytes = 16 << 20;
 
 Error unwritable(const std::string& path, const std::string& why) {
     return Error{Code::LogUnwritable, "cannot write " + path + ": " + why};
 }
 
-/// The names of a list that could be ours; of anything else none.
+/// The valid file names of the list in a folder; empty if the list has another format.
 std::vector<std::string> listedNames(const FolderHandle& folder) {
     std::vector<std::string> names;
-    const Result<std::string> bytes = folder.readFile(std::string(kLogList), kMostListBytes);
+    const Result<std::string> bytes = folder.readFile(std::string(kLogList), kMaxListBytes);
     if (!bytes || !bytes.value().starts_with(std::string(kListTitle) + "\n")) return names;
     std::string_view rest = std::string_view(bytes.value()).substr(kListTitle.size() + 1);
     for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos; rest.remove_prefix(end + 1)) {
@@ -139,7 +139,7 @@ void LogFolder::settle() {
     for (const auto& file : m_files)
         if (file->name().find('/') == std::string::npos) own.insert(file->name());
 
-    // The list is for tidiness alone: a run is none the worse where it cannot be kept.
+    // The list is only used to remove old logs: a failure to write it is ignored.
     const std::string list(kLogList);
     const Result<FolderHandle> folder = folderOf(list, false);
     if (!folder) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The one folder a run writes into, and the files it opened there.
+// The folder that a run writes into, and the files that it opened there.
 
 #include <cstdio>
 #include <memory>
@@ -16,7 +16,7 @@
 
 namespace trundle {
 
-/// A file being written, through a buffer. The first failure (a full disk) is kept and ends all writing.
+/// A buffered log file. After the first failure, such as a full disk, nothing more is written.
 class LogFile {
 public:
     LogFile(std::string name, std::string path, std::FILE* file);
@@ -26,10 +26,10 @@ public:
 
     void write(std::string_view bytes);
     void flush();
-    /// Flushes and closes. Gives the first failure of its whole life.
+    /// Flushes and closes the file. Returns the first failure since it was opened.
     Status close();
 
-    [[nodiscard]] const std::string& name() const { return m_name; } ///< inside the folder
+    [[nodiscard]] const std::string& name() const { return m_name; } ///< relative to the log folder
     [[nodiscard]] const std::string& path() const { return m_path; }
     [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
 
@@ -41,39 +41,38 @@ private:
     std::optional<Error> m_failure;
 };
 
-/// The list of a run's log files, in the log folder.
+/// File in the log folder that lists the log files of the last run.
 inline constexpr std::string_view kLogList = ".trundle-logs";
 
-/// `name` with forward slashes and no idle parts. Fails for what could leave the folder: an absolute path, `..`, control bytes;
-/// and for kLogList.
+/// `name` with forward slashes and without redundant parts. Fails for names that could leave the folder (absolute paths, `..`,
+/// control characters) and for kLogList.
 [[nodiscard]] Result<std::string> cleanLogName(std::string_view name);
 
 class LogFolder {
 public:
-    /// Made on disk only when the first file is opened. An empty location refuses every file.
+    /// The folder is created when the first file is opened. An empty location refuses every file.
     explicit LogFolder(LogLocation location) : m_location(std::move(location)) {}
 
-    /// Opens a new file in place of one that an earlier run left there. Refused: a name already open in this run, a name that
-    /// leaves the folder, a way through a symbolic link (also one that is made meanwhile), anything in its place that is no regular
-    /// file.
+    /// Opens a new file; replaces one from an earlier run. Fails for a name already open in this run, a name outside the folder,
+    /// a path through a symbolic link (even one created in the meantime), and an existing path that is not a regular file.
     [[nodiscard]] Result<LogFile*> create(std::string_view name);
 
-    /// Removes a file that create() gave and that is closed.
+    /// Removes a closed file that create() returned.
     void remove(const LogFile& file);
 
-    /// Removes what an earlier run wrote and this one did not, going by the list that run left, and leaves a list of its own. Only
-    /// regular files right inside the folder are removed, whatever the list says. Files are to be closed before.
+    /// Removes the files that an earlier run listed and this one did not write, and writes a new list. Removes only regular files
+    /// directly in the folder, whatever the list contains. All files must be closed.
     void settle();
 
     [[nodiscard]] const std::vector<std::unique_ptr<LogFile>>& files() const { return m_files; }
 
 private:
-    /// The folder that a clean name's file is in, opened part by part; made where it is missing if `make`.
+    /// The folder that contains a file with a clean name, opened component by component; created if missing and `make` is set.
     [[nodiscard]] Result<FolderHandle> folderOf(const std::string& name, bool make) const;
 
     LogLocation m_location;
     std::vector<std::unique_ptr<LogFile>> m_files;
-    std::unordered_set<std::string> m_names; ///< of them; pictures may be many
+    std::unordered_set<std::string> m_names; ///< names of m_files, for fast lookup
 };
 
 } // namespace trundle

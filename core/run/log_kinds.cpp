@@ -35,7 +35,7 @@ Status addLogKinds(Registry& registry) {
 std::unique_ptr<Log> makeLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     for (const LogKind& log : kLogKinds)
         if (spec.kind == log.name) return log.make(spec, world, diagnostics);
-    return nullptr; // a kind of log that no table knows cannot come out of the resolver
+    return nullptr; // not reached: the resolver rejects unknown kinds
 }
 
 std::string logFileName(const ComponentSpec& spec) {

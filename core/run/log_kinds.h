@@ -9,17 +9,16 @@ namespace trundle {
 /// Adds PoseLog, SignalLog, ContactLog, EnergyLog, RadioLog and LinkMatrix.
 [[nodiscard]] Status addLogKinds(Registry& registry);
 
-/// The log that a spec asks for; nullptr with a diagnostic where it cannot be had.
+/// Creates the log for a spec; nullptr, with a diagnostic, on failure.
 [[nodiscard]] std::unique_ptr<Log> makeLog(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics);
 
-/// "path.csv" or what `File` says.
+/// The value of `File`, or a name such as "path.csv" for a log `path`.
 [[nodiscard]] std::string logFileName(const ComponentSpec& spec);
 
-/// What can be said of an experiment's logs without a world: robots that do not exist, files that may not be, files named twice.
-/// Says nothing of signals.
+/// Checks an experiment's logs without a world: unknown robots, invalid file names, duplicate file names. Does not check signals.
 void checkLogs(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 
-/// Says which Signals of the logs do not exist in the layout of the experiment's world.
+/// Reports Signals of the logs that do not exist in the layout of the experiment's world.
 void checkLogSignals(const ExperimentSpec& experiment, const SignalLayout& layout, Diagnostics& diagnostics);
 
 } // namespace trundle

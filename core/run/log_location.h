@@ -4,11 +4,11 @@
 
 namespace trundle {
 
-/// The folder that a run's logs go to.
+/// The folder for a run's logs.
 struct LogLocation {
     LogLocation() = default;
-    /// `folder`: chosen by the user, or known to be the user's own; may be reached through links. `below`: folders in it,
-    /// "logs/linear_motion", where a link is refused: they may have come with a project of somebody else.
+    /// `folder`: chosen or owned by the user; may be reached through links. `below`: subfolders, "logs/linear_motion", that may
+    /// belong to a project from someone else, so links in it are refused.
     LogLocation(std::string folder, std::string below = {}) : folder(std::move(folder)), below(std::move(below)) {}
 
     [[nodiscard]] bool empty() const { return folder.empty(); }
@@ -17,9 +17,9 @@ struct LogLocation {
     std::string folder, below;
 };
 
-/// Where the logs of an experiment go unless the user says otherwise: `logs/<name of its file>` really inside the given folder.
+/// The default log folder of an experiment: `logs/<name of its file>` inside the given folder; links in it are refused.
 [[nodiscard]] LogLocation defaultLogs(const std::string& projectFolder, const std::string& experimentFile);
-/// The name of its file without the ending; "experiment" where that could not name a folder.
+/// The name of the experiment's file without the ending; "experiment" if that is not a valid folder name.
 [[nodiscard]] std::string experimentName(const std::string& experimentFile);
 
 } // namespace trundle

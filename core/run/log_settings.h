@@ -1,5 +1,5 @@
 #pragma once
-// The fields of each kind of log, named once.
+// Field tables of the kinds of logs.
 
 #include <array>
 #include <string>

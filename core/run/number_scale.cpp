@@ -10,10 +10,10 @@
 namespace trundle {
 namespace {
 
-constexpr int kMostDecimals = 3;
-constexpr double kSmall = 0.1; // below it milli reads better
+constexpr int kMaxDecimals = 3;
+constexpr double kSmall = 0.1; // smaller values are shown with the prefix milli
 
-/// Units that take a prefix. Lengths and speeds stay in metres, as the language has them.
+/// Units that take a prefix. Lengths and speeds are always in metres, as in the language.
 bool takesPrefix(std::string_view unit) {
     constexpr std::array<std::string_view, 9> kUnits{"V", "A", "W", "N", "N m", "J", "Hz", "Pa", "ohm"};
     return std::ranges::find(kUnits, unit) != kUnits.end();
@@ -48,7 +48,7 @@ void NumberScale::choose() {
     }
     const double shown = m_largest * m_factor;
     const int lead = shown >= 10 ? static_cast<int>(std::floor(std::log10(shown))) : 0;
-    m_decimals = m_kind == Kind::Whole ? 0 : std::clamp(kMostDecimals - lead, m_unit == "m" ? 3 : 0, kMostDecimals);
+    m_decimals = m_kind == Kind::Whole ? 0 : std::clamp(kMaxDecimals - lead, m_unit == "m" ? 3 : 0, kMaxDecimals);
 }
 
 std::string NumberScale::text(double value) const {
@@ -57,7 +57,7 @@ std::string NumberScale::text(double value) const {
     char digits[400];
     std::snprintf(digits, sizeof digits, "%.*f", m_decimals, value * m_factor);
     const std::string_view written(digits);
-    // What rounds to nothing has no sign.
+    // "-0.00" is shown without the sign.
     if (written.front() == '-' && written.find_first_not_of("-0.") == std::string_view::npos) return std::string(written.substr(1));
     return std::string(written);
 }

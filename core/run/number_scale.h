@@ -1,19 +1,19 @@
 #pragma once
-// Numbers that change many times a second, written so that their digits stay where they are.
+// Formats rapidly changing numbers so that their digits keep their positions.
 
 #include <string>
 
 namespace trundle {
 
-/// Unit prefix and decimals of one quantity. They follow the largest magnitude noted so far, and so change seldom and never back.
+/// Unit prefix and decimals of one quantity. They follow the largest magnitude so far, so they change rarely and never back.
 class NumberScale {
 public:
     enum class Kind { Real, Whole };
-    /// `unit`: SI; "rad" is shown as degrees.
+    /// `unit`: SI unit; "rad" is shown in degrees.
     explicit NumberScale(std::string unit = {}, Kind kind = Kind::Real);
 
     void note(double value);
-    /// At most about 4 significant digits of the largest; "not a number" for NaN, "infinite" for infinities.
+    /// With about 4 significant digits of the largest magnitude; "not a number" for NaN, "infinite" for infinities.
     [[nodiscard]] std::string text(double value) const;
     [[nodiscard]] const std::string& unit() const { return m_shownUnit; } ///< with its prefix: "mA", "°"
 

@@ -12,7 +12,7 @@
 namespace trundle {
 namespace {
 
-/// The text's robots as a set; all where it names none.
+/// The robots named by the log; an empty set means all.
 std::set<std::string, std::less<>> robotsOf(const ComponentSpec& spec, const World& world, Diagnostics& diagnostics) {
     std::set<std::string, std::less<>> names;
     if (!spec.texts("Robot").empty())
@@ -56,7 +56,7 @@ private:
     std::shared_ptr<RadioTrace> m_trace;
 };
 
-/// What a sniffer near every sender would write.
+/// Captures the frames as a sniffer next to every sender would.
 class PacketCapture final : public Log {
 public:
     PacketCapture(Medium& medium, RadioChoice robots) : m_robots(std::move(robots)), m_trace(medium.trace()) {}
@@ -108,7 +108,7 @@ private:
 } // namespace
 
 void RadioLogSettings::describe(Describe<RadioLogSettings>& d) {
-    d.help("Every frame at every radio that it may reach: what was sent, what was lost where, what was read, and its fate. "
+    d.help("Every frame at every radio that it may reach: what was sent, what was lost where, what was read, and the outcome. "
            "Radios far out "
            "of range have no row.");
     d.field("Robot", &RadioLogSettings::robots, text(),

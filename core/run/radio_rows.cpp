@@ -29,7 +29,7 @@ void addRadioRow(const FrameRecord& r, const RadioDefinition& from, const RadioD
     out.cell(r.sequence).cell(r.bytes).cell(thousandths(r.outputPower)).cell(thousandths(r.link.distance));
     out.cell(thousandths(r.link.sendGain)).cell(thousandths(r.link.receiveGain)).cell(thousandths(r.link.pathLoss));
     out.cell(thousandths(r.link.shadow)).cell(thousandths(r.link.wallLoss)).cell(thousandths(r.link.power));
-    out.cell(r.rssi).cell(thousandths(r.sinr)).cell(r.lqi).cell(fateName(r.fate)).endRow();
+    out.cell(r.rssi).cell(thousandths(r.sinr)).cell(r.lqi).cell(outcomeName(r.outcome)).endRow();
 }
 
 } // namespace trundle

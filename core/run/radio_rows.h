@@ -1,5 +1,5 @@
 #pragma once
-// Frames as rows of CSV: the same in a log's file and in what a window exports.
+// Formats radio frames as CSV rows, for log files and for exports from the window.
 
 #include <string>
 

@@ -1,73 +1,76 @@
-// What controllers ask of their cameras.
+// Camera images of controllers and logs, with their warnings and files.
 
 #include "run/experiment_runner.h"
 
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostPictures = 100'000; // saved in one run
+constexpr std::size_t kMaxPictures = 100'000; // saved per run
 
 } // namespace
 
-/// The run goes on, and says so once: that there are none, and that one failed. A file that cannot be written is its asker's to tell.
+/// Warns once that there is no graphics, and once that an image failed; the run continues. File errors are reported by the
+/// caller.
 void ExperimentRunner::warnOfPictures(const Error& error) {
     const bool none = error.code == Code::NoGraphics;
     if (!none && error.code != Code::PictureFailed) return;
-    if (std::exchange(none ? m_toldNoPictures : m_toldLostPicture, true)) return;
+    if (std::exchange(none ? m_reportedNoPictures : m_reportedLostPicture, true)) return;
     const char* const what = none ? "cameras take no pictures: " : "a picture could not be taken: ";
     m_warnings.push_back({Severity::Warning, error.code, what + error.message, {}, {}, {}, {}});
 }
 
-/// Each cause once for each log: the causes of its files differ in their names alone.
+/// Warns once per log and cause; file names are removed from the cause before comparing.
 void ExperimentRunner::warnOfLost(const ComponentSpec& log, const std::string& fileName, const Error& error) {
     if (error.code == Code::NoGraphics) return warnOfPictures(error);
     std::string cause = error.message;
     if (const std::size_t at = cause.find(fileName); at != std::string::npos) cause.erase(at, fileName.size());
-    if (!m_toldLost.insert(log.name + "\n" + cause).second) return;
+    if (!m_reportedLost.insert(log.name + "\n" + cause).second) return;
     const std::string message = "FrameLog " + log.name + " leaves out pictures, the first is " + fileName + ": " + error.message;
     m_warnings.push_back({Severity::Warning, error.code, message, log.nameRange, {}, {}, {}});
 }
 
-void ExperimentRunner::addCameras(ControllerOutlet& outlet, const std::string& robot) {
-    outlet.capture = [this, robot](const std::string& camera) -> Result<const Frame*> {
-        Result<const Frame*> frame = m_cameras.capture(robot + "/" + camera);
+void ExperimentRunner::addCameras(ControllerOutputs& outputs, const std::string& robot) {
+    outputs.capture = [this, robot](const std::string& camera) -> Result<const CameraImage*> {
+        Result<const CameraImage*> frame = m_cameras.capture(robot + "/" + camera);
         if (!frame) warnOfPictures(frame.error());
         return frame;
     };
-    outlet.savePicture = [this, robot](const std::string& camera, const std::string& fileName) {
+    outputs.savePicture = [this, robot](const std::string& camera, const std::string& fileName) {
         Status saved = savePicture(robot + "/" + camera, fileName);
         if (!saved) warnOfPictures(saved.error());
         return saved;
     };
-    outlet.objectName = [this](std::uint32_t object) { return m_cameras.objectName(object); };
+    outputs.objectName = [this](std::uint32_t object) { return m_cameras.objectName(object); };
 }
 
 Status ExperimentRunner::savePicture(const std::string& camera, const std::string& fileName) {
     return writePicture(m_cameras.file(camera, fileName), fileName);
 }
 
-Result<double> ExperimentRunner::savePicture(const PictureWish& wish, const std::string& fileName) {
+Result<double> ExperimentRunner::savePicture(const PictureOptions& pictureOptions, const std::string& fileName) {
     std::uint64_t tick = m_world->ticks();
     Status saved;
-    if (wish.camera.empty()) {
-        saved = writePicture(m_cameras.viewFile(wish.view, wish.width, wish.height, fileName), fileName);
-    } else if (saved = savePicture(wish.camera, fileName); saved) {
-        if (const Result<const Frame*> frame = m_cameras.capture(wish.camera)) tick = frame.value()->tick; // the one just saved
+    if (pictureOptions.camera.empty()) {
+        saved = writePicture(m_cameras.viewFile(pictureOptions.view, pictureOptions.width, pictureOptions.height, fileName),
+                             fileName);
+    } else if (saved = savePicture(pictureOptions.camera, fileName); saved) {
+        if (const Result<const CameraImage*> frame = m_cameras.capture(pictureOptions.camera))
+            tick = frame.value()->tick; // the image just saved
     }
     if (saved) return tickTime(tick, experiment().settings.tick);
     return saved.error();
 }
 
 Status ExperimentRunner::writePicture(const Result<std::string>& bytes, const std::string& fileName) {
-    if (m_pictures >= kMostPictures)
-        return Error{Code::LogUnwritable, "no more than " + std::to_string(kMostPictures) + " pictures are saved in one run"};
+    if (m_pictures >= kMaxPictures)
+        return Error{Code::LogUnwritable, "no more than " + std::to_string(kMaxPictures) + " pictures are saved in one run"};
     if (!bytes) return bytes.error();
     const Result<LogFile*> file = m_folder.create(fileName);
     if (!file) return file.error();
     ++m_pictures;
     file.value()->write(bytes.value());
     const Status written = file.value()->close();
-    if (!written) m_folder.remove(*file.value()); // half a picture is of no use
+    if (!written) m_folder.remove(*file.value()); // remove an incomplete image file
     return written;
 }
 

@@ -8,21 +8,21 @@
 namespace trundle {
 
 namespace {
-constexpr double kMostTicks = 9.0e18; // below 2^63
+constexpr double kMaxTicks = 9.0e18; // below 2^63
 }
 
 std::uint64_t ticksFor(double duration, double tick) {
     const double ticks = std::ceil(duration / tick - 1e-9);
     if (!(ticks > 0)) return 0;
-    return ticks < kMostTicks ? static_cast<std::uint64_t>(ticks) : static_cast<std::uint64_t>(kMostTicks);
+    return ticks < kMaxTicks ? static_cast<std::uint64_t>(ticks) : static_cast<std::uint64_t>(kMaxTicks);
 }
 
 std::uint64_t firstTickAt(double time, double tick) {
     const double exact = time / tick;
-    // Two roundings, one of the product k * period and one of this division.
+    // Tolerates two rounding errors: of the product k * period and of this division.
     const double ticks = std::ceil(exact - (1e-9 + exact * 4.5e-16));
     if (!(ticks > 0)) return 0;
-    return ticks < kMostTicks ? static_cast<std::uint64_t>(ticks) : static_cast<std::uint64_t>(kMostTicks);
+    return ticks < kMaxTicks ? static_cast<std::uint64_t>(ticks) : static_cast<std::uint64_t>(kMaxTicks);
 }
 
 double tickTime(std::uint64_t ticks, double tick) {
@@ -37,7 +37,7 @@ double tickTime(std::uint64_t ticks, double tick) {
 bool Schedule::due(std::uint64_t tick) {
     if (!(m_period > m_tick)) return true;
     if (tick < m_next) return false;
-    // Period above tick: one step per call, unless ticks were left out.
+    // The period is longer than a tick: one step per call, unless ticks were skipped.
     while (m_next <= tick) m_next = firstTickAt(static_cast<double>(++m_count) * m_period, m_tick);
     return true;
 }

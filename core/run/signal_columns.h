@@ -1,5 +1,5 @@
 #pragma once
-// How a signal looks outside the program: angles in degrees, poses as position and heading, pitch, roll.
+// Signals as table columns: angles in degrees, poses as position and heading, pitch, roll.
 
 #include <span>
 #include <string>
@@ -9,26 +9,26 @@
 
 namespace trundle {
 
-/// Degrees as people read them: 90, where the quaternion behind it gives 90.00000000000001. 14 digits are kept.
+/// Degrees rounded to 14 digits: 90, not 90.00000000000001 from the quaternion.
 [[nodiscard]] double readableDegrees(double radians);
 
-/// What the slots of a signal are, where its name says more than its unit.
+/// The meaning of a signal's slots, where its name defines more than its unit.
 enum class SignalShape {
-    Plain,     ///< as its unit says
+    Plain,     ///< by unit only
     Pose,      ///< x y z qw qx qy qz
     Velocity,  ///< linear and angular
     PlanePose, ///< x, y, heading
 };
 [[nodiscard]] SignalShape shapeOf(const SignalEntry& entry);
 
-/// The columns of one signal: their headings and, per row, their numbers.
+/// The columns of one signal: headings, and numbers for each row.
 class SignalColumns {
 public:
     explicit SignalColumns(const SignalEntry& entry);
 
-    /// "robot0/leftEncoder/count", "robot0/pose/x [m]".
+    /// Headings: "robot0/leftEncoder/count", "robot0/pose/x [m]".
     [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
-    /// Appends as many numbers as there are names. `slots` is the whole block.
+    /// Appends one number per column. `slots` is the whole signal block.
     void read(std::span<const double> slots, std::vector<double>& numbers) const;
 
 private:

@@ -32,7 +32,7 @@ public:
 
 private:
     std::vector<SignalColumns> m_columns;
-    std::vector<double> m_numbers; // kept between rows for its memory
+    std::vector<double> m_numbers; // reused to avoid allocations
 };
 
 } // namespace

@@ -6,7 +6,7 @@
 
 namespace trundle {
 
-/// An axis-parallel box in the world, empty until something is put in.
+/// Axis-aligned bounding box in world coordinates; empty until a point is added.
 struct Bounds {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
     Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -18,7 +18,7 @@ struct Bounds {
     [[nodiscard]] Vec3 corner(int i) const {
         return {i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(), i & 4 ? high.z() : low.z()};
     }
-    /// 0 inside.
+    /// 0 for points inside the box.
     [[nodiscard]] double distanceTo(const Vec3& point) const {
         return empty() ? 0.0 : (point - point.cwiseMax(low).cwiseMin(high)).norm();
     }

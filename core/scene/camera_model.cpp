@@ -3,8 +3,8 @@
 namespace trundle {
 namespace {
 
-constexpr double kWidestHalfTangent = 20; // beyond it a drawn picture would be all rim
-constexpr double kMostDrawn = 4096;       // pixels along a side of the drawn picture
+constexpr double kWidestHalfTangent = 20; // limit on tan(field of view / 2); wider images are mostly stretched edges
+constexpr double kMaxDrawn = 4096;        // pixels along one side of the undistorted image
 
 std::array<double, 3> tripleOf(const ComponentSpec& spec, std::string_view key) {
     const ResolvedValue* value = spec.find(key);
@@ -25,7 +25,7 @@ CameraMode modeOf(const std::string& word) {
                                     : CameraMode::Colour;
 }
 
-/// By the names under which the kind Camera describes its fields.
+/// Reads the properties by the names that the kind Camera declares.
 CameraModel cameraFrom(const ComponentSpec& spec) {
     CameraModel camera;
     const auto position = tripleOf(spec, "Pos"), turn = tripleOf(spec, "HPR");
@@ -44,8 +44,9 @@ CameraModel cameraFrom(const ComponentSpec& spec) {
     return camera;
 }
 
-/// The distance from the middle that the lens shows at `shown`; below 0 where it shows nothing there. Newton's method, from the
-/// middle outwards: a barrel that folds back has only its inner part.
+/// Inverts the radial distortion: returns the undistorted distance from the centre for the distorted distance `shown`, or a
+/// negative value where no ray reaches `shown`. Newton's method starting at the centre; where a barrel distortion folds back,
+/// only the inner part is used.
 double withoutDistortion(double shown, double k1, double k2) {
     double r = shown;
     for (int round = 0; round < 50; ++round) {
@@ -98,7 +99,7 @@ std::optional<LensMap> lensMapOf(const CameraModel& camera) {
     const double focal = 0.5 * camera.width / std::tan(0.5 * camera.fieldOfView); // pixels
     LensMap map;
     map.sources.resize(std::size_t(camera.width) * camera.height);
-    std::vector<std::array<double, 2>> rays(map.sources.size(), {0, 0}); // tangents, to the right and down
+    std::vector<std::array<double, 2>> rays(map.sources.size(), {0, 0}); // ray tangents: right, down
     std::vector<bool> seen(map.sources.size(), false);
     double widest = 1e-3, highest = 1e-3;
     for (std::uint32_t y = 0; y < camera.height; ++y) {
@@ -114,8 +115,8 @@ std::optional<LensMap> lensMapOf(const CameraModel& camera) {
             highest = std::max(highest, std::abs(rays[i][1]));
         }
     }
-    // As fine as the camera itself in the middle, one pixel of room around.
-    const double drawnFocal = std::min({focal, 0.5 * kMostDrawn / widest - 2, 0.5 * kMostDrawn / highest - 2});
+    // Same resolution as the camera at the centre, with a margin of one pixel.
+    const double drawnFocal = std::min({focal, 0.5 * kMaxDrawn / widest - 2, 0.5 * kMaxDrawn / highest - 2});
     map.width = static_cast<std::uint32_t>(2 * std::ceil(widest * drawnFocal + 1));
     map.height = static_cast<std::uint32_t>(2 * std::ceil(highest * drawnFocal + 1));
     map.fieldOfView = 2 * std::atan(0.5 * map.width / drawnFocal);

@@ -5,7 +5,7 @@
 namespace trundle {
 namespace {
 
-/// What a compiler complains of first, on one line.
+/// The first line of a compiler log.
 std::string firstWords(const std::string& log) {
     constexpr std::size_t most = 200;
     const std::size_t begin = log.find_first_not_of(" \t\r\n");

@@ -5,11 +5,11 @@
 
 namespace trundle {
 
-/// A program that notices where a driver does not take it: OpenGL goes on without a word, and draws something else.
+/// A GLSL program that records compile and link errors of the driver. OpenGL itself continues silently and draws something else.
 class CheckedProgram final : public osg::Program {
 public:
     void apply(osg::State& state) const override;
-    /// Why what was drawn since the last call is wrong, with the compiler's own words; empty: it is not.
+    /// Error of the draws since the last call, with the first line of the compiler log; empty if there was none.
     [[nodiscard]] std::string takeFailure() const;
 
 private:

@@ -1,10 +1,10 @@
 // needs: support points of two convex pieces.
-// assumes: distances below 100 km; a tenth of a micrometre is as good as nothing.
-// method: one piece goes along a line until it is clear of the other where that line leaves the difference of the two (all vectors
-//   from a point of the one to a point of the other). It is met from far outside, by the ray cast of G. van den Bergen, "Ray Casting
-//   against General Convex Objects with Application to Continuous Collision Detection" (2004): the point on the ray advances to the plane
-//   of the newest support point as long as that plane parts it from the difference.
-// data: up to four support points of the difference, of which those are kept that span the point nearest to the ray's.
+// assumes: distances below 100 km; 0.1 micrometre counts as zero.
+// method: a piece that moves along a line is clear of the other piece once the line leaves their Minkowski difference (all
+//   vectors from a point of one to a point of the other). That exit point is found from far outside with the ray cast of G. van
+//   den Bergen, "Ray Casting against General Convex Objects with Application to Continuous Collision Detection" (2004): the point
+//   on the ray advances to the plane of the newest support point for as long as that plane separates it from the difference.
+// data: up to four support points of the difference; only those spanning the point closest to the ray's point are kept.
 #include "scene/clearance.h"
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 namespace trundle {
 namespace {
 
-constexpr double kNear = 1e-7; // m: touches
+constexpr double kNear = 1e-7; // m; closer counts as touching
 constexpr int kSteps = 100;
-constexpr std::size_t kMostTriangles = 200000;
+constexpr std::size_t kMaxTriangles = 200000;
 const double kEndless = std::numeric_limits<double>::infinity();
 
-/// Up to four points, and of them those that span the one nearest to the origin.
+/// Up to four points, reduced to those that span the point closest to the origin (as in GJK).
 class Simplex {
 public:
     void add(const Vec3& point) {
@@ -37,12 +37,12 @@ public:
                            [&](const Vec3& p) { return (p - point).squaredNorm() < 1e-24; });
     }
 
-    /// The point of the hull nearest to the origin; the points that do not matter for it are dropped.
+    /// The point of the hull closest to the origin; points that do not contribute to it are dropped.
     Vec3 nearest() {
         double best = kEndless;
         Vec3 nearest = Vec3::Zero();
         int kept = 0;
-        for (int subset = 1; subset < 1 << m_count; ++subset) { // at most 15: each face, edge and corner
+        for (int subset = 1; subset < 1 << m_count; ++subset) { // at most 15: all faces, edges and corners
             Vec3 point;
             if (!nearestIn(subset, point)) continue;
             const double distance = point.squaredNorm();
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// The foot of the perpendicular on the span of some points, where it lies between them.
+    /// The foot of the perpendicular from the origin to the span of `subset`, if it lies inside that subset's hull.
     bool nearestIn(int subset, Vec3& point) const {
         std::array<Vec3, 4> p;
         int n = 0;
@@ -67,7 +67,7 @@ private:
         point = p[0];
         if (n == 1) return true;
         const auto solver = (edges.transpose() * edges).eval().fullPivLu();
-        if (!solver.isInvertible()) return false; // a smaller subset spans the same
+        if (!solver.isInvertible()) return false; // degenerate; a smaller subset has the same span
         const Eigen::VectorXd share = solver.solve(-(edges.transpose() * p[0]));
         if (share.minCoeff() < -1e-12 || share.sum() > 1 + 1e-12) return false;
         point = p[0] + edges * share;
@@ -78,11 +78,11 @@ private:
     int m_count = 0;
 };
 
-/// m along the ray to where it enters a convex set; nothing where it misses it.
+/// Distance (m) along the ray to where it enters a convex set; nullopt if it misses.
 template <class Support> std::optional<double> enters(const Vec3& from, const Vec3& along, const Support& support) {
     double way = 0;
     Vec3 at = from, towards = from - support(-from.normalized());
-    Simplex simplex; // at - points of the set
+    Simplex simplex; // of the ray's point minus points of the set
     for (int i = 0; i < kSteps && towards.norm() > kNear; ++i) {
         const Vec3 p = support(towards);
         Vec3 w = at - p;
@@ -98,14 +98,14 @@ template <class Support> std::optional<double> enters(const Vec3& from, const Ve
             w = at - p;
             goesOn = by > 0;
         }
-        if ((isKnown && !goesOn) || (!isKnown && simplex.isFull())) break; // as near as it gets
+        if ((isKnown && !goesOn) || (!isKnown && simplex.isFull())) break; // no closer point can be found
         if (!isKnown) simplex.add(w);
         towards = simplex.nearest();
     }
     return way;
 }
 
-/// As many directions as tell how deep one thing is in another; the first six are the axes.
+/// Candidate directions for the penetration depth; the first six are the axes.
 std::vector<Vec3> manyDirections() {
     std::vector<Vec3> all;
     for (int k = 0; k < 3; ++k)
@@ -127,14 +127,14 @@ std::vector<ConvexPiece> ConvexPiece::of(const GeomSpec& geom, const Pose& owner
         for (int i = 0; i < 8; ++i) piece.m_points.push_back(half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
     };
     const auto triangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-        if (pieces.size() >= kMostTriangles) return;
+        if (pieces.size() >= kMaxTriangles) return;
         ConvexPiece one = piece;
         one.m_points = {a, b, c};
         for (const Vec3& p : one.m_points) one.m_bounds.add(one.m_pose * p);
         const bool apart = (one.m_bounds.low.array() > about.high.array()).any() || (one.m_bounds.high.array() < about.low.array()).any();
         if (!apart) pieces.push_back(std::move(one));
     };
-    if (isPlaceholder(geom)) return pieces; // it does not collide either
+    if (isPlaceholder(geom)) return pieces; // placeholders do not collide
     switch (geom.shape) {
     case GeomShape::Box: box(0.5 * geom.size); break;
     case GeomShape::Sphere:
@@ -206,14 +206,14 @@ void ConvexPiece::move(const Vec3& by) {
     m_bounds.high += by;
 }
 
-double ConvexPiece::wayOut(const ConvexPiece& fixed, const Vec3& direction) const {
+double ConvexPiece::exitDistance(const ConvexPiece& fixed, const Vec3& direction) const {
     if (fixed.isHalfSpace()) {
         const double below = fixed.m_normal.dot(fixed.m_pose.position - support(-fixed.m_normal));
         if (below <= 0) return 0;
         const double speed = fixed.m_normal.dot(direction);
         return speed > 1e-9 ? below / speed : kEndless;
     }
-    // Moved by t the two meet where t lies in `fixed` - this.
+    // Displaced by t, the two intersect if and only if t is in the Minkowski difference `fixed` - this.
     const auto difference = [&](const Vec3& d) { return Vec3(fixed.support(d) - support(-d)); };
     const double far = std::max(0.0, difference(direction).dot(direction)) + 1;
     const std::optional<double> way = enters(far * direction, -direction, difference);
@@ -224,7 +224,7 @@ bool ConvexPiece::isInside(const ConvexPiece& fixed, double depth) const {
     if (fixed.isHalfSpace()) return fixed.m_normal.dot(fixed.m_pose.position - support(-fixed.m_normal)) > depth;
     if ((m_bounds.low.array() >= fixed.m_bounds.high.array() - depth).any()) return false;
     if ((m_bounds.high.array() <= fixed.m_bounds.low.array() + depth).any()) return false;
-    // They are apart if a plane between them can be found: the nearest point of their difference says where to look.
+    // Disjoint convex pieces have a separating plane; the closest point of their difference gives its normal.
     const auto difference = [&](const Vec3& d) { return Vec3(fixed.support(d) - support(-d)); };
     Simplex simplex;
     Vec3 nearest = difference(Vec3::UnitX());
@@ -233,12 +233,12 @@ bool ConvexPiece::isInside(const ConvexPiece& fixed, double depth) const {
         nearest = simplex.nearest();
         if (nearest.norm() < kNear || simplex.isFull()) break;
         const Vec3 p = difference(-nearest);
-        if (nearest.dot(p) > 0) return false; // that plane
+        if (nearest.dot(p) > 0) return false; // separating plane found
         if (simplex.has(p)) break;
         simplex.add(p);
     }
     static const std::vector<Vec3> kWays = manyDirections();
-    return std::all_of(kWays.begin(), kWays.end(), [&](const Vec3& way) { return wayOut(fixed, way) > depth; });
+    return std::all_of(kWays.begin(), kWays.end(), [&](const Vec3& way) { return exitDistance(fixed, way) > depth; });
 }
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-// What depth and segmentation are drawn from: every body and static once more, each with the number of its first geom.
+// Nodes for depth and segmentation images: a second node per body and static, with the number of its first geom.
 
 #include <osg/BlendFunc>
 #include <osg/Depth>
@@ -31,7 +31,7 @@ void Scene::makeData(const ExperimentSpec& experiment) {
     state->setMode(GL_BLEND, osg::StateAttribute::OVERRIDE | osg::StateAttribute::OFF);
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0, 1, true), force);
 
-    unsigned next = 1; // as objectNames() counts
+    unsigned next = 1; // numbering of objectNames()
     const auto add = [&](const std::string& owner, const std::string& path, std::size_t geoms) {
         const Object* object = find(path);
         auto* leader = object ? dynamic_cast<osg::MatrixTransform*>(object->node.get()) : nullptr;
@@ -39,7 +39,7 @@ void Scene::makeData(const ExperimentSpec& experiment) {
         const unsigned first = std::exchange(next, next + static_cast<unsigned>(geoms));
         if (!leader || !whole || !object->shapes) return;
         const osg::ref_ptr<osg::MatrixTransform> node = addDataNode(*object->shapes, first);
-        if (leader->getNumChildren() > 1) node->addChild(leader->getChild(1)); // its speck
+        if (leader->getNumChildren() > 1) node->addChild(leader->getChild(1)); // its impostor
         m_dataFollowers.push_back({node, leader, whole->node});
     };
     for (const RobotSpec& robot : experiment.robots) {
@@ -70,7 +70,7 @@ osg::ref_ptr<osg::MatrixTransform> Scene::addDataNode(osg::Node& shapes, unsigne
 }
 
 void Scene::followData() {
-    for (const DataFollower& follower : m_dataFollowers) {
+    for (const DataBodyNode& follower : m_dataFollowers) {
         follower.node->setMatrix(follower.leader->getMatrix());
         follower.node->setNodeMask(follower.leader->getNodeMask() && follower.whole->getNodeMask() ? ~0u : 0);
     }

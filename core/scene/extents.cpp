@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kPlaceholderHalf = 0.05; // m
 
-/// Half the extent of a round shape along each axis of the world.
+/// Half the extent of a rotationally symmetric shape along each world axis (m).
 Vec3 roundReach(const GeomSpec& g, const Mat3& turn) {
     Vec3 reach;
     for (int i = 0; i < 3; ++i) {

@@ -4,10 +4,10 @@
 
 namespace trundle {
 
-/// Box around a geom in the world, tight; empty for a plane and for what cannot be drawn.
+/// Tight axis-aligned box around a geom in world coordinates; empty for planes and for geoms that cannot be drawn.
 [[nodiscard]] Bounds boundsOf(const GeomSpec& geom, const Pose& owner);
 
-/// A ball around a geom, in the frame of its owner. A plane's radius is infinite; of what cannot be drawn it is below 0.
+/// Bounding sphere of a geom in its owner's frame. A plane's radius is infinite; that of a geom that cannot be drawn is negative.
 struct Ball {
     Vec3 centre = Vec3::Zero();
     double radius = -1;

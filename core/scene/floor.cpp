@@ -10,7 +10,7 @@
 namespace trundle {
 namespace {
 
-/// In the plane z = 0, its middle as near to a place as can be.
+/// A quad in the plane z = 0, centred on (x, y).
 osg::ref_ptr<osg::Geometry> makeQuad(double x, double y, double reach) {
     osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
     for (const auto& [dx, dy] : {std::pair{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}})
@@ -62,8 +62,8 @@ std::optional<std::size_t> levelFloor(const std::vector<FloorPlane>& floors) {
 }
 
 osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, const Bounds& about, double reach,
-                                      const Look& look, Pictures& pictures, const Lighting& lighting) {
-    // The quad keeps the plane's own frame, so that the lines of the grid stand where the text says the plane is.
+                                      const SceneShading& look, Pictures& pictures, const Lighting& lighting) {
+    // The quad keeps the plane's own frame, so that the grid lines stay aligned with the plane's Pos in the text.
     const Vec3 middle = about.empty() ? floor.pose.position : about.centre();
     const Vec3 local = floor.pose.inverse() * middle;
     const osg::ref_ptr<osg::Geometry> quad = makeQuad(local.x(), local.y(), reach);
@@ -82,7 +82,7 @@ osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, c
     const Vec3 n = floor.normal();
     state->addUniform(new osg::Uniform("floorLight", lighting.on(osg::Vec3(n.x(), n.y(), n.z()))));
     state->addUniform(new osg::Uniform("floorNormal", osg::Vec3(n.x(), n.y(), n.z())));
-    // Whatever lies in the plane of a floor is seen, not the floor.
+    // Surfaces in the plane of a floor are drawn over the floor.
     state->setAttributeAndModes(new osg::PolygonOffset(1.f + index, 2.f + index));
     osg::ref_ptr<osg::Stencil> mark = new osg::Stencil;
     mark->setFunction(osg::Stencil::ALWAYS, floorMark(index), ~0u);
@@ -96,7 +96,7 @@ osg::ref_ptr<osg::Node> makeFloorNode(const FloorPlane& floor, unsigned index, c
     return node;
 }
 
-osg::ref_ptr<osg::Node> makeGuideNode(const Bounds& about, double reach, const Look& look) {
+osg::ref_ptr<osg::Node> makeGuideNode(const Bounds& about, double reach, const SceneShading& look) {
     const Vec3 middle = about.empty() ? Vec3(Vec3::Zero()) : about.centre();
     const osg::ref_ptr<osg::Geometry> quad = makeQuad(middle.x(), middle.y(), reach);
     quad->setStateSet(look.guide);
@@ -114,13 +114,13 @@ osg::ref_ptr<osg::Node> makeWholeNode() {
     triangle->setUseVertexBufferObjects(true);
     triangle->setVertexArray(points);
     triangle->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
-    // It fills the picture from any place, so it has no place of its own.
+    // It covers the whole image from any pose, so its bounds have no meaning.
     triangle->setCullingActive(false);
     triangle->setComputeBoundingBoxCallback(new NoBounds);
     return triangle;
 }
 
-osg::ref_ptr<osg::Node> makeSkyNode(const Look& look) {
+osg::ref_ptr<osg::Node> makeSkyNode(const SceneShading& look) {
     const osg::ref_ptr<osg::Node> sky = makeWholeNode();
     sky->setStateSet(look.sky);
     sky->setName("sky");

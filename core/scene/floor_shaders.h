@@ -1,9 +1,9 @@
 #pragma once
-// The programs of floors. As shaders.h.
+// GLSL programs of floors; conventions as in shaders.h.
 
 namespace trundle::shaders {
 
-/// What falls on a floor of the rich look.
+/// Light on a floor in the rich look.
 inline constexpr const char* kFloorLight = R"(
 uniform vec3 floorLight, floorNormal;
 #if defined(SUN_MAP) || defined(SKY_MAP)
@@ -38,7 +38,7 @@ void main() {
 }
 )";
 
-/// Lines every 10 cm, 1 m and 10 m; each set fades where its lines would crowd. One pixel wide at any distance.
+/// Lines every 10 cm, 1 m and 10 m, one pixel wide at any distance; each set fades out where its lines would get too dense.
 inline constexpr const char* kGridLines = R"(
 /// Of all whole numbers, where `pixels` are from one to the next.
 float lines(vec2 p, vec2 pixels, vec2 fade, float widthPx) {
@@ -81,7 +81,7 @@ void main() {
 }
 )";
 
-/// The lines alone.
+/// The grid lines alone.
 inline constexpr const char* kGuideFragment = R"(
 in vec2 onFloor;
 in vec3 inHaze;
@@ -92,7 +92,7 @@ void main() {
 }
 )";
 
-/// A picture in place of lines: `pictureScale` of it on each metre.
+/// A texture instead of grid lines; `pictureScale` repetitions per metre.
 inline constexpr const char* kPicturedFloorFragment = R"(
 uniform sampler2D picture;
 uniform float pictureScale;
@@ -110,7 +110,7 @@ void main() {
 }
 )";
 
-/// A picture over a part of a floor, on whatever is drawn there.
+/// A translucent image over a part of a floor, blended over everything drawn there.
 inline constexpr const char* kFloorTintFragment = R"(
 uniform sampler2D picture;
 uniform vec4 pictureArea;

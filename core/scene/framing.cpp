@@ -5,7 +5,8 @@
 namespace trundle {
 namespace {
 
-// Statics up to this many times the extent of the robots are framed whole; of larger ones only what is near the robots.
+// Statics up to kWholeRoom times the extent of the robots are framed completely; of larger ones only the part within
+// kSurroundings.
 constexpr double kWholeRoom = 20, kSurroundings = 7;
 
 Bounds shownBounds(const GeomSpec& geom, const Pose& owner) { return geom.visible ? boundsOf(geom, owner) : Bounds{}; }
@@ -15,7 +16,8 @@ Vec3 placeFrom(const ComponentSpec& spec, std::string_view key, const Vec3& othe
     return value && value->value.numbers.size() == 3 ? Vec3(value->value.numbers.data()) : otherwise;
 }
 
-/// Where the frame that a view is written in stands: the world's, a robot's origin, or that and its heading.
+/// World pose of the frame in which a View's numbers are written: the world, a robot's origin, or that origin with the robot's
+/// heading.
 Pose carrierOf(const ComponentSpec& view, const ExperimentSpec& experiment, const BodyPoses& poses) {
     const std::string mode = view.text("Mode"), name = view.text("Robot");
     std::size_t first = 0;

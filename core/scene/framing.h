@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "model/experiment_spec.h"
+#include "scene/camera_view.h"
 #include "scene/poses.h"
-#include "scene/view.h"
 
 namespace trundle {
 
-/// The View of that name in the experiment's text, while everything stands at these poses. Nothing where there is none.
+/// The View block of that name, evaluated for these body poses; nullopt if there is none.
 [[nodiscard]] std::optional<CameraView> namedView(const ExperimentSpec& experiment, std::string_view name,
                                                   const BodyPoses& poses);
 /// The View of that name in another text of the experiment that runs, as one that was edited since; the robots and poses are the run's.
@@ -19,7 +19,7 @@ namespace trundle {
 /// "top, side": the names of the experiment's Views.
 [[nodiscard]] std::string viewNames(const ExperimentSpec& experiment);
 
-/// A good picture of an experiment where nobody said from where: all robots, and of the statics what is near them.
+/// Default view of an experiment, used when no View is given: all robots, and the statics near them.
 [[nodiscard]] CameraView defaultView(const ExperimentSpec& experiment, const BodyPoses& poses, std::uint32_t width,
                                      std::uint32_t height);
 

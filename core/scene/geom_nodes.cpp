@@ -5,7 +5,7 @@
 #include <osg/LOD>
 #include <osgUtil/CullVisitor>
 
-#include "base/mesh_look.h"
+#include "base/mesh_appearance.h"
 #include "scene/masks.h"
 #include "scene/osg_types.h"
 #include "scene/picture_map.h"
@@ -14,7 +14,7 @@
 namespace trundle {
 namespace {
 
-/// How finely something is cut that is so many pixels large on the screen (diameter) or smaller.
+/// Level of detail for objects up to `pixels` in diameter on the screen.
 struct Degree {
     float pixels;
     int segments;
@@ -25,13 +25,13 @@ constexpr std::array<Degree, 6> kDegrees{
     {{kAnyPixels, 96, true}, {1600, 36, true}, {170, 18, true}, {64, 14, false}, {20, 8, false}, {8, 6, false}}};
 constexpr Fineness kSmooth{kDegrees[0].segments, true}, kFine{36, true}, kOutline{10, false};
 
-/// What lets more light through than it holds back casts no planar shadow, which is all or nothing.
+/// Minimum opacity that casts a planar shadow; more transparent materials cast none, because a planar shadow is on or off.
 constexpr double kLeastCasting = 0.5;
 
-/// Told to what is below a ShadowTransform.
+/// User data that ShadowTransform passes to the visitor for the nodes below it.
 struct Casting : osg::Referenced {};
 
-/// A drawable in the making.
+/// Vertex data collected for one drawable.
 struct Batch {
     osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array, normals = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec4ubArray> colours = new osg::Vec4ubArray;
@@ -39,7 +39,7 @@ struct Batch {
     osg::ref_ptr<osg::FloatArray> layers = new osg::FloatArray;
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     osg::ref_ptr<GeomRanges> ranges = new GeomRanges;
-    osg::ref_ptr<osg::Vec2Array> onPicture = new osg::Vec2Array; // empty, or of every point
+    osg::ref_ptr<osg::Vec2Array> onPicture = new osg::Vec2Array; // texture coordinates; empty, or one per point
 
     void add(const GeomSpec& geom, std::uint32_t index, const ShapeMesh& mesh, const MaterialSpec& material);
     [[nodiscard]] osg::ref_ptr<osg::Geometry> finish(osg::StateSet* state) const;
@@ -57,7 +57,7 @@ const MaterialSpec& placeholderMaterial() {
     return material;
 }
 
-/// Each triangle with corners of its own, since neighbours may lie on different parts of the picture.
+/// Unshares the vertices: each triangle gets its own, since adjacent triangles may use different parts of the texture.
 ShapeMesh apart(const ShapeMesh& mesh) {
     ShapeMesh result;
     for (const std::uint32_t i : mesh.indices) {
@@ -113,11 +113,11 @@ bool finite(const GeomSpec& g) {
     return g.pose.position.allFinite() && g.pose.rotation.coeffs().allFinite() && g.pose.position.norm() < 1e6;
 }
 
-/// A geom, or of a mesh that brings its own look the triangles that look alike.
+/// A geom, or the triangles of one material of a mesh that has materials of its own.
 struct Piece {
     std::uint32_t geom = 0;
     MaterialSpec material;
-    std::optional<std::uint16_t> part; ///< the mesh's number of the material
+    std::optional<std::uint16_t> part; ///< material index in the mesh
 };
 
 MaterialSpec asMaterial(const MeshMaterial& own) {
@@ -130,7 +130,7 @@ MaterialSpec asMaterial(const MeshMaterial& own) {
     return material;
 }
 
-/// What of the geoms is drawn.
+/// The visible parts of a set of geoms.
 class Pieces {
 public:
     Pieces(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials, std::span<const SpokePattern> spokes = {})
@@ -139,14 +139,14 @@ public:
             const GeomSpec& geom = geoms[i];
             if (!geom.visible || geom.shape == GeomShape::Plane || !finite(geom)) continue;
             if (isPlaceholder(geom)) m_all.push_back({i, placeholderMaterial(), {}});
-            else if (bringsItsLook(geom)) addParts(i, *geom.mesh->look);
+            else if (hasOwnAppearance(geom)) addParts(i, *geom.mesh->look);
             else m_all.push_back({i, geom.material < materials.size() ? materials[geom.material] : MaterialSpec{}, {}});
         }
         std::erase_if(m_all,
-                      [](const Piece& piece) { return !(piece.material.opacity > 0); }); // nobody sees it, no camera either
+                      [](const Piece& piece) { return !(piece.material.opacity > 0); }); // invisible, in camera images too
     }
 
-    /// Those that `wanted` takes, as one drawable; nothing where there are none.
+    /// The pieces accepted by `wanted` as one drawable; null if there are none.
     template <class Wanted> osg::ref_ptr<osg::Geometry> merged(Fineness fineness, osg::StateSet* state, Wanted wanted) {
         Batch batch;
         for (const Piece& piece : m_all)
@@ -154,15 +154,15 @@ public:
         return batch.points->empty() ? nullptr : batch.finish(state);
     }
 
-    /// What casts the shadow of everything; nothing where there is nothing.
-    [[nodiscard]] osg::ref_ptr<osg::Geometry> bare(Fineness fineness, const Look& look) const {
+    /// Shadow caster of all opaque pieces; null if there are none.
+    [[nodiscard]] osg::ref_ptr<osg::Geometry> bare(Fineness fineness, const SceneShading& look) const {
         osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
         osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
         osg::ref_ptr<GeomRanges> ranges = new GeomRanges;
         bool closed = true;
         for (const Piece& piece : m_all) {
             if (piece.material.opacity < kLeastCasting) continue;
-            if (!ranges->ranges.empty() && ranges->ranges.back().geom == piece.geom) continue; // a mesh of several materials
+            if (!ranges->ranges.empty() && ranges->ranges.back().geom == piece.geom) continue; // same mesh, other material
             const GeomSpec& geom = m_geoms[piece.geom];
             const auto first = static_cast<std::uint32_t>(points->size());
             ranges->ranges.push_back({first, piece.geom});
@@ -182,7 +182,7 @@ public:
         return geometry;
     }
 
-    /// Each picture once, in the order of the geoms, and whether one can see through what it is on.
+    /// Each texture once, in the order of the geoms, and whether the material using it is transparent.
     [[nodiscard]] std::vector<std::pair<std::shared_ptr<const Raster>, bool>> pictures() const {
         std::vector<std::pair<std::shared_ptr<const Raster>, bool>> all;
         for (const Piece& piece : m_all) {
@@ -194,7 +194,7 @@ public:
     }
 
 private:
-    void addParts(std::uint32_t index, const MeshLook& look) {
+    void addParts(std::uint32_t index, const MeshAppearance& look) {
         std::vector<bool> used(look.materials.size(), false);
         for (const std::uint16_t material : look.material)
             if (material < used.size()) used[material] = true;
@@ -202,10 +202,10 @@ private:
             if (used[i]) m_all.push_back({index, asMaterial(look.materials[i]), static_cast<std::uint16_t>(i)});
     }
 
-    /// The triangles of a mesh that have a material, apart from each other.
+    /// The triangles of a mesh that use one material; the mesh is split once.
     const ShapeMesh& partOfMesh(const Piece& piece) {
         auto [whole, isNew] = m_meshes.try_emplace(piece.geom);
-        const MeshLook& look = *m_geoms[piece.geom].mesh->look;
+        const MeshAppearance& look = *m_geoms[piece.geom].mesh->look;
         if (isNew) {
             const ShapeMesh all = smoothedMesh(*m_geoms[piece.geom].mesh);
             whole->second.resize(look.materials.size());
@@ -261,7 +261,7 @@ private:
     std::map<std::uint32_t, std::vector<ShapeMesh>> m_meshes; // by geom, then by material
 };
 
-/// All degrees of detail, where there is anything.
+/// All levels of detail; null if `make` gives nothing.
 template <class Make> osg::ref_ptr<osg::LOD> detailOf(Make make) {
     const osg::ref_ptr<osg::Geometry> fine = make(kSmooth);
     if (!fine) return nullptr;
@@ -313,7 +313,7 @@ void ShadowTransform::traverse(osg::NodeVisitor& visitor) {
     const osg::ref_ptr<osg::Referenced> before = visitor.getUserData();
     visitor.setUserData(casting);
     if (auto* cull = m_everywhere ? visitor.asCullVisitor() : nullptr) {
-        // Every transform below begins with the set of the projection; this one has begun.
+        // Transforms below inherit the culling set of the projection; this transform's own set is already active.
         osg::CullingSet& seen = cull->getProjectionCullingStack().back();
         const osg::CullingSet::Mask mask = seen.getCullingMask();
         seen.setCullingMask(osg::CullingSet::NO_CULLING);
@@ -333,7 +333,7 @@ std::uint32_t GeomRanges::geomOf(std::uint32_t vertex) const {
 }
 
 osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
-                                      std::span<const SpokePattern> spokes, const Look& look, Pictures& pictures) {
+                                      std::span<const SpokePattern> spokes, const SceneShading& look, Pictures& pictures) {
     osg::ref_ptr<GeomNode> group = new GeomNode;
     osg::ref_ptr<GeomNames> names = new GeomNames;
     for (const GeomSpec& geom : geoms) names->names.push_back(geom.name);
@@ -342,7 +342,7 @@ osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std
     Pieces pieces(geoms, materials, spokes);
     const auto addWhole = [&](const osg::ref_ptr<osg::Node>& drawable, bool clear = false) {
         if (!drawable) return;
-        if (clear) drawable->setNodeMask(~unsigned(kMaskSolid | kMaskFloor)); // the two are asked for together
+        if (clear) drawable->setNodeMask(~unsigned(kMaskSolid | kMaskFloor)); // these two masks are always used together
         group->addChild(drawable);
     };
     addWhole(detailOf([&](Fineness fineness) {

@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn for a set of geoms that move as one: merged by the way they are drawn, in several degrees of detail.
+// Draw nodes of geoms that move as one: merged by draw state, in several levels of detail.
 
 #include <cstdint>
 #include <functional>
@@ -15,13 +15,13 @@
 #include <osg/MatrixTransform>
 
 #include "model/experiment_spec.h"
-#include "scene/look.h"
 #include "scene/pictures.h"
+#include "scene/scene_shading.h"
 #include "scene/spokes.h"
 
 namespace trundle {
 
-/// Remembered on a drawable: which geom each of its vertices belongs to, so that a hit can be named.
+/// User data of a drawable: the geom of each vertex, so that a hit can be assigned to a geom.
 struct GeomRanges : osg::Referenced {
     struct Range {
         std::uint32_t firstVertex, geom;
@@ -30,12 +30,12 @@ struct GeomRanges : osg::Referenced {
     [[nodiscard]] std::uint32_t geomOf(std::uint32_t vertex) const;
 };
 
-/// Remembered on a geom node: the names of its geoms.
+/// User data of a geom node: the names of its geoms.
 struct GeomNames : osg::Referenced {
     std::vector<std::string> names;
 };
 
-/// What lights up in a picture are its children; what casts their shadows is kept beside them, as a shadow shows an outline only.
+/// Its children are the visible surfaces; their shadow caster is kept separately, since a shadow needs only the outline.
 class GeomNode final : public osg::Group {
 public:
     osg::ref_ptr<osg::Group> caster; ///< may be null
@@ -44,14 +44,14 @@ public:
     void releaseGLObjects(osg::State* state) const override;
 };
 
-/// Whether what is drawn now are shadows, below a ShadowTransform.
+/// True while the visitor is below a ShadowTransform, which draws shadow casters.
 [[nodiscard]] bool castsShadows(const osg::NodeVisitor& visitor);
 
-/// A transform below which geom nodes show what casts their shadows.
+/// A transform below which geom nodes draw their shadow casters.
 class ShadowTransform final : public osg::MatrixTransform {
 public:
     using osg::MatrixTransform::MatrixTransform;
-    /// What is out of sight casts one too.
+    /// Disables culling: casters outside the view cast shadows too.
     void castEverywhere() {
         m_everywhere = true;
         setCullingActive(false);
@@ -62,16 +62,17 @@ private:
     bool m_everywhere = false;
 };
 
-/// Shared by every body, in any robot, that has these geoms. Empty group where none is visible.
-/// Planes are left out: they are floors. Geoms with a pattern are drawn with spokes.
+/// Shared by all bodies of all robots that have these geoms; an empty group if none is visible. Planes are left out, since they
+/// are drawn as floors. Geoms with a spoke pattern are drawn with spokes.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
-                                                    std::span<const SpokePattern> spokes, const Look& look, Pictures& pictures);
-/// The same geoms without a look of their own and coarse, for lines.
+                                                    std::span<const SpokePattern> spokes, const SceneShading& look,
+                                                    Pictures& pictures);
+/// The same geoms as coarse shapes without materials, for outlines.
 [[nodiscard]] osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms);
 
-/// Which geom of a geom node has a name.
+/// Index of the geom with that name; nullopt if there is none.
 [[nodiscard]] std::optional<std::uint32_t> geomNamed(const osg::Group& geomNode, std::string_view name);
-/// A geom node with some of its geoms only. Vertices are shared with the whole one.
+/// A geom node with only the selected geoms. Vertices are shared with the full node.
 [[nodiscard]] osg::ref_ptr<osg::Group> partOf(const osg::Group& geomNode, const std::function<bool(std::uint32_t geom)>& keep);
 
 } // namespace trundle

@@ -10,7 +10,7 @@ template <class T> const T* named(const std::vector<T>& parts, const std::string
     return it == parts.end() ? nullptr : &*it;
 }
 
-/// Geoms of `before` that `now` has not.
+/// Geoms of `before` that are missing in `now`.
 std::vector<GeomSpec> lost(const std::vector<GeomSpec>* now, const std::vector<GeomSpec>& before, const std::string& owner,
                            const std::function<bool(const std::string&)>& isWritten) {
     std::vector<GeomSpec> geoms;
@@ -60,7 +60,8 @@ std::shared_ptr<const ExperimentSpec> ghostsOf(const ExperimentSpec& now, const 
         StaticSpec ghost = old;
         const auto* geoms = it == statics.end() ? nullptr : it->second->geoms.get();
         if (it != statics.end()) ghost.pose = it->second->pose;
-        // Of one that is lost as a whole no path leads to its parts: it may be its config's name that is misspelt.
+        // If a whole static is missing, the paths of its geoms cannot be resolved (its config's name may be misspelt), so all of
+        // them are kept.
         std::vector<GeomSpec> rest = geoms ? lost(geoms, *old.geoms, old.name, isWritten)
                                            : lost(nullptr, *old.geoms, old.name, [](const auto&) { return true; });
         if (rest.empty()) continue;

@@ -7,8 +7,8 @@
 
 namespace trundle {
 
-/// What `before` had and `now` has lost although its text is still there (`isWritten`, by dotted path): robots, statics and
-/// geoms, to be drawn as ghosts where they last stood. Null where nothing is lost.
+/// Robots, statics and geoms that `before` had and `now` lacks although their blocks are still in the text (`isWritten`, by
+/// dotted path). They are drawn as ghosts at their last poses. Null if nothing is missing.
 [[nodiscard]] std::shared_ptr<const ExperimentSpec> ghostsOf(const ExperimentSpec& now, const ExperimentSpec& before,
                                                              const std::function<bool(const std::string& path)>& isWritten);
 

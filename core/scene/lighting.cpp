@@ -1,7 +1,7 @@
 #include "scene/lighting.h"
 
 #include "model/world_fields.h"
-#include "scene/look.h"
+#include "scene/scene_shading.h"
 
 namespace trundle {
 namespace {
@@ -13,7 +13,7 @@ osg::Vec3 tripleFrom(const ComponentSpec& spec, std::string_view key, const osg:
     return {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])};
 }
 
-/// A colour as shown on a screen, as light.
+/// Converts a display colour to linear light (gamma 2).
 osg::Vec3 squared(const osg::Vec3& c) { return {c.x() * c.x(), c.y() * c.y(), c.z() * c.z()}; }
 
 osg::Vec3 lightFrom(const ComponentSpec& spec) {
@@ -42,7 +42,7 @@ float Lighting::sunShare(const osg::Vec3& normal) const {
 }
 
 void Lighting::applyTo(osg::StateSet& root) const {
-    // Of a dim sun or sky there is less; brighter than they are by themselves neither gets.
+    // The glow fades with a dim sun or sky, but never exceeds the default.
     const auto share = [](const osg::Vec3& of, const osg::Vec3& whole) {
         return std::min(1.f, (of.x() + of.y() + of.z()) / (whole.x() + whole.y() + whole.z()));
     };
@@ -81,7 +81,7 @@ Lighting lightingOf(const ExperimentSpec& experiment) {
             lighting.skyLight *= ambient;
             lighting.groundLight *= ambient;
         } else if (spec.kind == "Light" && spec.text("Mode") == "lamp") {
-            if (lighting.lamps.size() < kMostLamps)
+            if (lighting.lamps.size() < kMaxLamps)
                 lighting.lamps.push_back({tripleFrom(spec, "Pos", {0, 0, 2}), lightFrom(spec), spec.number("Shadows", 1) != 0});
         } else if (spec.kind == "Light" && !hasSun) {
             hasSun = true;

@@ -1,4 +1,4 @@
-// Which objects of a scene are outlined, and which are left out.
+// Outlined and hidden objects of a scene.
 
 #include <osg/PolygonMode>
 
@@ -8,7 +8,7 @@
 namespace trundle {
 namespace {
 
-osg::ref_ptr<osg::Group> markGroup(const Look& look, const osg::Vec4& colour) {
+osg::ref_ptr<osg::Group> markGroup(const SceneShading& look, const osg::Vec4& colour) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     osg::StateSet* state = group->getOrCreateStateSet();
     const unsigned force = osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON;
@@ -37,7 +37,7 @@ std::pair<const Scene::Object*, std::uint32_t> Scene::findGeom(const std::string
 
 void Scene::mark(osg::Group& group, const std::string& path) {
     if (const Object* object = find(path)) {
-        // A floor without end has no outline.
+        // An infinite floor has no outline.
         const bool isFloor = !object->shapes && path.find('/') != std::string::npos;
         if (!isFloor) group.addChild(object->node);
         return;
@@ -56,7 +56,7 @@ void Scene::setMarks(const SceneMarks& marks) {
     m_marked = marks;
     m_marks->removeChildren(0, m_marks->getNumChildren());
     m_markFollowers.clear();
-    if (!m_marks->getStateSet()) Look::applyTo(*m_marks->getOrCreateStateSet(), m_uniforms);
+    if (!m_marks->getStateSet()) SceneShading::applyTo(*m_marks->getOrCreateStateSet(), m_uniforms);
     const osg::ref_ptr<osg::Group> selected = markGroup(m_store->look, {1, 0, 0, 1}),
                                    hovered = markGroup(m_store->look, {0, 1, 0, 1});
     for (const std::string& path : marks.selected) mark(*selected, path);
@@ -71,7 +71,7 @@ void Scene::setHidden(const std::vector<std::string>& paths) {
         if (!object.shapes) return;
         if (object.node->getNumChildren() > 0) object.node->setChild(0, shapes);
     };
-    // Floors of a static are nodes of their own.
+    // Floors of a static are separate nodes.
     const auto maskFloors = [&](const std::string& owner, unsigned mask) {
         for (const auto& [name, object] : m_objects)
             if (!object.shapes && name.size() > owner.size() && name[owner.size()] == '/' && name.starts_with(owner))
@@ -83,7 +83,7 @@ void Scene::setHidden(const std::vector<std::string>& paths) {
         else if (const Object* owner = findGeom(path).first) show(*owner, owner->shapes);
     }
     m_hidden = paths;
-    std::map<const Object*, std::vector<std::uint32_t>> left; // out of each object
+    std::map<const Object*, std::vector<std::uint32_t>> left; // hidden geoms by object
     for (const std::string& path : m_hidden) {
         if (const Object* object = find(path)) object->node->setNodeMask(0);
         else if (const auto [owner, geom] = findGeom(path); owner) left[owner].push_back(geom);

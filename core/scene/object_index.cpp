@@ -13,7 +13,8 @@ std::vector<std::string_view> wordsOf(std::string_view path) {
     return words;
 }
 
-/// Words of which the first names an instance, which may be called by the path of its config ("RobotConfig.Rover").
+/// Splits a path into words. The first names an instance and may itself be dotted, like the path of its config
+/// ("RobotConfig.Rover").
 std::vector<std::string_view> wordsFrom(std::string_view path) {
     std::vector<std::string_view> words = wordsOf(path);
     if (words.size() < 2 || (words[0] != "RobotConfig" && words[0] != "StaticConfig")) return words;

@@ -1,6 +1,6 @@
 #pragma once
-// The objects of an experiment by their paths: where each one is, and how large. Computed from the model and the poses of the
-// bodies alone, so it can be asked on any thread.
+// Index of an experiment's objects by path, with their poses and bounds. Computed from the model and the body poses only, so it
+// can be queried on any thread.
 
 #include <cstdint>
 #include <memory>
@@ -19,7 +19,7 @@ namespace trundle {
 
 enum class ObjectKind : std::uint8_t { Robot, Body, Geom, Static, StaticGeom };
 
-/// One object of an ObjectIndex.
+/// Reference to one object of an ObjectIndex.
 struct ObjectRef {
     ObjectKind kind = ObjectKind::Robot;
     std::uint32_t instance = 0; ///< index of its robot or static
@@ -27,7 +27,7 @@ struct ObjectRef {
     auto operator<=>(const ObjectRef&) const = default;
 };
 
-/// Immutable. Keeps its experiment.
+/// Immutable. Owns a reference to its experiment.
 class ObjectIndex {
 public:
     explicit ObjectIndex(std::shared_ptr<const ExperimentSpec> experiment);
@@ -36,24 +36,24 @@ public:
     /// "robot0", "robot0.chassis.hull" or "robot0/chassis/hull", "arena.north".
     [[nodiscard]] std::optional<ObjectRef> find(std::string_view path) const;
     [[nodiscard]] std::string pathOf(const ObjectRef& object, char separator = '.') const;
-    /// The robot, body or static that holds it; nothing for robots and statics.
+    /// The robot, body or static that contains it; nullopt for robots and statics.
     [[nodiscard]] std::optional<ObjectRef> ownerOf(const ObjectRef& object) const;
     /// All robots in order, then all statics.
     [[nodiscard]] std::vector<ObjectRef> instances() const;
 
-    /// In the world. A robot stands where its config frame is, which its first body carries.
+    /// Pose in the world. A robot's pose is that of its config frame, which is attached to its first body.
     [[nodiscard]] Pose poseOf(const ObjectRef& object, const BodyPoses& poses) const;
-    /// The frame that the object's own Pos and HPR are written in, in the world.
+    /// World pose of the frame in which the object's Pos and HPR are written.
     [[nodiscard]] Pose frameOf(const ObjectRef& object, const BodyPoses& poses) const;
-    /// Of all its visible geoms; empty where it has none, as a floor.
+    /// World bounds of all its visible geoms; empty if there are none, as for a floor.
     [[nodiscard]] Bounds boundsOf(const ObjectRef& object, const BodyPoses& poses) const;
 
-    [[nodiscard]] const GeomSpec* geomOf(const ObjectRef& object) const; ///< of a Geom or StaticGeom, else nullptr
+    [[nodiscard]] const GeomSpec* geomOf(const ObjectRef& object) const; ///< nullptr unless it is a Geom or StaticGeom
     [[nodiscard]] const RobotSpec* robotOf(const ObjectRef& object) const;
     [[nodiscard]] const StaticSpec* staticOf(const ObjectRef& object) const;
     [[nodiscard]] std::size_t firstPose(std::size_t robot) const { return m_firstPose[robot]; }
     [[nodiscard]] std::size_t poseCount() const { return m_poseCount; }
-    /// Balls around the geoms of a set that belongs to the experiment, in their order.
+    /// Bounding spheres of a set of geoms of this experiment, in the same order.
     [[nodiscard]] const std::vector<Ball>& ballsOf(const std::vector<GeomSpec>& geoms) const;
 
 private:

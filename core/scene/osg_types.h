@@ -1,5 +1,5 @@
 #pragma once
-// Between our types and OSG's. For the sources of scene only.
+// Conversions between Trundle's types and OSG's. For the sources of core/scene only.
 
 #include <osg/Drawable>
 #include <osg/Matrixd>
@@ -17,13 +17,13 @@ namespace trundle {
 }
 [[nodiscard]] inline osg::Vec3d toOsg(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Leaves a drawable out of the bounds of its scene.
+/// Excludes a drawable from the bounds of its scene.
 struct NoBounds : osg::Drawable::ComputeBoundingBoxCallback {
     osg::BoundingBox computeBound(const osg::Drawable&) const override { return {}; }
 };
 
-/// Stencil: the high two bits tell the floors that take shadows apart, each layer of shadow has one of the low six.
-inline constexpr unsigned kShadowedFloors = 3, kFloorBits = 0xc0, kMostShadowLayers = 6;
+/// Stencil layout: the two high bits number the floors that receive shadows; each of the six low bits is one shadow layer.
+inline constexpr unsigned kShadowedFloors = 3, kFloorBits = 0xc0, kMaxShadowLayers = 6;
 [[nodiscard]] inline unsigned floorMark(unsigned index) { return index < kShadowedFloors ? (index + 1) << 6 : 0; }
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// What a window lays over a scene and no sensor ever sees: translucent shapes that go with bodies, and a picture on the floor.
+// Viewport overlay of a scene, invisible to sensors: translucent shapes attached to bodies, and an image on the floor.
 
 #include <array>
 #include <cstdint>
@@ -12,32 +12,32 @@
 
 namespace trundle {
 
-/// Triangles with a colour at each corner, seen from outside counter-clockwise.
+/// Triangles with a colour per vertex; front faces are counter-clockwise.
 struct TintedMesh {
     std::vector<Eigen::Vector3f> points, normals;
     std::vector<std::array<std::uint8_t, 3>> colours;
     std::vector<std::uint32_t> indices;
 };
 
-/// A mesh that stands in a body; bodies count as in BodyPoses.
+/// A mesh attached to a body; body indices as in BodyPoses.
 struct TintedShape {
     std::shared_ptr<const TintedMesh> mesh;
     std::size_t body = 0;
     Pose mounting;
 };
 
-/// Red, green, blue and opacity of cells on the level floor, or at z = 0 where there is none; rows along y, the first at the lower edge.
+/// RGBA of cells on the level floor, or at z = 0 if there is none; rows along y, starting at the lower edge.
 struct FloorPicture {
-    double x = 0, y = 0; ///< m, of its lower left corner
+    double x = 0, y = 0; ///< m, lower left corner
     double width = 0, depth = 0;
     std::uint32_t columns = 0, rows = 0;
     std::vector<std::uint8_t> pixels; ///< columns * rows * 4
 };
 
-/// Immutable; what is the same as before is not made anew.
+/// Immutable. Parts that are unchanged since the last overlay are not rebuilt.
 struct SceneOverlay {
-    std::shared_ptr<const std::vector<TintedShape>> shapes; ///< none: nullptr
-    std::shared_ptr<const FloorPicture> floor;              ///< none: nullptr
+    std::shared_ptr<const std::vector<TintedShape>> shapes; ///< may be null
+    std::shared_ptr<const FloorPicture> floor;              ///< may be null
 };
 
 } // namespace trundle

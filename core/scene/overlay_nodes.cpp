@@ -27,7 +27,7 @@ osg::ref_ptr<osg::Geometry> geometryOf(const TintedMesh& mesh) {
     return geometry;
 }
 
-osg::ref_ptr<osg::Node> floorNode(const FloorPicture& floor, double height, const Look& look) {
+osg::ref_ptr<osg::Node> floorNode(const FloorPicture& floor, double height, const SceneShading& look) {
     osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
     for (const auto& [right, far] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
         points->push_back(osg::Vec3(floor.x + right * floor.width, floor.y + far * floor.depth, height));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kReach = 1e4; // m
 
-/// Robot, body and geom, or static and geom, from the named nodes that lead to the hit.
+/// Path of the hit geom (robot/body/geom or static/geom), from the names of the nodes above it.
 std::string pathOf(const osgUtil::LineSegmentIntersector::Intersection& hit) {
     std::string path;
     for (const osg::Node* node : hit.nodePath) {

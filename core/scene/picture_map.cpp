@@ -8,9 +8,9 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr float kFlatCap = 0.9f; // a face that looks so far along z is a cap
+constexpr float kFlatCap = 0.9f; // a face whose normal has this |z| or more is a cap
 
-/// Everything relative to the box around the mesh: 0 at its low end, 1 at its high one.
+/// Coordinates relative to the mesh's bounding box: 0 at its minimum, 1 at its maximum.
 struct Measure {
     Vector3f low = Vector3f::Zero(), size = Vector3f::Ones();
     explicit Measure(const ShapeMesh& mesh) {
@@ -46,8 +46,8 @@ Vector2f around(const Vector3f& p, PictureMap map) {
     return {turnOf(p), static_cast<float>(down)};
 }
 
-/// A triangle across the seam goes on beyond 1; a corner on the axis has no direction of its own.
-void mendSeam(const std::array<Vector3f, 3>& corners, std::array<Vector2f, 3>& at) {
+/// Triangles across the seam continue beyond 1; a corner on the axis takes the mean angle of the others.
+void fixSeam(const std::array<Vector3f, 3>& corners, std::array<Vector2f, 3>& at) {
     float most = 0;
     for (int i = 0; i < 3; ++i)
         if (!onAxis(corners[std::size_t(i)])) most = std::max(most, at[std::size_t(i)].x());
@@ -96,7 +96,7 @@ std::vector<Vector2f> pictureCoordinates(const ShapeMesh& mesh, PictureMap map, 
                     : map == PictureMap::Box || cap ? onBox(corners[k], normal)
                                                     : around(corners[k], map);
         }
-        if ((map == PictureMap::Cylinder && !cap) || map == PictureMap::Sphere) mendSeam(corners, at);
+        if ((map == PictureMap::Cylinder && !cap) || map == PictureMap::Sphere) fixSeam(corners, at);
         for (const Vector2f& corner : at) coordinates.push_back(corner * static_cast<float>(scale));
     }
     return coordinates;

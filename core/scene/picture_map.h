@@ -1,5 +1,5 @@
 #pragma once
-// How a picture is laid on the triangles of a geom.
+// Texture mapping of geoms.
 
 #include <array>
 #include <string_view>
@@ -13,12 +13,12 @@ namespace trundle {
 
 enum class PictureMap : std::uint8_t { Planar, Box, Cylinder, Sphere };
 
-/// What a material's TextureMap means for a geom; `auto` follows its shape.
+/// The mapping for a material's TextureMap value; `auto` depends on the shape.
 [[nodiscard]] PictureMap pictureMapOf(std::string_view word, GeomShape shape);
 
-/// Texture coordinates of the three corners of each triangle in turn: (0, 0) is the top left corner of the picture, (1, 1) the
-/// lower right one, `scale` of it lie side by side. A box has the picture on each side, upright and never mirrored seen from
-/// outside; a cylinder once around and on each cap.
+/// Texture coordinates of the three corners of each triangle in order: (0, 0) is the top left corner of the texture, (1, 1) the
+/// lower right one; `scale` repetitions. A box has the texture on each side, upright and not mirrored when seen from outside; a
+/// cylinder has it once around and once on each cap.
 [[nodiscard]] std::vector<Eigen::Vector2f> pictureCoordinates(const ShapeMesh& mesh, PictureMap map, double scale);
 
 } // namespace trundle

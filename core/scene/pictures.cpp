@@ -21,7 +21,7 @@ osg::ref_ptr<osg::Texture2D> textureFrom(const Raster& picture) {
 } // namespace
 
 osg::ref_ptr<osg::Texture2D> Pictures::textureOf(const std::shared_ptr<const Raster>& picture) {
-    Kept& kept = m_kept[picture.get()];
+    CachedPicture& kept = m_kept[picture.get()];
     if (!kept.texture) {
         kept.picture = picture;
         kept.texture = textureFrom(*picture);
@@ -29,9 +29,10 @@ osg::ref_ptr<osg::Texture2D> Pictures::textureOf(const std::shared_ptr<const Ras
     return kept.texture;
 }
 
-osg::ref_ptr<osg::StateSet> Pictures::stateFor(const std::shared_ptr<const Raster>& picture, bool clear, const Look& look) {
+osg::ref_ptr<osg::StateSet> Pictures::stateFor(const std::shared_ptr<const Raster>& picture, bool clear,
+                                               const SceneShading& look) {
     const osg::ref_ptr<osg::Texture2D> texture = textureOf(picture);
-    Kept& kept = m_kept[picture.get()];
+    CachedPicture& kept = m_kept[picture.get()];
     osg::ref_ptr<osg::StateSet>& state = clear ? kept.clear : kept.solid;
     if (!state) {
         state = new osg::StateSet(clear ? *look.clear : *look.surfaces, osg::CopyOp::SHALLOW_COPY);
@@ -44,8 +45,8 @@ osg::ref_ptr<osg::StateSet> Pictures::stateFor(const std::shared_ptr<const Raste
 
 void Pictures::forgetUnused() {
     std::erase_if(m_kept, [](const auto& entry) {
-        const Kept& kept = entry.second;
-        const int own = 1 + (kept.solid ? 1 : 0) + (kept.clear ? 1 : 0); // who holds the texture if only we are left
+        const CachedPicture& kept = entry.second;
+        const int own = 1 + (kept.solid ? 1 : 0) + (kept.clear ? 1 : 0); // reference count when only this cache holds it
         return kept.texture->referenceCount() == own && (!kept.solid || kept.solid->referenceCount() == 1) &&
                (!kept.clear || kept.clear->referenceCount() == 1);
     });

@@ -6,27 +6,27 @@
 #include <osg/Texture2D>
 
 #include "base/raster.h"
-#include "scene/look.h"
+#include "scene/scene_shading.h"
 
 namespace trundle {
 
-/// The pictures on surfaces, each sent to the graphics context once. Used on one thread, with the scenes.
+/// Texture cache: each texture is uploaded to the graphics context once. Used only on the thread that owns the scenes.
 class Pictures {
 public:
-    /// For closed and for open shapes alike. `clear`: one can see through them.
+    /// Draw state for closed and open shapes alike. `clear`: the material is transparent.
     [[nodiscard]] osg::ref_ptr<osg::StateSet> stateFor(const std::shared_ptr<const Raster>& picture, bool clear,
-                                                       const Look& look);
+                                                       const SceneShading& look);
     [[nodiscard]] osg::ref_ptr<osg::Texture2D> textureOf(const std::shared_ptr<const Raster>& picture);
-    /// Drops what nobody draws any more.
+    /// Drops textures that no scene uses any more.
     void forgetUnused();
 
 private:
-    struct Kept {
-        std::shared_ptr<const Raster> picture; // so that its address stays its own
+    struct CachedPicture {
+        std::shared_ptr<const Raster> picture; // owned, so that the address used as key stays unique
         osg::ref_ptr<osg::Texture2D> texture;
         osg::ref_ptr<osg::StateSet> solid, clear;
     };
-    std::map<const Raster*, Kept> m_kept;
+    std::map<const Raster*, CachedPicture> m_kept;
 };
 
 } // namespace trundle

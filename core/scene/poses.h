@@ -1,5 +1,5 @@
 #pragma once
-// Where every robot body stands: from the model until the first tick, from a block of signals afterwards.
+// World poses of all robot bodies: from the model before the first tick, from signal blocks afterwards.
 
 #include <cstdint>
 #include <vector>
@@ -17,15 +17,15 @@ using BodyPoses = std::vector<Pose>;
 
 [[nodiscard]] BodyPoses startPoses(const ExperimentSpec& experiment);
 
-/// Finds once where the poses stand in blocks of a layout, then reads them from any block of it.
+/// Resolves the offsets of pose signals in a layout once, then reads poses from any block of that layout.
 class PoseReader {
 public:
     PoseReader(const ExperimentSpec& experiment, const SignalLayout& layout);
 
-    /// A body without a signal, or whose signal is not a pose (not finite, no rotation), keeps what `poses` holds for it;
-    /// `poses` is filled with start poses first where its size is not right.
+    /// A body without a pose signal, or whose signal is not a valid pose (not finite, not a rotation), keeps its entry in
+    /// `poses`. If `poses` has the wrong size, it is first filled with the start poses.
     void read(const SignalBlock& block, BodyPoses& poses) const;
-    /// Bodies whose pose is in the layout.
+    /// Number of bodies whose pose is in the layout.
     [[nodiscard]] std::size_t found() const;
 
 private:

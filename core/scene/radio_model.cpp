@@ -19,7 +19,7 @@ Vec3 vectorOf(const ComponentSpec& spec, std::string_view key) {
     return numbers.size() == 3 ? Vec3(numbers.data()) : Vec3::Zero();
 }
 
-/// By the names under which the kind Transceiver describes its fields.
+/// Reads the properties by the names that the kind Transceiver declares.
 RadioNode nodeFrom(const ComponentSpec& spec) {
     RadioNode node;
     RadioDefinition& radio = node.radio;
@@ -51,7 +51,7 @@ std::vector<RadioNode> radioNodesOf(const ExperimentSpec& experiment) {
         for (const ComponentSpec& device : robot.config->devices) {
             if (device.kind != "Transceiver") continue;
             RadioNode node = nodeFrom(device);
-            // One for all of that name: to make one takes milliseconds.
+            // Shared by all transceivers with this antenna, because making one takes milliseconds.
             const auto [antenna, isNew] = antennas.try_emplace(device.text("Antenna", "isotropic"));
             if (isNew) antenna->second = antennaNamed(experiment, antenna->first);
             node.radio.antenna = antenna->second;

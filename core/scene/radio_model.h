@@ -1,5 +1,5 @@
 #pragma once
-// The radios of an experiment as whoever draws sees them, and what stands between two antennas.
+// Radio nodes of an experiment for display, and the obstacles between two antennas.
 
 #include <memory>
 #include <vector>
@@ -9,10 +9,12 @@
 
 namespace trundle {
 
-/// Robots in text order, of each its Transceivers in text order: as a run numbers them, unless a module's devices have radios too.
+/// Robots in text order, and for each its Transceivers in text order. A run uses the same numbers, unless devices of a module
+/// have radios too.
 [[nodiscard]] std::vector<RadioNode> radioNodesOf(const ExperimentSpec& experiment);
 
-/// Counts as a run does: each solid between once, the bodies of the two radios' own robots left out. For RadioNodes::setWalls().
+/// Counts walls as a run does: each solid between the radios once, without the bodies of the two radios' own robots. For
+/// RadioNodes::setWalls().
 [[nodiscard]] WallCount wallsBetween(std::shared_ptr<const ObjectIndex> objects, std::shared_ptr<const BodyPoses> poses,
                                      const std::vector<RadioNode>& nodes);
 

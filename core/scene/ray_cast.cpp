@@ -1,4 +1,5 @@
-// Rays against shapes. Each shape is met in its own frame; the ray's direction is a unit vector, so distances stay what they are.
+// Ray casts against shapes. Each shape is tested in its own frame; the ray direction is a unit vector, so distances are
+// preserved.
 
 #include "scene/ray_cast.h"
 
@@ -13,12 +14,12 @@ struct LocalRay {
 };
 
 struct LocalHit {
-    double distance = -1; ///< below 0: missed
+    double distance = -1; ///< negative: missed
     Vec3 normal = Vec3::UnitZ();
 };
 
 constexpr double kPlaceholderHalf = 0.05; // m
-constexpr int kFieldSteps = 4000;         // along a height map at most
+constexpr int kFieldSteps = 4000;         // maximum steps along a height map
 
 LocalHit hitBox(const LocalRay& ray, const Vec3& low, const Vec3& high) {
     double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
@@ -48,7 +49,7 @@ LocalHit hitBall(const LocalRay& ray, const Vec3& centre, double radius) {
     return {t, (ray.at(t) - centre) / radius};
 }
 
-/// The curved side of a cylinder about z between -half and half.
+/// Lateral surface of a cylinder about z, from -half to half.
 LocalHit hitSide(const LocalRay& ray, double radius, double half) {
     const double a = ray.along.head<2>().squaredNorm(), b = ray.from.head<2>().dot(ray.along.head<2>());
     const double d = b * b - a * (ray.from.head<2>().squaredNorm() - radius * radius);
@@ -95,7 +96,7 @@ LocalHit hitTriangles(const LocalRay& ray, const TriangleMesh& mesh) {
     return best;
 }
 
-/// Height of the map at a place, in metres above its lowest.
+/// Height of the map at (x, y), in metres above its lowest point.
 double heightAt(const HeightMap& map, const Vec3& size, double x, double y) {
     const double u = std::clamp(x / size.x() + 0.5, 0.0, 1.0) * (map.columns - 1);
     const double v = std::clamp(0.5 - y / size.y(), 0.0, 1.0) * (map.rows - 1);
@@ -166,7 +167,7 @@ LocalHit hitShape(const LocalRay& ray, const GeomSpec& g) {
     return {};
 }
 
-/// What the ray enters of the geoms that are wanted, in the order of the experiment.
+/// Calls `take` for each accepted geom that the ray enters, in the order of the experiment.
 template <class Wanted, class Take>
 void meetAll(const ObjectIndex& objects, const BodyPoses& poses, const ViewRay& ray, const Wanted& wanted, const Take& take) {
     const auto meet = [&](ObjectRef ref, const std::vector<GeomSpec>& geoms, const Pose& owner) {
@@ -195,13 +196,13 @@ void meetAll(const ObjectIndex& objects, const BodyPoses& poses, const ViewRay& 
         if (e.statics[s].geoms) meet({ObjectKind::StaticGeom, s}, *e.statics[s].geoms, e.statics[s].pose);
 }
 
-/// All that can be seen.
+/// Accepts visible geoms.
 struct Visible {
     bool operator()(const GeomSpec& geom) const { return geom.visible; }
     bool operator()(std::uint32_t) const { return true; }
 };
 
-/// All that collides, without two robots.
+/// Accepts colliding geoms, except those of two robots.
 struct Solid {
     std::size_t robot, otherRobot;
     bool operator()(const GeomSpec& geom) const { return geom.collide; }

@@ -1,9 +1,9 @@
 #pragma once
-// What the rich look adds to the programs of shaders.h, and its own. As there; but made for graphics cards.
+// GLSL programs of the rich look, and its additions to shaders.h. Same conventions, but written for graphics cards.
 
 namespace trundle::shaders {
 
-/// Behind kLight in every program that shows a surface.
+/// Appended to kLight in every program that shades a surface.
 inline constexpr const char* kRichLight = R"(
 #ifdef SUN_MAP
 uniform sampler2DShadow sunTests;
@@ -62,7 +62,7 @@ float skySeen(vec3 place) {
 #endif
 )";
 
-/// Depth as the sun sees it. What one can see through leaves out some pixels of the map, and blurred it is a lighter shadow.
+/// Shadow map of the sun. Transparent surfaces skip some pixels of the map; after blurring they cast a lighter shadow.
 inline constexpr const char* kSunVertex = R"(
 flat out float opacity;
 void main() {
@@ -80,7 +80,7 @@ void main() {
 }
 )";
 
-/// The face that is seen, towards the eye, and how far away it is.
+/// Normal of the visible face towards the eye, and its distance.
 inline constexpr const char* kFaceVertex = R"(
 out vec3 inView;
 void main() {
@@ -106,8 +106,8 @@ inline constexpr const char* kWholeVertex = R"(
 void main() { gl_Position = vec4(gl_Vertex.xy, 0.0, 1.0); }
 )";
 
-/// How much of the sky the faces around a place leave open to it: none of them is looked for further away than `openReach` (m).
-/// The pattern of directions repeats every four pixels, and kSmoothFragment takes the mean over that.
+/// Ambient occlusion: the fraction of the sky that the faces around a point leave open, searched up to `openReach` (m). The
+/// pattern of directions repeats every four pixels; kSmoothFragment averages over it.
 inline constexpr const char* kOpenFragment = R"(
 uniform sampler2D faces;
 uniform float openReach;
@@ -140,7 +140,7 @@ void main() {
 }
 )";
 
-/// The mean over four pixels by four, of what is as far away.
+/// Mean over 4 x 4 pixels, restricted to pixels at a similar distance.
 inline constexpr const char* kSmoothFragment = R"(
 uniform sampler2D opened;
 out vec4 fragment;

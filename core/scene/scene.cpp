@@ -3,13 +3,13 @@
 #include <osg/ComputeBoundsVisitor>
 
 #include "scene/osg_types.h"
-#include "scene/speck.h"
+#include "scene/point_impostor.h"
 #include "scene/surroundings.h"
 
 namespace trundle {
 namespace {
 
-constexpr double kFloorReach = 400, kFloorReachInRadii = 60; // m: half the side of a floor that has no end
+constexpr double kFloorReach = 400, kFloorReachInRadii = 60; // m: half the side of an infinite floor's quad
 
 Bounds boundsOf(const osg::Node& node) {
     Bounds bounds;
@@ -22,7 +22,7 @@ Bounds boundsOf(const osg::Node& node) {
     return bounds;
 }
 
-/// The number of the largest one, whose speck stands for the whole; behind the last where there is nothing to see.
+/// Index of the largest body shape, whose impostor represents the whole robot; past the end if nothing is visible.
 std::size_t largestOf(const std::vector<osg::ref_ptr<osg::Group>>& shapes) {
     const auto radius = [](const osg::ref_ptr<osg::Group>& each) { return each->getBound().radius(); };
     const auto largest =
@@ -38,7 +38,7 @@ bool isSane(const Pose& pose) {
 
 Scene::Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store, const ExperimentSpec* ghosts)
     : m_store(store ? std::move(store) : std::make_shared<ShapeStore>()) {
-    Look::applyTo(*m_root->getOrCreateStateSet(), m_uniforms);
+    SceneShading::applyTo(*m_root->getOrCreateStateSet(), m_uniforms);
     m_robots->setNodeMask(kMaskRobots | kMaskSolid);
     m_statics->setNodeMask(kMaskStatics | kMaskSolid);
     m_collision->setNodeMask(kMaskCollision);
@@ -60,23 +60,23 @@ Scene::Scene(const ExperimentSpec& experiment, std::shared_ptr<ShapeStore> store
 }
 
 void Scene::addRobots(const ExperimentSpec& experiment) {
-    // Robots of one config share all geometry: only where they stand is their own.
-    struct Known {
+    // Robots of one config share all geometry and differ only in their poses.
+    struct ConfigShapes {
         std::vector<osg::ref_ptr<osg::Group>> shapes;
         std::size_t largest = 0;
-        osg::ref_ptr<osg::Node> speck;
+        osg::ref_ptr<osg::Node> impostor;
     };
-    std::unordered_map<const RobotConfigSpec*, Known> known;
+    std::unordered_map<const RobotConfigSpec*, ConfigShapes> known;
     for (const RobotSpec& robot : experiment.robots) {
         if (!robot.config) continue;
         auto [entry, isNew] = known.try_emplace(robot.config.get());
-        auto& [shapes, largest, speck] = entry->second;
+        auto& [shapes, largest, impostor] = entry->second;
         if (isNew) {
             const auto spokes = spokePatternsOf(*robot.config, experiment.materials);
             for (std::size_t i = 0; i < robot.config->bodies.size(); ++i)
                 shapes.push_back(m_store->nodeOf(robot.config->bodies[i].geoms, experiment.materials, spokes[i]));
             largest = largestOf(shapes);
-            if (largest < shapes.size()) speck = makeSpeck(*shapes[largest], m_store->look);
+            if (largest < shapes.size()) impostor = makePointImpostor(*shapes[largest], m_store->look);
         }
         osg::ref_ptr<osg::Group> node = new osg::Group;
         node->setName(robot.name);
@@ -85,7 +85,7 @@ void Scene::addRobots(const ExperimentSpec& experiment) {
             body->setName(robot.config->bodies[i].name);
             body->setDataVariance(osg::Object::DYNAMIC);
             if (shapes[i]->getNumChildren() > 0) body->addChild(shapes[i]);
-            if (i == largest && speck) body->addChild(speck);
+            if (i == largest && impostor) body->addChild(impostor);
             node->addChild(body);
             m_bodies.push_back(body);
             m_objects.try_emplace(robot.name + "/" + body->getName(), Object{body, shapes[i]});
@@ -101,15 +101,15 @@ void Scene::addStatics(const ExperimentSpec& experiment) {
     for (const StaticSpec& fixed : experiment.statics) {
         if (!fixed.geoms || !isSane(fixed.pose)) continue;
         auto [entry, isNew] = known.try_emplace(fixed.geoms.get());
-        auto& [shapes, speck] = entry->second;
+        auto& [shapes, impostor] = entry->second;
         if (isNew) {
             shapes = m_store->nodeOf(*fixed.geoms, experiment.materials);
-            speck = makeSpeck(*shapes, m_store->look);
+            impostor = makePointImpostor(*shapes, m_store->look);
         }
         osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(toOsg(fixed.pose));
         node->setName(fixed.name);
         node->addChild(shapes);
-        if (speck) node->addChild(speck);
+        if (impostor) node->addChild(impostor);
         m_statics->addChild(node);
         m_objects.try_emplace(fixed.name, Object{node, shapes});
     }
@@ -144,7 +144,7 @@ void Scene::addSurroundings(const ExperimentSpec& experiment) {
         m_uniforms.ground->set(static_cast<float>(*m_floorHeight));
     }
 
-    const Look& look = m_store->look;
+    const SceneShading& look = m_store->look;
     osg::ref_ptr<osg::Group> floorGroup = new osg::Group, sharp = new osg::Group, soft = new osg::Group, lamps = new osg::Group;
     osg::ref_ptr<osg::Group> casters = new osg::Group;
     casters->addChild(m_robots);
@@ -226,7 +226,7 @@ void Scene::setPoses(const BodyPoses& poses) {
     for (std::size_t i = 0; i < poses.size(); ++i)
         if (isSane(poses[i])) m_bodies[i]->setMatrix(toOsg(poses[i]));
     for (const auto* followers : {&m_markFollowers, &m_collisionFollowers, &m_overlayFollowers})
-        for (const Follower& follower : *followers) follower.node->setMatrix(follower.leader->getMatrix());
+        for (const BodyNode& follower : *followers) follower.node->setMatrix(follower.leader->getMatrix());
 }
 
 Bounds Scene::bounds() const {

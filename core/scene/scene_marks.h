@@ -4,7 +4,7 @@
 
 namespace trundle {
 
-/// Objects to be outlined, as paths of robots, bodies, geoms and statics: "robot0/chassis/hull".
+/// Objects to outline, as paths of robots, bodies, geoms and statics: "robot0/chassis/hull".
 struct SceneMarks {
     std::vector<std::string> selected, hovered;
     [[nodiscard]] bool empty() const { return selected.empty() && hovered.empty(); }

@@ -1,11 +1,11 @@
 #pragma once
-// GLSL 1.30 for a compatibility context. Colours enter and leave as shown on a screen; light is added up linearly, with a
-// square for the screen's curve. No branch depends on a uniform: software renderers pay for every branch.
+// GLSL 1.30 for a compatibility context. Input and output colours are display colours; light is summed linearly, with a gamma of
+// 2. No branch depends on a uniform, because software renderers pay for every branch.
 
 namespace trundle::shaders {
 
-/// What Lighting tells. The programs are made for one number of lamps: in software a loop that could be entered costs every
-/// pixel twice the time, also where it is not.
+/// Shading by the values of Lighting. The number of lamps is compiled in: in software rendering even a loop with no iterations
+/// doubles the cost per pixel.
 inline constexpr const char* kLight = R"(
 #pragma import_defines(LAMPS, SUN_MAP, SKY_MAP)
 uniform vec3 sunWay, sunLight, skyLight, groundLight, horizonColour, zenithColour;
@@ -50,7 +50,7 @@ void main() {
 }
 )";
 
-/// Distance along the view's axis, and which object it is; in the layers of kBodyVertex.
+/// Depth along the optical axis and object number; same layers as kBodyVertex.
 inline constexpr const char* kDataVertex = R"(
 uniform float firstObject;
 out float depth;
@@ -114,7 +114,7 @@ void main() {
 }
 )";
 
-/// The last whole drawing of what the text no longer says: grey, its rim clearer than its middle.
+/// Ghost of an object that is no longer resolved: grey, more visible at its silhouette.
 inline constexpr const char* kGhostFragment = R"(
 uniform mat4 osg_ViewMatrixInverse;
 in vec3 normalW, positionW;
@@ -126,7 +126,7 @@ void main() {
 }
 )";
 
-/// A shape of an overlay, its colours from corner to corner: clearest where one looks along it.
+/// Overlay shape with interpolated vertex colours; most transparent where the line of sight grazes it.
 inline constexpr const char* kTintedVertex = R"(
 uniform mat4 osg_ViewMatrixInverse;
 out vec3 normalW, positionW;
@@ -151,7 +151,7 @@ void main() {
 }
 )";
 
-/// One colour; a little nearer than it is, so that it is seen over the surface it lies in.
+/// One colour, with a small depth offset so that it is visible over the surface it lies in.
 inline constexpr const char* kFlatVertex = R"(
 void main() {
     gl_Position = gl_ProjectionMatrix * (gl_ModelViewMatrix * gl_Vertex);

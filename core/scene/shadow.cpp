@@ -1,7 +1,8 @@
 // Planar shadows.
-// Needs: flat floors. Assumes: the sun and a few lamps cast them. Method: every caster is drawn once more for each layer,
-// flattened onto the floor along a ray of light. For the sun the node's matrix flattens, for culling; the program then puts
-// the vertices exactly onto the plane. The stencil keeps a layer from darkening one pixel twice, and from leaving its floor.
+// Needs: flat floors. Assumes: the sun and a few lamps cast them. Method: every caster is drawn once more per layer, flattened
+//   onto the floor along the light. For the sun, the node's matrix flattens approximately, so that culling works; the program
+//   then moves the vertices exactly onto the plane. The stencil prevents a layer from darkening a pixel twice and from leaving
+//   its floor.
 
 #include <numbers>
 #include <osg/BlendFunc>
@@ -19,15 +20,15 @@
 namespace trundle {
 namespace {
 
-constexpr double kHeightScale = 0.001; // what is left of a height, so that the program can still tell it
-constexpr double kSunRadius = 0.034;   // rad; larger than the real one: robots are small
-constexpr float kContactDepth = 0.35f; // darkness right below things, where the sky is hidden
+constexpr double kHeightScale = 0.001; // factor on heights above the floor; not 0, so that the program can recover them
+constexpr double kSunRadius = 0.034;   // rad; larger than the real one, because robots are small
+constexpr float kContactDepth = 0.35f; // darkness directly below objects, which hide the sky
 constexpr float kNoTop = 1e9f;
-constexpr float kContactTop = 0.05f; // m; what is higher hides little of it
+constexpr float kContactTop = 0.05f; // m; higher parts hide little of it
 
-constexpr double kLeastSlant = 0.2;         // cosine; flatter light casts shadows without end
+constexpr double kLeastSlant = 0.2;         // cosine; at more grazing light shadows become too long
 constexpr float kLeastLampHeight = 0.05f;   // m above the floor
-constexpr std::size_t kMostShadowLamps = 3; // each has a layer of its own
+constexpr std::size_t kMaxShadowLamps = 3;  // each uses one layer
 
 float heightOf(const Lamp& lamp, const FloorPlane& floor) {
     const Vec3 place(lamp.place.x(), lamp.place.y(), lamp.place.z());
@@ -49,7 +50,7 @@ osg::Matrixd flattening(const Vec3& normal, const Vec3& point, const Vec3& light
     return m;
 }
 
-/// What all layers have in common: drawn on their floor where it is seen, and once in each pixel.
+/// State common to all layers: drawn only where their floor is visible, once per pixel.
 osg::ref_ptr<osg::Node> layerOf(const osg::ref_ptr<osg::MatrixTransform>& node, const FloorPlane& floor, unsigned index,
                                 unsigned layer, osg::Group& casters, const osg::ref_ptr<osg::Program>& program) {
     const Vec3 n = floor.normal();
@@ -72,15 +73,15 @@ osg::ref_ptr<osg::Node> layerOf(const osg::ref_ptr<osg::MatrixTransform>& node, 
     return node;
 }
 
-/// What one layer takes away.
-struct Darkness {
-    float depth = 0;    ///< share of what is shown, where there are no lamps
-    float sunPower = 0; ///< (1 - the sun's share of the light) to this power is left; 0: it is not the sun that is hidden
+/// How much one layer darkens.
+struct ShadowStrength {
+    float depth = 0;    ///< fraction of the displayed brightness removed where there are no lamps
+    float sunPower = 0; ///< remaining light is (1 - sun's share)^sunPower; 0: the layer does not hide the sun
     float top = kNoTop;
 };
 
-osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light, Darkness dark,
-                                  osg::Group& casters, const Look& look, const Lighting& lighting) {
+osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Vec3& light, ShadowStrength dark,
+                                  osg::Group& casters, const SceneShading& look, const Lighting& lighting) {
     osg::ref_ptr<osg::MatrixTransform> node = new ShadowTransform(flattening(floor.normal(), floor.pose.position, light));
     osg::StateSet* state = node->getOrCreateStateSet();
     state->addUniform(new osg::Uniform("shadowHeightScale", static_cast<float>(kHeightScale)));
@@ -93,16 +94,16 @@ osg::ref_ptr<osg::Node> makeLayer(const FloorPlane& floor, unsigned index, unsig
     state->addUniform(new osg::Uniform("sunShare", lighting.sunShare(normal)));
     state->addUniform(new osg::Uniform("sunPower", dark.sunPower));
     if (dark.top < kNoTop) {
-        // Where the light is hidden by what is low the lower sides of it count, else those towards the light.
+        // For contact shadows the lower sides of the casters count, otherwise the sides towards the light.
         state->setMode(GL_CLIP_PLANE1, osg::StateAttribute::OVERRIDE | osg::StateAttribute::ON);
         state->setAttributeAndModes(new osg::CullFace(osg::CullFace::FRONT));
     }
     return layerOf(node, floor, index, layer, casters, look.shadow);
 }
 
-/// A lamp's, which the program puts onto the floor: from the casters' own places, that may be far from it.
+/// Shadow of a lamp. The program projects the casters from their own positions, which may be far from the floor.
 osg::ref_ptr<osg::Node> makeLampLayer(const FloorPlane& floor, unsigned index, unsigned layer, const Lamp& lamp,
-                                      const Lighting& lighting, osg::Group& casters, const Look& look) {
+                                      const Lighting& lighting, osg::Group& casters, const SceneShading& look) {
     osg::ref_ptr<ShadowTransform> node = new ShadowTransform;
     node->castEverywhere();
     osg::StateSet* state = node->getOrCreateStateSet();
@@ -124,25 +125,25 @@ bool sunCasts(const Lighting& lighting, const FloorPlane& floor) {
     return lighting.shadows && floor.normal().dot(towardsSun(lighting)) >= kLeastSlant;
 }
 
-/// The first lamps that cast shadows onto a floor.
+/// The first kMaxShadowLamps lamps that cast shadows on a floor.
 std::vector<Lamp> castingLamps(const Lighting& lighting, const FloorPlane& floor) {
     std::vector<Lamp> lamps;
     for (const Lamp& lamp : lighting.lamps)
-        if (lamp.shadows && heightOf(lamp, floor) > kLeastLampHeight && lamps.size() < kMostShadowLamps) lamps.push_back(lamp);
+        if (lamp.shadows && heightOf(lamp, floor) > kLeastLampHeight && lamps.size() < kMaxShadowLamps) lamps.push_back(lamp);
     return lamps;
 }
 
-/// Theirs are the last of the layers.
-unsigned firstLampLayer(const std::vector<Lamp>& lamps) { return kMostShadowLayers - static_cast<unsigned>(lamps.size()); }
+/// Lamps use the last layers.
+unsigned firstLampLayer(const std::vector<Lamp>& lamps) { return kMaxShadowLayers - static_cast<unsigned>(lamps.size()); }
 
-/// Share of what is shown that a shadow takes away (the screen's curve is a square root).
+/// Fraction of the displayed brightness that a full shadow removes (the display curve is a square root).
 float fullDepth(const Lighting& lighting, const Vec3& n) {
     return 1 - std::sqrt(1 - lighting.sunShare(osg::Vec3(n.x(), n.y(), n.z())));
 }
 
 } // namespace
 
-osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
+osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const SceneShading& look,
                                         const Lighting& lighting) {
     osg::ref_ptr<osg::Group> layers = new osg::Group;
     if (sunCasts(lighting, floor))
@@ -151,7 +152,7 @@ osg::ref_ptr<osg::Node> makeSharpShadow(const FloorPlane& floor, unsigned index,
     return layers;
 }
 
-osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
+osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, osg::Group& casters, const SceneShading& look,
                                        const Lighting& lighting) {
     osg::ref_ptr<osg::Group> layers = new osg::Group;
     const unsigned sunLayers = firstLampLayer(castingLamps(lighting, floor)) - 1;
@@ -172,7 +173,7 @@ osg::ref_ptr<osg::Node> makeSoftShadow(const FloorPlane& floor, unsigned index, 
     return layers;
 }
 
-osg::ref_ptr<osg::Node> makeLampShadows(const FloorPlane& floor, unsigned index, osg::Group& casters, const Look& look,
+osg::ref_ptr<osg::Node> makeLampShadows(const FloorPlane& floor, unsigned index, osg::Group& casters, const SceneShading& look,
                                         const Lighting& lighting) {
     osg::ref_ptr<osg::Group> layers = new osg::Group;
     const std::vector<Lamp> lamps = castingLamps(lighting, floor);

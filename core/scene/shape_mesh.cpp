@@ -2,16 +2,16 @@
 
 #include <numbers>
 
-#include "base/mesh_look.h"
+#include "base/mesh_appearance.h"
 
 namespace trundle {
 namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kMostBevel = 0.004f;     // m
-constexpr float kBevelShare = 0.06f;     // of the shortest edge
-constexpr float kLargest = 1e5f;         // m, beyond it nothing sensible can be drawn
+constexpr float kMaxBevel = 0.004f;      // m
+constexpr float kBevelShare = 0.06f;     // fraction of the shortest edge
+constexpr float kLargest = 1e5f;         // m; larger shapes cannot be drawn
 constexpr float kPlaceholderSize = 0.1f; // m
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kLeastSegments = 4;
@@ -21,7 +21,7 @@ void addQuad(ShapeMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c,
     mesh.addTriangle(a, c, d);
 }
 
-/// A surface of revolution: rings of (radius, z) with the slope of the normal, joined in order.
+/// Ring of a surface of revolution: (radius, z) and the slope of the normal; consecutive rings are joined.
 struct Ring {
     double radius, z, normalOut, normalUp;
 };
@@ -80,8 +80,8 @@ int segmentsFor(double radius, const Fineness& fineness) {
 ShapeMesh boxMesh(const Vector3f& size, bool bevel) {
     ShapeMesh mesh;
     const Vector3f half = 0.5f * size;
-    const float cut = bevel ? std::min(kMostBevel, kBevelShare * size.minCoeff()) : 0.f;
-    // corner[face axis][which corner]: each corner of the box has one point on each of its three faces.
+    const float cut = bevel ? std::min(kMaxBevel, kBevelShare * size.minCoeff()) : 0.f;
+    // corner[face axis][box corner]: each corner of the box has one vertex per adjacent face.
     std::uint32_t corner[3][8];
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < 8; ++i) {
@@ -99,7 +99,7 @@ ShapeMesh boxMesh(const Vector3f& size, bool bevel) {
         for (const int side : {0, w})
             addQuad(mesh, corner[axis][side], corner[axis][side | u], corner[axis][side | u | v], corner[axis][side | v]);
         if (cut <= 0) continue;
-        // The four edges along `axis` join a face of u with a face of v.
+        // The four edges along `axis` join a face of axis u to a face of axis v.
         const int faceU = (axis + 1) % 3, faceV = (axis + 2) % 3;
         for (const int side : {0, u, v, u | v})
             addQuad(mesh, corner[faceU][side], corner[faceU][side | w], corner[faceV][side | w], corner[faceV][side]);
@@ -154,7 +154,7 @@ bool isPlaceholder(const GeomSpec& geom) {
     }
 }
 
-bool bringsItsLook(const GeomSpec& geom) {
+bool hasOwnAppearance(const GeomSpec& geom) {
     if (geom.shape != GeomShape::Mesh || geom.material != 0 || isPlaceholder(geom) || !geom.mesh->look) return false;
     return geom.mesh->look->material.size() == geom.mesh->triangles.size();
 }

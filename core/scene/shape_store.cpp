@@ -2,14 +2,14 @@
 
 #include <cstring>
 
-#include "base/mesh_look.h"
+#include "base/mesh_appearance.h"
 #include "scene/geom_nodes.h"
 #include "scene/shape_mesh.h"
 
 namespace trundle {
 namespace {
 
-/// The bytes that tell one drawing from another.
+/// Bytes that identify a drawable: equal keys draw equally.
 struct Key {
     std::string bytes;
 
@@ -56,13 +56,13 @@ void addMaterial(Key& key, const MaterialSpec& m) {
     for (const double c : m.emission) key.number(c);
     key.number(m.opacity);
     key.number(m.shininess);
-    key.plain(m.picture.get()); // kept with what is drawn, so that no other gets its address
+    key.plain(m.picture.get()); // kept alive by the cached node, so the address stays unique
     if (!m.picture) return;
     key.number(m.textureScale);
     key.bytes += m.textureMap + '\n';
 }
 
-void addLook(Key& key, const MeshLook& look) {
+void addAppearance(Key& key, const MeshAppearance& look) {
     key.array(look.material), key.array(look.onPicture);
     for (const MeshMaterial& m : look.materials) {
         for (int i = 0; i < 3; ++i) key.plain(m.colour[std::size_t(i)]), key.plain(m.emission[std::size_t(i)]);
@@ -82,7 +82,7 @@ osg::ref_ptr<osg::Group> ShapeStore::nodeOf(std::span<const GeomSpec> geoms, con
         key.plain(g.visible);
         addShape(key, g);
         addMaterial(key, g.material < materials.size() ? materials[g.material] : kPlain);
-        if (bringsItsLook(g)) addLook(key, *g.mesh->look);
+        if (hasOwnAppearance(g)) addAppearance(key, *g.mesh->look);
     }
     for (const SpokePattern& s : spokes) key.plain(s.geom), key.vector(s.axis), key.plain(s.top), key.plain(s.bottom);
     auto [entry, isNew] = m_nodes.try_emplace(std::move(key.bytes));

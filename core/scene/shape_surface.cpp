@@ -1,4 +1,4 @@
-// Meshes and height maps: shapes whose normals have to be found first.
+// Meshes and height maps: shapes whose normals must be computed.
 
 #include <cstring>
 #include <unordered_map>
@@ -11,8 +11,8 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr float kCreaseCosine = 0.80f;      // about 37 degrees
-constexpr std::size_t kMostNeighbours = 48; // a corner with more faces than that is drawn flat: smoothing stays linear
-constexpr std::uint32_t kMostSamples = 512; // of a height map along each side
+constexpr std::size_t kMaxNeighbours = 48;  // corners with more faces are drawn flat, which keeps smoothing linear in time
+constexpr std::uint32_t kMaxSamples = 512;  // per side of a height map
 
 struct PointKey {
     std::array<float, 3> at;
@@ -32,10 +32,10 @@ struct PointHash {
 };
 
 struct Face {
-    std::uint32_t source;                 // in the mesh
-    std::array<std::uint32_t, 3> corners; // welded points
+    std::uint32_t source;                 // triangle index in the mesh
+    std::array<std::uint32_t, 3> corners; // indices of welded points
     Vector3f normal;                      // unit
-    std::array<float, 3> angles;          // at the corners, which weigh the normals there
+    std::array<float, 3> angles;          // rad, at the corners; weights of the normals
 
     [[nodiscard]] float angleAt(std::uint32_t corner) const {
         return corner == corners[0] ? angles[0] : corner == corners[1] ? angles[1] : angles[2];
@@ -46,13 +46,13 @@ float angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return static_cast<float>(std::atan2(a.cross(b).norm(), a.dot(b)));
 }
 
-/// Points at the same place become one, so that normals run on over the seams of a file.
+/// Merges points at equal positions, so that normals are smooth across the seams of a file.
 template <class Points> std::vector<std::uint32_t> weld(const Points& all, std::vector<Vector3f>& points) {
     std::unordered_map<PointKey, std::uint32_t, PointHash> known;
     std::vector<std::uint32_t> welded;
     welded.reserve(all.size());
     for (const auto& p : all) {
-        // + 0 turns a negative zero into a positive one.
+        // Adding 0 turns -0 into +0.
         const PointKey key{{static_cast<float>(p[0]) + 0.f, static_cast<float>(p[1]) + 0.f, static_cast<float>(p[2]) + 0.f}};
         const auto [it, isNew] = known.try_emplace(key, static_cast<std::uint32_t>(points.size()));
         if (isNew) points.emplace_back(key.at[0], key.at[1], key.at[2]);
@@ -87,7 +87,7 @@ ShapeMesh smoothedMesh(const TriangleMesh& mesh) {
     const std::vector<std::uint32_t> welded = weld(mesh.points, points);
     const std::vector<Face> faces = facesOf(mesh, welded, points);
 
-    // The faces about each point, as one flat list.
+    // Faces adjacent to each point, as one flat list.
     std::vector<std::uint32_t> start(points.size() + 1, 0), around(faces.size() * 3);
     for (const Face& face : faces)
         for (const std::uint32_t c : face.corners) ++start[c + 1];
@@ -102,7 +102,7 @@ ShapeMesh smoothedMesh(const TriangleMesh& mesh) {
         result.sources.push_back(face.source);
         for (const std::uint32_t c : face.corners) {
             Vector3f normal = face.normal;
-            if (start[c + 1] - start[c] <= kMostNeighbours) {
+            if (start[c + 1] - start[c] <= kMaxNeighbours) {
                 normal.setZero();
                 for (std::uint32_t i = start[c]; i < start[c + 1]; ++i) {
                     const Face& other = faces[around[i]];
@@ -138,7 +138,7 @@ ShapeMesh bareMesh(const ShapeMesh& mesh) {
 ShapeMesh heightfieldMesh(const HeightMap& map, const Vector3f& size) {
     ShapeMesh mesh;
     if (map.columns < 2 || map.rows < 2 || map.heights.size() < std::size_t(map.columns) * map.rows) return mesh;
-    const std::uint32_t columns = std::min(map.columns, kMostSamples), rows = std::min(map.rows, kMostSamples);
+    const std::uint32_t columns = std::min(map.columns, kMaxSamples), rows = std::min(map.rows, kMaxSamples);
     const auto sampleColumn = [&](std::uint32_t i) {
         return std::uint32_t(std::uint64_t(i) * (map.columns - 1) / (columns - 1));
     };

@@ -1,4 +1,4 @@
-// Triangles and colours of wheels with spokes.
+// Triangles and colours of wheels drawn with spokes.
 
 #include <numbers>
 
@@ -10,22 +10,22 @@ namespace {
 using Parts = std::array<ShapeMesh, kWheelPaints>;
 
 constexpr int kSpokes = 5;
-constexpr double kPitch = 2 * std::numbers::pi / kSpokes; // rad, from spoke to spoke
+constexpr double kPitch = 2 * std::numbers::pi / kSpokes; // rad between spokes
 constexpr int kLeastSegments = 8, kLeastRimSegments = 12, kLeastNotchSegments = 18;
 
-// Shares of the radius.
+// Fractions of the radius.
 constexpr double kShoulder = 0.90, kRimOuter = 0.74, kRimInner = 0.66, kHub = 0.25, kCap = 0.11;
 constexpr double kSpokeHalfAtRim = 0.085, kSpokeHalfAtHub = 0.115;
 
-/// Around the wheel: so many segments from spoke to spoke, of which the first few are the spoke.
+/// Segments per pitch around the wheel; the first `spoke` of them form the spoke.
 struct Division {
     int pitch, spoke;
     explicit Division(int segments)
         : pitch(std::max(2, (segments + kSpokes / 2) / kSpokes)), spoke(std::max(1, (3 * pitch + 5) / 10)) {}
     [[nodiscard]] int count() const { return kSpokes * pitch; }
-    /// Half the angle of a spoke where all segments are equal.
+    /// Half the angle of a spoke if all segments are equal (rad).
     [[nodiscard]] double evenHalf() const { return 0.5 * kPitch * spoke / pitch; }
-    /// Of the corner that begins a segment, the spokes being `half` wide to each side.
+    /// Angle of the corner that starts a segment, with spokes of half-width `half` (rad).
     [[nodiscard]] double angle(int corner, double half) const {
         const int in = corner % pitch;
         const double within =
@@ -34,13 +34,13 @@ struct Division {
     }
 };
 
-/// A circle about z, and which way its normals lean.
+/// A circle about z, with the direction of its normals.
 struct Circle {
     double radius, z, spokeHalf; ///< m, m, rad
-    double out, up;              ///< of the normal; not scaled
+    double out, up;              ///< normal components, not normalised
 };
 
-/// The paint on the tread: a stripe at each spoke. One is clearer than the others, so that whole rotations can be counted.
+/// Colours of the tread: a stripe at each spoke. One stripe is brighter, so that full rotations can be counted.
 WheelPaint treadPaint(const Division& division, int segment) {
     const int width = (division.spoke + 1) / 2, first = (division.spoke - width) / 2, in = segment % division.pitch - first;
     if (in < 0 || in >= width) return WheelPaint::Tyre;
@@ -61,14 +61,14 @@ template <class PaintOf> void addBand(Parts& parts, const Division& division, co
         const std::uint32_t nextA = corner(mesh, a, i + 1);
         mesh.addTriangle(lastA, nextA, lastB);
         lastA = nextA;
-        if (!(b.radius > 0)) continue; // all corners are the centre
+        if (!(b.radius > 0)) continue; // all corners coincide at the centre
         const std::uint32_t nextB = corner(mesh, b, i + 1);
         mesh.addTriangle(nextA, nextB, lastB);
         lastB = nextB;
     }
 }
 
-/// Normals lean as on a wheel with a round tyre, a rim that goes in and a hub that stands out, though all lies in one plane.
+/// Normals imitate a round tyre, a recessed rim and a protruding hub, although all vertices lie in one plane.
 void addFace(Parts& parts, const Division& division, double radius, double z, double up) {
     const auto isSpoke = [&](int i) { return i % division.pitch < division.spoke; };
     const auto spokeHalf = [](double half, double at) { return std::asin(half / at); };
@@ -119,14 +119,14 @@ Parts spokedCylinder(const GeomSpec& geom, const SpokePattern& pattern, int segm
     return parts;
 }
 
-/// Stripes from pole to pole, on what has no faces.
+/// Stripes from pole to pole, for shapes without flat faces.
 Parts stripedShape(const GeomSpec& geom, const SpokePattern& pattern, int segments) {
     const Division division(segments);
     const auto radius = float(geom.radius);
     const bool isSphere = geom.shape == GeomShape::Sphere;
     const ShapeMesh whole =
         isSphere ? sphereMesh(radius, division.count()) : capsuleMesh(radius, float(geom.length), division.count());
-    // A ball may lie in its body in any orientation: its poles belong on the axis.
+    // A sphere may have any orientation in its body; its poles are placed on the axis.
     const Vec3 pole = isSphere ? pattern.axis : Vec3::UnitZ();
     const Eigen::Matrix3f turn = Quat::FromTwoVectors(Vec3::UnitZ(), pole).toRotationMatrix().cast<float>();
     Parts parts;

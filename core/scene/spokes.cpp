@@ -1,4 +1,4 @@
-// Which geoms of a robot are drawn with spokes.
+// Determines which geoms of a robot are drawn with spokes.
 
 #include "scene/spokes.h"
 
@@ -10,25 +10,25 @@
 namespace trundle {
 namespace {
 
-constexpr double kTolerance = 0.02;       // rad, and share of a radius: rounder than this nobody sees
-constexpr double kLeastShare = 0.5;       // of the largest radius: what is thinner is a nut or a shaft
+constexpr double kTolerance = 0.02;       // rad, and fraction of a radius; smaller deviations are not visible
+constexpr double kLeastShare = 0.5;       // fraction of the largest radius; thinner geoms are nuts or shafts
 constexpr double kLeastProtrusion = 1e-5; // m
 
-/// In the config's frame C at the start pose.
+/// In the config frame C at the start pose.
 struct Axis {
     Vec3 p_C, direction;
 };
 
-/// A geom that is round about an axis, between two places along it (m).
+/// A geom that is rotationally symmetric about an axis, between two positions along it (m).
 struct RoundGeom {
     std::size_t body;
     std::uint32_t geom;
     double radius, low, high;
-    bool flatEnds, plain; ///< a cylinder; without a picture
-    bool reversed;        ///< its z points against the axis
+    bool flatEnds, plain; ///< a cylinder; no texture
+    bool reversed;        ///< its z is antiparallel to the axis
 };
 
-/// Distances along an axis and from it.
+/// Distance along an axis and distance from it (m).
 std::pair<double, double> alongAndFrom(const Axis& axis, const Vec3& p_C) {
     const Vec3 offset = p_C - axis.p_C;
     const double along = axis.direction.dot(offset);
@@ -42,7 +42,7 @@ bool isRoundAbout(const GeomSpec& geom, const Pose& X_CG, const Axis& axis) {
     return (X_CG.rotation * Vec3::UnitZ()).cross(axis.direction).norm() < kTolerance;
 }
 
-/// Bodies joined by Fixed joints have one number; the last entry is that of the world.
+/// Group number of each body: bodies joined by Fixed joints share one. The last entry is the world's.
 std::vector<std::size_t> rigidGroups(const RobotConfigSpec& config) {
     std::vector<std::size_t> group(config.bodies.size() + 1);
     std::iota(group.begin(), group.end(), std::size_t(0));
@@ -55,7 +55,7 @@ std::vector<std::size_t> rigidGroups(const RobotConfigSpec& config) {
     return group;
 }
 
-/// What turns together about an axis.
+/// The bodies that rotate together about an axis.
 class TurningGroup {
 public:
     TurningGroup(const RobotConfigSpec& config, const std::vector<MaterialSpec>& materials, const Axis& axis)
@@ -95,7 +95,7 @@ private:
         m_round.push_back(
             {body, index, geom.radius, middle - half, middle + half, geom.shape == GeomShape::Cylinder, plain, reversed});
     }
-    /// Whether a round geom hides a box on all sides.
+    /// True if a round geom encloses the box on all sides.
     [[nodiscard]] bool isInside(const Bounds& box) const {
         return box.empty() || std::any_of(m_round.begin(), m_round.end(), [&](const RoundGeom& round) {
                    for (int i = 0; round.flatEnds && i < 8; ++i) {
@@ -105,7 +105,7 @@ private:
                    return round.flatEnds;
                });
     }
-    /// Whether another geom stands out of the end of a cylinder, so wide that spokes would be half hidden.
+    /// True if another geom protrudes from the end of a cylinder so widely that it would half hide the spokes.
     [[nodiscard]] bool isCovered(const RoundGeom& round, double end) const {
         return std::any_of(m_round.begin(), m_round.end(), [&](const RoundGeom& other) {
             return &other != &round && other.radius >= kLeastShare * round.radius && other.low < end - kLeastProtrusion &&
@@ -117,7 +117,7 @@ private:
     const std::vector<MaterialSpec>& m_materials;
     Axis m_axis;
     std::vector<RoundGeom> m_round;
-    std::vector<Bounds> m_others; // of what is not round, in C
+    std::vector<Bounds> m_others; // bounds of geoms that are not round, in C
 };
 
 } // namespace
@@ -128,7 +128,7 @@ std::vector<std::vector<SpokePattern>> spokePatternsOf(const RobotConfigSpec& co
     std::vector<std::vector<SpokePattern>> patterns(bodies);
     if (bodies == 0) return patterns;
     const std::vector<std::size_t> group = rigidGroups(config);
-    const std::size_t world = group[bodies], base = group[0]; // a robot turns about its wheels no more than the world does
+    const std::size_t world = group[bodies], base = group[0]; // the base does not rotate about its wheels, nor does the world
     std::vector<bool> done(bodies + 1, false);
     const auto groupOf = [&](int body) { return body == kWorldBody ? world : group[std::size_t(body)]; };
     for (const JointSpec& joint : config.joints) {

@@ -6,11 +6,11 @@
 namespace trundle {
 namespace {
 
-constexpr double kLeastSunHeight = 0.2; // of the unit vector towards it; lower, and shadows are cut
-constexpr double kSunRoom = 0.02;       // share of the box, for the blur at its rim
-constexpr double kSunSteps = 4;         // in which its size doubles
+constexpr double kLeastSunHeight = 0.2; // z of the unit vector towards the sun; with a lower sun, shadows are cut off
+constexpr double kSunRoom = 0.02;       // fraction of the box, margin for the blur at its edge
+constexpr double kSunSteps = 4;         // steps per doubling of the size
 
-/// Along the sun's axes.
+/// World box -> bounds along the sun's axes.
 Bounds turned(const Mat3& axes, const Bounds& box) {
     Bounds result;
     for (int i = 0; i < 8; ++i) result.add(axes.transpose() * box.corner(i));
@@ -21,7 +21,7 @@ bool overlap(const Bounds& a, const Bounds& b) {
     return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() && b.low.y() <= a.high.y();
 }
 
-/// What the picture shows of the things and of the ground that their shadows lie on.
+/// Bounds along the sun's axes of the view frustum, as far as objects and the ground that receives their shadows can be seen.
 Bounds shown(const Mat3& axes, const Bounds& all, const CameraView& view, double aspect) {
     const Mat3 camera = cameraAxes(view);
     const double shadow = all.size().z() / std::max(kLeastSunHeight, axes(2, 2));
@@ -39,7 +39,7 @@ Bounds shown(const Mat3& axes, const Bounds& all, const CameraView& view, double
     return seen;
 }
 
-/// From `low` to `high`, a little more, in steps and on a grid.
+/// The interval [low, high], enlarged slightly and snapped to size steps and to a pixel grid.
 std::pair<double, double> steady(double low, double high, std::uint32_t pixels) {
     const double wanted = std::max(1e-3, (high - low) * (1 + 2 * kSunRoom));
     const double size = std::exp2(std::ceil(kSunSteps * std::log2(wanted * (1 + 2.0 / pixels))) / kSunSteps),

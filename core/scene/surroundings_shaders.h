@@ -1,5 +1,5 @@
 #pragma once
-// The programs of sky and shadows. As shaders.h.
+// GLSL programs of sky and planar shadows; conventions as in shaders.h.
 
 namespace trundle::shaders {
 
@@ -32,8 +32,8 @@ void main() {
 }
 )";
 
-/// Bodies flattened onto a plane along the light. What stands below the plane is cut away: it has no shadow there. Higher
-/// than shadowTop nothing is drawn, and up to there the shadow gets fainter.
+/// Flattens bodies onto a plane along the light. Parts below the plane are clipped, since they cast no shadow on it. The shadow
+/// fades with the caster's height, up to shadowTop.
 inline constexpr const char* kShadowVertex = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform mat4 osg_ViewMatrix;
@@ -76,8 +76,8 @@ float depthHere() { return shadowDepth; }
 void main() { fragment = vec4(0.02, 0.03, 0.06, depthHere() * fade * exp2(-inHaze * inHaze)); }
 )";
 
-/// The same from a lamp. A place on the floor is kept undivided, so that what is higher than the lamp can be cut away before; what is
-/// nearer to the lamp than 10 cm is a part of it.
+/// The same for a lamp. The projected position is kept before the division, so that parts higher than the lamp can be clipped
+/// first; parts within 10 cm of the lamp belong to it and cast no shadow.
 inline constexpr const char* kLampShadowVertex = R"(
 uniform mat4 osg_ViewMatrixInverse;
 uniform mat4 osg_ViewMatrix;

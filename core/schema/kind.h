@@ -1,5 +1,5 @@
 #pragma once
-// A kind of object as the rest of the program knows it: copies of what some describe() said, with the places it may stand.
+// A kind of object with its properties and allowed parents, copied from the output of its describe() function.
 
 #include <cstdint>
 #include <string>
@@ -24,12 +24,12 @@ struct PropertyValue {
 struct Property {
     std::string name, unit, help;
     PropertyType type = PropertyType::Number;
-    std::vector<std::string> choices; ///< Choice: words; File: endings; Reference: kinds or roles
-    double scale = 1;                 ///< text unit to SI
+    std::vector<std::string> choices; ///< Choice: words; File: extensions; Reference: kinds or roles
+    double scale = 1;                 ///< factor from the text's unit to SI
     double minimum = 0, maximum = 0;  ///< in the text's unit
     bool minExclusive = false, maxExclusive = false, required = false, live = false;
     std::uint32_t minCount = 1, maxCount = 1;
-    std::optional<PropertyValue> defaultValue; ///< none: required, or absent means "not given"
+    std::optional<PropertyValue> defaultValue; ///< none: required, or a missing value means "not given"
 };
 
 struct SignalDescription {
@@ -37,18 +37,18 @@ struct SignalDescription {
     std::uint32_t type = TRUNDLE_REAL_SIGNAL, count = 1, direction = TRUNDLE_OUTPUT;
 };
 
-/// Properties of which exactly one is given.
+/// Properties of which exactly one must be given.
 struct Alternatives {
     std::vector<std::string> names;
-    std::string likely; ///< property whose value the last of them most likely has; empty: nobody knows
+    std::string likely; ///< property whose value the last of them most likely has; empty: none
 };
 
 enum class Role {
     Settings,
     Material,
     Surface,
-    Pattern, ///< of an antenna
-    Medium,  ///< the air between radios
+    Pattern, ///< radiation pattern of an antenna
+    Medium,  ///< the air through which radios transmit
     Config,
     Instance,
     Layout,
@@ -64,11 +64,11 @@ enum class Role {
 struct Kind {
     std::string name, help;
     Role role = Role::Device;
-    std::vector<std::string> parents; ///< kinds it may stand in; "" is the top level
-    bool nameOptional = false;        ///< geoms, logs: `box`, `box2` ... in order
+    std::vector<std::string> parents; ///< allowed parent kinds; "" is the top level
+    bool nameOptional = false;        ///< geoms, logs: numbered by default, `box`, `box2` ...
     std::vector<Property> properties;
     std::vector<SignalDescription> signals;
-    std::string module; ///< the library that brings it; empty: built in
+    std::string module; ///< path of the library that provides it; empty: built in
     std::vector<Alternatives> alternatives;
 
     [[nodiscard]] const Property* find(std::string_view property) const;

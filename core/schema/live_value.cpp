@@ -8,9 +8,9 @@
 namespace trundle {
 namespace {
 
-constexpr double kRounding = 1e-9; // of a unit: the text was judged exactly
+constexpr double kRounding = 1e-9; // in units of the text; the exact check was made when the text was read
 
-/// `number` is in SI units, the limits are in the text's.
+/// `number` is in SI units, the limits are in the text's unit.
 bool inRange(const TrundleField& field, double number) {
     if (field.type == TRUNDLE_BOOLEAN) return true;
     const double value = number / field.scale, slack = kRounding * std::max(1.0, std::abs(value));
@@ -37,12 +37,12 @@ Status setLive(const TrundleKind& kind, void* instance, const std::string& who, 
         return Error{Code::WrongCount, property + " of " + who + " does not take that many values"};
     for (const double number : value.numbers) {
         if (!std::isfinite(number)) return Error{Code::OutOfRange, property + " of " + who + " must be finite"};
-        if (!inRange(field, number)) // of another version of a module than the one that the text was judged by
+        if (!inRange(field, number)) // possible if the loaded module version differs from the one used for checking the text
             return Error{Code::OutOfRange, property + " of " + who + " is out of the range that the running code describes"};
     }
     const TrundleValue crossing{value.numbers.data(), texts.data(), static_cast<std::uint32_t>(count)};
     if (kind.set(instance, index, &crossing) == 0) return {};
-    const std::string why = kind.lastError ? moduleWords(kind.lastError(instance)) : std::string();
+    const std::string why = kind.lastError ? moduleMessage(kind.lastError(instance)) : std::string();
     return Error{Code::OutOfRange, who + " refuses its " + property + (why.empty() ? "" : ": ") + why};
 }
 

@@ -8,8 +8,8 @@
 
 namespace trundle {
 
-/// Sets a field of a device or controller during a run. Refused: a field that the kind does not have or does not describe as live,
-/// a value it has no room for, and what the object's own code refuses. `who` is named in messages.
+/// Sets a field of a device or controller during a run. Fails if the kind has no such field, if the field is not live, if the
+/// value does not fit its type or limits, or if the object's own code refuses it. `who` is its name in messages.
 [[nodiscard]] Status setLive(const TrundleKind& kind, void* instance, const std::string& who, const std::string& property,
                              const PropertyValue& value);
 

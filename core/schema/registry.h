@@ -9,16 +9,16 @@
 
 namespace trundle {
 
-/// All kinds a text may use, by name. Filled by main from model, devices, logs and modules; it owns copies, nothing in it
-/// points into a library.
+/// All kinds that a text may use, by name. Filled at start-up from model, devices, logs and modules; it owns copies, so nothing
+/// in it points into a library.
 class Registry {
 public:
-    /// Fails when a kind of that name is there already; the message names both modules.
+    /// Fails if a kind with that name already exists; the message names both modules.
     [[nodiscard]] Status add(Kind kind);
     [[nodiscard]] const Kind* find(std::string_view name) const;
     /// In alphabetical order.
     [[nodiscard]] std::vector<const Kind*> all() const;
-    /// Kinds that may stand inside `parent` ("" is the top level).
+    /// Kinds allowed inside `parent` ("" is the top level).
     [[nodiscard]] std::vector<const Kind*> inside(std::string_view parent) const;
 
 private:

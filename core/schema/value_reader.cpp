@@ -12,8 +12,8 @@ namespace {
 
 using ElementKind = GivenElement::Kind;
 
-constexpr double kLargestWhole = 9007199254740992.0; ///< 2^53: every whole number below is exact
-constexpr double kDefaultWhole = 2147483647.0;       ///< limit of whole numbers whose kind names none
+constexpr double kLargestWhole = 9007199254740992.0; ///< 2^53: all smaller whole numbers are exact
+constexpr double kDefaultWhole = 2147483647.0;       ///< limit of whole numbers without a declared limit
 
 const char* kindWord(ElementKind kind) {
     switch (kind) {
@@ -49,7 +49,7 @@ private:
     bool countFits() {
         const std::size_t count = m_given.elements.size();
         if (count >= m_property.minCount && count <= m_property.maxCount) return true;
-        if (count == 0) return false; // the parser has said that a value is missing
+        if (count == 0) return false; // the parser has already reported the missing value
         Diagnostic& d = m_diagnostics.error(Code::WrongCount, m_given.range,
                                             m_property.name + " has " + std::to_string(count) +
                                                 (count == 1 ? " element" : " elements") + ", it takes " + countText(m_property));
@@ -57,7 +57,7 @@ private:
         return false;
     }
 
-    /// `0,25` as half the world writes a quarter.
+    /// Suggests a decimal point for a decimal comma: `0,25`.
     void suggestPoint(Diagnostic& d) const {
         if (m_property.type != PropertyType::Number || m_property.maxCount != 1 || m_given.elements.size() != 2) return;
         const GivenElement& whole = m_given.elements[0];
@@ -94,10 +94,10 @@ private:
                                    ? elementText(element)
                                    : std::string(kindWord(element.kind)) + " (" + elementText(element) + ")";
         Diagnostic& d = m_diagnostics.error(Code::WrongType, m_given.range, subject() + " is " + is + ", it must be " + needed);
-        noteSource(d, element);
+        addSourceNote(d, element);
         return d;
     }
-    static void noteSource(Diagnostic& d, const GivenElement& element) {
+    static void addSourceNote(Diagnostic& d, const GivenElement& element) {
         if (element.source.known()) d.notes.push_back({kGivenHere, element.source});
     }
     bool wrongType(const GivenElement& element, const std::string& needed) {
@@ -125,7 +125,7 @@ private:
         return true;
     }
 
-    /// The limits that hold: whole numbers always have some, so that they fit what the class keeps them in.
+    /// The effective limits: whole numbers always have limits, so that they fit the C++ type of the field.
     Property limits() const {
         Property p = m_property;
         if (p.type == PropertyType::Integer) {
@@ -155,7 +155,7 @@ private:
         if (limit.empty()) limit = "smaller";
         Diagnostic& d = m_diagnostics.error(Code::OutOfRange, m_given.range,
                                             subject() + " is " + elementText(element) + ", it must be " + limit);
-        noteSource(d, element);
+        addSourceNote(d, element);
         if (!element.literal || element.number >= 0) return false;
         GivenElement positive = element;
         positive.number = -element.number;
@@ -241,7 +241,7 @@ private:
         Diagnostic& d =
             m_diagnostics.error(Code::UnknownChoice, m_given.range,
                                 subject() + " is " + elementText(element) + ", it must be " + listText(m_property.choices));
-        noteSource(d, element);
+        addSourceNote(d, element);
         suggest(d, element.text, m_property.choices, element.literal ? element.range : SourceRange{});
         return false;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// From the elements of a value, as written, to what a property holds: units converted, ranges checked, faults explained.
+// Converts the elements of a value, as written, into the value of a property: converts units, checks ranges and reports errors.
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace trundle {
 
-/// One element of a value once its Params and expressions are worked out.
+/// One element of a value after evaluation of Params and expressions.
 struct GivenElement {
     enum class Kind { Number, Word, String, Boolean };
     Kind kind = Kind::Word;
@@ -18,10 +18,10 @@ struct GivenElement {
     bool boolean = false;
     std::string text;      ///< the word or the unescaped string
     std::string unit;      ///< empty: none
-    SourceRange range;     ///< where it stands in the text (`$name` for a Param)
-    SourceRange unitRange; ///< empty where the unit does not stand there
-    SourceRange source;    ///< where the value itself stands when a Param brought it
-    bool literal = true;   ///< stands in the text as such, so that a fix may rewrite it
+    SourceRange range;     ///< where it is in the text (`$name` for a Param)
+    SourceRange unitRange; ///< empty if there is no unit
+    SourceRange source;    ///< range of the value itself where it comes from a Param
+    bool literal = true;   ///< written literally in the text, so that a fix may rewrite it
 };
 
 struct GivenValue {
@@ -30,10 +30,10 @@ struct GivenValue {
     bool fromParam = false;
 };
 
-/// The note on a fault whose value a Param brought: the place of the value itself.
+/// The note on an error in a value that comes from a Param; it refers to the value itself.
 inline constexpr const char* kGivenHere = "the value is given here";
 
-/// What the property holds, or nothing after saying what is wrong: E202-E207. The name of a reference is not looked up here.
+/// The value of the property; empty after reporting what is wrong (E202-E207). The name of a reference is not resolved here.
 [[nodiscard]] std::optional<PropertyValue> readValue(const Property& property, const GivenValue& given, Diagnostics& diagnostics);
 
 } // namespace trundle

@@ -9,7 +9,7 @@ namespace trundle {
 
 namespace {
 
-constexpr std::uint32_t kMany = 1000; ///< a larger maxCount means "any number of"
+constexpr std::uint32_t kMany = 1000; ///< a larger maxCount means unlimited
 
 std::string plural(PropertyType type, bool many) {
     switch (type) {
@@ -87,7 +87,7 @@ std::string countText(const Property& p) {
 }
 
 std::string withArticle(std::string_view word) {
-    const bool spokenYou = word.starts_with("Uni") || word.starts_with("uni"); // a Universal
+    const bool spokenYou = word.starts_with("Uni") || word.starts_with("uni"); // pronounced with a consonant: a Universal
     const bool vowel = !spokenYou && !word.empty() && std::string_view("aeiouAEIOU").find(word[0]) != std::string_view::npos;
     return (vowel ? "an " : "a ") + std::string(word);
 }

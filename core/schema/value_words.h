@@ -1,5 +1,5 @@
 #pragma once
-// The words in which messages speak of values.
+// Wording of values, limits and lists in messages.
 
 #include <span>
 #include <string>
@@ -11,24 +11,24 @@
 
 namespace trundle {
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that parses to the same number.
 [[nodiscard]] std::string numberText(double value);
 /// "-3 cm", "fast", "true".
 [[nodiscard]] std::string elementText(const GivenElement& element);
-/// "above 0", "from 0 to 1", "at least 0.5 m"; empty where there is no limit.
+/// "above 0", "from 0 to 1", "at least 0.5 m"; empty if there is no limit.
 [[nodiscard]] std::string limitText(const Property& property);
-/// The side of it that `value` (in the property's unit) breaks, or both where they belong together: "from 0 to 1".
+/// The limit that `value` (in the property's unit) violates, or both limits where they form a range: "from 0 to 1".
 [[nodiscard]] std::string brokenLimitText(const Property& property, double value);
-/// "a, b or c"; cut with "..." after `most` words.
+/// "a, b or c"; truncated with "..." after `most` words.
 [[nodiscard]] std::string listText(std::span<const std::string> words, std::string_view last = "or", std::size_t most = 12);
 /// "a number", "three numbers", "one or more words".
 [[nodiscard]] std::string countText(const Property& property);
 /// "a", "an".
 [[nodiscard]] std::string withArticle(std::string_view word);
 
-/// Fills in suggestions (nearest first) and, for the best, the fix that puts it in place of `range`.
+/// Adds suggestions (nearest first) and, for the best one, a fix that replaces `range` by it.
 void suggest(Diagnostic& diagnostic, std::string_view word, std::span<const std::string> candidates, SourceRange range);
-/// As suggest(), for words already chosen.
+/// Like suggest(), for words already selected.
 void suggestWords(Diagnostic& diagnostic, std::vector<std::string> words, SourceRange range);
 
 } // namespace trundle

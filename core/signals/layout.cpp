@@ -8,7 +8,7 @@ namespace trundle {
 
 namespace {
 
-/// Continues an FNV hash with a number, whatever the machine's byte order.
+/// Continues an FNV hash with a number, independently of the machine's byte order.
 std::uint64_t hashNumber(std::uint64_t value, std::uint64_t start) {
     char bytes[8];
     for (int i = 0; i < 8; ++i) bytes[i] = static_cast<char>(value >> (8 * i));
@@ -25,7 +25,7 @@ void SignalLayout::beginRobot(std::string name) { m_images.push_back({std::move(
 std::uint32_t SignalLayout::add(std::string path, std::string unit, SignalType type, SignalDirection direction,
                                 std::uint32_t count) {
     const std::uint32_t offset = m_slots;
-    m_byPath.emplace(path, static_cast<std::uint32_t>(m_entries.size())); // of two equal paths the first is found
+    m_byPath.emplace(path, static_cast<std::uint32_t>(m_entries.size())); // of two equal paths the first is kept
     m_entries.push_back({std::move(path), std::move(unit), type, direction, offset, count});
     m_slots += count;
     if (!m_images.empty()) m_images.back().count += count;

@@ -1,5 +1,5 @@
 #pragma once
-// The world's signals as one flat block: what stands where. Versioned and self-describing.
+// The layout of all signals of a world in one flat block, versioned and self-describing.
 
 #include <cstdint>
 #include <map>
@@ -10,10 +10,10 @@
 namespace trundle {
 
 enum class SignalType : std::uint32_t { Real = 1, Integer = 2, Boolean = 3 };
-/// Truth: what only the simulator knows (true poses); controllers reach it through the port `groundTruth` alone.
+/// Truth: ground truth, available only in simulation; controllers read it only through groundTruth ports.
 enum class SignalDirection : std::uint32_t { Output = 1, Command = 2, Truth = 3 };
 
-/// `count` slots of 8-byte doubles from slot `offset`. Integers and booleans are doubles too, exact to 2^53.
+/// `count` slots of 8-byte doubles starting at slot `offset`. Integers and booleans are stored as doubles, exact up to 2^53.
 struct SignalEntry {
     std::string path; ///< "robot0/leftEncoder/count"
     std::string unit; ///< SI
@@ -23,7 +23,7 @@ struct SignalEntry {
     std::uint32_t count = 1;
 };
 
-/// The slots of one robot, contiguous: its image.
+/// The contiguous slots of one robot: its signal image.
 struct ImageSpan {
     std::string robot;
     std::uint32_t offset = 0;
@@ -32,16 +32,16 @@ struct ImageSpan {
 
 class SignalLayout {
 public:
-    /// Opens a robot's image; all add() until the next belong to it.
+    /// Begins a robot's image; all following add() calls belong to it.
     void beginRobot(std::string name);
-    /// Gives the first slot.
+    /// Returns the first slot.
     std::uint32_t add(std::string path, std::string unit, SignalType type, SignalDirection direction, std::uint32_t count = 1);
 
     [[nodiscard]] const SignalEntry* find(std::string_view path) const;
     [[nodiscard]] const std::vector<SignalEntry>& entries() const { return m_entries; }
     [[nodiscard]] const std::vector<ImageSpan>& images() const { return m_images; }
     [[nodiscard]] std::uint32_t slotCount() const { return m_slots; }
-    /// FNV-1a 64 over all entries: two blocks with the same hash have the same shape.
+    /// FNV-1a 64 over all entries: two blocks with the same hash have the same layout.
     [[nodiscard]] std::uint64_t hash() const;
 
 private:

@@ -7,8 +7,8 @@ namespace trundle {
 
 namespace {
 
-constexpr int kMostCells = 256;  // per side of the static grid
-constexpr int kLargeCovers = 64; // cells; what covers more is tested always
+constexpr int kMaxCells = 256;   // per side of the static grid
+constexpr int kLargeCovers = 64; // cells; boxes that cover more are always tested
 constexpr double kSmallestCell = 1e-3;
 
 double widest(const Box3& b) { return std::max(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1]); }
@@ -36,11 +36,11 @@ void StaticGrid::build(std::vector<Box3> boxes) {
         all.cover(b);
     }
     std::nth_element(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2), widths.end());
-    m_cell = std::max({widths[widths.size() / 2], widest(all) / kMostCells, kSmallestCell});
+    m_cell = std::max({widths[widths.size() / 2], widest(all) / kMaxCells, kSmallestCell});
     m_x0 = all.lo[0];
     m_y0 = all.lo[1];
-    m_columns = std::clamp(static_cast<int>((all.hi[0] - m_x0) / m_cell) + 1, 1, kMostCells);
-    m_rows = std::clamp(static_cast<int>((all.hi[1] - m_y0) / m_cell) + 1, 1, kMostCells);
+    m_columns = std::clamp(static_cast<int>((all.hi[0] - m_x0) / m_cell) + 1, 1, kMaxCells);
+    m_rows = std::clamp(static_cast<int>((all.hi[1] - m_y0) / m_cell) + 1, 1, kMaxCells);
 
     std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows));
     for (std::uint32_t i = 0; i < m_boxes.size(); ++i) {
@@ -72,7 +72,7 @@ void StaticGrid::take(std::uint32_t index, const Box3& box, std::vector<std::uin
 void StaticGrid::query(const Box3& box, std::vector<std::uint32_t>& out) {
     out.clear();
     if (m_boxes.empty()) return;
-    if (++m_query == 0) { // wrapped: old stamps must not look new
+    if (++m_query == 0) { // wrapped around: clear stamps of earlier queries
         std::fill(m_stamp.begin(), m_stamp.end(), 0);
         m_query = 1;
     }
@@ -87,7 +87,7 @@ void StaticGrid::query(const Box3& box, std::vector<std::uint32_t>& out) {
 }
 
 void PairGrid::chooseCell(std::span<const Box3> boxes) {
-    // The nine tenths that are smallest fit a cell, however they turn; chosen once, for speed only.
+    // The cell size fits 90 % of the boxes in any orientation. Chosen once; it affects only the speed.
     std::vector<double> widths;
     for (const Box3& b : boxes) widths.push_back(std::hypot(b.hi[0] - b.lo[0], b.hi[1] - b.lo[1], b.hi[2] - b.lo[2]));
     const std::size_t at = widths.size() * 9 / 10;
@@ -117,7 +117,7 @@ void PairGrid::sortIntoBuckets(std::span<const Box3> boxes) {
     }
     for (std::size_t k = 1; k <= buckets; ++k) m_begin[k] += m_begin[k - 1];
     m_items.resize(boxes.size());
-    // Filled from the back of each bucket's range, then the starts are where they should be again.
+    // Fills each bucket's range from its end; afterwards the start indices are correct again.
     for (std::uint32_t i = static_cast<std::uint32_t>(boxes.size()); i-- > 0;)
         if (m_bucket[i] != 0xffffffffu) m_items[--m_begin[m_bucket[i] + 1]] = i;
     for (std::size_t k = 0; k < buckets; ++k) m_begin[k] = m_begin[k + 1];

@@ -1,5 +1,6 @@
 #pragma once
-// Which boxes may touch: uniform grids over x and y. Results are sorted, whatever the order inside.
+// Broad phase: finds boxes that may touch, with uniform grids over x and y. Results are sorted and do not depend on the order
+// inside the grids.
 
 #include <cstdint>
 #include <span>
@@ -8,7 +9,7 @@
 
 namespace trundle {
 
-/// Axis-aligned, closed.
+/// Axis-aligned bounding box, bounds included.
 struct Box3 {
     double lo[3] = {0, 0, 0};
     double hi[3] = {0, 0, 0};
@@ -25,7 +26,7 @@ struct Box3 {
     }
 };
 
-/// Boxes that never move. What covers much of the grid stands in a list of its own.
+/// Grid of boxes that never move. Boxes that cover much of the grid are kept in a separate list.
 class StaticGrid {
 public:
     void build(std::vector<Box3> boxes);
@@ -46,10 +47,10 @@ private:
 
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Boxes that move: rebuilt every time, linear in their number where most are of about one size.
+/// Grid of moving boxes, rebuilt for every query. Linear in their number if most are of similar size.
 class PairGrid {
 public:
-    /// All pairs (low, high) that touch, sorted.
+    /// All pairs (low, high) of touching boxes, sorted.
     void pairs(std::span<const Box3> boxes, std::vector<IndexPair>& out);
 
 private:

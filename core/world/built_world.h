@@ -1,6 +1,6 @@
 #pragma once
-// The world behind world.h. Building: world_build.cpp and device_mount.cpp; the tick: world_tick.cpp and device_services.cpp;
-// what others read: world_state.cpp; how it ends badly: world_fault.cpp.
+// Implementation of World. Building: world_build.cpp and device_mount.cpp; ticks: world_tick.cpp and device_services.cpp; reading
+// and external commands: world_state.cpp; radio: world_radio.cpp; faults: world_fault.cpp.
 
 #include <memory>
 #include <string>
@@ -15,7 +15,7 @@ namespace trundle {
 
 class BuiltWorld;
 
-/// A device in its robot: its code, its instance, its slots.
+/// A device of a robot: its kind, instance and signal slots.
 struct Device {
     BuiltWorld* world = nullptr;
     const TrundleKind* kind = nullptr;
@@ -25,11 +25,11 @@ struct Device {
     std::string path; ///< "robot0/leftMotor"
     const CallTarget* target = nullptr;
     std::uint64_t pathHash = 0;
-    std::vector<std::uint32_t> slots; ///< of the kind's signals, in its order
-    std::vector<std::uint32_t> peers; ///< devices whose signals it bound, each once
+    std::vector<std::uint32_t> slots; ///< slots of the kind's signals, in its order
+    std::vector<std::uint32_t> peers; ///< indices of the devices whose signals it bound, each once
     TrundleMount mount{};
-    std::string failure; ///< first one noted
-    std::string scratch; ///< keeps a text alive for the device that asked
+    std::string failure; ///< the first failure reported
+    std::string scratch; ///< owns a text returned to the device
 
     Device() = default;
     Device(const Device&) = delete;
@@ -38,41 +38,41 @@ struct Device {
     void note(const std::string& why);
 };
 
-/// One device's turn, flat: a tick goes through all of them.
+/// One call of a device's act or sense, stored contiguously for the tick.
 struct DeviceCall {
     std::int32_t (*run)(void*, const TrundleServices*) = nullptr;
     void* instance = nullptr;
     Device* device = nullptr;
 };
 
-/// A robot as the engine holds it and where its signals stand.
+/// A robot in the engine, with the location of its signals.
 struct BuiltRobot {
     const RobotSpec* spec = nullptr;
     ActorHandles handles;
-    Pose frameInFirst;         ///< config frame in the first body's
-    bool frameIsFirst = false; ///< that is the identity
-    std::uint32_t image = 0;   ///< first slot
+    Pose frameInFirst;         ///< pose of the config frame in the first body's frame
+    bool frameIsFirst = false; ///< frameInFirst is the identity
+    std::uint32_t image = 0;   ///< first slot of its signals
     std::uint32_t firstDevice = 0, deviceCount = 0;
 };
 
-/// What a device said before anybody listened.
-struct EarlyText {
+/// Text that a device printed before a listener was set.
+struct SetupText {
     std::string path;
     int severity = 0;
     std::string text;
 };
 
-/// Where a joint is, as its parent carries it.
-struct JointPlace {
-    std::uint32_t parent = 0; ///< engine body; only where `carried`
-    bool carried = false;     ///< false: it hangs on the world, anchor and axis are the world's
+/// Anchor and axis of a joint in its parent's frame.
+struct JointLocation {
+    std::uint32_t parent = 0; ///< engine body; valid only if `carried`
+    bool carried = false;     ///< false: attached to the world; anchor and axis are in world coordinates
     Vec3 anchor = Vec3::Zero(), axis = Vec3::UnitZ();
 };
 
-/// Where a radio sits.
+/// Position of a radio on its robot.
 struct RadioMount {
-    std::uint32_t body = 0, robot = 0; ///< engine body
-    Pose mount;                        ///< of the antenna in the body
+    std::uint32_t body = 0, robot = 0; ///< body: engine body
+    Pose mount;                        ///< pose of the antenna in the body's frame
 };
 
 class BuiltWorld final : public World {
@@ -80,7 +80,7 @@ public:
     BuiltWorld(std::shared_ptr<const ExperimentSpec> experiment, std::shared_ptr<CallMonitor> calls);
     ~BuiltWorld() override;
 
-    /// Everything World::build promises; false where there is no world.
+    /// Implements World::build; false if the world cannot be built.
     [[nodiscard]] bool build(const DeviceCode& devices, Diagnostics& diagnostics);
 
     [[nodiscard]] const ExperimentSpec& experiment() const override { return *m_experiment; }
@@ -114,7 +114,7 @@ private:
     void buildScenery(Diagnostics& diagnostics);
     void buildRobots(Diagnostics& diagnostics);
     void nameBodies();
-    [[nodiscard]] static JointPlace placeOf(const JointSpec& joint, const BuiltRobot& robot);
+    [[nodiscard]] static JointLocation placeOf(const JointSpec& joint, const BuiltRobot& robot);
     void layOutSignals();
     void layOutDevice(Device& device);
 
@@ -141,7 +141,7 @@ private:
     void publishRobot(const BuiltRobot& robot, double* slots) const;
 
     // world_fault.cpp
-    [[nodiscard]] std::pair<const BuiltRobot*, std::size_t> ownerOf(BodyHandle body) const; ///< and which of its bodies
+    [[nodiscard]] std::pair<const BuiltRobot*, std::size_t> ownerOf(BodyHandle body) const; ///< and the body's index in it
     [[nodiscard]] std::string faultAdvice(BodyHandle body) const;
     [[nodiscard]] Status stopAt(const EngineFault& fault);
     [[nodiscard]] Status stop(Code code, Fault fault);
@@ -150,31 +150,31 @@ private:
     [[nodiscard]] Pose framePose(const BuiltRobot& robot) const;
 
     std::shared_ptr<const ExperimentSpec> m_experiment;
-    std::shared_ptr<CallMonitor> m_calls; ///< before the devices, which are destroyed under its eyes
+    std::shared_ptr<CallMonitor> m_calls; ///< declared before the devices, whose destructor calls it monitors
     const CallTarget* m_solver = nullptr;
     std::unique_ptr<Engine> m_engine;
     SignalLayout m_layout;
     std::unique_ptr<SignalBlock> m_block;
-    std::vector<BuiltRobot> m_robots;               ///< as in the experiment
+    std::vector<BuiltRobot> m_robots;               ///< in the order of the experiment
     std::vector<std::unique_ptr<Device>> m_devices; ///< robot by robot, in text order
-    std::vector<DeviceCall> m_acting, m_sensing;    ///< in their order; devices without that turn are left out
+    std::vector<DeviceCall> m_acting, m_sensing;    ///< in calling order; without devices that lack the function
     std::vector<std::string> m_geomPaths;           ///< by engine geom
     std::vector<std::string> m_bodyPaths;           ///< by engine body
     std::vector<SourceRange> m_bodyRanges;
-    std::vector<std::uint32_t> m_hashOrder;                                     ///< engine bodies, paths ascending
-    std::unordered_map<std::string, std::uint32_t> m_bodyByPath, m_robotByName; // looked up, never walked
-    std::vector<std::uint8_t> m_jointTurns;                                     ///< by engine joint: has a position
-    std::vector<JointPlace> m_jointPlaces;                                      ///< by engine joint
+    std::vector<std::uint32_t> m_hashOrder;                                     ///< engine bodies, sorted by path
+    std::unordered_map<std::string, std::uint32_t> m_bodyByPath, m_robotByName; // for lookup only, never iterated
+    std::vector<std::uint8_t> m_jointTurns;                                     ///< by engine joint: whether it has a position
+    std::vector<JointLocation> m_jointLocations;                                ///< by engine joint
 
     std::unique_ptr<Medium> m_medium;
     std::vector<RadioMount> m_radioMounts; ///< by radio
 
     TrundleServices m_services{};
-    Device* m_current = nullptr; ///< whose act or sense is running
+    Device* m_current = nullptr; ///< the device whose act or sense is running
     bool m_inAct = false;
-    bool m_deviceNoted = false; ///< some device has a failure
+    bool m_deviceNoted = false; ///< some device has reported a failure
     DeviceText m_deviceText;
-    std::vector<EarlyText> m_earlyTexts;
+    std::vector<SetupText> m_earlyTexts;
 
     std::uint64_t m_ticks = 0;
     std::optional<Fault> m_fault;
@@ -183,13 +183,13 @@ private:
     mutable bool m_contactsReady = false;
 };
 
-/// Fills the tables of functions that devices are given.
+/// Fills the function tables passed to devices.
 void fillServices(TrundleServices& services, BuiltWorld& world, double tick);
 void fillMount(Device& device, double tick);
 [[nodiscard]] const TrundleMountRadio* mountRadio();
 [[nodiscard]] const TrundleServicesRadio* servicesRadio();
 
-/// "leftAxle, rightAxle" of anything with a name.
+/// "leftAxle, rightAxle": joins the names of a list.
 template <class List> std::string namesOf(const List& list) {
     std::string out;
     for (const auto& item : list) out += (out.empty() ? "" : ", ") + item.name;

@@ -1,4 +1,5 @@
-// How devices come to be: created from their kind's table, given their fields, bound to joints, geoms and each other.
+// Creation of devices: instantiated from their kind's table, initialised with their fields, bound to joints, geoms and each
+// other.
 #include <algorithm>
 #include <cstring>
 
@@ -13,14 +14,14 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kMostEarlyTexts = 1000;
+constexpr std::size_t kMaxEarlyTexts = 1000;
 
 std::string errorOf(const TrundleKind& kind, void* instance) {
-    const std::string text = kind.lastError ? moduleWords(kind.lastError(instance)) : std::string();
-    return text.empty() ? "it gave no reason" : text;
+    const std::string text = kind.lastError ? moduleMessage(kind.lastError(instance)) : std::string();
+    return text.empty() ? "it reported no reason" : text;
 }
 
-/// "has no joint leftAxel; did you mean leftAxle? (leftAxle, rightAxle)"
+/// Message for an unknown name: "has no joint leftAxel; did you mean leftAxle? (leftAxle, rightAxle)"
 template <class List> std::string unknownName(const std::string& what, std::string_view name, const List& list) {
     std::vector<std::string> names;
     for (const auto& item : list) names.push_back(item.name);
@@ -50,7 +51,7 @@ std::string signalNames(const TrundleKind& kind) {
 
 } // namespace
 
-/// What stands behind TrundleMount; the context is the device.
+/// Implementation of TrundleMount; the context is the device.
 struct MountCalls {
     static Device& device(void* context) { return *static_cast<Device*>(context); }
     static const BuiltRobot& robot(Device& d) { return d.world->m_robots[d.robot]; }
@@ -174,12 +175,12 @@ struct MountCalls {
 
     static void print(void* context, std::int32_t severity, const char* words) {
         const Device& d = device(context);
-        if (words) d.world->print(d, severity, moduleWords(words).c_str());
+        if (words) d.world->print(d, severity, moduleMessage(words).c_str());
     }
 
     static void fail(void* context, const char* why) {
-        const std::string reason = moduleWords(why);
-        device(context).note(reason.empty() ? "it gave no reason" : reason);
+        const std::string reason = moduleMessage(why);
+        device(context).note(reason.empty() ? "it reported no reason" : reason);
     }
 };
 
@@ -213,16 +214,16 @@ void Device::note(const std::string& why) {
     world->m_deviceNoted = true;
 }
 
-/// What is said while the world is built waits for whoever wants to hear it.
+/// Texts printed while the world is being built are kept until a listener is set.
 void BuiltWorld::print(const Device& device, int severity, const char* text) {
     if (m_deviceText) m_deviceText(device.path, severity, text);
-    else if (m_earlyTexts.size() < kMostEarlyTexts) m_earlyTexts.push_back({device.path, severity, text});
+    else if (m_earlyTexts.size() < kMaxEarlyTexts) m_earlyTexts.push_back({device.path, severity, text});
 }
 
 void BuiltWorld::setDeviceText(DeviceText text) {
     m_deviceText = std::move(text);
     if (!m_deviceText) return;
-    for (const EarlyText& early : std::exchange(m_earlyTexts, {})) m_deviceText(early.path, early.severity, early.text);
+    for (const SetupText& early : std::exchange(m_earlyTexts, {})) m_deviceText(early.path, early.severity, early.text);
 }
 
 Device* BuiltWorld::deviceNamed(const BuiltRobot& robot, std::string_view name) {
@@ -264,7 +265,7 @@ void BuiltWorld::createDevices(const DeviceCode& code, Diagnostics& diagnostics)
     }
 }
 
-/// Values whose key is none of the kind's fields belong to somebody else (a module newer or older than its text): left alone.
+/// Values whose key is not a field of the kind (the module may be newer or older than its text) are ignored.
 bool BuiltWorld::giveFields(Device& device, Diagnostics& diagnostics) {
     const TrundleKind& kind = *device.kind;
     for (std::uint32_t i = 0; i < kind.fieldCount; ++i) {
@@ -296,7 +297,7 @@ void BuiltWorld::setupDevices(Diagnostics& diagnostics) {
     }
 }
 
-/// Devices act before the peers whose signals they bound; they sense after them.
+/// Devices act before the peers whose signals they bound, and sense after them.
 void BuiltWorld::orderDevices(Diagnostics& diagnostics) {
     std::vector<std::vector<std::uint32_t>> peers, users(m_devices.size());
     for (const auto& device : m_devices) {

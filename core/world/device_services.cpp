@@ -1,4 +1,5 @@
-// What a device may do to and ask of the world. The context is the world; it knows whose turn it is.
+// Implementation of the functions that devices call during a tick. The context is the world, which stores the device being
+// called.
 #include <cmath>
 
 #include "base/platform/module_text.h"
@@ -7,7 +8,7 @@
 
 namespace trundle {
 
-/// Handles given to devices are engine indices; a wrong one is refused, it never reaches the engine.
+/// Handles passed by devices are engine indices; invalid ones are rejected before they reach the engine.
 struct ServiceCalls {
     static BuiltWorld& world(void* context) { return *static_cast<BuiltWorld*>(context); }
 
@@ -26,7 +27,7 @@ struct ServiceCalls {
     static void motorRow(void* context, std::uint32_t joint, double rate, double softness, double limit) {
         BuiltWorld& w = world(context);
         const bool finite =
-            std::isfinite(rate) && softness >= 0 && std::isfinite(softness) && limit >= 0; // an infinite limit is fair
+            std::isfinite(rate) && softness >= 0 && std::isfinite(softness) && limit >= 0; // an infinite limit is allowed
         if (mayActOn(w, isJoint(w, joint), finite, "motorRow")) w.m_engine->setMotor({joint, 0}, {rate, softness, limit});
     }
     static void jointTorque(void* context, std::uint32_t joint, double torque) {
@@ -58,8 +59,8 @@ struct ServiceCalls {
     }
     static void jointAnchor(void* context, std::uint32_t joint, double anchor[3], double axis[3]) {
         const BuiltWorld& w = world(context);
-        if (joint >= w.m_jointPlaces.size() || !anchor || !axis) return;
-        const JointPlace& place = w.m_jointPlaces[joint];
+        if (joint >= w.m_jointLocations.size() || !anchor || !axis) return;
+        const JointLocation& place = w.m_jointLocations[joint];
         Pose parent;
         if (place.carried) {
             const BodyState& s = w.m_engine->state({place.parent, 0});
@@ -125,7 +126,7 @@ struct ServiceCalls {
 
     static void print(void* context, std::int32_t severity, const char* text) {
         BuiltWorld& w = world(context);
-        if (w.m_current && text) w.print(*w.m_current, severity, moduleWords(text).c_str());
+        if (w.m_current && text) w.print(*w.m_current, severity, moduleMessage(text).c_str());
     }
 };
 

@@ -1,10 +1,10 @@
 #pragma once
-// The narrow border to whatever computes motion: actors in, ticks, states out. No engine's own type crosses it, so that other
-// engines, more worlds and threads can stand behind it without the rest of the house noticing.
+// The interface to the physics engine: actors in, ticks, states out. It exposes no type of a concrete engine, so other engines,
+// several worlds and threads can be used behind it without changes elsewhere.
 //
-// An actor is what is always together (a robot, a loose box). Actors, bodies, joints and geoms are ordered by creation; that
-// order alone decides every order inside. Writes are queued and applied at the start of step(); reads come from arrays
-// published at its end. There is no callback while it computes.
+// An actor is a unit that stays together (a robot, a loose box). Actors, bodies, joints and geoms are ordered by creation; all
+// processing order follows from that alone. Writes are queued and applied at the start of step(); reads use arrays published at
+// its end. There are no callbacks during a step.
 
 #include <cstdint>
 #include <memory>
@@ -23,7 +23,7 @@
 
 namespace trundle {
 
-/// Index and generation: a handle of something that is gone is noticed.
+/// Index and generation, so that a handle of a removed object can be detected.
 template <class Tag> struct Handle {
     std::uint32_t index = 0xffffffffu;
     std::uint32_t generation = 0;
@@ -35,9 +35,10 @@ using BodyHandle = Handle<struct BodyTag>;
 using JointHandle = Handle<struct JointTag>;
 using GeomHandle = Handle<struct GeomTag>;
 
-inline constexpr std::uint32_t kNoActor = 0xffffffffu; ///< the partner of a contact with something static
+inline constexpr std::uint32_t kNoActor = 0xffffffffu; ///< partner of a contact with a static
 
-/// Contacts in one cluster beyond which Solver = auto goes quick, and beyond which the exact solver's time runs away.
+/// Maximum contacts per cluster for the exact solver: above it Solver = auto uses the quick one, and the exact solver's time
+/// grows excessively.
 inline constexpr std::size_t kExactClusterMax = 60;
 
 struct EngineSettings {
@@ -45,12 +46,12 @@ struct EngineSettings {
     std::uint64_t seed = 1;
     SolverChoice solver = SolverChoice::Auto;
     int iterations = 20;
-    double errorReduction = 0.8; ///< the share of what a joint gapes that one step closes (ODE's ERP)
+    double errorReduction = 0.8; ///< fraction of a joint's position error corrected per step (ODE's ERP)
     std::vector<SurfaceSpec> surfaces;
-    CallMonitor* calls = nullptr; ///< hears of large clusters before each step that takes them on; outlives the engine
+    CallMonitor* calls = nullptr; ///< informed of large clusters before each step that solves them; must outlive the engine
 };
 
-/// A body of an actor. `pose` is of the body's frame in the world; the spec is read during the call only.
+/// A body of an actor. `pose` is the pose of the body's frame in the world; the spec is read only during the call.
 struct BodyDef {
     Pose pose;
     const BodySpec* spec = nullptr;
@@ -68,10 +69,10 @@ struct ActorHandles {
     ActorHandle actor;
     std::vector<BodyHandle> bodies;
     std::vector<JointHandle> joints;
-    std::vector<std::vector<GeomHandle>> geoms; ///< per body, as in the spec; invalid where a geom does not collide
+    std::vector<std::vector<GeomHandle>> geoms; ///< per body, in the order of the spec; invalid for a geom that does not collide
 };
 
-/// State of a body's frame (not of its centre of mass): m, m/s of the origin, rad/s, world.
+/// State of a body's frame (not of its centre of mass) in world coordinates: m, m/s of the frame's origin, rad/s.
 struct BodyState {
     Vec3 position = Vec3::Zero();
     Quat rotation = Quat::Identity();
@@ -79,8 +80,8 @@ struct BodyState {
     Vec3 angular = Vec3::Zero();
 };
 
-/// A row that drives a joint to `rate` with torque (rate - actual) / softness, at most `limit`. Limit 0: no row.
-struct MotorRow {
+/// A constraint row that drives a joint to `rate` with the torque (rate - actual) / softness, at most `limit`. Limit 0: no row.
+struct MotorConstraint {
     double rate = 0;     ///< rad/s or m/s
     double softness = 0; ///< rad/s per N m; 0: as stiff as the engine allows
     double limit = 0;    ///< N m or N
@@ -103,9 +104,9 @@ struct RayHit {
     GeomHandle geom;
 };
 
-/// Why a step could not be finished. The engine is then dead.
+/// Why a step failed. The engine cannot be used any more.
 struct EngineFault {
-    BodyHandle body; ///< invalid where it is the whole world
+    BodyHandle body; ///< invalid if the whole world is affected
     std::string reason;
 };
 
@@ -113,51 +114,53 @@ class Engine {
 public:
     virtual ~Engine() = default;
 
-    /// Everything of one actor, or nothing.
+    /// Adds the whole actor; on failure nothing is added.
     [[nodiscard]] virtual Result<ActorHandles> addActor(const ActorDef& actor) = 0;
-    /// A geom fixed to the world at `pose` (the spec's own pose is not looked at).
+    /// Adds a geom fixed to the world at `pose` (the spec's own pose is ignored).
     [[nodiscard]] virtual Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) = 0;
 
-    // Writes, applied in order at the start of the next step. A motor row stays until it is replaced, forces last one step.
-    virtual void setMotor(JointHandle joint, const MotorRow& row) = 0;
+    // Writes, applied in order at the start of the next step. A motor constraint stays until it is replaced, forces last one
+    // step.
+    virtual void setMotor(JointHandle joint, const MotorConstraint& row) = 0;
     virtual void addJointTorque(JointHandle joint, double torque) = 0;
     virtual void addForce(BodyHandle body, const Vec3& force, const Vec3& point) = 0;
     virtual void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) = 0;  ///< in the geom's frame, until replaced
     virtual void setSurface(std::size_t surface, const SurfaceSpec& values) = 0; ///< by its index in the settings
-    /// Moves a whole actor rigidly and stops it; joint positions stay.
+    /// Moves a whole actor rigidly and sets its velocities to zero; joint positions are kept.
     virtual void moveActor(ActorHandle actor, const Pose& motion) = 0;
 
-    /// Adds kg m^2 about a joint's axis to its child, before the first step: a geared rotor that turns with it. Not for sliders.
+    /// Adds the inertia (kg m^2) of a geared rotor about a joint's axis to the child body. Only before the first step; not for
+    /// sliders.
     [[nodiscard]] virtual Status addAxialInertia(JointHandle joint, double inertia) = 0;
 
-    /// Finds the contacts of everything as it is, without a step: contactCount() and contact() then give them, with no forces.
+    /// Updates contactCount() and contact() for the current poses without a step; the contact forces are zero.
     virtual void findContacts() = 0;
 
-    /// The whole tick: writes, pairs, contacts, dynamics, publication.
+    /// One tick: queued writes, pairs, contacts, dynamics, publication.
     [[nodiscard]] virtual std::optional<EngineFault> step(double h) = 0;
 
-    // Reads, of the last step.
+    // Reads; values of the last step.
     [[nodiscard]] virtual const BodyState& state(BodyHandle body) const = 0;
     [[nodiscard]] virtual double jointPosition(JointHandle joint) const = 0; ///< unwrapped
     [[nodiscard]] virtual double jointRate(JointHandle joint) const = 0;
     [[nodiscard]] virtual double jointMotorEffort(JointHandle joint) const = 0;
     [[nodiscard]] virtual std::size_t contactCount() const = 0;
     [[nodiscard]] virtual EngineContact contact(std::size_t index) const = 0;
-    /// Indices of the contacts of one geom, ascending. Good until the next step.
+    /// Indices of the contacts of one geom, ascending. Valid until the next step.
     [[nodiscard]] virtual std::span<const std::uint32_t> contactsOf(GeomHandle geom) const = 0;
-    /// Nearest hit along a unit direction; geoms of `without` are left out.
+    /// Nearest hit along a unit direction within `range` (m); geoms of the actor `without` are ignored.
     [[nodiscard]] virtual std::optional<RayHit> ray(const Vec3& origin, const Vec3& direction, double range,
                                                     ActorHandle without) const = 0;
 
-    /// Steps that the quick solver took, asked or not.
+    /// Steps solved by the quick solver, whether selected or as a fallback.
     [[nodiscard]] virtual std::uint64_t quickTicks() const = 0;
-    /// Steps that the exact solver could not take at the first attempt, however they ended.
+    /// Steps that the exact solver could not solve at the first attempt, whatever the outcome.
     [[nodiscard]] virtual std::uint64_t rescuedTicks() const = 0;
-    /// Contacts in the largest cluster that the exact solver took on so far because Solver = exact says so; counted only above
+    /// Largest number of contacts in a cluster that the exact solver has solved because of Solver = exact; counted only above
     /// kExactClusterMax.
     [[nodiscard]] virtual std::size_t largestExactCluster() const = 0;
-    /// Complaints of the solver about singular systems: a health counter, 0 in a sound world.
-    [[nodiscard]] virtual std::uint64_t complaints() const = 0;
+    /// Number of solver messages about singular systems; 0 in a healthy world.
+    [[nodiscard]] virtual std::uint64_t solverWarnings() const = 0;
 };
 
 /// The rigid-body engine (ODE).

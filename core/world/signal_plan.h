@@ -1,5 +1,5 @@
 #pragma once
-// Which signals a robot has, before any world is built.
+// The signals of a robot, determined without building a world.
 
 #include "model/experiment_spec.h"
 #include "schema/registry.h"
@@ -7,17 +7,17 @@
 
 namespace trundle {
 
-/// Has an angle or a way of its own.
+/// True for joints with a single angle or displacement.
 [[nodiscard]] constexpr bool hasPosition(JointType type) { return type != JointType::Ball && type != JointType::Fixed; }
 
-/// Opens the robot's image and adds what every robot has: its pose and velocity, its bodies', its joints' positions and rates. Gives
-/// the first slot.
+/// Starts the robot's range of slots and adds the signals every robot has: its pose and velocity, those of its bodies, its
+/// joints' positions and rates. Returns the first slot.
 std::uint32_t planRobot(SignalLayout& layout, const RobotSpec& robot);
 
-/// Adds what the robot's controller publishes: "robot0/brain/hops". Last in the robot's image.
+/// Adds the signals that the robot's controller publishes: "robot0/brain/hops". Called last for the robot.
 void planController(SignalLayout& layout, const RobotSpec& robot);
 
-/// The layout that a world of this experiment has. Devices of kinds that the registry does not know have no signals in it.
+/// The layout of a world of this experiment. Devices of kinds missing in the registry have no signals in it.
 [[nodiscard]] SignalLayout plannedLayout(const ExperimentSpec& experiment, const Registry& registry);
 
 } // namespace trundle

@@ -17,7 +17,7 @@ bool isIn(double value, double low, double high) { return value >= low && value 
 
 bool isUnit(const Vec3& v) { return v.allFinite() && std::abs(v.norm() - 1) < 1e-6; }
 
-/// Collects what is wrong with one experiment; `where` is the path shown in front.
+/// Checks one experiment and reports every problem found; `where` is the path that precedes the message.
 class Check {
 public:
     explicit Check(const ExperimentSpec& experiment, Diagnostics& diagnostics)
@@ -34,7 +34,7 @@ public:
 private:
     const ExperimentSpec& m_experiment;
     Diagnostics& m_diagnostics;
-    std::set<const RobotConfigSpec*> m_seen; // only asked, never walked
+    std::set<const RobotConfigSpec*> m_seen; // for lookup only, never iterated
     bool m_good = true;
 
     void bad(Code code, const SourceRange& range, std::string message) {
@@ -67,30 +67,30 @@ private:
     }
 
     void scenery(const StaticSpec& s) {
-        need(isPlace(s.pose), Code::OutOfRange, s.nameRange,
-             s.name + " stands nowhere: its place must be finite and within 100 km");
+        need(isPosition(s.pose), Code::OutOfRange, s.nameRange,
+             s.name + " has an invalid position: it must be finite and within 100 km");
         if (!s.geoms) return;
         for (const GeomSpec& g : *s.geoms) geom(g, false, s.name);
     }
 
     void robot(const RobotSpec& r) {
-        need(isPlace(r.pose), Code::OutOfRange, r.nameRange,
-             r.name + " stands nowhere: its place must be finite and within 100 km");
+        need(isPosition(r.pose), Code::OutOfRange, r.nameRange,
+             r.name + " has an invalid position: it must be finite and within 100 km");
         if (!need(r.config && !r.config->bodies.empty(), Code::BadGeometry, r.nameRange, r.name + " has no body")) return;
-        if (!m_seen.insert(r.config.get()).second) return; // shared by many: looked at once
+        if (!m_seen.insert(r.config.get()).second) return; // checked once, even if several robots share it
         for (const BodySpec& b : r.config->bodies) body(b);
         for (const JointSpec& j : r.config->joints) joint(j, *r.config);
     }
 
     void body(const BodySpec& b) {
-        need(isPlace(b.pose), Code::OutOfRange, b.nameRange,
-             b.name + " stands nowhere: its place must be finite and within 100 km");
+        need(isPosition(b.pose), Code::OutOfRange, b.nameRange,
+             b.name + " has an invalid position: it must be finite and within 100 km");
         const MassProperties& m = b.mass;
         if (!need(isIn(m.mass, kLightest, kHeaviest), Code::BadMass, b.nameRange,
                   "the mass of " + b.name + " must be from 1e-9 to 1e9 kg"))
             return;
         need(m.centre.allFinite() && m.centre.norm() <= kFarthest, Code::BadMass, b.nameRange,
-             "the centre of mass of " + b.name + " is not a place");
+             "the centre of mass of " + b.name + " is not a valid position");
         inertia(b);
         for (const GeomSpec& g : b.geoms) geom(g, true, b.name);
     }
@@ -110,8 +110,8 @@ private:
 
     void geom(const GeomSpec& g, bool onBody, const std::string& where) {
         const std::string name = where + "." + g.name;
-        need(isPlace(g.pose), Code::OutOfRange, g.nameRange,
-             name + " stands nowhere: its place must be finite and within 100 km");
+        need(isPosition(g.pose), Code::OutOfRange, g.nameRange,
+             name + " has an invalid position: it must be finite and within 100 km");
         need(g.surface < m_experiment.surfaces.size(), Code::Internal, g.nameRange, name + " has no surface");
         const auto length = [&](double value, const char* what) {
             need(isIn(value, kSmallest, kFarthest), Code::BadGeometry, g.nameRange,
@@ -131,10 +131,10 @@ private:
             length(g.length, "Length");
             break;
         case GeomShape::Plane:
-            need(!onBody, Code::WrongPlace, g.nameRange, name + ": a Plane stands in a StaticConfig only");
+            need(!onBody, Code::WrongPlace, g.nameRange, name + ": a Plane is allowed in a StaticConfig only");
             break;
         case GeomShape::Heightfield:
-            need(!onBody, Code::WrongPlace, g.nameRange, name + ": a Heightfield stands in a StaticConfig only");
+            need(!onBody, Code::WrongPlace, g.nameRange, name + ": a Heightfield is allowed in a StaticConfig only");
             for (int k = 0; k < 3; ++k) length(g.size[k], "Size");
             if (g.heightMap) heights(g, name);
             break;
@@ -169,7 +169,7 @@ private:
         need(j.child != j.parent, Code::BadJoint, j.nameRange,
              j.name + " joins " + config.bodies[static_cast<std::size_t>(j.child)].name + " to itself");
         need(j.anchor.allFinite() && j.anchor.norm() <= kFarthest, Code::BadJoint, j.nameRange,
-             "Anchor of " + j.name + " is not a place");
+             "Anchor of " + j.name + " is not a valid position");
         need(isUnit(j.axis), Code::BadJoint, j.nameRange, "Axis of " + j.name + " must have a direction");
         const bool two = j.type == JointType::Universal || j.type == JointType::Suspension;
         if (two && need(isUnit(j.axis2), Code::BadJoint, j.nameRange, "Axis2 of " + j.name + " must have a direction")) {
@@ -193,7 +193,7 @@ private:
 
 } // namespace
 
-bool isPlace(const Pose& pose) {
+bool isPosition(const Pose& pose) {
     return pose.position.allFinite() && pose.position.norm() <= kFarthest && std::abs(pose.rotation.norm() - 1) < 1e-6;
 }
 

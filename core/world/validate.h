@@ -4,14 +4,14 @@
 
 namespace trundle {
 
-/// Everything the engine takes for granted: finite numbers of sane size, positive sizes and masses, indices that exist. The
-/// resolver refuses most of it with better words; this is the door that also holds for experiments that came another way.
+/// Checks everything the engine assumes: finite numbers in range, positive sizes and masses, valid indices. The resolver reports
+/// most of it with better messages; this check also covers experiments that were not made by the resolver.
 [[nodiscard]] bool isBuildable(const ExperimentSpec& experiment, Diagnostics& diagnostics);
 
-/// Values that contacts can be computed with.
+/// True if contacts can be computed with these values.
 [[nodiscard]] bool isSurface(const SurfaceSpec& surface);
 
-/// Finite, near enough to the origin, unit rotation.
-[[nodiscard]] bool isPlace(const Pose& pose);
+/// True if finite, within the allowed distance from the origin, and with a unit rotation.
+[[nodiscard]] bool isPosition(const Pose& pose);
 
 } // namespace trundle

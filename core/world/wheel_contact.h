@@ -8,7 +8,7 @@
 
 namespace trundle {
 
-/// A wheel as it stands in the world.
+/// A wheel as it is in the world.
 struct WheelPose {
     Vec3 centre;
     Vec3 axle; ///< unit
@@ -21,13 +21,13 @@ struct GroundContact {
     double depth = 0; ///< >= 0
 };
 
-enum class WheelAnswer { Contact, NoContact, Unknown };
+enum class WheelContactResult { Contact, NoContact, Unknown };
 
 /// Against the half space below `normal . x = distance`. Unknown: the wheel leans so far that its rim or side touches.
-[[nodiscard]] WheelAnswer wheelOnPlane(const WheelPose& wheel, const Vec3& normal, double distance, GroundContact& out);
+[[nodiscard]] WheelContactResult wheelOnPlane(const WheelPose& wheel, const Vec3& normal, double distance, GroundContact& out);
 
 /// Against a box. Unknown near its edges and from inside it.
-[[nodiscard]] WheelAnswer wheelOnBox(const WheelPose& wheel, const Vec3& boxCentre, const Mat3& boxAxes, const Vec3& half,
-                                     GroundContact& out);
+[[nodiscard]] WheelContactResult wheelOnBox(const WheelPose& wheel, const Vec3& boxCentre, const Mat3& boxAxes, const Vec3& half,
+                                            GroundContact& out);
 
 } // namespace trundle

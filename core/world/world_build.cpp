@@ -58,14 +58,14 @@ bool BuiltWorld::build(const DeviceCode& devices, Diagnostics& diagnostics) {
     if (failed()) return false;
     publish();
     placeRadios();
-    if (!callDevices(false)) { // so that what sensors show at tick 0 is true
+    if (!callDevices(false)) { // so that sensor signals are valid at tick 0
         diagnostics.error(Code::DeviceSetup, m_fault->range, m_fault->reason);
         return false;
     }
     return true;
 }
 
-/// In the order of names, so that the order of blocks in the text changes nothing.
+/// Sorted by name, so that the result does not depend on the order of blocks in the text.
 void BuiltWorld::buildScenery(Diagnostics& diagnostics) {
     for (const std::size_t i : byName(m_experiment->statics)) {
         const StaticSpec& s = m_experiment->statics[i];
@@ -127,8 +127,8 @@ void BuiltWorld::nameBodies() {
             const std::uint32_t id = robot.handles.joints[j].index;
             m_jointTurns.resize(std::max<std::size_t>(m_jointTurns.size(), id + 1));
             m_jointTurns[id] = hasPosition(joints[j].type);
-            m_jointPlaces.resize(m_jointTurns.size());
-            m_jointPlaces[id] = placeOf(joints[j], robot);
+            m_jointLocations.resize(m_jointTurns.size());
+            m_jointLocations[id] = placeOf(joints[j], robot);
         }
     }
     m_calls->setBodies(m_bodyPaths);
@@ -138,15 +138,16 @@ void BuiltWorld::nameBodies() {
                      [&](std::uint32_t a, std::uint32_t b) { return m_bodyPaths[a] < m_bodyPaths[b]; });
 }
 
-JointPlace BuiltWorld::placeOf(const JointSpec& joint, const BuiltRobot& robot) {
-    const Vec3& axis = joint.type == JointType::Suspension ? joint.axis2 : joint.axis; // the one it turns about
+JointLocation BuiltWorld::placeOf(const JointSpec& joint, const BuiltRobot& robot) {
+    const Vec3& axis = joint.type == JointType::Suspension ? joint.axis2 : joint.axis; // the axis of rotation
     if (joint.parent == kWorldBody) return {0, false, robot.spec->pose * joint.anchor, robot.spec->pose.rotation * axis};
     const auto parent = static_cast<std::size_t>(joint.parent);
     const Pose inParent = robot.spec->config->bodies[parent].pose.inverse();
     return {robot.handles.bodies[parent].index, true, inParent * joint.anchor, inParent.rotation * axis};
 }
 
-/// Truth first, in one run that publishRobot() walks; then the devices' signals and the controller's.
+/// For each robot: its state signals, contiguous and in the order of publishRobot(), then those of the devices and of the
+/// controller.
 void BuiltWorld::layOutSignals() {
     for (BuiltRobot& robot : m_robots) {
         robot.image = planRobot(m_layout, *robot.spec);

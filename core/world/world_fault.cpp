@@ -1,4 +1,4 @@
-// What stopped a world: which body, and what its user can do about it.
+// Faults: which body stopped the world, and advice for the user.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,8 +9,8 @@ namespace trundle {
 
 namespace {
 
-constexpr double kDeep = 0.005;     // m: more than any sound contact
-constexpr double kUneven = 1e4;     // mass of a robot's heaviest body to that of this one
+constexpr double kDeep = 0.005;     // m; deeper than any normal contact
+constexpr double kUneven = 1e4;     // ratio of the mass of a robot's heaviest body to that of this one
 constexpr double kVeryLight = 1e-6; // kg
 
 std::string threeDigits(double value) {
@@ -30,7 +30,7 @@ std::pair<const BuiltRobot*, std::size_t> BuiltWorld::ownerOf(BodyHandle body) c
     return {nullptr, 0};
 }
 
-/// The most likely cause first: deep in something, much lighter than its neighbours, or else forces too strong for the tick.
+/// Advice for the most likely cause: deep penetration, much lighter than its neighbours, or forces too strong for the tick.
 std::string BuiltWorld::faultAdvice(BodyHandle body) const {
     const auto [robot, index] = ownerOf(body);
     if (!robot) return "a smaller Tick may help";

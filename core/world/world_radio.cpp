@@ -1,4 +1,4 @@
-// Where radios stand in the world, and what stands between them.
+// Poses of radios in the world, and the obstacles between them.
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +8,8 @@ namespace trundle {
 
 namespace {
 
-constexpr int kMostSolids = 64;
-constexpr double kPast = 1e-4; ///< m, beyond a surface before the ray goes on
+constexpr int kMaxSolids = 64;
+constexpr double kPast = 1e-4; ///< m behind a surface, where the ray continues
 
 std::vector<double> listOf(const double* numbers, std::uint32_t count) {
     return numbers && count <= 100000 ? std::vector<double>(numbers, numbers + count) : std::vector<double>();
@@ -17,7 +17,7 @@ std::vector<double> listOf(const double* numbers, std::uint32_t count) {
 
 } // namespace
 
-/// What stands behind the radio tables of a mount (the context is the device) and of the services (the context is the world).
+/// Implementation of the radio tables of a mount (the context is the device) and of the services (the context is the world).
 struct RadioCalls {
     static std::int32_t open(void* context, const TrundleRadioSettings* s, std::uint32_t* radio) {
         Device& d = *static_cast<Device*>(context);
@@ -49,7 +49,7 @@ struct RadioCalls {
         const bool sound = std::isfinite(r.maxOutputPower) && std::isfinite(r.minReceivePower) && r.bitRate >= 1 &&
                            r.bufferLimit > 0 && r.channel < 1000 && r.address < kBroadcastAddress && w.m_medium;
         if (!sound || w.m_medium->find(r.path)) {
-            d.note(sound ? "a device has one radio" : "its radio cannot have these values");
+            d.note(sound ? "a device has one radio" : "the values of its radio are invalid");
             return -1;
         }
         const Pose mount{Vec3(s->position),
@@ -101,13 +101,13 @@ void BuiltWorld::placeRadios() {
     }
 }
 
-/// The tick that is about to be stepped, from the places at its start.
+/// Advances the medium by the tick that is about to be stepped, with the poses at its start.
 void BuiltWorld::airTime() {
     if (!m_radioMounts.empty())
         m_medium->advance(std::llround(static_cast<double>(m_ticks + 1) * m_experiment->settings.tick * 1e6));
 }
 
-/// Each solid between two radios once, the bodies of their own robots left out.
+/// Number of solids between two radios, each counted once, without those of their own robots.
 int BuiltWorld::solids(RadioId first, const Vec3& a, RadioId second, const Vec3& b) const {
     const Vec3 way = b - a;
     const double length = way.norm();
@@ -117,7 +117,7 @@ int BuiltWorld::solids(RadioId first, const Vec3& a, RadioId second, const Vec3&
                                 m_robots[m_radioMounts[second].robot].spec->name + "/"};
     std::vector<std::uint32_t> met;
     double gone = 0;
-    for (int i = 0; i < kMostSolids && gone < length; ++i) {
+    for (int i = 0; i < kMaxSolids && gone < length; ++i) {
         const auto hit =
             m_engine->ray(a + gone * direction, direction, length - gone, m_robots[m_radioMounts[first].robot].handles.actor);
         if (!hit) break;

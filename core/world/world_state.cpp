@@ -1,4 +1,4 @@
-// What others read of a world, and what enters it from outside.
+// Reading a world's state, and external commands to it.
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -12,7 +12,7 @@ namespace trundle {
 
 namespace {
 
-/// Continues an FNV-1a hash with doubles as little-endian bytes.
+/// FNV-1a hash of doubles as little-endian bytes.
 class StateHash {
 public:
     void add(double value) {
@@ -85,7 +85,7 @@ Status BuiltWorld::push(const std::string& body, const Vec3& force, const Vec3& 
 Status BuiltWorld::place(const std::string& name, const Pose& pose) {
     const auto it = m_robotByName.find(name);
     if (it == m_robotByName.end()) return Error{Code::UnknownReference, "there is no robot " + name};
-    if (!isPlace(pose)) return Error{Code::OutOfRange, "a robot's place must be finite and within 100 km"};
+    if (!isPosition(pose)) return Error{Code::OutOfRange, "a robot's position must be finite and within 100 km"};
     const BuiltRobot& robot = m_robots[it->second];
     m_engine->moveActor(robot.handles.actor, pose * framePose(robot).inverse());
     return {};

@@ -27,7 +27,7 @@ double* put(double* to, const Vec3& position, const Quat& q) {
 
 Status BuiltWorld::tick() {
     if (m_fault) return stopped();
-    ++m_block->header().sequence; // odd: being written
+    ++m_block->header().sequence; // odd: write in progress
     bool good = callDevices(true);
     if (good) {
         airTime();
@@ -35,7 +35,7 @@ Status BuiltWorld::tick() {
         if (const auto fault = stepEngine()) return stopAt(*fault);
         ++m_ticks;
         placeRadios();
-        publish(); // before sense, so that devices may read what is true as signals too
+        publish(); // before sense, so that devices can read the state signals of this tick
         good = callDevices(false);
     }
     ++m_block->header().sequence;
@@ -47,7 +47,7 @@ std::optional<EngineFault> BuiltWorld::stepEngine() {
     return m_engine->step(m_experiment->settings.tick);
 }
 
-/// One turn of every device. False where one failed: the world stands then.
+/// Calls act or sense of every device. False if one failed, which stops the world.
 bool BuiltWorld::callDevices(bool acting) {
     m_inAct = acting;
     m_services.time = static_cast<double>(m_ticks) * m_experiment->settings.tick;
@@ -63,8 +63,8 @@ bool BuiltWorld::callDevices(bool acting) {
 
 bool BuiltWorld::failed(Device& device) {
     if (device.failure.empty()) {
-        const std::string why = device.kind->lastError ? moduleWords(device.kind->lastError(device.instance)) : std::string();
-        device.note(why.empty() ? "it gave no reason" : why);
+        const std::string why = device.kind->lastError ? moduleMessage(device.kind->lastError(device.instance)) : std::string();
+        device.note(why.empty() ? "it reported no reason" : why);
     }
     m_current = nullptr;
     (void)stop(Code::DeviceSetup, {"", m_services.time, device.path + ": " + device.failure, device.spec->nameRange});
@@ -78,7 +78,7 @@ void BuiltWorld::publish() {
     m_block->header().time = static_cast<double>(m_ticks) * m_experiment->settings.tick;
 }
 
-/// In the order of layOutSignals().
+/// Same order as layOutSignals().
 void BuiltWorld::publishRobot(const BuiltRobot& robot, double* to) const {
     const BodyState& first = m_engine->state(robot.handles.bodies[0]);
     const Pose frame = framePose(robot);
@@ -98,7 +98,7 @@ void BuiltWorld::publishRobot(const BuiltRobot& robot, double* to) const {
     }
 }
 
-/// At tick 0 what the text says, to the bit.
+/// At tick 0 exactly the pose of the text, bit for bit.
 Pose BuiltWorld::framePose(const BuiltRobot& robot) const {
     if (m_ticks == 0) return robot.spec->pose;
     const BodyState& first = m_engine->state(robot.handles.bodies[0]);

@@ -17,34 +17,34 @@ CameraPainter::~CameraPainter() {
     m_pool.waitForDone();
 }
 
-FrameDrawer& CameraPainter::drawerOf(const std::shared_ptr<const ExperimentSpec>& experiment) {
+CameraImageRenderer& CameraPainter::drawerOf(const std::shared_ptr<const ExperimentSpec>& experiment) {
     if (!m_drawer || experiment != m_experiment) {
-        m_drawer = std::make_unique<FrameDrawer>(experiment, m_render);
+        m_drawer = std::make_unique<CameraImageRenderer>(experiment, m_render);
         m_experiment = experiment;
     }
     return *m_drawer;
 }
 
-CameraPicture CameraPainter::picture(FrameDrawer& drawer, const FrameMoment& moment, const CameraShot& shot) {
+CameraPicture CameraPainter::picture(CameraImageRenderer& drawer, const ImageTime& moment, const CameraShot& shot) {
     CameraPicture made;
     made.shot = shot;
-    Result<Frame> frame = drawer.capture(shot.camera, moment, shot.mode);
+    Result<CameraImage> frame = drawer.capture(shot.camera, moment, shot.mode);
     if (!frame) {
         made.failure = QString::fromStdString(frame.error().message);
         return made;
     }
-    made.frame = std::make_shared<const Frame>(std::move(frame).value());
+    made.frame = std::make_shared<const CameraImage>(std::move(frame).value());
     made.image = QImage(made.frame->pixels.data(), int(made.frame->width), int(made.frame->height), int(made.frame->width) * 3,
                         QImage::Format_RGB888)
                      .convertToFormat(QImage::Format_RGB32);
     return made;
 }
 
-void CameraPainter::draw(std::shared_ptr<const ExperimentSpec> experiment, FrameMoment moment, std::vector<CameraShot> shots) {
+void CameraPainter::draw(std::shared_ptr<const ExperimentSpec> experiment, ImageTime moment, std::vector<CameraShot> shots) {
     m_busy = true;
     m_pool.start([this, experiment = std::move(experiment), moment = std::move(moment), shots = std::move(shots)] {
         const auto start = std::chrono::steady_clock::now();
-        FrameDrawer& drawer = drawerOf(experiment);
+        CameraImageRenderer& drawer = drawerOf(experiment);
         std::vector<CameraPicture> pictures;
         for (const CameraShot& shot : shots) pictures.push_back(picture(drawer, moment, shot));
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

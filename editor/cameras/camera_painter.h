@@ -1,5 +1,5 @@
 #pragma once
-// What simulated cameras see, drawn beside the window and beside the run: neither waits for it.
+// Renders the images of simulated cameras in a worker thread, blocking neither the GUI nor the run.
 
 #include <memory>
 #include <string>
@@ -9,18 +9,18 @@
 #include <QObject>
 #include <QThreadPool>
 
-#include "render/frame_drawer.h"
+#include "render/camera_image_renderer.h"
 
 namespace trundle {
 
 struct CameraShot {
     std::string camera;             ///< "robot0/eye"
-    std::optional<CameraMode> mode; ///< none: the camera's own
+    std::optional<CameraMode> mode; ///< none: the camera's own mode
 };
 
 struct CameraPicture {
     CameraShot shot;
-    std::shared_ptr<const Frame> frame; ///< null where it failed
+    std::shared_ptr<const CameraImage> frame; ///< null on failure
     QImage image;
     QString failure;
 };
@@ -29,29 +29,29 @@ class CameraPainter final : public QObject {
     Q_OBJECT
 public:
     explicit CameraPainter(RenderService& render, QObject* parent = nullptr);
-    /// Waits for the picture in work.
+    /// Waits for the image being rendered.
     ~CameraPainter() override;
 
-    /// Draws them one after the other; drawn() follows once, with all of them. One call at a time.
-    void draw(std::shared_ptr<const ExperimentSpec> experiment, FrameMoment moment, std::vector<CameraShot> shots);
+    /// Renders images one after the other; drawn() is emitted once, with all of them. One call at a time.
+    void draw(std::shared_ptr<const ExperimentSpec> experiment, ImageTime moment, std::vector<CameraShot> shots);
     [[nodiscard]] bool isBusy() const { return m_busy; }
-    /// Writes a picture file, .png or .jpg by its ending, that says where and when it was taken. saved() follows.
+    /// Writes an image file, .png or .jpg by its extension, with the camera and time of the image in it. saved() follows.
     void save(std::shared_ptr<const ExperimentSpec> experiment, const CameraPicture& picture, const QString& path);
 
 Q_SIGNALS:
-    void drawn(const std::vector<trundle::CameraPicture>& pictures, double seconds); ///< that it took
-    void saved(const QString& path, const QString& failure);                         ///< empty: it is written
+    void drawn(const std::vector<trundle::CameraPicture>& pictures, double seconds); ///< wall-clock s that it took
+    void saved(const QString& path, const QString& failure);                         ///< empty on success
 
 private:
-    FrameDrawer& drawerOf(const std::shared_ptr<const ExperimentSpec>& experiment);
-    [[nodiscard]] CameraPicture picture(FrameDrawer& drawer, const FrameMoment& moment, const CameraShot& shot);
+    CameraImageRenderer& drawerOf(const std::shared_ptr<const ExperimentSpec>& experiment);
+    [[nodiscard]] CameraPicture picture(CameraImageRenderer& drawer, const ImageTime& moment, const CameraShot& shot);
 
     RenderService& m_render;
     bool m_busy = false;
-    // For the pool's thread alone.
+    // Used by the worker thread only.
     std::shared_ptr<const ExperimentSpec> m_experiment;
-    std::unique_ptr<FrameDrawer> m_drawer;
-    QThreadPool m_pool; // one after the other; the last member, so that it ends first
+    std::unique_ptr<CameraImageRenderer> m_drawer;
+    QThreadPool m_pool; // one thread; the last member: destroyed first, it waits for its thread
 };
 
 } // namespace trundle

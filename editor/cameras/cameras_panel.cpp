@@ -25,8 +25,8 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kFirstShown = 4;
-constexpr double kLeastPauseMs = 66; // about 15 pictures a second
-constexpr double kShare = 1.0 / 3;   // of a processor, at most, goes into these pictures
+constexpr double kLeastPauseMs = 66; // about 15 updates a second
+constexpr double kShare = 1.0 / 3;   // largest share of one processor's time for these images
 
 } // namespace
 
@@ -57,7 +57,7 @@ CamerasPanel::CamerasPanel(Document& document, RunSession& session, RenderServic
     m_scroll = new QScrollArea;
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setWidgetResizable(true);
-    m_wall = new CameraWall;
+    m_wall = new CameraTiles;
     m_scroll->setWidget(m_wall);
     m_scroll->viewport()->installEventFilter(this);
     m_halves->addWidget(m_scroll);
@@ -66,18 +66,18 @@ CamerasPanel::CamerasPanel(Document& document, RunSession& session, RenderServic
     rows->addWidget(m_halves, 1);
     m_pages->addWidget(work);
 
-    m_wall->setReading([this](const auto& tile, std::uint32_t x, std::uint32_t y) { return reading(tile, x, y); });
-    connect(m_wall, &CameraWall::uncovered, this, &CamerasPanel::pump);
-    connect(m_wall, &CameraWall::currentChanged, this, &CamerasPanel::showFacts);
-    connect(m_wall, &CameraWall::menuWanted, this, &CamerasPanel::showMenu);
+    m_wall->setPixelText([this](const auto& tile, std::uint32_t x, std::uint32_t y) { return pixelText(tile, x, y); });
+    connect(m_wall, &CameraTiles::uncovered, this, &CamerasPanel::pump);
+    connect(m_wall, &CameraTiles::currentChanged, this, &CamerasPanel::showFacts);
+    connect(m_wall, &CameraTiles::menuRequested, this, &CamerasPanel::showMenu);
     m_next.setSingleShot(true);
     connect(&m_next, &QTimer::timeout, this, &CamerasPanel::pump);
     if (render) {
         m_painter = new CameraPainter(*render, this);
         connect(m_painter, &CameraPainter::drawn, this, &CamerasPanel::take);
         connect(m_painter, &CameraPainter::saved, this, [this](const QString& path, const QString& failure) {
-            Q_EMIT said(failure.isEmpty() ? tr("Wrote %1").arg(QString::fromStdString(m_document.shown(path.toStdString())))
-                                          : failure);
+            Q_EMIT messageRequested(
+                failure.isEmpty() ? tr("Wrote %1").arg(QString::fromStdString(m_document.shown(path.toStdString()))) : failure);
         });
     }
     connect(&document, &Document::opened, this, [this] {
@@ -100,7 +100,7 @@ QWidget* CamerasPanel::makeTools() {
     m_mode = new QComboBox(bar);
     m_mode->setObjectName(QStringLiteral("cameraMode"));
     m_mode->setAccessibleName(tr("What the pictures show"));
-    m_mode->setToolTip(tr("What the pictures show. The cameras themselves stay as they are."));
+    m_mode->setToolTip(tr("What the images show. The cameras do not change."));
     m_mode->addItem(tr("As each camera sees"));
     m_mode->addItem(tr("Colour"), int(CameraMode::Colour));
     m_mode->addItem(tr("Depth"), int(CameraMode::Depth));
@@ -154,7 +154,7 @@ QWidget* CamerasPanel::makeChoice() {
     return m_choice;
 }
 
-// ---- what there is to be seen ----
+// ---- list of cameras ----
 
 void CamerasPanel::follow() {
     const bool runs = m_session.experiment() && m_session.poses();
@@ -168,7 +168,7 @@ void CamerasPanel::follow() {
         m_moment.poses.reset();
         listCameras();
     }
-    FrameMoment now;
+    ImageTime now;
     if (runs) {
         now.poses = m_session.poses();
         now.tick = m_session.snapshot()->tick;
@@ -213,7 +213,7 @@ void CamerasPanel::listCameras() {
     m_untouched = !touched;
     filterList();
     m_choice->setVisible(m_cameras.size() > 1);
-    m_empty->setText(!m_painter ? tr("Pictures need OpenGL, and none is to be had here.")
+    m_empty->setText(!m_painter ? tr("Pictures need OpenGL, which is not available.")
                                 : tr("No robot here has a camera. Select a body of a robot, then choose Insert ▸ Camera."));
     m_pages->setCurrentIndex(m_cameras.empty() || !m_painter ? 0 : 1);
 }
@@ -257,7 +257,7 @@ void CamerasPanel::filterList() {
 
 void CamerasPanel::setMode(std::optional<CameraMode> mode) { m_mode->setCurrentIndex(mode ? m_mode->findData(int(*mode)) : 0); }
 
-// ---- pictures ----
+// ---- images ----
 
 void CamerasPanel::moved() {
     ++m_state;
@@ -269,12 +269,12 @@ std::vector<CameraShot> CamerasPanel::outdated() const {
     if (!m_painter || !m_moment.poses) return shots;
     std::optional<CameraMode> mode;
     if (m_mode->currentData().isValid()) mode = CameraMode(m_mode->currentData().toInt());
-    for (const CameraWall::Tile* tile : m_wall->visibleTiles())
+    for (const CameraTiles::Tile* tile : m_wall->visibleTiles())
         if (tile->state != m_state) shots.push_back({tile->camera, mode});
     return shots;
 }
 
-/// One batch at a time, the newest state each time, and a pause that grows with what a batch costs.
+/// Requests one batch at a time, always of the newest state, with a pause proportional to the duration of the last batch.
 void CamerasPanel::pump() {
     if (!m_painter || m_painter->isBusy() || m_next.isActive() || outdated().empty()) return;
     const double since = m_sinceAsked.isValid() ? double(m_sinceAsked.elapsed()) : 1e9;
@@ -295,18 +295,18 @@ void CamerasPanel::take(const std::vector<CameraPicture>& pictures, double secon
 bool CamerasPanel::isSettled() const { return !m_painter || (!m_painter->isBusy() && outdated().empty()); }
 
 void CamerasPanel::showFacts() {
-    const CameraWall::Tile* tile = m_wall->current();
+    const CameraTiles::Tile* tile = m_wall->current();
     const bool there = tile && tile->picture.frame;
     m_save->setEnabled(there);
-    if (!there) return m_facts->setText(tile || m_cameras.empty() ? QString() : tr("Tick a camera to see what it sees."));
-    const Frame& frame = *tile->picture.frame;
+    if (!there) return m_facts->setText(tile || m_cameras.empty() ? QString() : tr("Check a camera to see its image."));
+    const CameraImage& frame = *tile->picture.frame;
     m_facts->setText(tr("%1  •  %2 × %3  •  t = %4 s")
                          .arg(QString::fromStdString(tile->camera), QString::number(frame.width), QString::number(frame.height),
                               QString::number(frame.time, 'f', 2)));
 }
 
-QString CamerasPanel::reading(const CameraWall::Tile& tile, std::uint32_t x, std::uint32_t y) {
-    const Frame& frame = *tile.picture.frame;
+QString CamerasPanel::pixelText(const CameraTiles::Tile& tile, std::uint32_t x, std::uint32_t y) {
+    const CameraImage& frame = *tile.picture.frame;
     const std::size_t i = std::size_t(y) * frame.width + x;
     if (i < frame.objects.size()) {
         if (m_names.empty() && m_experiment) m_names = objectNames(*m_experiment);
@@ -318,14 +318,14 @@ QString CamerasPanel::reading(const CameraWall::Tile& tile, std::uint32_t x, std
 }
 
 void CamerasPanel::savePicture(const QString& path) {
-    const CameraWall::Tile* tile = m_wall->current();
+    const CameraTiles::Tile* tile = m_wall->current();
     if (m_painter && tile && tile->picture.frame && m_experiment) m_painter->save(m_experiment, tile->picture, path);
 }
 
 void CamerasPanel::askAndSave() {
-    const CameraWall::Tile* tile = m_wall->current();
+    const CameraTiles::Tile* tile = m_wall->current();
     if (!tile || !tile->picture.frame) return;
-    const CameraPicture picture = tile->picture; // as it is now: the run goes on behind the dialog
+    const CameraPicture picture = tile->picture; // a copy: the run continues while the dialog is open
     const std::shared_ptr<const ExperimentSpec> experiment = m_experiment;
     QString name = QString::fromStdString(tile->camera).replace(QLatin1Char('/'), QLatin1Char('_'));
     name += QStringLiteral("_%1s.png").arg(picture.frame->time, 0, 'f', 2);
@@ -341,10 +341,10 @@ void CamerasPanel::showMenu(const std::string& camera, const QPoint& at) {
     connect(menu.addAction(themedIcon(QStringLiteral("save")), tr("&Save Picture…")), &QAction::triggered, this,
             &CamerasPanel::askAndSave);
     connect(menu.addAction(themedIcon(QStringLiteral("kind-camera")), tr("&Look Through This Camera")), &QAction::triggered, this,
-            [this, camera] { Q_EMIT lookThroughWanted(camera); });
+            [this, camera] { Q_EMIT lookThroughRequested(camera); });
     if (m_cameras.size() > 1) {
         menu.addSeparator();
-        connect(menu.addAction(tr("&Take Away From Here")), &QAction::triggered, this, [this, camera] {
+        connect(menu.addAction(tr("&Hide Camera")), &QAction::triggered, this, [this, camera] {
             std::vector<std::string> left = chosen();
             std::erase(left, camera);
             setChosen(left);

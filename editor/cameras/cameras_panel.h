@@ -1,11 +1,11 @@
 #pragma once
-// The Cameras dock: what the cameras of the run see now, or those of the text at its start.
+// The Cameras dock: current images of the run's cameras, or those at the start poses of the text.
 
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
-#include "editor/cameras/camera_wall.h"
+#include "editor/cameras/camera_tiles.h"
 
 class QComboBox;
 class QLabel;
@@ -22,30 +22,30 @@ class Document;
 class RenderService;
 class RunSession;
 
-/// Pictures are drawn in a thread of their own, of what is seen alone, seldom enough that the run and the 3D views have most of the
-/// machine. Nothing here reaches the run: it looks at published poses.
+/// Images are rendered in a worker thread, only for visible tiles, and rarely enough to leave most of the machine to the run and
+/// the viewports. The panel does not affect the run: it reads published poses.
 class CamerasPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// `render` is null where no OpenGL is to be had. All outlive this.
+    /// `render` is null without OpenGL. All must outlive this object.
     CamerasPanel(Document& document, RunSession& session, RenderService* render, QWidget* parent = nullptr);
 
-    [[nodiscard]] CameraWall& wall() { return *m_wall; }
-    /// Which cameras are shown; those that are not there are left out.
+    [[nodiscard]] CameraTiles& wall() { return *m_wall; }
+    /// Selects the cameras to show; unknown ones are ignored.
     void setChosen(const std::vector<std::string>& cameras);
     [[nodiscard]] std::vector<std::string> chosen() const;
-    /// None: each as its Mode says.
+    /// None: each camera's own mode.
     void setMode(std::optional<CameraMode> mode);
-    /// As the file's ending says; the words for how it went follow with said().
+    /// The format follows from the file's extension; messageRequested() reports the result.
     void savePicture(const QString& path);
-    /// All that is seen of it is drawn as things stand now.
+    /// All visible images are up to date. For tests.
     [[nodiscard]] bool isSettled() const;
-    /// Pictures drawn so far.
+    /// Number of images rendered so far. For tests.
     [[nodiscard]] int drawnCount() const { return m_drawn; }
 
 Q_SIGNALS:
-    void lookThroughWanted(const std::string& camera); ///< "robot0/eye"
-    void said(const QString& text);
+    void lookThroughRequested(const std::string& camera); ///< path: "robot0/eye"
+    void messageRequested(const QString& text);
     void pictureShown();
 
 protected:
@@ -66,22 +66,22 @@ private:
     void showFacts();
     void askAndSave();
     void showMenu(const std::string& camera, const QPoint& at);
-    [[nodiscard]] QString reading(const CameraWall::Tile& tile, std::uint32_t x, std::uint32_t y);
+    [[nodiscard]] QString pixelText(const CameraTiles::Tile& tile, std::uint32_t x, std::uint32_t y);
     [[nodiscard]] std::vector<CameraShot> outdated() const;
 
     Document& m_document;
     RunSession& m_session;
     CameraPainter* m_painter = nullptr;
     std::shared_ptr<const ExperimentSpec> m_experiment;
-    FrameMoment m_moment;
+    ImageTime m_moment;
     std::vector<CameraModel> m_cameras;
-    std::vector<std::string> m_names;       ///< of what numbers in measured pictures mean; made when asked for
-    std::uint64_t m_state = 1, m_asked = 0; ///< counts what can be seen (poses, experiments, modes); of the pictures in work
+    std::vector<std::string> m_names;       ///< names of the object ids in images, computed on demand
+    std::uint64_t m_state = 1, m_asked = 0; ///< number of the current state (poses, experiment, modes); of the one requested
     int m_drawn = 0;
-    bool m_untouched = true; ///< nobody chose: the first few are shown
+    bool m_untouched = true; ///< no selection by the user: the first few cameras are shown
     QTimer m_next;
     QElapsedTimer m_sinceAsked;
-    double m_pauseMs = 0; ///< until the next picture may be asked for
+    double m_pauseMs = 0; ///< minimum interval until the next request
 
     QStackedWidget* m_pages = nullptr;
     QLabel *m_empty = nullptr, *m_facts = nullptr;
@@ -90,7 +90,7 @@ private:
     QLineEdit* m_filter = nullptr;
     QListWidget* m_list = nullptr;
     QScrollArea* m_scroll = nullptr;
-    CameraWall* m_wall = nullptr;
+    CameraTiles* m_wall = nullptr;
     QComboBox* m_mode = nullptr;
     QToolButton* m_save = nullptr;
 };

@@ -14,7 +14,7 @@
 #include <QPushButton>
 #include <QUrl>
 
-#include "base/platform/fed_process.h"
+#include "base/platform/piped_process.h"
 #include "editor/cameras/size_choice.h"
 #include "editor/widgets/save_question.h"
 #include "scene/camera_model.h"
@@ -23,7 +23,7 @@
 namespace trundle {
 namespace {
 
-enum class What { Shown, View, Camera };
+enum class MovieSource { Shown, View, Camera };
 constexpr int kName = Qt::UserRole + 1;
 
 QDoubleSpinBox* secondsBox(const char* name) {
@@ -37,8 +37,8 @@ QDoubleSpinBox* secondsBox(const char* name) {
 
 } // namespace
 
-MovieDialog::MovieDialog(Parts& parts, RenderService& render, MovieOffer offer, QWidget* parent)
-    : QDialog(parent), m_offer(std::move(offer)), m_recorder(new MovieRecorder(parts, render, this)) {
+MovieDialog::MovieDialog(Application& application, RenderService& render, MovieDialogOptions options, QWidget* parent)
+    : QDialog(parent), m_options(std::move(options)), m_recorder(new MovieRecorder(application, render, this)) {
     setObjectName(QStringLiteral("movieDialog"));
     setWindowTitle(tr("Record Movie"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -74,10 +74,10 @@ MovieDialog::MovieDialog(Parts& parts, RenderService& render, MovieOffer offer, 
     connect(m_show, &QPushButton::clicked, this,
             [this] { m_opener(QFileInfo(QString::fromStdString(m_job.path)).absolutePath()); });
     m_opener = [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); };
-    offerMovie(false);
+    openMovieDialog(false);
     column->addWidget(buttons);
     for (QPushButton* button : findChildren<QPushButton*>())
-        button->setAutoDefault(false); // or Enter would press what has the focus
+        button->setAutoDefault(false); // else Enter would press the focused button
     m_record->setDefault(true);
     connect(m_record, &QPushButton::clicked, this, &MovieDialog::record);
     connect(m_close, &QPushButton::clicked, this, &MovieDialog::reject);
@@ -87,7 +87,7 @@ MovieDialog::MovieDialog(Parts& parts, RenderService& render, MovieOffer offer, 
     if (isInstalled("ffmpeg")) return;
     m_form->setEnabled(false);
     m_record->setEnabled(false);
-    m_sum->setText(tr("Movies are made by the program ffmpeg, which is not installed: sudo apt-get install ffmpeg"));
+    m_sum->setText(tr("Recording needs ffmpeg, which is not installed: sudo apt-get install ffmpeg"));
 }
 
 void MovieDialog::addRows(QFormLayout& form) {
@@ -96,7 +96,7 @@ void MovieDialog::addRows(QFormLayout& form) {
     m_source = new QComboBox;
     m_source->setObjectName(QStringLiteral("movieSource"));
     m_source->addItem(tr("The experiment, from its start"));
-    if (m_offer.run) m_source->addItem(tr("This run again, with all that was done to it"));
+    if (m_options.run) m_source->addItem(tr("This run, repeated with all its commands"));
     m_source->setCurrentIndex(m_source->count() - 1);
     m_begin = secondsBox("movieBegin");
     m_end = secondsBox("movieEnd");
@@ -104,7 +104,7 @@ void MovieDialog::addRows(QFormLayout& form) {
     times->addWidget(m_begin, 1);
     times->addWidget(new QLabel(tr("to")));
     times->addWidget(m_end, 1);
-    m_size = new SizeChoice(m_offer.shown);
+    m_size = new SizeChoice(m_options.shown);
     m_size->setSize({1280, 720});
     m_rate = new QDoubleSpinBox;
     m_rate->setObjectName(QStringLiteral("movieRate"));
@@ -112,7 +112,7 @@ void MovieDialog::addRows(QFormLayout& form) {
     m_rate->setRange(0.1, 1000);
     m_rate->setValue(30);
     m_rate->setSuffix(tr(" for each simulated second"));
-    m_file = new QLineEdit(QDir::toNativeSeparators(m_offer.file));
+    m_file = new QLineEdit(QDir::toNativeSeparators(m_options.file));
     m_file->setObjectName(QStringLiteral("movieFile"));
     auto* choose = new QPushButton(tr("&Browse…"));
     auto* path = new QHBoxLayout;
@@ -135,48 +135,48 @@ void MovieDialog::addRows(QFormLayout& form) {
 bool MovieDialog::ofRun() const { return m_source->currentIndex() == 1; }
 
 std::shared_ptr<const ExperimentSpec> MovieDialog::experiment() const {
-    return (ofRun() ? m_offer.run : m_offer.text)->experiment;
+    return (ofRun() ? m_options.run : m_options.text)->experiment;
 }
 
-/// Views and cameras are those of what is to run.
+/// Lists the viewpoints and cameras of the selected experiment.
 void MovieDialog::showSource() {
     const QString chosen = m_what->currentText();
     const auto experiment = this->experiment();
     {
         const QSignalBlocker quiet(m_what);
         m_what->clear();
-        const auto add = [this](const QString& text, What what, const std::string& name) {
+        const auto add = [this](const QString& text, MovieSource what, const std::string& name) {
             m_what->addItem(text, int(what));
             m_what->setItemData(m_what->count() - 1, QString::fromStdString(name), kName);
         };
-        add(tr("The 3D view as it looks now"), What::Shown, {});
+        add(tr("The 3D view as shown now"), MovieSource::Shown, {});
         for (const ComponentSpec& look : experiment->looks)
-            if (look.kind == "View") add(tr("View %1").arg(QString::fromStdString(look.name)), What::View, look.name);
+            if (look.kind == "View") add(tr("View %1").arg(QString::fromStdString(look.name)), MovieSource::View, look.name);
         for (const CameraModel& camera : camerasOf(*experiment))
-            add(tr("Camera %1").arg(QString::fromStdString(camera.path)), What::Camera, camera.path);
+            add(tr("Camera %1").arg(QString::fromStdString(camera.path)), MovieSource::Camera, camera.path);
         m_what->setCurrentIndex(std::max(0, m_what->findText(chosen)));
     }
     const double duration = experiment->settings.duration > 0 ? experiment->settings.duration : 10;
     m_begin->setValue(0);
-    m_end->setValue(ofRun() ? m_offer.runTime : duration);
+    m_end->setValue(ofRun() ? m_options.runTime : duration);
     showSum();
 }
 
 MovieJob MovieDialog::job() const {
     MovieJob job;
-    job.loaded = ofRun() ? m_offer.run : m_offer.text;
-    if (ofRun()) job.commands = m_offer.commands;
+    job.loaded = ofRun() ? m_options.run : m_options.text;
+    if (ofRun()) job.commands = m_options.commands;
     job.begin = m_begin->value();
     job.end = m_end->value();
-    job.look = m_offer.look;
+    job.look = m_options.look;
     const QSize size = m_size->size();
     job.look.width = std::uint32_t(size.width());
     job.look.height = std::uint32_t(size.height());
     const std::string name = m_what->currentData(kName).toString().toStdString();
-    switch (What(m_what->currentData().toInt())) {
-    case What::Camera: job.camera = name; break;
-    case What::Shown: job.view = m_offer.view(job.look.width, job.look.height); break;
-    case What::View:
+    switch (MovieSource(m_what->currentData().toInt())) {
+    case MovieSource::Camera: job.camera = name; break;
+    case MovieSource::Shown: job.view = m_options.view(job.look.width, job.look.height); break;
+    case MovieSource::View:
         job.look.hidden.clear();
         job.view = [experiment = experiment(), name](const BodyPoses& poses) {
             return namedView(*experiment, name, poses).value_or(CameraView());
@@ -188,32 +188,32 @@ MovieJob MovieDialog::job() const {
 }
 
 void MovieDialog::showSum() {
-    const bool camera = What(m_what->currentData().toInt()) == What::Camera;
+    const bool camera = MovieSource(m_what->currentData().toInt()) == MovieSource::Camera;
     m_size->setEnabled(!camera);
     const QString path = m_file->text().trimmed();
     QString why;
-    if (m_end->value() < m_begin->value()) why = tr("It ends before it begins.");
+    if (m_end->value() < m_begin->value()) why = tr("The end time must be after the start time.");
     else if (!path.endsWith(QStringLiteral(".mp4"), Qt::CaseInsensitive) &&
              !path.endsWith(QStringLiteral(".webm"), Qt::CaseInsensitive))
-        why = tr("The name of the file ends in .mp4 or .webm.");
-    else if (!QFileInfo(path).absoluteDir().exists()) why = tr("There is no such folder.");
+        why = tr("The file name must end in .mp4 or .webm.");
+    else if (!QFileInfo(path).absoluteDir().exists()) why = tr("The folder does not exist.");
     m_record->setEnabled(why.isEmpty());
     if (!why.isEmpty()) return m_sum->setText(why);
     const MovieJob wanted = job();
     QString text = tr("%L1 pictures, %2 s when played").arg(wanted.frameCount()).arg(wanted.end - wanted.begin, 0, 'f', 2);
     if (camera) text += tr(", in the camera's own size");
-    if (QFileInfo::exists(path)) text += tr(". The file is there already and will be replaced");
+    if (QFileInfo::exists(path)) text += tr(". The file exists and will be replaced");
     m_sum->setText(text + u'.');
 }
 
-void MovieDialog::offerMovie(bool made) {
+void MovieDialog::openMovieDialog(bool made) {
     for (QPushButton* button : {m_open, m_show}) {
         if (made) {
             m_box->addButton(button, QDialogButtonBox::ActionRole);
             button->show();
             continue;
         }
-        m_box->removeButton(button); // hidden in there it would come back with the next style
+        m_box->removeButton(button); // if only hidden, the button box would show it again when the style changes
         button->setParent(this);
         button->hide();
     }
@@ -226,10 +226,10 @@ void MovieDialog::browse() {
     if (!path.isEmpty()) m_file->setText(QDir::toNativeSeparators(path));
 }
 
-// ---- while it records ----
+// ---- while recording ----
 
 void MovieDialog::setBusy(bool busy) {
-    if (busy) offerMovie(false);
+    if (busy) openMovieDialog(false);
     m_form->setEnabled(!busy);
     m_record->setEnabled(!busy);
     m_close->setText(busy ? tr("Cancel") : tr("Close"));
@@ -242,13 +242,13 @@ void MovieDialog::record() {
     m_progress->setRange(0, int(std::min<std::uint64_t>(m_job.frameCount(), 1'000'000'000)));
     m_progress->setValue(0);
     setBusy(true);
-    m_sum->setText(tr("Getting ready…"));
+    m_sum->setText(tr("Preparing…"));
     m_recorder->start(m_job);
 }
 
 void MovieDialog::showProgress(quint64 pictures, double time) {
     m_progress->setValue(int(std::min<quint64>(pictures, 1'000'000'000)));
-    m_sum->setText(pictures == 0 ? tr("Running up to the beginning: t = %1 s").arg(time, 0, 'f', 1)
+    m_sum->setText(pictures == 0 ? tr("Simulating to the start time: t = %1 s").arg(time, 0, 'f', 1)
                                  : tr("Picture %L1 of %L2, t = %3 s").arg(pictures).arg(m_job.frameCount()).arg(time, 0, 'f', 1));
 }
 
@@ -259,7 +259,7 @@ void MovieDialog::end(const QString& failure, bool cancelled) {
     else if (!failure.isEmpty()) m_sum->setText(failure);
     else {
         m_sum->setText(tr("Wrote %1").arg(path));
-        offerMovie(true);
+        openMovieDialog(true);
         Q_EMIT recorded(path);
     }
 }

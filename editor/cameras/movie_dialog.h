@@ -17,30 +17,30 @@ namespace trundle {
 class RunSession;
 class SizeChoice;
 
-/// What a movie can be of.
-struct MovieOffer {
-    std::shared_ptr<const Loaded> text; ///< the experiment as its text says now
-    std::shared_ptr<const Loaded> run;  ///< the one that runs; null: none does
-    std::vector<Command> commands;      ///< what was done to that by hand
-    double runTime = 0;                 ///< s, how far that is
-    /// Where the window's view looks from in a movie of a size.
+/// What can be recorded.
+struct MovieDialogOptions {
+    std::shared_ptr<const LoadedProject> text; ///< the experiment as in its current text
+    std::shared_ptr<const LoadedProject> run;  ///< the running one; null: none
+    std::vector<Command> commands;      ///< commands given in that run
+    double runTime = 0;                 ///< s, simulated time of that run
+    /// Returns the viewport's moving camera for a movie of this size.
     std::function<MovingView(std::uint32_t width, std::uint32_t height)> view;
-    PictureRequest look; ///< as the window's view is drawn
-    QSize shown;         ///< of that view
-    QString file;        ///< to be suggested
+    PictureRequest look; ///< rendering options of the viewport
+    QSize shown;         ///< size of the viewport
+    QString file;        ///< suggested file
 };
 
-/// Asks what the movie is to be, then records it: progress, cancel. The window can be worked with meanwhile.
+/// Asks for the options of a movie, then records it with progress and cancel. Not modal.
 class MovieDialog final : public QDialog {
     Q_OBJECT
 public:
-    MovieDialog(Parts& parts, RenderService& render, MovieOffer offer, QWidget* parent);
+    MovieDialog(Application& application, RenderService& render, MovieDialogOptions options, QWidget* parent);
 
-    /// What would be recorded now.
+    /// The job for the current options.
     [[nodiscard]] MovieJob job() const;
     [[nodiscard]] bool isRecording() const { return m_recorder->isRecording(); }
 
-    /// How a file or folder is opened in another program; QDesktopServices unless set.
+    /// Sets how a file or folder is opened in another program; default: QDesktopServices. For tests.
     void setOpener(std::function<void(const QString& path)> open) { m_opener = std::move(open); }
 
 Q_SIGNALS:
@@ -48,7 +48,7 @@ Q_SIGNALS:
 
 public Q_SLOTS:
     void record();
-    void reject() override; ///< while it records: cancels the movie, and stays open
+    void reject() override; ///< while recording: cancels the movie and keeps the dialog open
 
 private:
     void addRows(QFormLayout& form);
@@ -56,16 +56,16 @@ private:
     void showSum();
     void showProgress(quint64 pictures, double time);
     void end(const QString& failure, bool cancelled);
-    void offerMovie(bool made);
+    void openMovieDialog(bool made);
     void browse();
     void setBusy(bool busy);
     [[nodiscard]] bool ofRun() const;
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> experiment() const;
 
-    MovieOffer m_offer;
+    MovieDialogOptions m_options;
     std::function<void(const QString& path)> m_opener;
     MovieRecorder* m_recorder;
-    MovieJob m_job; ///< in work
+    MovieJob m_job; ///< being recorded
     QWidget* m_form = nullptr;
     QComboBox *m_what = nullptr, *m_source = nullptr;
     QDoubleSpinBox *m_begin = nullptr, *m_end = nullptr, *m_rate = nullptr;
@@ -75,7 +75,7 @@ private:
     QProgressBar* m_progress = nullptr;
     QPushButton *m_record = nullptr, *m_close = nullptr;
     QDialogButtonBox* m_box = nullptr;
-    QPushButton *m_open = nullptr, *m_show = nullptr; ///< of the movie that was made
+    QPushButton *m_open = nullptr, *m_show = nullptr; ///< for the finished movie
 };
 
 } // namespace trundle

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "base/platform/thread_priority.h"
-#include "render/frame_drawer.h"
+#include "render/camera_image_renderer.h"
 #include "run/movie_file.h"
 
 namespace trundle {
@@ -21,18 +21,18 @@ std::uint64_t MovieJob::frameCount() const {
     return end < begin ? 0 : static_cast<std::uint64_t>(std::floor((end - begin) * framesPerSecond + 1e-6)) + 1;
 }
 
-/// What both threads know. It outlives both.
-struct MovieRecorder::Work {
-    Parts* parts = nullptr;
+/// Shared by both threads; outlives both.
+struct MovieRecorder::MovieState {
+    Application* application = nullptr;
     RenderService* render = nullptr;
     std::atomic<bool> cancelled = false;
 
     std::mutex lock;
     std::condition_variable over;
-    MovieRecorder* recorder = nullptr; // null once nobody waits for it
+    MovieRecorder* recorder = nullptr; // null once it is destroyed
     bool done = false;
 
-    template <class Tell> void tell(Tell what) {
+    template <class Report> void post(Report what) {
         const std::scoped_lock guard(lock);
         if (recorder)
             QMetaObject::invokeMethod(
@@ -40,52 +40,52 @@ struct MovieRecorder::Work {
     }
 };
 
-MovieRecorder::MovieRecorder(Parts& parts, RenderService& render, QObject* parent)
-    : QObject(parent), m_parts(parts), m_render(render) {}
+MovieRecorder::MovieRecorder(Application& application, RenderService& render, QObject* parent)
+    : QObject(parent), m_application(application), m_render(render) {}
 
 MovieRecorder::~MovieRecorder() {
-    if (!m_work) return;
-    m_work->cancelled = true;
-    std::unique_lock guard(m_work->lock);
-    m_work->recorder = nullptr;
-    m_work->over.wait_for(guard, kLastWait, [this] { return m_work->done; });
+    if (!m_state) return;
+    m_state->cancelled = true;
+    std::unique_lock guard(m_state->lock);
+    m_state->recorder = nullptr;
+    m_state->over.wait_for(guard, kLastWait, [this] { return m_state->done; });
 }
 
 void MovieRecorder::cancel() {
-    if (m_work) m_work->cancelled = true;
+    if (m_state) m_state->cancelled = true;
 }
 
 void MovieRecorder::start(MovieJob job) {
-    if (m_work) return;
-    m_work = std::make_shared<Work>();
-    m_work->parts = &m_parts;
-    m_work->render = &m_render;
-    m_work->recorder = this;
-    std::thread([work = m_work, job = std::move(job)] {
-        letOthersGoFirst();
-        record(*work, job);
-        const std::scoped_lock guard(work->lock);
-        work->done = true;
-        work->over.notify_all();
+    if (m_state) return;
+    m_state = std::make_shared<MovieState>();
+    m_state->application = &m_application;
+    m_state->render = &m_render;
+    m_state->recorder = this;
+    std::thread([state = m_state, job = std::move(job)] {
+        lowerThreadPriority();
+        record(*state, job);
+        const std::scoped_lock guard(state->lock);
+        state->done = true;
+        state->over.notify_all();
     }).detach();
 }
 
-void MovieRecorder::record(Work& work, const MovieJob& job) {
-    const Result<bool> whole = film(work, job);
-    const bool cancelled = work.cancelled && !(whole && whole.value()); // too late where the movie is whole
+void MovieRecorder::record(MovieState& state, const MovieJob& job) {
+    const Result<bool> whole = film(state, job);
+    const bool cancelled = state.cancelled && !(whole && whole.value()); // cancelled too late if the movie is complete
     const QString failure = whole || cancelled ? QString() : QString::fromStdString(whole.error().message);
-    work.tell([failure, cancelled](MovieRecorder& recorder) {
-        recorder.m_work.reset();
+    state.post([failure, cancelled](MovieRecorder& recorder) {
+        recorder.m_state.reset();
         Q_EMIT recorder.finished(failure, cancelled);
     });
 }
 
-/// Whether the movie is whole; false where it was cancelled.
-Result<bool> MovieRecorder::film(Work& work, const MovieJob& job) {
+/// True if the movie is complete; false if it was cancelled.
+Result<bool> MovieRecorder::film(MovieState& state, const MovieJob& job) {
     Result<std::unique_ptr<MovieFile>> movie = MovieFile::open(job.path, job.framesPerSecond);
     if (!movie) return movie.error();
     Diagnostics problems;
-    const std::unique_ptr<Runner> runner = work.parts->makeRunner(*job.loaded, RunOptions{}, problems); // writes no logs
+    const std::unique_ptr<Runner> runner = state.application->makeRunner(*job.loaded, RunOptions{}, problems); // writes no logs
     if (!runner) {
         for (const Diagnostic& problem : problems.all())
             if (problem.severity == Severity::Error) return Error{problem.code, problem.message};
@@ -93,40 +93,40 @@ Result<bool> MovieRecorder::film(Work& work, const MovieJob& job) {
     }
     const double tick = job.loaded->experiment->settings.tick;
     const std::uint64_t first = ticksFor(job.begin, tick), last = std::max(first, ticksFor(job.end, tick));
-    FrameDrawer drawer(job.loaded->experiment, *work.render);
+    CameraImageRenderer drawer(job.loaded->experiment, *state.render);
     const PoseReader reader(*job.loaded->experiment, runner->world().layout());
     std::size_t done = 0;
-    auto told = std::chrono::steady_clock::now();
+    auto reported = std::chrono::steady_clock::now();
     const auto addPicture = [&](double time) -> Status {
-        if (!job.camera.empty()) { // what the robot gets of it: with an UpdatePeriod, its newest
-            const Result<const Frame*> frame = runner->cameras().capture(job.camera);
+        if (!job.camera.empty()) { // the image that the robot has: with an UpdatePeriod, the newest
+            const Result<const CameraImage*> frame = runner->cameras().capture(job.camera);
             return frame ? movie.value()->add(*frame.value(), time, tick) : Status(frame.error());
         }
         auto poses = std::make_shared<BodyPoses>();
         reader.read(runner->world().block(), *poses);
         PictureRequest request = job.look;
         request.view = job.view(*poses);
-        const Result<Frame> frame =
+        const Result<CameraImage> frame =
             drawer.picture(std::move(request), {std::move(poses), runner->world().ticks(), runner->world().time()});
         return frame ? movie.value()->add(frame.value(), time, tick) : Status(frame.error());
     };
-    while (!work.cancelled) {
+    while (!state.cancelled) {
         const std::uint64_t now = runner->world().ticks();
         const double time = (static_cast<double>(now) - static_cast<double>(first)) * tick;
         if (now >= first && movie.value()->isDue(time, tick)) {
             if (Status added = addPicture(time); !added) return added.error();
         }
         if (now >= last || runner->finished()) break;
-        if (const auto since = std::chrono::steady_clock::now(); since - told > std::chrono::milliseconds(50)) {
-            told = since;
-            work.tell([pictures = movie.value()->frames(), at = runner->world().time()](MovieRecorder& recorder) {
+        if (const auto since = std::chrono::steady_clock::now(); since - reported > std::chrono::milliseconds(50)) {
+            reported = since;
+            state.post([pictures = movie.value()->frames(), at = runner->world().time()](MovieRecorder& recorder) {
                 Q_EMIT recorder.progressed(pictures, at);
             });
         }
         for (; done < job.commands.size() && job.commands[done].tick <= now; ++done) runner->command(job.commands[done].what);
         if (Status ticked = runner->tick(); !ticked) return ticked.error();
     }
-    if (work.cancelled) return false;
+    if (state.cancelled) return false;
     if (Status finished = movie.value()->finish(); !finished) return finished.error();
     return true;
 }

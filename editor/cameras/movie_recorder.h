@@ -1,5 +1,6 @@
 #pragma once
-// A movie of an experiment: run once more beside the window, as fast as it goes, and drawn at exact simulated times.
+// Records a movie of an experiment: simulates it again in a worker thread, as fast as possible, and renders it at exact
+// simulated times.
 
 #include <functional>
 #include <memory>
@@ -8,55 +9,55 @@
 
 #include <QObject>
 
-#include "parts/parts.h"
+#include "app/application.h"
 #include "render/service.h"
 #include "run/command.h"
 
 namespace trundle {
 
-/// Where to look from while bodies stand so.
+/// The camera view for given poses of the bodies.
 using MovingView = std::function<CameraView(const BodyPoses& poses)>;
 
 struct MovieJob {
-    std::shared_ptr<const Loaded> loaded; ///< what runs
-    std::vector<Command> commands;        ///< what was done by hand in the run that is repeated
-    double begin = 0, end = 0;            ///< s, simulated
-    std::string camera;                   ///< "robot0/eye"; or empty, and then:
+    std::shared_ptr<const LoadedProject> loaded; ///< the experiment to run
+    std::vector<Command> commands;        ///< commands given in the run that is repeated
+    double begin = 0, end = 0;            ///< simulated s
+    std::string camera;                   ///< "robot0/eye"; if empty, `view` and `look` are used:
     MovingView view;
-    PictureRequest look; ///< size, what is drawn and what is hidden; scene, view and poses do not matter
+    PictureRequest look; ///< size, overlays and hidden objects; scene, view and poses are ignored
     double framesPerSecond = 30;
-    std::string path; ///< .mp4 or .webm; there only once the movie is whole
+    std::string path; ///< .mp4 or .webm; written to this path only when complete
 
     [[nodiscard]] std::uint64_t frameCount() const;
 };
 
-/// At most one movie at a time.
+/// Records at most one movie at a time.
 class MovieRecorder final : public QObject {
     Q_OBJECT
 public:
-    /// Both outlive this.
-    MovieRecorder(Parts& parts, RenderService& render, QObject* parent = nullptr);
-    /// Waits at most two seconds; a controller that does not come back is left behind.
+    /// Both must outlive this object.
+    MovieRecorder(Application& application, RenderService& render, QObject* parent = nullptr);
+    /// Waits at most two seconds; a controller that does not return is abandoned.
     ~MovieRecorder() override;
 
     void start(MovieJob job);
-    /// After the picture in work: finished() follows, and nothing is left of the movie.
+    /// Takes effect after the current image: finished() follows, and the incomplete movie is deleted.
     void cancel();
-    [[nodiscard]] bool isRecording() const { return m_work != nullptr; }
+    [[nodiscard]] bool isRecording() const { return m_state != nullptr; }
 
 Q_SIGNALS:
-    /// While it runs up to the beginning, 0 pictures.
+    /// 0 images while it simulates up to the beginning.
     void progressed(quint64 pictures, double time);
-    void finished(const QString& failure, bool cancelled); ///< both empty and false: the movie is written
+    void finished(const QString& failure, bool cancelled); ///< empty and false: the movie was written
 
 private:
-    struct Work;
-    static void record(Work& work, const MovieJob& job);
-    static Result<bool> film(Work& work, const MovieJob& job);
+    struct MovieState;
+    static void record(MovieState& state, const MovieJob& job);
+    static Result<bool> film(MovieState& state, const MovieJob& job);
 
-    Parts& m_parts;
+    Application& m_application;
     RenderService& m_render;
-    std::shared_ptr<Work> m_work;
+    std::shared_ptr<MovieState> m_state;
 };
 
 } // namespace trundle

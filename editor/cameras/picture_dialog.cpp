@@ -17,13 +17,13 @@
 
 namespace trundle {
 
-/// Where the render thread leaves word. It outlives the dialog.
+/// Lets the render thread reach the dialog if it still exists. Outlives the dialog.
 struct PictureDialog::Inbox {
     std::mutex lock;
     PictureDialog* dialog = nullptr;
 };
 
-PictureDialog::PictureDialog(RenderService& render, Still still, QSize shown, const QString& file, QWidget* parent)
+PictureDialog::PictureDialog(RenderService& render, PictureSource still, QSize shown, const QString& file, QWidget* parent)
     : QDialog(parent), m_render(render), m_still(std::move(still)), m_inbox(std::make_shared<Inbox>()),
       m_size(new SizeChoice(shown)), m_file(new QLineEdit(QDir::toNativeSeparators(file))), m_words(new QLabel) {
     m_inbox->dialog = this;
@@ -53,7 +53,7 @@ PictureDialog::PictureDialog(RenderService& render, Still still, QSize shown, co
     m_save->setObjectName(QStringLiteral("pictureSave"));
     column->addWidget(buttons);
     for (QPushButton* button : findChildren<QPushButton*>())
-        button->setAutoDefault(false); // or Enter would press what has the focus
+        button->setAutoDefault(false); // else Enter would press the focused button
     m_save->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_save, &QPushButton::clicked, this, &PictureDialog::save);
@@ -72,12 +72,12 @@ void PictureDialog::showReady() {
     const QString ending = file.suffix().toLower();
     QString why;
     if (ending != QStringLiteral("png") && ending != QStringLiteral("jpg") && ending != QStringLiteral("jpeg"))
-        why = tr("The name of the file ends in .png or .jpg.");
-    else if (!file.absoluteDir().exists()) why = tr("There is no such folder.");
+        why = tr("The file name must end in .png or .jpg.");
+    else if (!file.absoluteDir().exists()) why = tr("The folder does not exist.");
     m_save->setEnabled(why.isEmpty());
     m_words->setText(!why.isEmpty()  ? why
-                     : file.exists() ? tr("The file is there already and will be replaced.")
-                                     : tr("What the view shows, without marks and handles."));
+                     : file.exists() ? tr("The file exists and will be replaced.")
+                                     : tr("The view without selection marks and handles."));
 }
 
 void PictureDialog::browse() {

@@ -13,13 +13,14 @@ namespace trundle {
 
 class SizeChoice;
 
-/// Asks how large a picture of a view is to be and where it goes, then draws and writes it.
+/// Asks for the size and file of an image of a viewport, then renders and writes it.
 class PictureDialog final : public QDialog {
     Q_OBJECT
 public:
-    using Still = std::function<PictureRequest(std::uint32_t width, std::uint32_t height)>;
-    /// `still` gives what is drawn in each size, as things stand when it is asked. The service outlives this.
-    PictureDialog(RenderService& render, Still still, QSize shown, const QString& file, QWidget* parent);
+    using PictureSource = std::function<PictureRequest(std::uint32_t width, std::uint32_t height)>;
+    /// `still` returns the request for an image of a given size, with the state at the time of the call. The service outlives
+    /// this.
+    PictureDialog(RenderService& render, PictureSource still, QSize shown, const QString& file, QWidget* parent);
     ~PictureDialog() override;
 
 Q_SIGNALS:
@@ -35,7 +36,7 @@ private:
     void take(const QString& path, const QString& failure);
 
     RenderService& m_render;
-    Still m_still;
+    PictureSource m_still;
     std::shared_ptr<Inbox> m_inbox;
     SizeChoice* m_size;
     QLineEdit* m_file;

@@ -15,7 +15,7 @@ QSpinBox* side(const char* name, const QString& words) {
     auto* box = new QSpinBox;
     box->setObjectName(QLatin1String(name));
     box->setAccessibleName(words);
-    box->setRange(16, int(kMostPixels));
+    box->setRange(16, int(kMaxPixels));
     box->setGroupSeparatorShown(false);
     return box;
 }
@@ -28,7 +28,7 @@ SizeChoice::SizeChoice(QSize shown, QWidget* parent)
     setObjectName(QStringLiteral("sizeChoice"));
     m_named->setObjectName(QStringLiteral("pictureSize"));
     m_named->setAccessibleName(tr("Size"));
-    if (!shown.isEmpty()) m_named->addItem(tr("As on the screen"), shown);
+    if (!shown.isEmpty()) m_named->addItem(tr("Screen size"), shown);
     m_named->addItem(tr("HD"), QSize(1280, 720));
     m_named->addItem(tr("Full HD"), QSize(1920, 1080));
     m_named->addItem(tr("4K"), QSize(3840, 2160));

@@ -7,11 +7,11 @@ class QSpinBox;
 
 namespace trundle {
 
-/// How large a picture is to be: a few usual sizes, or any up to what can be drawn.
+/// Selects the size of an image: a few common sizes, or any up to the renderer's limit.
 class SizeChoice final : public QWidget {
     Q_OBJECT
 public:
-    /// `shown`: of the view on the screen; not offered where it is empty.
+    /// `shown`: size of the viewport; not offered if empty.
     explicit SizeChoice(QSize shown, QWidget* parent = nullptr);
     [[nodiscard]] QSize size() const;
     void setSize(QSize size);

@@ -4,12 +4,13 @@
 
 namespace trundle {
 
-/// Files that are no texts, that the texts name, and that would not be found from another place.
+/// Files other than texts that the texts refer to by a path that would not resolve from the new location; saveAs() copies
+/// them.
 struct Companions {
-    std::vector<std::string> files, modules; ///< absolute: meshes and pictures; libraries
+    std::vector<std::string> files, modules; ///< absolute; files: meshes and images; modules: shared libraries
     [[nodiscard]] bool empty() const { return files.empty() && modules.empty(); }
 };
-/// Name: the text gives the whole path of the module where it is, and it is not copied.
+/// Make: modules are copied. Name: the text gets the module's absolute path and nothing is copied.
 enum class ModuleCopies { Make, Name };
 
 } // namespace trundle

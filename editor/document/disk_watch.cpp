@@ -6,7 +6,7 @@
 namespace trundle {
 
 namespace {
-constexpr int kCalmMs = 60; ///< without a sign, before anyone is told
+constexpr int kCalmMs = 60; ///< delay after the last file system event before listeners are notified
 }
 
 DiskWatch::DiskWatch(QObject* parent) : QObject(parent) {
@@ -16,7 +16,7 @@ DiskWatch::DiskWatch(QObject* parent) : QObject(parent) {
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, sign);
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, sign);
     connect(&m_calm, &QTimer::timeout, this, [this] {
-        addMissing(); // a file that was replaced is no longer watched
+        addMissing(); // a replaced file is no longer watched: add it again
         Q_EMIT touched();
     });
 }

@@ -8,13 +8,14 @@
 
 namespace trundle {
 
-/// Says that one of some files may have changed on the disk: a moment after the last sign of it, so that a program that writes in
-/// steps is done. A file that is replaced by another of its name goes on being watched.
+/// Reports that one of the watched files may have changed on disk. The signal is delayed until the file system events stop,
+/// so that a program that writes in several steps has finished. A file that is replaced by another of the same name stays
+/// watched.
 class DiskWatch final : public QObject {
     Q_OBJECT
 public:
     explicit DiskWatch(QObject* parent = nullptr);
-    void watch(const std::vector<std::string>& files); ///< these and no others
+    void watch(const std::vector<std::string>& files); ///< replaces the previous list
 
 Q_SIGNALS:
     void touched();
@@ -22,7 +23,7 @@ Q_SIGNALS:
 private:
     void addMissing();
 
-    QStringList m_wanted; // files and their folders
+    QStringList m_wanted; // files and the folders that contain them
     QFileSystemWatcher m_watcher;
     QTimer m_calm;
 };

@@ -12,12 +12,14 @@ namespace trundle {
 
 namespace fs = std::filesystem;
 
-Document::Document(Parts& parts, QObject* parent) : QObject(parent), m_parts(parts), m_state(std::make_unique<State>()) {
+Document::Document(Application& application, QObject* parent)
+    : QObject(parent), m_application(application), m_state(std::make_unique<State>()) {
     m_state->structure = std::make_unique<StructureEdits>(*this);
-    m_state->pool.setMaxThreadCount(4); // a file that is slow to read does not keep the next one waiting
-    connect(&m_state->watch, &DiskWatch::touched, this, &Document::lookAtDisk);
-    connect(&m_state->journal, &JournalKeeper::failed, this,
-            [this](const QString& reason) { Q_EMIT notice(tr("Unsaved edits are not kept against a crash: %1").arg(reason)); });
+    m_state->pool.setMaxThreadCount(4); // one slow file does not block the next
+    connect(&m_state->watch, &DiskWatch::touched, this, &Document::checkExternalChanges);
+    connect(&m_state->journal, &JournalWriter::failed, this, [this](const QString& reason) {
+        Q_EMIT notice(tr("Unsaved edits cannot be recovered after a crash: %1").arg(reason));
+    });
 }
 
 Document::~Document() = default;
@@ -35,7 +37,7 @@ Status Document::open(const std::string& path) {
     OpenOptions options = m_options;
     options.shownFromProject = true;
     const std::string absolute = canonicalPath(path);
-    Result<std::shared_ptr<const Loaded>> loaded = m_parts.open(absolute, options);
+    Result<std::shared_ptr<const LoadedProject>> loaded = m_application.open(absolute, options);
     if (!loaded) return loaded.error();
     start(absolute, {}, std::move(loaded).value());
     return {};
@@ -47,7 +49,7 @@ void Document::openLater(const std::string& path) {
     OpenOptions options = m_options;
     options.shownFromProject = true;
     m_state->pool.start([this, absolute, options, opening = ++m_state->openings] {
-        auto loaded = m_parts.open(absolute, options);
+        auto loaded = m_application.open(absolute, options);
         const auto deliver = [this, absolute, opening, loaded = std::move(loaded)] {
             if (opening != m_state->openings) return;
             if (!loaded) {
@@ -59,7 +61,7 @@ void Document::openLater(const std::string& path) {
             const auto begin = [this, absolute, opening, loaded] {
                 if (opening == m_state->openings) start(absolute, {}, loaded.value());
             };
-            QTimer::singleShot(1, this, begin); // one of 0 is a posted event: no mouse, no key would come between
+            QTimer::singleShot(1, this, begin); // not 0: a posted event would run before mouse and key events
         };
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
     });
@@ -69,7 +71,7 @@ void Document::cancelOpening() {
     ++m_state->openings;
     m_opening.clear();
     Q_EMIT openingCancelled();
-    lookAtDisk(); // that was put off
+    checkExternalChanges(); // postponed while opening
 }
 
 Status Document::openNew(const std::string& name, const std::string& text) {
@@ -78,19 +80,20 @@ Status Document::openNew(const std::string& name, const std::string& text) {
     OpenOptions options = m_options;
     options.shownFromProject = true;
     options.texts.emplace(path, std::make_shared<const std::string>(text));
-    Result<std::shared_ptr<const Loaded>> loaded = m_parts.open(path, options);
+    Result<std::shared_ptr<const LoadedProject>> loaded = m_application.open(path, options);
     if (!loaded) return loaded.error();
     start(path, name, std::move(loaded).value());
     return {};
 }
 
-// A mesh that an edit names for the first time, or that is another one now, is read in a thread; then the texts are read again.
+// A mesh that an edit refers to for the first time, or that changed on disk, is read in a worker thread; then the texts are
+// reloaded.
 void Document::readNamed() {
     if (std::exchange(m_state->readsNamed, true)) return;
     OpenOptions options = optionsNow();
     options.meshesLater = false;
     m_state->pool.start([this, path = m_state->opened, options = std::move(options), opening = m_state->openings] {
-        (void)m_parts.open(path, options); // what it read is kept
+        (void)m_application.open(path, options); // for its side effect: it fills the mesh cache
         const auto deliver = [this, opening] {
             m_state->readsNamed = false;
             if (isOpen() && (opening == m_state->openings || m_loaded->pending)) readAgain();
@@ -101,7 +104,7 @@ void Document::readNamed() {
 
 void Document::close() { start({}, {}, nullptr); }
 
-void Document::start(const std::string& path, const std::string& name, std::shared_ptr<const Loaded> loaded) {
+void Document::start(const std::string& path, const std::string& name, std::shared_ptr<const LoadedProject> loaded) {
     ++m_state->openings;
     m_opening.clear();
     m_state->journal.stop();
@@ -109,12 +112,12 @@ void Document::start(const std::string& path, const std::string& name, std::shar
     m_state->name = name;
     m_state->files.clear();
     m_history.clear();
-    m_lastGood = nullptr;
+    m_lastValid = nullptr;
     m_loaded = nullptr;
     ++m_revision;
     if (loaded) adopt(std::move(loaded));
-    m_state->saidModified.clear();
-    if (isOpen()) m_state->journal.start(workPlace(), {m_state->opened, m_state->name});
+    m_state->reportedModified.clear();
+    if (isOpen()) m_state->journal.start(journalFolder(), {m_state->opened, m_state->name});
     lock();
     Q_EMIT opened();
     Q_EMIT changed();
@@ -122,14 +125,14 @@ void Document::start(const std::string& path, const std::string& name, std::shar
     Q_EMIT modifiedChanged();
 }
 
-void Document::adopt(std::shared_ptr<const Loaded> loaded) {
+void Document::adopt(std::shared_ptr<const LoadedProject> loaded) {
     m_loaded = std::move(loaded);
-    if (!m_loaded->diagnostics.hasErrors()) m_lastGood = m_loaded;
+    if (!m_loaded->diagnostics.hasErrors()) m_lastValid = m_loaded;
     for (FileId file = 0; file < m_loaded->paths.size(); ++file) {
         const std::string& path = m_loaded->paths[file];
         if (!path.empty()) m_state->files.take(path, m_loaded->trees[file]->source().bytes());
     }
-    sayWatched();
+    updateWatchedFiles();
     if (m_loaded->pending) readNamed();
 }
 
@@ -149,16 +152,16 @@ void Document::readAgain() {
 
 StructureEdits& Document::structure() const { return *m_state->structure; }
 
-Result<std::shared_ptr<const Loaded>> Document::loadedWith(const FileTexts& texts) const {
+Result<std::shared_ptr<const LoadedProject>> Document::loadedWith(const FileTexts& texts) const {
     OpenOptions options = optionsNow();
     for (const auto& [file, text] : texts) options.texts.insert_or_assign(file, text);
-    return m_parts.open(m_state->opened, options);
+    return m_application.open(m_state->opened, options);
 }
 
-Result<std::shared_ptr<const Loaded>> Document::loadedFrom(const std::string& file) const {
+Result<std::shared_ptr<const LoadedProject>> Document::loadedFrom(const std::string& file) const {
     OpenOptions options = optionsNow();
-    options.previous = nullptr; // of another opened file
-    return m_parts.open(file, options);
+    options.previous = nullptr; // it belongs to another opened file
+    return m_application.open(file, options);
 }
 
 std::string Document::path() const { return m_state->isNew() ? m_state->name : m_state->opened; }
@@ -183,7 +186,7 @@ std::string Document::shown(const std::string& file) const {
 }
 
 bool Document::isSample(const std::string& file) const {
-    const std::string& folder = m_parts.locations().configs;
+    const std::string& folder = m_application.locations().configs;
     return !folder.empty() && canonicalPath(file).starts_with(canonicalPath(folder) + "/");
 }
 

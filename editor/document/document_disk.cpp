@@ -11,7 +11,7 @@ namespace trundle {
 
 namespace {
 
-/// Whether the disk holds these bytes, compared without keeping what is read.
+/// Whether the file has exactly these bytes. Reads in pieces, so that it is never in memory as a whole.
 bool isOnDisk(const std::string& path, const std::string& bytes) {
     const Result<FileStamp> stamp = regularFileStamp(path);
     if (!stamp || stamp.value().size != bytes.size()) return false;
@@ -30,31 +30,32 @@ constexpr std::size_t kLargeText = std::size_t(1) << 20; // bytes
 
 } // namespace
 
-void Document::lookAtDisk() {
+void Document::checkExternalChanges() {
     if (!isOpen() || isOpening()) return;
-    askForProject();
+    requestProject();
     std::vector<std::string> known;
     for (const auto& [path, file] : m_state->files.all())
         if (!isNew() || path != m_state->opened) known.push_back(path);
     for (const std::string& path : known) {
         OpenFile* file = m_state->files.find(path);
-        if (!file) return; // who heard of the last one has closed the project
+        if (!file) return; // a slot connected to the last notification has closed the project
         std::error_code none;
         if (!std::filesystem::exists(path, none)) {
-            if (file->made && file->disk->empty()) continue; // it was never there
+            if (file->made && file->disk->empty()) continue; // it was never on disk
             if (!std::exchange(file->gone, true))
-                Q_EMIT notice(tr("%1 is gone from the disk; saving writes it again").arg(QString::fromStdString(shown(path))));
+                Q_EMIT notice(
+                    tr("%1 was deleted by another program; saving writes it again").arg(QString::fromStdString(shown(path))));
         } else if (file->disk->size() > kLargeText && !file->theirs && isOnDisk(path, *file->disk)) {
             file->gone = false;
         } else if (Result<std::string> bytes = readRegularFile(path); bytes) {
-            noteDisk(path, std::make_shared<const std::string>(std::move(bytes).value()));
+            applyExternalChange(path, std::make_shared<const std::string>(std::move(bytes).value()));
         }
     }
-    sayModified();
+    notifyModified();
     if (isOpen() && isNamedStale()) readNamed();
 }
 
-/// Whether a mesh or a picture is another one than was read, or one that was not found may be there now.
+/// Whether a mesh or an image changed since it was read, or a missing one may exist now.
 bool Document::isNamedStale() const {
     for (const auto& [use, file] : m_loaded->named) {
         if (file.path.empty()) return true;
@@ -64,7 +65,7 @@ bool Document::isNamedStale() const {
     return std::ranges::any_of(m_loaded->diagnostics.all(), [](const Diagnostic& d) { return d.code == Code::ImportNotFound; });
 }
 
-void Document::noteDisk(const std::string& path, SharedText bytes) {
+void Document::applyExternalChange(const std::string& path, SharedText bytes) {
     OpenFile& file = *m_state->files.find(path);
     file.gone = false;
     if (*bytes == *file.disk) {
@@ -82,7 +83,7 @@ void Document::noteDisk(const std::string& path, SharedText bytes) {
     file.theirs = nullptr;
     file.disk = std::move(bytes);
     m_history.endMerge();
-    (void)answer(enter(tr("Changed on disk"), {{path, std::make_shared<const std::string>(std::move(*merged))}}, {}));
+    (void)reportFailure(enter(tr("Changed on disk"), {{path, std::make_shared<const std::string>(std::move(*merged))}}, {}));
 }
 
 FileTexts Document::diskChanges() const {
@@ -92,24 +93,24 @@ FileTexts Document::diskChanges() const {
     return changes;
 }
 
-Status Document::resolveDiskChange(const std::string& path, Keep keep) {
+Status Document::resolveDiskChange(const std::string& path, Resolution resolution) {
     OpenFile* file = m_state->files.find(path);
     if (!file || !file->theirs) return {};
     const SharedText theirs = std::exchange(file->theirs, nullptr);
     file->disk = theirs;
     Status taken;
-    if (keep == Keep::Theirs) taken = enter(tr("Changed on disk"), {{path, theirs}}, {});
-    sayModified();
-    return answer(taken);
+    if (resolution == Resolution::Theirs) taken = enter(tr("Changed on disk"), {{path, theirs}}, {});
+    notifyModified();
+    return reportFailure(taken);
 }
 
-void Document::sayWatched() {
+void Document::updateWatchedFiles() {
     std::vector<std::string> files;
     for (const auto& [path, file] : m_state->files.all())
         if (!isNew() || path != m_state->opened) files.push_back(path);
     for (const auto& [use, file] : m_loaded->named) {
         if (!file.path.empty()) files.push_back(file.path);
-        else if (use.first < m_loaded->paths.size()) // where it is looked for first
+        else if (use.first < m_loaded->paths.size()) // the first place where it is searched for
             files.push_back((std::filesystem::path(m_loaded->paths[use.first]).parent_path() / use.second).string());
     }
     m_state->watch.watch(files);

@@ -15,7 +15,7 @@ namespace trundle {
 
 namespace {
 
-/// Where the new texts of edits stand once all of them are done.
+/// The ranges that the edits' new texts have after all edits are applied.
 std::vector<SourceRange> placesAfter(FileId file, std::vector<TextEdit> edits) {
     std::ranges::stable_sort(edits, {}, [](const TextEdit& edit) { return edit.range.range.begin; });
     std::vector<SourceRange> places;
@@ -29,8 +29,9 @@ std::vector<SourceRange> placesAfter(FileId file, std::vector<TextEdit> edits) {
     return places;
 }
 
-/// Why values cannot stand at these places: an error in one of them, or one elsewhere that comes of it. "" where they can.
-std::string reasonAgainst(const Loaded& loaded, const std::vector<SourceRange>& places) {
+/// Why values are invalid at these ranges: an error inside one of them, or an error elsewhere that they cause. "" if they are
+/// valid.
+std::string reasonAgainst(const LoadedProject& loaded, const std::vector<SourceRange>& places) {
     const auto inPlace = [&](const SourceRange& range) {
         return std::ranges::any_of(places, [&](const SourceRange& place) {
             return place.file == range.file && place.range.begin <= range.range.begin && range.range.end <= place.range.end;
@@ -39,7 +40,7 @@ std::string reasonAgainst(const Loaded& loaded, const std::vector<SourceRange>& 
     std::string reason;
     for (const Diagnostic& d : loaded.diagnostics.all()) {
         if (d.severity != Severity::Error) continue;
-        if (loaded.pending && d.code == Code::MeshUnreadable) continue; // not read yet; then it is said in the text
+        if (loaded.pending && d.code == Code::MeshUnreadable) continue; // not read yet; an error is reported after reading
         if (inPlace(d.range)) return d.message;
         const bool comesOfIt = std::ranges::any_of(d.notes, [&](const auto& note) { return inPlace(note.second); });
         if (comesOfIt && reason.empty()) reason = d.message;
@@ -47,27 +48,27 @@ std::string reasonAgainst(const Loaded& loaded, const std::vector<SourceRange>& 
     return reason;
 }
 
-/// A file that is not there yet can be made where the project has its files.
-Status mayMake(const std::string& path, const std::string& folder) {
+/// Fails if a file that does not exist cannot be created in the project's folders.
+Status checkCreatable(const std::string& path, const std::string& folder) {
     std::error_code none;
     if (canonicalPath(path) != path || !path.starts_with(canonicalPath(folder) + "/"))
         return Error{Code::Internal, path + " is no file of this project"};
-    if (std::filesystem::exists(path, none)) return Error{Code::DuplicateName, path + " is there already"};
+    if (std::filesystem::exists(path, none)) return Error{Code::DuplicateName, path + " already exists"};
     return {};
 }
 
 } // namespace
 
-Status Document::answer(Status status) {
+Status Document::reportFailure(Status status) {
     if (!status) Q_EMIT refused(QString::fromStdString(status.error().message));
     return status;
 }
 
-Status Document::mayEdit() {
+Status Document::checkEditable() {
     if (!isOpen()) return Error{Code::Internal, "nothing is open"};
     if (isOpening()) return Error{Code::Internal, "another file is being opened"};
-    askForProject();
-    if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyReason()};
+    requestProject();
+    if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyMessage()};
     return {};
 }
 
@@ -79,12 +80,12 @@ Status Document::mayChange(const FileEdits& edits) const {
     return {};
 }
 
-Status Document::put(const FileTexts& texts, const Judge& judge) {
+Status Document::put(const FileTexts& texts, const Validator& validate) {
     FileTexts before;
     for (const auto& [file, text] : texts) before.emplace(file, m_state->files.text(file));
     m_state->files.setTexts(texts);
-    Result<std::shared_ptr<const Loaded>> loaded = m_parts.open(m_state->opened, optionsNow());
-    std::string reason = loaded && judge ? judge(*loaded.value()) : std::string();
+    Result<std::shared_ptr<const LoadedProject>> loaded = m_application.open(m_state->opened, optionsNow());
+    std::string reason = loaded && validate ? validate(*loaded.value()) : std::string();
     if (!loaded || !reason.empty()) {
         m_state->files.setTexts(before);
         return loaded ? Error{Code::OutOfRange, std::move(reason)} : loaded.error();
@@ -94,7 +95,7 @@ Status Document::put(const FileTexts& texts, const Judge& judge) {
     return {};
 }
 
-Status Document::enter(const QString& name, FileTexts after, const std::string& mergeKey, const Judge& judge) {
+Status Document::enter(const QString& name, FileTexts after, const std::string& mergeKey, const Validator& validate) {
     HistoryEntry entry{name, {}, {}, mergeKey};
     for (auto& [file, text] : after) {
         const SharedText before = m_state->files.text(file);
@@ -104,16 +105,16 @@ Status Document::enter(const QString& name, FileTexts after, const std::string& 
         entry.after.emplace(file, std::move(text));
     }
     if (entry.after.empty()) return {};
-    if (Status put = this->put(entry.after, judge); !put) return put;
+    if (Status put = this->put(entry.after, validate); !put) return put;
     m_history.push(std::move(entry));
-    sayEdited();
+    notifyEdited();
     return {};
 }
 
-void Document::sayEdited() {
+void Document::notifyEdited() {
     Q_EMIT changed();
     Q_EMIT historyChanged();
-    sayModified();
+    notifyModified();
 }
 
 Result<FileTexts> Document::textsAfter(const FileEdits& edits) const {
@@ -130,69 +131,69 @@ Result<FileTexts> Document::textsAfter(const FileEdits& edits) const {
 }
 
 Status Document::edit(const QString& name, const FileEdits& edits, const std::string& mergeKey) {
-    if (Status may = mayEdit(); !may) return answer(may);
-    if (Status may = mayChange(edits); !may) return answer(may);
+    if (Status may = checkEditable(); !may) return reportFailure(may);
+    if (Status may = mayChange(edits); !may) return reportFailure(may);
     Result<FileTexts> after = textsAfter(edits);
-    return answer(after ? enter(name, std::move(after).value(), mergeKey) : Status(after.error()));
+    return reportFailure(after ? enter(name, std::move(after).value(), mergeKey) : Status(after.error()));
 }
 
 Status Document::replaceText(const QString& name, const std::string& file, std::string bytes, const std::string& mergeKey) {
-    if (Status may = mayEdit(); !may) return answer(may);
+    if (Status may = checkEditable(); !may) return reportFailure(may);
     const std::string path = isNew() && file == m_state->name ? m_state->opened : file;
     const bool makes = !m_state->files.find(path);
     if (makes) {
-        if (Status may = mayMake(path, m_loaded->projectFolder); !may) return answer(may);
+        if (Status may = checkCreatable(path, m_loaded->projectFolder); !may) return reportFailure(may);
         m_state->files.make(path);
     }
     const Status entered = enter(name, {{path, std::make_shared<const std::string>(std::move(bytes))}}, mergeKey);
     if (makes && !entered) m_state->files.remove(path);
-    return answer(entered);
+    return reportFailure(entered);
 }
 
 Status Document::addText(const std::string& file) {
     if (m_state->files.find(file)) return {};
-    if (!isOpen() || isNew() || isSample(file) || canonicalPath(file) != file || !liesInside(file, {m_loaded->projectFolder}))
+    if (!isOpen() || isNew() || isSample(file) || canonicalPath(file) != file || !isInside(file, {m_loaded->projectFolder}))
         return Error{Code::FileUnreadable, shown(file) + " is no text of this project"};
     const Result<std::string> bytes = readRegularFile(file, kMaxTextBytes);
     if (!bytes) return bytes.error();
     m_state->files.take(file, bytes.value());
-    sayWatched();
+    updateWatchedFiles();
     return {};
 }
 
 Status Document::replaceTexts(const QString& name, const FileTexts& texts, const std::vector<std::string>& selects) {
-    if (Status may = mayEdit(); !may) return answer(may);
+    if (Status may = checkEditable(); !may) return reportFailure(may);
     for (const auto& [file, text] : texts)
-        if (Status added = addText(file); !added) return answer(added);
-    if (Status entered = enter(name, texts, {}); !entered) return answer(entered);
-    if (!selects.empty()) Q_EMIT selectionWanted(selects);
+        if (Status added = addText(file); !added) return reportFailure(added);
+    if (Status entered = enter(name, texts, {}); !entered) return reportFailure(entered);
+    if (!selects.empty()) Q_EMIT selectionRequested(selects);
     return {};
 }
 
-Status Document::carryOut(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey) {
-    if (!plan) return answer(plan.error());
+Status Document::apply(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey) {
+    if (!plan) return reportFailure(plan.error());
     if (Status done = edit(name, plan.value().edits, mergeKey); !done) return done;
-    Q_EMIT selectionWanted(plan.value().selects);
+    Q_EMIT selectionRequested(plan.value().selects);
     return {};
 }
 
 Status Document::setValues(const QString& name, const std::vector<ValueEdit>& values, const std::string& mergeKey) {
-    if (Status may = mayEdit(); !may) return answer(may);
+    if (Status may = checkEditable(); !may) return reportFailure(may);
     std::vector<std::string> asked;
     for (const ValueEdit& value : values) asked.push_back(value.path);
-    // A step of a drag joins the copy by its own key.
+    // All steps of a drag use the copy made under its merge key.
     const bool copies = mergeKey.empty() &&
                         std::ranges::any_of(asked, [&](const std::string& path) { return structure().targetOf(path).isShipped; });
     const std::string key = copies ? "copy " + std::to_string(m_revision) : mergeKey;
     const Result<std::vector<std::string>> paths = structure().pathsForValues(asked, key);
-    if (!paths) return answer(paths.error());
+    if (!paths) return reportFailure(paths.error());
     std::vector<std::string> sets;
     for (std::size_t i = 0; i < values.size(); ++i) sets.push_back(paths.value()[i] + "=" + values[i].text);
-    const Status done = answer(enterSets(name, sets, key));
+    const Status done = reportFailure(enterSets(name, sets, key));
     if (key == mergeKey) return done;
-    if (!done) withdraw(key);
+    if (!done) discardMerge(key);
     endMerge();
-    if (done) Q_EMIT selectionWanted({paths.value()[0].substr(0, paths.value()[0].rfind('.'))});
+    if (done) Q_EMIT selectionRequested({paths.value()[0].substr(0, paths.value()[0].rfind('.'))});
     return done;
 }
 
@@ -205,22 +206,23 @@ Status Document::enterSets(const QString& name, const std::vector<std::string>& 
     std::vector<SourceRange> places;
     for (const auto& [file, changes] : edits.value())
         for (const SourceRange& place : placesAfter(file, changes)) places.push_back(place);
-    // Read once, with the values in their places: a drag does this with every step.
-    return enter(name, std::move(after).value(), mergeKey, [&](const Loaded& tried) { return reasonAgainst(tried, places); });
+    // Loads once, with the values applied: a drag does this on every step.
+    return enter(name, std::move(after).value(), mergeKey,
+                 [&](const LoadedProject& tried) { return reasonAgainst(tried, places); });
 }
 
 void Document::endMerge() { m_history.endMerge(); }
 
-void Document::withdraw(const std::string& mergeKey) {
-    if (!m_history.canWithdraw(mergeKey)) return;
+void Document::discardMerge(const std::string& mergeKey) {
+    if (!m_history.canDiscardMerge(mergeKey)) return;
     const std::size_t before = m_history.position();
     if (const Status back = put(m_history.moveTo(before - 1)); !back) {
         (void)m_history.moveTo(before);
-        (void)answer(back);
+        (void)reportFailure(back);
         return;
     }
-    m_history.dropWithdrawn();
-    sayEdited();
+    m_history.dropDiscarded();
+    notifyEdited();
 }
 
 void Document::undo() {
@@ -232,18 +234,18 @@ void Document::redo() {
 }
 
 void Document::moveTo(std::size_t position) {
-    if (const Status may = mayEdit(); !may) {
-        (void)answer(may);
+    if (const Status may = checkEditable(); !may) {
+        (void)reportFailure(may);
         return;
     }
     const std::size_t before = m_history.position();
     if (std::min(position, m_history.entries().size()) == before) return;
     if (const Status moved = put(m_history.moveTo(position)); !moved) {
         (void)m_history.moveTo(before);
-        (void)answer(moved);
+        (void)reportFailure(moved);
         return;
     }
-    sayEdited();
+    notifyEdited();
 }
 
 } // namespace trundle

@@ -30,12 +30,12 @@ std::vector<std::string> Document::modifiedFiles() const {
     return files;
 }
 
-void Document::sayModified() {
+void Document::notifyModified() {
     m_state->journal.later();
     const std::vector<std::string> modified = m_state->files.modified();
     std::set<std::string> now(modified.begin(), modified.end());
-    if (now == m_state->saidModified) return;
-    m_state->saidModified = std::move(now);
+    if (now == m_state->reportedModified) return;
+    m_state->reportedModified = std::move(now);
     Q_EMIT modifiedChanged();
 }
 
@@ -45,49 +45,50 @@ std::vector<std::string> Document::modifiedSamples() const {
     return samples;
 }
 
-Status Document::mayWrite(const std::vector<std::string>& files) {
+Status Document::checkWritable(const std::vector<std::string>& files) {
     for (const std::string& path : files) {
         if (isSample(path))
-            return Error{Code::FileUnwritable, shown(path) + " came with the program and stays as it is, so nothing was saved; " +
-                                                   "use Save As: it puts a copy of it beside your own file"};
-        if (!liesInside(path, foldersOf(m_loaded->projectFolder)))
+            return Error{Code::FileUnwritable, shown(path) + " is a sample and cannot be overwritten, so nothing was saved; " +
+                                                   "use Save As to store a copy beside your own file"};
+        if (!isInside(path, foldersOf(m_loaded->projectFolder)))
             return Error{Code::FileUnwritable,
                          shown(path) +
-                             " is not in the project any more, perhaps a symbolic link now, so nothing was saved; use Save As"};
+                             " is no longer in the project (it may be a symbolic link now), so nothing was saved; use Save As"};
         OpenFile& file = *m_state->files.find(path);
         std::error_code none;
         const bool exists = fs::exists(path, none);
         const Result<std::string> disk = exists ? readRegularFile(path) : Result<std::string>(std::string());
         if (!disk) return disk.error();
         if (exists && disk.value() != *file.disk) {
-            noteDisk(path, std::make_shared<const std::string>(disk.value()));
+            applyExternalChange(path, std::make_shared<const std::string>(disk.value()));
             return Error{Code::FileUnwritable,
-                         shown(path) + " was changed by another program; look at what it wrote, then save again"};
+                         shown(path) + " was changed by another program; review the change, then save again"};
         }
         if (file.theirs)
             return Error{Code::FileUnwritable, shown(path) + " was changed by another program; choose which text to keep"};
         if (exists && !QFileInfo(QString::fromStdString(path)).isWritable())
-            return Error{Code::FileUnwritable, shown(path) + " may not be written, so nothing was saved; use Save As"};
-        // A file is replaced by a new one beside it; of a link, beside what it leads to.
+            return Error{Code::FileUnwritable, shown(path) + " is not writable, so nothing was saved; use Save As"};
+        // Saving replaces a file by a new one in the same folder; for a symbolic link, in the folder of its target.
         const QFileInfo folder(QString::fromStdString(fs::weakly_canonical(path, none).parent_path().string()));
         if (folder.exists() && !folder.isWritable())
             return Error{Code::FileUnwritable,
-                         "the folder of " + shown(path) + " may not be written, so nothing was saved; " + "use Save As"};
+                         "the folder of " + shown(path) + " is not writable, so nothing was saved; " + "use Save As"};
     }
     return {};
 }
 
 namespace {
 
-/// All or none: what was written before one failed is as it was. The last one is written last.
-class Writing {
+/// Writes files all or none: if one fails, rollBack() restores those written before. The caller writes the importing file
+/// last.
+class FileTransaction {
 public:
     Status copy(const std::string& from, const std::string& to) {
         std::error_code failed;
         fs::create_directories(fs::path(to).parent_path(), failed);
         if (!fs::copy_file(from, to, failed)) {
             std::error_code none;
-            if (failed != std::errc::file_exists) fs::remove(to, none); // half of it may be there
+            if (failed != std::errc::file_exists) fs::remove(to, none); // remove an incomplete copy
             return Error{Code::FileUnwritable, from + " cannot be copied to " + to + ": " + failed.message()};
         }
         m_before.emplace_back(to, std::nullopt);
@@ -101,10 +102,10 @@ public:
         m_before.emplace_back(path, old ? std::optional(std::move(old).value()) : std::nullopt);
         return {};
     }
-    /// A file of the document: one that an edit created goes with its last text.
+    /// Saves a file of the document; a file that an edit created is removed once its text is empty.
     Status save(const std::string& path, const OpenFile& file) {
         if (file.isRemoved()) return remove(path);
-        std::error_code failed; // then it cannot be written, which says why
+        std::error_code failed; // ignored: the write below fails and reports why
         if (file.made) fs::create_directories(fs::path(path).parent_path(), failed);
         return write(path, *file.text);
     }
@@ -116,60 +117,60 @@ public:
         if (old) m_before.emplace_back(path, std::move(old).value());
         return {};
     }
-    /// The last one first: then there is room for each older text on a disk that is full, as there was before. Gives why all
-    /// this was needed, and what is not as it was all the same.
-    Error takeBack(Error why) {
+    /// Restores in reverse order, so that the older text fits on a full disk as it did before. Returns `why`, extended by
+    /// every file that could not be restored.
+    Error rollBack(Error why) {
         for (auto it = m_before.rbegin(); it != m_before.rend(); ++it) {
             const auto& [path, bytes] = *it;
             std::error_code failed;
             if (!bytes) fs::remove(path, failed);
-            if (failed) why.message += "; " + path + " was made before it and cannot be removed: " + failed.message();
+            if (failed) why.message += "; " + path + " was created before it and cannot be removed: " + failed.message();
             const Status back = bytes ? writeFileAtomically(path, *bytes) : Status();
-            if (!back) why.message += "; what was written before it cannot be taken back: " + back.error().message;
+            if (!back) why.message += "; files already written cannot be restored: " + back.error().message;
         }
         return why;
     }
 
 private:
-    std::vector<std::pair<std::string, std::optional<std::string>>> m_before; // no bytes: there was no such file
+    std::vector<std::pair<std::string, std::optional<std::string>>> m_before; // no bytes: the file did not exist
 };
 
 } // namespace
 
-/// `trundle-cli edit` keeps a file for as long as it takes to read and write it.
-static constexpr std::chrono::seconds kLockPatience(2);
+/// `trundle-cli edit` locks a file only while it reads and writes it.
+static constexpr std::chrono::seconds kLockTimeout(2);
 
 Status Document::save() {
     if (!isOpen()) return Error{Code::Internal, "nothing is open"};
     if (isNew()) return Error{Code::FileUnwritable, m_state->name + " has no file yet; use Save As"};
-    if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyReason()};
+    if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyMessage()};
     const std::vector<std::string> modified = m_state->files.modified();
-    const Result<std::vector<FileLock>> locks = FileLock::takeAll(modified, kLockPatience);
+    const Result<std::vector<FileLock>> locks = FileLock::takeAll(modified, kLockTimeout);
     if (!locks) return locks.error();
-    if (Status may = mayWrite(modified); !may) {
-        sayModified();
+    if (Status may = checkWritable(modified); !may) {
+        notifyModified();
         return may;
     }
-    m_state->journal.writeNow(); // who is killed in between finds the bytes of the disk in the journal, and nothing to bring back
-    Writing writing;
+    m_state->journal.writeNow(); // if the process is killed now, nothing is left to restore
+    FileTransaction writing;
     Status saved;
     for (const std::string& path : m_state->files.inWritingOrder())
         if (const OpenFile& file = *m_state->files.find(path); saved && file.modified()) saved = writing.save(path, file);
-    if (!saved) saved = writing.takeBack(saved.error());
+    if (!saved) saved = writing.rollBack(saved.error());
     for (const std::string& path : modified) {
         OpenFile& file = *m_state->files.find(path);
         if (saved) file.disk = file.text, file.gone = false;
     }
     m_history.endMerge();
-    sayModified();
+    notifyModified();
     m_state->journal.writeNow();
     return saved;
 }
 
-Status Document::mayBecome(const std::string& target) const {
+Status Document::checkSaveTarget(const std::string& target) const {
     if (!isOpen()) return Error{Code::Internal, "nothing is open"};
     if (isOpening()) return Error{Code::Internal, "another file is being opened"};
-    if (isSample(target)) return Error{Code::FileUnwritable, "the samples that came with the program stay as they are"};
+    if (isSample(target)) return Error{Code::FileUnwritable, "the samples cannot be overwritten"};
     if (target != m_state->opened && m_state->files.find(target))
         return Error{Code::FileUnwritable, shown(target) + " is a file of this project"};
     std::error_code none;
@@ -189,9 +190,9 @@ void Document::moveFile(const std::string& from, const std::string& to) {
 
 namespace {
 
-/// `others`: files of the project that stay where they are.
+/// `others`: files of the project that keep their path.
 Status writeMoved(const SavePlan& save, const OpenFiles& files, const std::vector<std::string>& others, const std::string& last) {
-    Writing writing;
+    FileTransaction writing;
     Status status;
     const auto write = [&](const std::string& path) {
         std::error_code failed;
@@ -204,16 +205,16 @@ Status writeMoved(const SavePlan& save, const OpenFiles& files, const std::vecto
         if (status && path != last) status = write(path);
     for (const std::string& path : others)
         if (status) status = writing.save(path, *files.find(path));
-    if (status) status = write(last); // the one that asks for the others
-    return status ? status : writing.takeBack(status.error());
+    if (status) status = write(last); // the file that imports the others
+    return status ? status : writing.rollBack(status.error());
 }
 
 } // namespace
 
 Result<SavePlan> Document::planFor(const std::string& target, ModuleCopies modules) const {
-    if (Status may = mayBecome(target); !may) return may.error();
+    if (Status may = checkSaveTarget(target); !may) return may.error();
     const std::vector<std::string> samples = modifiedSamples();
-    return planSaveAs(m_parts, *m_loaded, optionsNow(), target, {samples.begin(), samples.end()}, modules);
+    return planSaveAs(m_application, *m_loaded, optionsNow(), target, {samples.begin(), samples.end()}, modules);
 }
 
 Result<Companions> Document::companionsAt(const std::string& path) const {
@@ -231,14 +232,14 @@ Status Document::saveAs(const std::string& path, ModuleCopies modules) {
     const Result<SavePlan> plan = planFor(target, modules);
     if (!plan) return plan.error();
     const SavePlan& save = plan.value();
-    std::vector<std::string> others; // that stay where they are
+    std::vector<std::string> others; // they keep their path
     if (inPlace) {
         for (const std::string& file : m_state->files.inWritingOrder())
             if (isModified(file) && !isSample(file) && !save.moves.contains(file)) others.push_back(file);
         std::vector<std::string> own = others;
         for (const auto& [from, to] : save.moves)
             if (from == to) own.push_back(from);
-        if (Status may = mayWrite(own); !may) return may;
+        if (Status may = checkWritable(own); !may) return may;
         m_state->journal.writeNow(); // as in save()
     }
     const bool hadErrors = m_loaded->diagnostics.hasErrors();
@@ -249,7 +250,7 @@ Status Document::saveAs(const std::string& path, ModuleCopies modules) {
         file.disk = file.text, file.gone = false;
     }
 
-    FileTexts imports; // texts whose imports read otherwise now
+    FileTexts imports; // texts whose imports were rewritten
     for (const auto& [from, to] : save.moves) {
         if (*save.texts.at(to) != *m_state->files.text(from)) imports.emplace(to, save.texts.at(to));
         moveFile(from, to);
@@ -261,20 +262,20 @@ Status Document::saveAs(const std::string& path, ModuleCopies modules) {
     if (Status read = put({}); !read) return read;
     m_history.endMerge();
     lock();
-    m_state->journal.start(workPlace(), {m_state->opened, m_state->name});
-    sayEdited();
-    if (save.moves.size() > 1 || !save.copies.empty()) sayMoved(save);
-    if (!hadErrors && !m_loaded->pending && m_loaded->diagnostics.hasErrors()) // the text is saved all the same
-        Q_EMIT notice(tr("Saved, but from there something is not found; see the problems"));
+    m_state->journal.start(journalFolder(), {m_state->opened, m_state->name});
+    notifyEdited();
+    if (save.moves.size() > 1 || !save.copies.empty()) notifyMoved(save);
+    if (!hadErrors && !m_loaded->pending && m_loaded->diagnostics.hasErrors()) // the text is saved nevertheless
+        Q_EMIT notice(tr("Saved, but some references are not found from the new folder; see Problems"));
     return {};
 }
 
-void Document::sayMoved(const SavePlan& save) {
+void Document::notifyMoved(const SavePlan& save) {
     QStringList names;
     for (const auto& [from, to] : save.moves)
         if (to != m_state->opened && to != from) names += QString::fromStdString(shown(to));
     for (const auto& [to, from] : save.copies) names += QString::fromStdString(shown(to));
-    Q_EMIT notice(tr("Saved with what it needs: %1").arg(names.join(u", "_qs)));
+    Q_EMIT notice(tr("Saved together with: %1").arg(names.join(u", "_qs)));
 }
 
 } // namespace trundle

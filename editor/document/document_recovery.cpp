@@ -1,4 +1,4 @@
-// One window for each project, and what a window that ended badly left.
+// Document: the project lock (one window per project) and recovery of unsaved edits after a crash.
 
 #include <algorithm>
 #include <filesystem>
@@ -24,18 +24,19 @@ QString onOneLine(const std::string& text) { return QString::fromStdString(clean
 
 } // namespace
 
-// Samples and new texts have their journals in the user's own folder, whatever program folder or working folder there is.
-std::string Document::workPlace() const {
+// Samples and new texts have their journals in the user's state folder, independent of the program folder and the working
+// directory.
+std::string Document::journalFolder() const {
     if (!isOpen() || isNew()) return userStateFolder() + "/new";
     return isSample(m_state->opened) ? userStateFolder() + "/samples" : m_loaded->projectFolder;
 }
 
 void Document::lock() {
-    m_state->lock.reset(); // before the new one is asked for: it may be the same project
+    m_state->lock.reset(); // release it before locking again: it may be the same project
     QString holder;
     if (isOpen() && !isNew() && !isSample(m_state->opened)) {
         m_state->lock = std::make_unique<ProjectLock>(m_loaded->projectFolder, m_state->opened);
-        if (!m_state->lock->taken()) holder = QString::fromStdString(m_state->lock->holder().said());
+        if (!m_state->lock->taken()) holder = QString::fromStdString(m_state->lock->holder().description());
     }
     const bool was = std::exchange(m_state->readOnly, !holder.isEmpty());
     if (was || m_state->readOnly) Q_EMIT readOnlyChanged(holder);
@@ -43,17 +44,17 @@ void Document::lock() {
 
 bool Document::isReadOnly() const { return m_state->readOnly; }
 
-std::string Document::readOnlyReason() const {
-    return "the project is open in " + m_state->lock->holder().said() + "; this window only shows it";
+std::string Document::readOnlyMessage() const {
+    return "the project is open in " + m_state->lock->holder().description() + "; this window has it read-only";
 }
 
-void Document::askForProject() {
+void Document::requestProject() {
     if (!isReadOnly()) return;
     m_state->lock.reset();
     m_state->lock = std::make_unique<ProjectLock>(m_loaded->projectFolder, m_state->opened);
     if (!m_state->lock->taken()) return;
     editAnyway();
-    Q_EMIT notice(tr("The other window that had this project is gone: it can be edited here now."));
+    Q_EMIT notice(tr("The other window closed this project: it can be edited here now."));
 }
 
 void Document::editAnyway() {
@@ -62,14 +63,14 @@ void Document::editAnyway() {
 }
 
 std::vector<Recovery> Document::recoveries() const {
-    std::vector<Recovery> found = findRecoveries(workPlace());
+    std::vector<Recovery> found = findRecoveries(journalFolder());
     std::erase_if(found, [](const Recovery& recovery) {
         for (const auto& [path, kept] : recovery.files) {
             const Result<std::string> disk = readRegularFile(path);
             const bool isRemoved = kept.isCreated && kept.text.empty() && isMissing(path);
             if (!isRemoved && (!disk || disk.value() != kept.text)) return false;
         }
-        discardRecovery(recovery); // all of it was saved
+        discardRecovery(recovery); // the journal has no unsaved edits
         return true;
     });
     return found;
@@ -83,10 +84,10 @@ std::string listed(const std::vector<std::string>& paths) {
     return text;
 }
 
-/// A text of a journal against what the disk holds now.
+/// A recovered text, merged with the content on disk where possible.
 struct Recovered {
     SharedText text;
-    SharedText theirs; ///< set where the disk has changed in the same lines
+    SharedText theirs; ///< content on disk; set if it changed in the same lines
 };
 
 Recovered recoveredOver(const RecoveredText& kept, const std::string& disk) {
@@ -105,7 +106,7 @@ std::string Document::recoveredText(const std::string& path, const RecoveredText
 }
 
 std::vector<std::string> Document::foldersOf(const std::string& project) const {
-    std::vector<std::string> folders{project, m_parts.locations().configs};
+    std::vector<std::string> folders{project, m_application.locations().configs};
     folders.insert(folders.end(), m_options.includes.begin(), m_options.includes.end());
     return folders;
 }
@@ -116,7 +117,7 @@ QString journalsNotRead(const Document& document) {
     if (journalsInProject(project).empty()) return {};
     return Document::tr(
                "%1 holds journals of unsaved edits, which an earlier version of Trundle left there, or which came with this "
-               "folder. They are not restored, since a journal of somebody else could change any file of yours. If they "
+               "folder. They are not restored, since a journal of another user could change any file of yours. If they "
                "are your own, move them to %2 and open this file again; if not, delete them.")
         .arg(onOneLine(project + "/.trundle/journal"), onOneLine(projectStateFolder(project) + "/journal"));
 }
@@ -130,10 +131,10 @@ Status Document::openFor(const Recovery& recovery) {
     const auto text = recovery.files.find(recovery.head.opened);
     std::error_code none;
     if (std::filesystem::exists(recovery.head.opened, none) || text == recovery.files.end()) return open(recovery.head.opened);
-    OpenOptions options = m_options; // its file is gone, its text is not
+    OpenOptions options = m_options; // the file is missing, but the journal has its text
     options.shownFromProject = true;
     options.texts.emplace(recovery.head.opened, std::make_shared<const std::string>(text->second.base));
-    Result<std::shared_ptr<const Loaded>> loaded = m_parts.open(recovery.head.opened, options);
+    Result<std::shared_ptr<const LoadedProject>> loaded = m_application.open(recovery.head.opened, options);
     if (!loaded) return loaded.error();
     start(recovery.head.opened, {}, std::move(loaded).value());
     m_state->files.find(recovery.head.opened)->gone = true;
@@ -147,18 +148,18 @@ bool Document::isReplacedBy(const Recovery& recovery) const {
 
 Status Document::recover(const Recovery& recovery) {
     const std::vector<std::string> folders = foldersOf(recovery.project), outside = filesOutside(recovery, folders);
-    if (outside.size() == recovery.files.size() || !liesInside(recovery.head.opened, folders))
-        return answer(Error{Code::FileUnwritable, "these edits are not restored: " + cleanLine(recovery.head.opened) +
-                                                      " lies outside the project " + cleanLine(recovery.project)});
-    if (Status opened = openFor(recovery); !opened) return answer(opened);
-    lookAtDisk();
+    if (outside.size() == recovery.files.size() || !isInside(recovery.head.opened, folders))
+        return reportFailure(Error{Code::FileUnwritable, "these edits are not restored: " + cleanLine(recovery.head.opened) +
+                                                             " lies outside the project " + cleanLine(recovery.project)});
+    if (Status opened = openFor(recovery); !opened) return reportFailure(opened);
+    checkExternalChanges();
     FileTexts texts;
     std::vector<std::string> both;
     for (const auto& [path, kept] : recovery.files) {
         if (std::ranges::find(outside, path) != outside.end()) continue;
-        if (!m_state->files.find(path)) { // a file that is imported only by what is recovered
+        if (!m_state->files.find(path)) { // imported only by the recovered text
             const Result<std::string> disk = readRegularFile(path);
-            const bool isCreated = kept.isCreated && isMissing(path); // here and there: it is written with its text, or not at all
+            const bool isCreated = kept.isCreated && isMissing(path); // by an edit, and not on disk yet
             m_state->files.take(path, disk ? disk.value() : isCreated ? std::string() : kept.base);
             m_state->files.find(path)->gone = !disk && !isCreated;
         }
@@ -173,11 +174,11 @@ Status Document::recover(const Recovery& recovery) {
         }
         texts.emplace(path, std::move(text.text));
     }
-    if (Status entered = enter(tr("Recovered"), std::move(texts), {}); !entered) return answer(entered);
-    m_state->journal.writeNow(); // before the old journal goes
+    if (Status entered = enter(tr("Recovered"), std::move(texts), {}); !entered) return reportFailure(entered);
+    m_state->journal.writeNow(); // before the old journal is deleted
     if (outside.empty()) discardRecovery(recovery);
     else Q_EMIT notice(tr("Not restored, as outside the project: %1").arg(onOneLine(listed(outside))));
-    sayModified();
+    notifyModified();
     for (const std::string& path : both) Q_EMIT diskChanged(QString::fromStdString(path));
     return {};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a Document keeps to itself. Private to editor/document.
+// Private state of Document, for the .cpp files of editor/document.
 
 #include <memory>
 #include <set>
@@ -9,7 +9,7 @@
 
 #include "editor/document/disk_watch.h"
 #include "editor/document/document.h"
-#include "editor/document/journal_keeper.h"
+#include "editor/document/journal_writer.h"
 #include "editor/document/open_files.h"
 #include "editor/document/structure_edits.h"
 #include "project/project_lock.h"
@@ -18,17 +18,17 @@ namespace trundle {
 
 struct Document::State {
     OpenFiles files;
-    std::string opened; ///< absolute path of the opened file; of a new text, the one it has in the overlay
-    std::string name;   ///< of a new text; "" once a file holds it
-    std::set<std::string> saidModified;
+    std::string opened; ///< absolute path of the opened file; for a new text, its path in the text overlay
+    std::string name;   ///< of a new text; "" once it is saved to a file
+    std::set<std::string> reportedModified;
     DiskWatch watch;
-    JournalKeeper journal{files};
+    JournalWriter journal{files};
     std::unique_ptr<ProjectLock> lock;
     bool readOnly = false;
-    bool readsNamed = false;    ///< a thread reads meshes and pictures
-    std::uint64_t openings = 0; ///< which openLater() is the newest
+    bool readsNamed = false;    ///< a worker thread reads meshes and images
+    std::uint64_t openings = 0; ///< number of the newest openLater() request
     std::unique_ptr<StructureEdits> structure;
-    QThreadPool pool; ///< reads files; the last member, so that it ends first
+    QThreadPool pool; ///< reads files; the last member: destroyed first, it waits for its threads
 
     [[nodiscard]] bool isNew() const { return !name.empty(); }
 };

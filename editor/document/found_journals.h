@@ -5,7 +5,8 @@ namespace trundle {
 
 class Document;
 
-/// Why unsaved edits that were found inside the project's own folder are not offered, and what to do; empty where none were found.
+/// Why unsaved edits found inside the project's own folder are not offered for recovery, and what to do; empty if there are
+/// none.
 [[nodiscard]] QString journalsNotRead(const Document& document);
 
 } // namespace trundle

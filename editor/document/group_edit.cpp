@@ -5,12 +5,12 @@
 
 namespace trundle {
 
-// The file first, so that what imports it finds it.
+// The new file comes first, so that the import resolves.
 Status applyGroup(Document& document, const QString& name, const GroupPlan& group) {
     const std::string key = "group " + std::to_string(document.revision());
     if (Status created = document.replaceText(name, group.file, group.text, key); !created) return created;
-    const Status done = document.carryOut(name, group.plan, key);
-    if (!done) document.withdraw(key);
+    const Status done = document.apply(name, group.plan, key);
+    if (!done) document.discardMerge(key);
     document.endMerge();
     return done;
 }

@@ -8,8 +8,8 @@ namespace trundle {
 class Document;
 struct GroupPlan;
 
-/// Creates the file of a piece and puts its instance in the place of the grouped objects, which is selected then: one entry of the
-/// history, all or nothing.
+/// Creates the file of the new config and replaces the grouped objects by an instance of it, which is then selected: one
+/// entry of the history, all or nothing.
 Status applyGroup(Document& document, const QString& name, const GroupPlan& group);
 
 } // namespace trundle

@@ -4,13 +4,13 @@
 
 namespace trundle {
 
-bool History::canWithdraw(const std::string& mergeKey) const {
+bool History::canDiscardMerge(const std::string& mergeKey) const {
     return m_mayMerge && m_position > 0 && !mergeKey.empty() && m_entries[m_position - 1].mergeKey == mergeKey;
 }
 
 void History::join(const HistoryEntry& entry) {
     Step& last = m_entries[m_position - 1];
-    last.name = entry.name; // the value it has come to, the word so far
+    last.name = entry.name; // the latest name describes the merged edit
     for (const auto& [file, after] : entry.after) {
         const std::string& now = *entry.before.at(file);
         const auto known = last.splices.find(file);
@@ -20,18 +20,18 @@ void History::join(const HistoryEntry& entry) {
         else last.splices.insert_or_assign(file, std::move(whole));
     }
     if (!last.splices.empty()) return;
-    --m_position; // back where it began: there is nothing to undo
-    dropWithdrawn();
+    --m_position; // the merged edits cancel out: there is nothing to undo
+    dropDiscarded();
 }
 
-void History::dropWithdrawn() {
+void History::dropDiscarded() {
     m_entries.resize(m_position);
     std::move(m_forgotten.begin(), m_forgotten.end(), std::back_inserter(m_entries));
     endMerge();
 }
 
 void History::push(HistoryEntry entry) {
-    if (canWithdraw(entry.mergeKey)) {
+    if (canDiscardMerge(entry.mergeKey)) {
         join(entry);
     } else {
         const auto undone = m_entries.begin() + static_cast<std::ptrdiff_t>(m_position);

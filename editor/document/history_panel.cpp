@@ -37,7 +37,7 @@ void HistoryPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) fillRows();
 }
 
-/// Edits since the last save that take the place of what was saved leave no row for it.
+/// Finds the row of the saved state. There is none if edits since the last save replaced that state.
 void HistoryPanel::findSaved() {
     const int now = static_cast<int>(m_document.history().position());
     if (m_document.isOpen() && !m_document.isModified() && !m_document.isNew()) m_saved = now;
@@ -58,7 +58,7 @@ void HistoryPanel::fillRows() {
         if (row == m_list->count()) m_list->addItem(name);
         QListWidgetItem& item = *m_list->item(row);
         if (item.text() != name) item.setText(name);
-        const QString tip = row == m_saved ? name + QLatin1Char('\n') + tr("Saved: the files hold this") : name;
+        const QString tip = row == m_saved ? name + QLatin1Char('\n') + tr("Saved: the files contain this state") : name;
         if (item.toolTip() != tip) item.setToolTip(tip);
         item.setIcon(row == m_saved ? themedIcon(QStringLiteral("save")) : QIcon(nothing));
         const QColor ink = palette().color(row > now ? QPalette::Disabled : QPalette::Active, QPalette::Text);
@@ -69,7 +69,7 @@ void HistoryPanel::fillRows() {
 
 void HistoryPanel::goTo(int row) {
     if (row >= 0) m_document.moveTo(static_cast<std::size_t>(row));
-    fillRows(); // also where the document did not go there
+    fillRows(); // restores the selection if the document did not move
 }
 
 } // namespace trundle

@@ -7,9 +7,8 @@ namespace trundle {
 
 class Document;
 
-/// The edits by name, oldest first, below the state that was opened. The current row is the state the document is in; going to
-/// another row, by mouse or keys, takes the document there. Edits that are undone are grey; a mark is at the state that the files
-/// hold.
+/// Lists the edits by name, oldest first, below the initial state. The current row is the document's state; selecting another
+/// row by mouse or keyboard moves the document there. Undone edits are grey; a mark shows the saved state.
 class HistoryPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -25,7 +24,7 @@ private:
 
     Document& m_document;
     QListWidget* m_list;
-    int m_saved = -1; ///< row of the state that the files hold; -1: none has it
+    int m_saved = -1; ///< row of the saved state; -1: none
 };
 
 } // namespace trundle

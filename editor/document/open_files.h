@@ -1,5 +1,5 @@
 #pragma once
-// The files of a document: what they hold here and what the disk is known to hold.
+// The files of a document: their current text and their last known content on disk.
 
 #include <map>
 #include <memory>
@@ -14,33 +14,33 @@ namespace trundle {
 using SharedText = std::shared_ptr<const std::string>;
 
 struct OpenFile {
-    SharedText text;   ///< here
-    SharedText disk;   ///< the last bytes of the disk that were seen; what a new text began with
-    bool gone = false; ///< no longer on the disk
-    bool made = false; ///< by an edit: no text is no file
-    SharedText theirs; ///< what another program wrote over edits made here, until someone decides; else null
+    SharedText text;   ///< current text
+    SharedText disk;   ///< last known content on disk; for a new text, its initial content
+    bool gone = false; ///< deleted on disk
+    bool made = false; ///< created by an edit; an empty text means that the file does not exist
+    SharedText theirs; ///< content on disk that conflicts with edits made here, until it is resolved; else null
 
     [[nodiscard]] bool edited() const { return text != disk && *text != *disk; }
     [[nodiscard]] bool modified() const { return gone || edited(); }
-    [[nodiscard]] bool isRemoved() const { return made && text->empty(); } ///< by a save
+    [[nodiscard]] bool isRemoved() const { return made && text->empty(); } ///< the next save removes it
 };
 
 class OpenFiles {
 public:
     void clear() { m_files.clear(); }
-    /// Takes a file in as the disk holds it. One that is known stays as it is.
+    /// Adds a file with its content on disk. A known file does not change.
     void take(const std::string& path, std::string_view bytes);
-    void make(const std::string& path); ///< one that is on no disk, without a text
+    void make(const std::string& path); ///< adds a file that is not on disk, with an empty text
     void remove(const std::string& path) { m_files.erase(path); }
 
     [[nodiscard]] OpenFile* find(const std::string& path);
     [[nodiscard]] const OpenFile* find(const std::string& path) const;
-    [[nodiscard]] SharedText text(const std::string& path) const; ///< null where the file is not known
-    void setTexts(const TextOverlay& texts);                      ///< of files that are known
+    [[nodiscard]] SharedText text(const std::string& path) const; ///< null if the file is unknown
+    void setTexts(const TextOverlay& texts);                      ///< of known files
     [[nodiscard]] TextOverlay texts() const;
     [[nodiscard]] std::vector<std::string> modified() const;
-    /// All files in an order of writing that is safe to be cut off anywhere: what edits created before what imports it, what a save
-    /// removes after what imported it.
+    /// All files in an order in which writing can be interrupted safely: files that edits created before the files that
+    /// import them, files that a save removes after the files that imported them.
     [[nodiscard]] std::vector<std::string> inWritingOrder() const;
     [[nodiscard]] const std::map<std::string, OpenFile>& all() const { return m_files; }
 

@@ -13,19 +13,19 @@ namespace trundle {
 
 namespace {
 
-/// Edits of one load by the file that they change.
-std::map<std::string, std::vector<TextEdit>> byPath(const Loaded& loaded, const FileEdits& edits) {
+/// Edits of one loaded project, grouped by the path of the file.
+std::map<std::string, std::vector<TextEdit>> byPath(const LoadedProject& loaded, const FileEdits& edits) {
     std::map<std::string, std::vector<TextEdit>> all;
     for (const auto& [file, changes] : edits)
         if (file < loaded.paths.size()) all[loaded.paths[file]] = changes;
     return all;
 }
 
-bool isLoaded(const Loaded& loaded, const std::string& file) {
+bool isLoaded(const LoadedProject& loaded, const std::string& file) {
     return std::ranges::find(loaded.paths, file) != loaded.paths.end();
 }
 
-/// Whether two plans change the same characters of one file: then they rename the same thing.
+/// Whether two plans change the same characters of one file: then they rename the same object.
 bool sharePlace(const std::map<std::string, std::vector<TextEdit>>& a, const std::map<std::string, std::vector<TextEdit>>& b) {
     return std::ranges::any_of(a, [&](const auto& own) {
         const auto theirs = b.find(own.first);
@@ -41,8 +41,8 @@ bool sharePlace(const std::map<std::string, std::vector<TextEdit>>& a, const std
 ProjectRename::ProjectRename(Document& document, std::string path, const std::string& oldName)
     : m_document(document), m_path(std::move(path)) {
     if (document.isNew()) return;
-    const std::string probe = oldName + "_"; // counts the places; another name cannot make them more or less
-    const Loaded& loaded = *document.loaded();
+    const std::string probe = oldName + "_"; // any other name works: the plan only finds the references
+    const LoadedProject& loaded = *document.loaded();
     const Result<EditPlan> own = planRename(loaded, m_path, probe);
     if (!own) return;
     if (std::ranges::any_of(own.value().edits, [&](const auto& edit) { return isShippedFile(loaded, edit.first); })) return;
@@ -51,11 +51,11 @@ ProjectRename::ProjectRename(Document& document, std::string path, const std::st
     ConfigUsers users;
     std::map<std::string, std::size_t> counts;
     for (const std::string& file : users.dependentsOutside(loaded, changed)) {
-        if (m_others.size() == kMostTexts) {
+        if (m_others.size() == kMaxTexts) {
             m_complete = false;
             break;
         }
-        const Result<std::shared_ptr<const Loaded>> other = document.loadedFrom(file);
+        const Result<std::shared_ptr<const LoadedProject>> other = document.loadedFrom(file);
         const Result<FilePlans> plan = other ? planOutside(*other.value(), probe) : Result<FilePlans>(other.error());
         if (!plan || plan.value().empty()) continue;
         m_others.push_back(other.value());
@@ -64,9 +64,9 @@ ProjectRename::ProjectRename(Document& document, std::string path, const std::st
     for (const auto& [file, count] : counts) m_uses.push_back({file, count});
 }
 
-/// The edits of texts that the document has not loaded; none where the path means something else there.
-Result<ProjectRename::FilePlans> ProjectRename::planOutside(const Loaded& other, const std::string& name) const {
-    const Loaded& loaded = *m_document.loaded();
+/// Plans the rename in texts that the document has not loaded; no edits if the path means another object there.
+Result<ProjectRename::FilePlans> ProjectRename::planOutside(const LoadedProject& other, const std::string& name) const {
+    const LoadedProject& loaded = *m_document.loaded();
     const Result<EditPlan> own = planRename(loaded, m_path, name), theirs = planRename(other, m_path, name);
     if (!own) return own.error();
     if (!theirs) return theirs.error();
@@ -77,9 +77,9 @@ Result<ProjectRename::FilePlans> ProjectRename::planOutside(const Loaded& other,
 }
 
 Status ProjectRename::apply(const QString& title, const std::string& name, bool everywhere) {
-    const Loaded& loaded = *m_document.loaded();
+    const LoadedProject& loaded = *m_document.loaded();
     const Result<EditPlan> own = planRename(loaded, m_path, name);
-    if (!own || !everywhere || m_others.empty()) return m_document.carryOut(title, own);
+    if (!own || !everywhere || m_others.empty()) return m_document.apply(title, own);
     FilePlans all = byPath(loaded, own.value().edits);
     for (const auto& other : m_others) {
         const Result<FilePlans> plan = planOutside(*other, name);

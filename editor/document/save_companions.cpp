@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr qint64 kMostGltfBytes = 64 << 20;
+constexpr qint64 kMaxGltfBytes = 64 << 20;
 
 void modulesIn(const std::vector<Item>& items, std::vector<const ModuleItem*>& found) {
     for (const Item& item : items) {
@@ -42,13 +42,14 @@ void wordsIn(const std::vector<Item>& items, const std::string& words, std::vect
 
 } // namespace
 
-std::string libraryOf(const std::string& written, const std::string& folder, const Parts& parts, const OpenOptions& options) {
-    DirectoryCatalog all({options.modules, parts.locations().modules, {}, true}); // looks, runs nothing
+std::string libraryOf(const std::string& written, const std::string& folder, const Application& parts,
+                      const OpenOptions& options) {
+    DirectoryCatalog all({options.modules, parts.locations().modules, {}, true}); // reads descriptions, loads no module
     const Result<ModuleListing> found = all.find(written, folder);
     return found ? found.value().library : std::string();
 }
 
-std::vector<NamedThere> namedBy(const Loaded& loaded, const Parts& parts, const OpenOptions& options) {
+std::vector<NamedThere> namedBy(const LoadedProject& loaded, const Application& parts, const OpenOptions& options) {
     std::vector<NamedThere> named;
     for (const auto& [use, file] : loaded.named) {
         const auto& [text, written] = use;
@@ -73,7 +74,7 @@ std::vector<std::string> partsOf(const NamedThere& file) {
     if (file.module) parts.push_back(fs::path(kindsJsonPath(file.path)).filename().string());
     if (path.extension() == ".gltf") {
         QFile json(QString::fromStdString(file.path));
-        if (!json.open(QIODevice::ReadOnly) || json.size() > kMostGltfBytes) return parts;
+        if (!json.open(QIODevice::ReadOnly) || json.size() > kMaxGltfBytes) return parts;
         for (const QJsonValue buffer : QJsonDocument::fromJson(json.readAll()).object().value(u"buffers"_qs).toArray()) {
             const std::string uri = buffer.toObject().value(u"uri"_qs).toString().toStdString();
             const fs::path inner = fs::path(uri).lexically_normal();

@@ -1,9 +1,10 @@
-// needs        the project as loaded now, and the path that its opened file is to have
-// assumptions  a text refers to other texts by imports only; whatever it names is looked for first in the folder of the file it stands in
-// method       the project is loaded from the new path, in memory, and both are walked together: an import that leads elsewhere than
-//              before, or to a file that must move, gets that file a place beside the importing one; until nothing is left to move.
-//              Then the same with meshes, pictures and modules, which get a copy there, or other words in the text
-// data         moves: old path -> new path; a file that stays has none. m_edits: other words, in the bytes as they are now
+// needs        the loaded project, and the new path of its opened file
+// assumptions  a text refers to other texts only by imports; a path in a text is resolved first in the folder of that text
+// method       the project is loaded from the new path, in memory, and both versions are compared: if an import resolves to
+//              another file than before, or to a file that must move, that file gets a path next to the importing one;
+//              repeated until no file has to move. Then the same for meshes, images and modules: each is copied, or its
+//              path in the text is changed
+// data         moves: old path -> new path, without the files that stay; m_edits: changed paths, in the current texts
 
 #include "editor/document/save_plan.h"
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const TextSet& textsOf(const Loaded& loaded) { return loaded.outline->texts(); }
+const TextSet& textsOf(const LoadedProject& loaded) { return loaded.outline->texts(); }
 
 void importsIn(const std::vector<Item>& items, std::vector<const ImportItem*>& found) {
     for (const Item& item : items) {
@@ -40,7 +41,7 @@ std::vector<const ImportItem*> importsOf(const Tree& tree) {
 
 std::string quoted(const std::string& words) { return '"' + words + '"'; }
 
-/// Whether a path stays below the folder it starts from.
+/// Whether a relative path stays below its start folder.
 bool staysBelow(const std::string& written) {
     const fs::path path = fs::path(written).lexically_normal();
     return path.is_relative() && !path.empty() && *path.begin() != "..";
@@ -55,19 +56,20 @@ bool sameBytes(const std::string& a, const std::string& b) {
 
 class SaveAs {
 public:
-    SaveAs(Parts& parts, const Loaded& loaded, OpenOptions options, const std::set<std::string>& mustMove, ModuleCopies modules)
-        : m_parts(parts), m_loaded(loaded), m_options(std::move(options)), m_mustMove(mustMove), m_modules(modules) {
+    SaveAs(Application& application, const LoadedProject& loaded, OpenOptions options, const std::set<std::string>& mustMove,
+           ModuleCopies modules)
+        : m_application(application), m_loaded(loaded), m_options(std::move(options)), m_mustMove(mustMove), m_modules(modules) {
         m_options.previous = nullptr;
-        m_options.meshesLater = true; // whether they can be read is no question here
+        m_options.meshesLater = true; // their content does not matter here
     }
 
     Result<SavePlan> plan(const std::string& target) {
         if (Status moved = move(0, target); !moved) return moved.error();
-        const std::vector<NamedThere> named = namedBy(m_loaded, m_parts, m_options);
+        const std::vector<NamedThere> named = namedBy(m_loaded, m_application, m_options);
         for (std::size_t round = 0; round <= 2 * m_loaded.paths.size() + named.size(); ++round) {
             OpenOptions options = m_options;
             for (const auto& [path, text] : m_plan.texts) options.texts.insert_or_assign(path, text);
-            const Result<std::shared_ptr<const Loaded>> there = m_parts.open(target, options);
+            const Result<std::shared_ptr<const LoadedProject>> there = m_application.open(target, options);
             if (!there) return there.error();
             m_seen.clear();
             const Result<bool> changed = compare(0, *there.value(), 0);
@@ -77,12 +79,13 @@ public:
             if (!carried) return carried.error();
             if (!carried.value()) return std::move(m_plan);
         }
-        return Error{Code::ImportNotFound, "what it imports cannot be found from there"};
+        return Error{Code::ImportNotFound, "its imports cannot be found from there"};
     }
 
 private:
-    /// True where something had to be moved, so that all must be looked at again.
-    Result<bool> compare(FileId before, const Loaded& there, FileId after) {
+    /// Compares the imports of a file before and after. True if something had to move, so that the comparison must be
+    /// repeated.
+    Result<bool> compare(FileId before, const LoadedProject& there, FileId after) {
         if (!m_seen.insert(before).second) return false;
         const auto olds = importsOf(*m_loaded.trees[before]), news = importsOf(*there.trees[after]);
         for (std::size_t i = 0; i < olds.size() && i < news.size(); ++i) {
@@ -103,11 +106,11 @@ private:
         return false;
     }
 
-    /// Makes import number `i` of a file lead to `imported`, by a copy beside the file or other words in it.
+    /// Makes import number `i` of a file resolve to `imported`, by a copy next to the file or by another path in the import.
     Status bring(FileId importing, std::size_t i, FileId imported) {
         const std::string& from = m_loaded.paths[importing];
         const auto place = m_plan.moves.find(from);
-        // A file that stays where it is cannot be made to find a copy: it moves first.
+        // A file that stays in place cannot be made to find a copy: it moves first.
         if (place == m_plan.moves.end()) return moveBeside(importing);
         const std::string folder = fs::path(place->second).parent_path().string();
         const std::string& written = importsOf(*m_loaded.trees[importing])[i]->path;
@@ -121,8 +124,8 @@ private:
         return rewrite(importing, {importsOf(*m_loaded.trees[importing])[i]->pathRange}, path);
     }
 
-    /// Gives what texts name, and would not find any more, a place there. True where texts have moved or changed for it.
-    Result<bool> carry(const std::vector<NamedThere>& named, const Loaded& there) {
+    /// Copies files that the texts refer to and that would not be found any more. True if texts have moved or changed.
+    Result<bool> carry(const std::vector<NamedThere>& named, const LoadedProject& there) {
         for (const NamedThere& file : named) {
             if (isFoundFrom(there, file)) continue;
             const auto place = m_plan.moves.find(m_loaded.paths[file.text]);
@@ -135,22 +138,23 @@ private:
         return false;
     }
 
-    [[nodiscard]] bool isFoundFrom(const Loaded& there, const NamedThere& file) const {
+    [[nodiscard]] bool isFoundFrom(const LoadedProject& there, const NamedThere& file) const {
         if (m_brought.contains({file.text, file.written})) return true;
         const std::string& before = m_loaded.paths[file.text];
         const auto place = m_plan.moves.find(before);
         const std::string& now = place == m_plan.moves.end() ? before : place->second;
-        if (file.module) return libraryOf(file.written, fs::path(now).parent_path().string(), m_parts, m_options) == file.path;
+        if (file.module)
+            return libraryOf(file.written, fs::path(now).parent_path().string(), m_application, m_options) == file.path;
         const auto text = std::ranges::find(there.paths, now);
         const auto found = there.named.find({static_cast<FileId>(text - there.paths.begin()), file.written});
         return found != there.named.end() && found->second.path == file.path;
     }
 
-    /// `folder`: where the text will be that names it.
+    /// `folder`: new folder of the text that refers to the file.
     Status bring(const NamedThere& file, const fs::path& folder, const std::string& project) {
         m_brought.insert({file.text, file.written});
         const fs::path from = file.path;
-        // A module is named without what its system puts before and behind the name.
+        // Texts name a module without the platform's prefix and suffix.
         const fs::path shown = file.module ? fs::path(file.written).filename() : from.filename();
         if (file.module && m_modules == ModuleCopies::Name) {
             m_plan.companions.modules.push_back(file.path);
@@ -190,7 +194,7 @@ private:
         const bool inPlace = m_plan.moves.at(m_loaded.paths[0]) == m_loaded.paths[0];
         if (inPlace && !m_mustMove.contains(path) &&
             staysBelow(fs::path(path).lexically_relative(m_loaded.projectFolder).string()))
-            return move(file, path); // written anew where it is
+            return move(file, path); // rewritten at its path
         const fs::path folder = fs::path(m_plan.moves.at(m_loaded.paths[0])).parent_path();
         return move(file, (folder / fs::path(m_loaded.paths[file]).filename()).string());
     }
@@ -201,7 +205,7 @@ private:
         const bool own = to == m_loaded.paths[file];
         const bool taken = m_plan.texts.contains(to) || (file != 0 && !own && fs::exists(to, none));
         if (taken) {
-            const Result<std::string> there = readFile(to, kMostBytes);
+            const Result<std::string> there = readFile(to, kMaxBytes);
             if (m_plan.texts.contains(to) || !there || there.value() != bytes)
                 return Error{Code::FileUnwritable, "it needs " + m_loaded.trees[file]->source().path() + " beside it, and " + to +
                                                        " is another file; choose another folder"};
@@ -222,25 +226,25 @@ private:
         return {};
     }
 
-    static constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+    static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-    Parts& m_parts;
-    const Loaded& m_loaded;
+    Application& m_application;
+    const LoadedProject& m_loaded;
     OpenOptions m_options;
     const std::set<std::string>& m_mustMove;
     const ModuleCopies m_modules;
     SavePlan m_plan;
     std::set<FileId> m_seen;
     std::set<std::pair<FileId, std::string>> m_brought;
-    std::map<std::string, std::string> m_copies; // also of what is there already
+    std::map<std::string, std::string> m_copies; // including files that already exist there
     std::map<FileId, std::map<std::uint32_t, TextEdit>> m_edits;
 };
 
 } // namespace
 
-Result<SavePlan> planSaveAs(Parts& parts, const Loaded& loaded, OpenOptions options, const std::string& target,
+Result<SavePlan> planSaveAs(Application& application, const LoadedProject& loaded, OpenOptions options, const std::string& target,
                             const std::set<std::string>& mustMove, ModuleCopies modules) {
-    return SaveAs(parts, loaded, std::move(options), mustMove, modules).plan(target);
+    return SaveAs(application, loaded, std::move(options), mustMove, modules).plan(target);
 }
 
 } // namespace trundle

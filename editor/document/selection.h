@@ -6,8 +6,9 @@
 
 namespace trundle {
 
-/// What is selected, the same in tree, view, rows and text. Objects are named by their dotted paths (project/object_place.h):
-/// "robot0", "robot0.chassis.hull", "RobotConfig.SimpleRobot.leftAxle", "Material.red"; "" is the experiment itself.
+/// The selection shared by outline, viewport, properties and text editor. Objects are identified by their dotted paths
+/// (project/object_location.h): "robot0", "robot0.chassis.hull", "RobotConfig.SimpleRobot.leftAxle", "Material.red"; "" is
+/// the experiment itself.
 class Selection final : public QObject {
     Q_OBJECT
 public:
@@ -15,7 +16,7 @@ public:
 
     [[nodiscard]] const std::vector<std::string>& paths() const { return m_paths; }
     [[nodiscard]] bool contains(const std::string& path) const;
-    /// The last one selected, on which single-object tools work; "" where nothing is.
+    /// The object selected last, which single-object tools use; "" if nothing is selected.
     [[nodiscard]] std::string current() const { return m_paths.empty() ? std::string() : m_paths.back(); }
     [[nodiscard]] bool empty() const { return m_paths.empty(); }
 
@@ -28,7 +29,7 @@ Q_SIGNALS:
     void changed();
 
 private:
-    std::vector<std::string> m_paths; // each once
+    std::vector<std::string> m_paths; // without duplicates
 };
 
 } // namespace trundle

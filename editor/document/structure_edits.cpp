@@ -1,6 +1,7 @@
-// needs        a plan, and the objects that it was asked for
-// method       the plan is made; for each config that it changes it is decided whether that one is changed or a copy; a copy is made in
-//              texts in memory, which are read, and the plan is made again for them; at last all goes into the document as one edit
+// needs        a plan, and the objects that it was requested for
+// method       the plan is made; for each config that it changes, either the config itself or a copy is changed; a copy is
+//              made in texts in memory, which are loaded, and the plan is made again for them; finally all becomes one edit
+//              of the document
 
 #include "editor/document/structure_edits.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
-std::string keyOf(const Loaded& loaded, const Part& config) { return loaded.paths[config.file] + "#" + config.name; }
+std::string keyOf(const LoadedProject& loaded, const Part& config) { return loaded.paths[config.file] + "#" + config.name; }
 
 std::string pathOfConfig(const Part& config) { return config.kind->name + "." + config.name; }
 
@@ -26,17 +27,17 @@ bool startsWithPath(const std::string& path, const std::string& start) { return 
 
 } // namespace
 
-struct StructureEdits::Work {
+struct StructureEdits::PendingEdit {
     QString name;
     std::vector<std::string> paths;
     Plan plan;
     std::string mergeKey;
-    std::uint64_t revision = 0;                ///< of the document that `loaded` comes from
-    std::shared_ptr<const Loaded> loaded;      ///< with the copies that are made
-    FileTexts texts;                           ///< that differ from the document's
-    std::map<std::string, std::string> copies; ///< paths of configs and of their copies
+    std::uint64_t revision = 0;                ///< of the document when `loaded` was taken
+    std::shared_ptr<const LoadedProject> loaded; ///< including the copies made so far
+    FileTexts texts;                           ///< texts that differ from the document's
+    std::map<std::string, std::string> copies; ///< path of a config -> path of its copy
     std::set<std::string> decided;             ///< keys of configs that are changed themselves
-    std::set<std::string> changed;             ///< files that the plan changes: what a copied config imports from them is part of the copy
+    std::set<std::string> changed;             ///< files that the plan changes; configs imported from them are copied too
     QStringList notices;
     Status status;
     bool answered = false;
@@ -51,8 +52,8 @@ struct StructureEdits::Work {
 QString StructureEdits::shown(const std::string& file) const { return text(m_document.shown(file)); }
 
 Status StructureEdits::apply(const QString& name, const std::vector<std::string>& paths, Plan plan, const std::string& mergeKey) {
-    if (!m_document.isOpen() || m_document.isReadOnly()) return m_document.edit({}, {}); // says why it is refused
-    auto work = std::make_shared<Work>();
+    if (!m_document.isOpen() || m_document.isReadOnly()) return m_document.edit({}, {}); // reports why it is refused
+    auto work = std::make_shared<PendingEdit>();
     work->name = name;
     work->paths = paths;
     work->plan = std::move(plan);
@@ -63,7 +64,7 @@ Status StructureEdits::apply(const QString& name, const std::vector<std::string>
 }
 
 Status StructureEdits::rename(const QString& name, const std::string& path, const std::string& to) {
-    if (!m_document.isOpen()) return m_document.edit({}, {}); // says why it is refused
+    if (!m_document.isOpen()) return m_document.edit({}, {}); // reports why it is refused
     const ProjectRename others(m_document, path, path.substr(path.rfind('.') + 1));
     const std::uint64_t before = m_document.revision();
     const Status done = renameHere(name, path, to);
@@ -81,17 +82,18 @@ Status StructureEdits::rename(const QString& name, const std::string& path, cons
 Status StructureEdits::renameHere(const QString& name, const std::string& path, const std::string& to) {
     const auto place = placeOf(*m_document.loaded(), path);
     const Part* top = !place || !place->part ? nullptr : place->above.empty() ? place->part : place->above.front();
-    if (!top || !top->is(Role::Config)) return m_document.carryOut(name, planRename(*m_document.loaded(), path, to));
-    return apply(name, {path},
-                 [path, to](const Loaded& loaded, const Renamed& renamed) { return planRename(loaded, renamed(path), to); });
+    if (!top || !top->is(Role::Config)) return m_document.apply(name, planRename(*m_document.loaded(), path, to));
+    return apply(name, {path}, [path, to](const LoadedProject& loaded, const PathMapping& renamed) {
+        return planRename(loaded, renamed(path), to);
+    });
 }
 
-Status StructureEdits::advance(const std::shared_ptr<Work>& work) {
-    constexpr int kMostCopies = 100;
-    for (int copies = 0; copies < kMostCopies; ++copies) {
-        const Loaded& loaded = *work->loaded;
+Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
+    constexpr int kMaxCopies = 100;
+    for (int copies = 0; copies < kMaxCopies; ++copies) {
+        const LoadedProject& loaded = *work->loaded;
         Result<EditPlan> plan = work->plan(loaded, [&work](const std::string& path) { return work->renamed(path); });
-        if (!plan) return m_document.carryOut(work->name, plan);
+        if (!plan) return m_document.apply(work->name, plan);
         const Part* next = nullptr;
         for (const Part* config : configsChangedBy(loaded, plan.value()))
             if (!next && !work->decided.contains(keyOf(loaded, *config))) next = config;
@@ -99,26 +101,27 @@ Status StructureEdits::advance(const std::shared_ptr<Work>& work) {
         for (const auto& [file, edits] : plan.value().edits) work->changed.insert(loaded.paths[file]);
         const std::string key = keyOf(loaded, *next);
         if (work->copies.contains(pathOfConfig(*next)))
-            return m_document.carryOut({}, Error{Code::WrongPlace, next->title() + " is changed by this as well as its copy; "
-                                                                                   "change it for all instead"});
+            return m_document.apply({}, Error{Code::WrongPlace, next->title() + " is changed by this as well as its copy; "
+                                                                                "change it for all instead"});
         const EditTarget target = targetOfStructure(loaded, *next, nullptr, m_users);
         const bool isOwn = std::ranges::none_of(target.users, [&](const std::string& user) { return user != loaded.paths[0]; }) &&
                            next->file == 0 && copyUsers(*work, *next).size() == target.instances;
         const auto known = m_chosen.find(key);
         if (target.isShipped || (known != m_chosen.end() && known->second == ShareChoice::MakeCopy && !isOwn)) {
-            if (Status done = copy(*work, *next); !done) return m_document.carryOut({}, done.error());
-        } else if (isOwn || known != m_chosen.end() || !m_asker) {
+            if (Status done = copy(*work, *next); !done) return m_document.apply({}, done.error());
+        } else if (isOwn || known != m_chosen.end() || !m_questionHandler) {
             work->decided.insert(key);
         } else {
             return ask(work, *next);
         }
     }
-    return m_document.carryOut({}, Error{Code::Internal, "this changes too many configs at once"});
+    return m_document.apply({}, Error{Code::Internal, "this changes too many configs at once"});
 }
 
-/// The instances that get a copy: those through which the config is edited where it is in their file, else all of that file.
-std::vector<const Part*> StructureEdits::copyUsers(const Work& work, const Part& config) const {
-    const Loaded& loaded = *work.loaded;
+/// The instances that will use the copy: those through which the config is edited, if they are in its file, else all
+/// instances of the file.
+std::vector<const Part*> StructureEdits::copyUsers(const PendingEdit& work, const Part& config) const {
+    const LoadedProject& loaded = *work.loaded;
     std::vector<const Part*> edited;
     for (const std::string& path : work.paths) {
         const auto place = placeOf(loaded, work.renamed(path));
@@ -134,8 +137,8 @@ std::vector<const Part*> StructureEdits::copyUsers(const Work& work, const Part&
     return all;
 }
 
-Status StructureEdits::ask(const std::shared_ptr<Work>& work, const Part& config) {
-    const Loaded& loaded = *work->loaded;
+Status StructureEdits::ask(const std::shared_ptr<PendingEdit>& work, const Part& config) {
+    const LoadedProject& loaded = *work->loaded;
     const std::vector<const Part*> instances = copyUsers(*work, config);
     ShareQuestion question;
     question.config = text(config.name);
@@ -147,11 +150,11 @@ Status StructureEdits::ask(const std::shared_ptr<Work>& work, const Part& config
     for (const Part* instance : instances) question.copyFor += text(instance->name);
     question.instances = instancesOf(loaded, config).size();
     const std::string key = keyOf(loaded, config);
-    m_asker(question, [this, work, key](ShareChoice choice) {
+    m_questionHandler(question, [this, work, key](ShareChoice choice) {
         if (std::exchange(work->answered, true)) return;
         if (choice == ShareChoice::Cancel) return;
         m_chosen[key] = choice;
-        if (work->revision != m_document.revision()) { // edited meanwhile: begin with what there is now
+        if (work->revision != m_document.revision()) { // the document changed meanwhile: start again with its current state
             work->loaded = m_document.loaded();
             work->revision = m_document.revision();
             work->texts.clear(), work->copies.clear(), work->decided.clear(), work->changed.clear(), work->notices.clear();
@@ -162,8 +165,8 @@ Status StructureEdits::ask(const std::shared_ptr<Work>& work, const Part& config
     return work->status;
 }
 
-Status StructureEdits::copy(Work& work, const Part& config) {
-    const Loaded& loaded = *work.loaded;
+Status StructureEdits::copy(PendingEdit& work, const Part& config) {
+    const LoadedProject& loaded = *work.loaded;
     const std::vector<const Part*> instances = copyUsers(work, config);
     const bool isShipped = isShippedFile(loaded, config.file);
     const Result<EditPlan> plan = planCopyConfig(loaded, config, instances, work.changed);
@@ -175,7 +178,7 @@ Status StructureEdits::copy(Work& work, const Part& config) {
                          : instances.size() == 1
                              ? QObject::tr("%1 uses %2, a copy of it in %3").arg(text(instances[0]->name), copyName, file)
                              : QObject::tr("%1 instances use %2, a copy of it in %3").arg(instances.size()).arg(copyName, file);
-    work.notices += (isShipped ? QObject::tr("%1 came with Trundle and is read-only: %2") : QObject::tr("%1 stays as it is: %2"))
+    work.notices += (isShipped ? QObject::tr("%1 came with Trundle and is read-only: %2") : QObject::tr("%1 is unchanged: %2"))
                         .arg(text(config.name), made);
     if (Status read = reload(work, plan.value()); !read) return read;
     work.copies[from] = to;
@@ -185,32 +188,32 @@ Status StructureEdits::copy(Work& work, const Part& config) {
     return {};
 }
 
-Status StructureEdits::reload(Work& work, const EditPlan& plan) {
+Status StructureEdits::reload(PendingEdit& work, const EditPlan& plan) {
     for (const auto& [file, edits] : plan.edits) {
         Result<std::string> bytes = applyEdits(work.loaded->trees[file]->source().bytes(), edits);
         if (!bytes) return bytes.error();
         work.texts.insert_or_assign(work.loaded->paths[file], std::make_shared<const std::string>(std::move(bytes).value()));
     }
-    Result<std::shared_ptr<const Loaded>> loaded = m_document.loadedWith(work.texts);
+    Result<std::shared_ptr<const LoadedProject>> loaded = m_document.loadedWith(work.texts);
     if (!loaded) return loaded.error();
     work.loaded = std::move(loaded).value();
     return {};
 }
 
-Status StructureEdits::finish(Work& work, const EditPlan& plan) {
-    if (work.copies.empty()) return m_document.carryOut(work.name, plan, work.mergeKey);
+Status StructureEdits::finish(PendingEdit& work, const EditPlan& plan) {
+    if (work.copies.empty()) return m_document.apply(work.name, plan, work.mergeKey);
     const std::vector<std::string> selects = plan.selects;
-    if (Status read = reload(work, plan); !read) return m_document.carryOut({}, read.error());
+    if (Status read = reload(work, plan); !read) return m_document.apply({}, read.error());
     EditPlan all{{}, selects};
     const std::vector<std::string>& paths = m_document.loaded()->paths;
     for (const auto& [path, after] : work.texts) {
         const auto file = static_cast<FileId>(std::ranges::find(paths, path) - paths.begin());
-        if (file == paths.size()) return m_document.carryOut({}, Error{Code::Internal, path + " is no file of this project"});
+        if (file == paths.size()) return m_document.apply({}, Error{Code::Internal, path + " is no file of this project"});
         const TextSplice splice = spliceBetween(*m_document.text(path), *after);
         const auto begin = static_cast<std::uint32_t>(splice.at), end = begin + static_cast<std::uint32_t>(splice.removed.size());
         if (!splice.empty()) all.edits[file].push_back({{file, {begin, end}}, splice.inserted});
     }
-    const Status done = m_document.carryOut(work.name, all, work.mergeKey);
+    const Status done = m_document.apply(work.name, all, work.mergeKey);
     if (done && !work.notices.isEmpty()) Q_EMIT m_document.notice(work.notices.join(u"; "_qs));
     return done;
 }
@@ -221,7 +224,7 @@ EditTarget StructureEdits::targetOf(const std::string& propertyPath) {
 
 Result<std::vector<std::string>> StructureEdits::pathsForValues(const std::vector<std::string>& asked,
                                                                 const std::string& mergeKey) {
-    if (m_gesture != mergeKey || !m_document.history().canWithdraw(mergeKey)) m_targets.clear(), m_copies.clear();
+    if (m_gesture != mergeKey || !m_document.history().canDiscardMerge(mergeKey)) m_targets.clear(), m_copies.clear();
     m_gesture = mergeKey;
     std::vector<std::string> paths;
     for (const std::string& path : asked) {
@@ -241,7 +244,7 @@ Result<std::vector<std::string>> StructureEdits::pathsForValues(const std::vecto
 }
 
 Result<std::string> StructureEdits::copyConfig(const std::string& path, const std::string& mergeKey) {
-    Work work;
+    PendingEdit work;
     work.paths = {path};
     work.loaded = m_document.loaded();
     const auto place = placeOf(*work.loaded, path);

@@ -1,6 +1,7 @@
 #pragma once
-// Edits that insert, remove, move or rename blocks. Inside of a config that others use too the user decides, once per config as long
-// as the window lives, whether all of them get the change or a copy does. A config that came with the program is always copied.
+// Edits that insert, remove, move or rename blocks. For a config with several users the user decides whether the config
+// itself or a copy is changed; the decision is kept per config until the window closes. A config installed with Trundle is
+// always copied.
 
 #include <functional>
 #include <map>
@@ -18,61 +19,63 @@ class Document;
 
 enum class ShareChoice { ChangeForAll, MakeCopy, Cancel };
 
-/// What is asked about a config that others use too.
+/// The question about a config that has several users.
 struct ShareQuestion {
     QString config;            ///< "SimpleRobot"
-    QString file;              ///< that holds it, as shown
-    QString copyFile;          ///< that would get the copy
-    QStringList users;         ///< files that place it, as shown
+    QString file;              ///< that contains it, path for display
+    QString copyFile;          ///< where the copy would be written
+    QStringList users;         ///< files with instances of it, paths for display
     QStringList copyFor;       ///< the instances that would use the copy: "robot0"
     std::size_t instances = 0; ///< in the opened experiment
-    bool copyIsForOpened = true; ///< copyFile is the opened one
+    bool copyIsForOpened = true; ///< copyFile is the opened file
 };
 
 class StructureEdits {
 public:
-    /// The path of an object in the load that a plan is made for: the same as before, or in the copy of its config.
-    using Renamed = std::function<std::string(const std::string& path)>;
-    using Plan = std::function<Result<EditPlan>(const Loaded& loaded, const Renamed& renamed)>;
-    using Answer = std::function<void(ShareChoice choice)>;
-    /// Calls the answer once, now or later.
-    using Asker = std::function<void(const ShareQuestion& question, const Answer& answer)>;
+    /// Maps the path of an object to its path in the project that a plan is made for: the same path, or that in the copy of
+    /// its config.
+    using PathMapping = std::function<std::string(const std::string& path)>;
+    using Plan = std::function<Result<EditPlan>(const LoadedProject& loaded, const PathMapping& renamed)>;
+    using ShareAnswer = std::function<void(ShareChoice choice)>;
+    /// Must call `answer` once, now or later.
+    using ShareQuestionHandler = std::function<void(const ShareQuestion& question, const ShareAnswer& answer)>;
 
-    explicit StructureEdits(Document& document) : m_document(document) {} ///< which owns this
+    explicit StructureEdits(Document& document) : m_document(document) {} ///< the document owns this
 
-    /// Without one nobody is asked: a shared config is changed for all.
-    void setAsker(Asker asker) { m_asker = std::move(asker); }
+    /// Without a handler no question is asked: a shared config is changed for all its users.
+    void setShareQuestionHandler(ShareQuestionHandler handler) { m_questionHandler = std::move(handler); }
 
-    /// Carries out a plan as one entry of the history, after the question where one is needed; then a failure comes as
-    /// Document::refused() alone. `paths`: the objects that are edited, as the user selected them: through an instance or not.
+    /// Applies a plan as one entry of the history, after the question if one is needed; in that case a failure is reported
+    /// only by Document::refused(). `paths`: the edited objects as the user selected them, through an instance or not.
     Status apply(const QString& name, const std::vector<std::string>& paths, Plan plan, const std::string& mergeKey = {});
-    /// Gives an object another name. What is part of no config is renamed wherever it is named.
+    /// Renames an object. An object outside of configs is renamed in every reference.
     Status rename(const QString& name, const std::string& path, const std::string& to);
     /// Where a value of this path would be written; see project/edit_target.h.
     [[nodiscard]] EditTarget targetOf(const std::string& propertyPath);
-    /// Under which paths these values are set: decided once for all steps of a drag, which share a merge key. Configs that came with
-    /// the program are copied under that key.
+    /// The paths where these values are set: decided once for all steps of a drag, which have the same merge key. Configs
+    /// installed with Trundle are copied under that key.
     [[nodiscard]] Result<std::vector<std::string>> pathsForValues(const std::vector<std::string>& asked,
                                                                   const std::string& mergeKey);
-    /// Copies a config for the instance, or for all of the opened file where the path names the config. Gives the copy's path.
+    /// Copies a config for one instance, or, if the path is that of the config, for all instances of the opened file. Returns
+    /// the copy's path.
     [[nodiscard]] Result<std::string> copyConfig(const std::string& path, const std::string& mergeKey = {});
 
 private:
     Status renameHere(const QString& name, const std::string& path, const std::string& to);
-    struct Work;
-    Status advance(const std::shared_ptr<Work>& work);
-    Status ask(const std::shared_ptr<Work>& work, const Part& config);
-    [[nodiscard]] Status copy(Work& work, const Part& config);
-    Status finish(Work& work, const EditPlan& plan);
-    [[nodiscard]] Status reload(Work& work, const EditPlan& plan);
-    [[nodiscard]] std::vector<const Part*> copyUsers(const Work& work, const Part& config) const;
+    struct PendingEdit;
+    Status advance(const std::shared_ptr<PendingEdit>& work);
+    Status ask(const std::shared_ptr<PendingEdit>& work, const Part& config);
+    [[nodiscard]] Status copy(PendingEdit& work, const Part& config);
+    Status finish(PendingEdit& work, const EditPlan& plan);
+    [[nodiscard]] Status reload(PendingEdit& work, const EditPlan& plan);
+    [[nodiscard]] std::vector<const Part*> copyUsers(const PendingEdit& work, const Part& config) const;
     [[nodiscard]] QString shown(const std::string& file) const;
 
     Document& m_document;
-    Asker m_asker;
+    ShareQuestionHandler m_questionHandler;
     ConfigUsers m_users;
-    std::string m_gesture;                                  ///< merge key that the next two are kept for
-    std::map<std::string, std::string> m_targets, m_copies; ///< paths of values that were asked for and are set; of configs
+    std::string m_gesture;                                  ///< merge key that m_targets and m_copies belong to
+    std::map<std::string, std::string> m_targets, m_copies; ///< requested value path -> path that is set; config -> copy
     std::map<std::string, ShareChoice> m_chosen;            ///< by file and name of the config
 };
 

@@ -10,20 +10,20 @@
 #include <QJsonObject>
 #include <QMimeData>
 
-#include "editor/outline/placing.h"
+#include "editor/outline/insert_positions.h"
 #include "lang/tree.h"
-#include "project/mentions.h"
+#include "project/name_references.h"
 #include "project/plans.h"
 #include "project/search.h"
 
 namespace trundle {
 namespace {
 
-constexpr qsizetype kMostText = 16 << 20; // a clipboard may hold anything
+constexpr qsizetype kMaxText = 16 << 20; // the clipboard can have any size
 
 Error notBlocks(std::string reason) { return {Code::Internal, std::move(reason)}; }
 
-/// "line 3: expected a value".
+/// The first syntax error: "line 3: expected a value".
 std::string firstError(const Tree& tree) {
     for (const Diagnostic& d : tree.diagnostics())
         if (d.severity == Severity::Error)
@@ -35,18 +35,18 @@ std::string lineOf(const Tree& tree, const Item& item) {
     return "line " + std::to_string(tree.source().position(item.range.begin).line);
 }
 
-/// What blocks name, and the modules that bring their kinds.
+/// Collects the blocks that copied blocks refer to, and the modules that define their kinds.
 class Needs {
 public:
-    /// `elsewhere`: for a window of another project, which cannot import the files of this one.
-    Needs(const Loaded& loaded, bool elsewhere) : m_loaded(loaded), m_elsewhere(elsewhere) {
+    /// `elsewhere`: the target is a window of another project, which cannot import this project's files.
+    Needs(const LoadedProject& loaded, bool elsewhere) : m_loaded(loaded), m_elsewhere(elsewhere) {
         std::map<const BlockItem*, const Part*> named;
         for (const auto& part : loaded.outline->parts)
             for (const Role role : {Role::Config, Role::Material, Role::Surface, Role::Pattern})
                 if (part->is(role)) named.emplace(part->block, part.get());
-        for (const Mention& mention : mentionsIn(loaded)) // also what a Param or an override brings
-            if (const auto it = named.find(mention.target); mention.user && it != named.end())
-                m_named[mention.user].push_back(it->second);
+        for (const NameReference& reference : referencesIn(loaded)) // includes references made through a Param or an override
+            if (const auto it = named.find(reference.target); reference.user && it != named.end())
+                m_named[reference.user].push_back(it->second);
     }
 
     void collect(const Part& part) {
@@ -58,7 +58,7 @@ public:
         for (const Part& inner : part.parts) collect(inner);
     }
 
-    /// Whether a file cannot be imported where the blocks go to.
+    /// Whether the target cannot import this file.
     bool isOwn(FileId file) const {
         const std::string& folder = m_loaded.projectFolder;
         return file == 0 || (m_elsewhere && !folder.empty() && m_loaded.paths[file].starts_with(folder + "/"));
@@ -66,7 +66,7 @@ public:
 
     std::set<FileId> files;
     std::set<std::string> modules;
-    std::vector<const Part*> own; ///< of the opened file, which nobody imports, or of others that cannot be
+    std::vector<const Part*> own; ///< needed blocks of files that the target cannot import: the opened file, or any project file
 
 private:
     void need(const Part& part) {
@@ -79,14 +79,14 @@ private:
         }
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const bool m_elsewhere;
-    std::map<const Part*, std::vector<const Part*>> m_named; ///< by who names them
+    std::map<const Part*, std::vector<const Part*>> m_named; ///< by the block that refers to them
 };
 
-/// A stretch of a text with what it imports from files of its project written in the place of the imports. `read` gets what was
-/// taken over.
-std::string wholeText(const Loaded& loaded, const Needs& needs, const std::vector<Item>& items, SourceRange range,
+/// The text of a range in which every import that the target cannot resolve is replaced by the imported text. Appends to `read`
+/// each range that was copied.
+std::string wholeText(const LoadedProject& loaded, const Needs& needs, const std::vector<Item>& items, SourceRange range,
                       std::vector<SourceRange>& read) {
     read.push_back(range);
     const std::string_view bytes = loaded.sources.slice(range);
@@ -116,19 +116,18 @@ std::string wholeText(const Loaded& loaded, const Needs& needs, const std::vecto
     return text;
 }
 
-/// The Params of the top level that stretches of the texts take, and those that they are made from. Not those of files that are
-/// imported anyway.
-std::vector<std::string> paramsIn(const Loaded& loaded, std::vector<SourceRange> where, const std::set<FileId>& imported) {
-    const std::vector<Mention> mentions = mentionsIn(loaded);
+/// The top-level Params that these ranges use, directly or through other Params, except those of files in `imported`.
+std::vector<std::string> paramsIn(const LoadedProject& loaded, std::vector<SourceRange> where, const std::set<FileId>& imported) {
+    const std::vector<NameReference> references = referencesIn(loaded);
     std::vector<std::string> texts;
     std::set<const ParamItem*> taken;
-    for (std::size_t i = 0; i < where.size(); ++i) { // grows on the way
-        for (const Mention& m : mentions) {
+    for (std::size_t i = 0; i < where.size(); ++i) { // push_back below extends it
+        for (const NameReference& m : references) {
             const SourceRange round = where[i];
             const bool inside =
                 m.name.file == round.file && round.range.begin <= m.name.range.begin && m.name.range.end <= round.range.end;
             if (!m.param || !inside) continue;
-            const auto global = std::ranges::find(loaded.outline->params, &m.param->name, &PlacedParam::name);
+            const auto global = std::ranges::find(loaded.outline->params, &m.param->name, &SourceParam::name);
             if (global == loaded.outline->params.end() || imported.contains(global->file)) continue;
             if (!taken.insert(m.param).second) continue;
             const SourceRange value{global->file, m.param->value.range};
@@ -136,55 +135,55 @@ std::vector<std::string> paramsIn(const Loaded& loaded, std::vector<SourceRange>
             texts.push_back("Param " + m.param->name.text + " = " + std::string(loaded.sources.slice(value)));
         }
     }
-    std::ranges::reverse(texts); // what is made from others stands behind them
+    std::ranges::reverse(texts); // a Param must come after those it uses
     return texts;
 }
 
-/// Blocks, and what goes in with them.
-struct Company {
+/// Blocks and everything that must be pasted with them.
+struct PasteContents {
     std::string text;
     std::vector<std::string> imports;
     std::vector<NeededBlock> needs;
     std::vector<std::string> params;
-    std::set<std::string> inlined; ///< files that stand in the texts in place of their imports
+    std::set<std::string> inlined; ///< files whose texts replace their imports
     [[nodiscard]] bool empty() const { return imports.empty() && needs.empty() && params.empty() && inlined.empty(); }
 };
 
-Company companyOf(const Loaded& loaded, const std::vector<std::string>& paths, bool elsewhere) {
+PasteContents contentsOf(const LoadedProject& loaded, const std::vector<std::string>& paths, bool elsewhere) {
     Needs needs(loaded, elsewhere);
-    Company company;
+    PasteContents contents;
     std::vector<SourceRange> taken;
     const auto whole = [&](const std::string& path, const Part& part) {
         std::vector<SourceRange> read;
         const std::string text = wholeText(loaded, needs, part.block->items, part.range, read);
         taken.insert(taken.end(), read.begin(), read.end());
-        for (const SourceRange& piece : std::span(read).subspan(1)) company.inlined.insert(loaded.paths[piece.file]);
+        for (const SourceRange& piece : std::span(read).subspan(1)) contents.inlined.insert(loaded.paths[piece.file]);
         return read.size() > 1 ? text + "\n" : textOf(loaded, {path});
     };
     for (const std::string& path : paths)
         if (const auto place = placeOf(loaded, path); place && place->part) {
             needs.collect(*place->part);
-            company.text += whole(path, *place->part);
+            contents.text += whole(path, *place->part);
         }
-    if (company.inlined.empty()) company.text = textOf(loaded, paths); // in the order of the text
-    company.imports.assign(needs.modules.begin(), needs.modules.end());
+    if (contents.inlined.empty()) contents.text = textOf(loaded, paths); // in the order of the file
+    contents.imports.assign(needs.modules.begin(), needs.modules.end());
     for (const FileId file : needs.files)
-        if (!loaded.paths[file].empty()) company.imports.push_back(loaded.paths[file]);
-    std::reverse(needs.own.begin(), needs.own.end()); // what is named stands before what names it
+        if (!loaded.paths[file].empty()) contents.imports.push_back(loaded.paths[file]);
+    std::reverse(needs.own.begin(), needs.own.end()); // a referenced block must come before the one that refers to it
     for (const Part* part : needs.own)
         if (const std::string path = part->kind->name + "." + part->name;
             std::find(paths.begin(), paths.end(), path) == paths.end())
-            company.needs.push_back({path, whole(path, *part)});
-    company.params = paramsIn(loaded, std::move(taken), needs.files);
-    return company;
+            contents.needs.push_back({path, whole(path, *part)});
+    contents.params = paramsIn(loaded, std::move(taken), needs.files);
+    return contents;
 }
 
-QJsonObject jsonOf(const Company& company) {
+QJsonObject jsonOf(const PasteContents& contents) {
     QJsonArray files, blocks, names;
-    const QString text = QString::fromStdString(company.text);
-    for (const std::string& file : company.imports) files.append(QString::fromStdString(file));
-    for (const std::string& param : company.params) names.append(QString::fromStdString(param));
-    for (const NeededBlock& block : company.needs)
+    const QString text = QString::fromStdString(contents.text);
+    for (const std::string& file : contents.imports) files.append(QString::fromStdString(file));
+    for (const std::string& param : contents.params) names.append(QString::fromStdString(param));
+    for (const NeededBlock& block : contents.needs)
         blocks.append(QJsonObject{{QStringLiteral("path"), QString::fromStdString(block.path)},
                                   {QStringLiteral("text"), QString::fromStdString(block.text)}});
     return {{QStringLiteral("text"), text},
@@ -193,7 +192,8 @@ QJsonObject jsonOf(const Company& company) {
             {QStringLiteral("params"), names}};
 }
 
-QByteArray jsonOf(const std::string& kind, const Company& here, const Company& elsewhere, const std::string& from = {}) {
+QByteArray jsonOf(const std::string& kind, const PasteContents& here, const PasteContents& elsewhere,
+                  const std::string& from = {}) {
     QJsonArray inlined;
     for (const std::string& file : elsewhere.inlined) inlined.append(QString::fromStdString(file));
     QJsonObject object = jsonOf(here);
@@ -225,8 +225,8 @@ Result<Blocks> blocksFrom(const std::string& text) {
     return blocks;
 }
 
-QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths) {
-    const Company here = companyOf(loaded, paths, false), elsewhere = companyOf(loaded, paths, true);
+QMimeData* mimeOf(const LoadedProject& loaded, const std::vector<std::string>& paths) {
+    const PasteContents here = contentsOf(loaded, paths, false), elsewhere = contentsOf(loaded, paths, true);
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(here.text));
     const Kind* kind = paths.empty() ? nullptr : kindAt(loaded, paths.front());
@@ -238,8 +238,8 @@ QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths) {
 QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports) {
     auto* mime = new QMimeData;
     mime->setText(QString::fromStdString(text));
-    const Company company{text, imports, {}, {}, {}};
-    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, company, company));
+    const PasteContents contents{text, imports, {}, {}, {}};
+    mime->setData(QLatin1String(kLibraryMime), jsonOf(kind, contents, contents));
     return mime;
 }
 
@@ -254,16 +254,16 @@ Result<Blocks> blocksIn(const QMimeData& mime, const MayImport& mayImport) {
             });
         };
         const bool here = mayAll(QStringLiteral("imports")) && mayAll(QStringLiteral("inlined"));
-        const QJsonObject company = here ? object : object.value(QStringLiteral("elsewhere")).toObject();
-        Result<Blocks> blocks = blocksFrom(company.value(QStringLiteral("text")).toString().toStdString());
+        const QJsonObject contents = here ? object : object.value(QStringLiteral("elsewhere")).toObject();
+        Result<Blocks> blocks = blocksFrom(contents.value(QStringLiteral("text")).toString().toStdString());
         if (!blocks) return blocks;
         Blocks all = std::move(blocks).value();
         all.from = object.value(QStringLiteral("from")).toString().toStdString();
-        for (const QJsonValue& file : company.value(QStringLiteral("imports")).toArray())
+        for (const QJsonValue& file : contents.value(QStringLiteral("imports")).toArray())
             all.imports.push_back(file.toString().toStdString());
-        for (const QJsonValue& param : company.value(QStringLiteral("params")).toArray())
+        for (const QJsonValue& param : contents.value(QStringLiteral("params")).toArray())
             all.params.push_back(param.toString().toStdString());
-        for (const QJsonValue& value : company.value(QStringLiteral("needs")).toArray()) {
+        for (const QJsonValue& value : contents.value(QStringLiteral("needs")).toArray()) {
             const QJsonObject block = value.toObject();
             all.needs.push_back({block.value(QStringLiteral("path")).toString().toStdString(),
                                  block.value(QStringLiteral("text")).toString().toStdString()});
@@ -272,7 +272,7 @@ Result<Blocks> blocksIn(const QMimeData& mime, const MayImport& mayImport) {
     }
     if (!mime.hasText()) return notBlocks("there is no text to insert");
     const QString text = mime.text();
-    if (text.size() > kMostText) return notBlocks("this text is too long to be inserted");
+    if (text.size() > kMaxText) return notBlocks("this text is too long to be inserted");
     return blocksFrom(text.toStdString());
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Objects outside the program: as the text of their blocks, so that any editor can take them and give them back.
+// Objects on the clipboard and in drags: encoded as the text of their blocks, so that any text editor can read and return them.
 
 #include <functional>
 #include <string>
@@ -16,33 +16,32 @@ namespace trundle {
 
 inline constexpr const char* kLibraryMime = "application/x-trundle-library"; ///< JSON {"kind", "text", "imports" ...}
 
-/// A config, material, surface or pattern that blocks name. It goes in with them where nothing of that name is there.
+/// A config, material, surface or pattern that blocks refer to. It is inserted with them if the target has none of that name.
 struct NeededBlock {
     std::string path, text; ///< "RobotConfig.Rover"
 };
 
-/// Blocks to be inserted.
+/// Blocks to insert.
 struct Blocks {
-    std::string text;                 ///< as given, with its #import and #loadModule lines
+    std::string text;                 ///< as pasted, with its #import and #loadModule lines
     std::vector<std::string> kinds;   ///< of the blocks, in order
-    std::vector<std::string> names;   ///< as written; "" where a block has none
-    std::vector<std::string> imports; ///< further files that they need: "robots/simple_robot.sim", "#loadModule ..."
-    std::vector<NeededBlock> needs;   ///< that no file but the one they come from has
-    std::vector<std::string> params;  ///< of its top level, "Param side = 3": they go in where there is none of that name
-    std::string from;                 ///< opened file of the window they come from; "" where they come from none
+    std::vector<std::string> names;   ///< of the blocks as written; "" for a block without a name
+    std::vector<std::string> imports; ///< files and modules that they need: "robots/simple_robot.sim", "#loadModule ..."
+    std::vector<NeededBlock> needs;   ///< blocks that only the source file contains
+    std::vector<std::string> params;  ///< top-level Params, "Param side = 3"; inserted if the target has none of that name
+    std::string from;                 ///< opened file of the source window; "" if there is none
 };
 
-/// Reads a text that somebody pasted: blocks, with the directives that they need. Fails with the reason, in words for people,
-/// where it is something else.
+/// Parses a pasted text: blocks, with the directives that they need. If it is something else, fails with a reason for the user.
 [[nodiscard]] Result<Blocks> blocksFrom(const std::string& text);
 
-/// Text for other editors; for other windows of ours also what it names: the files that hold that, or its blocks.
-[[nodiscard]] QMimeData* mimeOf(const Loaded& loaded, const std::vector<std::string>& paths);
+/// Plain text for other editors; for other Trundle windows also the blocks that it refers to, or the files that contain them.
+[[nodiscard]] QMimeData* mimeOf(const LoadedProject& loaded, const std::vector<std::string>& paths);
 [[nodiscard]] QMimeData* libraryMime(const std::string& kind, const std::string& text, const std::vector<std::string>& imports);
 
 using MayImport = std::function<bool(const std::string& file)>; ///< absolute
-/// What a drop or a paste brings. Blocks whose files may not be imported here come themselves instead. Fails where it brings
-/// nothing of the kind.
+/// Decodes what is dropped or pasted. Blocks of files that cannot be imported here are inserted as text instead. Fails if there
+/// is nothing to insert.
 [[nodiscard]] Result<Blocks> blocksIn(const QMimeData& mime, const MayImport& mayImport);
 
 } // namespace trundle

@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kStep = 0.1, kFarthest = 100; ///< m
 
-/// What objects cover along y.
+/// The extent of objects along y, in metres.
 struct Span {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     void add(double from, double to) { low = std::min(low, from), high = std::max(high, to); }
 };
 
-Span spanOf(const Loaded& loaded, const std::vector<std::string>& paths) {
+Span spanOf(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     Span span;
     const auto chosen = [&](const std::string& name) { return std::find(paths.begin(), paths.end(), name) != paths.end(); };
     for (const RobotSpec& robot : loaded.experiment->robots) {
@@ -36,7 +36,7 @@ Span spanOf(const Loaded& loaded, const std::vector<std::string>& paths) {
 
 } // namespace
 
-Vec3 duplicateOffset(const Loaded& loaded, const std::vector<std::string>& paths) {
+Vec3 duplicateOffset(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     const Span span = spanOf(loaded, paths);
     const double width = span.high > span.low ? span.high - span.low : 0;
     if (!(width < kFarthest)) return {0, kStep, 0};

@@ -8,7 +8,7 @@
 
 namespace trundle {
 
-/// How far to the left (+y) copies go so that they stand clear of what they are copies of, in steps of 0.1 m.
-[[nodiscard]] Vec3 duplicateOffset(const Loaded& loaded, const std::vector<std::string>& paths);
+/// The offset along +y (left), in steps of 0.1 m, at which copies do not overlap the originals.
+[[nodiscard]] Vec3 duplicateOffset(const LoadedProject& loaded, const std::vector<std::string>& paths);
 
 } // namespace trundle

@@ -7,15 +7,15 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
+#include "editor/outline/insert_positions.h"
 #include "editor/outline/kind_icons.h"
 #include "editor/outline/object_edits.h"
-#include "editor/outline/placing.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostBeside = 3; ///< kinds of one role beside those of others; more get a menu of their own
+constexpr std::size_t kMaxBeside = 3; ///< entries of one role in the common menu; more go into a submenu
 
 QString roleTitle(Role role) {
     switch (role) {
@@ -38,7 +38,7 @@ QString roleTitle(Role role) {
     return {};
 }
 
-/// In the order in which a person builds.
+/// In the order in which a robot is usually built.
 constexpr Role kRoles[] = {Role::Body,     Role::Geom,    Role::Joint,  Role::Device,   Role::Controller,
                            Role::Instance, Role::Layout,  Role::Config, Role::Material, Role::Surface,
                            Role::Look,     Role::Pattern, Role::Medium, Role::Log};
@@ -58,7 +58,7 @@ void InsertMenu::attach(QMenu& menu) {
         for (QAction* action : menu.actions())
             if (!kept.contains(action)) {
                 menu.removeAction(action);
-                QMenu* under = action->menu(); // its action goes with it
+                QMenu* under = action->menu(); // deleting the submenu deletes its action
                 (under ? static_cast<QObject*>(under) : action)->deleteLater();
             }
         if (!kept.isEmpty()) menu.addSeparator();
@@ -70,10 +70,10 @@ void InsertMenu::attach(QMenu& menu) {
 void InsertMenu::fill(QMenu& menu) {
     menu.setToolTipsVisible(true);
     if (!m_document.isOpen()) {
-        menu.addAction(tr("Open or start an experiment first"))->setEnabled(false);
+        menu.addAction(tr("Open or create an experiment first"))->setEnabled(false);
         return;
     }
-    const Loaded& loaded = *m_document.loaded();
+    const LoadedProject& loaded = *m_document.loaded();
     std::map<std::string, Entries> places;
     for (const Kind* kind : loaded.registry->all()) {
         if (kind->role == Role::Settings) continue;
@@ -93,7 +93,7 @@ void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& 
         const auto kinds = entries.byRole.find(role);
         if (kinds == entries.byRole.end()) continue;
         QMenu* into = &menu;
-        if (entries.byRole.size() > 1 && kinds->second.size() > kMostBeside) {
+        if (entries.byRole.size() > 1 && kinds->second.size() > kMaxBeside) {
             into = menu.addMenu(themedIcon(roleIcon(role)), roleTitle(role));
             into->setToolTipsVisible(true);
             into->setObjectName(QStringLiteral("insertRole.") + QLatin1String(roleName(role)));
@@ -104,7 +104,7 @@ void InsertMenu::addPlace(QMenu& menu, const std::string& place, const Entries& 
     menu.addSeparator();
 }
 
-/// Movable objects: robots that nothing drives, with the config that makes them.
+/// Movable objects: robots without joints, devices and controller, each with the config that defines it.
 void InsertMenu::addObjects(QMenu& menu) {
     QMenu* objects = menu.addMenu(themedIcon(QStringLiteral("kind-object")), tr("Object"));
     objects->setObjectName(QStringLiteral("insertObjects"));
@@ -139,7 +139,7 @@ QAction* InsertMenu::addKind(QMenu& menu, const Kind& kind, const std::string& p
     const bool medium = kind.role == Role::Medium;
     if (medium && std::any_of(world.begin(), world.end(), [](const Part* part) { return part->is(Role::Medium); })) {
         action->setEnabled(false);
-        action->setToolTip(tr("There is one already: all radios share one air"));
+        action->setToolTip(tr("There is one already: all radios share one medium"));
     }
     connect(action, &QAction::triggered, this, [this, name = kind.name] {
         const Kind* kind = m_document.isOpen() ? m_document.loaded()->registry->find(name) : nullptr;

@@ -14,14 +14,14 @@ class Document;
 class ObjectEdits;
 class Selection;
 
-/// Fills menus with the kinds that may be put where the selection is, from the registry: what a module brings is there without
-/// a line here.
+/// Fills menus with the kinds that can be inserted at the selection. Kinds come from the registry, so those of modules appear
+/// without changes here.
 class InsertMenu final : public QObject {
     Q_OBJECT
 public:
     InsertMenu(Document& document, Selection& selection, ObjectEdits& edits, QObject* parent = nullptr);
 
-    /// Keeps the end of a menu filled, anew each time it opens. What stands in it already stays.
+    /// Appends the kinds to a menu each time it opens. Actions that it has already are kept.
     void attach(QMenu& menu);
     void fill(QMenu& menu);
 

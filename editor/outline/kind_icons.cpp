@@ -6,7 +6,7 @@
 
 namespace trundle {
 
-// In alphabetical order.
+// Kinds that have an icon. Must be sorted, for the binary search.
 static constexpr auto kDrawn = std::to_array<std::string_view>({"Ball",         "Body",        "Box",
                                                                 "Camera",       "Capsule",     "ContactLog",
                                                                 "Convex",       "Cylinder",    "DifferentialDrive",

@@ -5,7 +5,7 @@
 
 namespace trundle {
 
-/// Name of an icon in resources/icons for a kind; one of its role for those that nobody drew.
+/// Name of an icon in resources/icons for a kind; the icon of its role if the kind has none.
 [[nodiscard]] QString kindIcon(const Kind* kind);
 [[nodiscard]] QString roleIcon(Role role);
 

@@ -1,4 +1,5 @@
-// What the Library holds: found in folders by a thread of its own, and known from the kinds and from what is open.
+// Contents of the library: configs and snippets found in folders by a worker thread, kinds from the registry, and configs of the
+// open project.
 
 #include <algorithm>
 #include <filesystem>
@@ -8,12 +9,12 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/outline/block_mime.h"
+#include "editor/outline/insert_positions.h"
 #include "editor/outline/library_items.h"
 #include "editor/outline/library_model.h"
 #include "editor/outline/library_panel.h"
 #include "editor/outline/library_pictures.h"
 #include "editor/outline/object_edits.h"
-#include "editor/outline/placing.h"
 #include "project/search.h"
 
 namespace trundle {
@@ -23,8 +24,8 @@ void append(std::vector<LibraryItem>& all, std::vector<LibraryItem> more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// The config that parts of robots would go into: the one round the selection, or the only one there is.
-const Part* robotConfigFor(const Loaded& loaded, const std::string& selected) {
+/// The config that robot parts would be inserted into: the one that contains the selection, or the only one.
+const Part* robotConfigFor(const LoadedProject& loaded, const std::string& selected) {
     for (const std::string& path : placesAround(loaded, selected))
         if (const auto place = placeOf(loaded, path); place && place->part && place->part->is(Role::Config)) return place->part;
     const Part* only = nullptr;
@@ -56,7 +57,7 @@ void LibraryPanel::readFolders() {
                 append(items, configItems({project, ""}, opened));
                 append(items, snippetItems(project + "/library"));
             }
-            std::vector<Kind> kinds = m_parts.moduleKinds({});
+            std::vector<Kind> kinds = m_application.moduleKinds({});
             QMetaObject::invokeMethod(
                 this,
                 [this, reading, items = std::move(items), kinds = std::move(kinds)] {
@@ -79,7 +80,7 @@ QDateTime LibraryPanel::lastWritten() const {
     return last;
 }
 
-/// Of the opened file, and of files that are not on the disk yet: they need no import.
+/// Configs of the opened file, and of files not saved yet: they need no import.
 std::vector<LibraryItem> LibraryPanel::ownConfigs() const {
     std::vector<LibraryItem> items;
     if (!m_document.isOpen()) return items;
@@ -107,7 +108,8 @@ void LibraryPanel::showItems() {
     std::vector<LibraryItem> all = ownConfigs();
     std::vector<std::string> names;
     for (const LibraryItem& item : all) names.push_back(item.text);
-    const std::shared_ptr<const Registry> registry = m_document.isOpen() ? m_document.loaded()->registry : m_parts.builtIn();
+    const std::shared_ptr<const Registry> registry =
+        m_document.isOpen() ? m_document.loaded()->registry : m_application.builtIn();
     const auto kindNames = [](const Registry& r) {
         std::vector<std::string> names;
         for (const Kind* kind : r.all()) names.push_back(kind->name);
@@ -124,7 +126,7 @@ void LibraryPanel::showItems() {
     m_model->setItems(std::move(all));
     for (const LibraryItem& item : m_model->items())
         if (!item.picture.empty() && !m_model->hasPicture(item.picture)) {
-            m_model->setPicture(item.picture, {}); // wanted once
+            m_model->setPicture(item.picture, {}); // marks it as requested
             m_pictures->want(item.picture, item.folder.empty() ? m_configs : item.folder);
         }
     fitSections();
@@ -146,7 +148,7 @@ std::string LibraryPanel::textOf(const LibraryItem& item) const {
     return templateOf(*m_document.loaded(), *kind, parent.value_or(std::string()));
 }
 
-/// Parts hang on a body called chassis; where the robot has none of that name, on its first.
+/// The item's text, with its parent body replaced by the robot's first body if the robot has no body named chassis.
 std::string LibraryPanel::fittedTo(const LibraryItem& item) const {
     static const std::string kParent = "Parent=chassis";
     const Part* config = robotConfigFor(*m_document.loaded(), m_selection.current());
@@ -162,7 +164,7 @@ std::string LibraryPanel::fittedTo(const LibraryItem& item) const {
 
 void LibraryPanel::insert(const LibraryItem& item) {
     if (!m_document.isOpen()) {
-        Q_EMIT m_document.refused(tr("open or start an experiment first"));
+        Q_EMIT m_document.refused(tr("open or create an experiment first"));
         return;
     }
     Result<Blocks> blocks = blocksFrom(textOf(item));

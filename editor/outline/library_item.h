@@ -9,15 +9,15 @@ namespace trundle {
 enum class LibrarySection { Robots, Arenas, Objects, RobotParts, Controllers, Shapes, Joints, Devices, World, Looks };
 inline constexpr int kLibrarySections = 10;
 
-/// Something to be put into the experiment.
+/// Something that can be inserted into the experiment.
 struct LibraryItem {
     LibrarySection section = LibrarySection::Objects;
     QString title, help, icon;
-    std::string kind;                 ///< of the block that is placed: "Robot", "Static", "Box"
-    std::string text;                 ///< of the blocks; empty: the template of `kind`, made when it is wanted
+    std::string kind;                 ///< of the block that is inserted: "Robot", "Static", "Box"
+    std::string text;                 ///< of the blocks; empty: the template of `kind`, made on insertion
     std::vector<std::string> imports; ///< directives that it needs: "robots/evbot.sim", "#loadModule controllers/linear_motion"
-    std::string picture;              ///< an experiment that shows it; empty: the icon does
-    std::string folder;               ///< from which that experiment's imports are looked for
+    std::string picture;              ///< text of an experiment that shows the item; empty: the icon is used
+    std::string folder;               ///< search folder for the imports of that experiment
 
     bool operator==(const LibraryItem&) const = default;
 };

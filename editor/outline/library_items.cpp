@@ -10,25 +10,25 @@
 
 #include "editor/outline/kind_icons.h"
 #include "lang/tree.h"
+#include "project/import_path.h"
 #include "project/search.h"
-#include "project/written_path.h"
 
 namespace trundle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kMostFiles = 300, kMostBytes = std::size_t{1} << 20, kMostItems = 200;
-constexpr int kMostDeep = 3, kMostEntries = 20000; // a project may lie in a home folder
+constexpr std::size_t kMaxFiles = 300, kMaxBytes = std::size_t{1} << 20, kMaxItems = 200;
+constexpr int kMaxDeep = 3, kMaxEntries = 20000; // limits, since a project may be in a home folder
 
 QString titled(const std::string& text) { return QString::fromStdString(text); }
 
-/// Sorted, so that the library looks the same each time.
+/// Sorted, so that the order in the library is stable.
 std::vector<std::string> textsBelow(const std::string& folder, int deep) {
     std::vector<std::string> files;
     std::error_code error;
     fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
     int entries = 0;
-    for (; !error && at != end && files.size() < kMostFiles && ++entries < kMostEntries; at.increment(error)) {
+    for (; !error && at != end && files.size() < kMaxFiles && ++entries < kMaxEntries; at.increment(error)) {
         const std::string name = at->path().filename().string();
         std::error_code none;
         if (at->is_directory(none)) {
@@ -42,11 +42,11 @@ std::vector<std::string> textsBelow(const std::string& folder, int deep) {
 }
 
 std::shared_ptr<const Tree> treeOf(const std::string& file) {
-    Result<std::string> bytes = readFile(file, kMostBytes);
+    Result<std::string> bytes = readFile(file, kMaxBytes);
     return bytes ? parse(std::make_shared<const SourceText>(file, std::move(bytes).value()), 0) : nullptr;
 }
 
-/// The words of the first comment, when it begins the text.
+/// The text of the first comment if the file begins with it.
 std::string firstComment(const Tree& tree) {
     std::string_view line = tree.source().line(1);
     if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
@@ -76,17 +76,17 @@ bool isPlaced(const BlockItem& block) {
     return type == "Robot" || type == "Static" || type == "Grid" || type == "Scatter";
 }
 
-/// A text with configs, and how to get one of them out of it.
+/// A file with configs, and how to import them.
 struct ConfigFile {
     const Tree& tree;
-    std::string import; ///< the path under which it is found
-    std::string folder; ///< from which
-    std::string stamp;  ///< a comment that differs when the file has been written anew: then its pictures are others
+    std::string import; ///< path that an #import uses
+    std::string folder; ///< search folder of that path
+    std::string stamp;  ///< a comment that changes with the file, so that cached previews are invalidated
     std::vector<const BlockItem*> configs;
-    bool places = false; ///< robots or scenery stand in it too: importing it would bring them along
+    bool places = false; ///< it also contains robots or scenery, which an import would add
 };
 
-/// The config itself, with what its file imports.
+/// The config itself, with the imports of its file.
 std::string copiedText(const ConfigFile& file, const BlockItem& config) {
     std::string text;
     const auto slice = [&](TextRange range) { return std::string(file.tree.source().slice(range)); };
@@ -127,7 +127,7 @@ LibrarySection sectionOf(const Kind& kind) {
     }
 }
 
-/// Shapes are shown as they are when they are new.
+/// Shapes are shown with their default values.
 std::string pictureOf(const Kind& kind) {
     const std::string& name = kind.name;
     const std::string look = " Material=blue Surface=plastic } }\nStatic shown { Config=Shown }" + std::string(kPictureFloor);
@@ -176,8 +176,8 @@ std::string pictureOfConfig(const Tree& tree, const BlockItem& config) {
 
 std::vector<LibraryItem> configItems(const LibraryFolder& folder, const std::string& except) {
     std::vector<LibraryItem> items;
-    for (const std::string& file : textsBelow(folder.path, kMostDeep)) {
-        if (items.size() >= kMostItems) break;
+    for (const std::string& file : textsBelow(folder.path, kMaxDeep)) {
+        if (items.size() >= kMaxItems) break;
         if (!except.empty() && canonicalPath(file) == except) continue;
         const auto tree = treeOf(file);
         if (!tree) continue;
@@ -216,7 +216,7 @@ std::vector<LibraryItem> snippetItems(const std::string& folder) {
             if (!text->isEmpty()) (*text)[0] = text->at(0).toUpper();
         item.icon = QStringLiteral("kind-body");
         const std::string_view bytes = tree->source().bytes();
-        const std::size_t line = comment.empty() ? 0 : bytes.find('\n') + 1; // the title is not for the experiment
+        const std::size_t line = comment.empty() ? 0 : bytes.find('\n') + 1; // the experiment does not contain the title
         item.text = std::string(bytes.substr(line));
         if (item.kind == "Body") {
             item.folder = folder;

@@ -20,7 +20,7 @@ void LibraryModel::setItems(std::vector<LibraryItem> items) {
 }
 
 void LibraryModel::setPicture(const std::string& experiment, const QImage& picture) {
-    m_pictures.insert(QString::fromStdString(experiment), QPixmap::fromImage(picture)); // a null one while it is drawn
+    m_pictures.insert(QString::fromStdString(experiment), QPixmap::fromImage(picture)); // null while it is being rendered
     for (std::size_t i = 0; i < m_items.size(); ++i)
         if (m_items[i].picture == experiment) Q_EMIT dataChanged(index(int(i)), index(int(i)), {PictureRole});
 }

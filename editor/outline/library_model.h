@@ -10,21 +10,21 @@
 
 namespace trundle {
 
-/// All that the Library holds, one row each, in the order of its sections.
+/// All items of the library, one row each, in the order of its sections.
 class LibraryModel final : public QAbstractListModel {
     Q_OBJECT
 public:
     enum Role { HelpRole = Qt::UserRole + 1, SectionRole, IconRole, PictureRole };
-    /// The blocks of an item as they are put in now.
+    /// Returns the blocks that inserting an item would add now.
     using TextOf = std::function<std::string(const LibraryItem&)>;
 
     explicit LibraryModel(TextOf textOf, QObject* parent = nullptr);
 
-    /// Changes nothing where they are the same.
+    /// Does nothing if the items are unchanged.
     void setItems(std::vector<LibraryItem> items);
     [[nodiscard]] const std::vector<LibraryItem>& items() const { return m_items; }
     [[nodiscard]] std::string textOf(const LibraryItem& item) const { return m_textOf(item); }
-    /// Pictures are known by the experiment that they show.
+    /// A preview image is identified by the text of the experiment that it shows.
     void setPicture(const std::string& experiment, const QImage& picture);
     [[nodiscard]] bool hasPicture(const std::string& experiment) const {
         return m_pictures.contains(QString::fromStdString(experiment));

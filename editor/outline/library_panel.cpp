@@ -12,13 +12,13 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/outline/block_mime.h"
+#include "editor/outline/insert_positions.h"
 #include "editor/outline/library_items.h"
 #include "editor/outline/library_model.h"
 #include "editor/outline/library_pictures.h"
 #include "editor/outline/library_view.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
-#include "editor/outline/placing.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -27,7 +27,7 @@ struct LibraryPanel::Section {
     QToolButton* header = nullptr;
     LibraryList* list = nullptr;
     LibrarySectionFilter* filter = nullptr;
-    bool open = true; ///< as the user has it; a search opens all
+    bool open = true; ///< as the user set it; a search opens all sections
 
     void fit(bool searching) const {
         const bool some = filter->rowCount() > 0, shown = some && (open || searching);
@@ -38,13 +38,13 @@ struct LibraryPanel::Section {
     }
 };
 
-LibraryPanel::LibraryPanel(Document& document, Selection& selection, Parts& parts, RenderService* render, const Locations& places,
-                           QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection), m_parts(parts), m_configs(places.configs),
+LibraryPanel::LibraryPanel(Document& document, Selection& selection, Application& application, RenderService* render,
+                           const Locations& places, QWidget* parent)
+    : QWidget(parent), m_document(document), m_selection(selection), m_application(application), m_configs(places.configs),
       m_resources(places.resources), m_modules(places.modules),
       m_edits(new ObjectEdits(document, selection, *new ObjectMarks(this), this)),
       m_model(new LibraryModel([this](const LibraryItem& item) { return textOf(item); }, this)),
-      m_pictures(new LibraryPictures(parts, render, this)) {
+      m_pictures(new LibraryPictures(application, render, this)) {
     setObjectName(QStringLiteral("libraryPanel"));
     m_pool.setMaxThreadCount(1);
     build();
@@ -52,7 +52,7 @@ LibraryPanel::LibraryPanel(Document& document, Selection& selection, Parts& part
     connect(&document, &Document::opened, this, &LibraryPanel::readFolders);
     connect(&document, &Document::changed, this, &LibraryPanel::showItems);
     connect(&document, &Document::modifiedChanged, this, [this] {
-        // Unmodified again: undone, or something was saved.
+        // Unmodified again: after undo or save the files on disk may have changed.
         if (m_document.isOpen() && !m_document.isModified() && lastWritten() != m_readOf) readFolders();
     });
     readFolders();
@@ -75,7 +75,7 @@ void LibraryPanel::build() {
     m_asList->setAutoRaise(true);
     m_asList->setIconSize({16, 16});
     m_asList->setIcon(themedIcon(QStringLiteral("view-list")));
-    m_asList->setToolTip(tr("Show as a list, with what each thing is"));
+    m_asList->setToolTip(tr("Show as a list with descriptions"));
     auto* top = new QHBoxLayout;
     top->setContentsMargins(6, 6, 6, 4);
     top->setSpacing(4);
@@ -137,13 +137,13 @@ void LibraryPanel::addSection(LibrarySection section, QVBoxLayout& layout) {
     });
     connect(made.list, &LibraryList::leftBehind, this, [this, at](int by) { step(at, by); });
     connect(made.list->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this, at](const QItemSelection& chosen) {
-        if (!chosen.isEmpty()) // one thing is selected, whatever list it is in
+        if (!chosen.isEmpty()) // one selection across all lists
             for (std::size_t i = 0; i < m_sections.size(); ++i)
                 if (i != at) m_sections[i].list->clearSelection();
     });
 }
 
-/// The keyboard goes on in the next list that can be seen.
+/// Moves the keyboard focus to the next visible list.
 void LibraryPanel::step(std::size_t from, int by) {
     for (std::size_t at = from + std::size_t(by); at < m_sections.size(); at += std::size_t(by)) {
         const Section& section = m_sections[at];

@@ -1,5 +1,5 @@
 #pragma once
-// The Library dock: robots, arenas, objects, parts and kinds to be dragged into views and tree, with pictures.
+// The Library dock: robots, arenas, objects, parts and kinds with previews, to be dragged into viewports and the outline.
 
 #include <map>
 #include <memory>
@@ -25,7 +25,7 @@ class LibraryModel;
 class LibraryPictures;
 class LibrarySectionFilter;
 class ObjectEdits;
-class Parts;
+class Application;
 class Registry;
 class RenderService;
 class Selection;
@@ -34,16 +34,16 @@ struct Locations;
 class LibraryPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// `render` is null where no OpenGL is to be had: icons stand for pictures. All outlive this but `places`.
-    LibraryPanel(Document& document, Selection& selection, Parts& parts, RenderService* render, const Locations& places,
-                 QWidget* parent = nullptr);
+    /// `render` is null without OpenGL; icons are shown instead of previews. All arguments except `places` must outlive this.
+    LibraryPanel(Document& document, Selection& selection, Application& application, RenderService* render,
+                 const Locations& places, QWidget* parent = nullptr);
     ~LibraryPanel() override;
 
     [[nodiscard]] LibraryModel& model() { return *m_model; }
-    /// Puts an item in where the selection is, a robot or scenery at the origin: what a double click does.
+    /// Inserts an item at the selection, a robot or scenery at the origin. Used on double click.
     void insert(const LibraryItem& item);
-    [[nodiscard]] bool isReading() const { return m_reading > 0; } ///< folders are being looked through
-    /// All that can be found is there, and all pictures of it.
+    [[nodiscard]] bool isReading() const { return m_reading > 0; } ///< a worker thread is reading folders
+    /// All folders are read and all previews are rendered. For tests.
     [[nodiscard]] bool isSettled() const;
 
 private:
@@ -51,7 +51,7 @@ private:
     void build();
     void addSection(LibrarySection section, QVBoxLayout& layout);
     void readFolders();
-    [[nodiscard]] QDateTime lastWritten() const; ///< any file of what is open
+    [[nodiscard]] QDateTime lastWritten() const; ///< newest modification time of the project's files
     void showItems();
     void setWords(const QString& text);
     void setAsList(bool list);
@@ -64,23 +64,23 @@ private:
 
     Document& m_document;
     Selection& m_selection;
-    Parts& m_parts;
-    const std::string m_configs, m_resources, m_modules; ///< folders of the program
+    Application& m_application;
+    const std::string m_configs, m_resources, m_modules; ///< installed with Trundle
     ObjectEdits* m_edits;
     LibraryModel* m_model;
     LibraryPictures* m_pictures;
     std::vector<Section> m_sections;
     QLineEdit* m_search = nullptr;
     QToolButton* m_asList = nullptr;
-    std::vector<LibraryItem> m_found;                 ///< in files
-    std::map<std::string, std::string> m_ownPictures; ///< of configs of the opened file, as they were when folders were read last
+    std::vector<LibraryItem> m_found;                 ///< from files
+    std::map<std::string, std::string> m_ownPictures; ///< of configs of the opened file, at the last reading of folders
     std::vector<Kind> m_moduleKinds;
-    std::shared_ptr<const Registry> m_registry; ///< of the kinds that are shown
-    std::vector<std::string> m_ownNames;        ///< of configs of the opened file that are shown
-    QDateTime m_readOf;                         ///< what was written last when the folders were read
+    std::shared_ptr<const Registry> m_registry; ///< of the kinds shown
+    std::vector<std::string> m_ownNames;        ///< of the opened file's configs shown
+    QDateTime m_readOf;                         ///< lastWritten() at the last reading of folders
     int m_reading = 0;
     std::uint64_t m_readings = 0;
-    QThreadPool m_pool; // reads folders; the last member, so that it ends first
+    QThreadPool m_pool; // reads folders; the last member: destroyed first, it waits for its threads
 };
 
 } // namespace trundle

@@ -1,15 +1,15 @@
 #include "editor/outline/library_pictures.h"
 
-#include "parts/parts.h"
+#include "app/application.h"
 #include "project/search.h"
 #include "render/service.h"
 
 namespace trundle {
 
-static constexpr std::uint32_t kWidth = 280, kHeight = 132; // as a cell of the Library, so that nothing of it is cut off
+static constexpr std::uint32_t kWidth = 280, kHeight = 132; // pixels; aspect ratio of a library cell: nothing is cropped
 
-LibraryPictures::LibraryPictures(Parts& parts, RenderService* render, QObject* parent)
-    : QObject(parent), m_parts(parts), m_render(render) {
+LibraryPictures::LibraryPictures(Application& application, RenderService* render, QObject* parent)
+    : QObject(parent), m_application(application), m_render(render) {
     m_pool.setMaxThreadCount(1);
 }
 
@@ -31,13 +31,13 @@ void LibraryPictures::want(const std::string& experiment, const std::string& fol
     });
 }
 
-/// Null where there is nothing to be drawn.
+/// Null if there is nothing to render.
 QImage LibraryPictures::picture(const std::string& experiment, const std::string& folder) const {
     if (m_ending) return {};
-    const std::string path = canonicalPath(folder + "/.library-picture.sim"); // in the overlay alone
+    const std::string path = canonicalPath(folder + "/.library-picture.sim"); // only in the text overlay
     OpenOptions options;
     options.texts.emplace(path, std::make_shared<const std::string>(experiment));
-    const Result<std::shared_ptr<const Loaded>> loaded = m_parts.open(path, options);
+    const Result<std::shared_ptr<const LoadedProject>> loaded = m_application.open(path, options);
     if (!loaded || m_ending) return {};
     const ExperimentSpec& shown = *loaded.value()->experiment;
     if (shown.robots.empty() && shown.statics.empty()) return {};

@@ -1,5 +1,5 @@
 #pragma once
-// Small pictures of things, drawn beside the GUI.
+// Renders the library's previews on a worker thread.
 
 #include <atomic>
 #include <memory>
@@ -11,21 +11,22 @@
 
 namespace trundle {
 
-class Parts;
+class Application;
 class RenderService;
 
 class LibraryPictures final : public QObject {
     Q_OBJECT
 public:
-    /// `render` is null where no OpenGL is to be had: then nothing is ever drawn. Both outlive this.
-    LibraryPictures(Parts& parts, RenderService* render, QObject* parent = nullptr);
-    /// Waits for the picture in work.
+    /// `render` is null without OpenGL; then nothing is rendered. Both must outlive this object.
+    LibraryPictures(Application& application, RenderService* render, QObject* parent = nullptr);
+    /// Waits for the preview being rendered.
     ~LibraryPictures() override;
 
-    /// Draws an experiment given as a text whose imports are looked for from `folder`. drawn() follows, unless it cannot be.
+    /// Requests the preview of an experiment given as text; `folder` is the search folder of its imports. drawn() follows,
+    /// except on failure.
     void want(const std::string& experiment, const std::string& folder);
 
-    /// Pictures not drawn yet.
+    /// Number of previews not rendered yet.
     [[nodiscard]] int wanted() const { return m_wanted; }
 
 Q_SIGNALS:
@@ -34,11 +35,11 @@ Q_SIGNALS:
 private:
     [[nodiscard]] QImage picture(const std::string& experiment, const std::string& folder) const;
 
-    Parts& m_parts;
+    Application& m_application;
     RenderService* m_render;
     std::atomic<bool> m_ending = false;
     int m_wanted = 0;
-    QThreadPool m_pool; // one after the other; the last member, so that it ends first
+    QThreadPool m_pool; // one preview at a time; the last member: destroyed first, it waits for its thread
 };
 
 } // namespace trundle

@@ -62,7 +62,7 @@ void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     initStyleOption(&ground, index);
     ground.text.clear();
     ground.state &= ~QStyle::State_HasFocus;
-    ground.showDecorationSelected = true; // the whole cell: the words on it are drawn here
+    ground.showDecorationSelected = true; // fills the whole cell; the text is drawn below
     const QStyle* style = ground.widget ? ground.widget->style() : QApplication::style();
     style->drawControl(QStyle::CE_ItemViewItem, &ground, painter, ground.widget);
     const bool selected = option.state & QStyle::State_Selected;
@@ -122,11 +122,11 @@ void LibraryList::setAsList(bool list) {
 
 void LibraryList::fit() {
     const int count = model() ? model()->rowCount() : 0,
-              room = std::max(viewport()->width() - 1, kCell); // less one: the last column would not fit to the pixel
+              room = std::max(viewport()->width() - 1, kCell); // less one: at the exact width the last column would not fit
     const int columns = m_delegate->asList ? 1 : std::max(1, room / kCell);
     setGridSize(m_delegate->asList ? QSize(room, kRow) : QSize(room / columns, kCellHeight));
     setFixedHeight((count + columns - 1) / columns * (m_delegate->asList ? kRow : kCellHeight) + 2);
-    doItemsLayout(); // at once: a later one would still have the width of before
+    doItemsLayout(); // now: the delayed layout would use the old width
 }
 
 void LibraryList::resizeEvent(QResizeEvent* event) {
@@ -148,7 +148,7 @@ void LibraryList::startDrag(Qt::DropActions) {
     if (!mime) return;
     auto* drag = new QDrag(this);
     drag->setMimeData(mime);
-    // Small and beside the cursor: the 3D view shows the thing itself there.
+    // Small and next to the cursor: the viewport shows a preview of the object itself.
     drag->setPixmap(drawnIcon(index.data(LibraryModel::IconRole).toString(), kDraggedSize, devicePixelRatioF()));
     drag->setHotSpot(QPoint(-kDraggedSize / 2, -kDraggedSize / 2));
     drag->exec(Qt::CopyAction);

@@ -8,7 +8,7 @@
 
 namespace trundle {
 
-/// The items of one section in which all words of a search are found.
+/// The items of one section that contain all words of a search.
 class LibrarySectionFilter final : public QSortFilterProxyModel {
     Q_OBJECT
 public:
@@ -23,7 +23,7 @@ private:
     QStringList m_words;
 };
 
-/// Draws a thing: its picture above its name, or beside name and help.
+/// Draws an item: its preview above the name, or next to name and help.
 class LibraryDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -37,23 +37,23 @@ private:
     void paintPicture(QPainter& painter, const QStyleOptionViewItem& option, const QRect& where, const QModelIndex& index) const;
 };
 
-/// A list as high as its items: several stand above each other in one scroll area.
+/// A list as high as its items: several lists share one scroll area.
 class LibraryList final : public QListView {
     Q_OBJECT
 public:
     explicit LibraryList(QWidget* parent = nullptr);
     void setAsList(bool list);
-    /// To be called when the number of items changes.
+    /// Adjusts the height. Call it when the number of items changes.
     void fit();
 
 Q_SIGNALS:
-    void leftBehind(int step); ///< the keyboard goes beyond the last item (1) or before the first (-1)
+    void leftBehind(int step); ///< keyboard navigation left the list after the last item (1) or before the first (-1)
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void startDrag(Qt::DropActions actions) override;
-    void wheelEvent(QWheelEvent* event) override { event->ignore(); } // the area scrolls
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); } // the scroll area handles it
 
 private:
     LibraryDelegate* m_delegate;

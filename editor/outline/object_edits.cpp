@@ -13,25 +13,25 @@
 #include "editor/document/structure_edits.h"
 #include "editor/outline/block_mime.h"
 #include "editor/outline/duplicate_offset.h"
+#include "editor/outline/insert_positions.h"
 #include "editor/outline/object_marks.h"
-#include "editor/outline/placing.h"
 #include "lang/characters.h"
-#include "project/plan_users.h"
+#include "project/plan_dependents.h"
 
 namespace trundle {
 namespace {
 
 QString shown(const std::string& s) { return QString::fromStdString(s); }
 
-/// "hull" of "robot0.chassis.hull".
+/// The last component of a path: "hull" of "robot0.chassis.hull".
 std::string lastName(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
-/// "robot0", "3 objects".
+/// How the history names objects: "robot0", "3 objects".
 QString named(const std::vector<std::string>& paths) {
     return paths.size() == 1 ? shown(lastName(paths.front())) : ObjectEdits::tr("%1 objects").arg(paths.size());
 }
 
-/// "Box box", "3 objects": what blocks of a text are called in the history.
+/// How the history names pasted blocks: "Box box", "3 objects".
 QString named(const Blocks& blocks) {
     if (blocks.kinds.size() != 1) return ObjectEdits::tr("%1 objects").arg(blocks.kinds.size());
     return shown(blocks.names[0].empty() ? blocks.kinds[0] : blocks.kinds[0] + " " + blocks.names[0]);
@@ -42,20 +42,20 @@ std::string blankless(std::string text) {
     return text;
 }
 
-/// Whether there is one of the name in "Param side = 3".
-bool isParam(const Loaded& loaded, const std::string& text) {
+/// Whether the project has the Param that a text like "Param side = 3" defines.
+bool isParam(const LoadedProject& loaded, const std::string& text) {
     return std::ranges::any_of(loaded.outline->params,
-                               [&](const PlacedParam& p) { return text.starts_with("Param " + p.name->text + " "); });
+                               [&](const SourceParam& p) { return text.starts_with("Param " + p.name->text + " "); });
 }
 
-using Renamed = StructureEdits::Renamed;
+using PathMapping = StructureEdits::PathMapping;
 
-std::vector<std::string> renamedAll(std::vector<std::string> paths, const Renamed& renamed) {
+std::vector<std::string> renamedAll(std::vector<std::string> paths, const PathMapping& renamed) {
     for (std::string& path : paths) path = renamed(path);
     return paths;
 }
 
-/// The experiment itself is no block.
+/// Without "": the experiment itself is not a block.
 std::vector<std::string> objectsOf(const std::vector<std::string>& paths) {
     std::vector<std::string> objects = paths;
     std::erase(objects, std::string());
@@ -72,12 +72,12 @@ Status ObjectEdits::refuse(const QString& reason) {
     return Error{Code::Internal, reason.toStdString()};
 }
 
-Status ObjectEdits::mayChange(const std::vector<std::string>& paths, const QString& deed) {
+Status ObjectEdits::checkChangeable(const std::vector<std::string>& paths, const QString& verb) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
-    if (m_document.isReadOnly()) return m_document.edit({}, {}); // says who has the project
-    if (paths.empty()) return refuse(tr("select an object to %1 first").arg(deed));
+    if (m_document.isReadOnly()) return m_document.edit({}, {}); // reports who has the project
+    if (paths.empty()) return refuse(tr("select an object to %1 first").arg(verb));
     for (const std::string& path : paths)
-        if (m_marks.isLocked(path)) return refuse(tr("%1 is locked; unlock it to %2 it").arg(shown(path), deed));
+        if (m_marks.isLocked(path)) return refuse(tr("%1 is locked; unlock it to %2 it").arg(shown(path), verb));
     return {};
 }
 
@@ -87,25 +87,25 @@ bool ObjectEdits::canRename(const std::string& path) const {
     return place && place->part && !(place->member && place->within.empty());
 }
 
-QString ObjectEdits::nameRefusal(const std::string& path, const std::string& name) const {
+QString ObjectEdits::nameProblem(const std::string& path, const std::string& name) const {
     if (!m_document.isOpen() || name.empty()) return {};
     const Result<EditPlan> plan = planRename(*m_document.loaded(), path, name);
     return plan ? QString() : shown(plan.error().message);
 }
 
 Status ObjectEdits::rename(const std::string& path, const std::string& name) {
-    if (Status may = mayChange({path}, tr("rename")); !may) return may;
+    if (Status may = checkChangeable({path}, tr("rename")); !may) return may;
     return m_document.structure().rename(tr("Rename %1 to %2").arg(shown(lastName(path)), shown(name)), path, name);
 }
 
 Status ObjectEdits::remove(const std::vector<std::string>& paths) {
     const std::vector<std::string> objects = objectsOf(paths);
-    if (Status may = mayChange(objects, tr("delete")); !may) return may;
+    if (Status may = checkChangeable(objects, tr("delete")); !may) return may;
     return remove(tr("Delete %1").arg(named(objects)), objects);
 }
 
 Status ObjectEdits::remove(const QString& name, const std::vector<std::string>& objects) {
-    return m_document.structure().apply(name, objects, [objects](const Loaded& loaded, const Renamed& renamed) {
+    return m_document.structure().apply(name, objects, [objects](const LoadedProject& loaded, const PathMapping& renamed) {
         return planRemove(loaded, renamedAll(objects, renamed));
     });
 }
@@ -115,7 +115,7 @@ Status ObjectEdits::duplicate(const std::vector<std::string>& paths) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     if (objects.empty()) return refuse(tr("select an object to duplicate first"));
     const QString title = tr("Duplicate %1").arg(named(objects));
-    return m_document.structure().apply(title, objects, [objects](const Loaded& loaded, const Renamed& renamed) {
+    return m_document.structure().apply(title, objects, [objects](const LoadedProject& loaded, const PathMapping& renamed) {
         const std::vector<std::string> paths = renamedAll(objects, renamed);
         return planDuplicate(loaded, paths, duplicateOffset(loaded, paths));
     });
@@ -131,7 +131,7 @@ Status ObjectEdits::copy(const std::vector<std::string>& paths) {
 
 Status ObjectEdits::cut(const std::vector<std::string>& paths) {
     const std::vector<std::string> objects = objectsOf(paths);
-    if (Status may = mayChange(objects, tr("cut")); !may) return may;
+    if (Status may = checkChangeable(objects, tr("cut")); !may) return may;
     std::unique_ptr<QMimeData> mime(mimeOf(*m_document.loaded(), objects));
     const Status removed = remove(tr("Cut %1").arg(named(objects)), objects);
     if (removed) QGuiApplication::clipboard()->setMimeData(mime.release());
@@ -161,28 +161,28 @@ Status ObjectEdits::paste(const std::string& place) {
 
 Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const QString& name, FileId file) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
-    const Loaded& loaded = *m_document.loaded();
+    const LoadedProject& loaded = *m_document.loaded();
     std::string needed;
-    const bool atHome = blocks.from == loaded.paths[0]; // what has changed since it was copied is meant as it is now
+    const bool atHome = blocks.from == loaded.paths[0]; // pasted into the file it was copied from: current Params are used
     for (const std::string& param : blocks.params)
-        if (!atHome || !isParam(loaded, param)) needed += param + "\n"; // planInsert() leaves out what is there
+        if (!atHome || !isParam(loaded, param)) needed += param + "\n"; // planInsert() skips what exists
     std::ptrdiff_t count = 0;
     for (const NeededBlock& block : blocks.needs) {
         if (const auto there = placeOf(loaded, block.path); there && there->part) {
             if (atHome || blankless(textOf(loaded, {block.path})) == blankless(block.text)) continue;
-            return refuse(tr("%1 says something else here than where this comes from; rename one of the two first")
-                              .arg(shown(there->part->title())));
+            return refuse(tr("%1 differs here from the source; rename one of the two first").arg(shown(there->part->title())));
         }
         needed += block.text + "\n";
         ++count;
     }
     const std::string inFile = file < loaded.paths.size() ? loaded.paths[file] : std::string();
-    const auto plan = [=, text = needed + blocks.text, imports = blocks.imports](const Loaded& now, const Renamed& renamed) {
-        const auto at = std::ranges::find(now.paths, inFile); // a copy may have moved the numbers of the files
+    const auto plan = [=, text = needed + blocks.text, imports = blocks.imports](const LoadedProject& now,
+                                                                                 const PathMapping& renamed) {
+        const auto at = std::ranges::find(now.paths, inFile); // copying a config may have changed the file numbers
         const FileId to = at == now.paths.end() ? FileId{0} : static_cast<FileId>(at - now.paths.begin());
         Result<EditPlan> plan = planInsert(now, renamed(place), text, imports, to);
         if (!plan) return plan;
-        std::vector<std::string>& selects = plan.value().selects; // what was asked for is selected
+        std::vector<std::string>& selects = plan.value().selects; // select the requested blocks
         selects.erase(selects.begin(), selects.begin() + std::min(count, std::ptrdiff_t(selects.size())));
         return plan;
     };
@@ -199,17 +199,17 @@ Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const Kind* one[] = {&kind};
     const std::optional<std::string> parent = placeFor(*m_document.loaded(), place, one);
-    if (!parent) return refuse(tr("%1 stands in %2; select one first").arg(shown(kind.name), shown(placesOf(kind))));
-    const auto plan = [place, name = kind.name](const Loaded& loaded, const Renamed& renamed) -> Result<EditPlan> {
+    if (!parent) return refuse(tr("%1 belongs in %2; select one first").arg(shown(kind.name), shown(placesOf(kind))));
+    const auto plan = [place, name = kind.name](const LoadedProject& loaded, const PathMapping& renamed) -> Result<EditPlan> {
         const Kind* kind = loaded.registry->find(name);
         const Kind* one[] = {kind};
         const std::optional<std::string> parent = kind ? placeFor(loaded, renamed(place), one) : std::nullopt;
-        if (!parent) return Error{Code::WrongPlace, name + " has no place there any more"};
+        if (!parent) return Error{Code::WrongPlace, name + " can no longer be inserted there"};
         const Result<Blocks> blocks = blocksFrom(templateOf(loaded, *kind, *parent));
         if (!blocks) return blocks.error();
         Result<EditPlan> plan = planInsert(loaded, renamed(place), blocks.value().text);
         if (!plan) return plan;
-        // A joint may bring a body to hang on: what was asked for is selected.
+        // A joint may come with a body for its other end: select the requested block.
         std::vector<std::string>& selects = plan.value().selects;
         const std::vector<std::string>& kinds = blocks.value().kinds;
         for (std::size_t i = selects.size(); i-- > 0;)
@@ -224,15 +224,15 @@ Status ObjectEdits::insertObject(const Kind& geom) {
     const Result<Blocks> blocks = blocksFrom(objectTemplateOf(*m_document.loaded(), geom));
     if (!blocks) return refuse(shown(blocks.error().message));
     Result<EditPlan> plan = planInsert(*m_document.loaded(), {}, blocks.value().text);
-    if (plan) plan.value().selects.erase(plan.value().selects.begin(), plan.value().selects.end() - 1); // the Robot, not its config
-    return m_document.carryOut(tr("Add %1 Object").arg(shown(geom.name)), plan);
+    if (plan) plan.value().selects.erase(plan.value().selects.begin(), plan.value().selects.end() - 1); // not the config
+    return m_document.apply(tr("Add %1 Object").arg(shown(geom.name)), plan);
 }
 
 Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
                          FileId file) {
     const std::vector<std::string> objects = objectsOf(paths);
-    if (Status may = mayChange(objects, tr("move")); !may) return may;
-    const Loaded& loaded = *m_document.loaded();
+    if (Status may = checkChangeable(objects, tr("move")); !may) return may;
+    const LoadedProject& loaded = *m_document.loaded();
     const bool stays = std::all_of(objects.begin(), objects.end(), [&](const std::string& path) {
         return parentOf(loaded, path) == parent && (file == kNoFile || blockOf(loaded, path).file == file);
     });
@@ -243,7 +243,7 @@ Status ObjectEdits::move(const std::vector<std::string>& paths, const std::strin
     std::vector<std::string> touched = objects;
     touched.push_back(parent);
     const std::string inFile = file == kNoFile ? std::string() : loaded.paths.at(file);
-    return m_document.structure().apply(title, touched, [=](const Loaded& now, const Renamed& renamed) {
+    return m_document.structure().apply(title, touched, [=](const LoadedProject& now, const PathMapping& renamed) {
         const auto at = std::ranges::find(now.paths, inFile);
         const FileId to = inFile.empty() || at == now.paths.end() ? kNoFile : static_cast<FileId>(at - now.paths.begin());
         return planMove(now, renamedAll(objects, renamed), renamed(parent), renamed(before), to);
@@ -254,33 +254,33 @@ Status ObjectEdits::replaceBySingles(const std::string& path) {
     if (!m_document.isOpen()) return refuse(tr("nothing is open"));
     const auto place = placeOf(*m_document.loaded(), path);
     const std::string layout = place && place->instance ? place->instance->name : path;
-    return m_document.carryOut(tr("Replace %1 by single robots").arg(shown(layout)),
-                               planReplaceBySingles(*m_document.loaded(), layout));
+    return m_document.apply(tr("Replace %1 by single robots").arg(shown(layout)),
+                            planReplaceBySingles(*m_document.loaded(), layout));
 }
 
 void ObjectEdits::removeSelected() {
-    takeAway(tr("delete"), tr("Delete"), tr("Delete All"), tr("deleted"), &ObjectEdits::remove);
+    removeObjects(tr("delete"), tr("Delete"), tr("Delete All"), tr("deleted"), &ObjectEdits::remove);
 }
-void ObjectEdits::cutSelected() { takeAway(tr("cut"), tr("Cut"), tr("Cut All"), tr("cut"), &ObjectEdits::cut); }
+void ObjectEdits::cutSelected() { removeObjects(tr("cut"), tr("Cut"), tr("Cut All"), tr("cut"), &ObjectEdits::cut); }
 
-void ObjectEdits::takeAway(const QString& deed, const QString& title, const QString& all, const QString& done,
-                           Status (ObjectEdits::*take)(const std::vector<std::string>&)) {
+void ObjectEdits::removeObjects(const QString& verb, const QString& title, const QString& all, const QString& done,
+                                Status (ObjectEdits::*take)(const std::vector<std::string>&)) {
     const std::vector<std::string> paths = objectsOf(m_selection.paths());
-    if (!mayChange(paths, deed)) return;
-    const std::vector<std::string> users = usersOf(*m_document.loaded(), paths);
+    if (!checkChangeable(paths, verb)) return;
+    const std::vector<std::string> users = dependentsOf(*m_document.loaded(), paths);
     if (users.empty()) return (void)(this->*take)(paths);
-    constexpr std::size_t kMostNamed = 5;
+    constexpr std::size_t kMaxNamed = 5;
     QStringList names;
     for (const std::string& user : users)
         if (const auto place = placeOf(*m_document.loaded(), user); place && place->part)
             names.append(shown(place->part->title()));
-    if (users.size() > kMostNamed) names = names.mid(0, kMostNamed) << tr("%1 more").arg(users.size() - kMostNamed);
+    if (users.size() > kMaxNamed) names = names.mid(0, kMaxNamed) << tr("%1 more").arg(users.size() - kMaxNamed);
     auto* question =
         new QMessageBox(QMessageBox::Question, title, tr("%1 is used by %2.").arg(named(paths), names.join(QStringLiteral(", "))),
                         QMessageBox::Cancel, QApplication::activeWindow());
     question->setObjectName(QStringLiteral("deleteQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(tr("They can only be %1 together. One undo brings them back.").arg(done));
+    question->setInformativeText(tr("They can only be %1 together. Undo restores all of them.").arg(done));
     QPushButton* together = question->addButton(all, QMessageBox::AcceptRole);
     question->setDefaultButton(together);
     connect(together, &QPushButton::clicked, this, [this, paths, users, take] {

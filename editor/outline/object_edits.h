@@ -1,6 +1,6 @@
 #pragma once
-// What can be done to objects, whoever asks for it: tree, menu, view or a key. Each call is one named edit of the document;
-// what cannot be done is said through Document::refused, and nothing has changed.
+// Operations on objects for all callers: outline, menus, viewport and shortcuts. Each call is one named edit of the document; a
+// failure is reported by Document::refused() and changes nothing.
 
 #include <string>
 #include <vector>
@@ -22,49 +22,49 @@ struct Blocks;
 class ObjectEdits final : public QObject {
     Q_OBJECT
 public:
-    /// All outlive this. What `marks` locks is neither moved nor removed.
+    /// All must outlive this object. Objects locked in `marks` are neither moved nor removed.
     ObjectEdits(Document& document, Selection& selection, const ObjectMarks& marks, QObject* parent = nullptr);
 
-    /// Objects that have a name of their own to change.
+    /// Whether the object has its own name that can be changed.
     [[nodiscard]] bool canRename(const std::string& path) const;
-    /// Why it cannot be called so; empty where it can.
-    [[nodiscard]] QString nameRefusal(const std::string& path, const std::string& name) const;
+    /// Why the object cannot have this name; empty if it can.
+    [[nodiscard]] QString nameProblem(const std::string& path, const std::string& name) const;
     Status rename(const std::string& path, const std::string& name);
 
     Status remove(const std::vector<std::string>& paths);
     Status duplicate(const std::vector<std::string>& paths);
     Status copy(const std::vector<std::string>& paths);
     Status cut(const std::vector<std::string>& paths);
-    /// Into `place`, or into the nearest block around it that takes them all.
+    /// Pastes into `place`, or into its nearest enclosing block that can contain all pasted blocks.
     Status paste(const std::string& place);
-    [[nodiscard]] bool canPaste() const; ///< there is a text on the clipboard; whether it holds blocks shows when it is pasted
+    [[nodiscard]] bool canPaste() const; ///< the clipboard has text; whether it contains blocks is checked on paste
 
-    /// Within `parent` objects stay in their files, unless `file` is another one.
+    /// Objects moved within `parent` stay in their files unless `file` is another one.
     Status move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
                 FileId file = kNoFile);
-    /// A new block of a kind, in or around `place`.
+    /// Inserts a new block of a kind in or around `place`.
     Status insertKind(const Kind& kind, const std::string& place);
-    /// A movable object of one shape, see objectTemplateOf().
+    /// Inserts a movable object of one shape, see objectTemplateOf().
     Status insertObject(const Kind& geom);
     Status insert(const Blocks& blocks, const std::string& place, const QString& name = {}, FileId file = 0);
-    Status insertFrom(const QMimeData& mime, const std::string& place, FileId file = 0); ///< what a drop brings
+    Status insertFrom(const QMimeData& mime, const std::string& place, FileId file = 0); ///< inserts a drop
     Status replaceBySingles(const std::string& path);
 
-    // The same for what is selected.
-    void removeSelected(); ///< asks where something else refers to it and would have to go along
-    void cutSelected();    ///< so does this one
+    // The same for the selected objects.
+    void removeSelected(); ///< asks first if other blocks refer to them and would be removed too
+    void cutSelected();    ///< also asks
     void duplicateSelected();
     void copySelected();
     void pasteAtSelected();
 
 private:
     [[nodiscard]] Result<Blocks> read(const QMimeData& mime) const;
-    [[nodiscard]] Status mayChange(const std::vector<std::string>& paths, const QString& deed);
+    [[nodiscard]] Status checkChangeable(const std::vector<std::string>& paths, const QString& verb);
     Status refuse(const QString& reason);
     Status remove(const QString& name, const std::vector<std::string>& objects);
-    /// Takes away what is selected, and asks before what refers to it goes along.
-    void takeAway(const QString& deed, const QString& title, const QString& all, const QString& done,
-                  Status (ObjectEdits::*take)(const std::vector<std::string>&));
+    /// Removes the selected objects; asks first if blocks that refer to them would be removed too.
+    void removeObjects(const QString& verb, const QString& title, const QString& all, const QString& done,
+                       Status (ObjectEdits::*take)(const std::vector<std::string>&));
 
     Document& m_document;
     Selection& m_selection;

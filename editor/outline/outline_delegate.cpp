@@ -19,7 +19,7 @@ QColor textColour(const QStyleOptionViewItem& option, bool faint) {
     return faint ? ink(Ink::Faint) : option.palette.color(QPalette::Text);
 }
 
-/// A rounded label with a count, its right edge at `right`; gives its left edge.
+/// Paints a rounded label with a count, its right edge at `right`. Returns its left edge.
 int paintBadge(QPainter& painter, const QRect& row, int right, int count, const QColor& colour) {
     if (count <= 0) return right;
     const QString text = count > 99 ? QStringLiteral("99+") : QString::number(count);
@@ -105,7 +105,7 @@ void OutlineDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& o
     painter.setPen(textColour(option, faint));
     painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, shown);
     rest.setLeft(rest.left() + metrics.horizontalAdvance(shown) + kGap + 2);
-    if (!detail.isEmpty() && rest.width() >= metrics.horizontalAdvance(detail)) { // whole, or in the tooltip alone
+    if (!detail.isEmpty() && rest.width() >= metrics.horizontalAdvance(detail)) { // else only in the tooltip
         painter.setPen(textColour(option, true));
         if (selected) painter.setOpacity(0.8);
         painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, detail);
@@ -140,9 +140,9 @@ QWidget* OutlineDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
     line->setObjectName(QStringLiteral("renameEditor"));
     QObject::connect(line, &QLineEdit::textEdited, line, [line, at = QPersistentModelIndex(index)](const QString& typed) {
         const auto* model = qobject_cast<const OutlineModel*>(at.model());
-        const QString reason = model ? model->nameRefusal(at, typed) : QString();
+        const QString reason = model ? model->nameProblem(at, typed) : QString();
         line->setToolTip(reason);
-        showToolTip(line->mapToGlobal(QPoint(0, line->height())), reason, line); // none where there is no reason
+        showToolTip(line->mapToGlobal(QPoint(0, line->height())), reason, line); // an empty reason hides the tool tip
     });
     return line;
 }

@@ -3,7 +3,8 @@
 
 namespace trundle {
 
-/// Draws a row of the scene tree: icon, name, kind in a faint colour, problems; in the other columns eye and lock. Edits names.
+/// Draws a row of the Scene tree: icon, name, kind in a faint colour, problem counts; in the other columns visibility and lock.
+/// Edits names.
 class OutlineDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -19,7 +20,7 @@ private:
     void paintMark(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
 };
 
-/// An icon of the theme as a picture, drawn once for each size and colour.
+/// A theme icon as a pixmap, cached by name, size and colour.
 [[nodiscard]] QPixmap drawnIcon(const QString& name, int size, qreal pixelRatio, bool selected = false);
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-// Drags out of the tree and drops into it.
+// Drag and drop of the Scene tree.
 
 #include <algorithm>
 
@@ -6,21 +6,21 @@
 #include <QMimeData>
 
 #include "editor/outline/block_mime.h"
+#include "editor/outline/insert_positions.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_node.h"
-#include "editor/outline/placing.h"
 
 namespace trundle {
 namespace {
 
-constexpr const char* kObjectsMime = "application/x-trundle-objects"; // whose objects, then their dotted paths, a line each
+constexpr const char* kObjectsMime = "application/x-trundle-objects"; // ownerLine() of the source, then one dotted path a line
 
 QByteArray ownerLine(const OutlineModel& model) {
     return QByteArray::number(QCoreApplication::applicationPid()) + ' ' + QByteArray::number(quintptr(&model), 16);
 }
 
-/// Of a drag that began in this tree. Another window may have objects of the same names; its own are text here.
+/// Paths of a drag that began in this tree; empty for a drag from another window, whose objects are inserted as text.
 std::vector<std::string> pathsIn(const QMimeData& mime, const OutlineModel& model) {
     std::vector<std::string> paths;
     QByteArrayList lines = mime.data(QLatin1String(kObjectsMime)).split('\n');
@@ -32,17 +32,17 @@ std::vector<std::string> pathsIn(const QMimeData& mime, const OutlineModel& mode
 
 } // namespace
 
-/// `parent`: path of the block that a drop goes into, `before`: the object in it that it goes in front of, "" the end; `file`: that
-/// of the row, where it is one.
-struct OutlineModel::DropPlace {
+/// `parent`: path of the block to drop into; `before`: the object in it to insert before, "" for the end; `file`: file of the
+/// target row, if it has one.
+struct OutlineModel::DropTarget {
     bool known = false;
     std::string parent, before;
     FileId file = kNoFile;
 };
 
-OutlineModel::DropPlace OutlineModel::dropPlace(int row, const QModelIndex& parent) const {
+OutlineModel::DropTarget OutlineModel::dropTarget(int row, const QModelIndex& parent) const {
     const Node& node = nodeOf(parent);
-    DropPlace place;
+    DropTarget place;
     place.known = m_rows != nullptr && node.row.type != OutlineRow::Type::Module;
     if (node.parent && node.row.type == OutlineRow::Type::Object) place.parent = node.row.path;
     if (node.parent && node.row.type == OutlineRow::Type::File) place.file = node.row.file;
@@ -71,22 +71,22 @@ QMimeData* OutlineModel::mimeData(const QModelIndexList& indexes) const {
 }
 
 bool OutlineModel::canDropMimeData(const QMimeData* mime, Qt::DropAction, int row, int, const QModelIndex& parent) const {
-    const DropPlace place = dropPlace(row, parent);
+    const DropTarget place = dropTarget(row, parent);
     if (!place.known || !mime) return false;
-    const Loaded& loaded = *m_rows->loaded();
+    const LoadedProject& loaded = *m_rows->loaded();
     const std::vector<std::string> paths = pathsIn(*mime, *this);
     if (paths.empty()) return mime->hasFormat(QLatin1String(kLibraryMime)) || mime->hasText();
     const Kind* into = kindAt(loaded, place.parent);
     return std::all_of(paths.begin(), paths.end(), [&](const std::string& path) {
         const Kind* kind = kindAt(loaded, path);
-        return kind && path != place.parent && mayStandIn(*kind, into ? std::string_view(into->name) : std::string_view());
+        return kind && path != place.parent && isAllowedInside(*kind, into ? std::string_view(into->name) : std::string_view());
     });
 }
 
 bool OutlineModel::dropMimeData(const QMimeData* mime, Qt::DropAction action, int row, int column, const QModelIndex& parent) {
     if (action == Qt::IgnoreAction) return true;
     if (!mime || !canDropMimeData(mime, action, row, column, parent)) return false;
-    const DropPlace place = dropPlace(row, parent);
+    const DropTarget place = dropTarget(row, parent);
     const std::vector<std::string> paths = pathsIn(*mime, *this);
     if (!paths.empty() && action == Qt::MoveAction) return m_edits.move(paths, place.parent, place.before, place.file).ok();
     return m_edits.insertFrom(*mime, place.parent, place.file == kNoFile ? FileId{0} : place.file).ok();

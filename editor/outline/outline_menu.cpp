@@ -1,4 +1,4 @@
-// The menu of the scene tree.
+// The context menu of the Scene tree.
 
 #include <algorithm>
 
@@ -13,17 +13,17 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/outline/outline_view.h"
 #include "editor/widgets/theme.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 namespace {
 
-/// With its key shown but not taken: the window's own action has it.
-template <class Deed>
-QAction* add(QMenu& menu, const char* name, const QString& icon, const QString& text, Deed deed, const QString& keys = {}) {
+/// Adds an entry that shows a shortcut without registering it: the window's action has it.
+template <class Slot>
+QAction* add(QMenu& menu, const char* name, const QString& icon, const QString& text, Slot verb, const QString& keys = {}) {
     QAction* action = menu.addAction(themedIcon(icon), keys.isEmpty() ? text : text + QLatin1Char('\t') + keys);
     action->setObjectName(QLatin1String(name));
-    QObject::connect(action, &QAction::triggered, &menu, deed);
+    QObject::connect(action, &QAction::triggered, &menu, verb);
     return action;
 }
 
@@ -64,7 +64,7 @@ void OutlinePanel::addObjectActions(QMenu& menu, const std::string& path) {
             [this, path] { (void)m_edits.replaceBySingles(path); });
     if (place && place->part && place->part->kind && place->part->kind->name == "Camera")
         add(menu, "outline.through", QStringLiteral("kind-camera"), tr("&Look Through It"),
-            [this, path] { Q_EMIT lookThroughWanted(path); });
+            [this, path] { Q_EMIT lookThroughRequested(path); });
     menu.addSeparator();
     add(
         menu, "outline.rename", QStringLiteral("rename"), tr("&Rename"), [this] { renameSelected(); }, QStringLiteral("F2"))

@@ -4,12 +4,12 @@
 
 #include <QColor>
 
+#include "editor/outline/insert_positions.h"
 #include "editor/outline/kind_icons.h"
 #include "editor/outline/object_edits.h"
 #include "editor/outline/object_marks.h"
 #include "editor/outline/outline_node.h"
-#include "editor/outline/placing.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 namespace {
@@ -94,10 +94,10 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
     const Part* layout = layoutOfMember(*m_rows->loaded()->outline, path.substr(0, word));
     if (layout && layout->name != path.substr(0, word)) {
         if (const QModelIndex member = indexOfMember(layout->name, path.substr(0, word)); member.isValid())
-            return word == std::string::npos ? member : indexOf(path); // what is in it is made now
+            return word == std::string::npos ? member : indexOf(path); // indexOfMember() has now made the rows below it
         return indexOf(layout->name + (word == std::string::npos ? std::string() : path.substr(word)));
     }
-    // At the top level: in a group or a file that nobody has opened yet.
+    // Top-level objects are in a group or file whose rows may not exist yet.
     for (const auto& top : m_root->children) {
         const QModelIndex group = indexOf(*top);
         if (dot != std::string::npos && path.find('.', word + 1) != std::string::npos) break;
@@ -105,11 +105,11 @@ QModelIndex OutlineModel::indexOf(const std::string& path) {
         fetchMore(group);
         if (const auto it = m_byPath.find(path); it != m_byPath.end()) return indexOf(*it->second);
     }
-    const std::string block = definedAt(*m_rows->loaded(), path); // by file, what a robot is made of stands in its config alone
+    const std::string block = definedAt(*m_rows->loaded(), path); // in by-file mode a robot's parts have rows only in its config
     return block.empty() || block == path ? QModelIndex() : indexOf(block);
 }
 
-/// Makes the rows that lead there: stretches of members, then the hundred it is among.
+/// Creates the rows on the way to a member: its range of members, then the member's own row.
 QModelIndex OutlineModel::indexOfMember(const std::string& layout, const std::string& name) {
     const std::vector<RobotSpec>& robots = m_rows->loaded()->experiment->robots;
     const auto robot = std::size_t(std::ranges::find(robots, name, &RobotSpec::name) - robots.begin());
@@ -182,16 +182,16 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     }
 }
 
-QString OutlineModel::nameRefusal(const QModelIndex& index, const QString& name) const {
+QString OutlineModel::nameProblem(const QModelIndex& index, const QString& name) const {
     const OutlineRow* row = rowAt(index);
-    return row ? m_edits.nameRefusal(row->path, name.trimmed().toStdString()) : QString();
+    return row ? m_edits.nameProblem(row->path, name.trimmed().toStdString()) : QString();
 }
 
 bool OutlineModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     const OutlineRow* row = rowAt(index);
     if (!row || role != Qt::EditRole || !row->selectable || index.column() != NameColumn) return false;
     const std::string path = row->path, name = value.toString().trimmed().toStdString();
-    return name == row->name || m_edits.rename(path, name).ok(); // the row may be another one afterwards
+    return name == row->name || m_edits.rename(path, name).ok(); // the edit may have replaced the row
 }
 
 Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const {

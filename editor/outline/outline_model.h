@@ -1,6 +1,6 @@
 #pragma once
-// The rows of the scene tree as Qt's views take them. Children are made when they are first looked at; a new load changes only
-// the rows that differ, so what is expanded and selected stays so.
+// The item model of the Scene tree. Rows are created on first access; a reload changes only the rows that differ, so that
+// expanded and selected rows stay.
 
 #include <memory>
 #include <string>
@@ -21,27 +21,27 @@ class OutlineModel final : public QAbstractItemModel {
 public:
     enum Column { NameColumn, VisibleColumn, LockedColumn, ColumnCount };
     enum Role { DetailRole = Qt::UserRole + 1, IconRole, ErrorsRole, WarningsRole, ColourRole, MarkRole, FaintRole };
-    enum Mark { NoMark, Unmarked, Marked, MarkedAbove }; ///< of the eye and the lock, under MarkRole
+    enum Mark { NoMark, Unmarked, Marked, MarkedAbove }; ///< under MarkRole; MarkedAbove: an enclosing object is
 
     OutlineModel(ObjectEdits& edits, ObjectMarks& marks, QObject* parent = nullptr);
     ~OutlineModel() override;
 
-    /// The next load of the same project; nullptr: nothing is open.
-    void setLoaded(std::shared_ptr<const Loaded> loaded);
-    // Both begin anew: the model is reset.
+    /// The project after an edit; nullptr: nothing is open.
+    void setLoaded(std::shared_ptr<const LoadedProject> loaded);
+    // Both reset the model.
     void setMode(OutlineMode mode);
     void setFilter(const std::string& filter);
     [[nodiscard]] OutlineMode mode() const { return m_mode; }
     [[nodiscard]] const std::string& filter() const { return m_filter; }
 
-    [[nodiscard]] const OutlineRow* rowAt(const QModelIndex& index) const; ///< nullptr: no row. Good until the next change
-    /// Keys from the top down, joined: the same from load to load.
+    [[nodiscard]] const OutlineRow* rowAt(const QModelIndex& index) const; ///< nullptr: no row. Valid until the next change
+    /// The keys of the row and its ancestors, joined; stable across reloads.
     [[nodiscard]] std::string keyOf(const QModelIndex& index) const;
-    /// The row of an object, made where it has not been looked at yet.
+    /// The row of an object; created if it does not exist yet.
     [[nodiscard]] QModelIndex indexOf(const std::string& path);
-    /// Why a row's object cannot be called so; empty where it can.
-    [[nodiscard]] QString nameRefusal(const QModelIndex& index, const QString& name) const;
-    /// Rows made so far.
+    /// Why the row's object cannot have this name; empty if it can.
+    [[nodiscard]] QString nameProblem(const QModelIndex& index, const QString& name) const;
+    /// Number of rows created so far.
     [[nodiscard]] std::size_t made() const { return m_made; }
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -64,9 +64,9 @@ public:
     bool dropMimeData(const QMimeData* mime, Qt::DropAction action, int row, int column, const QModelIndex& parent) override;
 
 Q_SIGNALS:
-    /// A row that nobody has looked into has got its first rows below it, or lost its last.
+    /// A row whose children have not been fetched gained its first child or lost its last, so its expand arrow changes.
     void arrowsChanged();
-    /// The row of one object is now that of another of the same place: it has a new name.
+    /// An object was renamed; its row now has another path and key.
     void renamed(const std::string& fromPath, const std::string& toPath, const std::string& fromKey, const std::string& toKey);
 
 private:
@@ -81,11 +81,11 @@ private:
     void dropGone(Node& node, const std::vector<OutlineRow>& rows);
     void addAt(Node& node, std::vector<OutlineRow>& rows, std::size_t at);
     void take(Node& node, OutlineRow row);
-    void enlist(const Node& node);
-    void strike(const Node& node);
+    void indexNode(const Node& node);
+    void unindexNode(const Node& node);
     void marksChanged();
-    struct DropPlace;
-    [[nodiscard]] DropPlace dropPlace(int row, const QModelIndex& parent) const;
+    struct DropTarget;
+    [[nodiscard]] DropTarget dropTarget(int row, const QModelIndex& parent) const;
 
     ObjectEdits& m_edits;
     ObjectMarks& m_marks;

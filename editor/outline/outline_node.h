@@ -6,10 +6,10 @@
 
 namespace trundle {
 
-/// A row that a view has seen, with those below it once they have been asked for.
+/// A row that a view has accessed, with its children once they are fetched.
 struct OutlineModel::Node {
     Node* parent = nullptr;
-    int place = 0; ///< among the parent's children
+    int place = 0; ///< index among the parent's children
     OutlineRow row;
     std::vector<std::unique_ptr<Node>> children;
     bool fetched = false;

@@ -26,7 +26,7 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostRevealed = 20; ///< of a large selection; the others are marked where they can be seen
+constexpr std::size_t kMaxRevealed = 20; ///< rows made visible for a large selection; the others are only highlighted
 
 QToolButton* button(QWidget* parent, const char* name, const QString& icon, const QString& tip) {
     auto* button = new QToolButton(parent);
@@ -53,14 +53,14 @@ OutlinePanel::OutlinePanel(Document& document, Selection& selection, ObjectMarks
 
 OutlinePanel::~OutlinePanel() {
     m_selection.disconnect(this);
-    delete m_tree; // before the model that it shows: a name may be half typed
+    delete m_tree; // before its model: an open name editor refers to it
 }
 
 void OutlinePanel::build() {
     m_filter = new QLineEdit(this);
     m_filter->setObjectName(QStringLiteral("outlineFilter"));
     m_filter->setPlaceholderText(tr("Filter"));
-    m_filter->setToolTip(tr("Words of names or kinds; rows that have them all stay, with what is round them"));
+    m_filter->setToolTip(tr("Filters by words of names or kinds; shows rows that match all words, with their parents"));
     m_filter->setClearButtonEnabled(true);
     m_filter->addAction(themedIcon(QStringLiteral("find")), QLineEdit::LeadingPosition);
     m_byOwner = button(this, "outlineByOwner", QStringLiteral("tree-owner"), tr("By owner: robots, scenery, logs, configs"));
@@ -105,8 +105,8 @@ void OutlinePanel::connectAll() {
     connect(m_byFile, &QToolButton::toggled, this, &OutlinePanel::setByFile);
     connect(m_tree, &QTreeView::activated, this, &OutlinePanel::jumpFrom);
     connect(m_tree, &OutlineView::markClicked, this, &OutlinePanel::toggleMark);
-    connect(m_tree, &OutlineView::deleteWanted, &m_edits, &ObjectEdits::removeSelected);
-    connect(m_tree, &OutlineView::renameWanted, this, &OutlinePanel::renameSelected);
+    connect(m_tree, &OutlineView::deleteRequested, &m_edits, &ObjectEdits::removeSelected);
+    connect(m_tree, &OutlineView::renameRequested, this, &OutlinePanel::renameSelected);
     connect(m_tree, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
         QMenu* menu = contextMenu();
         menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -135,7 +135,7 @@ void OutlinePanel::showDocument() {
 
 void OutlinePanel::say() {
     if (!m_document.isOpen()) m_tree->setEmptyText(tr("Nothing is open"));
-    else m_tree->setEmptyText(tr("Nothing is called “%1”").arg(m_filter->text().trimmed()));
+    else m_tree->setEmptyText(tr("No object matches “%1”").arg(m_filter->text().trimmed()));
 }
 
 void OutlinePanel::showSelection() {
@@ -147,7 +147,7 @@ void OutlinePanel::showSelection() {
     for (const std::string& path : m_selection.paths()) {
         const QModelIndex index = m_model->indexOf(path);
         if (!index.isValid()) continue;
-        if (revealed++ < kMostRevealed) m_tree->reveal(index);
+        if (revealed++ < kMaxRevealed) m_tree->reveal(index);
         current = index;
         const QModelIndex end = index.siblingAtColumn(OutlineModel::ColumnCount - 1);
         if (!ranges.isEmpty() && ranges.last().parent() == index.parent() && ranges.last().bottom() + 1 == index.row())
@@ -170,7 +170,7 @@ void OutlinePanel::takeSelection() {
             chosen.push_back(row->path);
     const OutlineRow* current = m_model->rowAt(m_tree->currentIndex());
     const bool last = current && current->selectable && left.erase(current->path) > 0;
-    for (const auto& from : {m_selection.paths(), chosen}) // in the order in which they were selected
+    for (const auto& from : {m_selection.paths(), chosen}) // in the order of selection
         for (const std::string& path : from)
             if (left.erase(path) > 0) paths.push_back(path);
     if (last) paths.push_back(current->path);
@@ -190,12 +190,12 @@ void OutlinePanel::setFilter(const QString& text) {
 bool OutlinePanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_filter && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Down || key == Qt::Key_Return || key == Qt::Key_Enter) return goToFirstFound(), true;
+        if (key == Qt::Key_Down || key == Qt::Key_Return || key == Qt::Key_Enter) return goToFirstMatch(), true;
     }
     return QWidget::eventFilter(watched, event);
 }
 
-void OutlinePanel::goToFirstFound() {
+void OutlinePanel::goToFirstMatch() {
     m_tree->setFocus();
     if (m_filter->text().trimmed().isEmpty()) return;
     for (QModelIndex at = m_model->index(0, 0); at.isValid(); at = m_tree->indexBelow(at))

@@ -1,5 +1,5 @@
 #pragma once
-// The Scene dock: the tree of what is open, its filter, and what can be done to objects.
+// The Scene dock: the outline of the open project, its filter, and the operations on objects.
 
 #include <string>
 #include <vector>
@@ -28,29 +28,29 @@ class Selection;
 class OutlinePanel final : public QWidget {
     Q_OBJECT
 public:
-    /// All outlive this.
+    /// All must outlive this object.
     OutlinePanel(Document& document, Selection& selection, ObjectMarks& marks, ObjectEdits& edits, QWidget* parent = nullptr);
     ~OutlinePanel() override;
 
-    /// Rows say in their tooltips what their objects measure in this run, as long as it lasts. It outlives this.
+    /// Shows the live values of this run in the tooltips of rows. The session must outlive this.
     void showValuesOf(const RunSession& session);
-    /// An action of the window that the menu has too, for what is selected.
+    /// Adds an action of the window to the context menu.
     void addToMenu(QAction& action) { m_more.append(&action); }
     void focusFilter();
-    /// Opens the line for a new name at the selected row.
+    /// Opens the name editor of the selected row.
     void renameSelected();
     [[nodiscard]] OutlineModel& model() { return *m_model; }
     [[nodiscard]] OutlineView& tree() { return *m_tree; }
-    /// What a right click on the selection shows; for the caller to show and delete.
+    /// The context menu of the selection. The caller shows and deletes it.
     [[nodiscard]] QMenu* contextMenu();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
-    /// To a place in a text: absolute path of the file.
+    /// Requests to show a range of a text; `file` is absolute.
     void jumpTo(const std::string& file, const trundle::TextRange& range);
-    void lookThroughWanted(const std::string& path); ///< a camera, as the selection names it
+    void lookThroughRequested(const std::string& path); ///< path of a camera as in the selection
 
 private:
     void build();
@@ -59,7 +59,7 @@ private:
     void showSelection();
     void takeSelection();
     void setFilter(const QString& text);
-    void goToFirstFound();
+    void goToFirstMatch();
     void setByFile(bool byFile);
     void jumpFrom(const QModelIndex& index);
     void toggleMark(const QModelIndex& index);
@@ -67,7 +67,7 @@ private:
     void say();
     void addObjectActions(QMenu& menu, const std::string& path);
     void addMarkActions(QMenu& menu);
-    [[nodiscard]] std::vector<std::string> markable() const; ///< of what is selected
+    [[nodiscard]] std::vector<std::string> markable() const; ///< selected objects that can be hidden and locked
 
     Document& m_document;
     Selection& m_selection;
@@ -79,7 +79,7 @@ private:
     QList<QAction*> m_more;
     QLineEdit* m_filter = nullptr;
     QToolButton *m_byOwner = nullptr, *m_byFile = nullptr, *m_add = nullptr;
-    bool m_showing = false; ///< the tree is being brought in line with document and selection: it says nothing itself
+    bool m_showing = false; ///< the tree is being updated from document and selection: it emits no selection changes
 };
 
 } // namespace trundle

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <unordered_set>
 
-#include "model/passive.h"
-#include "project/object_place.h"
+#include "model/passive_objects.h"
+#include "project/object_location.h"
 #include "project/search.h"
 
 namespace trundle {
@@ -46,14 +46,14 @@ OutlineGroup plainGroupOf(const Part& part) {
     }
 }
 
-constexpr std::array<const char*, kOutlineGroups> kGroupNames{"Robots",        "Objects",         "Scenery",   "Light and views",
-                                                              "Radio",         "Logs",            "Modules",   "Robot configs",
-                                                              "Scenery configs", "Materials",     "Surfaces",  "Out of place"};
-constexpr std::size_t kMostBeside = 100; // members below one row
+constexpr std::array<const char*, kOutlineGroups> kGroupNames{"Robots",          "Objects",   "Scenery",  "Light and views",
+                                                              "Radio",           "Logs",      "Modules",  "Robot configs",
+                                                              "Scenery configs", "Materials", "Surfaces", "Misplaced"};
+constexpr std::size_t kMaxBeside = 100; // members below one row; more are split into ranges
 
 /// "10×10" from `Count = 10, 10`.
-std::string countOf(const Loaded& loaded, const Part& layout) {
-    const PlacedAssignment* a = layout.assignments.find("Count");
+std::string countOf(const LoadedProject& loaded, const Part& layout) {
+    const SourceAssignment* a = layout.assignments.find("Count");
     if (!a) return {};
     std::string text;
     for (const char c : loaded.sources.slice(a->valueRange())) {
@@ -67,7 +67,7 @@ std::string fileName(const std::string& path) { return path.substr(path.find_las
 
 } // namespace
 
-OutlineRows::OutlineRows(std::shared_ptr<const Loaded> loaded, OutlineMode mode, const std::string& filter)
+OutlineRows::OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMode mode, const std::string& filter)
     : m_loaded(std::move(loaded)), m_mode(mode), m_words(wordsOf(filter)), m_problems(*m_loaded) {
     for (const auto& part : m_loaded->outline->parts) {
         m_groups[std::size_t(groupOf(*part))].push_back(part.get());
@@ -83,9 +83,9 @@ OutlineGroup OutlineRows::groupOf(const Part& part) const {
     return group == OutlineGroup::Robots && isPassive(part, configOf(*m_loaded, part)) ? OutlineGroup::Objects : group;
 }
 
-/// The members of one Grid or Scatter follow each other.
+/// The robots of one Grid or Scatter are contiguous in the experiment.
 void OutlineRows::findMembers() {
-    std::unordered_map<std::uint64_t, const Part*> layouts; // by where their block begins
+    std::unordered_map<std::uint64_t, const Part*> layouts; // by file and start of their block
     const auto placeOf = [](const SourceRange& r) { return (std::uint64_t(r.file) << 32) | r.range.begin; };
     for (const auto& part : m_loaded->outline->parts)
         if (part->is(Role::Layout) && part->usable) layouts.emplace(placeOf(part->range), part.get());
@@ -139,7 +139,7 @@ std::vector<OutlineRow> OutlineRows::below(const OutlineRow& row) const {
         if (row.config) addParts(rows, *row.config, row, true);
         addParts(rows, *row.part, row, row.reached);
     }
-    std::unordered_set<std::string> keys; // what stands twice in a broken text is still two rows
+    std::unordered_set<std::string> keys; // duplicate names in an invalid text still get separate rows
     for (OutlineRow& r : rows)
         for (int n = 2; !keys.insert(r.key).second; ++n) r.key += "#" + std::to_string(n);
     return rows;
@@ -154,10 +154,10 @@ void OutlineRows::addParts(Rows& rows, const Part& part, const OutlineRow& above
     }
 }
 
-/// At most a hundred rows, of members or of as many of them as that takes.
+/// Adds at most a hundred rows: members, or ranges of members if there are more.
 void OutlineRows::addMembers(Rows& rows, const OutlineRow& above, std::size_t first, std::size_t last) const {
     std::size_t stretch = 1;
-    while ((last - first + stretch - 1) / stretch > kMostBeside) stretch *= kMostBeside;
+    while ((last - first + stretch - 1) / stretch > kMaxBeside) stretch *= kMaxBeside;
     for (std::size_t i = first; i < last; i += stretch)
         keep(rows, stretch == 1 ? memberRow(above, i) : membersRow(above, i, std::min(last, i + stretch), false), above);
 }
@@ -207,7 +207,7 @@ OutlineRow OutlineRows::experimentRow() const {
     row.detail = "settings";
     row.range = {0, {0, 0}};
     row.problems = m_problems.outside();
-    for (const ModuleSpec& module : m_loaded->experiment->modules) { // they have rows of their own
+    for (const ModuleSpec& module : m_loaded->experiment->modules) { // listed as rows of their own
         const ProblemCounts::Count there = m_problems.at(module.range);
         row.problems.errors -= there.errors;
         row.problems.warnings -= there.warnings;
@@ -286,12 +286,12 @@ OutlineRow OutlineRows::partRow(const Part& part, const OutlineRow& above) const
     row.tip = part.kind->name + ": " + part.kind->help;
     if (instance) {
         const Part* config = configOf(*m_loaded, part);
-        const PlacedAssignment* a = part.assignments.find("Config");
+        const SourceAssignment* a = part.assignments.find("Config");
         row.detail =
             (part.is(Role::Layout) ? countOf(*m_loaded, part) : "") + (config ? config->name
                                                                        : a ? std::string(m_loaded->sources.slice(a->valueRange()))
                                                                            : part.kind->name);
-        // One that stands in a config by mistake may stand in its own: there would be no end to it.
+        // A config that contains an instance of itself (an error) would recurse without end.
         if (m_mode == OutlineMode::ByOwner && above.type != OutlineRow::Type::Object) row.config = config;
         row.hasRows |= row.config && !row.config->parts.empty();
         row.hasRows |= m_members.contains(&part);
@@ -374,7 +374,7 @@ bool OutlineRows::leads(const Part& part) const {
     const bool any = std::any_of(part.parts.begin(), part.parts.end(), [&](const Part& inner) {
         return says(inner.name.empty() ? inner.block->type.text : inner.name, "", inner.block->type.text) || leads(inner);
     });
-    return m_leads[&part] = any; // `it` may be gone: leads(inner) adds
+    return m_leads[&part] = any; // leads(inner) may have rehashed the map, so `it` may be invalid
 }
 
 } // namespace trundle

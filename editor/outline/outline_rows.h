@@ -1,6 +1,6 @@
 #pragma once
-// What the scene tree shows of one load, row by row, made when somebody looks: a thousand robots of one config cost a thousand
-// rows, not their parts. Knows no widget.
+// The contents of the Scene tree for one loaded project, without widgets. Rows are computed on demand: a thousand robots of one
+// config cost a thousand rows, without rows for their parts.
 
 #include <array>
 #include <memory>
@@ -18,7 +18,7 @@ enum class OutlineMode { ByOwner, ByFile };
 
 enum class OutlineGroup {
     Robots,
-    Objects, ///< robots that nothing drives
+    Objects, ///< robots without joints, devices and controller
     Scenery,
     Looks,
     Radio,
@@ -33,39 +33,40 @@ enum class OutlineGroup {
 inline constexpr std::size_t kOutlineGroups = 12;
 
 struct OutlineRow {
-    /// Members: those of a Grid or Scatter, or a stretch of them where there are many.
+    /// Members: robots of a Grid or Scatter, or a range of them if there are many.
     enum class Type { Experiment, Group, File, Module, Object, Members };
     Type type = Type::Object;
-    std::string key;           ///< differs from its siblings' and stays the same from load to load
-    std::string path;          ///< dotted; of an Object that can be reached, "" of the Experiment
-    bool selectable = false;   ///< `path` means it
-    bool markable = false;     ///< something in the world that can be hidden and locked
-    bool hasRows = false;      ///< something is below it
-    bool matches = false;      ///< the filter's words are in it or in something above it
-    bool leadsToMatch = false; ///< ... or in something below it
+    std::string key;           ///< unique among its siblings and stable across reloads
+    std::string path;          ///< dotted; of an Object that can be addressed; "" of the Experiment
+    bool selectable = false;   ///< `path` is valid
+    bool markable = false;     ///< an object of the world that can be hidden and locked
+    bool hasRows = false;      ///< it has child rows
+    bool matches = false;      ///< the filter matches the row or one of its ancestors
+    bool leadsToMatch = false; ///< ... or one of its descendants
     std::string name, detail;  ///< "robot0", "SimpleRobot"
     OutlineGroup group = OutlineGroup::Robots;
     FileId file = kNoFile;                       ///< of a File
     const Part* part = nullptr;                  ///< of an Object
-    const Part* config = nullptr;                ///< of an instance in the world: its parts are shown below it
-    bool reached = false;                        ///< through an instance: its block is in the config
-    bool member = false;                         ///< one of a Grid or Scatter, whose block `part` is
-    bool passive = false;                        ///< a robot that nothing drives
-    std::size_t first = 0, last = 0;             ///< of Members: robots of the experiment, the last one behind them
-    SourceRange range;                           ///< where it stands in the text
-    ProblemCounts::Count problems;               ///< with those below
+    const Part* config = nullptr;                ///< of an instance in the world: its parts are the child rows
+    bool reached = false;                        ///< through an instance: the block is in the config
+    bool member = false;                         ///< a robot of a Grid or Scatter, whose block is `part`
+    bool passive = false;                        ///< a robot without joints, devices and controller
+    std::size_t first = 0, last = 0;             ///< of Members: range [first, last) of the experiment's robots
+    SourceRange range;                           ///< source range
+    ProblemCounts::Count problems;               ///< including child rows
     std::optional<std::array<double, 3>> colour; ///< of a material
     std::string tip;
 };
 
 class OutlineRows {
 public:
-    /// `filter`: words, parted by blanks, that must all be in a row's name, kind or config, in any case; rows above matches stay.
-    OutlineRows(std::shared_ptr<const Loaded> loaded, OutlineMode mode, const std::string& filter = {});
+    /// `filter`: words separated by blanks, matched case-insensitively; all must be in a row's name, kind or config. Ancestors
+    /// of matches are kept.
+    OutlineRows(std::shared_ptr<const LoadedProject> loaded, OutlineMode mode, const std::string& filter = {});
 
     [[nodiscard]] std::vector<OutlineRow> top() const;
     [[nodiscard]] std::vector<OutlineRow> below(const OutlineRow& row) const;
-    [[nodiscard]] const std::shared_ptr<const Loaded>& loaded() const { return m_loaded; }
+    [[nodiscard]] const std::shared_ptr<const LoadedProject>& loaded() const { return m_loaded; }
     [[nodiscard]] OutlineMode mode() const { return m_mode; }
     [[nodiscard]] bool filtered() const { return !m_words.empty(); }
 
@@ -90,15 +91,15 @@ private:
     [[nodiscard]] bool leads(const OutlineRow& row) const;
     [[nodiscard]] bool leads(const Part& part) const;
 
-    std::shared_ptr<const Loaded> m_loaded;
+    std::shared_ptr<const LoadedProject> m_loaded;
     OutlineMode m_mode;
-    std::vector<std::string> m_words; // of the filter, in small letters
+    std::vector<std::string> m_words; // of the filter, in lower case
     ProblemCounts m_problems;
     std::array<std::vector<const Part*>, kOutlineGroups> m_groups;
-    std::unordered_map<FileId, std::vector<const Part*>> m_blocks; // of each file, those in no other block of it
+    std::unordered_map<FileId, std::vector<const Part*>> m_blocks; // by file: blocks without an enclosing block in that file
     std::unordered_map<std::string_view, const MaterialSpec*> m_materials;
-    std::unordered_map<const Part*, std::pair<std::size_t, std::size_t>> m_members; // of Grids and Scatters: robots from, to
-    mutable std::unordered_map<const Part*, bool> m_leads; // whether something in a part matches
+    std::unordered_map<const Part*, std::pair<std::size_t, std::size_t>> m_members; // by Grid or Scatter: range [first, last)
+    mutable std::unordered_map<const Part*, bool> m_leads; // cache: whether something inside a part matches
 };
 
 } // namespace trundle

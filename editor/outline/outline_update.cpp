@@ -1,10 +1,10 @@
-// How a new load reaches rows that a view has seen already.
+// Applies a reload to rows that a view has accessed.
 //
-// needs: rows of a node as they are now, and as they shall be; keys that differ among siblings.
-// assumes: most edits change few rows; a name that goes and one that comes at the same place and of the same kind is a rename.
-// method: rename in place, remove what is gone in runs, then walk along the new rows: insert runs of new ones, move what stands
-//   elsewhere, and take over what a row shows, telling only of rows that differ. Then the same below each row that was looked at.
-// data: Node::row holds pointers into the load, so each row that has been made is taken over each time.
+// needs: the current rows of a node and its new rows; keys that are unique among siblings.
+// assumes: most edits change few rows; a removed and an added name at the same position and of the same kind are a rename.
+// method: rename in place, remove missing rows in runs, then walk along the new rows: insert runs of new rows, move rows whose
+//      position changed, update the content, and report only rows that differ. Then the same for the children of fetched rows.
+// data: Node::row has pointers into the loaded project, so every existing row is updated each time.
 
 #include <algorithm>
 #include <unordered_set>
@@ -15,7 +15,7 @@
 namespace trundle {
 namespace {
 
-bool looksTheSame(const OutlineRow& a, const OutlineRow& b) {
+bool hasSameContent(const OutlineRow& a, const OutlineRow& b) {
     return a.name == b.name && a.detail == b.detail && a.problems == b.problems && a.colour == b.colour &&
            a.hasRows == b.hasRows && a.tip == b.tip && a.selectable == b.selectable && a.markable == b.markable &&
            a.matches == b.matches && a.path == b.path;
@@ -41,15 +41,15 @@ void OutlineModel::reset() {
     std::vector<OutlineRow> rows = rowsBelow(*m_root);
     for (OutlineRow& row : rows) {
         m_root->children.push_back(std::make_unique<Node>(Node{m_root.get(), 0, std::move(row), {}, false}));
-        enlist(*m_root->children.back());
+        indexNode(*m_root->children.back());
     }
     m_root->number();
     endResetModel();
 }
 
-void OutlineModel::setLoaded(std::shared_ptr<const Loaded> loaded) {
+void OutlineModel::setLoaded(std::shared_ptr<const LoadedProject> loaded) {
     const bool anew = !loaded || !m_rows;
-    const auto before = std::exchange(m_rows, nullptr); // rows point into it until each is taken over
+    const auto before = std::exchange(m_rows, nullptr); // rows point into it until each is updated
     if (loaded) m_rows = std::make_unique<OutlineRows>(std::move(loaded), m_mode, m_filter);
     if (anew) reset();
     else update(*m_root);
@@ -83,24 +83,24 @@ void OutlineModel::fetchMore(const QModelIndex& parent) {
     if (!rows.empty()) addAt(node, rows, 0);
 }
 
-void OutlineModel::enlist(const Node& node) {
+void OutlineModel::indexNode(const Node& node) {
     ++m_made;
     if (node.row.selectable) m_byPath.try_emplace(node.row.path, &node);
 }
 
-void OutlineModel::strike(const Node& node) {
+void OutlineModel::unindexNode(const Node& node) {
     --m_made;
     if (const auto it = m_byPath.find(node.row.path); it != m_byPath.end() && it->second == &node) m_byPath.erase(it);
-    for (const auto& child : node.children) strike(*child);
+    for (const auto& child : node.children) unindexNode(*child);
 }
 
-/// Inserts all rows, one behind the other, before the child at `at`.
+/// Inserts all rows consecutively before the child at `at`.
 void OutlineModel::addAt(Node& node, std::vector<OutlineRow>& rows, std::size_t at) {
     beginInsertRows(indexOf(node), static_cast<int>(at), static_cast<int>(at + rows.size()) - 1);
     std::vector<std::unique_ptr<Node>> fresh;
     for (OutlineRow& row : rows) {
         fresh.push_back(std::make_unique<Node>(Node{&node, 0, std::move(row), {}, false}));
-        enlist(*fresh.back());
+        indexNode(*fresh.back());
     }
     node.children.insert(node.children.begin() + std::ptrdiff_t(at), std::make_move_iterator(fresh.begin()),
                          std::make_move_iterator(fresh.end()));
@@ -109,7 +109,7 @@ void OutlineModel::addAt(Node& node, std::vector<OutlineRow>& rows, std::size_t 
 }
 
 void OutlineModel::take(Node& node, OutlineRow row) {
-    const bool same = looksTheSame(node.row, row);
+    const bool same = hasSameContent(node.row, row);
     const OutlineRow old = std::exchange(node.row, std::move(row));
     if (old.path != node.row.path || old.selectable != node.row.selectable) {
         if (const auto it = m_byPath.find(old.path); it != m_byPath.end() && it->second == &node) m_byPath.erase(it);
@@ -119,7 +119,7 @@ void OutlineModel::take(Node& node, OutlineRow row) {
     if (!node.fetched && old.hasRows != node.row.hasRows) Q_EMIT arrowsChanged();
 }
 
-/// Removes children that are not among `rows`, save one that has got another name.
+/// Removes children that are not in `rows`, except renamed ones.
 void OutlineModel::dropGone(Node& node, const std::vector<OutlineRow>& rows) {
     Keys now;
     std::unordered_set<std::string> before; // copies: the rows change below
@@ -142,7 +142,7 @@ void OutlineModel::dropGone(Node& node, const std::vector<OutlineRow>& rows) {
         }
         beginRemoveRows(indexOf(node), static_cast<int>(begin), static_cast<int>(end) - 1);
         const auto first = node.children.begin() + std::ptrdiff_t(begin), last = node.children.begin() + std::ptrdiff_t(end);
-        for (auto it = first; it != last; ++it) strike(**it);
+        for (auto it = first; it != last; ++it) unindexNode(**it);
         node.children.erase(first, last);
         node.number(begin);
         endRemoveRows();
@@ -177,7 +177,7 @@ void OutlineModel::update(Node& node) {
         take(*node.children[i], std::move(rows[i]));
     }
     for (const auto& child : node.children) update(*child);
-    if (node.parent && node.children.empty()) node.fetched = false; // what comes later is fetched anew
+    if (node.parent && node.children.empty()) node.fetched = false; // later children are fetched again
 }
 
 } // namespace trundle

@@ -17,7 +17,7 @@
 
 namespace trundle {
 
-static constexpr int kMostUnfolded = 300; ///< by a filter: nobody reads further, and a swarm has a thousand
+static constexpr int kMaxUnfolded = 300; ///< maximum of rows expanded by a filter: a swarm has a thousand matches
 
 OutlineView::OutlineView(OutlineModel& model, QWidget* parent) : QTreeView(parent), m_model(model) {
     setObjectName(QStringLiteral("outlineTree"));
@@ -81,7 +81,7 @@ void OutlineView::rekey(const std::string& from, const std::string& to) {
 
 void OutlineView::unfold() {
     const QScopedValueRollback guard(m_unfolding, true);
-    int budget = m_model.filter().empty() ? 1 << 20 : kMostUnfolded;
+    int budget = m_model.filter().empty() ? 1 << 20 : kMaxUnfolded;
     unfoldBelow({}, budget);
 }
 
@@ -122,18 +122,18 @@ void OutlineView::mousePressEvent(QMouseEvent* event) {
 
 void OutlineView::mouseDoubleClickEvent(QMouseEvent* event) {
     QModelIndex index;
-    if (onMark(event, index)) Q_EMIT markClicked(index); // the second of two quick clicks
+    if (onMark(event, index)) Q_EMIT markClicked(index); // a fast second click arrives as a double click
     else QTreeView::mouseDoubleClickEvent(event);
 }
 
 void OutlineView::keyPressEvent(QKeyEvent* event) {
     const bool plain = state() != EditingState && event->modifiers() == Qt::NoModifier;
-    if (plain && event->key() == Qt::Key_Delete) Q_EMIT deleteWanted();
-    else if (plain && event->key() == Qt::Key_F2) Q_EMIT renameWanted();
+    if (plain && event->key() == Qt::Key_Delete) Q_EMIT deleteRequested();
+    else if (plain && event->key() == Qt::Key_F2) Q_EMIT renameRequested();
     else QTreeView::keyPressEvent(event);
 }
 
-/// With a label beside the pointer: a picture of the rows would hide the line that says where they go.
+/// Shows a label next to the pointer: an image of the rows would hide the drop indicator.
 void OutlineView::startDrag(Qt::DropActions actions) {
     const QModelIndexList rows = selectionModel()->selectedRows();
     QMimeData* mime = rows.isEmpty() ? nullptr : m_model.mimeData(rows);
@@ -155,8 +155,8 @@ void OutlineView::startDrag(Qt::DropActions actions) {
     drag->exec(actions, defaultDropAction());
 }
 
-/// On a row that cannot hold what is dragged, the place before or behind it is meant.
-template <class Event> void OutlineView::takeAsMeant(Event& event, void (OutlineView::*take)(Event*)) {
+/// Over a row that cannot contain the dragged objects, drops before or after it.
+template <class Event> void OutlineView::adjustDropIndicator(Event& event, void (OutlineView::*take)(Event*)) {
     QPoint at = event.position().toPoint();
     const QModelIndex row = indexAt(at);
     if (row.isValid() && !m_model.canDropMimeData(event.mimeData(), event.dropAction(), -1, -1, row)) {
@@ -171,11 +171,11 @@ template <class Event> void OutlineView::takeAsMeant(Event& event, void (Outline
     event.setAccepted(meant.isAccepted());
 }
 
-void OutlineView::dragMoveEvent(QDragMoveEvent* event) { takeAsMeant(*event, &OutlineView::moveInTree); }
+void OutlineView::dragMoveEvent(QDragMoveEvent* event) { adjustDropIndicator(*event, &OutlineView::moveInTree); }
 
-void OutlineView::dropEvent(QDropEvent* event) { takeAsMeant(*event, &OutlineView::dropInTree); }
+void OutlineView::dropEvent(QDropEvent* event) { adjustDropIndicator(*event, &OutlineView::dropInTree); }
 
-/// HTML where there is more than the model has; lines stay lines.
+/// HTML if there is more text than the model's; line breaks are kept.
 OutlineView::Tip OutlineView::tipAt(const QModelIndex& index) const {
     const QString always = index.data(Qt::ToolTipRole).toString();
     const OutlineRow* row = m_model.rowAt(index);

@@ -11,29 +11,29 @@ namespace trundle {
 
 class OutlineModel;
 
-/// The tree itself. Remembers by key what the user has unfolded, through edits, undo, filters and changes of mode.
+/// The tree view. Restores by key which rows the user has expanded, after edits, undo, filters and changes of mode.
 class OutlineView final : public QTreeView {
     Q_OBJECT
 public:
     explicit OutlineView(OutlineModel& model, QWidget* parent = nullptr);
 
-    /// Folded as another project is at first.
+    /// Resets to the expansion of a newly opened project.
     void forgetFolds();
-    /// Unfolds what was unfolded; while the model is filtered, what leads to matches instead.
+    /// Restores the expanded rows; while the model is filtered, expands the ancestors of matches instead.
     void unfold();
-    /// Unfolds what is above a row and scrolls to it.
+    /// Expands the ancestors of a row and scrolls to it.
     void reveal(const QModelIndex& index);
-    /// Words in the middle of a tree without rows.
+    /// Text in the middle of an empty tree.
     void setEmptyText(const QString& text);
-    /// Gives rich text that stands in an object's tooltip below what is always there; may be empty.
+    /// Sets a function that returns rich text to append to an object's tooltip; it may return an empty text.
     void setMoreTip(std::function<QString(const std::string& path)> moreTip) { m_moreTip = std::move(moreTip); }
-    /// The tooltip that is shown, if one is, says what is true now.
+    /// Updates the visible tooltip, if there is one.
     void renewTip();
 
 Q_SIGNALS:
-    void markClicked(const QModelIndex& index); ///< eye or lock of a row
-    void deleteWanted();
-    void renameWanted();
+    void markClicked(const QModelIndex& index); ///< visibility or lock column of a row
+    void deleteRequested();
+    void renameRequested();
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;
@@ -49,7 +49,7 @@ private:
     void unfoldBelow(const QModelIndex& parent, int& budget);
     void remember(const QModelIndex& index, bool open);
     void rekey(const std::string& from, const std::string& to);
-    template <class Event> void takeAsMeant(Event& event, void (OutlineView::*take)(Event*));
+    template <class Event> void adjustDropIndicator(Event& event, void (OutlineView::*take)(Event*));
     void moveInTree(QDragMoveEvent* event) { QTreeView::dragMoveEvent(event); }
     void dropInTree(QDropEvent* event) { QTreeView::dropEvent(event); }
     [[nodiscard]] bool onMark(QMouseEvent* event, QModelIndex& index) const;
@@ -64,9 +64,9 @@ private:
     OutlineModel& m_model;
     std::function<QString(const std::string&)> m_moreTip;
     QPersistentModelIndex m_tipRow;
-    QPoint m_tipPlace;            // on the screen
-    Tip m_tip;                    // as it was shown last
-    std::set<std::string> m_open; // keys, of both modes
+    QPoint m_tipPlace;            // global coordinates
+    Tip m_tip;                    // as shown last
+    std::set<std::string> m_open; // keys of expanded rows, of both modes
     QString m_emptyText;
     bool m_unfolding = false;
 };

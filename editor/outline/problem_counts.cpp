@@ -4,7 +4,7 @@
 
 namespace trundle {
 
-ProblemCounts::ProblemCounts(const Loaded& loaded) {
+ProblemCounts::ProblemCounts(const LoadedProject& loaded) {
     const auto& all = loaded.diagnostics.all();
     const auto counts = [](const Diagnostic& d) { return d.severity != Severity::Hint && d.range.known(); };
     if (std::none_of(all.begin(), all.end(), counts)) return;
@@ -30,7 +30,7 @@ int ProblemCounts::innermost(const SourceRange& range) const {
         const SourceRange& block = m_placed[std::size_t(i)].part->range;
         return at.file != block.file ? at.file < block.file : at.range.begin < block.range.begin;
     });
-    // Of blocks of one file, those around a place are the one that begins last before it and what holds that one.
+    // Blocks nest, so those around a position are the last one that begins before it and the ancestors of that one.
     int i = after == m_sorted.begin() ? -1 : *(after - 1);
     while (i >= 0) {
         const Placed& placed = m_placed[std::size_t(i)];

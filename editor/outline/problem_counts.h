@@ -1,5 +1,5 @@
 #pragma once
-// How many errors and warnings stand in each block, with those of the blocks inside it.
+// Counts errors and warnings per block, including those of nested blocks.
 
 #include <unordered_map>
 #include <vector>
@@ -16,25 +16,25 @@ public:
         bool operator==(const Count&) const = default;
     };
 
-    /// Costs nothing to speak of where there are no problems.
-    explicit ProblemCounts(const Loaded& loaded);
+    /// Cheap if there are no diagnostics.
+    explicit ProblemCounts(const LoadedProject& loaded);
 
     [[nodiscard]] Count of(const Part& part) const;
     [[nodiscard]] Count ofFile(FileId file) const;
-    [[nodiscard]] Count outside() const { return m_outside; } ///< in no block of any file
-    [[nodiscard]] Count at(const SourceRange& range) const;   ///< whose place is within a range
+    [[nodiscard]] Count outside() const { return m_outside; } ///< outside of every block
+    [[nodiscard]] Count at(const SourceRange& range) const;   ///< located within a range
 
 private:
     struct Placed {
         const Part* part;
-        int parent; ///< in m_placed, -1: stands at the top level
+        int parent; ///< index of the enclosing block in m_placed; -1: top level
     };
     void place(const Part& part, int parent);
     [[nodiscard]] int innermost(const SourceRange& range) const;
     void count(const Diagnostic& diagnostic);
 
     std::vector<Placed> m_placed;
-    std::vector<int> m_sorted; // places in m_placed by file and begin
+    std::vector<int> m_sorted; // indices into m_placed, by file and begin
     std::vector<std::pair<SourceRange, Count>> m_all;
     std::unordered_map<const Part*, Count> m_parts;
     std::unordered_map<FileId, Count> m_files;

@@ -22,27 +22,27 @@ ModelChecker::~ModelChecker() {
     m_pool.waitForDone();
 }
 
-void ModelChecker::request(std::shared_ptr<const Loaded> loaded) {
+void ModelChecker::request(std::shared_ptr<const LoadedProject> loaded) {
     m_stop.request_stop();
     m_wanted = std::move(loaded);
     m_delay.start();
 }
 
 void ModelChecker::start() {
-    if (m_busy) return; // finish() starts the next
+    if (m_busy) return; // finish() starts the next check
     if (!m_wanted) return Q_EMIT checked(nullptr, {});
     m_busy = true;
     m_stop = std::stop_source();
     m_pool.start([this, loaded = m_wanted, stop = m_stop.get_token()]() mutable {
         Diagnostics found;
-        checkModel(*loaded, found, stop); // runs no code of modules
-        // Moved: a load that nobody else keeps ends in this object's thread.
+        checkModel(*loaded, found, stop); // runs no module code
+        // The project is moved along: if this is its last reference, it is destroyed in this object's thread.
         QMetaObject::invokeMethod(
             this, [this, loaded = std::move(loaded), all = found.all()] { finish(loaded, all); }, Qt::QueuedConnection);
     });
 }
 
-void ModelChecker::finish(const std::shared_ptr<const Loaded>& loaded, const std::vector<Diagnostic>& found) {
+void ModelChecker::finish(const std::shared_ptr<const LoadedProject>& loaded, const std::vector<Diagnostic>& found) {
     m_busy = false;
     if (loaded == m_wanted && !m_stop.stop_requested()) Q_EMIT checked(loaded, found);
     else if (!m_delay.isActive()) m_delay.start();

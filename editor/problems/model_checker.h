@@ -1,5 +1,5 @@
 #pragma once
-// Checks the model of the texts in a thread of its own, so that typing never waits for it.
+// Runs the model checks in a worker thread, so that typing is never delayed.
 
 #include <memory>
 #include <stop_token>
@@ -14,29 +14,29 @@
 
 namespace trundle {
 
-/// One check at a time, of the text alone: no module's code runs and no port is bound.
+/// Runs one check at a time, of the model only: no module code runs and no port is bound.
 class ModelChecker final : public QObject {
     Q_OBJECT
 public:
     explicit ModelChecker(QObject* parent = nullptr);
     ~ModelChecker() override;
 
-    /// Checks this load soon; a later call takes its place and stops a check that is under way. Null: nothing.
-    void request(std::shared_ptr<const Loaded> loaded);
+    /// Checks this project after a short delay; a later call replaces the request and stops a running check. Null: nothing.
+    void request(std::shared_ptr<const LoadedProject> loaded);
 
 Q_SIGNALS:
-    /// What was found in the load that was asked for last.
-    void checked(const std::shared_ptr<const trundle::Loaded>& loaded, const std::vector<trundle::Diagnostic>& found);
+    /// The diagnostics of the project requested last.
+    void checked(const std::shared_ptr<const trundle::LoadedProject>& loaded, const std::vector<trundle::Diagnostic>& found);
 
 private:
     void start();
-    void finish(const std::shared_ptr<const Loaded>& loaded, const std::vector<Diagnostic>& found);
+    void finish(const std::shared_ptr<const LoadedProject>& loaded, const std::vector<Diagnostic>& found);
 
-    std::shared_ptr<const Loaded> m_wanted;
+    std::shared_ptr<const LoadedProject> m_wanted;
     bool m_busy = false;
-    std::stop_source m_stop; ///< of the check that is under way
+    std::stop_source m_stop; ///< of the running check
     QTimer m_delay{this};
-    QThreadPool m_pool; ///< one thread; the last member, so that it ends first
+    QThreadPool m_pool; ///< one thread; the last member: destroyed first, it waits for its thread
 };
 
 } // namespace trundle

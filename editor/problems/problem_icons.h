@@ -6,7 +6,7 @@
 
 namespace trundle {
 
-/// A cross, a triangle or a dot in the theme's colours of now.
+/// A cross, a triangle or a dot in the current theme's colours.
 [[nodiscard]] QIcon severityIcon(Severity severity);
 [[nodiscard]] QString severityWord(Severity severity);
 

@@ -1,5 +1,5 @@
-// Rows are told apart by internalId: 0 for a diagnostic, its row + 1 for what stands below it. Children: notes, then fixes, then
-// the suggestions that have no fix.
+// The internalId of an index identifies its parent: 0 for a diagnostic, its row + 1 for its children. Children: notes, then
+// fixes, then suggestions without a fix.
 #include "editor/problems/problems_model.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
-/// Suggestions whose fix stands in the list already are not said again.
+/// Suggestions for which no fix is listed.
 std::vector<std::string> bareSuggestions(const Diagnostic& d) {
     std::vector<std::string> bare;
     for (const std::string& word : d.suggestions)
@@ -23,13 +23,13 @@ std::vector<std::string> bareSuggestions(const Diagnostic& d) {
 }
 
 bool before(const SourceRange& a, const SourceRange& b) {
-    if (a.known() != b.known()) return b.known(); // those of no place first: they are about the whole
+    if (a.known() != b.known()) return b.known(); // diagnostics without a location come first: they concern the whole project
     return a < b;
 }
 
 } // namespace
 
-QString problemPlace(const Loaded& loaded, const SourceRange& place) {
+QString problemPlace(const LoadedProject& loaded, const SourceRange& place) {
     if (!place.known() || place.file >= loaded.sources.size()) return {};
     const SourceText& source = *loaded.sources[place.file].text;
     const bool file = place.file < loaded.paths.size() && !loaded.paths[place.file].empty();
@@ -38,16 +38,16 @@ QString problemPlace(const Loaded& loaded, const SourceRange& place) {
     return QStringLiteral("%1:%2:%3").arg(name, QString::number(at.line), QString::number(at.column));
 }
 
-void ProblemsModel::setLoaded(std::shared_ptr<const Loaded> loaded) {
-    // While somebody types, the list mostly stays as it is: it keeps its place then, and what is unfolded.
-    const std::shared_ptr<const Loaded> kept = std::exchange(m_loaded, std::move(loaded));
+void ProblemsModel::setLoaded(std::shared_ptr<const LoadedProject> loaded) {
+    // Most edits do not change the list; avoiding a reset then keeps the scroll position and the expanded rows.
+    const std::shared_ptr<const LoadedProject> kept = std::exchange(m_loaded, std::move(loaded));
     const std::vector<Entry> before = m_entries;
     std::vector<Diagnostic> modelBefore;
-    if (m_modelTexts != m_loaded) modelBefore.swap(m_modelProblems); // `before` points at them
+    if (m_modelTexts != m_loaded) modelBefore.swap(m_modelProblems); // `before` has pointers into it
     rebuildAfter(before);
 }
 
-/// The list anew, as a reset only where it looks otherwise. What `before` points at must still be there.
+/// Rebuilds the list, with a model reset only if its content differs. The diagnostics that `before` points to must still exist.
 void ProblemsModel::rebuildAfter(const std::vector<Entry>& before) {
     rebuild();
     if (looksAs(before)) {
@@ -69,7 +69,7 @@ bool ProblemsModel::looksAs(const std::vector<Entry>& before) const {
     });
 }
 
-void ProblemsModel::setRun(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts) {
+void ProblemsModel::setRun(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> texts) {
     beginResetModel();
     m_run = std::move(problems);
     m_runTexts = std::move(texts);
@@ -78,14 +78,14 @@ void ProblemsModel::setRun(std::vector<Diagnostic> problems, std::shared_ptr<con
     Q_EMIT countsChanged(m_errors, m_warnings);
 }
 
-void ProblemsModel::setModelProblems(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts) {
-    const std::shared_ptr<const Loaded> kept = std::exchange(m_modelTexts, std::move(texts));
+void ProblemsModel::setModelProblems(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> texts) {
+    const std::shared_ptr<const LoadedProject> kept = std::exchange(m_modelTexts, std::move(texts));
     if (m_modelProblems.empty() && problems.empty()) return;
     const std::vector<Diagnostic> modelBefore = std::exchange(m_modelProblems, std::move(problems));
     rebuildAfter(std::vector<Entry>(m_entries));
 }
 
-const std::shared_ptr<const Loaded>& ProblemsModel::textsOf(const Entry& entry) const {
+const std::shared_ptr<const LoadedProject>& ProblemsModel::textsOf(const Entry& entry) const {
     return entry.source == Source::Run ? m_runTexts : entry.source == Source::Model ? m_modelTexts : m_loaded;
 }
 
@@ -120,7 +120,8 @@ void ProblemsModel::rebuild() {
         if (wanted(d)) m_entries.push_back({&d, source});
     };
     const auto refuses = [](const Diagnostic& d) { return d.severity == Severity::Error && d.code == Code::DeviceSetup; };
-    // What the model check has found about these texts, with its place and fix, a run that was refused for it says once more.
+    // If a run was refused for an error that the model check also found in these texts, show only the latter, which has a
+    // location and a fix.
     const bool known = m_runTexts && m_runTexts == m_modelTexts && std::ranges::any_of(m_modelProblems, refuses);
     for (const Diagnostic& d : m_run)
         if (!known || !refuses(d)) take(d, Source::Run);
@@ -147,7 +148,7 @@ const Diagnostic* ProblemsModel::diagnosticAt(const QModelIndex& index) const {
     return entry ? entry->diagnostic : nullptr;
 }
 
-std::shared_ptr<const Loaded> ProblemsModel::textsAt(const QModelIndex& index) const {
+std::shared_ptr<const LoadedProject> ProblemsModel::textsAt(const QModelIndex& index) const {
     const Entry* entry = entryAt(index);
     return entry ? textsOf(*entry) : nullptr;
 }
@@ -231,7 +232,7 @@ QVariant ProblemsModel::childData(const Diagnostic& d, const Entry& entry, int r
     }
     i -= d.fixes.size();
     const std::vector<std::string> bare = bareSuggestions(d);
-    if (i < bare.size() && column == Message && role == Qt::DisplayRole) return tr("Perhaps: %1").arg(text(bare[i]));
+    if (i < bare.size() && column == Message && role == Qt::DisplayRole) return tr("Suggestion: %1").arg(text(bare[i]));
     return role == Qt::ForegroundRole ? QVariant(ink(Ink::Faint)) : QVariant();
 }
 

@@ -1,6 +1,5 @@
 #pragma once
-// The diagnostics of a document and of its run as a list of two levels: what is wrong, and below it the places and fixes that
-// belong to it.
+// Item model of the diagnostics of document and run: top-level rows are diagnostics, their children notes and fixes.
 
 #include <memory>
 #include <vector>
@@ -19,24 +18,25 @@ public:
     using QAbstractItemModel::QAbstractItemModel;
     enum Column { Message, CodeColumn, Place, ColumnCount };
 
-    /// Of the texts as they are now. Null: none.
-    void setLoaded(std::shared_ptr<const Loaded> loaded);
-    /// Of a run, with the texts it was built from.
-    void setRun(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts);
-    /// What the model check found, with the texts that it checked. Shown until the next call, or until there are other texts.
-    void setModelProblems(std::vector<Diagnostic> problems, std::shared_ptr<const Loaded> texts);
+    /// Sets the project with the current diagnostics. Null: none.
+    void setLoaded(std::shared_ptr<const LoadedProject> loaded);
+    /// Sets the diagnostics of a run and the project it was built from.
+    void setRun(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> texts);
+    /// Sets the diagnostics of the model check and the project that it checked. They are shown until the next call or until the
+    /// texts change.
+    void setModelProblems(std::vector<Diagnostic> problems, std::shared_ptr<const LoadedProject> texts);
     void setFilter(bool errors, bool warnings, const QString& words);
     void setOrder(ProblemOrder order);
 
-    [[nodiscard]] int errors() const { return m_errors; } ///< whatever the filter hides
+    [[nodiscard]] int errors() const { return m_errors; } ///< not affected by the filter
     [[nodiscard]] int warnings() const { return m_warnings; }
 
-    /// The diagnostic at a row or above it; null for none.
+    /// The diagnostic of a row or its parent; null if there is none.
     [[nodiscard]] const Diagnostic* diagnosticAt(const QModelIndex& index) const;
-    /// The place that a row shows, in textsAt().
+    /// The source range of a row, in textsAt().
     [[nodiscard]] SourceRange placeAt(const QModelIndex& index) const;
-    [[nodiscard]] std::shared_ptr<const Loaded> textsAt(const QModelIndex& index) const;
-    /// The fix of a row below, or the first of a diagnostic; null where there is none, or where its texts are of the past.
+    [[nodiscard]] std::shared_ptr<const LoadedProject> textsAt(const QModelIndex& index) const;
+    /// The fix of a child row, or the first fix of a diagnostic; null if there is none or it is for outdated texts.
     [[nodiscard]] const Fix* fixAt(const QModelIndex& index) const;
 
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -55,7 +55,7 @@ private:
         const Diagnostic* diagnostic = nullptr;
         Source source = Source::Texts;
     };
-    [[nodiscard]] const std::shared_ptr<const Loaded>& textsOf(const Entry& entry) const;
+    [[nodiscard]] const std::shared_ptr<const LoadedProject>& textsOf(const Entry& entry) const;
     void rebuild();
     void rebuildAfter(const std::vector<Entry>& before);
     [[nodiscard]] bool looksAs(const std::vector<Entry>& before) const;
@@ -65,7 +65,7 @@ private:
     [[nodiscard]] QVariant childData(const Diagnostic& d, const Entry& entry, int row, int column, int role) const;
     [[nodiscard]] QString placeText(const SourceRange& place, const Entry& entry) const;
 
-    std::shared_ptr<const Loaded> m_loaded, m_runTexts, m_modelTexts;
+    std::shared_ptr<const LoadedProject> m_loaded, m_runTexts, m_modelTexts;
     std::vector<Diagnostic> m_run, m_modelProblems;
     std::vector<Entry> m_entries; ///< shown, in order
     int m_errors = 0, m_warnings = 0;
@@ -74,7 +74,7 @@ private:
     ProblemOrder m_order = ProblemOrder::Place;
 };
 
-/// "robots/simple_robot.sim:22:7", relative to the project; empty where the place is in no text.
-[[nodiscard]] QString problemPlace(const Loaded& loaded, const SourceRange& place);
+/// "robots/simple_robot.sim:22:7", relative to the project; empty if the range is in no text.
+[[nodiscard]] QString problemPlace(const LoadedProject& loaded, const SourceRange& place);
 
 } // namespace trundle

@@ -19,7 +19,7 @@
 #include "editor/problems/problems_model.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 namespace {
@@ -67,7 +67,7 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
     connect(&document, &Document::changed, this, &ProblemsPanel::follow);
     connect(&document, &Document::opened, this, &ProblemsPanel::clearRunProblems);
     connect(m_checker, &ModelChecker::checked, this,
-            [this](const std::shared_ptr<const Loaded>& loaded, const std::vector<Diagnostic>& found) {
+            [this](const std::shared_ptr<const LoadedProject>& loaded, const std::vector<Diagnostic>& found) {
                 m_model->setModelProblems(found, loaded);
                 showCounts();
                 Q_EMIT modelChecked(loaded, found);
@@ -121,7 +121,7 @@ void ProblemsPanel::follow() {
     m_model->setLoaded(m_document.loaded());
     m_checker->request(m_document.loaded());
     showCounts();
-    if (row >= 0 && !m_view->currentIndex().isValid() && m_model->rowCount() > 0) // the next one is where the fixed one was
+    if (row >= 0 && !m_view->currentIndex().isValid() && m_model->rowCount() > 0) // select the row that follows the fixed one
         m_view->setCurrentIndex(m_model->index(std::min(row, m_model->rowCount() - 1), 0));
 }
 
@@ -145,12 +145,12 @@ void ProblemsPanel::showCounts() {
 void ProblemsPanel::showFix() {
     const Fix* fix = m_model->fixAt(m_view->currentIndex());
     m_fix->setEnabled(fix != nullptr);
-    m_fix->setToolTip(fix ? tr("%1  Alt+Enter").arg(QString::fromStdString(fix->title)) : tr("Nothing to mend here by itself"));
+    m_fix->setToolTip(fix ? tr("%1  Alt+Enter").arg(QString::fromStdString(fix->title)) : tr("No automatic fix available"));
 }
 
 void ProblemsPanel::go(const QModelIndex& index) {
     const SourceRange place = m_model->placeAt(index);
-    const std::shared_ptr<const Loaded> texts = m_model->textsAt(index);
+    const std::shared_ptr<const LoadedProject> texts = m_model->textsAt(index);
     if (!texts || !place.known() || place.file >= texts->paths.size() || texts->paths[place.file].empty()) return;
     const std::string file = texts->paths[place.file];
     if (texts == m_document.loaded()) {
@@ -178,7 +178,7 @@ void ProblemsPanel::applyFix(const QModelIndex& index) {
     FileEdits edits;
     for (const TextEdit& edit : fix->edits) edits[edit.range.file].push_back(edit);
     const QString name = tr("Fix: %1").arg(QString::fromStdString(fix->title));
-    const Status done = m_document.edit(name, edits); // the model has other rows from here on
+    const Status done = m_document.edit(name, edits); // this has rebuilt the model
     if (!done) m_fix->setToolTip(QString::fromStdString(done.error().message));
 }
 
@@ -208,7 +208,7 @@ void ProblemsPanel::addRunProblem(const Diagnostic& problem) {
     setRunProblems(m_run, m_runTexts);
 }
 
-void ProblemsPanel::setRunProblems(const std::vector<Diagnostic>& problems, const std::shared_ptr<const Loaded>& texts) {
+void ProblemsPanel::setRunProblems(const std::vector<Diagnostic>& problems, const std::shared_ptr<const LoadedProject>& texts) {
     std::vector<Diagnostic> own = problems;
     m_run = own;
     m_runTexts = texts;

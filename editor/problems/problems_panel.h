@@ -19,7 +19,7 @@ class ModelChecker;
 class ProblemsModel;
 class Selection;
 
-/// Everything that is wrong with the texts and with the run; a click goes there, a fix is an edit like any other.
+/// Lists all diagnostics of texts and run. A click shows the location in the text; a fix is an ordinary edit.
 class ProblemsPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -27,21 +27,22 @@ public:
 
     [[nodiscard]] int errors() const;
     [[nodiscard]] int warnings() const;
-    /// Shows the next or the one before, as F8 does.
+    /// Selects the next or previous diagnostic, for F8.
     void goTo(int step);
 
 public Q_SLOTS:
-    /// Why a run ended, or what it complained of. `texts`: those it was built from; where null, those of now.
+    /// Adds a diagnostic of a run: why it ended, or a warning. `texts`: the project it was built from; null: the current one.
     void addRunProblem(const trundle::Diagnostic& problem);
-    void setRunProblems(const std::vector<trundle::Diagnostic>& problems, const std::shared_ptr<const trundle::Loaded>& texts);
+    void setRunProblems(const std::vector<trundle::Diagnostic>& problems,
+                        const std::shared_ptr<const trundle::LoadedProject>& texts);
     void clearRunProblems();
     void fixCurrent();
 
 Q_SIGNALS:
     void jumpTo(const std::string& file, const trundle::SourceRange& range);
     void countsChanged(int errors, int warnings);
-    /// What the model check found in these texts, soon after the last edit.
-    void modelChecked(const std::shared_ptr<const trundle::Loaded>& texts, const std::vector<trundle::Diagnostic>& found);
+    /// The diagnostics of the model check for these texts, emitted shortly after the last edit.
+    void modelChecked(const std::shared_ptr<const trundle::LoadedProject>& texts, const std::vector<trundle::Diagnostic>& found);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -66,7 +67,7 @@ private:
     QToolButton *m_errors, *m_warnings, *m_order, *m_fix;
     QLineEdit* m_words;
     std::vector<Diagnostic> m_run;
-    std::shared_ptr<const Loaded> m_runTexts;
+    std::shared_ptr<const LoadedProject> m_runTexts;
 };
 
 } // namespace trundle

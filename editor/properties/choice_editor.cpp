@@ -6,19 +6,19 @@
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 
-#include "editor/properties/quiet_wheel.h"
 #include "editor/properties/value_text.h"
+#include "editor/properties/wheel_filter.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
 namespace {
 
-/// Its list is made when somebody opens it: most are never opened, and Qt keeps the styles of each that there was.
+/// Creates its list view on first opening: most are never opened, and Qt caches the style of each view.
 class Choices final : public QComboBox {
 public:
     using QComboBox::QComboBox;
     void showPopup() override {
-        // That of the box would draw the list as faint as itself.
+        // The combo box's own delegate would draw the list in the box's faint colour.
         if (!std::exchange(m_hasList, true)) setItemDelegate(new QStyledItemDelegate(this));
         QComboBox::showPopup();
     }
@@ -36,7 +36,7 @@ ChoiceEditor::ChoiceEditor(QWidget* parent) : RowEditor(parent), m_box(new Choic
     m_box->setObjectName(QStringLiteral("field"));
     m_box->setMinimumWidth(60);
     setFocusProxy(m_box);
-    quietWheel(*m_box);
+    ignoreWheel(*m_box);
     connect(m_box, &QComboBox::activated, this, [this](int index) {
         const std::string word = m_box->itemText(index).toStdString();
         commit([word](const FieldValue& v) {

@@ -6,7 +6,7 @@ class QComboBox;
 
 namespace trundle {
 
-/// One of a few words.
+/// Edits a property with a fixed set of values.
 class ChoiceEditor final : public RowEditor {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ private:
     QComboBox* m_box;
 };
 
-/// True or false.
+/// Edits a boolean property.
 class FlagEditor final : public RowEditor {
     Q_OBJECT
 public:

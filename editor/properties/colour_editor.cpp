@@ -68,7 +68,7 @@ void ColourEditor::choose() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setOption(QColorDialog::DontUseNativeDialog);
     connect(dialog, &QColorDialog::currentColorChanged, this, &ColourEditor::set);
-    connect(dialog, &QColorDialog::rejected, this, &ColourEditor::takeBack);
+    connect(dialog, &QColorDialog::rejected, this, &ColourEditor::rollBack);
     connect(dialog, &QDialog::finished, this, &RowEditor::scrubEnded);
     dialog->open();
 }
@@ -78,7 +78,7 @@ void ColourEditor::set(const QColor& colour) {
     commit([r, g, b](const FieldValue& v) { return joined({r, g, b}, v.separator); }, "colour " + m_row.first().path);
 }
 
-void ColourEditor::takeBack() {
+void ColourEditor::rollBack() {
     const auto before = m_before;
     commit(
         [before](const FieldValue& v) {

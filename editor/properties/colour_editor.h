@@ -5,8 +5,8 @@ class QToolButton;
 
 namespace trundle {
 
-/// Three shares with a swatch that opens the colour dialog. While the dialog is open the document follows it; Cancel takes it
-/// back.
+/// Three colour components with a swatch that opens the colour dialog. While the dialog is open its colour is applied to the
+/// document; Cancel restores the previous one.
 class ColourEditor final : public NumbersEditor {
     Q_OBJECT
 public:
@@ -19,11 +19,11 @@ protected:
 private:
     void choose();
     void set(const QColor& colour);
-    void takeBack();
+    void rollBack();
     [[nodiscard]] QColor colour() const;
 
     QToolButton* m_swatch;
-    std::map<std::string, std::string> m_before; ///< texts by path when the dialog opened; empty: was not given
+    std::map<std::string, std::string> m_before; ///< texts by path when the dialog opened; empty: the value was not set
 };
 
 } // namespace trundle

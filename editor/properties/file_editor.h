@@ -5,7 +5,7 @@ class QToolButton;
 
 namespace trundle {
 
-/// A file, named relative to the text that uses it.
+/// Edits the path of a file, relative to the folder of the text that uses it.
 class FileEditor final : public RowEditor {
     Q_OBJECT
 public:
@@ -23,7 +23,8 @@ private:
     QToolButton* m_button;
 };
 
-/// `file` as a text in `folder` names it: below the folder, else below one of `roots`, else by way of "..".
+/// The path that a text in `folder` uses for `file`: relative if the file is below the folder, else relative to one of `roots`,
+/// else with "..".
 [[nodiscard]] QString relativeName(const QString& file, const QString& folder, const QStringList& roots);
 
 } // namespace trundle

@@ -30,7 +30,7 @@ void addInside(const Part& config, const std::vector<std::string>& choices, bool
 
 } // namespace
 
-std::vector<std::string> fittingNames(const Loaded& loaded, const Property& property, const Part* config) {
+std::vector<std::string> fittingNames(const LoadedProject& loaded, const Property& property, const Part* config) {
     const std::vector<std::string>& choices = property.choices;
     const auto names = [&](const char* word) { return std::count(choices.begin(), choices.end(), word) > 0; };
     const Outline& outline = *loaded.outline;
@@ -46,7 +46,7 @@ std::vector<std::string> fittingNames(const Loaded& loaded, const Property& prop
     return found;
 }
 
-std::vector<std::string> robotNames(const Loaded& loaded) {
+std::vector<std::string> robotNames(const LoadedProject& loaded) {
     std::vector<std::string> names;
     for (const Part* part : loaded.outline->world.all())
         if (part->is(Role::Layout) || (part->kind && part->kind->name == "Robot")) names.push_back(part->name);

@@ -6,10 +6,10 @@
 
 namespace trundle {
 
-/// The names that would do for a reference, in the order of the text. `config`: the one in which the object stands or from which
-/// it is made; may be missing.
-[[nodiscard]] std::vector<std::string> fittingNames(const Loaded& loaded, const Property& property, const Part* config);
-/// Robots, grids and scatters.
-[[nodiscard]] std::vector<std::string> robotNames(const Loaded& loaded);
+/// The names that are valid for a reference, in the order of the text. `config`: the one that contains the object or that it is
+/// an instance of; may be null.
+[[nodiscard]] std::vector<std::string> fittingNames(const LoadedProject& loaded, const Property& property, const Part* config);
+/// Names of robots, grids and scatters.
+[[nodiscard]] std::vector<std::string> robotNames(const LoadedProject& loaded);
 
 } // namespace trundle

@@ -3,7 +3,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "editor/properties/origin_words.h"
+#include "editor/properties/origin_text.h"
 #include "editor/properties/param_help.h"
 #include "editor/properties/row.h"
 #include "editor/properties/value_text.h"
@@ -55,7 +55,7 @@ HelpStrip::HelpStrip(QWidget* parent) : QFrame(parent) {
     m_origin = addLabel(layout, this, "helpOrigin");
     layout->addStretch(1);
     setMinimumHeight(fontMetrics().lineSpacing() * 4 + 22);
-    connect(m_origin, &QLabel::linkActivated, this, [this] { Q_EMIT jumpWanted(m_place); });
+    connect(m_origin, &QLabel::linkActivated, this, [this] { Q_EMIT jumpRequested(m_place); });
 }
 
 void HelpStrip::display(const Row& row, const QString& refusal, bool running) {

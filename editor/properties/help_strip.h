@@ -9,16 +9,16 @@ namespace trundle {
 
 struct Row;
 
-/// What the focused row is about: unit and range, help, where its value comes from, and why one was refused.
+/// Describes the focused row: unit and range, help, origin of its value, and why a typed value was refused.
 class HelpStrip final : public QFrame {
     Q_OBJECT
 public:
     explicit HelpStrip(QWidget* parent);
     void display(const Row& row, const QString& refusal, bool running);
-    void displayText(const QString& text); ///< of the kind, while no row is focused
+    void displayText(const QString& text); ///< help of the kind, while no row is focused
 
 Q_SIGNALS:
-    void jumpWanted(const trundle::SourceRange& place);
+    void jumpRequested(const trundle::SourceRange& place);
 
 private:
     QLabel *m_title, *m_help, *m_origin;

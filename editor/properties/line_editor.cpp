@@ -13,7 +13,7 @@ bool isWords(const Property* p) {
     return p && (p->type == PropertyType::Text || p->type == PropertyType::File || p->type == PropertyType::Reference);
 }
 
-/// Of a Param that a number stands for now, or a formula that comes to one.
+/// Whether the row is a Param whose value is a number or a formula that evaluates to one.
 bool isNumber(const Row& row) {
     if (row.property()) return isNumeric(*row.property());
     const FieldValue& v = row.first();
@@ -23,7 +23,7 @@ bool isNumber(const Row& row) {
 
 bool isQuoted(const FieldValue& v) { return v.given() && v.text.starts_with('"'); }
 
-/// On one line, whatever line ends stand in it.
+/// The text on one line, with line breaks replaced by blanks.
 QString flat(const std::string& text) { return QString::fromStdString(text).simplified(); }
 
 QString suffixOf(const Row& row) {

@@ -3,14 +3,13 @@
 
 namespace trundle {
 
-/// What one line of text shows of a value, and the text that what was typed there becomes. Texts and names stand there without
-/// their quotes.
+/// Converts between a value and the line of text in which it is edited. Texts and names are shown without their quotes.
 [[nodiscard]] QString lineText(const Row& row);
 [[nodiscard]] std::string typedText(const Row& row, const QString& typed);
-/// Text, colour, unit and state of a field that holds the whole value.
+/// Sets text, colour, unit and state of a field that contains the whole value.
 void showLine(ValueField& field, const Row& row);
 
-/// The value as one line of text: anything may be typed, formulas too.
+/// The value as one line of text; accepts any text, formulas included.
 class LineEditor final : public RowEditor {
     Q_OBJECT
 public:

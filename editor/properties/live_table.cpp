@@ -17,11 +17,11 @@ namespace trundle {
 namespace {
 
 enum LiveColumn { kName, kNow, kUnit, kLiveColumns };
-constexpr int kNumberWidth = 8;   // "-123.456", and in two neighbours seldom more
+constexpr int kNumberWidth = 8;   // "-123.456"; longer numbers are rare
 constexpr int kSingleWidth = 14;
-constexpr int kFigurePixels = 11; // three such numbers leave room for a name
+constexpr int kFigurePixels = 11; // pixels, the font size of numbers: three of them leave room for a name
 
-/// Numbers of one line end in the same columns from tick to tick.
+/// Pads the numbers of a line so that they stay in the same columns at every tick.
 QString inColumns(const LiveValue& value) {
     QString text;
     for (const std::string& number : value.numbers) {
@@ -145,7 +145,7 @@ void LiveTable::fill() {
     }
 }
 
-/// Which names have no room beside their numbers. The columns of style() are there.
+/// Which names do not fit next to their numbers. Uses the columns set by style().
 std::vector<bool> LiveTable::stacking() const {
     const int padding = 2 * (m_table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, m_table) + 1); // of an item
     const int room = m_table->viewport()->width() - m_table->columnWidth(kNow) - m_table->columnWidth(kUnit) - padding;
@@ -159,7 +159,7 @@ std::vector<bool> LiveTable::stacking() const {
 void LiveTable::style() {
     QFont figures = monospaceFont();
     figures.setPixelSize(kFigurePixels);
-    // Wide enough for the numbers that may come, not for those of this moment.
+    // Wide enough for all possible values, not only the current ones.
     std::size_t most = 1;
     for (const Line& line : m_lines) most = std::max(most, std::min<std::size_t>(line.numbers, 3));
     const int digit = QFontMetrics(figures).horizontalAdvance(u'0');
@@ -193,7 +193,7 @@ void LiveTable::changeEvent(QEvent* event) {
 }
 
 bool LiveTable::eventFilter(QObject* watched, QEvent* event) {
-    // Emptying and filling the table resizes it as well: its scroll bar goes and comes.
+    // Emptying and filling the table also resizes it, since its scroll bar disappears and appears.
     if (event->type() == QEvent::Resize && !m_rebuilding && stacking() != m_stacked) {
         rebuild();
         fit();

@@ -13,24 +13,24 @@ namespace trundle {
 
 class Section;
 
-/// The values of one object.
+/// The live values of one object.
 struct LiveGroup {
-    QString object; ///< its path, as a heading; empty: none
+    QString object; ///< its path, shown as a heading; empty: no heading
     std::vector<LiveValue> values;
 };
 
-/// What the selected objects measure and do now, below their rows: name, value, unit. A name that has no room beside its numbers stands
-/// above them. Columns, lines and height follow from the names and the width alone; new values move nothing.
+/// The live values of the selected objects, below their property rows: name, value, unit. A name that does not fit next to its
+/// numbers is shown above them. The layout depends only on the names and the width, so new values move nothing.
 class LiveTable final : public QWidget {
     Q_OBJECT
 public:
     explicit LiveTable(QWidget* parent);
 
-    /// `hint` is shown below the values, or in place of them where there are none.
+    /// `hint` is shown below the values, or instead of them if there are none.
     void display(const std::vector<LiveGroup>& groups, const QString& hint);
-    /// The same objects a moment later; false where these are others, which display() shows.
+    /// Updates the values; false if the objects have changed, in which case the caller must call display().
     [[nodiscard]] bool update(const std::vector<LiveGroup>& groups);
-    /// So high at most; further values are scrolled to.
+    /// Maximum height in pixels; further values are reached by scrolling.
     void setMostHeight(int height);
 
 protected:
@@ -44,7 +44,7 @@ private:
         bool heading = false;
         bool operator==(const Line&) const = default;
     };
-    /// Of one value; the same item twice where name and numbers share a line.
+    /// Items of one value; the same item twice if name and numbers share a line.
     struct Row {
         QTreeWidgetItem *name, *value;
     };
@@ -59,8 +59,8 @@ private:
     QTreeWidget* m_table;
     QLabel* m_hint;
     std::vector<Line> m_lines;
-    std::vector<bool> m_stacked;     // of each line: its name stands above its numbers
-    std::vector<Row> m_rows;         // of each line that is no heading
+    std::vector<bool> m_stacked;     // by line: its name is above its numbers
+    std::vector<Row> m_rows;         // one per line, without headings
     std::vector<LiveGroup> m_groups; // as shown last
     bool m_rebuilding = false;
     int m_mostHeight = 300;

@@ -11,7 +11,7 @@
 namespace trundle {
 namespace {
 
-/// What the numbers of a property are called.
+/// Labels for the numbers of a property.
 QStringList axesOf(const Property& p) {
     const auto words = [](const char* text) { return QString::fromLatin1(text).split(QLatin1Char(' ')); };
     if (isColour(p)) return words("r g b");
@@ -22,7 +22,7 @@ QStringList axesOf(const Property& p) {
     return words("1 2 3 4 5 6");
 }
 
-/// What the other numbers of a list become when its first one is typed.
+/// The other numbers of a list when its first one is typed.
 std::string restOf(const Property& p, const std::string& typed) {
     const bool zero = p.minExclusive ? p.minimum < 0 : p.minimum <= 0;
     return zero && p.maximum >= 0 && p.name != "Inertia" ? "0" : typed;
@@ -66,8 +66,8 @@ void NumbersEditor::addFields(std::size_t count) {
         connect(label, &ScrubLabel::dragged, this, [this, i](double steps) { scrubField(i, steps); });
         connect(label, &ScrubLabel::ended, this, &RowEditor::scrubEnded);
         connect(label, &ScrubLabel::clicked, field, [field] { field->setFocus(Qt::MouseFocusReason), field->selectAll(); });
-        connect(label, &ScrubLabel::abandoned, this, [this] {
-            Q_EMIT scrubAbandoned();
+        connect(label, &ScrubLabel::cancelled, this, [this] {
+            Q_EMIT scrubCancelled();
             Q_EMIT scrubEnded();
         });
     }
@@ -77,7 +77,8 @@ void NumbersEditor::addFields(std::size_t count) {
 void NumbersEditor::arrange() {
     const bool formula = std::any_of(m_row.values.begin(), m_row.values.end(), [](const FieldValue& v) { return v.formula; });
     std::size_t columns = formula || m_fields.size() == 1 ? 1 : m_fields.size() == 2 || m_fields.size() == 4 ? 2 : 3;
-    // Once too long it stays one below the other until another object is shown: digits come and go while something is dragged.
+    // Once the numbers do not fit they stay stacked until another object is shown, since the number of digits varies during a
+    // drag.
     if (columns > 1 && m_start.empty() && m_stacked != m_row.first().path && !fit(columns)) m_stacked = m_row.first().path;
     if (m_stacked == m_row.first().path) columns = 1;
     if (columns == m_columns) return;
@@ -91,7 +92,7 @@ void NumbersEditor::arrange() {
 }
 
 bool NumbersEditor::fit(std::size_t columns) const {
-    if (!m_sized) return true; // not known yet
+    if (!m_sized) return true; // widths are not known before the first layout
     int labels = 0, widest = 0;
     for (const ScrubLabel* label : m_labels) labels = std::max(labels, label->sizeHint().width());
     for (const ValueField* field : m_fields) widest = std::max(widest, field->wholeWidth());
@@ -142,15 +143,15 @@ void NumbersEditor::enter(std::size_t i, const QString& typed) {
     ValueField* field = m_fields[i];
     if (text.empty()) {
         const bool last = i + 1 >= m_row.first().elements.size();
-        if (i > 0 && (i < m_row.property()->minCount || !last)) return field->refuse(tr("A number is missing"));
-        if (i == 0 && m_fields.size() > 1 && m_row.first().elements.size() > 1) return field->refuse(tr("A number is missing"));
+        if (i > 0 && (i < m_row.property()->minCount || !last)) return field->setError(tr("A number is missing"));
+        if (i == 0 && m_fields.size() > 1 && m_row.first().elements.size() > 1) return field->setError(tr("A number is missing"));
         commit(field, [i](const FieldValue& v) { return v.before(i); });
         return;
     }
     const Result<std::vector<Element>> read = readElements(text);
-    if (!read) return field->refuse(QString::fromStdString(read.error().message));
+    if (!read) return field->setError(QString::fromStdString(read.error().message));
     if (read.value().size() != 1 && m_fields.size() > 1)
-        return field->refuse(
+        return field->setError(
             tr("%1 numbers here, one belongs into each field; a decimal point is written as .").arg(read.value().size()));
     const bool one = m_fields.size() == 1;
     const Property& p = *m_row.property();

@@ -5,7 +5,7 @@
 #include <QPushButton>
 
 #include "editor/document/structure_edits.h"
-#include "editor/properties/origin_words.h"
+#include "editor/properties/origin_text.h"
 #include "editor/properties/value_field.h"
 #include "editor/widgets/theme.h"
 #include "project/plans.h"
@@ -24,8 +24,8 @@ QString faint(const QString& html) {
     return QStringLiteral("<span style='color:%1'>%2</span>").arg(ink(Ink::Faint).name(), html);
 }
 
-/// How many of the path's first words name one object: "Material.red" is one, "robot0" is one.
-qsizetype firstStep(const ObjectValues& object, const QStringList& words) {
+/// How many leading components of the path name one object: both of "Material.red", one of "robot0".
+qsizetype firstPathStep(const ObjectValues& object, const QStringList& words) {
     const bool byKind =
         !object.instance() && words.size() > 1 && object.loaded().registry->find(words[0].toStdString()) != nullptr;
     return byKind ? 2 : 1;
@@ -47,7 +47,7 @@ ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
     m_config->setObjectName(QStringLiteral("objectConfig"));
     m_singles->setObjectName(QStringLiteral("replaceBySingles"));
     m_singles->setText(tr("Replace by single robots"));
-    m_singles->setToolTip(tr("Writes every member out as a robot of its own, at its place"));
+    m_singles->setToolTip(tr("Writes each member as a separate robot with the same pose"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(10, 8, 10, 6);
     grid->setHorizontalSpacing(8);
@@ -67,8 +67,8 @@ ObjectHeader::ObjectHeader(Document& document, QWidget* parent)
     connect(m_name, &ValueField::refusedChanged, m_name, &QWidget::setToolTip);
     connect(m_singles, &QPushButton::clicked, this, [this] {
         const std::string path = m_object;
-        const Status done = m_document.carryOut(tr("Replace %1 by single robots").arg(text(path)),
-                                                planReplaceBySingles(*m_document.loaded(), path));
+        const Status done =
+            m_document.apply(tr("Replace %1 by single robots").arg(text(path)), planReplaceBySingles(*m_document.loaded(), path));
         if (!done) m_singles->setToolTip(text(done.error().message));
     });
 }
@@ -78,7 +78,7 @@ void ObjectHeader::rename(const QString& name) {
     const QPointer<ValueField> field(m_name);
     const Status done = m_document.structure().rename(tr("Rename %1 to %2").arg(m_name->value(), name.trimmed()), path,
                                                       name.trimmed().toStdString());
-    if (!done && field) field->refuse(text(done.error().message));
+    if (!done && field) field->setError(text(done.error().message));
 }
 
 void ObjectHeader::display(const Objects& objects) {
@@ -87,13 +87,12 @@ void ObjectHeader::display(const Objects& objects) {
 }
 
 void ObjectHeader::showOne(const ObjectValues& object) {
-    if (m_object != object.path()) m_name->restore(); // a name typed for another object is not for this one
+    if (m_object != object.path()) m_name->restore(); // a name typed for the previous object must not apply to this one
     m_object = object.path();
     const Kind* kind = object.kind();
     const Part* part = object.part();
     const bool experiment = !part;
-    m_help =
-        kind ? text(kind->help) : tr("This kind is not known: the module that brings it is not loaded, or could not be read.");
+    m_help = kind ? text(kind->help) : tr("Unknown kind: the module that provides it is not loaded or could not be read.");
     m_name->setReadOnly(experiment);
     m_name->setFocusPolicy(experiment ? Qt::NoFocus : Qt::StrongFocus);
     m_name->setFaint(part && !part->block->name);
@@ -117,7 +116,7 @@ void ObjectHeader::showSeveral(const Objects& objects) {
         const QString kind = object->part() ? text(object->part()->block->type.text) : QString();
         if (!kinds.contains(kind)) kinds << kind;
     }
-    m_help = tr("What all of them have. A change is made in all at once.");
+    m_help = tr("Properties that all of them have. A change applies to all of them.");
     const QString shown = kinds.size() > 3 ? tr("%1 kinds").arg(kinds.size()) : kinds.join(QStringLiteral(", "));
     m_kind->setText(faint(shown.toHtmlEscaped()));
     for (QWidget* w : std::initializer_list<QWidget*>{m_path, m_config, m_singles}) w->hide();
@@ -128,9 +127,9 @@ void ObjectHeader::showPath(const ObjectValues& object) {
     m_path->setVisible(!words.isEmpty());
     if (words.isEmpty()) return;
     QStringList steps{link(QStringLiteral("select:"), tr("experiment"))};
-    for (qsizetype used = firstStep(object, words); used <= words.size(); ++used) {
+    for (qsizetype used = firstPathStep(object, words); used <= words.size(); ++used) {
         const QString name = words.mid(0, used).join(QLatin1Char('.'));
-        const QString shown = used == firstStep(object, words) ? name : words[used - 1];
+        const QString shown = used == firstPathStep(object, words) ? name : words[used - 1];
         steps << (used == words.size() ? faint(shown.toHtmlEscaped()) : link(QStringLiteral("select:") + name, shown));
     }
     m_path->setText(steps.join(faint(QStringLiteral(" › "))));
@@ -143,7 +142,7 @@ void ObjectHeader::showConfig(const ObjectValues& object) {
     if (config && part && (object.isInstance() || object.inConfig())) {
         m_configPlace = object.isInstance() ? config->nameRange() : part->nameRange();
         const QString path = text((config->kind ? config->kind->name : std::string("RobotConfig")) + "." + config->name);
-        line = faint(tr("made from")) + QLatin1Char(' ') + link(QStringLiteral("select:") + path, text(config->name)) +
+        line = faint(tr("created from")) + QLatin1Char(' ') + link(QStringLiteral("select:") + path, text(config->name)) +
                QLatin1Char(' ') + faint(tr("in")) + QLatin1Char(' ') +
                link(QStringLiteral("jump"), placeWords(object.loaded(), m_configPlace));
     } else if (part) {
@@ -154,14 +153,14 @@ void ObjectHeader::showConfig(const ObjectValues& object) {
         line += QStringLiteral("<br>") + faint(target.toHtmlEscaped());
     if (object.member())
         line += QStringLiteral("<br>") +
-                faint(tr("One of %1: a change here is made in all of them.").arg(text(object.path())).toHtmlEscaped());
+                faint(tr("One of %1: a change here applies to all of them.").arg(text(object.path())).toHtmlEscaped());
     m_config->setText(line);
     m_config->setVisible(!line.isEmpty());
 }
 
 void ObjectHeader::follow(const QString& link) {
-    if (link == QLatin1String("jump")) Q_EMIT jumpWanted(m_configPlace);
-    else if (link.startsWith(QLatin1String("select:"))) Q_EMIT selectWanted(link.mid(7).toStdString());
+    if (link == QLatin1String("jump")) Q_EMIT jumpRequested(m_configPlace);
+    else if (link.startsWith(QLatin1String("select:"))) Q_EMIT selectRequested(link.mid(7).toStdString());
 }
 
 } // namespace trundle

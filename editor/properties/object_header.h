@@ -10,7 +10,7 @@ namespace trundle {
 
 class ValueField;
 
-/// Name (to be changed here), kind and path of what is selected, and the config it is made from.
+/// Name (editable), kind and path of the selection, and the config of an instance.
 class ObjectHeader final : public QWidget {
     Q_OBJECT
 public:
@@ -19,8 +19,8 @@ public:
     [[nodiscard]] QString kindHelp() const { return m_help; }
 
 Q_SIGNALS:
-    void selectWanted(const std::string& path);
-    void jumpWanted(const trundle::SourceRange& place);
+    void selectRequested(const std::string& path);
+    void jumpRequested(const trundle::SourceRange& place);
 
 private:
     void rename(const QString& name);
@@ -35,7 +35,7 @@ private:
     QLabel *m_kind, *m_path, *m_config;
     QPushButton* m_singles;
     QString m_help;
-    std::string m_object; ///< path
+    std::string m_object; ///< dotted path
     SourceRange m_configPlace;
 };
 

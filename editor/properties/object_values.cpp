@@ -4,7 +4,7 @@
 
 #include "editor/properties/value_text.h"
 #include "model/set_targets.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -44,14 +44,14 @@ std::string FieldValue::before(std::size_t i) const {
     return i == 0 || elements.size() < i ? std::string() : text.substr(0, elements[i - 1].end);
 }
 
-ObjectValues::ObjectValues(std::shared_ptr<const Loaded> loaded, std::string path)
+ObjectValues::ObjectValues(std::shared_ptr<const LoadedProject> loaded, std::string path)
     : m_loaded(std::move(loaded)), m_path(path), m_shownPath(std::move(path)), m_evaluator(m_loaded->outline->texts(), m_silent) {
     m_globals = m_scope = inside(nullptr, m_loaded->outline->params);
     if (m_path.empty()) m_kind = m_loaded->registry->find("settings");
     else walk(wordsOf(m_path));
 }
 
-ParamScope* ObjectValues::inside(ParamScope* outer, const std::vector<PlacedParam>& params) {
+ParamScope* ObjectValues::inside(ParamScope* outer, const std::vector<SourceParam>& params) {
     ParamScope& scope = m_scopes.emplace_back(outer);
     scope.declare(params);
     return &scope;
@@ -60,12 +60,12 @@ ParamScope* ObjectValues::inside(ParamScope* outer, const std::vector<PlacedPara
 void ObjectValues::walk(const std::vector<std::string>& words) {
     const Outline& outline = *m_loaded->outline;
     std::vector<std::string> longer = words;
-    longer.emplace_back("x"); // startOfPath reads paths of properties
+    longer.emplace_back("x"); // a placeholder property: startOfPath() parses property paths
     PathStart start = startOfPath(outline, longer);
     if (!start.part) {
         start = {layoutOfMember(outline, words[0]), 1};
         m_member = start.part != nullptr;
-        if (m_member) m_path.replace(0, words[0].size(), start.part->name); // edits go to the whole pattern
+        if (m_member) m_path.replace(0, words[0].size(), start.part->name); // edits apply to the whole Grid or Scatter
     }
     if (!start.part || start.words > words.size()) return;
     if (holdsParts(*start.part)) return enterInstance(words, start.words);
@@ -81,7 +81,7 @@ void ObjectValues::enterInstance(const std::vector<std::string>& words, std::siz
     m_config = configOf(*m_loaded, *m_instance);
     if (m_config) {
         m_configScope = inside(m_globals, m_config->params);
-        for (const PlacedAssignment& a : m_instance->assignments.all()) {
+        for (const SourceAssignment& a : m_instance->assignments.all()) {
             if (a.path.size() != 1 || m_instance->kind->find(a.key) || !m_config->param(a.key)) continue;
             if (const auto given = m_evaluator.evaluate(*a.value, a.file, *m_instanceScope)) m_configScope->preset(a.key, *given);
         }
@@ -140,13 +140,13 @@ std::vector<FieldValue> ObjectValues::configProperties() {
 std::vector<FieldValue> ObjectValues::params(std::size_t most) {
     std::vector<FieldValue> fields;
     if (isInstance()) {
-        for (const PlacedParam& p : m_config ? m_config->params : std::vector<PlacedParam>())
+        for (const SourceParam& p : m_config ? m_config->params : std::vector<SourceParam>())
             if (fields.size() < most && !m_kind->find(p.name->text))
                 fields.push_back(readParam(p, m_configScope, m_instance->assignments.find(p.name->text)));
         return fields;
     }
     if (m_inConfig || (m_part && !m_part->is(Role::Config))) return fields;
-    for (const PlacedParam& p : m_part ? m_part->params : m_loaded->outline->params)
+    for (const SourceParam& p : m_part ? m_part->params : m_loaded->outline->params)
         if (fields.size() < most && (!m_kind || !m_kind->find(p.name->text))) fields.push_back(readParam(p, m_scope, nullptr));
     return fields;
 }
@@ -154,7 +154,7 @@ std::vector<FieldValue> ObjectValues::params(std::size_t most) {
 std::vector<std::string> ObjectValues::overrides() const {
     std::vector<std::string> paths;
     if (!isInstance()) return paths;
-    for (const PlacedAssignment& a : m_instance->assignments.all())
+    for (const SourceAssignment& a : m_instance->assignments.all())
         if (a.path.size() > 1) paths.push_back(a.key);
     return paths;
 }
@@ -167,13 +167,13 @@ FieldValue ObjectValues::read(const Property& property, const std::string& path,
     if (property.maxCount > 1) field.separator = separator();
     if (m_part) field.place = m_part->nameRange();
     const bool throughInstance = !overrideKey.empty();
-    const PlacedAssignment* over = throughInstance && m_instance ? m_instance->assignments.find(overrideKey) : nullptr;
-    const PlacedAssignment* a = list->find(property.name);
+    const SourceAssignment* over = throughInstance && m_instance ? m_instance->assignments.find(overrideKey) : nullptr;
+    const SourceAssignment* a = list->find(property.name);
     if (over) {
-        fill(field, {over->value, over->file, m_instanceScope, Standing::Override});
+        fill(field, {over->value, over->file, m_instanceScope, ValueOrigin::Override});
         fillInherited(field, a ? a->value : nullptr, a ? a->file : kNoFile);
     } else if (a) {
-        fill(field, {a->value, a->file, scope, throughInstance ? Standing::Config : Standing::Own});
+        fill(field, {a->value, a->file, scope, throughInstance ? ValueOrigin::Config : ValueOrigin::Own});
     }
     if (field.given() || !property.defaultValue) return field;
     field.value = property.defaultValue;
@@ -186,20 +186,20 @@ FieldValue ObjectValues::read(const Property& property, const std::string& path,
     return field;
 }
 
-FieldValue ObjectValues::readParam(const PlacedParam& param, ParamScope* scope, const PlacedAssignment* own) {
+FieldValue ObjectValues::readParam(const SourceParam& param, ParamScope* scope, const SourceAssignment* own) {
     FieldValue field;
     field.path = below(param.name->text);
     if (own) {
-        fill(field, {own->value, own->file, m_instanceScope, Standing::Override});
+        fill(field, {own->value, own->file, m_instanceScope, ValueOrigin::Override});
         fillInherited(field, param.value, param.valueFile);
-    } else fill(field, {param.value, param.valueFile, scope, isInstance() ? Standing::Config : Standing::Own});
+    } else fill(field, {param.value, param.valueFile, scope, isInstance() ? ValueOrigin::Config : ValueOrigin::Own});
     return field;
 }
 
-void ObjectValues::fill(FieldValue& field, const Written& written) {
+void ObjectValues::fill(FieldValue& field, const ValueText& written) {
     const TextSet& texts = m_loaded->outline->texts();
     const std::uint32_t begin = written.value->range.begin;
-    field.standing = texts.commandLine(written.file) ? Standing::CommandLine : written.standing;
+    field.origin = texts.commandLine(written.file) ? ValueOrigin::CommandLine : written.origin;
     field.place = {written.file, written.value->range};
     field.text = texts.slice(field.place);
     for (const Element& e : written.value->elements) {
@@ -213,11 +213,11 @@ void ObjectValues::fill(FieldValue& field, const Written& written) {
     if (field.formula) showFormula(field, *given);
 }
 
-/// What would hold without the override: the config's text, or the default.
+/// The value without the override: the text in the config, or the default.
 void ObjectValues::fillInherited(FieldValue& field, const Value* value, FileId file) const {
     if (m_config) field.config = m_config->name;
     const Property* property = field.property;
-    bool bare = true; // numbers without a unit of their own
+    bool bare = true; // the numbers are written without units
     if (value) {
         field.inherited = m_loaded->outline->texts().slice({file, value->range});
         bare = std::ranges::all_of(value->elements,

@@ -9,19 +9,19 @@ namespace trundle {
 
 OriginMark::OriginMark(QWidget* parent) : QToolButton(parent) {
     setFixedSize(sizeHint());
-    setFocusPolicy(Qt::NoFocus); // the menu key in the row's field opens the same menu
+    setFocusPolicy(Qt::NoFocus); // the field's context menu key opens the same menu
 }
 
-void OriginMark::display(Standing standing, bool formula, bool waits) {
+void OriginMark::display(ValueOrigin origin, bool formula, bool waits) {
     m_waits = waits;
-    m_standing = standing;
+    m_origin = origin;
     m_formula = formula;
     update();
 }
 
 void OriginMark::paintSign(QPainter& painter) const {
     const QPointF c = QRectF(rect()).center();
-    const QColor colour = m_standing == Standing::Override ? ink(Ink::Accent) : ink(Ink::Faint);
+    const QColor colour = m_origin == ValueOrigin::Override ? ink(Ink::Accent) : ink(Ink::Faint);
     if (m_waits) {
         const QRectF circle(c.x() - 4.5, c.y() - 4.5, 9, 9);
         painter.setPen(QPen(ink(Ink::Warning), 1.6, Qt::SolidLine, Qt::RoundCap));
@@ -34,23 +34,23 @@ void OriginMark::paintSign(QPainter& painter) const {
     if (m_formula) {
         QFont font = this->font();
         font.setItalic(true);
-        if (m_standing == Standing::Override) font.setWeight(QFont::DemiBold);
+        if (m_origin == ValueOrigin::Override) font.setWeight(QFont::DemiBold);
         painter.setFont(font);
         return painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("ƒ"));
     }
-    switch (m_standing) {
-    case Standing::Default: return painter.drawEllipse(c, 2.5, 2.5);
-    case Standing::Own: painter.setBrush(colour); return painter.drawEllipse(c, 2.5, 2.5);
-    case Standing::Override: {
+    switch (m_origin) {
+    case ValueOrigin::Default: return painter.drawEllipse(c, 2.5, 2.5);
+    case ValueOrigin::Own: painter.setBrush(colour); return painter.drawEllipse(c, 2.5, 2.5);
+    case ValueOrigin::Override: {
         painter.setBrush(colour);
         const QPointF corners[] = {c + QPointF(0, -4.5), c + QPointF(4.5, 0), c + QPointF(0, 4.5), c + QPointF(-4.5, 0)};
         return painter.drawPolygon(corners, 4);
     }
-    case Standing::Config:
+    case ValueOrigin::Config:
         painter.drawLine(c + QPointF(-3.5, 3.5), c + QPointF(3.5, -3.5));
         painter.drawLine(c + QPointF(-1, -3.5), c + QPointF(3.5, -3.5));
         return painter.drawLine(c + QPointF(3.5, 1), c + QPointF(3.5, -3.5));
-    case Standing::CommandLine: return painter.drawText(rect(), Qt::AlignCenter, QStringLiteral(">"));
+    case ValueOrigin::CommandLine: return painter.drawText(rect(), Qt::AlignCenter, QStringLiteral(">"));
     }
 }
 

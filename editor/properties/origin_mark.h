@@ -5,13 +5,13 @@
 
 namespace trundle {
 
-/// A small sign for where a value comes from: a ring for a default, a dot for the own text, an arrow for a config, a diamond for
-/// an override. An arrow that goes round where what runs has another value until reset.
+/// An icon for the origin of a value: a ring for a default, a dot for the object's own text, an arrow for a config, a diamond
+/// for an override. A circular arrow if the run uses another value until reset.
 class OriginMark final : public QToolButton {
     Q_OBJECT
 public:
     explicit OriginMark(QWidget* parent);
-    void display(Standing standing, bool formula, bool waits);
+    void display(ValueOrigin origin, bool formula, bool waits);
     [[nodiscard]] QSize sizeHint() const override { return {20, 26}; }
 
 protected:
@@ -19,7 +19,7 @@ protected:
 
 private:
     void paintSign(QPainter& painter) const;
-    Standing m_standing = Standing::Default;
+    ValueOrigin m_origin = ValueOrigin::Default;
     bool m_formula = false, m_waits = false;
 };
 

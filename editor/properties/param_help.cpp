@@ -3,28 +3,28 @@
 #include <QStringList>
 
 #include "lang/tree_edit.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 namespace {
 
-const PlacedParam* declarationOf(const Loaded& loaded, const std::string& path) {
+const SourceParam* declarationOf(const LoadedProject& loaded, const std::string& path) {
     const std::size_t dot = path.rfind('.');
     const std::string name = path.substr(dot == std::string::npos ? 0 : dot + 1);
     const std::string owner = dot == std::string::npos ? std::string() : path.substr(0, dot);
     if (owner.empty() || owner == "Param") {
-        for (const PlacedParam& param : loaded.outline->params)
+        for (const SourceParam& param : loaded.outline->params)
             if (param.name->text == name) return &param;
         return nullptr;
     }
-    const std::optional<ObjectPlace> place = placeOf(loaded, owner);
+    const std::optional<ObjectLocation> place = placeOf(loaded, owner);
     if (!place || !place->part) return nullptr;
-    if (const PlacedParam* own = place->part->param(name)) return own;
+    if (const SourceParam* own = place->part->param(name)) return own;
     const Part* config = place->part == place->instance ? configOf(loaded, *place->part) : nullptr;
     return config ? config->param(name) : nullptr;
 }
 
-/// The words between the marks of a comment.
+/// The text of a comment without its comment marks.
 QString commentText(std::string_view comment) {
     QString text = QString::fromUtf8(comment.data(), static_cast<qsizetype>(comment.size()));
     if (text.startsWith(QStringLiteral("//"))) {
@@ -37,12 +37,12 @@ QString commentText(std::string_view comment) {
 
 } // namespace
 
-QString paramHelp(const Loaded& loaded, const std::string& path) {
-    const PlacedParam* param = declarationOf(loaded, path);
+QString paramHelp(const LoadedProject& loaded, const std::string& path) {
+    const SourceParam* param = declarationOf(loaded, path);
     if (!param || param->file >= loaded.trees.size()) return {};
     const Tree& tree = *loaded.trees[param->file];
     const SourceText& source = tree.source();
-    // A --set gives another value; the comment stands behind the declaration all the same.
+    // With a --set the value is not in the file; the comment then follows the declaration's name.
     const std::uint32_t from = param->valueFile == param->file ? param->value->range.end : param->name->range.end;
     const std::uint32_t end = behindComments(tree, from);
     QStringList words;

@@ -7,8 +7,8 @@
 
 namespace trundle {
 
-/// What the author says of a Param: the comment behind its declaration, else the comment lines right above it; empty where there is
+/// The documentation of a Param: the comment after its declaration, else the comment lines directly above it; empty if there is
 /// none. `path` as in FieldValue: of an instance that sets it, or of the block that declares it.
-[[nodiscard]] QString paramHelp(const Loaded& loaded, const std::string& path);
+[[nodiscard]] QString paramHelp(const LoadedProject& loaded, const std::string& path);
 
 } // namespace trundle

@@ -21,12 +21,12 @@
 #include "editor/properties/rows.h"
 #include "editor/properties/section.h"
 #include "editor/running/session.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostLiveGroups = 8;
+constexpr std::size_t kMaxLiveGroups = 8;
 
 } // namespace
 
@@ -55,12 +55,12 @@ PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, RunSe
     m_nothing->setForegroundRole(QPalette::PlaceholderText);
     m_nothing->setWordWrap(true);
     m_nothing->setMargin(16);
-    connect(m_header, &ObjectHeader::selectWanted, this, [this](const std::string& path) {
+    connect(m_header, &ObjectHeader::selectRequested, this, [this](const std::string& path) {
         if (path.empty()) m_selection.clear();
         else m_selection.select(path);
     });
-    connect(m_header, &ObjectHeader::jumpWanted, this, &PropertiesPanel::jump);
-    connect(m_strip, &HelpStrip::jumpWanted, this, &PropertiesPanel::jump);
+    connect(m_header, &ObjectHeader::jumpRequested, this, &PropertiesPanel::jump);
+    connect(m_strip, &HelpStrip::jumpRequested, this, &PropertiesPanel::jump);
     m_gone.setSingleShot(true);
     connect(&m_gone, &QTimer::timeout, this, &PropertiesPanel::refresh);
     connect(&document, &Document::changed, this, &PropertiesPanel::followDocument);
@@ -88,18 +88,19 @@ void PropertiesPanel::dropRows() {
     m_shapes.clear();
     QWidget* body = std::exchange(m_body, nullptr);
     if (!body) return;
-    // They keep their parent, or Qt would style them all once more and remember some of it. But nobody finds them by their names.
+    // The rows keep their parent, since Qt restyles reparented widgets and keeps part of that memory. Without names, findChild()
+    // does not return them.
     for (PropertyRow* row : std::exchange(m_rows, {})) row->setObjectName({});
     body->setObjectName({});
-    // What was being typed is entered here: the document changes, and refresh() comes again.
+    // Losing the focus commits the text being typed; the document changes, and refresh() runs again.
     if (QWidget* focus = body->window()->focusWidget(); focus && body->isAncestorOf(focus)) focus->clearFocus();
     body->hide();
     m_scroll->widget()->layout()->removeWidget(body);
-    body->deleteLater(); // an editor in it may be at work
+    body->deleteLater(); // deferred: this may be called from an editor in it
 }
 
-/// An object whose name was typed is selected by its new one before the event loop comes round: till then its rows stay. Those of
-/// an experiment that is opened come by themselves, after all that the others have to do at once.
+/// If the shown object is missing, the refresh is deferred to the event loop: after a rename the selection changes to the new
+/// path before that, so the rows stay. The rows of a newly opened experiment are deferred too, after the other panels' updates.
 void PropertiesPanel::followDocument() {
     if (!isVisible() || !m_document.isOpen()) return refresh();
     const bool gone = m_body && !isInUse() && m_selection.paths() == m_paths && objectsAt(m_document.loaded(), m_paths).empty();
@@ -107,7 +108,7 @@ void PropertiesPanel::followDocument() {
     else refresh();
 }
 
-/// Whether something is being typed into a row, or was and cannot be used.
+/// Whether a row has the focus or contains a refused text.
 bool PropertiesPanel::isInUse() const {
     const QWidget* focus = QApplication::focusWidget();
     return (focus && m_body && m_body->isAncestorOf(focus)) ||
@@ -126,10 +127,10 @@ void PropertiesPanel::refresh() {
         m_paths = m_selection.paths();
         m_asText.clear();
         m_current.clear();
-        if (isInUse()) dropRows(); // what is typed for one object is not for another
+        if (isInUse()) dropRows(); // a text typed for one object must not apply to another
     }
     Objects objects = objectsAt(m_document.loaded(), m_paths);
-    if (objects.empty()) objects = objectsAt(m_document.loaded(), {}); // an undo took them away: nothing is selected any more
+    if (objects.empty()) objects = objectsAt(m_document.loaded(), {}); // removed by undo: as if nothing is selected
     std::vector<std::string> kinds;
     for (const auto& object : objects) kinds.push_back(object->kind() ? object->kind()->name : std::string());
     if (std::exchange(m_kinds, kinds) != kinds) dropRows();
@@ -149,7 +150,7 @@ void PropertiesPanel::refresh() {
     showLive();
 }
 
-/// The values of each selected object, of the first ones where there are many, or of the run where none is selected.
+/// The live values of the selected objects, of at most the first few; of the whole run if nothing is selected.
 std::vector<LiveGroup> PropertiesPanel::liveGroups() const {
     const std::vector<std::string>& selected = m_selection.paths();
     if (selected.size() <= 1) {
@@ -157,37 +158,38 @@ std::vector<LiveGroup> PropertiesPanel::liveGroups() const {
         return values.empty() ? std::vector<LiveGroup>() : std::vector<LiveGroup>{{{}, values}};
     }
     std::vector<LiveGroup> groups;
-    for (std::size_t i = 0; i < std::min(selected.size(), kMostLiveGroups); ++i)
+    for (std::size_t i = 0; i < std::min(selected.size(), kMaxLiveGroups); ++i)
         if (const auto& values = m_session->liveValues(selected[i]); !values.empty())
             groups.push_back({QString::fromStdString(selected[i]), values});
     return groups;
 }
 
-/// Another object, or a run that begins or is gone.
+/// The objects have changed, or a run started or ended.
 void PropertiesPanel::showLive() {
     if (!m_session || !m_document.isOpen()) return m_live->hide();
     m_live->display(liveGroups(), liveHint());
 }
 
-/// The values of a tick later: nothing but figures changes.
+/// A new tick: updates the values only.
 void PropertiesPanel::showNow() {
     if (!isVisible() || !m_document.isOpen() || !m_body) return;
     if (const auto groups = liveGroups(); m_live->isHidden() != groups.empty() || !m_live->update(groups)) showLive();
     for (PropertyRow* row : m_rows) row->setNow(row->row().now ? row->row().now() : QString());
 }
 
-/// Why something that moves shows nothing, or not all that is selected is shown.
+/// Explains why values are missing, or why not all selected objects are shown.
 QString PropertiesPanel::liveHint() const {
     const std::string path = m_selection.current();
     if (!m_session->snapshot() || path.empty()) return {};
     if (const std::size_t count = m_selection.paths().size(); count > 1)
-        return count > kMostLiveGroups ? tr("The first %1 of %2 selected objects.").arg(kMostLiveGroups).arg(count) : QString();
+        return count > kMaxLiveGroups ? tr("The first %1 of %2 selected objects.").arg(kMaxLiveGroups).arg(count) : QString();
     if (!m_session->liveValues(path).empty()) return {};
     const auto place = placeOf(*m_document.loaded(), path);
     if (!place || !place->part) return {};
     if (place->part->is(Role::Layout) && !place->member)
         return tr("Click one of its members in the 3D view to see its values.");
-    if (place->instance && !m_session->isOfRun(path.substr(0, path.find('.')))) return tr("Not in this run: new or renamed since it began.");
+    if (place->instance && !m_session->isOfRun(path.substr(0, path.find('.'))))
+        return tr("Not in this run: new or renamed since it started.");
     return {};
 }
 
@@ -204,7 +206,7 @@ void PropertiesPanel::build(const std::vector<Row>& rows, const std::vector<Shap
     const std::string focused = m_current;
     const QString field = mine ? focus->objectName() : QString();
     dropRows();
-    if (m_body) return; // made anew on the way
+    if (m_body) return; // clearing the focus above has refreshed the panel
     m_shapes = shapes;
     m_body = new QWidget(m_scroll->widget());
     m_body->setObjectName(QStringLiteral("rows"));
@@ -254,22 +256,22 @@ void PropertiesPanel::addRow(const Row& row, EditorKind kind, Section& section) 
         showHelp();
     });
     connect(widget, &PropertyRow::scrubEnded, this, [this] { m_document.endMerge(); });
-    connect(widget, &PropertyRow::scrubAbandoned, this,
-            [this, widget] { m_document.withdraw("scrub " + widget->row().first().path); });
-    connect(widget, &PropertyRow::resetWanted, this, [this, id, widget] {
-        const Setter set = widget->row().set; // the row is another one then
+    connect(widget, &PropertyRow::scrubCancelled, this,
+            [this, widget] { m_document.discardMerge("scrub " + widget->row().first().path); });
+    connect(widget, &PropertyRow::resetRequested, this, [this, id, widget] {
+        const Setter set = widget->row().set; // a copy: the change below replaces the row
         showFailure(id, set([](const FieldValue&) { return std::string(); }, {}));
     });
-    connect(widget, &PropertyRow::pushWanted, this,
+    connect(widget, &PropertyRow::pushRequested, this,
             [this, widget, id] { showFailure(id, pushOverride(m_document, std::string(widget->row().first().path))); });
-    connect(widget, &PropertyRow::menuWanted, this,
+    connect(widget, &PropertyRow::menuRequested, this,
             [this, widget](const QPoint& place, QMenu* under) { openMenu(widget, place, under); });
 }
 
 void PropertiesPanel::alignLabels() {
     int wide = 70;
-    for (const PropertyRow* row : m_rows) wide = std::max(wide, row->labelWidthWanted());
-    const int widest = 118 * fontMetrics().height() / 16; // of the usual font's height
+    for (const PropertyRow* row : m_rows) wide = std::max(wide, row->wantedLabelWidth());
+    const int widest = 118 * fontMetrics().height() / 16; // scaled with the height of the font
     for (PropertyRow* row : m_rows) row->setLabelWidth(std::min(wide, widest));
 }
 
@@ -299,12 +301,12 @@ void PropertiesPanel::openMenu(PropertyRow* row, const QPoint& place, QMenu* und
     menu->setAttribute(Qt::WA_DeleteOnClose);
     if (under) menu->addSeparator();
     const std::string id = row->row().id;
-    RowDeeds deeds;
-    deeds.jump = [this](const SourceRange& range) { jump(range); };
-    deeds.editAsText = [this, id] { setAsText(id); };
-    deeds.failed = [this, id](const Status& status) { showFailure(id, status); };
-    deeds.asText = m_asText.count(id) > 0;
-    fillRowMenu(*menu, row->row(), m_document, deeds);
+    RowActions actions;
+    actions.jump = [this](const SourceRange& range) { jump(range); };
+    actions.editAsText = [this, id] { setAsText(id); };
+    actions.failed = [this, id](const Status& status) { showFailure(id, status); };
+    actions.asText = m_asText.count(id) > 0;
+    fillRowMenu(*menu, row->row(), m_document, actions);
     menu->popup(place);
 }
 
@@ -333,7 +335,7 @@ void PropertiesPanel::resizeEvent(QResizeEvent* event) {
 void PropertiesPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange && m_document.isOpen()) refresh();
-    if (event->type() == QEvent::FontChange) // once the rows have it too
+    if (event->type() == QEvent::FontChange) // after the rows have received the new font
         QMetaObject::invokeMethod(this, &PropertiesPanel::alignLabels, Qt::QueuedConnection);
 }
 

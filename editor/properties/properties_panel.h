@@ -1,5 +1,6 @@
 #pragma once
-// The rows of what is selected. They come from the schema alone; a change goes through the document and comes back from it.
+// The Properties panel: rows for the selected objects, generated from the schema. Edits go to the document, and its changed()
+// updates the rows.
 
 #include <memory>
 #include <set>
@@ -33,7 +34,7 @@ class Selection;
 class PropertiesPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// `session` may be missing: nothing runs then.
+    /// `session` may be null: no live values then.
     PropertiesPanel(Document& document, Selection& selection, RunSession* session, QWidget* parent = nullptr);
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 500}; }
@@ -47,7 +48,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// What of a row makes its widgets: when it stays the same they stay.
+    /// What determines a row's widgets: they are reused if it is unchanged.
     struct Shape {
         std::string id;
         QString section;
@@ -68,7 +69,7 @@ private:
     void showNow();
     [[nodiscard]] std::vector<LiveGroup> liveGroups() const;
     [[nodiscard]] QString liveHint() const;
-    void showFailure(const std::string& id, const Status& status); ///< in the strip of help; nothing where all went well
+    void showFailure(const std::string& id, const Status& status); ///< shows the error in the help strip; clears it on success
     void openMenu(PropertyRow* row, const QPoint& place, QMenu* under);
     void setAsText(const std::string& id);
     void jump(const SourceRange& place);
@@ -81,18 +82,18 @@ private:
     RunSession* m_session;
     ObjectHeader* m_header;
     QScrollArea* m_scroll;
-    QWidget* m_body = nullptr; ///< holds the rows
+    QWidget* m_body = nullptr; ///< parent of the rows
     LiveTable* m_live;
     HelpStrip* m_strip;
     QLabel* m_nothing;
     std::vector<Shape> m_shapes;
     std::vector<PropertyRow*> m_rows;
-    std::vector<std::string> m_paths; ///< selected, and shown now
-    std::vector<std::string> m_kinds; ///< of those
-    QTimer m_gone;                    ///< what is shown has gone, or has another name, or nothing is shown yet
-    std::set<std::string> m_asText;   ///< rows that are edited as text
-    std::set<QString> m_closed;       ///< sections folded by the user
-    std::string m_current;            ///< row whose help is shown
+    std::vector<std::string> m_paths; ///< selected objects that are shown
+    std::vector<std::string> m_kinds; ///< kinds of these objects
+    QTimer m_gone;                    ///< deferred refresh, see followDocument()
+    std::set<std::string> m_asText;   ///< ids of rows edited as text
+    std::set<QString> m_closed;       ///< collapsed sections
+    std::string m_current;            ///< id of the row whose help is shown
     bool m_stale = false;
 };
 

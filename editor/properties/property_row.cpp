@@ -8,7 +8,7 @@
 #include <QMenu>
 
 #include "editor/properties/origin_mark.h"
-#include "editor/properties/origin_words.h"
+#include "editor/properties/origin_text.h"
 #include "editor/properties/param_help.h"
 #include "editor/properties/row_editor.h"
 #include "editor/properties/scrub_label.h"
@@ -19,7 +19,7 @@
 namespace trundle {
 namespace {
 
-/// The label within so many pixels, its unit behind it where the row has several fields.
+/// The label elided to `room` pixels, followed by the unit if the row has several fields.
 QString labelHtml(const Row& row, const QFontMetrics& metrics, int room) {
     const Property* p = row.property();
     const bool unit = p && row.fieldCount() > 1 && !p->unit.empty();
@@ -68,27 +68,27 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     m_override->setTextFormat(Qt::RichText);
     connect(m_override, &QLabel::linkActivated, this, [this](const QString& link) {
         Q_EMIT entered();
-        if (link == QLatin1String("reset")) Q_EMIT resetWanted();
-        else Q_EMIT pushWanted();
+        if (link == QLatin1String("reset")) Q_EMIT resetRequested();
+        else Q_EMIT pushRequested();
     });
     connect(m_label, &ScrubLabel::dragged, this, [this](double steps) { m_editor->scrub(steps); });
     connect(m_label, &ScrubLabel::ended, m_editor, &RowEditor::scrubEnded);
-    connect(m_label, &ScrubLabel::abandoned, this, [this] {
-        Q_EMIT m_editor->scrubAbandoned();
+    connect(m_label, &ScrubLabel::cancelled, this, [this] {
+        Q_EMIT m_editor->scrubCancelled();
         Q_EMIT m_editor->scrubEnded();
     });
     connect(m_label, &ScrubLabel::clicked, this, [this] {
         if (QWidget* field = m_editor->focusField()) field->setFocus(Qt::MouseFocusReason);
     });
     connect(m_editor, &RowEditor::scrubEnded, this, &PropertyRow::scrubEnded);
-    connect(m_editor, &RowEditor::scrubAbandoned, this, &PropertyRow::scrubAbandoned);
+    connect(m_editor, &RowEditor::scrubCancelled, this, &PropertyRow::scrubCancelled);
     connect(m_editor, &RowEditor::refusedChanged, this, [this](const QString& reason) {
         m_refusal = reason;
         Q_EMIT refusedChanged();
     });
     connect(m_mark, &QToolButton::clicked, this, [this] {
         Q_EMIT entered();
-        Q_EMIT menuWanted(m_mark->mapToGlobal(QPoint(0, m_mark->height())), nullptr);
+        Q_EMIT menuRequested(m_mark->mapToGlobal(QPoint(0, m_mark->height())), nullptr);
     });
     display(row);
     watch(m_editor);
@@ -108,13 +108,13 @@ void PropertyRow::display(const Row& row) {
     showNote();
     showOverride();
     const FieldValue& v = row.first();
-    Standing strongest = v.standing;
+    ValueOrigin strongest = v.origin;
     for (const FieldValue& other : row.values)
-        if (other.standing == Standing::Override) strongest = Standing::Override;
+        if (other.origin == ValueOrigin::Override) strongest = ValueOrigin::Override;
     m_mark->display(strongest, v.formula && !row.mixed(), row.afterReset);
     const QString place = v.given() ? placeWords(*row.loaded, v.place) : QString();
     const QString waits =
-        row.afterReset ? tr("Takes effect after a reset") : QString(); // said here: a line below would move the rows
+        row.afterReset ? tr("Takes effect after a reset") : QString(); // a tooltip: a line below would move the rows
     QStringList tip{waits, originWords(v), place};
     tip.removeAll(QString());
     m_mark->setToolTip(tip.join(QLatin1Char('\n')));
@@ -124,7 +124,7 @@ void PropertyRow::display(const Row& row) {
 void PropertyRow::showLabel() {
     const FieldValue& v = m_row.first();
     const bool override = std::any_of(m_row.values.begin(), m_row.values.end(),
-                                      [](const FieldValue& value) { return value.standing == Standing::Override; });
+                                      [](const FieldValue& value) { return value.origin == ValueOrigin::Override; });
     QFont font = this->font();
     if (override) font.setWeight(QFont::DemiBold);
     const QString html = labelHtml(m_row, QFontMetrics(font), m_labelWidth);
@@ -142,7 +142,7 @@ void PropertyRow::showLabel() {
     }
 }
 
-/// Of the first value with an error in it. One that stands between two characters counts for what comes after it.
+/// The first diagnostic inside a value. A diagnostic with an empty range counts for the character after it.
 QString PropertyRow::problemInText() const {
     for (const FieldValue& v : m_row.values)
         for (const Diagnostic& d : m_row.loaded->diagnostics.all())
@@ -162,13 +162,13 @@ void PropertyRow::showNote() {
     m_note->setText(m_problem);
     m_note->setVisible(!m_problem.isEmpty());
     const QString sheet =
-        QStringLiteral("color: %1;").arg(ink(Ink::Error).name()); // a palette loses against the window's style sheet
+        QStringLiteral("color: %1;").arg(ink(Ink::Error).name()); // a palette would be overridden by the window's style sheet
     if (!m_problem.isEmpty() && m_note->styleSheet() != sheet) m_note->setStyleSheet(sheet);
 }
 
-/// What an override takes the place of, and both ways to be rid of it.
+/// Shows the value that an override replaces, and links to remove the override or move it into the config.
 void PropertyRow::showOverride() {
-    const auto isOverride = [](const FieldValue& v) { return v.standing == Standing::Override; };
+    const auto isOverride = [](const FieldValue& v) { return v.origin == ValueOrigin::Override; };
     const auto count = std::count_if(m_row.values.begin(), m_row.values.end(), isOverride);
     m_override->setVisible(count > 0);
     if (count == 0) return m_override->clear();
@@ -189,7 +189,7 @@ void PropertyRow::showOverride() {
                                : tr("Reset takes the overrides out"));
 }
 
-int PropertyRow::labelWidthWanted() const {
+int PropertyRow::wantedLabelWidth() const {
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     const Property* p = m_row.property();
@@ -222,12 +222,12 @@ bool PropertyRow::eventFilter(QObject* watched, QEvent* event) {
 
 void PropertyRow::fieldMenu(QLineEdit* field, const QPoint& place) {
     QMenu* standard = field->createStandardContextMenu();
-    Q_EMIT menuWanted(place, standard);
+    Q_EMIT menuRequested(place, standard);
 }
 
 void PropertyRow::contextMenuEvent(QContextMenuEvent* event) {
     Q_EMIT entered();
-    Q_EMIT menuWanted(event->globalPos(), nullptr);
+    Q_EMIT menuRequested(event->globalPos(), nullptr);
     event->accept();
 }
 

@@ -11,7 +11,7 @@ class OriginMark;
 class RowEditor;
 class ScrubLabel;
 
-/// One row: name, editor, and a mark that says where the value comes from and opens the row's menu.
+/// One row: name, editor, and a mark that shows the origin of the value and opens the row's menu.
 class PropertyRow final : public QWidget {
     Q_OBJECT
 public:
@@ -20,21 +20,21 @@ public:
     void display(const Row& row);
     [[nodiscard]] const Row& row() const { return m_row; }
     [[nodiscard]] RowEditor& editor() const { return *m_editor; }
-    /// Why what was typed is refused, or what is wrong with what stands in the text; empty: nothing.
+    /// Why the typed text is refused, or the diagnostic of the value in the text; empty: neither.
     [[nodiscard]] const QString& refusal() const { return m_refusal.isEmpty() ? m_problem : m_refusal; }
     void setLabelWidth(int width);
-    /// Where what the row sets stands in the run; empty: no such thing.
+    /// Shows the current position or rotation in the run; empty: hidden.
     void setNow(const QString& text);
-    [[nodiscard]] int labelWidthWanted() const;
+    [[nodiscard]] int wantedLabelWidth() const;
 
 Q_SIGNALS:
-    void entered(); ///< the focus is in it, or the mouse wants its help
+    void entered(); ///< the focus or the mouse pointer entered the row
     void refusedChanged();
     void scrubEnded();
-    void scrubAbandoned();
-    void resetWanted();
-    void pushWanted();                                  ///< the override is to go into the config
-    void menuWanted(const QPoint& place, QMenu* under); ///< `under`: a menu that the row's entries join, or null
+    void scrubCancelled();
+    void resetRequested();
+    void pushRequested();                                  ///< requests to move the override into the config
+    void menuRequested(const QPoint& place, QMenu* under); ///< `under`: a menu to add the row's entries to, or null
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -52,7 +52,7 @@ private:
     QString m_refusal, m_problem;
     ScrubLabel* m_label;
     RowEditor* m_editor;
-    int m_labelWidth = 0; ///< 0: not aligned yet
+    int m_labelWidth = 0; ///< pixels; 0: not aligned yet
     OriginMark* m_mark;
     QLabel *m_now, *m_note, *m_override;
 };

@@ -15,10 +15,10 @@
 namespace trundle {
 namespace {
 
-constexpr int kMostListed = 200; ///< in the menu; more are found by typing
+constexpr int kMaxListed = 200; ///< in the menu; completion finds more
 
-/// The names that stand in a value, without quotes.
-QStringList standing(const FieldValue& v) {
+/// The names in a value, without quotes.
+QStringList origin(const FieldValue& v) {
     QStringList names;
     for (std::size_t i = 0; i < v.elements.size(); ++i) names << QString::fromStdString(plainText(v.element(i)));
     return names;
@@ -37,9 +37,9 @@ ReferenceEditor::ReferenceEditor(QWidget* parent)
     m_field->setObjectName(QStringLiteral("field"));
     m_button->setObjectName(QStringLiteral("pick"));
     m_button->setFixedWidth(22);
-    m_button->setToolTip(tr("Choose from what fits"));
+    m_button->setToolTip(tr("Choose from matching names"));
     m_button->setAccessibleName(m_button->toolTip());
-    m_button->setFocusPolicy(Qt::NoFocus); // Alt+Down in the field does the same
+    m_button->setFocusPolicy(Qt::NoFocus); // Alt+Down in the field opens the same list
     m_button->setMenu(m_menu);
     m_button->setPopupMode(QToolButton::InstantPopup);
     m_button->setFixedHeight(m_field->sizeHint().height());
@@ -88,16 +88,16 @@ bool ReferenceEditor::eventFilter(QObject* watched, QEvent* event) {
 
 void ReferenceEditor::fillMenu() {
     m_menu->clear();
-    const QStringList fitting = names(), here = m_row.mixed() ? QStringList() : standing(m_row.first());
-    for (const QString& name : fitting.mid(0, kMostListed)) {
+    const QStringList fitting = names(), here = m_row.mixed() ? QStringList() : origin(m_row.first());
+    for (const QString& name : fitting.mid(0, kMaxListed)) {
         QAction* action = m_menu->addAction(name);
         action->setCheckable(true);
         action->setChecked(here.contains(name));
         connect(action, &QAction::triggered, this, [this, name] { pick(name); });
     }
-    if (fitting.size() > kMostListed)
-        m_menu->addAction(tr("%1 more: type to find them").arg(fitting.size() - kMostListed))->setEnabled(false);
-    if (fitting.isEmpty()) m_menu->addAction(tr("Nothing here fits"))->setEnabled(false);
+    if (fitting.size() > kMaxListed)
+        m_menu->addAction(tr("%1 more: type to filter").arg(fitting.size() - kMaxListed))->setEnabled(false);
+    if (fitting.isEmpty()) m_menu->addAction(tr("No matching names"))->setEnabled(false);
 }
 
 void ReferenceEditor::pick(const QString& name) {
@@ -107,7 +107,7 @@ void ReferenceEditor::pick(const QString& name) {
     commit(m_field, [list, word, name](const FieldValue& v) {
         const std::string text = wordOrQuoted(word, v.given() && v.text.starts_with('"'));
         if (!list || v.formula || v.text.empty()) return text;
-        const auto at = standing(v).indexOf(name);
+        const auto at = origin(v).indexOf(name);
         if (at < 0) return v.with(v.elements.size(), text);
         std::vector<std::string> rest;
         for (std::size_t i = 0; i < v.elements.size(); ++i)

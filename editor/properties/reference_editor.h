@@ -8,8 +8,8 @@ class QToolButton;
 
 namespace trundle {
 
-/// A name of something else: typed with completion, or picked from the list of what fits. Where several names may stand, picking
-/// adds one or takes it out.
+/// Edits a reference to a named object: typed with completion, or selected from a list. For a list of references, selecting a
+/// name adds or removes it.
 class ReferenceEditor final : public RowEditor {
     Q_OBJECT
 public:

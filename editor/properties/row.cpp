@@ -7,9 +7,9 @@
 namespace trundle {
 namespace {
 
-constexpr std::uint32_t kMostFields = 6;
+constexpr std::uint32_t kMaxFields = 6;
 
-/// Its elements are what the property's numbers are, one by one.
+/// Whether the value has exactly one element per number of the property.
 bool oneByOne(const FieldValue& v, const Property& p) {
     if (v.broken || v.elements.size() > p.maxCount) return false;
     if (v.formula && v.parts.size() != v.elements.size()) return false;
@@ -45,7 +45,7 @@ EditorKind Row::editor() const {
     switch (p->type) {
     case PropertyType::Number:
     case PropertyType::Integer:
-        if (p->maxCount > kMostFields ||
+        if (p->maxCount > kMaxFields ||
             !std::all_of(values.begin(), values.end(), [&](const FieldValue& v) { return oneByOne(v, *p); }))
             return EditorKind::Line;
         return isColour(*p) ? EditorKind::Colour : EditorKind::Numbers;

@@ -16,10 +16,10 @@ void RowEditor::display(const Row& row) {
 }
 
 bool RowEditor::commit(ValueField* field, const Change& change, const std::string& mergeKey) {
-    const Setter set = m_row.set; // a new row may come while it works
+    const Setter set = m_row.set; // a copy: the change may replace the row
     const QPointer<ValueField> alive(field);
     const Status done = set(change, mergeKey);
-    if (!done && alive) alive->refuse(QString::fromStdString(done.error().message));
+    if (!done && alive) alive->setError(QString::fromStdString(done.error().message));
     return done.ok();
 }
 

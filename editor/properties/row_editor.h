@@ -7,7 +7,7 @@ namespace trundle {
 
 class ValueField;
 
-/// The part of a row in which its value is changed. It shows what it is given and asks the row's setter; it keeps no value.
+/// The widget of a row that edits its value. It has no state: it shows the row's value and calls the row's setter.
 class RowEditor : public QWidget {
     Q_OBJECT
 public:
@@ -15,28 +15,28 @@ public:
 
     void display(const Row& row);
     [[nodiscard]] const Row& row() const { return m_row; }
-    [[nodiscard]] virtual QWidget* focusField() const = 0; ///< where typing begins
+    [[nodiscard]] virtual QWidget* focusField() const = 0; ///< gets the focus for typing
 
-    /// Dragging on the label changes a single number.
+    /// Whether dragging the row's label changes the value (a single number).
     [[nodiscard]] virtual bool canScrub() const { return false; }
     virtual void scrub(double steps) { Q_UNUSED(steps); }
 
 Q_SIGNALS:
-    void refusedChanged(const QString& reason); ///< empty: nothing is refused any more
+    void refusedChanged(const QString& reason); ///< empty: no refusal any more
     void scrubEnded();
-    void scrubAbandoned(); ///< nothing of it is to be left; scrubEnded() follows
+    void scrubCancelled(); ///< discard the drag; scrubEnded() follows
 
 protected:
     virtual void refresh() = 0;
-    /// Tries a value; a refusal is shown in the field.
+    /// Applies a value; a refusal is shown in the field.
     bool commit(ValueField* field, const Change& change, const std::string& mergeKey = {});
-    /// For editors without a text: shows again what holds, and says why.
+    /// For editors without a text field: on failure shows the current value again and reports the reason.
     bool commit(const Change& change, const std::string& mergeKey = {});
 
     Row m_row;
 };
 
-/// Made on demand, by what the row holds.
+/// Creates the editor for a kind of value.
 [[nodiscard]] RowEditor* makeEditor(EditorKind kind, QWidget* parent);
 
 } // namespace trundle

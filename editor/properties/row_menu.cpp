@@ -4,7 +4,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 
-#include "editor/properties/origin_words.h"
+#include "editor/properties/origin_text.h"
 #include "editor/properties/rows.h"
 #include "editor/widgets/theme.h"
 #include "project/plans.h"
@@ -12,54 +12,54 @@
 namespace trundle {
 namespace {
 
-std::vector<std::string> pathsOf(const Row& row, Standing standing) {
+std::vector<std::string> pathsOf(const Row& row, ValueOrigin origin) {
     std::vector<std::string> paths;
     for (const FieldValue& v : row.values)
-        if (v.standing == standing) paths.push_back(v.path);
+        if (v.origin == origin) paths.push_back(v.path);
     return paths;
 }
 
-QAction* add(QMenu& menu, const char* name, const QString& title, const std::function<void()>& deed) {
+QAction* add(QMenu& menu, const char* name, const QString& title, const std::function<void()>& handler) {
     QAction* action = menu.addAction(title);
     action->setObjectName(QString::fromLatin1(name));
-    QObject::connect(action, &QAction::triggered, &menu, deed);
+    QObject::connect(action, &QAction::triggered, &menu, handler);
     return action;
 }
 
-void addValueDeeds(QMenu& menu, const Row& row, Document& document, const RowDeeds& deeds) {
+void addValueActions(QMenu& menu, const Row& row, Document& document, const RowActions& actions) {
     const std::string path = row.first().path;
     if (row.given()) {
         QAction* reset = add(menu, "rowReset", QObject::tr("Reset"),
-                             [row, deeds] { deeds.failed(row.set([](const FieldValue&) { return std::string(); }, {})); });
-        const bool inConfigOnly = pathsOf(row, Standing::Own).empty() && pathsOf(row, Standing::Override).empty();
+                             [row, actions] { actions.failed(row.set([](const FieldValue&) { return std::string(); }, {})); });
+        const bool inConfigOnly = pathsOf(row, ValueOrigin::Own).empty() && pathsOf(row, ValueOrigin::Override).empty();
         reset->setEnabled(!inConfigOnly);
         reset->setIcon(themedIcon(QStringLiteral("reset")));
     }
     if (row.values.size() != 1) return;
-    if (row.first().standing == Standing::Override)
+    if (row.first().origin == ValueOrigin::Override)
         add(menu, "rowPush", QObject::tr("Push into the config"),
-            [path, &document, deeds] { deeds.failed(pushOverride(document, path)); });
-    if (row.first().standing == Standing::Config)
-        add(menu, "rowPull", QObject::tr("Override here"), [path, &document, deeds] {
+            [path, &document, actions] { actions.failed(pushOverride(document, path)); });
+    if (row.first().origin == ValueOrigin::Config)
+        add(menu, "rowPull", QObject::tr("Override here"), [path, &document, actions] {
             const Result<EditPlan> plan = planPullOverride(*document.loaded(), path);
-            deeds.failed(plan ? document.edit(QObject::tr("Override %1").arg(shortName(path)), plan.value().edits)
-                              : Status(plan.error()));
+            actions.failed(plan ? document.edit(QObject::tr("Override %1").arg(shortName(path)), plan.value().edits)
+                                : Status(plan.error()));
         });
 }
 
 } // namespace
 
-void fillRowMenu(QMenu& menu, const Row& row, Document& document, const RowDeeds& deeds) {
+void fillRowMenu(QMenu& menu, const Row& row, Document& document, const RowActions& actions) {
     const FieldValue& v = row.first();
     const QString place = placeWords(*row.loaded, v.place);
     if (!place.isEmpty())
         add(menu, "rowJump", v.given() ? QObject::tr("Go to %1").arg(place) : QObject::tr("Go to its block, %1").arg(place),
-            [deeds, range = v.place] { deeds.jump(range); });
-    addValueDeeds(menu, row, document, deeds);
+            [actions, range = v.place] { actions.jump(range); });
+    addValueActions(menu, row, document, actions);
     menu.addSeparator();
-    QAction* asText = add(menu, "rowAsText", QObject::tr("Edit as text or formula"), deeds.editAsText);
+    QAction* asText = add(menu, "rowAsText", QObject::tr("Edit as text or formula"), actions.editAsText);
     asText->setCheckable(true);
-    asText->setChecked(deeds.asText);
+    asText->setChecked(actions.asText);
     add(menu, "rowCopyPath", QObject::tr("Copy path"),
         [v] { QGuiApplication::clipboard()->setText(QString::fromStdString(v.path)); });
     if (!v.text.empty())

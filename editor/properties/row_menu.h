@@ -8,15 +8,15 @@ class QMenu;
 
 namespace trundle {
 
-/// What can be done with a row beside typing in it.
-struct RowDeeds {
+/// Callbacks of a row's menu, for the actions other than typing.
+struct RowActions {
     std::function<void(const SourceRange&)> jump;
     std::function<void()> editAsText;
-    std::function<void(const Status& status)> failed; ///< also where all went well
-    bool asText = false;                              ///< it is edited as text now
+    std::function<void(const Status& status)> failed; ///< also called on success
+    bool asText = false;                              ///< the row is edited as text
 };
 
-/// Entries that mean something for the row as it stands: go there, reset, push into the config, pull a copy, copy path or value.
-void fillRowMenu(QMenu& menu, const Row& row, Document& document, const RowDeeds& deeds);
+/// Adds the entries that apply to the row: go to source, reset, move into the config, copy the config, copy path or value.
+void fillRowMenu(QMenu& menu, const Row& row, Document& document, const RowActions& actions);
 
 } // namespace trundle

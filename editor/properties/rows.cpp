@@ -1,5 +1,5 @@
-// Needs: the selected objects and the schema. Gives: rows. Method: each object lists its fields under ids that do not depend on
-// its name; a row is an id that all objects have with the same type.
+// Builds the rows of a selection. Needs: the selected objects and the schema. Method: each object lists its fields under ids
+// that do not depend on its name; a row is an id that all objects have with the same type.
 #include "editor/properties/rows.h"
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 #include "editor/properties/sections.h"
 #include "editor/properties/value_text.h"
 #include "editor/running/session.h"
-#include "project/mentions.h"
+#include "project/name_references.h"
 #include "project/plans.h"
 
 namespace trundle {
 namespace {
 
-struct Listed {
+struct ListedRow {
     std::string id;
     QString label, section;
     FieldValue value;
@@ -30,14 +30,15 @@ struct Listed {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
-constexpr std::size_t kMostOfSection = 200; // rows: each is some widgets
+constexpr std::size_t kMaxOfSection = 200; // limit, since each row has several widgets
 
-/// All fields of one object, in order.
-class Lister {
+/// Lists the fields of one object, in order.
+class PropertyRowBuilder {
 public:
-    Lister(ObjectValues& object, std::shared_ptr<const Loaded> loaded) : m_object(object), m_loaded(std::move(loaded)) {}
+    PropertyRowBuilder(ObjectValues& object, std::shared_ptr<const LoadedProject> loaded)
+        : m_object(object), m_loaded(std::move(loaded)) {}
 
-    std::vector<Listed> list() {
+    std::vector<ListedRow> list() {
         addProperties(m_object, {}, {});
         const QString config = m_object.config() ? text(m_object.config()->name) : QString();
         if (m_object.isInstance()) {
@@ -65,10 +66,11 @@ private:
     }
 
     void addParams(const QString& title) {
-        std::vector<FieldValue> params = m_object.params(kMostOfSection + 1);
-        const bool more = params.size() > kMostOfSection;
+        std::vector<FieldValue> params = m_object.params(kMaxOfSection + 1);
+        const bool more = params.size() > kMaxOfSection;
         if (more) params.pop_back();
-        const QString section = more ? QObject::tr("%1: the first %2, the others are in the text").arg(title, QString::number(kMostOfSection)) : title;
+        const QString section =
+            more ? QObject::tr("%1: the first %2, the others are in the text").arg(title, QString::number(kMaxOfSection)) : title;
         for (FieldValue& v : params) {
             const std::string id = "param." + v.path.substr(v.path.rfind('.') + 1);
             add(id, section, std::move(v), nullptr);
@@ -87,22 +89,22 @@ private:
     void addOverrides(const QString& section) {
         std::size_t shown = 0;
         for (const std::string& key : m_object.overrides()) {
-            if (++shown > kMostOfSection) break;
+            if (++shown > kMaxOfSection) break;
             const std::size_t dot = key.rfind('.');
             ObjectValues inner(m_loaded, m_object.path() + "." + key.substr(0, dot));
             std::optional<FieldValue> value = inner.property(key.substr(dot + 1));
-            if (!value) continue; // a path that leads nowhere: the problems say so
+            if (!value) continue; // an unresolved path; the diagnostics report it
             add("override." + key, section, std::move(*value), inner.kind());
             m_listed.back().label = text(key);
         }
     }
 
     ObjectValues& m_object;
-    std::shared_ptr<const Loaded> m_loaded;
-    std::vector<Listed> m_listed;
+    std::shared_ptr<const LoadedProject> m_loaded;
+    std::vector<ListedRow> m_listed;
 };
 
-bool alike(const Listed& a, const Listed& b) {
+bool alike(const ListedRow& a, const ListedRow& b) {
     const Property *p = a.value.property, *q = b.value.property;
     if (!p || !q) return p == q;
     return p == q || (p->type == q->type && p->unit == q->unit && p->choices == q->choices && p->minCount == q->minCount &&
@@ -130,7 +132,7 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
         if (const Result<EditPlan> plan = planReset(*document.loaded(), resets); !plan) return plan.error(); // shown in the row
         const bool copies =
             std::ranges::any_of(resets, [&](const auto& path) { return document.structure().targetOf(path).isShipped; });
-        const auto plan = [resets](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+        const auto plan = [resets](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
             std::vector<std::string> paths;
             for (const std::string& path : resets) paths.push_back(renamed(path));
             return planReset(loaded, paths);
@@ -154,20 +156,20 @@ QString nowText(const RunSession& session, const std::string& robot, bool positi
     const int digits = position ? 3 : 1;
     const auto number = [&](double x) {
         const QString shown = QString::number(x, 'f', digits);
-        return (shown.toDouble() == 0 ? QString::number(0.0, 'f', digits) : shown).rightJustified(7); // no -0.000
+        return (shown.toDouble() == 0 ? QString::number(0.0, 'f', digits) : shown).rightJustified(7); // avoids -0.000
     };
     return QObject::tr("now %1 %2 %3").arg(number(v.x()), number(v.y()), number(v.z()));
 }
 
-std::string folderOf(const Loaded& loaded, const Listed& listed, const ObjectValues& object) {
+std::string folderOf(const LoadedProject& loaded, const ListedRow& listed, const ObjectValues& object) {
     FileId file = listed.value.place.file;
     if (!listed.value.given() && object.instance()) file = object.instance()->file;
     if (file >= loaded.paths.size()) file = 0;
     return file < loaded.paths.size() ? QFileInfo(text(loaded.paths[file])).absolutePath().toStdString() : std::string();
 }
 
-void complete(Row& row, const Listed& listed, const ObjectValues& object, Document& document, const RunSession* session) {
-    const std::shared_ptr<const Loaded> loaded = row.loaded;
+void complete(Row& row, const ListedRow& listed, const ObjectValues& object, Document& document, const RunSession* session) {
+    const std::shared_ptr<const LoadedProject> loaded = row.loaded;
     if (const Property* p = listed.value.property) {
         const Part* config = listed.config;
         if (p->type == PropertyType::Reference)
@@ -200,12 +202,12 @@ QString shortName(const std::string& path) {
 Status pushOverride(Document& document, const std::string& propertyPath) {
     const std::string object = propertyPath.substr(0, propertyPath.rfind('.'));
     return document.structure().apply(QObject::tr("Push %1 into the config").arg(shortName(propertyPath)), {object},
-                                      [propertyPath](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+                                      [propertyPath](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
                                           return planPushOverride(loaded, renamed(propertyPath));
                                       });
 }
 
-Objects objectsAt(const std::shared_ptr<const Loaded>& loaded, const std::vector<std::string>& paths) {
+Objects objectsAt(const std::shared_ptr<const LoadedProject>& loaded, const std::vector<std::string>& paths) {
     Objects objects;
     for (const std::string& path : paths) {
         auto object = std::make_unique<ObjectValues>(loaded, path);
@@ -223,15 +225,15 @@ Objects objectsAt(const std::shared_ptr<const Loaded>& loaded, const std::vector
 }
 
 std::vector<Row> rowsOf(const Objects& objects, Document& document, const RunSession* session) {
-    const std::shared_ptr<const Loaded>& loaded = objects[0]->sharedLoaded(); // the properties' pointers lead into it
-    std::vector<std::vector<Listed>> lists;
+    const std::shared_ptr<const LoadedProject>& loaded = objects[0]->sharedLoaded(); // keeps the Property pointers valid
+    std::vector<std::vector<ListedRow>> lists;
     std::vector<std::unordered_map<std::string, std::size_t>> places(objects.size());
     for (const auto& object : objects) {
-        lists.push_back(Lister(*object, loaded).list());
+        lists.push_back(PropertyRowBuilder(*object, loaded).list());
         for (std::size_t i = 0; i < lists.back().size(); ++i) places[lists.size() - 1].emplace(lists.back()[i].id, i);
     }
     std::vector<Row> rows;
-    for (const Listed& first : lists[0]) {
+    for (const ListedRow& first : lists[0]) {
         Row row{first.id, first.label, first.section, {}, loaded, false, {}, {}, {}, {}};
         for (std::size_t i = 0; i < lists.size(); ++i) {
             const auto it = places[i].find(first.id);

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of a selection, from the schema of what is selected.
+// Builds the property rows of a selection from the schema.
 
 #include <memory>
 #include <string>
@@ -15,15 +15,15 @@ class RunSession;
 
 using Objects = std::vector<std::unique_ptr<ObjectValues>>;
 
-/// Those of the paths that name something; the experiment where no path is given.
-[[nodiscard]] Objects objectsAt(const std::shared_ptr<const Loaded>& loaded, const std::vector<std::string>& paths);
-/// Rows that all of the objects have, in the order of the first. `session` may be missing.
+/// The objects of those paths that exist; the experiment if there are no paths.
+[[nodiscard]] Objects objectsAt(const std::shared_ptr<const LoadedProject>& loaded, const std::vector<std::string>& paths);
+/// The rows that all objects have in common, in the order of the first. `session` may be null.
 [[nodiscard]] std::vector<Row> rowsOf(const Objects& objects, Document& document, const RunSession* session);
 
-/// Moves an override into its config, or into the copy of it that the user chooses.
+/// Moves an override into its config, or into a copy of it if the user chooses so.
 Status pushOverride(Document& document, const std::string& propertyPath);
 
-/// "leftMotor.Resistance" of "robot0.leftMotor.Resistance": how edits are named.
+/// The name of a value in edits: "leftMotor.Resistance" for "robot0.leftMotor.Resistance".
 [[nodiscard]] QString shortName(const std::string& path);
 
 } // namespace trundle

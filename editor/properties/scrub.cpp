@@ -9,7 +9,7 @@
 namespace trundle {
 namespace {
 
-/// A step that makes the second or third digit move.
+/// A step that changes the second or third digit.
 double stepFor(double number, double low, double high) {
     const bool share = std::isfinite(low) && std::isfinite(high) && high - low <= 1;
     if (share) return 0.01;
@@ -17,7 +17,7 @@ double stepFor(double number, double low, double high) {
     return std::pow(10.0, std::clamp(std::floor(std::log10(std::abs(number))) - 1, -9.0, 9.0));
 }
 
-/// Digits behind the point: those that are there stay.
+/// Number of decimals; keeps those already written.
 int decimalsOf(double number) {
     const std::string text = plainNumber(number);
     const std::size_t point = text.find('.');

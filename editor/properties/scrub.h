@@ -1,5 +1,5 @@
 #pragma once
-// A number changed by dragging: which step, which text.
+// Changing a number by dragging: step size and formatting.
 
 #include <optional>
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace trundle {
 
-/// An element that is a plain number, with or without a unit: what dragging makes of it.
+/// Drag state of a value that is a plain number, with or without a unit.
 class Scrub {
 public:
-    /// Nothing where the text is no single number: a formula, say. `property` may be missing (a Param).
+    /// Nothing if the text is not a single number, for example a formula. `property` may be null (a Param).
     [[nodiscard]] static std::optional<Scrub> of(const std::string& element, const Property* property);
 
-    /// The text after so many steps, in the unit that was there, kept within the property's range.
+    /// The text after this many steps, in the same unit, clamped to the property's range.
     [[nodiscard]] std::string after(double steps) const;
     [[nodiscard]] double step() const { return m_step; }
 

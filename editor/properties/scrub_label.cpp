@@ -30,7 +30,7 @@ void ScrubLabel::mouseMoveEvent(QMouseEvent* event) {
     if (!m_down || !m_on) return;
     const double way = event->position().x() - m_last.x();
     if (!m_moved && std::abs(way) < QApplication::startDragDistance() / 2.0) return;
-    if (!m_moved) grabKeyboard(); // for Esc
+    if (!m_moved) grabKeyboard(); // to receive Esc
     m_moved = true;
     m_last = event->position();
     const double factor = event->modifiers() & Qt::ShiftModifier ? 0.2 : event->modifiers() & Qt::ControlModifier ? 10 : 1;
@@ -54,7 +54,7 @@ void ScrubLabel::keyPressEvent(QKeyEvent* event) {
     if (!m_down || event->key() != Qt::Key_Escape) return QLabel::keyPressEvent(event);
     m_down = false;
     releaseKeyboard();
-    Q_EMIT abandoned();
+    Q_EMIT cancelled();
 }
 
 } // namespace trundle

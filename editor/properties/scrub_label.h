@@ -3,7 +3,7 @@
 
 namespace trundle {
 
-/// A label on which a number is changed by dragging left and right; Shift is finer, Ctrl coarser.
+/// A label that changes a number when dragged left or right; Shift: finer, Ctrl: coarser.
 class ScrubLabel final : public QLabel {
     Q_OBJECT
 public:
@@ -11,10 +11,10 @@ public:
     void setScrubbing(bool on);
 
 Q_SIGNALS:
-    void dragged(double steps); ///< from where the drag began
+    void dragged(double steps); ///< relative to the start of the drag
     void ended();
     void clicked();
-    void abandoned(); ///< Esc: as it was
+    void cancelled(); ///< by Esc: restore the value
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;

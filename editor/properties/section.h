@@ -6,12 +6,12 @@ class QVBoxLayout;
 
 namespace trundle {
 
-/// A heading that folds the rows below it.
+/// A heading that collapses the rows below it.
 class Section final : public QWidget {
     Q_OBJECT
 public:
     Section(const QString& title, bool open, QWidget* parent);
-    /// The parent of its rows from their making on: moved there later, Qt would style each of them once more.
+    /// Create the rows with this parent: Qt would style them again if they were reparented.
     [[nodiscard]] QWidget* rows() { return m_rows; }
     void add(QWidget* row);
     void setTitle(const QString& title);

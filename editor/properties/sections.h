@@ -5,7 +5,8 @@
 
 namespace trundle {
 
-/// Under which heading a property stands: what is common to many kinds (place, mass, look) apart from what makes the kind.
+/// The section of a property: properties common to many kinds (pose, mass, appearance) are separate from those specific to the
+/// kind.
 [[nodiscard]] QString sectionOf(const Kind& kind, const Property& property);
 
 } // namespace trundle

@@ -13,8 +13,8 @@
 namespace trundle {
 
 namespace {
-constexpr int kRoom = 44;      ///< that the text keeps beside a long suffix
-constexpr int kTextMargin = 2; ///< that a QLineEdit leaves on both sides of its text
+constexpr int kRoom = 44;      ///< pixels left for the text next to a long suffix
+constexpr int kTextMargin = 2; ///< pixels; QLineEdit's own margin on both sides of its text
 } // namespace
 
 ValueField::ValueField(QWidget* parent) : QLineEdit(parent) {
@@ -26,7 +26,7 @@ void ValueField::setValue(const QString& text) {
     const bool same = text == m_value;
     m_value = text;
     if (typing && (same || hasFocus())) return;
-    forgive();
+    clearError();
     if (this->text() != text) setText(text);
     setCursorPosition(0);
     colour();
@@ -53,14 +53,14 @@ void ValueField::setCompact(bool compact) {
     colour();
 }
 
-void ValueField::refuse(const QString& reason) {
-    m_reason = reason.isEmpty() ? tr("This value cannot be used") : reason;
+void ValueField::setError(const QString& reason) {
+    m_reason = reason.isEmpty() ? tr("Invalid value") : reason;
     setModified(true);
     colour();
     Q_EMIT refusedChanged(m_reason);
 }
 
-void ValueField::forgive() {
+void ValueField::clearError() {
     if (!refused()) return;
     m_reason.clear();
     colour();
@@ -68,7 +68,7 @@ void ValueField::forgive() {
 }
 
 void ValueField::restore() {
-    forgive();
+    clearError();
     setText(m_value);
     setModified(false);
     colour();
@@ -78,7 +78,7 @@ void ValueField::enter() {
     if (!isModified()) return;
     if (text() == m_value && !m_mixed) return restore();
     if (text().isEmpty() && m_mixed) return restore();
-    m_reason.clear(); // refuse() says it again where it still holds
+    m_reason.clear(); // setError() sets it again if it still applies
     setModified(false);
     const QString typed = text();
     Q_EMIT entered(typed);
@@ -86,7 +86,8 @@ void ValueField::enter() {
     colour();
 }
 
-/// The list of completions gives its keys to the field without asking event filters. A name lit up in it counts as typed.
+/// Closes the completion popup and accepts its highlighted name. The popup sends keys to the field without calling event
+/// filters.
 void ValueField::closeList() {
     if (!completer() || !completer()->popup()->isVisible()) return;
     completer()->popup()->hide();
@@ -94,14 +95,14 @@ void ValueField::closeList() {
 }
 
 bool ValueField::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip && isCut()) {
+    if (event->type() == QEvent::ToolTip && isElided()) {
         showToolTip(static_cast<QHelpEvent*>(event)->globalPos(), text(), this);
         return true;
     }
     if (event->type() == QEvent::ShortcutOverride && !isModified()) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-            event->ignore(); // nothing is being typed: the undo of the document is meant
+            event->ignore(); // nothing is being typed: let the document undo
             return true;
         }
     }
@@ -128,14 +129,14 @@ void ValueField::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_PageDown: Q_EMIT stepped(-10); return event->accept();
     default: return QLineEdit::keyPressEvent(event);
     }
-    event->ignore(); // an Esc with nothing to bring back is the window's
+    event->ignore(); // nothing to cancel: let the window handle Esc
 }
 
 void ValueField::focusOutEvent(QFocusEvent* event) {
     QLineEdit::focusOutEvent(event);
     if (event->reason() == Qt::PopupFocusReason || refused()) return;
     enter();
-    if (isCut()) setCursorPosition(0); // its beginning is what is seen of it
+    if (isElided()) setCursorPosition(0); // show the start of the text
 }
 
 void ValueField::colour() {
@@ -145,7 +146,7 @@ void ValueField::colour() {
     const bool faint = m_faint && !isModified();
     if (faint) p.setColor(QPalette::Text, ink(Ink::Faint));
     setPalette(p);
-    QString sheet; // the style sheet of the window draws the border
+    QString sheet; // the style sheet draws the border, so it also sets these properties
     if (m_compact) sheet = QStringLiteral("padding: 2px 1px;");
     if (isReadOnly()) sheet += QStringLiteral("background: transparent; border-color: transparent;");
     if (refused()) sheet += QStringLiteral("border-color: %1; color: %1;").arg(ink(Ink::Error).name());
@@ -175,14 +176,14 @@ int ValueField::wholeWidth() const {
     return fontMetrics().horizontalAdvance(m_value) + 1 + width() - textRect().width(); // 1: the cursor
 }
 
-bool ValueField::isCut() const {
+bool ValueField::isElided() const {
     return !hasFocus() && !text().isEmpty() && fontMetrics().horizontalAdvance(text()) > textRect().width();
 }
 
 void ValueField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
     QPainter painter(this);
-    if (isCut()) { // half a number reads as another one
+    if (isElided()) { // part of a number could be misread
         const QString more = QStringLiteral("…");
         QRect end = textRect();
         end.setLeft(end.right() + 1 - fontMetrics().horizontalAdvance(more));

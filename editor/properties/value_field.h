@@ -3,26 +3,26 @@
 
 namespace trundle {
 
-/// A line in which a value is typed. Enter or leaving the field enters it; Esc brings the old text back. A text that was refused
-/// stays as typed, in red, until it is mended or given up.
+/// A line edit for a value. Enter or losing the focus commits the text; Esc restores the previous one. A refused text stays in
+/// red until it is corrected or restored.
 class ValueField final : public QLineEdit {
     Q_OBJECT
 public:
     explicit ValueField(QWidget* parent = nullptr);
 
-    /// What the document says. Leaves alone what is being typed, as long as the document's value stays the same.
+    /// Sets the document's value. While the user is typing, the text is not replaced unless the document's value changed.
     void setValue(const QString& text);
     [[nodiscard]] const QString& value() const { return m_value; }
-    /// Shown faint behind the text: a unit, or what a formula comes to.
+    /// Shown faint after the text: a unit, or the value of a formula.
     void setSuffix(const QString& suffix);
-    void setFaint(bool faint);     ///< a default
-    void setMixed(bool mixed);     ///< several objects differ
-    void setCompact(bool compact); ///< one of several in a row
-    void refuse(const QString& reason);
+    void setFaint(bool faint);     ///< for a default
+    void setMixed(bool mixed);     ///< the selected objects have different values
+    void setCompact(bool compact); ///< one of several fields in a row
+    void setError(const QString& reason);
     [[nodiscard]] bool refused() const { return !m_reason.isEmpty(); }
     [[nodiscard]] const QString& reason() const { return m_reason; }
     void restore();
-    /// Width in which the document's value is seen whole.
+    /// Width in pixels at which the document's value is not elided.
     [[nodiscard]] int wholeWidth() const;
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -30,7 +30,7 @@ public:
 Q_SIGNALS:
     void entered(const QString& text);
     void stepped(int steps);                    ///< Up and Down keys
-    void refusedChanged(const QString& reason); ///< empty: not refused any more
+    void refusedChanged(const QString& reason); ///< empty: no refusal any more
 
 protected:
     bool event(QEvent* event) override;
@@ -43,11 +43,11 @@ protected:
 private:
     void enter();
     void closeList();
-    void forgive();
+    void clearError();
     void colour();
     void placeSuffix();
     [[nodiscard]] QRect textRect() const;
-    [[nodiscard]] bool isCut() const; ///< some of the text cannot be seen, and nobody is typing in it
+    [[nodiscard]] bool isElided() const; ///< the text is not fully visible, and the field is not being edited
 
     QString m_value, m_suffix, m_reason;
     bool m_faint = false, m_mixed = false, m_compact = false, m_colouring = false;

@@ -32,7 +32,7 @@ const Value* firstList(const std::vector<Item>& items) {
     return nullptr;
 }
 
-/// A limit: 0.001, 1000, 1e-6, 1e9.
+/// A limit of a range: 0.001, 1000, 1e-6, 1e9.
 std::string brief(double limit) {
     const double size = std::abs(limit);
     if (limit == 0 || (size >= 1e-4 && size < 1e5)) return plainNumber(limit);
@@ -57,7 +57,7 @@ Result<std::vector<Element>> readElements(const std::string& text) {
     const auto* a = tree->items().size() == 1 ? tree->items()[0].as<AssignmentItem>() : nullptr;
     const TextRange whole{static_cast<std::uint32_t>(kKey.size()), static_cast<std::uint32_t>(kKey.size() + text.size())};
     if (!a || a->path.size() != 1 || a->value.elements.empty()) return Error{Code::MissingValue, "a value is missing"};
-    if (a->value.range != whole) return Error{Code::UnexpectedText, "this is more than a value"};
+    if (a->value.range != whole) return Error{Code::UnexpectedText, "this is more than one value"};
     std::vector<Element> elements = a->value.elements;
     for (Element& e : elements) {
         e.range.begin -= whole.begin;
@@ -130,7 +130,7 @@ std::string plainNumber(double value) {
 
 std::string numberOf(const Property& property, double si) {
     const double value = si / property.scale;
-    // 90 degrees come out of radians as 90.00000000000001
+    // 90 degrees converted from radians are 90.00000000000001
     const double near = std::round(value * 1e9) / 1e9;
     const bool same = property.scale != 1 && std::abs(near - value) <= 1e-12 * std::max(1.0, std::abs(value));
     return plainNumber(same ? near : value);

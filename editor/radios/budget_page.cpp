@@ -12,9 +12,9 @@
 #include <QSpinBox>
 #include <QToolButton>
 
-#include "editor/radios/frame_model.h"
-#include "editor/radios/frame_words.h"
 #include "editor/radios/level_diagram.h"
+#include "editor/radios/packet_model.h"
+#include "editor/radios/packet_text.h"
 #include "editor/widgets/controls.h"
 #include "editor/widgets/theme.h"
 #include "radio/ieee802154.h"
@@ -26,8 +26,8 @@ constexpr int kRoomForDiagram = 700, kRoomForTwo = 560;
 
 QString withUnit(double value, const QString& unit) { return QStringLiteral("%1 %2").arg(decibelText(value), unit); }
 
-/// Where the other end is, in an antenna's own frame.
-QString directionText(const AntennaPlace& antenna, const AntennaPlace& other) {
+/// Direction of the other end in an antenna's own frame.
+QString directionText(const AntennaPose& antenna, const AntennaPose& other) {
     const Vec3 way = antenna.pose.rotation.conjugate() * (other.pose.position - antenna.pose.position);
     if (way.norm() < 1e-9) return {};
     const double degree = 180 / std::numbers::pi;
@@ -51,7 +51,7 @@ QString pathText(const MediumSettings& medium, double distance) {
     return {};
 }
 
-/// "30 %", but never 0 or 100 where it is a little more or less.
+/// "30 %"; 0 and 100 only for exact values.
 QString percentText(double share) {
     if (share <= 0 || share >= 1) return share <= 0 ? QStringLiteral("0 %") : QStringLiteral("100 %");
     if (share < 1e-4) return QStringLiteral("%1 %").arg(QString::number(share * 100, 'e', 1));
@@ -92,10 +92,10 @@ BudgetPage::BudgetPage(QWidget* parent) : QWidget(parent) {
     addTerm(*reception, 0, Rssi, tr("RSSI"), tr("As the receiver reads it"));
     addTerm(*reception, 1, Lqi, tr("LQI"), tr("Link quality, 110 at best"));
     addTerm(*reception, 2, Noise, tr("Noise floor"), tr("RadioMedium's NoiseFloor"));
-    addTerm(*reception, 3, Snr, tr("SINR"), tr("Received power over the noise, with nobody else in the air"));
+    addTerm(*reception, 3, Snr, tr("SINR"), tr("Received power over the noise, without other transmissions"));
     addTerm(*reception, 4, Least, tr("Sensitivity"), tr("The receiver's MinReceivePower"));
     addTerm(*reception, 5, Margin, tr("Margin"), tr("Received power over the sensitivity"));
-    addTerm(*reception, 6, Loss, tr("Packet errors"), tr("Probability that a packet is lost, with nobody else in the air"));
+    addTerm(*reception, 6, Loss, tr("Packet errors"), tr("Probability that a packet is lost, without other transmissions"));
     m_diagram = new LevelDiagram;
     m_halves->addWidget(m_diagram, 6);
     auto* scroll = new QScrollArea;
@@ -152,7 +152,7 @@ void BudgetPage::makeTools() {
     m_anyPower->setDecimals(1);
     m_payload = new QSpinBox(m_tools);
     m_payload->setObjectName(QStringLiteral("budgetPayload"));
-    m_payload->setRange(0, int(kMostPayload));
+    m_payload->setRange(0, int(kMaxPayload));
     m_payload->setValue(20);
     m_payload->setSuffix(tr(" bytes"));
     m_payload->setToolTip(tr("Payload of the packet"));
@@ -176,7 +176,7 @@ void BudgetPage::makeTools() {
     connect(m_swap, &QToolButton::clicked, this, &BudgetPage::swap);
 }
 
-// ---- which link ----
+// ---- selection of the link ----
 
 void BudgetPage::setNodes(std::shared_ptr<const RadioNodes> nodes) {
     const QString from = this->from(), to = this->to();
@@ -212,7 +212,7 @@ void BudgetPage::choose(const QString& from, const QString& to, std::optional<do
     refresh();
 }
 
-/// Of the sender's power.
+/// Power offset (dB) of the sender.
 double BudgetPage::ownOffset() const {
     const int sender = m_from->currentIndex();
     return m_nodes && sender >= 0 ? m_nodes->offsets(RadioId(sender)).power : 0;
@@ -226,7 +226,7 @@ void BudgetPage::swap() {
     setPower(before);
 }
 
-/// Those that the sender has, or any that it can give.
+/// The power levels of the sender, or any in its range.
 void BudgetPage::fillPowers() {
     const QSignalBlocker quietLevels(m_levels), quietPower(m_anyPower);
     m_levels->clear();
@@ -245,7 +245,7 @@ void BudgetPage::fillPowers() {
     m_anyPower->setVisible(m_levels->count() == 0);
 }
 
-/// In a narrow dock the numbers have all the room.
+/// In a narrow dock the diagram is hidden.
 void BudgetPage::resizeEvent(QResizeEvent*) {
     m_diagram->setVisible(width() >= kRoomForDiagram);
     const bool narrow = width() < kRoomForTwo;
@@ -270,7 +270,7 @@ void BudgetPage::setPower(double dbm) {
 
 double BudgetPage::power() const { return m_levels->count() > 0 ? m_levels->currentData().toDouble() : m_anyPower->value(); }
 
-// ---- what it comes to ----
+// ---- results ----
 
 void BudgetPage::refresh() {
     const int from = m_from->currentIndex(), to = m_to->currentIndex();
@@ -280,14 +280,14 @@ void BudgetPage::refresh() {
     m_report.reset();
     QString words;
     if (!there)
-        words = m_nodes && m_nodes->all().size() == 1 ? tr("There is one radio alone: a link takes two.")
+        words = m_nodes && m_nodes->all().size() == 1 ? tr("There is only one radio: a link needs two.")
                                                       : tr("Choose two radios, here or in the scene.");
     if (!there) m_diagram->setLevels({});
     else {
         m_report = m_nodes->link(RadioId(from), RadioId(to), power(), std::uint32_t(m_payload->value()));
         showTerms(RadioId(from), RadioId(to));
         if (!m_report->sameChannel)
-            words = tr("They never hear each other: one is on channel %1, the other on %2.")
+            words = tr("They cannot receive each other: one is on channel %1, the other on %2.")
                         .arg(m_nodes->all()[std::size_t(from)].radio.channel)
                         .arg(m_nodes->all()[std::size_t(to)].radio.channel);
     }
@@ -305,7 +305,7 @@ void BudgetPage::showTerms(RadioId from, RadioId to) {
     const LinkReport& r = *m_report;
     const MediumSettings& medium = m_nodes->settings();
     const RadioDefinition &sender = m_nodes->all()[from].radio, &receiver = m_nodes->all()[to].radio;
-    const AntennaPlace &here = m_nodes->antenna(from), &there = m_nodes->antenna(to);
+    const AntennaPose &here = m_nodes->antenna(from), &there = m_nodes->antenna(to);
     const QString dBm = tr("dBm"), dB = tr("dB");
     const double offset = r.outputPower - outputLevel(sender, power());
     show(Output, withUnit(r.outputPower, dBm),
@@ -324,11 +324,11 @@ void BudgetPage::showTerms(RadioId from, RadioId to) {
     show(Noise, withUnit(medium.noiseFloor, dBm));
     show(Snr, withUnit(r.snr, dB));
     show(Least, withUnit(receiver.minReceivePower, dBm));
-    show(Margin, withUnit(r.margin, dB), r.margin < 0 ? tr("hears nothing") : QString());
+    show(Margin, withUnit(r.margin, dB), r.margin < 0 ? tr("receives nothing") : QString());
     show(Loss, percentText(r.packetLoss),
          medium.packetErrors ? tr("of %1 bytes").arg(m_payload->value()) : tr("sharp threshold"));
     QPalette palette = this->palette();
-    palette.setColor(QPalette::WindowText, inkOfMargin(r.margin));
+    palette.setColor(QPalette::WindowText, inkForMargin(r.margin));
     m_values[Margin]->setPalette(palette);
     m_diagram->setLevels(LevelDiagram::Levels{r, receiver.minReceivePower, medium.noiseFloor});
 }

@@ -18,26 +18,26 @@ namespace trundle {
 
 class LevelDiagram;
 
-/// The link between two radios as they stand, term by term.
+/// The link budget between two radios at their current poses, term by term.
 class BudgetPage final : public QWidget {
     Q_OBJECT
 public:
     explicit BudgetPage(QWidget* parent = nullptr);
 
     [[nodiscard]] QWidget* tools() { return m_tools; }
-    /// Whose links are asked for; to be placed before and after by whoever has them. Null: there are none.
+    /// The radios to select from; the caller sets their poses. Null: there are none.
     void setNodes(std::shared_ptr<const RadioNodes> nodes);
-    /// What left a radio last, dBm: it is proposed.
+    /// Sets the function that returns a radio's last transmit power (dBm), used as the default.
     void setLastPower(std::function<std::optional<double>(const QString&)> lastPower) { m_lastPower = std::move(lastPower); }
-    /// Paths of radios; of those that are not there nothing changes. `power` is what left the sender;
-    /// none: what it used last, or can give.
+    /// Selects sender and receiver by their paths; an unknown path changes nothing. `power`: transmit power (dBm); none: the
+    /// last one used, else the default.
     void choose(const QString& from, const QString& to, std::optional<double> power = {});
     void swap();
     void setPower(double dbm);
     [[nodiscard]] double power() const;
     [[nodiscard]] QString from() const;
     [[nodiscard]] QString to() const;
-    /// Asks anew: something moved.
+    /// Recomputes: something moved.
     void refresh();
     [[nodiscard]] const std::optional<LinkReport>& report() const { return m_report; }
 

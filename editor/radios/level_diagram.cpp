@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "editor/radios/frame_words.h"
+#include "editor/radios/packet_text.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -50,7 +50,7 @@ void LevelDiagram::paintEvent(QPaintEvent*) {
     const double span = std::max(high - low, 1.0) * 1.06;
     const auto y = [&](double dbm) { return plot.bottom() - (dbm - low + 0.03 * span) / span * plot.height(); };
 
-    // levels that count; their words do not lie on each other
+    // labels of the reference levels must not overlap
     double taken = 1e9;
     for (const auto& [name, dbm, colour] : {std::tuple(tr("noise"), m_levels->noiseFloor, ink(Ink::Faint)),
                                             std::tuple(tr("sensitivity"), m_levels->sensitivity, ink(Ink::Warning))}) {
@@ -61,7 +61,7 @@ void LevelDiagram::paintEvent(QPaintEvent*) {
         painter.drawText(QRectF(0, at - 0.5 * line, left - 8, line), Qt::AlignRight | Qt::AlignVCenter, name);
     }
     const double step = plot.width() / double(stairs.size() + 1);
-    const QColor result = inkOfMargin(r.margin);
+    const QColor result = inkForMargin(r.margin);
     level = r.outputPower;
     double x = plot.left();
     painter.setPen(ink(Ink::Faint));

@@ -7,7 +7,7 @@
 
 namespace trundle {
 
-/// The power of a link on its way from sender to receiver, as a line that each term lifts or drops, over the levels that count.
+/// Shows how each term of a link budget changes the power from sender to receiver, above the reference levels.
 class LevelDiagram final : public QWidget {
 public:
     explicit LevelDiagram(QWidget* parent = nullptr);

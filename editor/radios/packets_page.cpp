@@ -19,8 +19,8 @@
 #include <QToolButton>
 
 #include "base/platform/atomic_file.h"
-#include "editor/radios/fate_bar.h"
-#include "editor/radios/frame_words.h"
+#include "editor/radios/outcome_bar.h"
+#include "editor/radios/packet_text.h"
 #include "editor/widgets/controls.h"
 #include "editor/widgets/theme.h"
 
@@ -41,7 +41,7 @@ void fillNodes(QComboBox& choice, const QString& any, const std::vector<RadioDef
 
 } // namespace
 
-PacketsPage::PacketsPage(QWidget* parent) : QWidget(parent), m_model(new FrameModel(this)), m_fates(new FateBar) {
+PacketsPage::PacketsPage(QWidget* parent) : QWidget(parent), m_model(new PacketModel(this)), m_outcomes(new OutcomeBar) {
     makeTools();
     makeView();
     auto* column = new QVBoxLayout(this);
@@ -53,9 +53,9 @@ PacketsPage::PacketsPage(QWidget* parent) : QWidget(parent), m_model(new FrameMo
     halves->addWidget(makeDetails());
     halves->setStretchFactor(0, 1);
     halves->setSizes({760, 260});
-    column->addWidget(m_fates);
+    column->addWidget(m_outcomes);
     column->addWidget(halves, 1);
-    connect(m_fates, &FateBar::chosenChanged, this, &PacketsPage::applyFilter);
+    connect(m_outcomes, &OutcomeBar::chosenChanged, this, &PacketsPage::applyFilter);
     m_tools->installEventFilter(this);
     showCounts();
     showDetails();
@@ -87,16 +87,16 @@ void PacketsPage::makeTools() {
     m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_export->setPopupMode(QToolButton::InstantPopup);
     m_export->setAutoRaise(true);
-    m_export->setToolTip(tr("Write all packets that are kept to a file"));
+    m_export->setToolTip(tr("Write all stored packets to a file"));
     auto* kinds = new QMenu(m_export);
     kinds->setObjectName(QStringLiteral("radioExportMenu"));
-    kinds->addAction(tr("Packets as &CSV…"), this, [this] { Q_EMIT exportWanted(QStringLiteral("csv")); });
-    kinds->addAction(tr("&Frames for Wireshark…"), this, [this] { Q_EMIT exportWanted(QStringLiteral("pcap")); });
+    kinds->addAction(tr("Packets as &CSV…"), this, [this] { Q_EMIT exportRequested(QStringLiteral("csv")); });
+    kinds->addAction(tr("&Frames for Wireshark…"), this, [this] { Q_EMIT exportRequested(QStringLiteral("pcap")); });
     m_export->setMenu(kinds);
     m_clear = new QToolButton(m_tools);
     m_clear->setObjectName(QStringLiteral("radioClear"));
     m_clear->setIcon(themedIcon(QStringLiteral("delete")));
-    m_clear->setToolTip(tr("Forget these packets"));
+    m_clear->setToolTip(tr("Clear the packets"));
     m_clear->setAccessibleName(m_clear->toolTip());
     m_clear->setAutoRaise(true);
     row->addWidget(m_from);
@@ -107,7 +107,7 @@ void PacketsPage::makeTools() {
     row->addWidget(m_clear);
     for (QComboBox* choice : {m_from, m_to}) connect(choice, &QComboBox::currentIndexChanged, this, &PacketsPage::applyFilter);
     connect(m_search, &QLineEdit::textChanged, this, &PacketsPage::applyFilter);
-    connect(m_clear, &QToolButton::clicked, m_model, &FrameModel::clear);
+    connect(m_clear, &QToolButton::clicked, m_model, &PacketModel::clear);
 }
 
 void PacketsPage::makeView() {
@@ -116,10 +116,10 @@ void PacketsPage::makeView() {
     const QFontMetrics metrics(m_view->font());
     const auto widthOf = [&](const char* text) { return metrics.horizontalAdvance(QLatin1String(text)) + 24; }; // and the padding of cells
     const std::pair<int, const char*> widths[] = {
-        {FrameModel::Time, "1234.567890"}, {FrameModel::From, "motes_1000"},      {FrameModel::To, "motes_1000"},
-        {FrameModel::For, "motes_10"},     {FrameModel::Channel, "26"},           {FrameModel::Bytes, "Bytes"},
-        {FrameModel::Power, "-25.0"},      {FrameModel::Rssi, "-94.0"},           {FrameModel::Lqi, "110"},
-        {FrameModel::Margin, "Margin"},    {FrameModel::Outcome, "heard another"}};
+        {PacketModel::Time, "1234.567890"}, {PacketModel::From, "motes_1000"},      {PacketModel::To, "motes_1000"},
+        {PacketModel::For, "motes_10"},     {PacketModel::Channel, "26"},           {PacketModel::Bytes, "Bytes"},
+        {PacketModel::Power, "-25.0"},      {PacketModel::Rssi, "-94.0"},           {PacketModel::Lqi, "110"},
+        {PacketModel::Margin, "Margin"},    {PacketModel::Outcome, "heard another"}};
     for (const auto& [column, text] : widths) m_view->setColumnWidth(column, widthOf(text));
     m_view->installEventFilter(this);
     m_hint = new QLabel(m_view->viewport());
@@ -132,16 +132,16 @@ void PacketsPage::makeView() {
     m_view->viewport()->installEventFilter(this);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QWidget::customContextMenuRequested, this, &PacketsPage::showMenu);
-    connect(m_view, &QTableView::doubleClicked, this, &PacketsPage::wantBudget);
+    connect(m_view, &QTableView::doubleClicked, this, &PacketsPage::requestBudget);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PacketsPage::showDetails);
 
     QScrollBar* bar = m_view->verticalScrollBar();
     connect(bar, &QScrollBar::valueChanged, this, [this, bar](int value) { m_follows = value >= bar->maximum(); });
-    connect(bar, &QScrollBar::rangeChanged, this, [this, bar] { // packets came, or the room for them changed
+    connect(bar, &QScrollBar::rangeChanged, this, [this, bar] { // packets were added, or the height changed
         if (m_follows) bar->setValue(bar->maximum());
     });
     connect(m_model, &QAbstractItemModel::rowsRemoved, this, [this, bar](const QModelIndex&, int first, int last) {
-        if (!m_follows) bar->setValue(bar->value() - (last - first + 1)); // what one reads stays where it is
+        if (!m_follows) bar->setValue(bar->value() - (last - first + 1)); // the visible rows stay in place
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
         m_follows = true;
@@ -173,18 +173,18 @@ QWidget* PacketsPage::makeDetails() {
     return m_details;
 }
 
-// ---- what comes ----
+// ---- updates ----
 
 void PacketsPage::add(LiveRadio fresh) {
-    m_fates->setCounts(fresh.expected, fresh.inTheAir, fresh.fates);
-    fitFates();
+    m_outcomes->setCounts(fresh.expected, fresh.inTheAir, fresh.outcomes);
+    fitOutcomes();
     m_model->add(std::move(fresh));
     showCounts();
 }
 
 void PacketsPage::clear() {
     m_model->clear();
-    m_fates->setCounts(0, 0, {});
+    m_outcomes->setCounts(0, 0, {});
 }
 
 void PacketsPage::setRadios(const std::vector<RadioDefinition>& radios) {
@@ -200,12 +200,12 @@ void PacketsPage::setHint(const QString& words) {
 
 void PacketsPage::applyFilter() {
     m_model->setFilter(
-        {m_from->currentData().toString(), m_to->currentData().toString(), m_fates->chosen(), m_search->text().trimmed()});
+        {m_from->currentData().toString(), m_to->currentData().toString(), m_outcomes->chosen(), m_search->text().trimmed()});
 }
 
 void PacketsPage::showCounts() {
     const auto all = qulonglong(m_model->frameCount()), shown = qulonglong(m_model->rowCount());
-    const auto gone = qulonglong(m_model->forgotten());
+    const auto gone = qulonglong(m_model->dropped());
     const QString number = QStringLiteral("%L1").arg(all), kept = gone > 0 ? tr("newest %1").arg(number) : number;
     const bool whole = shown == all;
     m_countWords.clear();
@@ -213,16 +213,17 @@ void PacketsPage::showCounts() {
     if (all > 0 && !whole)
         m_countWords = {tr("%L1 of %2 packets").arg(shown).arg(kept), tr("%L1 of %2").arg(shown).arg(kept),
                         tr("%L1 of %2").arg(shown).arg(number)};
-    m_counts->setToolTip(gone == 0 ? QString()
-                                   : tr("%L1 others are gone: the oldest, and in a flood those that were too weak.").arg(gone));
+    m_counts->setToolTip(
+        gone == 0 ? QString()
+                  : tr("%L1 others were dropped: the oldest and, under heavy traffic, those that were too weak.").arg(gone));
     fitCounts();
     m_export->setEnabled(all > 0);
     m_clear->setEnabled(all > 0);
-    m_hint->setText(all == 0 ? m_hintWords : tr("None of %L1 packets is as you want it.").arg(all));
+    m_hint->setText(all == 0 ? m_hintWords : tr("No packet of %L1 matches the filter.").arg(all));
     m_hint->setVisible(shown == 0);
 }
 
-/// In the most words that there is room for beside the other tools.
+/// Uses the longest text that fits next to the other tools.
 void PacketsPage::fitCounts() {
     int room = m_tools->width();
     for (const QWidget* tool : {static_cast<QWidget*>(m_from), static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_search),
@@ -234,32 +235,32 @@ void PacketsPage::fitCounts() {
     m_counts->setText(words != m_countWords.end() ? *words : QString());
 }
 
-/// Of the packet chosen last; the table has all the room while there is none, and in a narrow dock.
+/// Shows the current packet; hidden if there is none, and in a narrow dock.
 void PacketsPage::showDetails() {
     const QModelIndex current = m_view->currentIndex();
     const bool chosen = current.isValid() && m_view->selectionModel()->isRowSelected(current.row());
     m_details->setVisible(chosen && width() >= kRoomForDetails);
     if (!chosen) return;
     const FrameRecord& r = m_model->record(current.row());
-    const AirFrame* frame = m_model->airFrame(r);
+    const AirFrame* frame = m_model->capturedFrame(r);
     const auto payload = frame ? payloadOf(*frame, r.ack) : std::span<const std::uint8_t>();
-    const QString reason = m_model->index(current.row(), FrameModel::Reason).data().toString();
-    const QString fate = reason.isEmpty() ? fateText(r.fate) : tr("%1: %2").arg(fateText(r.fate), reason);
+    const QString reason = m_model->index(current.row(), PacketModel::Reason).data().toString();
+    const QString outcome = reason.isEmpty() ? outcomeText(r.outcome) : tr("%1: %2").arg(outcomeText(r.outcome), reason);
     m_facts->setText((r.ack ? tr("Acknowledgement of %1, %2 ▸ %3\n%4") : tr("Packet %1, %2 ▸ %3\n%4"))
                          .arg(r.sequence)
-                         .arg(m_model->nameOf(r.from), m_model->nameOf(r.to), fate));
+                         .arg(m_model->nameOf(r.from), m_model->nameOf(r.to), outcome));
     m_bytes->setVisible(!r.ack);
-    m_bytes->setPlainText(frame ? dumpOf(payload) : tr("Its bytes are not kept any more."));
+    m_bytes->setPlainText(frame ? dumpOf(payload) : tr("Its bytes are no longer stored."));
 }
 
-// ---- what one does ----
+// ---- user actions ----
 
-void PacketsPage::wantBudget() {
+void PacketsPage::requestBudget() {
     const QModelIndex current = m_view->currentIndex();
     if (!current.isValid()) return;
     const FrameRecord& r = m_model->record(current.row());
     const auto path = [&](RadioId id) { return QString::fromStdString(m_model->radios()[id].path); };
-    Q_EMIT budgetWanted(path(r.from), path(r.to), r.outputPower);
+    Q_EMIT budgetRequested(path(r.from), path(r.to), r.outputPower);
 }
 
 void PacketsPage::showMenu(const QPoint& at) {
@@ -268,7 +269,7 @@ void PacketsPage::showMenu(const QPoint& at) {
     const QModelIndex current = m_view->indexAt(at);
     if (current.isValid()) {
         const FrameRecord& r = m_model->record(current.row());
-        menu.addAction(tr("Show &Link Budget"), this, &PacketsPage::wantBudget);
+        menu.addAction(tr("Show &Link Budget"), this, &PacketsPage::requestBudget);
         const auto choose = [this](QComboBox* choice, RadioId id) {
             choice->setCurrentIndex(choice->findData(QString::fromStdString(m_model->radios()[id].path)));
         };
@@ -289,10 +290,10 @@ void PacketsPage::copySelected() {
 void PacketsPage::exportTo(const QString& path) {
     const std::string bytes = path.endsWith(QStringLiteral(".pcap"), Qt::CaseInsensitive) ? m_model->pcap() : m_model->csv();
     const Status written = writeFileAtomically(path.toStdString(), bytes);
-    Q_EMIT said(written ? tr("Wrote %1").arg(path) : QString::fromStdString(written.error().message));
+    Q_EMIT messageRequested(written ? tr("Wrote %1").arg(path) : QString::fromStdString(written.error().message));
 }
 
-/// The window's own Copy and Select All are of objects; here they are of packets.
+/// The window's Copy and Select All apply to objects; with the focus here they apply to packets.
 bool PacketsPage::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_tools && event->type() == QEvent::Resize) fitCounts();
     if (watched == m_view->viewport() && event->type() == QEvent::Resize) m_hint->setGeometry(m_view->viewport()->rect());
@@ -307,20 +308,20 @@ bool PacketsPage::eventFilter(QObject* watched, QEvent* event) {
             if (copies) copySelected();
             else if (selects) m_view->selectAll();
             else if (leaves) m_view->clearSelection();
-            else wantBudget();
+            else requestBudget();
             return true;
         }
     }
     return QWidget::eventFilter(watched, event);
 }
 
-/// What is least needed goes first where a dock is small.
-void PacketsPage::fitFates() {
-    m_fates->setVisible(height() - m_fates->sizeHint().height() >= kRoomForFrames || m_fates->chosen().any());
+/// Hides the least important controls first in a small dock.
+void PacketsPage::fitOutcomes() {
+    m_outcomes->setVisible(height() - m_outcomes->sizeHint().height() >= kRoomForFrames || m_outcomes->chosen().any());
 }
 
 void PacketsPage::resizeEvent(QResizeEvent*) {
-    fitFates();
+    fitOutcomes();
     m_export->setToolButtonStyle(width() >= kRoomForDetails ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     showDetails();
 }

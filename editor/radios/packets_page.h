@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "editor/radios/frame_model.h"
+#include "editor/radios/packet_model.h"
 
 class QComboBox;
 class QLabel;
@@ -12,31 +12,31 @@ class QToolButton;
 
 namespace trundle {
 
-class FateBar;
+class OutcomeBar;
 
-/// The frames of a run as they fly, newest last; follows the end until one scrolls up.
+/// The frames of a run, newest last. Scrolls to the end unless the user has scrolled up.
 class PacketsPage final : public QWidget {
     Q_OBJECT
 public:
     explicit PacketsPage(QWidget* parent = nullptr);
 
-    [[nodiscard]] FrameModel& model() { return *m_model; }
-    [[nodiscard]] QWidget* tools() { return m_tools; } ///< its row of controls, to be put where there is room
+    [[nodiscard]] PacketModel& model() { return *m_model; }
+    [[nodiscard]] QWidget* tools() { return m_tools; } ///< its row of controls; the caller inserts it into a layout
     void add(LiveRadio fresh);
     void clear();
-    /// Radios to choose from.
+    /// Sets the radios of the filter.
     void setRadios(const std::vector<RadioDefinition>& radios);
-    /// What stands in place of packets while there are none.
+    /// Text shown while there are no packets.
     void setHint(const QString& words);
-    /// As the file's ending says: .pcap, else CSV.
+    /// The format follows from the file's extension: .pcap, else CSV.
     void exportTo(const QString& path);
     void copySelected();
 
 Q_SIGNALS:
-    void budgetWanted(const QString& from, const QString& to, double power);
-    /// Where to is to be asked; `ending` is "csv" or "pcap".
-    void exportWanted(const QString& ending);
-    void said(const QString& text);
+    void budgetRequested(const QString& from, const QString& to, double power);
+    /// Requests to ask for a file; `ending` is "csv" or "pcap".
+    void exportRequested(const QString& ending);
+    void messageRequested(const QString& text);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,23 +50,23 @@ private:
     void applyFilter();
     void showCounts();
     void fitCounts();
-    void fitFates();
+    void fitOutcomes();
     void showDetails();
     void showMenu(const QPoint& at);
-    void wantBudget();
+    void requestBudget();
 
-    FrameModel* m_model;
+    PacketModel* m_model;
     QWidget *m_tools = nullptr, *m_details = nullptr;
     QComboBox *m_from = nullptr, *m_to = nullptr;
     QLineEdit* m_search = nullptr;
     QLabel *m_counts = nullptr, *m_hint = nullptr, *m_facts = nullptr;
     QToolButton *m_export = nullptr, *m_clear = nullptr;
-    FateBar* m_fates;
+    OutcomeBar* m_outcomes;
     QTableView* m_view = nullptr;
     QPlainTextEdit* m_bytes = nullptr;
     QString m_hintWords;
-    QStringList m_countWords; ///< how many packets there are, in ever fewer words
-    bool m_follows = true;    ///< the end
+    QStringList m_countWords; ///< the packet count in ever shorter texts
+    bool m_follows = true;    ///< scrolls to new rows
 };
 
 } // namespace trundle

@@ -19,7 +19,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kPauseMs = 120; // about eight times a second
+constexpr int kPauseMs = 120; // about eight updates a second
 constexpr int kRoomForOneRow = 720;
 
 } // namespace
@@ -42,18 +42,18 @@ RadiosPanel::RadiosPanel(Document& document, Selection& selection, RunSession& s
 
     m_next.setSingleShot(true);
     m_next.setInterval(kPauseMs);
-    connect(&m_next, &QTimer::timeout, this, &RadiosPanel::look);
+    connect(&m_next, &QTimer::timeout, this, &RadiosPanel::updatePages);
     connect(&document, &Document::opened, this, [this] {
         m_packets->clear();
         m_expected = 0;
     });
-    connect(&document, &Document::changed, this, &RadiosPanel::outdate);
-    connect(&session, &RunSession::experimentChanged, this, &RadiosPanel::outdate);
-    connect(&session, &RunSession::stateChanged, this, &RadiosPanel::outdate);
-    connect(&session, &RunSession::advanced, this, &RadiosPanel::outdate);
+    connect(&document, &Document::changed, this, &RadiosPanel::markStale);
+    connect(&session, &RunSession::experimentChanged, this, &RadiosPanel::markStale);
+    connect(&session, &RunSession::stateChanged, this, &RadiosPanel::markStale);
+    connect(&session, &RunSession::advanced, this, &RadiosPanel::markStale);
     connect(&selection, &Selection::changed, this, [this] {
         m_chosen = false;
-        outdate();
+        markStale();
     });
     follow();
 }
@@ -65,7 +65,7 @@ QWidget* RadiosPanel::makeWork() {
     m_budget->setLastPower([this](const QString& radio) { return m_packets->model().lastPower(radio); });
     m_tabs = new QTabBar;
     m_tabs->setObjectName(QStringLiteral("radioPages"));
-    m_tabs->setAccessibleName(tr("What is shown of the radios"));
+    m_tabs->setAccessibleName(tr("What the panel shows"));
     m_tabs->setExpanding(false);
     m_tabs->addTab(tr("Packets"));
     m_tabs->addTab(tr("Link Budget"));
@@ -91,38 +91,38 @@ QWidget* RadiosPanel::makeWork() {
         m_parts->setCurrentIndex(page);
         m_budget->refresh();
     });
-    connect(m_packets, &PacketsPage::budgetWanted, this, [this](const QString& from, const QString& to, double power) {
+    connect(m_packets, &PacketsPage::budgetRequested, this, [this](const QString& from, const QString& to, double power) {
         m_budget->choose(from, to, power);
         showPage(Budget);
     });
-    connect(m_packets, &PacketsPage::exportWanted, this, &RadiosPanel::askAndExport);
-    connect(m_packets, &PacketsPage::said, this, &RadiosPanel::said);
+    connect(m_packets, &PacketsPage::exportRequested, this, &RadiosPanel::askAndExport);
+    connect(m_packets, &PacketsPage::messageRequested, this, &RadiosPanel::messageRequested);
     return work;
 }
 
 void RadiosPanel::showPage(Page page) { m_tabs->setCurrentIndex(page); }
 
-// ---- when ----
+// ---- update schedule ----
 
 bool RadiosPanel::isSeen() const { return isVisible() && !visibleRegion().isEmpty(); }
 
-void RadiosPanel::outdate() {
+void RadiosPanel::markStale() {
     m_stale = true;
     if (!m_next.isActive() && isSeen()) m_next.start();
 }
 
-void RadiosPanel::look() {
+void RadiosPanel::updatePages() {
     if (!m_stale || !isSeen()) return;
     m_stale = false;
     follow();
 }
 
 void RadiosPanel::showEvent(QShowEvent*) {
-    m_session.wantRadio(true);
-    outdate();
+    m_session.setRadioEnabled(true);
+    markStale();
 }
 
-void RadiosPanel::hideEvent(QHideEvent*) { m_session.wantRadio(false); }
+void RadiosPanel::hideEvent(QHideEvent*) { m_session.setRadioEnabled(false); }
 
 void RadiosPanel::resizeEvent(QResizeEvent*) {
     const bool narrow = width() < kRoomForOneRow;
@@ -130,12 +130,12 @@ void RadiosPanel::resizeEvent(QResizeEvent*) {
     m_top->setSpacing(narrow ? 2 : 10);
 }
 
-/// Come out from behind another tab.
+/// Updates when the panel becomes visible behind another tab.
 void RadiosPanel::paintEvent(QPaintEvent*) {
     if (m_stale && !m_next.isActive()) m_next.start();
 }
 
-// ---- what ----
+// ---- content ----
 
 void RadiosPanel::follow() {
     const bool runs = m_session.experiment() && m_session.poses();
@@ -179,7 +179,7 @@ void RadiosPanel::fetchPackets() {
         m_expected = fresh.expected;
         if (fresh.radios && fresh.radios != m_runRadios) {
             m_runRadios = fresh.radios;
-            if (m_runRadios->size() != m_nodes->all().size()) { // a module's devices have radios too
+            if (m_runRadios->size() != m_nodes->all().size()) { // modules' devices may have radios too
                 m_packets->setRadios(*m_runRadios);
                 m_pages->setCurrentIndex(1);
             }
@@ -191,14 +191,14 @@ void RadiosPanel::fetchPackets() {
 
 void RadiosPanel::showHint() {
     const RunState state = m_session.state();
-    if (state == RunState::Start) m_packets->setHint(tr("Run the experiment (F5): packets appear here as they fly."));
+    if (state == RunState::Start) m_packets->setHint(tr("Run the experiment (F5): packets appear here as they are sent."));
     else if (state == RunState::Ended && m_expected > 0)
-        m_packets->setHint(tr("Packets are kept while this panel is open. Run again (F5) to see them."));
-    else if (m_expected > 0) m_packets->setHint(tr("Packets are kept while this panel is open. Those to come appear here."));
-    else m_packets->setHint(tr("No packet has flown yet."));
+        m_packets->setHint(tr("Packets are recorded while this panel is open. Run again (F5) to see them."));
+    else if (m_expected > 0) m_packets->setHint(tr("Packets are recorded while this panel is open. New packets appear here."));
+    else m_packets->setHint(tr("No packet was sent yet."));
 }
 
-/// Two radios, or what carries them, are the ends of a link: the first one sends.
+/// If two radios, or objects that carry radios, are selected, shows their link; the first one is the sender.
 void RadiosPanel::followSelection() {
     if (!m_nodes || std::exchange(m_chosen, true)) return;
     std::vector<QString> ends;

@@ -1,5 +1,5 @@
 #pragma once
-// The Radio dock: packets of the run as they fly, and the link between any two radios.
+// The Radio dock: packets of the run, and the link budget between any two radios.
 
 #include <memory>
 
@@ -23,24 +23,24 @@ class PacketsPage;
 class RunSession;
 class Selection;
 
-/// Packets are kept while this is open, also behind another tab; they are fetched while it is seen, some times a second. Nothing here
-/// reaches the run: it looks at what it gives out.
+/// Packets are recorded while the dock is open, also behind another tab; they are fetched while it is visible, some times a
+/// second. The panel only reads data published by the run.
 class RadiosPanel final : public QWidget {
     Q_OBJECT
 public:
     enum Page { Packets, Budget };
 
-    /// All outlive this.
+    /// All must outlive this object.
     RadiosPanel(Document& document, Selection& selection, RunSession& session, QWidget* parent = nullptr);
 
     [[nodiscard]] PacketsPage& packets() { return *m_packets; }
     [[nodiscard]] BudgetPage& budget() { return *m_budget; }
     void showPage(Page page);
-    /// What is seen of it is as things stand now.
+    /// The visible content is up to date. For tests.
     [[nodiscard]] bool isSettled() const { return !m_stale || !isSeen(); }
 
 Q_SIGNALS:
-    void said(const QString& text);
+    void messageRequested(const QString& text);
 
 protected:
     void showEvent(QShowEvent*) override;
@@ -50,8 +50,8 @@ protected:
 
 private:
     QWidget* makeWork();
-    void outdate();
-    void look();
+    void markStale();
+    void updatePages();
     void follow();
     void useExperiment(std::shared_ptr<const ExperimentSpec> experiment);
     void placeNodes();
@@ -65,13 +65,13 @@ private:
     Selection& m_selection;
     RunSession& m_session;
     std::shared_ptr<const ExperimentSpec> m_experiment;
-    std::shared_ptr<const ObjectIndex> m_objects; ///< where walls take something away
+    std::shared_ptr<const ObjectIndex> m_objects; ///< for attenuation by walls
     std::shared_ptr<RadioNodes> m_nodes;
     std::shared_ptr<const std::vector<RadioDefinition>> m_runRadios;
     QTimer m_next;
-    bool m_chosen = false;        ///< what is selected was looked at
-    bool m_stale = true;          ///< something happened since look()
-    std::uint64_t m_expected = 0; ///< frames so far, seen or not
+    bool m_chosen = false;        ///< the selection has been applied to the link
+    bool m_stale = true;          ///< something changed since updatePages()
+    std::uint64_t m_expected = 0; ///< number of frames so far, fetched or not
 
     QStackedWidget *m_pages = nullptr, *m_tools = nullptr, *m_parts = nullptr;
     QLabel* m_empty = nullptr;

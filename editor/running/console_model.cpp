@@ -23,7 +23,7 @@ QString robotOf(const QString& who) { return who.left(who.indexOf(u'/')); }
 
 } // namespace
 
-/// What was said in several lines stands in several lines.
+/// A message with line breaks becomes several lines.
 void ConsoleModel::add(const LiveLine& line, std::deque<Line>& out) {
     const QString who = QString::fromStdString(line.who);
     QString text = QString::fromStdString(line.text);
@@ -75,9 +75,9 @@ void ConsoleModel::append(const std::vector<LiveLine>& lines, quint64 dropped) {
                          tr("… %1 lines were not shown: there were too many at once").arg(dropped),
                          TRUNDLE_WARNING});
     for (const LiveLine& line : lines) add(line, fresh);
-    if (fresh.size() > kMostLines) fresh.erase(fresh.begin(), fresh.end() - static_cast<std::ptrdiff_t>(kMostLines));
-    if (m_lines.size() + fresh.size() > kMostLines)
-        forgetOldest(std::min(m_lines.size(), m_lines.size() + fresh.size() - kMostLines));
+    if (fresh.size() > kMaxLines) fresh.erase(fresh.begin(), fresh.end() - static_cast<std::ptrdiff_t>(kMaxLines));
+    if (m_lines.size() + fresh.size() > kMaxLines)
+        forgetOldest(std::min(m_lines.size(), m_lines.size() + fresh.size() - kMaxLines));
 
     std::deque<std::uint64_t> shown;
     for (std::size_t i = 0; i < fresh.size(); ++i)

@@ -11,23 +11,22 @@
 
 namespace trundle {
 
-/// The last 100,000 lines of the console, and which of them are shown. Lines come in batches; the oldest go.
+/// The last 100,000 lines of the console, filtered. Lines are added in batches; the oldest are dropped.
 class ConsoleModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { Time, Who, Text, Columns };
-    static constexpr std::size_t kMostLines = 100'000;
+    static constexpr std::size_t kMaxLines = 100'000;
 
     using QAbstractTableModel::QAbstractTableModel;
 
     void append(const std::vector<LiveLine>& lines, quint64 dropped);
     void clear();
-    /// Lines of one robot, its devices among them ("": all; kRunItself: those of nobody), that hold a text, upper and lower case
-    /// alike.
+    /// Filters by robot, including its devices ("": all; kRunItself: lines without a robot), and by a text, case-insensitively.
     void setFilter(const QString& robot, const QString& text);
     static inline const QString kRunItself = QStringLiteral("\n");
 
-    [[nodiscard]] const QStringList& robots() const { return m_robots; } ///< that said something, in the order they spoke up
+    [[nodiscard]] const QStringList& robots() const { return m_robots; } ///< robots with lines, in the order of their first line
     [[nodiscard]] std::size_t lineCount() const { return m_lines.size(); }
     [[nodiscard]] QString copyText(const QModelIndexList& rows) const;
 
@@ -52,10 +51,10 @@ private:
     [[nodiscard]] const Line& line(int row) const { return m_lines[m_shown[static_cast<std::size_t>(row)] - m_first]; }
 
     std::deque<Line> m_lines;
-    std::uint64_t m_first = 0;         // number of m_lines[0]; numbers are never used twice
-    std::deque<std::uint64_t> m_shown; // numbers, rising
+    std::uint64_t m_first = 0;         // number of m_lines[0]; numbers are never reused
+    std::deque<std::uint64_t> m_shown; // numbers, ascending
     QStringList m_robots;
-    QSet<QString> m_known; // the same
+    QSet<QString> m_known; // the same as m_robots
     QString m_robot, m_text;
 };
 

@@ -97,7 +97,7 @@ void ConsolePanel::makeView() {
         menu.exec(m_view->viewport()->mapToGlobal(at));
     });
 
-    // Whoever looks at the end goes on looking at it, also where the panel gets lower.
+    // If the end is visible it stays visible, also when the panel's height changes.
     QScrollBar* const bar = m_view->verticalScrollBar();
     connect(bar, &QScrollBar::valueChanged, this, [this, bar](int value) { m_follows = value >= bar->maximum(); });
     connect(bar, &QScrollBar::rangeChanged, this, [this, bar] {
@@ -105,7 +105,7 @@ void ConsolePanel::makeView() {
     });
     connect(m_model, &QAbstractItemModel::rowsInserted, this, &ConsolePanel::follow);
     connect(m_model, &QAbstractItemModel::rowsRemoved, this, [this, bar](const QModelIndex&, int first, int last) {
-        if (!m_follows) bar->setValue(bar->value() - (last - first + 1)); // what one reads stays where it is
+        if (!m_follows) bar->setValue(bar->value() - (last - first + 1)); // the visible lines stay in place
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
         m_follows = true;
@@ -147,7 +147,7 @@ void ConsolePanel::copySelected() {
 
 void ConsolePanel::clear() { m_model->clear(); }
 
-/// The window's own Copy and Select All are of objects; here they are of lines.
+/// The window's Copy and Select All apply to objects; with the focus here they apply to lines.
 bool ConsolePanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_view && (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)) {
         auto* key = static_cast<QKeyEvent*>(event);

@@ -11,7 +11,7 @@ namespace trundle {
 class ConsoleModel;
 class RunSession;
 
-/// What controllers, devices and the run itself say. Follows the newest line until one scrolls up.
+/// Messages of controllers, devices and the run itself. Scrolls to the newest line unless the user has scrolled up.
 class ConsolePanel final : public QWidget {
     Q_OBJECT
 public:

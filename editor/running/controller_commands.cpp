@@ -10,13 +10,13 @@ namespace trundle {
 namespace {
 
 const QString kRecent = QStringLiteral("recentModules");
-constexpr int kMostRecent = 10;
+constexpr int kMaxRecent = 10;
 
 void remember(const QString& library) {
     QStringList list = QSettings().value(kRecent).toStringList();
     list.removeAll(library);
     list.prepend(library);
-    QSettings().setValue(kRecent, list.mid(0, kMostRecent));
+    QSettings().setValue(kRecent, list.mid(0, kMaxRecent));
 }
 
 } // namespace
@@ -26,18 +26,18 @@ ControllerCommands::ControllerCommands(Document& document, RunSession& session, 
     applyTrust();
 }
 
-bool ControllerCommands::refuse(const QString& reason) {
+bool ControllerCommands::reject(const QString& reason) {
     Q_EMIT refused(reason);
     return false;
 }
 
-/// A refused edit was said by the document.
-bool ControllerCommands::answer(const Status& status) { return status.ok(); }
+/// The document has already reported a failure.
+bool ControllerCommands::isDone(const Status& status) { return status.ok(); }
 
-/// Of the modules, which are no objects: what is selected stays.
+/// Edits modules, which are not objects: the selection is kept.
 bool ControllerCommands::edit(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey) {
-    if (!plan) return refuse(QString::fromStdString(plan.error().message));
-    return answer(m_document.edit(name, plan.value().edits, mergeKey));
+    if (!plan) return reject(QString::fromStdString(plan.error().message));
+    return isDone(m_document.edit(name, plan.value().edits, mergeKey));
 }
 
 void ControllerCommands::applyTrust() {
@@ -51,13 +51,13 @@ void ControllerCommands::applyTrust() {
 
 std::vector<ModuleInfo> ControllerCommands::modules() const {
     if (!m_document.loaded()) return {};
-    return modulesOf(*m_document.loaded(), m_document.options(), m_session.parts().locations());
+    return modulesOf(*m_document.loaded(), m_document.options(), m_session.application().locations());
 }
 
 std::vector<ControllerChoice> ControllerCommands::choices() const {
     if (!m_document.loaded()) return {};
-    OpenOptions own; // of the program's modules alone: another folder may hold thousands of files
-    return controllerChoices(*m_document.loaded(), m_session.parts().moduleKinds(own), m_session.parts().locations());
+    OpenOptions own; // only the program's modules: other folders may have thousands of files
+    return controllerChoices(*m_document.loaded(), m_session.application().moduleKinds(own), m_session.application().locations());
 }
 
 QStringList ControllerCommands::recent() {
@@ -67,10 +67,10 @@ QStringList ControllerCommands::recent() {
     return there;
 }
 
-/// The program's own, a trusted folder's, or one that is trusted from now on.
-bool ControllerCommands::mayRun(const QString& library) {
+/// Whether a library is in the program's folder or a trusted one; otherwise asks the user to trust its folder.
+bool ControllerCommands::isTrusted(const QString& library) {
     const OpenOptions& options = m_document.options();
-    DirectoryCatalog catalog({options.modules, m_session.parts().locations().modules, {}, options.trust});
+    DirectoryCatalog catalog({options.modules, m_session.application().locations().modules, {}, options.trust});
     const QString folder = QFileInfo(library).absolutePath();
     if (catalog.find(library.toStdString(), folder.toStdString())) return true;
     if (!m_ask || !m_ask(library, folder)) return false;
@@ -80,16 +80,16 @@ bool ControllerCommands::mayRun(const QString& library) {
 }
 
 bool ControllerCommands::load(const QString& library) {
-    if (!m_document.isOpen()) return refuse(tr("Open an experiment first."));
+    if (!m_document.isOpen()) return reject(tr("Open an experiment first."));
     const QFileInfo file(library);
-    DirectoryCatalog open({{}, {}, {}, true}); // looks at the file, runs nothing
+    DirectoryCatalog open({{}, {}, {}, true}); // reads descriptions, loads no module
     const Result<ModuleListing> found = open.find(file.absoluteFilePath().toStdString(), file.absolutePath().toStdString());
-    if (!found) return refuse(QString::fromStdString(found.error().message));
+    if (!found) return reject(QString::fromStdString(found.error().message));
     const std::string& path = found.value().library;
-    if (!mayRun(QString::fromStdString(path))) return false;
-    const std::string written = writtenFor(path, *m_document.loaded(), m_session.parts().locations(), m_given);
+    if (!isTrusted(QString::fromStdString(path))) return false;
+    const std::string written = writtenFor(path, *m_document.loaded(), m_session.application().locations(), m_given);
     for (const ModuleInfo& module : modules())
-        if (module.library == path) return refuse(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
+        if (module.library == path) return reject(tr("%1 is loaded already.").arg(QString::fromStdString(module.written)));
     if (!edit(tr("Load Module %1").arg(QString::fromStdString(written)), planLoadModule(*m_document.loaded(), written)))
         return false;
     remember(QString::fromStdString(path));
@@ -97,8 +97,8 @@ bool ControllerCommands::load(const QString& library) {
 }
 
 bool ControllerCommands::trust(const ModuleInfo& module) {
-    if (module.library.empty()) return refuse(module.trouble);
-    return mayRun(QString::fromStdString(module.library));
+    if (module.library.empty()) return reject(module.trouble);
+    return isTrusted(QString::fromStdString(module.library));
 }
 
 bool ControllerCommands::unload(const ModuleInfo& module) {
@@ -122,16 +122,15 @@ bool ControllerCommands::assign(const std::vector<std::string>& robots, const Co
     m_document.endMerge();
     if (!choice.module.empty() && !edit(name, planLoadModule(*m_document.loaded(), choice.module), key)) return false;
     const Kind* kind = m_document.loaded()->registry->find(choice.kind.name);
-    const bool done =
-        answer(m_document.carryOut(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key));
-    if (!done) m_document.withdraw(key); // a module that nobody uses was not asked for
+    const bool done = isDone(m_document.apply(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key));
+    if (!done) m_document.discardMerge(key); // undo the #loadModule if the assignment failed
     m_document.endMerge();
     return done;
 }
 
 bool ControllerCommands::unassign(const std::vector<std::string>& robots) {
     if (!m_document.loaded()) return false;
-    return answer(m_document.carryOut(tr("Remove Controller"), planUnassign(*m_document.loaded(), robots)));
+    return isDone(m_document.apply(tr("Remove Controller"), planUnassign(*m_document.loaded(), robots)));
 }
 
 } // namespace trundle

@@ -24,7 +24,7 @@ bool askForTrust(const QString& library, const QString& folder, QWidget* parent)
     box.setObjectName(QStringLiteral("trustQuestion"));
     box.setInformativeText(
         tr("%1 is a program. It runs inside Trundle, with all your rights: it can read and change your files, and a fault in "
-           "it can end Trundle. Trust the folder only if you know who made what lies in it. Modules below it are trusted too, "
+           "it can end Trundle. Trust the folder only if you know who made its contents. Modules below it are trusted too, "
            "from "
            "now on; Preferences list the trusted folders.")
             .arg(QFileInfo(library).fileName()));

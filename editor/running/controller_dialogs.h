@@ -7,9 +7,9 @@ class QWidget;
 
 namespace trundle {
 
-/// Whether modules of a folder may run. Says what that means.
+/// Asks whether modules of a folder may run, and explains the risk.
 [[nodiscard]] bool askForTrust(const QString& library, const QString& folder, QWidget* parent);
-/// Index of the chosen controller; -1: none.
+/// Asks for a controller. Returns its index; -1: none.
 [[nodiscard]] int chooseController(const std::vector<ControllerChoice>& choices, const std::vector<std::string>& robots,
                                    QWidget* parent);
 

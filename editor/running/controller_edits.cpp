@@ -8,8 +8,8 @@
 #include "lang/tree_edit.h"
 #include "model/outline.h"
 #include "project/import_lines.h"
+#include "project/import_path.h"
 #include "project/search.h"
-#include "project/written_path.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Part* instanceAt(const Loaded& loaded, std::string_view path) {
+const Part* instanceAt(const LoadedProject& loaded, std::string_view path) {
     const Part* part = loaded.outline->world.find(std::string(path));
     if (!part) part = layoutOfMember(*loaded.outline, path);
     return part && (part->is(Role::Instance) || part->is(Role::Layout)) && part->kind->name != "Static" ? part : nullptr;
@@ -28,7 +28,7 @@ const Part* controllerOf(const Part& robot) {
     return it == robot.parts.end() ? nullptr : &*it;
 }
 
-/// Whatever the old property may hold means the same in the new one.
+/// Whether every valid value of the old property is valid for the new one and means the same.
 bool carriesOver(const Property* from, const Property* to) {
     if (!from || !to || from->type != to->type || from->unit != to->unit || from->choices != to->choices) return false;
     const bool low = to->minimum < from->minimum || (to->minimum == from->minimum && (from->minExclusive || !to->minExclusive));
@@ -37,13 +37,13 @@ bool carriesOver(const Property* from, const Property* to) {
 }
 
 /// "Wander brain { Speed=0.4 }" from "RandomDrive brain { Speed=0.4 Period=1 }".
-std::string replacement(const Loaded& loaded, const Part& robot, const Part& old, const Kind& kind) {
+std::string replacement(const LoadedProject& loaded, const Part& robot, const Part& old, const Kind& kind) {
     std::string text = templateOf(loaded, kind, robot.name);
     const std::size_t open = text.find('{'), close = text.rfind('}');
     if (open == std::string::npos || close == std::string::npos) return text;
     std::string inside;
     const std::string required = text.substr(open + 1, close - open - 1);
-    for (const PlacedAssignment& a : old.assignments.all()) {
+    for (const SourceAssignment& a : old.assignments.all()) {
         const bool kept = a.path.size() == 1 && old.kind && carriesOver(old.kind->find(a.key), kind.find(a.key));
         const bool given = required.find(a.key + "=") != std::string::npos || required.find(a.key + " =") != std::string::npos;
         if (kept && !given) inside += " " + a.key + "=" + std::string(loaded.outline->texts().slice(a.valueRange()));
@@ -69,7 +69,7 @@ void join(EditPlan& plan, EditPlan more) {
 
 } // namespace
 
-std::vector<ControlledRobot> controlledRobots(const Loaded& loaded) {
+std::vector<ControlledRobot> controlledRobots(const LoadedProject& loaded) {
     std::vector<ControlledRobot> robots;
     for (const Part* part : loaded.outline->world.all()) {
         if (!instanceAt(loaded, part->name)) continue;
@@ -87,7 +87,7 @@ std::vector<ControlledRobot> controlledRobots(const Loaded& loaded) {
     return robots;
 }
 
-std::vector<std::string> robotsAmong(const Loaded& loaded, const std::vector<std::string>& paths) {
+std::vector<std::string> robotsAmong(const LoadedProject& loaded, const std::vector<std::string>& paths) {
     std::vector<std::string> robots;
     for (const std::string& path : paths) {
         const Part* part = instanceAt(loaded, path.substr(0, path.find('.')));
@@ -96,7 +96,7 @@ std::vector<std::string> robotsAmong(const Loaded& loaded, const std::vector<std
     return robots;
 }
 
-std::vector<ControllerChoice> controllerChoices(const Loaded& loaded, const std::vector<Kind>& moduleKinds,
+std::vector<ControllerChoice> controllerChoices(const LoadedProject& loaded, const std::vector<Kind>& moduleKinds,
                                                 const Locations& places) {
     std::vector<ControllerChoice> choices;
     std::set<std::string> known;
@@ -109,7 +109,7 @@ std::vector<ControllerChoice> controllerChoices(const Loaded& loaded, const std:
     return choices;
 }
 
-Result<EditPlan> planAssign(const Loaded& loaded, const std::vector<std::string>& robots, const Kind& controller) {
+Result<EditPlan> planAssign(const LoadedProject& loaded, const std::vector<std::string>& robots, const Kind& controller) {
     if (robots.empty()) return Error{Code::UnknownReference, "no robot is selected"};
     EditPlan plan;
     for (const std::string& name : robots) {
@@ -134,7 +134,7 @@ Result<EditPlan> planAssign(const Loaded& loaded, const std::vector<std::string>
     return plan;
 }
 
-Result<EditPlan> planUnassign(const Loaded& loaded, const std::vector<std::string>& robots) {
+Result<EditPlan> planUnassign(const LoadedProject& loaded, const std::vector<std::string>& robots) {
     std::vector<std::string> paths;
     for (const std::string& name : robots)
         if (const Part* robot = instanceAt(loaded, name))
@@ -142,11 +142,11 @@ Result<EditPlan> planUnassign(const Loaded& loaded, const std::vector<std::strin
     if (paths.empty())
         return Error{Code::UnknownReference, robots.empty() ? "no robot is selected" : "there is no controller to remove"};
     Result<EditPlan> plan = planRemove(loaded, paths);
-    if (plan) plan.value().selects = robots; // which may be given another one at once
+    if (plan) plan.value().selects = robots; // the user may assign another controller next
     return plan;
 }
 
-Result<EditPlan> planLoadModule(const Loaded& loaded, const std::string& written) {
+Result<EditPlan> planLoadModule(const LoadedProject& loaded, const std::string& written) {
     Result<std::vector<TextEdit>> edits = editsForImports(loaded, 0, {"#loadModule " + written});
     if (!edits) return edits.error();
     if (edits.value().empty()) return Error{Code::DuplicateName, "the module " + written + " is loaded already"};
@@ -155,7 +155,7 @@ Result<EditPlan> planLoadModule(const Loaded& loaded, const std::string& written
     return plan;
 }
 
-Result<EditPlan> planUnloadModule(const Loaded& loaded, const ModuleInfo& module) {
+Result<EditPlan> planUnloadModule(const LoadedProject& loaded, const ModuleInfo& module) {
     if (!module.usedBy.empty())
         return Error{Code::UnknownReference, module.usedBy + " has a kind of " + module.written + "; take that out first"};
     const FileId file = module.range.file;
@@ -169,7 +169,7 @@ Result<EditPlan> planUnloadModule(const Loaded& loaded, const ModuleInfo& module
     return plan;
 }
 
-std::string writtenFor(const std::string& library, const Loaded& loaded, const Locations& places,
+std::string writtenFor(const std::string& library, const LoadedProject& loaded, const Locations& places,
                        const std::vector<std::string>& moduleFolders) {
     const fs::path path = fs::path(library).lexically_normal();
     std::string stem = path.stem().string();
@@ -177,7 +177,7 @@ std::string writtenFor(const std::string& library, const Loaded& loaded, const L
     const std::string plain = (path.parent_path() / stem).generic_string();
     const std::string own = loaded.paths.empty() ? std::string() : fs::path(loaded.paths[0]).parent_path().string();
     if (const auto below = pathBelow(plain, std::array{places.modules, own})) return *below;
-    if (!own.empty() && pathBelow(plain, std::array{loaded.projectFolder})) { // as a catalog looks for it: from the file's folder
+    if (!own.empty() && pathBelow(plain, std::array{loaded.projectFolder})) { // relative to the opened file, as modules are resolved
         const fs::path there = fs::path(canonicalPath(path.parent_path().string())) / stem;
         return there.lexically_relative(canonicalPath(own)).generic_string();
     }

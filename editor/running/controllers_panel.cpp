@@ -24,7 +24,7 @@
 namespace trundle {
 namespace {
 
-/// A column that is as wide as its text ends well before the next one begins.
+/// Adds space between the columns.
 class SpacedColumns final : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -57,7 +57,7 @@ QToolButton* textButton(const char* name, const QString& text, const QString& ti
     return made;
 }
 
-/// With a short text: the menus, which take the long one, do not say where it is pressed.
+/// A tool button with a short text; menus show the action's full text, since they lack the context of the panel.
 QToolButton* actionButton(QAction& action, const QString& text) {
     action.setIconText(text);
     auto* made = new QToolButton;
@@ -67,7 +67,7 @@ QToolButton* actionButton(QAction& action, const QString& text) {
     return made;
 }
 
-/// The list's own header says what is in it: a title would take the room of the buttons.
+/// Without a dock title: the list's header describes it, and the title's room is needed for the buttons.
 QWidget* withTools(QTreeWidget* list, const QList<QWidget*>& tools) {
     auto* box = new QWidget;
     auto* column = new QVBoxLayout(box);
@@ -111,7 +111,7 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
     connect(&document, &Document::changed, this, &ControllersPanel::refresh);
     connect(&document, &Document::opened, this, [this] {
         refresh();
-        if (!m_notice->isHidden()) Q_EMIT attentionWanted();
+        if (!m_notice->isHidden()) Q_EMIT attentionRequested();
     });
     connect(&session, &RunSession::stateChanged, this, &ControllersPanel::showStates);
     connect(&selection, &Selection::changed, this, &ControllersPanel::showButtons);
@@ -130,7 +130,7 @@ QWidget* ControllersPanel::makeModules() {
     load->setMenu(m_recent);
     load->setPopupMode(QToolButton::MenuButtonPopup);
     connect(m_recent, &QMenu::aboutToShow, this, &ControllersPanel::showRecent);
-    m_unload = textButton("moduleUnload", tr("Unload"), tr("Take the line that loads the module out of the text"));
+    m_unload = textButton("moduleUnload", tr("Unload"), tr("Remove the line that loads the module from the text"));
     m_trust = textButton("moduleTrust", tr("Trust…"), tr("Allow the modules of this folder to run"));
     QToolButton* reload = actionButton(m_actions.at("controllers.reload"), tr("Reload"));
     connect(m_unload, &QToolButton::clicked, this, [this] {
@@ -151,7 +151,7 @@ QWidget* ControllersPanel::makeRobots() {
     m_robots = table("robotControllers", {tr("Robot"), tr("Controller"), tr("State")});
     m_robots->setSelectionMode(QAbstractItemView::ExtendedSelection);
     for (const int column : {0, 1}) m_robots->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    m_robots->header()->setResizeContentsPrecision(0); // of a swarm those that are seen
+    m_robots->header()->setResizeContentsPrecision(0); // measures only visible rows, since a swarm has many
     connect(m_robots, &QTreeWidget::itemSelectionChanged, this, [this] {
         std::vector<std::string> paths;
         for (const QTreeWidgetItem* item : m_robots->selectedItems())
@@ -209,7 +209,7 @@ void ControllersPanel::showRecent() {
     m_recent->setToolTipsVisible(true);
 }
 
-// ---- what is shown ----
+// ---- display ----
 
 void ControllersPanel::refresh() {
     refreshModules();
@@ -236,12 +236,12 @@ void ControllersPanel::refreshModules() {
     }
     if (m_modules->topLevelItemCount() > 0)
         m_modules->setCurrentItem(m_modules->topLevelItem(std::clamp(row, 0, m_modules->topLevelItemCount() - 1)));
-    if (m_notice->isHidden() && !untrusted.isEmpty()) { // it just came up: Trust… is offered for the module it is about
+    if (m_notice->isHidden() && !untrusted.isEmpty()) { // newly shown: Trust… must refer to the module in the notice
         const auto first = std::ranges::find(m_infos, false, &ModuleInfo::trusted) - m_infos.begin();
         m_modules->setCurrentItem(m_modules->topLevelItem(static_cast<int>(first)));
     }
     m_notice->setVisible(!untrusted.isEmpty());
-    m_notice->setText(tr("This experiment asks for code from a folder that you have not trusted: %1. Nothing of it has run. "
+    m_notice->setText(tr("This experiment asks for code from a folder that you have not trusted: %1. None of it has run. "
                          "Choose the module and Trust… "
                          "if you know where it comes from.")
                           .arg(untrusted.join(QStringLiteral(", "))));
@@ -253,7 +253,7 @@ void ControllersPanel::refreshRobots() {
     m_listed = m_document.loaded() ? controlledRobots(*m_document.loaded()) : std::vector<ControlledRobot>();
     const QSignalBlocker quiet(m_robots);
     m_robots->clear();
-    m_stale = !isVisible(); // a swarm's rows take longer than the edit: they are made when somebody looks
+    m_stale = !isVisible(); // the rows of a swarm take longer than the edit, so they are created when the panel is shown
     if (m_stale) return;
     for (const ControlledRobot& robot : m_listed) {
         const QString name = QString::fromStdString(robot.path);

@@ -18,22 +18,22 @@ class Document;
 class RunSession;
 class Selection;
 
-/// The modules of the experiment and the controller of each robot. Carries out controllers.load, assign, remove and reload.
+/// The modules of the experiment and the controller of each robot. Implements controllers.load, assign, remove and reload.
 class ControllersPanel final : public QWidget {
     Q_OBJECT
 public:
     ControllersPanel(Document& document, Selection& selection, RunSession& session, Actions& actions, QWidget* parent = nullptr);
 
     [[nodiscard]] ControllerCommands& commands() { return *m_commands; }
-    /// Those loaded lately, each an action that loads it.
+    /// Recently loaded modules; each action loads one.
     [[nodiscard]] QMenu* recentMenu() const { return m_recent; }
-    /// Asks which controller the robots shall have, then assigns it.
+    /// Asks for a controller and assigns it to the robots.
     void assignTo(const std::vector<std::string>& robots);
 
 Q_SIGNALS:
     void refused(const QString& reason);
-    void jumpTo(const std::string& file, const trundle::SourceRange& range); ///< a module's line in the text
-    void attentionWanted();                                                  ///< a module of what was just opened may not run yet
+    void jumpTo(const std::string& file, const trundle::SourceRange& range); ///< the line of a module in the text
+    void attentionRequested();                                               ///< a module's folder is not trusted
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -66,8 +66,8 @@ private:
     QToolButton* m_unload = nullptr;
     QToolButton* m_trust = nullptr;
     QMenu* m_recent = nullptr;
-    bool m_choosing = false; // the selection comes from here
-    bool m_stale = false;    // the robots' rows: nobody saw them when they changed
+    bool m_choosing = false; // this panel is changing the selection
+    bool m_stale = false;    // the rows must be rebuilt when the panel is shown
 };
 
 } // namespace trundle

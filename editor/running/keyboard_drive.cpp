@@ -16,7 +16,7 @@ constexpr double kSpeed = 0.3, kTurnRate = 1.2; // m/s, rad/s
 
 bool isArrow(int key) { return key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Left || key == Qt::Key_Right; }
 
-/// Arrows move a cursor or change a value there.
+/// Whether the widget uses arrow keys, to move a cursor or change a value.
 bool isTypedInto(const QWidget* widget) {
     if (!widget) return false;
     for (const char* kind : {"QLineEdit", "QAbstractSpinBox", "QTextEdit", "QPlainTextEdit", "QComboBox", "QAbstractSlider",
@@ -25,7 +25,7 @@ bool isTypedInto(const QWidget* widget) {
     return false;
 }
 
-/// The window itself, or one of its panels that floats; no dialog.
+/// Whether it is the main window itself or one of its floating docks, not a dialog.
 bool isOf(const QWidget& main, const QWidget& window) {
     const bool panel = window.inherits("QDockWidget") || window.inherits("QDockWidgetGroupWindow");
     return &window == &main || (panel && window.parentWidget() == &main);
@@ -40,9 +40,9 @@ KeyboardDrive::KeyboardDrive(RunSession& session, Selection& selection, Actions&
     connect(&session, &RunSession::stateChanged, this, [this] {
         if (!m_session.isActive()) m_down.clear();
     });
-    connect(&selection, &Selection::changed, this, &KeyboardDrive::letGo);
+    connect(&selection, &Selection::changed, this, &KeyboardDrive::release);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-        if (!now || isTypedInto(now)) letGo(); // releases are not seen any more
+        if (!now || isTypedInto(now)) release(); // the focus is elsewhere: key releases will be missed
     });
     setOn(action.isChecked());
 }
@@ -52,10 +52,10 @@ void KeyboardDrive::setOn(bool on) {
     m_on = on;
     if (on) qApp->installEventFilter(this);
     else qApp->removeEventFilter(this);
-    letGo();
+    release();
 }
 
-void KeyboardDrive::letGo() {
+void KeyboardDrive::release() {
     m_down.clear();
     m_session.stopDriving();
 }
@@ -66,7 +66,7 @@ void KeyboardDrive::steer() {
     const double scale = m_fast ? 2 : 1;
     const std::string selected = m_selection.current();
     const auto experiment = m_session.experiment();
-    const bool onlyOne = experiment && experiment->robots.size() == 1; // no other can be meant, whatever is selected
+    const bool onlyOne = experiment && experiment->robots.size() == 1; // the only robot is driven whatever is selected
     const std::string robot = onlyOne ? experiment->robots.front().name : selected.substr(0, selected.find('.'));
     if (!m_session.drive(robot, scale * kSpeed * along(Qt::Key_Up, Qt::Key_Down),
                          scale * kTurnRate * along(Qt::Key_Left, Qt::Key_Right)))
@@ -75,7 +75,7 @@ void KeyboardDrive::steer() {
 
 bool KeyboardDrive::press(QKeyEvent& key, bool down) {
     if (key.isAutoRepeat()) return true;
-    if (!down && !m_down.contains(key.key())) return false; // pressed somewhere else
+    if (!down && !m_down.contains(key.key())) return false; // not pressed here
     if (down) m_down.insert(key.key());
     else m_down.remove(key.key());
     m_fast = key.modifiers().testFlag(Qt::ShiftModifier);

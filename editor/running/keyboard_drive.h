@@ -11,8 +11,8 @@ class Actions;
 class RunSession;
 class Selection;
 
-/// While sim.drive is checked the arrow keys steer the selected robot, whatever has the focus but a field that one types into. The
-/// robot's controller has no turn while a key is down. Shift: twice as fast.
+/// While sim.drive is checked, the arrow keys drive the selected robot, unless a field for typing has the focus. The robot's
+/// controller is not called while a key is pressed. Shift doubles the speed.
 class KeyboardDrive final : public QObject {
     Q_OBJECT
 public:
@@ -25,7 +25,7 @@ protected:
 
 private:
     void setOn(bool on);
-    void letGo();
+    void release();
     void steer();
     [[nodiscard]] bool press(QKeyEvent& key, bool down);
 

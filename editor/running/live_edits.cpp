@@ -9,7 +9,7 @@
 namespace trundle {
 namespace {
 
-// ---- which properties differ: a comparison of texts ----
+// ---- changed properties, found by comparing texts ----
 
 using Texts = std::map<std::string, std::string>; // of values, by dotted path
 
@@ -17,11 +17,11 @@ void noteValue(const Outline& outline, FileId file, const Value* value, const st
     if (value) out.emplace(path, outline.texts().slice(file, value->range));
 }
 
-/// Everything the text says, each value by its path; an object itself stands there with its kind.
+/// Collects the text of every value by its path, and the kind of every object.
 void note(const Outline& outline, const Part& part, const std::string& path, Texts& out) {
     out.emplace(path, part.block->type.text);
-    for (const PlacedAssignment& a : part.assignments.all()) noteValue(outline, a.file, a.value, path + "." + a.key, out);
-    for (const PlacedParam& p : part.params) noteValue(outline, p.valueFile, p.value, path + "." + p.name->text, out);
+    for (const SourceAssignment& a : part.assignments.all()) noteValue(outline, a.file, a.value, path + "." + a.key, out);
+    for (const SourceParam& p : part.params) noteValue(outline, p.valueFile, p.value, path + "." + p.name->text, out);
     for (const Part& inner : part.parts) note(outline, inner, path + "." + inner.name, out);
 }
 
@@ -31,8 +31,8 @@ bool isNamedByKind(const Part& part) {
 
 Texts textsOf(const Outline& outline) {
     Texts out;
-    for (const PlacedAssignment& a : outline.settings.all()) noteValue(outline, a.file, a.value, a.key, out);
-    for (const PlacedParam& p : outline.params) noteValue(outline, p.valueFile, p.value, p.name->text, out);
+    for (const SourceAssignment& a : outline.settings.all()) noteValue(outline, a.file, a.value, a.key, out);
+    for (const SourceParam& p : outline.params) noteValue(outline, p.valueFile, p.value, p.name->text, out);
     for (const auto& part : outline.parts)
         note(outline, *part, isNamedByKind(*part) ? part->block->type.text + "." + part->name : part->name, out);
     return out;
@@ -44,12 +44,12 @@ bool isLive(const Outline& outline, const std::string& path) {
     return from && from->property && from->property->live;
 }
 
-/// Of what stands below an object that is new or gone the object alone is named.
+/// Whether an added or removed object that contains the path is already listed.
 bool isBelowLast(const std::vector<std::string>& paths, const std::string& path) {
     return !paths.empty() && path.starts_with(paths.back() + ".");
 }
 
-std::vector<std::string> waitingPaths(const Loaded& built, const Loaded& now) {
+std::vector<std::string> waitingPaths(const LoadedProject& built, const LoadedProject& now) {
     const Texts before = textsOf(*built.outline), after = textsOf(*now.outline);
     std::vector<std::string> paths;
     const auto differ = [&](const std::string& path) {
@@ -68,9 +68,9 @@ std::vector<std::string> waitingPaths(const Loaded& built, const Loaded& now) {
     return paths;
 }
 
-// ---- what the running world is told ----
+// ---- live properties: commands for the running world ----
 
-/// The live properties of one component whose value is another one now.
+/// A changed value of a live property of one component.
 struct LiveValue {
     std::string property;
     ResolvedValue value;
@@ -78,7 +78,7 @@ struct LiveValue {
 
 class LiveComparison {
 public:
-    LiveComparison(const ExperimentSpec& running, const Loaded& now, LiveEdits& out)
+    LiveComparison(const ExperimentSpec& running, const LoadedProject& now, LiveEdits& out)
         : m_running(running), m_now(*now.experiment), m_registry(*now.registry), m_out(out) {}
 
     void go() {
@@ -134,7 +134,7 @@ private:
         return found;
     }
 
-    void tell(const std::string& object, ComponentSpec& spec, const std::vector<LiveValue>& values) {
+    void addConsoleLine(const std::string& object, ComponentSpec& spec, const std::vector<LiveValue>& values) {
         for (const LiveValue& v : values) {
             m_out.commands.emplace_back(PropertyCommand{object, v.property, v.value.value});
             spec.values[v.property] = v.value;
@@ -148,7 +148,7 @@ private:
         const RobotSpec& now = *found->second;
         if (running.controller && now.controller && running.controller->name == now.controller->name)
             if (const auto values = differences(*running.controller, *now.controller); !values.empty())
-                tell(running.name + "/" + running.controller->name, *changed().robots[index].controller, values);
+                addConsoleLine(running.name + "/" + running.controller->name, *changed().robots[index].controller, values);
         if (running.config && now.config && running.config != now.config) devices(index, now);
     }
 
@@ -165,7 +165,7 @@ private:
         changed().robots[index].config = change.config;
     }
 
-    /// Robots that share a config go on sharing the changed one.
+    /// Robots that share a config share the changed one too.
     struct ConfigChange {
         std::shared_ptr<const RobotConfigSpec> config; // null: no live change
         std::vector<std::pair<std::string, LiveValue>> values;
@@ -199,9 +199,9 @@ private:
 
 } // namespace
 
-LiveEdits liveEdits(const Loaded& built, const ExperimentSpec& running, const Loaded& now) {
+LiveEdits liveEdits(const LoadedProject& built, const ExperimentSpec& running, const LoadedProject& now) {
     LiveEdits edits;
-    if (!now.diagnostics.hasErrors()) LiveComparison(running, now, edits).go(); // a text half typed tells the world nothing
+    if (!now.diagnostics.hasErrors()) LiveComparison(running, now, edits).go(); // a text with errors changes nothing in the run
     edits.waiting = waitingPaths(built, now);
     return edits;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What an edit of the document means for a world that runs: some values reach it as commands, the others wait for a reset.
+// The effect of document edits on a running world: live properties are sent as commands, other changes wait for a reset.
 
 #include <memory>
 #include <string>
@@ -12,11 +12,11 @@ namespace trundle {
 
 struct LiveEdits {
     std::vector<decltype(Command::what)> commands;
-    std::shared_ptr<const ExperimentSpec> experiment; ///< what runs, with the live changes in it; null where there are none
-    std::vector<std::string> waiting;                 ///< dotted paths of all that differs from `built` and is not live
+    std::shared_ptr<const ExperimentSpec> experiment; ///< the running one with the live changes; null: none
+    std::vector<std::string> waiting;                 ///< dotted paths of all other differences from `built`
 };
 
-/// `running` is what was built with the live edits made since.
-[[nodiscard]] LiveEdits liveEdits(const Loaded& built, const ExperimentSpec& running, const Loaded& now);
+/// `running`: the experiment as built, with the live edits made since.
+[[nodiscard]] LiveEdits liveEdits(const LoadedProject& built, const ExperimentSpec& running, const LoadedProject& now);
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-// What the modules of a project are, without running any of their code.
+// Lists the modules of a project without running their code.
 #include <filesystem>
 
 #include <QCoreApplication>
@@ -13,16 +13,16 @@
 namespace trundle {
 namespace {
 
-constexpr qint64 kMostDescriptionBytes = 16 << 20;
+constexpr qint64 kMaxDescriptionBytes = 16 << 20;
 
 QString versionOf(const std::string& library) {
     QFile file(QString::fromStdString(kindsJsonPath(library)));
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostDescriptionBytes) return {};
+    if (!file.open(QIODevice::ReadOnly) || file.size() > kMaxDescriptionBytes) return {};
     return QJsonDocument::fromJson(file.readAll()).object().value(QStringLiteral("sdk")).toString();
 }
 
-/// A robot that has a block of one of the kinds.
-std::string userOf(const Loaded& loaded, const std::vector<std::string>& kinds) {
+/// A robot that has a block of one of these kinds.
+std::string userOf(const LoadedProject& loaded, const std::vector<std::string>& kinds) {
     const auto has = [&](const std::string& kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
     for (const auto& top : loaded.outline->parts)
         for (const Part& inner : top->parts)
@@ -32,9 +32,9 @@ std::string userOf(const Loaded& loaded, const std::vector<std::string>& kinds) 
 
 } // namespace
 
-std::vector<ModuleInfo> modulesOf(const Loaded& loaded, const OpenOptions& options, const Locations& places) {
+std::vector<ModuleInfo> modulesOf(const LoadedProject& loaded, const OpenOptions& options, const Locations& places) {
     DirectoryCatalog catalog({options.modules, places.modules, {}, options.trust});
-    DirectoryCatalog open({options.modules, places.modules, {}, true}); // looks, runs nothing
+    DirectoryCatalog open({options.modules, places.modules, {}, true}); // reads descriptions, loads no module
     std::vector<ModuleInfo> modules;
     for (const ModuleSpec& spec : loaded.experiment->modules) {
         ModuleInfo info;

@@ -13,9 +13,9 @@
 
 namespace trundle {
 
-/// Pose of a robot's config frame as a block of signals has it.
+/// Pose of the robot's config frame in the world, from a signal block.
 [[nodiscard]] std::optional<Pose> shownPose(const SignalLayout& layout, const SignalBlock& block, const std::string& robot);
-/// The block with robots put elsewhere, at rest, all their bodies moved along.
+/// The block with robots moved to other poses, at rest, including all their bodies.
 [[nodiscard]] std::shared_ptr<const SignalBlock> withPlaced(const SignalLayout& layout, const SignalBlock& block,
                                                             const ExperimentSpec& experiment,
                                                             const std::vector<PlaceCommand>& placed);

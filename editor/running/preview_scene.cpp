@@ -5,15 +5,15 @@
 #include <utility>
 
 #include "editor/document/document.h"
-#include "project/described.h"
+#include "project/unplaced_configs.h"
 #include "scene/object_index.h"
 
 namespace trundle {
 namespace {
 
-constexpr double kGap = 0.3, kBelow = 1e-3; // m: between two of them; how far one may reach into the floor
+constexpr double kGap = 0.3, kBelow = 1e-3; // m: gap between two configs; tolerated depth below the floor
 
-/// Floors like those of an open hall. Its names are no one else's.
+/// A plain floor. Its names are reserved for previews.
 constexpr const char* kFloor = "Material trundlePreviewFloor { ColorRGB=0.60,0.59,0.56 }\n"
                                "Surface trundlePreviewFloor { Friction=1 Restitution=0 }\n"
                                "StaticConfig TrundlePreviewFloor { Plane floor { Material=trundlePreviewFloor "
@@ -29,7 +29,7 @@ bool hasFloor(const std::vector<const Part*>& configs) {
     });
 }
 
-/// A text beside the opened file that imports it and places each config once, in their order.
+/// The text of a file next to the opened one that imports it and has one instance of each config, in their order.
 std::string placing(const std::string& file, const std::vector<const Part*>& configs) {
     std::string text = "#import \"" + std::filesystem::path(file).filename().string() + "\"\n";
     for (std::size_t i = 0; i < configs.size(); ++i)
@@ -39,12 +39,12 @@ std::string placing(const std::string& file, const std::vector<const Part*>& con
     return robots && !hasFloor(configs) ? text + kFloor : text;
 }
 
-/// Under the paths that their texts have, those behind the first one to its right, none of them in the floor.
+/// Renames instances to their configs' paths, and places each to the right (-y) of the previous one and above the floor.
 std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
     const ObjectIndex index(std::make_shared<ExperimentSpec>(placed));
     const BodyPoses poses = startPoses(placed);
     auto shown = std::make_shared<ExperimentSpec>(placed);
-    double right = 0; // y, to which there is something already
+    double right = 0; // y (m) of the right edge of what is placed already
     bool first = true;
     for (const ObjectRef& object : index.instances()) {
         const bool robot = object.kind == ObjectKind::Robot;
@@ -54,7 +54,7 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
         if (rover) rover->name = "RobotConfig." + rover->config->name;
         else yard->name = "StaticConfig." + yard->configName;
         const Bounds bounds = index.boundsOf(object, poses);
-        if (bounds.empty()) continue; // a floor alone
+        if (bounds.empty()) continue; // only a floor
         const double shift = first ? 0 : right - kGap - bounds.high.y();
         (rover ? rover->pose : yard->pose).position.y() += shift;
         if (rover && bounds.low.z() < -kBelow) rover->pose.position.z() -= bounds.low.z();
@@ -66,13 +66,13 @@ std::shared_ptr<const ExperimentSpec> arranged(const ExperimentSpec& placed) {
 
 } // namespace
 
-std::shared_ptr<const Loaded> PreviewScene::show(const Document& document) {
-    const std::shared_ptr<const Loaded>& loaded = document.loaded();
+std::shared_ptr<const LoadedProject> PreviewScene::show(const Document& document) {
+    const std::shared_ptr<const LoadedProject>& loaded = document.loaded();
     if (loaded == m_of) return m_shown;
     m_of = m_shown = loaded;
-    if (!document.lastGood()) m_good = nullptr; // another document
+    if (!document.lastValid()) m_good = nullptr; // another document
     const auto before = std::exchange(m_read, nullptr);
-    const std::vector<const Part*> configs = loaded ? describedAlone(*loaded) : std::vector<const Part*>();
+    const std::vector<const Part*> configs = loaded ? configsWithoutInstances(*loaded) : std::vector<const Part*>();
     if (configs.empty()) return m_shown;
     OpenOptions options = document.options();
     for (const std::string& file : document.files()) options.texts.emplace(file, document.text(file));
@@ -80,20 +80,20 @@ std::shared_ptr<const Loaded> PreviewScene::show(const Document& document) {
     options.texts.insert_or_assign(root, std::make_shared<const std::string>(placing(loaded->paths[0], configs)));
     options.previous = before;
     options.shownFromProject = true;
-    options.meshesLater = true; // the document reads them, and is another one then
-    const auto read = m_parts.open(root, options);
+    options.meshesLater = true; // the document reads them and then changes again
+    const auto read = m_application.open(root, options);
     if (!read) return m_shown;
     m_read = read.value();
-    auto shown = std::make_shared<Loaded>(*m_read);
+    auto shown = std::make_shared<LoadedProject>(*m_read);
     shown->experiment = arranged(*m_read->experiment);
     m_shown = std::move(shown);
     if (!loaded->diagnostics.hasErrors()) m_good = m_shown->experiment;
     return m_shown;
 }
 
-std::shared_ptr<const ExperimentSpec> PreviewScene::lastGood(const Document& document) const {
+std::shared_ptr<const ExperimentSpec> PreviewScene::lastValid(const Document& document) const {
     if (m_read) return m_good;
-    return document.lastGood() ? document.lastGood()->experiment : nullptr;
+    return document.lastValid() ? document.lastValid()->experiment : nullptr;
 }
 
 } // namespace trundle

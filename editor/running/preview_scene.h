@@ -1,32 +1,32 @@
 #pragma once
-// A text that places nothing, put up to be looked at, run and driven: each robot and arena of the opened file under its own path
-// ("RobotConfig.Rover"), side by side, the robots on a floor. Floor and instances come from here; no text has them.
+// Preview of a text without instances, which can be viewed, run and driven: each robot and arena of the opened file under its
+// own path ("RobotConfig.Rover"), side by side, the robots on a floor. Floor and instances exist only in the preview.
 
 #include <memory>
 
-#include "parts/parts.h"
+#include "app/application.h"
 
 namespace trundle {
 
 class Document;
 
-/// The config of the floor, which is part of no text: nothing of it can be selected.
+/// The config of the floor, which cannot be selected since it is in no file.
 inline constexpr const char* kPreviewFloor = "TrundlePreviewFloor";
 
 class PreviewScene {
 public:
-    explicit PreviewScene(Parts& parts) : m_parts(parts) {} ///< `parts` outlive this
+    explicit PreviewScene(Application& application) : m_application(application) {} ///< `application` must outlive this
 
-    /// What the document means; where it places nothing, a scene of what it describes, which runs like any other. Null where nothing
-    /// is open.
-    [[nodiscard]] std::shared_ptr<const Loaded> show(const Document& document);
-    /// The experiment of the newest text that had no errors; null before there was one.
-    [[nodiscard]] std::shared_ptr<const ExperimentSpec> lastGood(const Document& document) const;
+    /// The document's project; if it has no instances, a preview of its configs, which can run like any other project. Null if
+    /// nothing is open.
+    [[nodiscard]] std::shared_ptr<const LoadedProject> show(const Document& document);
+    /// The experiment of the newest text without errors; null if there was none.
+    [[nodiscard]] std::shared_ptr<const ExperimentSpec> lastValid(const Document& document) const;
 
 private:
-    Parts& m_parts;
-    std::shared_ptr<const Loaded> m_of, m_shown;
-    std::shared_ptr<const Loaded> m_read;         // of which m_shown is arranged; null where the document's own is shown
+    Application& m_application;
+    std::shared_ptr<const LoadedProject> m_of, m_shown;
+    std::shared_ptr<const LoadedProject> m_read;  // the project that m_shown was made from; null if the document's own is shown
     std::shared_ptr<const ExperimentSpec> m_good; // of a preview
 };
 

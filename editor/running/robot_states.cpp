@@ -25,7 +25,7 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
     if (!experiment) return {robot.kind.empty() ? trState("no controller") : trState("waits for a run"), false, false};
     const auto& robots = experiment->robots;
     auto built = std::ranges::find(robots, robot.path, &RobotSpec::name);
-    if (built == robots.end()) // a Grid or Scatter: its first member speaks for it
+    if (built == robots.end()) // a Grid or Scatter: its first member represents it
         built = std::ranges::find_if(robots, [&](const RobotSpec& spec) { return isOf(session, spec.name, robot); });
     if (built == robots.end()) return {trState("not in this run"), false, false};
     if (!built->controller) return {trState("no controller"), false, false};
@@ -35,9 +35,9 @@ ControllerState controllerState(const RunSession& session, const ControlledRobot
     if (built->controller->kind != robot.kind)
         return {trState("%1 until Reset").arg(QString::fromStdString(built->controller->kind)), true, false};
     switch (session.state()) {
-    case RunState::Building: return {trState("is made"), true, false};
+    case RunState::Building: return {trState("is created"), true, false};
     case RunState::Running:
-        return {isOf(session, session.driven(), robot) && !session.driven().empty() ? trState("held: driven from the keyboard")
+        return {isOf(session, session.driven(), robot) && !session.driven().empty() ? trState("paused: driven from the keyboard")
                                                                                     : trState("runs"),
                 true, false};
     case RunState::Paused: return {trState("paused"), true, false};

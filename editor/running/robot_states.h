@@ -6,7 +6,7 @@ namespace trundle {
 class RunSession;
 struct ControlledRobot;
 
-/// What a robot's controller does now, in words.
+/// The state of a robot's controller, for display.
 struct ControllerState {
     QString text;
     bool active = false, failed = false;

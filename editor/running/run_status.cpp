@@ -3,13 +3,13 @@
 #include <QStringList>
 
 #include "editor/running/session.h"
-#include "model/passive.h"
+#include "model/passive_objects.h"
 
 namespace trundle {
 namespace {
 
 constexpr int kRefreshMs = 250;
-constexpr int kMostFinish = 80; // letters; the console has the rest
+constexpr int kMaxFinish = 80; // characters; the console shows the full text
 
 QString counted(qulonglong count, const QString& one, const QString& many) { return count == 1 ? one : many.arg(count); }
 
@@ -28,7 +28,7 @@ RunStatus::RunStatus(RunSession& session, QObject* parent) : QObject(parent), m_
         if (!m_timer.isActive()) refresh();
     });
     connect(&session, &RunSession::waitingChanged, this, &RunStatus::refresh);
-    connect(&session, &RunSession::heldUpChanged, this, &RunStatus::refresh);
+    connect(&session, &RunSession::notRespondingChanged, this, &RunStatus::refresh);
 }
 
 void RunStatus::refresh() {
@@ -45,9 +45,10 @@ void RunStatus::refresh() {
         parts << tr("step %1 ms").arg(shot->stepMs, 0, 'f', shot->stepMs < 10 ? 2 : 0);
     }
     if (const QString finish = m_session.finishText(); !finish.isEmpty())
-        parts << (finish.size() > kMostFinish ? finish.left(kMostFinish) + QChar(0x2026) : finish);
-    if (const QString heldUp = m_session.heldUpText(); !heldUp.isEmpty()) parts << heldUp;
-    if (m_session.needsReset()) parts << (m_session.canGoOn() ? tr("edits wait: F5 begins again with them") : tr("edits wait for Reset"));
+        parts << (finish.size() > kMaxFinish ? finish.left(kMaxFinish) + QChar(0x2026) : finish);
+    if (const QString wasNotResponding = m_session.notRespondingText(); !wasNotResponding.isEmpty()) parts << wasNotResponding;
+    if (m_session.needsReset())
+        parts << (m_session.canResume() ? tr("edits wait: F5 begins again with them") : tr("edits wait for Reset"));
     const QString text = parts.join(QStringLiteral("  •  "));
     if (text == m_text) return;
     m_text = text;

@@ -6,7 +6,7 @@ namespace trundle {
 
 class RunSession;
 
-/// The run in one line for the status bar: "12 robots • 118 contacts • step 0.21 ms". Anew four times a second at most.
+/// The run in one line for the status bar: "12 robots • 118 contacts • step 0.21 ms". Updated at most four times a second.
 class RunStatus final : public QObject {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ private:
     void refresh();
 
     RunSession& m_session;
-    QTimer m_timer; // while it runs
+    QTimer m_timer; // active while the run is running
     QString m_text;
 };
 

@@ -8,7 +8,7 @@
 #include "control/module_store.h"
 #include "editor/running/live_edits.h"
 #include "editor/running/pose_overlay.h"
-#include "project/described.h"
+#include "project/unplaced_configs.h"
 #include "run/runner.h"
 
 namespace trundle {
@@ -18,11 +18,11 @@ constexpr int kFrameMs = 16, kWatchMs = 250, kValuesMs = 100;
 constexpr double kRemarkablyLongS = 1;
 constexpr std::chrono::milliseconds kLastWait(2000);
 
-/// In an arena by itself nothing would move.
+/// An arena alone has nothing that moves.
 QString nothingToRun(const Document& document) {
     QStringList names;
-    for (const Part* config : describedAlone(*document.loaded())) {
-        if (config->kind && config->kind->name == "RobotConfig") return {}; // it runs on a floor of its own
+    for (const Part* config : configsWithoutInstances(*document.loaded())) {
+        if (config->kind && config->kind->name == "RobotConfig") return {}; // the preview runs it on a floor
         names.append(QString::fromStdString(config->name));
     }
     if (names.isEmpty()) return {};
@@ -34,25 +34,26 @@ QString nothingToRun(const Document& document) {
 
 } // namespace
 
-/// What a run rings when something happened. It outlives both sides, and rings nowhere once the session is gone.
-struct RunSession::Doorbell {
+/// Called by the run's thread to post readSnapshot() to the session. Shared by both; does nothing once the session is destroyed.
+struct RunSession::Notifier {
     std::mutex lock;
     RunSession* session = nullptr;
 
-    void ring() {
+    void notify() {
         const std::scoped_lock guard(lock);
         if (session)
             QMetaObject::invokeMethod(
-                session, [s = session] { s->look(); }, Qt::QueuedConnection);
+                session, [s = session] { s->readSnapshot(); }, Qt::QueuedConnection);
     }
 };
 
-RunSession::RunSession(Document& document, Parts& parts, QObject* parent)
-    : QObject(parent), m_document(document), m_parts(parts), m_preview(parts), m_doorbell(std::make_shared<Doorbell>()) {
-    m_doorbell->session = this;
+RunSession::RunSession(Document& document, Application& application, QObject* parent)
+    : QObject(parent), m_document(document), m_application(application), m_preview(application),
+      m_notifier(std::make_shared<Notifier>()) {
+    m_notifier->session = this;
     m_frames.setInterval(kFrameMs);
     m_frames.setTimerType(Qt::PreciseTimer);
-    connect(&m_frames, &QTimer::timeout, this, &RunSession::look);
+    connect(&m_frames, &QTimer::timeout, this, &RunSession::readSnapshot);
     m_watch.setInterval(kWatchMs);
     connect(&m_watch, &QTimer::timeout, this, &RunSession::watch);
     m_valuesPause.setInterval(kValuesMs);
@@ -75,8 +76,8 @@ RunSession::RunSession(Document& document, Parts& parts, QObject* parent)
 
 RunSession::~RunSession() {
     {
-        const std::scoped_lock guard(m_doorbell->lock);
-        m_doorbell->session = nullptr;
+        const std::scoped_lock guard(m_notifier->lock);
+        m_notifier->session = nullptr;
     }
     leave();
     (void)waitForRuns();
@@ -97,7 +98,7 @@ bool RunSession::waitForRuns() const {
 }
 
 std::shared_ptr<const ExperimentSpec> RunSession::shown() const {
-    const std::shared_ptr<const Loaded> loaded = m_preview.show(m_document);
+    const std::shared_ptr<const LoadedProject> loaded = m_preview.show(m_document);
     return loaded ? loaded->experiment : nullptr;
 }
 
@@ -105,12 +106,12 @@ double RunSession::time() const { return m_snapshot ? m_snapshot->time : 0; }
 
 double RunSession::realTimeFactor() const { return m_snapshot && m_state == RunState::Running ? m_snapshot->realTimeFactor : 0; }
 
-double RunSession::heldUpS() const {
+double RunSession::notRespondingSeconds() const {
     const double busy = m_run ? m_run->busyS() : 0;
     return busy >= kRemarkablyLongS ? busy : 0;
 }
 
-QString RunSession::heldUpBy() const {
+QString RunSession::unresponsiveController() const {
     const auto turn = m_run ? m_run->turn() : std::nullopt;
     if (!turn || !m_built || *turn >= m_built->experiment->robots.size()) return {};
     const RobotSpec& robot = m_built->experiment->robots[*turn];
@@ -118,39 +119,40 @@ QString RunSession::heldUpBy() const {
                              QString::fromStdString(robot.controller ? robot.controller->kind : std::string()));
 }
 
-QString RunSession::heldUpText() const {
-    const double held = heldUpS();
+QString RunSession::notRespondingText() const {
+    const double held = notRespondingSeconds();
     if (held <= 0) return {};
-    const QString seconds = QString::number(held, 'f', 0), who = heldUpBy();
-    if (!who.isEmpty()) return tr("%1 has not come back for %2 s").arg(who, seconds);
+    const QString seconds = QString::number(held, 'f', 0), who = unresponsiveController();
+    if (!who.isEmpty()) return tr("%1 has not responded for %2 s").arg(who, seconds);
     return m_state == RunState::Building ? tr("building for %1 s").arg(seconds) : tr("one tick takes %1 s so far").arg(seconds);
 }
 
-/// The window goes on whatever a controller does; what it does not do is to be seen.
+/// Updates the message about an unresponsive controller; the window itself stays responsive.
 void RunSession::watch() {
-    const QString text = heldUpText();
-    if (text == m_saidHeldUp) return;
-    m_saidHeldUp = text;
-    if (!heldUpBy().isEmpty() && heldUpS() > 0 && !std::exchange(m_toldHeldUp, true))
-        tell(TRUNDLE_WARNING,
-             tr("%1 does not come back. Reset leaves it behind; you can go on editing and save").arg(heldUpBy()));
-    if (text.isEmpty()) m_toldHeldUp = false;
-    Q_EMIT heldUpChanged();
+    const QString text = notRespondingText();
+    if (text == m_notRespondingText) return;
+    m_notRespondingText = text;
+    if (!unresponsiveController().isEmpty() && notRespondingSeconds() > 0 && !std::exchange(m_reportedNotResponding, true))
+        addConsoleLine(
+            TRUNDLE_WARNING,
+            tr("%1 is not responding. Reset abandons it; you can continue editing and save").arg(unresponsiveController()));
+    if (text.isEmpty()) m_reportedNotResponding = false;
+    Q_EMIT notRespondingChanged();
 }
 
 QString RunSession::refusal() const {
-    const std::shared_ptr<const Loaded>& loaded = m_document.loaded();
+    const std::shared_ptr<const LoadedProject>& loaded = m_document.loaded();
     if (!loaded) return tr("Nothing is open.");
     std::size_t errors = 0;
     const Diagnostic *error = nullptr, *module = nullptr; // the first of each
     for (const Diagnostic& d : loaded->diagnostics.all()) {
-        // Looking at a text without a module's kinds is fair; running it without its controller is not.
+        // A text can be viewed without a module's kinds, but not run without its controller.
         if ((d.code == Code::ModuleNotTrusted || d.code == Code::ModuleUndescribed) && !module) module = &d;
         if (d.severity != Severity::Error) continue;
         ++errors;
         if (!error) error = &d;
     }
-    if (module && module->code == Code::ModuleNotTrusted) { // what the command line would do is of no use here
+    if (module && module->code == Code::ModuleNotTrusted) { // the rest of the message is advice for the command line
         const QString why = QString::fromStdString(module->message);
         return tr("%1 To run it, trust the folder in the Controllers panel.")
             .arg(why.left(why.indexOf(QStringLiteral(", so its code"))) + u'.');
@@ -170,16 +172,16 @@ bool RunSession::describesOnly() const {
 
 // ---- start and end ----
 
-bool RunSession::refuse(const QString& reason) {
+bool RunSession::reject(const QString& reason) {
     Q_EMIT refused(reason);
     return false;
 }
 
 bool RunSession::begin(bool running, std::uint64_t steps) {
-    // A module that was built anew since the text was read may take other values: they are judged by what it says now.
-    if (const auto& loaded = m_document.loaded(); loaded && describedAnew(*loaded->experiment, *loaded->registry))
+    // A module rebuilt since the text was loaded may accept other values: the text is checked against its current description.
+    if (const auto& loaded = m_document.loaded(); loaded && descriptionChanged(*loaded->experiment, *loaded->registry))
         m_document.readAgain();
-    if (const QString why = refusal(); !why.isEmpty()) return refuse(why);
+    if (const QString why = refusal(); !why.isEmpty()) return reject(why);
     m_built = m_preview.show(m_document);
     m_experiment = m_built->experiment;
     m_sameRobots.begin(m_built);
@@ -191,18 +193,18 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
     options.speed = m_speed;
     options.startsRunning = running;
     options.steps = steps;
-    options.goesOn = true;
+    options.canContinue = true;
     options.contacts = m_contacts;
     options.radio = m_radio;
-    options.changed = [bell = m_doorbell] { bell->ring(); };
+    options.changed = [bell = m_notifier] { bell->notify(); };
     options.after = m_leaving.empty() ? nullptr : m_leaving.back().get();
-    Parts* parts = &m_parts; // its makeRunner() uses nothing of it that a window's end could take away
+    Application* application = &m_application; // makeRunner() uses only members that outlive the window
     if (options.logFolder.empty() && !m_experiment->logs.empty())
-        tell(TRUNDLE_WARNING, tr("no logs are written: there is no folder for them"));
+        addConsoleLine(TRUNDLE_WARNING, tr("no logs are written: there is no folder for them"));
     setLogsAt(m_experiment->logs.empty() ? QString() : QString::fromStdString(options.logFolder.path()));
     m_run = std::make_unique<LiveRun>(
-        [parts, loaded = m_built](RunOptions runOptions, Diagnostics& problems) {
-            return parts->makeRunner(*loaded, std::move(runOptions), problems);
+        [application, loaded = m_built](RunOptions runOptions, Diagnostics& problems) {
+            return application->makeRunner(*loaded, std::move(runOptions), problems);
         },
         std::move(options));
     setState(RunState::Building);
@@ -214,22 +216,22 @@ bool RunSession::begin(bool running, std::uint64_t steps) {
 void RunSession::leave() {
     m_frames.stop();
     m_watch.stop();
-    m_toldHeldUp = false;
+    m_reportedNotResponding = false;
     if (!m_run) return;
     m_run->stop();
     m_leaving.push_back(std::move(m_run));
 }
 
 void RunSession::run() {
-    const QString edits = canGoOn() ? waitingText() : QString();
-    if (m_state == RunState::Ended && (!canGoOn() || needsReset())) reset();
+    const QString edits = canResume() ? waitingText() : QString();
+    if (m_state == RunState::Ended && (!canResume() || needsReset())) reset();
     if (m_state == RunState::Start) {
         if (!begin(true) || edits.isEmpty()) return;
         const QString text = tr("Begins again from the start, with the edits of %1").arg(edits);
-        tell(TRUNDLE_INFO, text);
+        addConsoleLine(TRUNDLE_INFO, text);
         Q_EMIT m_document.notice(text);
     } else if (m_run) {
-        sayWithoutEdits();
+        reportWaitingEdits();
         m_run->run();
     }
 }
@@ -239,16 +241,16 @@ void RunSession::pause() {
 }
 
 void RunSession::step() {
-    if (m_state == RunState::Ended && !canGoOn()) return;
+    if (m_state == RunState::Ended && !canResume()) return;
     if (m_state == RunState::Start) begin(false, 1);
     else {
-        if (canGoOn()) sayWithoutEdits();
+        if (canResume()) reportWaitingEdits();
         m_run->step();
     }
 }
 
 void RunSession::runFor(double seconds) {
-    if (m_state == RunState::Ended && !canGoOn()) return;
+    if (m_state == RunState::Ended && !canResume()) return;
     const auto experiment = m_experiment ? m_experiment : shown();
     const std::uint64_t ticks = experiment ? ticksFor(seconds, experiment->settings.tick) : 0;
     if (m_state == RunState::Start) begin(false, ticks);
@@ -274,10 +276,10 @@ void RunSession::backToStart() {
     m_placed.clear();
     m_end.reset();
     m_driven.clear();
-    const bool waited = needsReset(), heldUp = !std::exchange(m_saidHeldUp, {}).isEmpty();
+    const bool waited = needsReset(), wasNotResponding = !std::exchange(m_notRespondingText, {}).isEmpty();
     m_waiting.clear();
     setState(RunState::Start);
-    if (heldUp) Q_EMIT heldUpChanged();
+    if (wasNotResponding) Q_EMIT notRespondingChanged();
     Q_EMIT experimentChanged();
     if (waited) Q_EMIT waitingChanged();
     Q_EMIT advanced();
@@ -296,14 +298,14 @@ void RunSession::setSpeed(double factor) {
     Q_EMIT speedChanged();
 }
 
-void RunSession::wantContacts(bool wanted) {
+void RunSession::setContactsEnabled(bool wanted) {
     m_contacts = wanted;
-    if (m_run) m_run->wantContacts(wanted);
+    if (m_run) m_run->setContactsEnabled(wanted);
 }
 
-void RunSession::wantRadio(bool wanted) {
+void RunSession::setRadioEnabled(bool wanted) {
     m_radio = wanted;
-    if (m_run) m_run->wantRadio(wanted);
+    if (m_run) m_run->setRadioEnabled(wanted);
 }
 
 LiveRadio RunSession::takeRadio() { return m_run ? m_run->takeRadio() : LiveRadio(); }
@@ -318,15 +320,15 @@ void RunSession::setState(RunState state) {
     Q_EMIT stateChanged();
 }
 
-// ---- what the thread has to show ----
+// ---- reading the results of the run's thread ----
 
-void RunSession::look() {
+void RunSession::readSnapshot() {
     std::erase_if(m_leaving, [](const std::unique_ptr<LiveRun>& run) { return run->gone(); });
     if (!m_run) return;
     const LiveRun* const run = m_run.get();
-    const LiveView view = m_run->view(); // before the rest: what comes with an end is there by then
+    const LiveView view = m_run->view(); // before the reports: those of an ended run are complete then
     takeReports();
-    if (m_run.get() != run) return; // somebody who heard of it went back to the start
+    if (m_run.get() != run) return; // a slot connected to the reports has reset the run
     if (!m_layout && (m_layout = view.layout)) {
         m_reader = std::make_unique<PoseReader>(*m_experiment, *m_layout);
         m_live = std::make_unique<LiveObjects>(m_built->experiment, m_layout, m_built->registry);
@@ -335,8 +337,8 @@ void RunSession::look() {
     if (m_run.get() != run) return;
     switch (view.phase) {
     case LivePhase::Building: return setState(RunState::Building);
-    case LivePhase::Running: return goOn(RunState::Running);
-    case LivePhase::Paused: return goOn(RunState::Paused);
+    case LivePhase::Running: return resume(RunState::Running);
+    case LivePhase::Paused: return resume(RunState::Paused);
     case LivePhase::Ended: break;
     }
     if (m_state == RunState::Ended) return;
@@ -348,20 +350,20 @@ void RunSession::look() {
     }
     m_driven.clear();
     const std::optional<Diagnostic> failure = m_end ? m_end->failure : std::nullopt;
-    if (failure) tell(TRUNDLE_ERROR, QString::fromStdString(codeName(failure->code) + ": " + failure->message));
-    if (m_end && m_layout) tellLogs();
+    if (failure) addConsoleLine(TRUNDLE_ERROR, QString::fromStdString(codeName(failure->code) + ": " + failure->message));
+    if (m_end && m_layout) reportLogs();
     const bool neverBuilt = !m_layout;
     setState(RunState::Ended);
     if (failure) Q_EMIT ended(*failure);
-    if (neverBuilt && m_state == RunState::Ended) backToStart(); // there is no world to look at; why is read until the next edit
+    if (neverBuilt && m_state == RunState::Ended) backToStart(); // there is no world to show; the errors stay until the next edit
 }
 
-void RunSession::goOn(RunState state) {
-    if (canGoOn()) {
+void RunSession::resume(RunState state) {
+    if (canResume()) {
         const double end = m_end->time;
         m_end.reset();
-        tell(TRUNDLE_INFO, m_logsAt.isEmpty() ? tr("goes on past its end at t = %1 s").arg(end)
-                                              : tr("goes on past its end at t = %1 s, and so do its logs").arg(end));
+        addConsoleLine(TRUNDLE_INFO, m_logsAt.isEmpty() ? tr("continues past its end at t = %1 s").arg(end)
+                                                        : tr("continues past its end at t = %1 s, and so do its logs").arg(end));
     }
     setState(state);
 }
@@ -381,7 +383,7 @@ void RunSession::showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot) {
     if (m_snapshot->tick > m_placedTick) m_placed.clear();
     if (!m_placed.empty()) {
         auto moved = std::make_shared<LiveSnapshot>(*m_snapshot);
-        moved->contacts = nullptr; // they are where the robots stood before
+        moved->contacts = nullptr; // they belong to the previous poses
         moved->block = withPlaced(*m_layout, *m_snapshot->block, *m_experiment, m_placed);
         m_snapshot = std::move(moved);
     }
@@ -407,15 +409,15 @@ void RunSession::setLogsAt(const QString& folder) {
     Q_EMIT logsAtChanged();
 }
 
-void RunSession::tell(int severity, const QString& text) {
+void RunSession::addConsoleLine(int severity, const QString& text) {
     Q_EMIT consoleLines({{m_end ? m_end->time : time(), "", severity, text.toStdString()}}, 0);
 }
 
-// ---- the document beside it ----
+// ---- document changes during a run ----
 
 void RunSession::followDocument() {
     Q_EMIT refusalChanged();
-    if (m_state == RunState::Start) forgetProblems(); // of a run that could not be built
+    if (m_state == RunState::Start) forgetProblems(); // those of a run that could not be built
     if (!m_built || !m_run || !m_document.loaded()) return;
     m_sameRobots.follow(m_document.loaded());
     LiveEdits edits = liveEdits(*m_built, *m_experiment, *m_preview.show(m_document));

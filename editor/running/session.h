@@ -1,6 +1,6 @@
 #pragma once
-// The run that the window shows: the document's experiment in a thread of its own. The document is never written by it, but for
-// keepPoses(), which is an edit like any other.
+// The run of the window: the document's experiment in a separate thread. It does not change the document, except by keepPoses(),
+// which is an edit like any other.
 
 #include <cstdint>
 #include <memory>
@@ -16,7 +16,7 @@
 #include "base/diagnostic.h"
 #include "editor/document/document.h"
 #include "editor/running/preview_scene.h"
-#include "editor/running/same_robots.h"
+#include "editor/running/robot_match.h"
 #include "run/live_run.h"
 #include "run/live_values.h"
 #include "scene/poses.h"
@@ -24,7 +24,7 @@
 
 namespace trundle {
 
-struct KeptPoses;
+struct StartPoses;
 
 /// Start: no world is built, the document's start poses are shown. Ended: by Duration, by a fault or a failed controller.
 enum class RunState { Start, Building, Running, Paused, Ended };
@@ -32,169 +32,169 @@ enum class RunState { Start, Building, Running, Paused, Ended };
 class RunSession final : public QObject {
     Q_OBJECT
 public:
-    RunSession(Document& document, Parts& parts, QObject* parent = nullptr);
-    /// Waits at most two seconds for a run to close its logs. Code of a module that does not come back is left behind.
+    RunSession(Document& document, Application& application, QObject* parent = nullptr);
+    /// Waits at most two seconds for a run to close its logs. A thread in module code that does not return is abandoned.
     ~RunSession() override;
-    /// Goes back to Start and waits so for all runs. False where one does not come to its end: its thread uses what it has until the
-    /// program is gone.
+    /// Returns to Start and waits likewise for all runs. False if one does not end: its thread keeps using its objects until the
+    /// process exits.
     [[nodiscard]] bool endRuns();
 
     [[nodiscard]] RunState state() const { return m_state; }
-    [[nodiscard]] bool isActive() const { return m_state != RunState::Start; } ///< there is a world, or soon will be
+    [[nodiscard]] bool isActive() const { return m_state != RunState::Start; } ///< a world exists or is being built
     [[nodiscard]] double time() const;                                         ///< s, simulated
     [[nodiscard]] double realTimeFactor() const;                               ///< over the last second
     [[nodiscard]] double speed() const { return m_speed; }                     ///< 1: real time; 0: as fast as possible
-    [[nodiscard]] Parts& parts() const { return m_parts; }
+    [[nodiscard]] Application& application() const { return m_application; }
     [[nodiscard]] bool isOpen() const { return m_document.isOpen(); }
-    /// Why run() would be refused; empty where it would not.
+    /// Why run() would be refused; empty if it would not.
     [[nodiscard]] QString refusal() const;
-    /// The text is whole, but places nothing that could run.
+    /// The text is valid, but has no instances that could run.
     [[nodiscard]] bool describesOnly() const;
-    /// What would run: the document's experiment; where that places nothing, a PreviewScene. Null where nothing is open.
+    /// The experiment that would run: the document's; if it has no instances, a PreviewScene. Null if nothing is open.
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> shown() const;
-    /// The same of the newest text that had no errors; null before there was one.
-    [[nodiscard]] std::shared_ptr<const ExperimentSpec> lastGood() const { return m_preview.lastGood(m_document); }
-    /// What runs, as built but with what was changed live; null at Start. Other edits made since are in the document only.
+    /// The same for the newest text without errors; null if there was none.
+    [[nodiscard]] std::shared_ptr<const ExperimentSpec> lastValid() const { return m_preview.lastValid(m_document); }
+    /// The running experiment as built, with live changes applied; null at Start. Other edits made since are only in the
+    /// document.
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> experiment() const { return m_experiment; }
-    /// The texts it was built from: where its diagnostics point. Null at Start.
-    [[nodiscard]] std::shared_ptr<const Loaded> built() const { return m_built; }
-    /// Where the bodies of experiment() stand now; null at Start and while it is built.
+    /// The project it was built from, whose texts its diagnostics refer to. Null at Start.
+    [[nodiscard]] std::shared_ptr<const LoadedProject> built() const { return m_built; }
+    /// Current poses of the bodies of experiment(); null at Start and while it is built.
     [[nodiscard]] std::shared_ptr<const BodyPoses> poses() const { return m_poses; }
-    [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const { return m_snapshot; } ///< the newest tick with its figures
+    [[nodiscard]] std::shared_ptr<const LiveSnapshot> snapshot() const { return m_snapshot; } ///< newest tick and statistics
     [[nodiscard]] std::shared_ptr<const SignalLayout> layout() const { return m_layout; }
-    /// What "robot0.leftMotor" measures and does now; "": the run itself. Empty for what is not in this run. Good until the next call.
+    /// Live values of "robot0.leftMotor"; "": of the run itself. Empty for an object that is not in this run. Valid until the
+    /// next call.
     [[nodiscard]] const std::vector<LiveValue>& liveValues(const std::string& path) const;
-    /// The same as rich text for a tooltip; empty where there are none.
+    /// The same as rich text for a tooltip; empty if there are none.
     [[nodiscard]] QString liveTip(const std::string& path) const;
-    /// Contacts come with snapshot() from now on, also while paused.
-    void wantContacts(bool wanted);
-    void wantRadio(bool wanted); ///< what flies between the radios is kept for takeRadio() from now on
-    [[nodiscard]] LiveRadio takeRadio(); ///< of the present run; nothing at Start
-    /// It stands at its Duration: run(), step() and runFor() go on past it, and so do its logs.
-    [[nodiscard]] bool canGoOn() const { return m_state == RunState::Ended && m_end && m_end->goesOn; }
-    /// The folder that this run or the last one writes its logs into; empty where it has none.
+    /// Enables contacts in snapshot(), also while paused.
+    void setContactsEnabled(bool wanted);
+    void setRadioEnabled(bool wanted);   ///< enables recording of radio frames for takeRadio()
+    [[nodiscard]] LiveRadio takeRadio(); ///< of the current run; nothing at Start
+    /// The run has reached its Duration: run(), step() and runFor() continue it and its logs.
+    [[nodiscard]] bool canResume() const { return m_state == RunState::Ended && m_end && m_end->canContinue; }
+    /// The folder of the logs of this run or the last one; empty if it has none.
     [[nodiscard]] const QString& logsAt() const { return m_logsAt; }
     [[nodiscard]] const std::optional<LiveEnd>& end() const { return m_end; } ///< how and why it ended; nothing before
-    /// "finished by robot_0/brain at t = 83.5 s: reached"; empty where no controller ended the run.
+    /// "finished by robot_0/brain at t = 83.5 s: reached"; empty if no controller ended the run.
     [[nodiscard]] QString finishText() const;
-    /// What building and running had to say, until Reset, in built()'s texts.
+    /// Diagnostics of building and running, kept until Reset; their ranges are in the texts of built().
     [[nodiscard]] const std::vector<Diagnostic>& problems() const { return m_problems; }
-    /// Wall s that one tick (or building) has taken so far, where that is remarkably long; else 0.
-    [[nodiscard]] double heldUpS() const;
-    [[nodiscard]] QString heldUpBy() const;   ///< "robot0's Wanderer"; empty where it is no controller
-    [[nodiscard]] QString heldUpText() const; ///< the same in a sentence; empty while nothing is held up
-    /// Where a robot's config frame stands now (with a placement that waits for the next tick).
+    /// Wall-clock time (s) of the current tick, or of building, if it is unusually long; else 0.
+    [[nodiscard]] double notRespondingSeconds() const;
+    [[nodiscard]] QString unresponsiveController() const; ///< "robot0's Wanderer"; empty if it is not a controller
+    [[nodiscard]] QString notRespondingText() const;      ///< the same as a sentence; empty if everything responds
+    /// Current pose of a robot's config frame in the world, including a place() that waits for the next tick.
     [[nodiscard]] std::optional<Pose> robotPose(const std::string& robot) const;
-    /// The document's robot of that name is the one that runs, not another that took its name since.
+    /// Whether the document's robot of that name is the one in the run, not a newer one with the same name.
     [[nodiscard]] bool isOfRun(const std::string& robot) const { return m_sameRobots.has(robot); }
 
-    // --- the world, by stamped commands; refused() says why where they cannot be done ---
-    /// Force (N, world) at a point (m, world) on "robot0/chassis" in every tick until endPush(). While paused it works from
-    /// the next tick on.
+    // --- commands to the world, stamped with their tick; on failure refused() gives the reason ---
+    /// Applies a force (N, world frame) at a point (m, world frame) of "robot0/chassis" in every tick until endPush(). While
+    /// paused it starts with the next tick.
     bool push(const std::string& body, const Vec3& force, const Vec3& point);
     void endPush();
-    /// Puts a robot somewhere, at rest. While paused it is shown there at once.
+    /// Moves a robot to a pose (world frame), at rest. While paused it is shown there at once.
     bool place(const std::string& robot, const Pose& pose);
-    /// Drives a robot by its DifferentialDrive, m/s and rad/s; its controller has no turn until stopDriving(), after which the
-    /// robot stands until the controller commands something new.
+    /// Drives a robot by its DifferentialDrive, m/s and rad/s. Its controller is not called until stopDriving(); after that the
+    /// robot stops until the controller sends a new command.
     bool drive(const std::string& robot, double linear, double angular);
     void stopDriving();
     [[nodiscard]] std::string driven() const { return m_driven; } ///< robot, or empty
-    /// Why a robot cannot be driven; empty where it can.
+    /// Why a robot cannot be driven; empty if it can.
     [[nodiscard]] QString driveRefusal(const std::string& robot) const;
 
-    /// All that was done so, as it was stamped; none at Start.
+    /// All commands so far, with their ticks; none at Start.
     [[nodiscard]] std::vector<Command> commands() const { return m_run ? m_run->commands() : std::vector<Command>(); }
-    /// Why the poses cannot be kept; empty where they can.
+    /// Why the poses cannot be kept; empty if they can.
     [[nodiscard]] QString keepRefusal() const;
 
-    // --- edits since it was built ---
-    /// Dotted paths of properties and objects whose change in the document waits for a reset, sorted.
+    // --- edits since the run was built ---
+    /// Sorted dotted paths of properties and objects whose change in the document waits for a reset.
     [[nodiscard]] const std::vector<std::string>& waitingForReset() const { return m_waiting; }
     [[nodiscard]] bool needsReset() const { return !m_waiting.empty(); }
     [[nodiscard]] QString waitingText() const; ///< "robot0.Pos, Tick and 3 more"
-    /// Whether a property (or an object it stands in) is among them.
+    /// Whether a property, or an object that contains it, is among them.
     [[nodiscard]] bool waitsForReset(const std::string& propertyPath) const;
 
 public Q_SLOTS:
-    void run(); ///< begins where there is no world, and again after an end where edits wait or that was not its Duration; else goes on
+    void run(); ///< starts if there is no world; restarts if edits wait or it did not end at its Duration; else resumes
     void pause();
     void step();                 ///< one tick
-    void runFor(double seconds); ///< simulated s from now as fast as possible, then pauses
-    void reset();                ///< back to Start
+    void runFor(double seconds); ///< simulated s from now, as fast as possible, then pauses
+    void reset();                ///< returns to Start
     void setSpeed(double factor);
-    void keepPoses(); ///< Pos and HPR of the robots that moved, as one edit of the document
+    void keepPoses(); ///< sets Pos and HPR of the robots that moved, as one edit of the document
 
 Q_SIGNALS:
     void stateChanged();
     void speedChanged();
-    void refusalChanged();    ///< the document changed: whether and why run() would be refused
+    void refusalChanged();    ///< the document changed: refusal() may differ
     void advanced();          ///< new poses; at most about 60 times a second
-    void valuesChanged();     ///< liveValues() may be others: 10 times a second at most, and once more when the run stands
-    void experimentChanged(); ///< experiment() is another one: built, changed live or gone
-    void waitingChanged();    ///< needsReset() or what waits
-    void heldUpChanged();     ///< heldUpText() is another one
+    void valuesChanged();     ///< liveValues() may differ: at most 10 times a second, and once more when the run stops
+    void experimentChanged(); ///< experiment() returns another object: built, changed live or ended
+    void waitingChanged();    ///< needsReset() or the waiting edits changed
+    void notRespondingChanged(); ///< notRespondingText() changed
     void logsAtChanged();
     void problemsChanged();
     void consoleLines(const std::vector<trundle::LiveLine>& lines, quint64 dropped);
-    void ended(const trundle::Diagnostic& reason); ///< blew up, a controller failed or nothing could be built
+    void ended(const trundle::Diagnostic& reason); ///< the simulation became unstable, a controller failed or building failed
     void refused(const QString& reason);
 
 private:
-    struct Doorbell;
+    struct Notifier;
 
     bool begin(bool running, std::uint64_t steps = 0);
     void leave();
     void backToStart();
     void forgetProblems();
     [[nodiscard]] bool waitForRuns() const;
-    void look();
+    void readSnapshot();
     void showSnapshot(std::shared_ptr<const LiveSnapshot> snapshot);
-    void showValues();
-    void goOn(RunState state);
-    void takeReports();
+    void resume(RunState state);
+    void takeReports(), showValues();
     void setState(RunState state);
     void followDocument();
-    bool refuse(const QString& reason);
+    bool reject(const QString& reason);
     [[nodiscard]] const RobotSpec* robotNamed(const std::string& name) const;
-    [[nodiscard]] KeptPoses posesNow() const;
+    [[nodiscard]] StartPoses posesNow() const;
     [[nodiscard]] LogLocation logFolder() const;
-    void takeOwnLogs(), dropOwnLogs(), sayWithoutEdits();
-    void watch();
-    void tellLogs();
+    void takeOwnLogs(), dropOwnLogs(), reportWaitingEdits();
+    void watch(), reportLogs();
     void setLogsAt(const QString& folder);
-    void tell(int severity, const QString& text);
+    void addConsoleLine(int severity, const QString& text);
 
     Document& m_document;
-    Parts& m_parts;
-    mutable PreviewScene m_preview; // keeps what it read last
-    std::shared_ptr<Doorbell> m_doorbell;
-    QTimer m_frames, m_watch, m_valuesPause; // m_watch: whether a tick comes to its end; m_valuesPause: after valuesChanged()
+    Application& m_application;
+    mutable PreviewScene m_preview; // caches its last result
+    std::shared_ptr<Notifier> m_notifier;
+    QTimer m_frames, m_watch, m_valuesPause; // m_watch: detects slow ticks; m_valuesPause: minimum interval of valuesChanged()
     bool m_valuesWait = false;
-    QString m_saidHeldUp;
-    bool m_toldHeldUp = false;
+    QString m_notRespondingText;
+    bool m_reportedNotResponding = false;
     RunState m_state = RunState::Start;
     double m_speed = 1;
     bool m_contacts = false, m_radio = false;
 
     std::unique_ptr<LiveRun> m_run;
-    std::vector<std::unique_ptr<LiveRun>> m_leaving; // told to stop
-    std::shared_ptr<const Loaded> m_built;
+    std::vector<std::unique_ptr<LiveRun>> m_leaving; // runs asked to stop whose threads have not ended yet
+    std::shared_ptr<const LoadedProject> m_built;
     std::shared_ptr<const ExperimentSpec> m_experiment;
     std::shared_ptr<const SignalLayout> m_layout;
     std::unique_ptr<PoseReader> m_reader;
     std::shared_ptr<const LiveSnapshot> m_snapshot;
-    std::unique_ptr<LiveObjects> m_live; // of m_layout
+    std::unique_ptr<LiveObjects> m_live; // for m_layout
     std::shared_ptr<const BodyPoses> m_poses;
-    std::vector<PlaceCommand> m_placed; // at m_placedTick, not yet in a snapshot
+    std::vector<PlaceCommand> m_placed; // placed at m_placedTick while paused, not in a snapshot yet
     std::uint64_t m_placedTick = 0;
     std::optional<LiveEnd> m_end;
     QString m_logsAt;
-    LogLocation m_ownLogs; // outside the project, of this experiment alone
+    LogLocation m_ownLogs; // outside the project, for this experiment only
     std::vector<Diagnostic> m_problems;
     std::vector<std::string> m_waiting;
     std::string m_driven;
-    SameRobots m_sameRobots;
+    RobotMatch m_sameRobots;
 };
 
 } // namespace trundle

@@ -1,11 +1,11 @@
-// What a person does to a running world: it all enters as commands that the runner stamps.
+// RunSession: user commands to a running world. All are sent to the runner, which stamps them with their tick.
 #include <cmath>
 #include <numbers>
 
-#include "editor/running/kept_poses.h"
 #include "editor/running/pose_overlay.h"
 #include "editor/running/session.h"
-#include "project/described.h"
+#include "editor/running/start_poses.h"
+#include "project/unplaced_configs.h"
 
 namespace trundle {
 namespace {
@@ -35,7 +35,7 @@ std::optional<Pose> RunSession::robotPose(const std::string& robot) const {
 
 bool RunSession::push(const std::string& body, const Vec3& force, const Vec3& point) {
     if (m_state != RunState::Running && m_state != RunState::Paused)
-        return refuse(tr("A body can be pushed while the experiment runs."));
+        return reject(tr("A body can be pushed while the experiment runs."));
     if (!force.allFinite() || !point.allFinite()) return false;
     m_run->keepPushing(PushCommand{body, force, point});
     return true;
@@ -47,16 +47,16 @@ void RunSession::endPush() {
 
 bool RunSession::place(const std::string& robot, const Pose& pose) {
     if (m_state != RunState::Running && m_state != RunState::Paused)
-        return refuse(tr("A robot can be put elsewhere in a run while it is running or paused."));
+        return reject(tr("A robot can be moved while the experiment is running or paused."));
     if (!robotNamed(robot) || !isOfRun(robot))
-        return refuse(tr("%1 is no robot of this run.").arg(QString::fromStdString(robot)));
+        return reject(tr("%1 is no robot of this run.").arg(QString::fromStdString(robot)));
     if (!pose.position.allFinite() || !pose.rotation.coeffs().allFinite()) return false;
     m_run->command(PlaceCommand{robot, pose});
     if (m_state != RunState::Paused || !m_snapshot) return true;
     std::erase_if(m_placed, [&](const PlaceCommand& place) { return place.robot == robot; });
     m_placed.push_back({robot, pose});
     m_placedTick = m_snapshot->tick;
-    showSnapshot(std::make_shared<LiveSnapshot>(*m_snapshot)); // the same tick, seen with it
+    showSnapshot(std::make_shared<LiveSnapshot>(*m_snapshot)); // the same tick with the new pose
     return true;
 }
 
@@ -70,7 +70,7 @@ QString RunSession::driveRefusal(const std::string& name) const {
 }
 
 bool RunSession::drive(const std::string& name, double linear, double angular) {
-    if (const QString why = driveRefusal(name); !why.isEmpty()) return refuse(why);
+    if (const QString why = driveRefusal(name); !why.isEmpty()) return reject(why);
     if (!std::isfinite(linear) || !std::isfinite(angular)) return false;
     if (m_driven != name) {
         stopDriving();
@@ -98,27 +98,27 @@ void RunSession::stopDriving() {
 
 QString RunSession::keepRefusal() const {
     if (!m_snapshot || !m_document.loaded()) return tr("Nothing has moved yet: run the experiment first.");
-    if (!describedAlone(*m_document.loaded()).empty())
-        return tr("This file places no robot: the one that runs is there to be looked at, and has no pose in the text.");
+    if (!configsWithoutInstances(*m_document.loaded()).empty())
+        return tr("This file places no robot: the one shown is a preview and has no pose in the text.");
     if (m_state == RunState::Running) return tr("Pause the run first.");
     return posesNow().refusal;
 }
 
-KeptPoses RunSession::posesNow() const {
-    return keptPoses(*m_document.loaded(),
-                     [this](const std::string& robot) { return isOfRun(robot) ? robotPose(robot) : std::nullopt; });
+StartPoses RunSession::posesNow() const {
+    return startPoses(*m_document.loaded(),
+                      [this](const std::string& robot) { return isOfRun(robot) ? robotPose(robot) : std::nullopt; });
 }
 
 void RunSession::keepPoses() {
     if (const QString why = keepRefusal(); !why.isEmpty()) {
-        refuse(why);
+        reject(why);
         return;
     }
-    const KeptPoses kept = posesNow();
+    const StartPoses kept = posesNow();
     if (const Status done = m_document.setValues(tr("Keep Poses as Start"), kept.values); !done)
-        refuse(QString::fromStdString(done.error().message));
+        reject(QString::fromStdString(done.error().message));
     else if (!kept.leftOut.isEmpty())
-        Q_EMIT m_document.notice(tr("Poses kept, but not of %1: new or renamed since the run began.").arg(kept.leftOut));
+        Q_EMIT m_document.notice(tr("Poses saved, except of %1: new or renamed since the run started.").arg(kept.leftOut));
 }
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-// Where the logs of a run go, and what is said about them and about edits that do not reach the run.
+// RunSession: log folders, and messages about logs and about edits that do not reach the run.
 #include "editor/running/session.h"
 
 #include <filesystem>
@@ -13,13 +13,12 @@
 namespace trundle {
 namespace {
 
-constexpr int kMostOwnLogs = 10'000;
+constexpr int kMaxOwnLogs = 10'000;
 
 } // namespace
 
-/// Logs go where the command line puts them. Into the user's own folder go those of a sample that came with an installed program,
-/// and may not be written beside it, of an experiment that is in no file yet, and of a window that only looks: the other one writes
-/// them there.
+/// Logs are written where trundle-cli would write them. The user's own folder is used for installed samples, whose folder is not
+/// writable, for experiments not saved yet, and for read-only windows, since another window writes the project's logs.
 LogLocation RunSession::logFolder() const {
     const std::string& project = m_document.loaded()->projectFolder;
     if (!m_document.isNew() && !m_document.isReadOnly() && QFileInfo(QString::fromStdString(project)).isWritable())
@@ -29,14 +28,14 @@ LogLocation RunSession::logFolder() const {
     return own.isEmpty() ? LogLocation() : defaultLogs(own.toStdString(), m_document.path());
 }
 
-/// Two windows may have experiments of one name that are in no file: each takes a folder that nobody has yet.
+/// Two windows may have unsaved experiments of the same name: each takes a folder that does not exist yet.
 void RunSession::takeOwnLogs() {
     if (!m_ownLogs.empty() || (!m_document.isNew() && !m_document.isReadOnly())) return;
     const LogLocation first = logFolder();
     std::error_code failed;
     if (first.empty()) return;
     std::filesystem::create_directories(std::filesystem::path(first.path()).parent_path(), failed);
-    for (int n = 1; n <= kMostOwnLogs; ++n) {
+    for (int n = 1; n <= kMaxOwnLogs; ++n) {
         const LogLocation own(first.folder, n == 1 ? first.below : first.below + "_" + std::to_string(n));
         if (!std::filesystem::create_directory(own.path(), failed)) continue;
         m_ownLogs = own;
@@ -50,29 +49,29 @@ void RunSession::dropOwnLogs() {
     m_ownLogs = {};
 }
 
-void RunSession::tellLogs() {
-    if (const QString finish = finishText(); !finish.isEmpty()) tell(TRUNDLE_INFO, finish);
-    else if (!m_end->failure) tell(TRUNDLE_INFO, tr("finished at t = %1 s").arg(m_end->time));
+void RunSession::reportLogs() {
+    if (const QString finish = finishText(); !finish.isEmpty()) addConsoleLine(TRUNDLE_INFO, finish);
+    else if (!m_end->failure) addConsoleLine(TRUNDLE_INFO, tr("finished at t = %1 s").arg(m_end->time));
     QStringList files;
     for (const std::string& file : m_end->logFiles) files.append(QString::fromStdString(m_document.shown(file)));
     if (files.empty()) return;
-    tell(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
-    setLogsAt(QString::fromStdString(logFolder().path())); // a controller may have opened one
+    addConsoleLine(TRUNDLE_INFO, tr("wrote %1").arg(files.join(QStringLiteral(", "))));
+    setLogsAt(QString::fromStdString(logFolder().path())); // a controller may have opened the first log
 }
 
 QString RunSession::waitingText() const {
-    constexpr std::size_t kMostNamed = 3;
+    constexpr std::size_t kMaxNamed = 3;
     QStringList names;
-    for (std::size_t i = 0; i < std::min(kMostNamed, m_waiting.size()); ++i) names += QString::fromStdString(m_waiting[i]);
+    for (std::size_t i = 0; i < std::min(kMaxNamed, m_waiting.size()); ++i) names += QString::fromStdString(m_waiting[i]);
     const QString text = names.join(QStringLiteral(", "));
-    return m_waiting.size() <= kMostNamed ? text : tr("%1 and %2 more").arg(text, QString::number(m_waiting.size() - kMostNamed));
+    return m_waiting.size() <= kMaxNamed ? text : tr("%1 and %2 more").arg(text, QString::number(m_waiting.size() - kMaxNamed));
 }
 
-/// What runs on is not what the text says: said each time that it is set going.
-void RunSession::sayWithoutEdits() {
+/// Reports, each time the run is resumed, that it does not include the edits since it was built.
+void RunSession::reportWaitingEdits() {
     if (!needsReset()) return;
-    const QString text = tr("Goes on without the edits of %1: Shift+F5, then F5, runs with them").arg(waitingText());
-    tell(TRUNDLE_INFO, text);
+    const QString text = tr("Continues without the edits of %1: Shift+F5, then F5, runs with them").arg(waitingText());
+    addConsoleLine(TRUNDLE_INFO, text);
     Q_EMIT m_document.notice(text);
 }
 

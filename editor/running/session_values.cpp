@@ -1,4 +1,4 @@
-// What the objects of the run measure now.
+// RunSession: live values of the objects.
 #include "editor/running/session.h"
 #include "editor/widgets/theme.h"
 
@@ -20,7 +20,7 @@ QString RunSession::liveTip(const std::string& path) const {
     return rows.isEmpty() ? rows : QStringLiteral("<table cellspacing='0' cellpadding='0'>") + rows + QStringLiteral("</table>");
 }
 
-/// Starts the pause till the next time.
+/// Starts the minimum interval before the next update.
 void RunSession::showValues() {
     m_valuesWait = false;
     m_valuesPause.start();

@@ -14,13 +14,14 @@
 namespace trundle {
 namespace {
 
-struct StateLook {
+struct StateAppearance {
     QString text;
     Ink ink;
 };
 
-StateLook lookOf(const RunSession& session, bool open) {
-    if (!session.heldUpBy().isEmpty() && session.heldUpS() > 0) return {TransportBar::tr("Held up"), Ink::Warning};
+StateAppearance appearanceOf(const RunSession& session, bool open) {
+    if (!session.unresponsiveController().isEmpty() && session.notRespondingSeconds() > 0)
+        return {TransportBar::tr("Not responding"), Ink::Warning};
     switch (session.state()) {
     case RunState::Start:
         if (open && session.describesOnly()) return {TransportBar::tr("Nothing to run"), Ink::Faint};
@@ -32,10 +33,11 @@ StateLook lookOf(const RunSession& session, bool open) {
     case RunState::Ended: break;
     }
     const bool failed = session.end() && session.end()->failure;
-    return failed ? StateLook{TransportBar::tr("Stopped"), Ink::Error} : StateLook{TransportBar::tr("Finished"), Ink::Accent};
+    return failed ? StateAppearance{TransportBar::tr("Stopped"), Ink::Error}
+                  : StateAppearance{TransportBar::tr("Finished"), Ink::Accent};
 }
 
-/// As wide as the widest of the texts, so that nothing beside it moves.
+/// As wide as the widest of the texts, so that neighbouring widgets do not move.
 void fixWidth(QLabel* label, const QStringList& texts) {
     int width = 0;
     for (const QString& text : texts) width = std::max(width, label->fontMetrics().horizontalAdvance(text));
@@ -62,7 +64,7 @@ TransportBar::TransportBar(RunSession& session, Actions& actions, QWidget* paren
     connectActions();
     connect(&session, &RunSession::stateChanged, this, &TransportBar::showState);
     connect(&session, &RunSession::refusalChanged, this, &TransportBar::showState);
-    connect(&session, &RunSession::heldUpChanged, this, &TransportBar::showRefusal);
+    connect(&session, &RunSession::notRespondingChanged, this, &TransportBar::showRefusal);
     connect(&session, &RunSession::waitingChanged, this, &TransportBar::showRefusal);
     connect(&session, &RunSession::advanced, this, &TransportBar::showFigures);
     connect(&session, &RunSession::speedChanged, this, &TransportBar::showSpeed);
@@ -136,7 +138,7 @@ void TransportBar::showState() {
     QAction &run = m_actions.at("sim.run"), &pause = m_actions.at("sim.pause");
     run.setEnabled(open && !goes);
     pause.setEnabled(goes);
-    m_actions.at("sim.step").setEnabled(open && (state != RunState::Ended || m_session.canGoOn()) && !goes);
+    m_actions.at("sim.step").setEnabled(open && (state != RunState::Ended || m_session.canResume()) && !goes);
     m_actions.at("sim.reset").setEnabled(state != RunState::Start);
     m_actions.at("sim.keepPoses").setEnabled(state == RunState::Paused || state == RunState::Ended);
     QAction& shown = goes ? pause : run;
@@ -150,20 +152,21 @@ void TransportBar::showState() {
 
 void TransportBar::showRefusal() {
     const bool open = m_session.isOpen();
-    const StateLook look = lookOf(m_session, open);
+    const StateAppearance look = appearanceOf(m_session, open);
     const QColor colour = ink(look.ink);
     m_state->setText(look.text);
     m_state->setStyleSheet(
         QStringLiteral("QLabel { color: %1; border: 1px solid %1; border-radius: 8px; font-weight: 600; }").arg(colour.name()));
     fixWidth(m_state, {tr("At start"), tr("Building"), tr("Running"), tr("Paused"), tr("Finished"), tr("Stopped"),
-                       tr("Cannot run"), tr("Nothing to run"), tr("Held up")});
-    QString why = m_session.heldUpText();
+                       tr("Cannot run"), tr("Nothing to run"), tr("Not responding")});
+    QString why = m_session.notRespondingText();
     if (m_session.state() == RunState::Start && open) why = m_session.refusal();
     else if (m_session.end() && m_session.end()->failure) why = QString::fromStdString(m_session.end()->failure->message);
-    else if (m_session.canGoOn() && m_session.needsReset())
-        why = tr("At its Duration, and the edits of %1 wait for a reset. F5 begins again with them; F10 goes on without them by one tick.")
+    else if (m_session.canResume() && m_session.needsReset())
+        why = tr("At its Duration, and the edits of %1 wait for a reset. F5 begins again with them; F10 runs one tick without them.")
                   .arg(m_session.waitingText());
-    else if (m_session.canGoOn()) why = tr("At its Duration. F5 goes on past it, F10 by one tick; Shift+F5 goes back to the start.");
+    else if (m_session.canResume())
+        why = tr("At its Duration. F5 resumes past it, F10 runs one tick; Shift+F5 resets to the start.");
     m_state->setToolTip(why);
     m_run->setToolTip(why.isEmpty() || m_session.isActive() ? m_run->defaultAction()->toolTip() : why);
 }
@@ -179,7 +182,7 @@ void TransportBar::showFigures() {
 
 void TransportBar::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    // A new theme: the state's colour is set by hand.
+    // The theme changed: the state's colour is set explicitly.
     if (event->type() == QEvent::PaletteChange && m_state) showRefusal();
 }
 

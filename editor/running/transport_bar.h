@@ -10,8 +10,8 @@ namespace trundle {
 class Actions;
 class RunSession;
 
-/// Reset, run or pause, single tick, speed, time and real-time factor: a row for the tool bar. Also carries out sim.run, sim.pause,
-/// sim.step, sim.reset, sim.faster, sim.slower and sim.keepPoses and says which of them make sense now.
+/// Reset, run or pause, single tick, speed, time and real-time factor in a row for the tool bar. Implements sim.run, sim.pause,
+/// sim.step, sim.reset, sim.faster, sim.slower and sim.keepPoses, and enables those that apply.
 class TransportBar final : public QWidget {
     Q_OBJECT
 public:

@@ -9,7 +9,7 @@ namespace {
 
 const QString kKey = QStringLiteral("trustedFolders");
 
-/// With links resolved, so that one folder has one name.
+/// The canonical path, so that each folder has one name.
 QString realPath(const QString& folder) {
     const QString canonical = QFileInfo(folder).canonicalFilePath();
     return canonical.isEmpty() ? QDir::cleanPath(QDir(folder).absolutePath()) : canonical;

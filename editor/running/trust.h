@@ -5,8 +5,8 @@
 
 namespace trundle {
 
-/// Folders whose modules may run inside the program, kept in QSettings under "trustedFolders". The program's own modules need no
-/// trust of their own.
+/// Folders whose modules may run inside the program, saved in QSettings under "trustedFolders". The program's own modules are
+/// always trusted.
 class TrustedFolders {
 public:
     [[nodiscard]] static QStringList all();

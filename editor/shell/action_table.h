@@ -5,7 +5,7 @@
 
 namespace trundle {
 
-/// Every action of the window, in the order of its menus.
+/// Every action of the window, in the order of the menus.
 [[nodiscard]] std::span<const ActionRow> actionTable();
 
 } // namespace trundle

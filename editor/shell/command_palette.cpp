@@ -12,7 +12,7 @@ namespace {
 
 enum : int { kMenu = Qt::UserRole, kKeys, kIndex };
 
-/// Name on the left; menu and keys, faint, on the right.
+/// Paints the name on the left; menu and shortcut, faint, on the right.
 class CommandDelegate final : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -47,7 +47,7 @@ CommandPalette::CommandPalette(const Actions& actions, std::vector<Command> more
         if (std::string_view(row.id) == "edit.palette") continue;
         QString menu = QLatin1String(row.menu), name = action.text().remove(QLatin1Char('&'));
         menu.remove(QLatin1Char('|'));
-        if (const qsizetype under = menu.indexOf(QLatin1Char('/')); under > 0) // its name alone may not say enough: "Robot…"
+        if (const qsizetype under = menu.indexOf(QLatin1Char('/')); under > 0) // its name qualifies "Robot…"
             name = menu.mid(under + 1) + QStringLiteral(": ") + name;
         m_commands.push_back({name, menu, &action});
     }
@@ -60,14 +60,14 @@ CommandPalette::CommandPalette(const Actions& actions, std::vector<Command> more
     m_list->setItemDelegate(new CommandDelegate(m_list));
     m_list->setUniformItemSizes(true);
     m_list->setFocusPolicy(Qt::NoFocus);
-    m_none->setText(tr("No command is called so"));
+    m_none->setText(tr("No matching command"));
     m_none->setForegroundRole(QPalette::PlaceholderText);
     m_none->setAlignment(Qt::AlignCenter);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(m_search);
     layout->addWidget(m_list);
-    // Nothing else says where it ends: a popup has no frame of its own.
+    // A popup has no frame of its own.
     setStyleSheet(QStringLiteral("#commandPalette { border: 1px solid %1; }").arg(ink(Ink::Faint).name()));
     resize(560, 380);
     if (parent) move(parent->mapToGlobal(QPoint((parent->width() - width()) / 2, 70)));
@@ -93,7 +93,7 @@ void CommandPalette::fill(const QString& letters) {
     m_list->clear();
     std::vector<std::pair<int, std::size_t>> found;
     for (std::size_t i = 0; i < m_commands.size(); ++i)
-        // The words may stand in the menu's name too: "For Running" is one of View/Layout.
+        // Also matches the menu's name: "For Running" is an entry of View/Layout.
         if (int score = match(m_commands[i].name, letters);
             score > 0 || (score = match(m_commands[i].menu + QLatin1Char(' ') + m_commands[i].name, letters)) > 0)
             found.emplace_back(-score, i);

@@ -9,18 +9,18 @@
 
 namespace trundle {
 
-/// A list of every command, narrowed by a few letters. Enter does it.
+/// A list of all commands, filtered by typed letters. Enter runs the current one.
 class CommandPalette final : public QDialog {
     Q_OBJECT
 public:
     struct Command {
         QString name, menu;
-        QPointer<QAction> action; ///< those of a menu are made anew each time that it opens
+        QPointer<QAction> action; ///< actions of a menu may be deleted and recreated each time it opens
     };
-    /// `more`: commands that are not in the table, as those of the Insert menu.
+    /// `more`: commands that are not in the table of actions, such as those of the Insert menu.
     CommandPalette(const Actions& actions, std::vector<Command> more, QWidget* parent);
 
-    /// How well `letters` fit a command's name: 0 not at all; words that begin with them count most.
+    /// How well `letters` match a command's name: 0 no match; words that begin with them score highest.
     [[nodiscard]] static int match(const QString& name, const QString& letters);
 
 protected:

@@ -16,12 +16,12 @@
 namespace trundle {
 namespace {
 
-constexpr qsizetype kMostLines = 20;
+constexpr qsizetype kMaxLines = 20;
 
-/// One name a line.
+/// One name per line.
 QString linesOf(const QStringList& names) {
-    QStringList lines = names.mid(0, kMostLines);
-    if (const auto more = names.size() - kMostLines; more > 0) lines += FileCommands::tr("and %1 more").arg(more);
+    QStringList lines = names.mid(0, kMaxLines);
+    if (const auto more = names.size() - kMaxLines; more > 0) lines += FileCommands::tr("and %1 more").arg(more);
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -36,14 +36,14 @@ FileCommands::FileCommands(QWidget& window, Document& document, Actions& actions
     on("file.newRobot", [this] { newFrom("robot"); });
     on("file.newArena", [this] { newFrom("arena"); });
     on("file.open", [this] { choose(); });
-    on("file.openSample", [this] { close(); }); // the Welcome page shows them
+    on("file.openSample", [this] { close(); }); // the Welcome page lists the samples
     on("file.save", [this] { save(); });
     on("file.saveAs", [this] { saveAs(); });
     on("file.close", [this] { close(); });
 }
 
 void FileCommands::close() {
-    if (mayLeave()) m_document.close();
+    if (confirmClose()) m_document.close();
 }
 
 QMenu* FileCommands::makeRecentMenu() {
@@ -60,13 +60,13 @@ QMenu* FileCommands::makeRecentMenu() {
 }
 
 bool FileCommands::open(const QString& path) {
-    if (!mayLeave()) return false;
+    if (!confirmClose()) return false;
     m_document.openLater(path.toStdString());
     showOpening(path);
     return true;
 }
 
-/// After half a second: what is waited for, and a way back to what was open before.
+/// Opens a progress dialog after half a second. Cancelling it keeps the project that was open before.
 void FileCommands::showOpening(const QString& path) {
     delete m_progress;
     m_progress = new QProgressDialog(tr("Opening %1…").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 0, &m_window);
@@ -74,7 +74,7 @@ void FileCommands::showOpening(const QString& path) {
     m_progress->setWindowTitle(tr("Opening"));
     m_progress->setAttribute(Qt::WA_ShowWithoutActivating);
     m_progress->setMinimumDuration(500);
-    m_progress->setValue(0); // from now on
+    m_progress->setValue(0); // starts the timer of the minimum duration
     connect(m_progress, &QProgressDialog::canceled, this, [this] {
         m_document.cancelOpening();
         m_progress->deleteLater();
@@ -82,17 +82,17 @@ void FileCommands::showOpening(const QString& path) {
     connect(&m_document, &Document::opened, m_progress, &QObject::deleteLater);
 }
 
-void FileCommands::sayNotOpened(const QString& path, const QString& reason) {
-    delete m_progress; // it would come to lie on what is said here
+void FileCommands::reportNotOpened(const QString& path, const QString& reason) {
+    delete m_progress; // it would cover the message
     const QString what = reason.contains(path) ? reason : QStringLiteral("%1: %2").arg(path, reason);
-    tell(tr("Not opened"), Error{Code::FileUnreadable, what.toStdString()});
+    report(tr("Not opened"), Error{Code::FileUnreadable, what.toStdString()});
 }
 
 void FileCommands::newFrom(const char* templateName) {
-    if (!mayLeave()) return;
+    if (!confirmClose()) return;
     QFile file(resourcePath(QStringLiteral("templates/%1.sim").arg(QLatin1String(templateName))));
     if (!file.open(QIODevice::ReadOnly)) {
-        tell(tr("The template is missing"), Error{Code::FileUnreadable, file.errorString().toStdString()});
+        report(tr("The template is missing"), Error{Code::FileUnreadable, file.errorString().toStdString()});
         return;
     }
     makeNew(QLatin1String(templateName), file.readAll());
@@ -100,8 +100,8 @@ void FileCommands::newFrom(const char* templateName) {
 
 void FileCommands::makeNew(const QString& subject, const QByteArray& text) {
     const QString name = tr("untitled %1").arg(subject).replace(QLatin1Char(' '), QLatin1Char('_'));
-    tell(tr("The template could not be opened"),
-         m_document.openNew((name + QStringLiteral(".sim")).toStdString(), text.toStdString()));
+    report(tr("The template could not be opened"),
+           m_document.openNew((name + QStringLiteral(".sim")).toStdString(), text.toStdString()));
 }
 
 void FileCommands::tryOut(const QString& path) {
@@ -111,12 +111,12 @@ void FileCommands::tryOut(const QString& path) {
     QRegularExpressionMatch plan;
     if (file.open(QIODevice::ReadOnly))
         for (auto at = config.globalMatch(QString::fromUtf8(file.readAll())); at.hasNext();)
-            plan = at.next(); // the last uses the others
+            plan = at.next(); // the last config uses the others
     if (!plan.hasMatch()) {
         open(path);
         return;
     }
-    if (!mayLeave()) return;
+    if (!confirmClose()) return;
     const bool robot = plan.captured(1) == QStringLiteral("Robot");
     const QString text = QStringLiteral(
         "// %1, to look at and to drive: Run, then Drive with the Keyboard. Its plan is in the file imported for it.\n"
@@ -141,7 +141,7 @@ bool FileCommands::save() {
     if (!m_document.isOpen()) return true;
     if (m_document.isNew() || m_document.isSample(m_document.path())) return saveAs();
     const Status status = m_document.save();
-    tell(tr("Not saved"), status);
+    report(tr("Not saved"), status);
     return status.ok();
 }
 
@@ -156,12 +156,12 @@ bool FileCommands::saveAs() {
     const QString path = askWhereToSave(&m_window, tr("Save As"), start, tr(kFilter), QStringLiteral("sim"));
     if (path.isEmpty()) return false;
     const Status status = m_document.saveAs(path.toStdString());
-    tell(tr("Not saved"), status);
+    report(tr("Not saved"), status);
     if (status.ok()) addRecentFile(path);
     return status.ok();
 }
 
-bool FileCommands::mayLeave() {
+bool FileCommands::confirmClose() {
     m_flush();
     if (!m_document.isOpen() || !m_document.isModified()) return true;
     const QStringList names = unsavedFiles(m_document);
@@ -169,7 +169,7 @@ bool FileCommands::mayLeave() {
                          names.size() == 1 ? tr("Save the changes in %1?").arg(names.front())
                                            : tr("Save the changes in these %1 files?").arg(names.size()),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    const QString lost = tr("They are lost otherwise.");
+    const QString lost = tr("Unsaved changes are lost otherwise.");
     question.setInformativeText(names.size() == 1 ? lost : linesOf(names) + QStringLiteral("\n\n") + lost);
     question.setDefaultButton(QMessageBox::Save);
     question.setObjectName(QStringLiteral("unsavedQuestion"));
@@ -180,7 +180,7 @@ bool FileCommands::mayLeave() {
     }
 }
 
-void FileCommands::tell(const QString& title, const Status& status) {
+void FileCommands::report(const QString& title, const Status& status) {
     if (status.ok()) return;
     QMessageBox message(QMessageBox::Warning, title, QString::fromStdString(status.error().message), QMessageBox::Ok, &m_window);
     message.setObjectName(QStringLiteral("fileMessage"));

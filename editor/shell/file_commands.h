@@ -12,26 +12,27 @@
 
 namespace trundle {
 
-/// New, open, save, close: the flows of the File menu with their questions. Nothing is lost without an answer.
+/// New, open, save and close: the commands of the File menu with their questions. Unsaved changes are discarded only after a
+/// question.
 class FileCommands final : public QObject {
     Q_OBJECT
 public:
     FileCommands(QWidget& window, Document& document, Actions& actions, QString configs);
 
-    /// Begins to open a file, after asking about unsaved changes. False where it did not come to that.
+    /// Asks about unsaved changes, then starts to open a file. False if the user cancelled.
     bool open(const QString& path);
-    /// A new experiment with a robot or an arena that came with the program, so that it is seen and can be driven: a plan alone
-    /// stands nowhere.
+    /// A new experiment with one instance of a robot or arena installed with Trundle, so that it can be viewed and driven: its
+    /// file has no instance.
     void tryOut(const QString& path);
-    /// True where nothing is unsaved any more, or the user lets it go.
-    [[nodiscard]] bool mayLeave();
-    /// A menu of files opened lately.
+    /// True if nothing is unsaved any more, or the user discards it.
+    [[nodiscard]] bool confirmClose();
+    /// A menu of recent files.
     [[nodiscard]] QMenu* makeRecentMenu();
-    /// Called before texts are written or asked for: parts that hold typed text hand it over.
+    /// Called before texts are saved or their state is queried: panels must pass pending text to the document.
     void setFlush(std::function<void()> flush) { m_flush = std::move(flush); }
 
 public Q_SLOTS:
-    void sayNotOpened(const QString& path, const QString& reason);
+    void reportNotOpened(const QString& path, const QString& reason);
 
 private:
     void close();
@@ -41,13 +42,13 @@ private:
     void showOpening(const QString& path);
     bool save();
     bool saveAs();
-    void tell(const QString& title, const Status& status);
+    void report(const QString& title, const Status& status);
 
     QWidget& m_window;
     Document& m_document;
     QString m_configs;
     std::function<void()> m_flush = [] {};
-    QPointer<QProgressDialog> m_progress; ///< of what is being opened
+    QPointer<QProgressDialog> m_progress; ///< shown while a file is opened
 };
 
 } // namespace trundle

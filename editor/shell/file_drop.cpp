@@ -22,7 +22,7 @@ QString FileDrop::fileIn(const QMimeData& mime) {
     return text && file.isFile() ? file.filePath() : QString();
 }
 
-/// What the window system hands over comes to the window's own handle first, before any panel sees it.
+/// Drag events reach the QWindow before any widget.
 bool FileDrop::eventFilter(QObject* watched, QEvent* event) {
     if (watched == &m_window) {
         if (event->type() == QEvent::Show && m_window.windowHandle()) m_window.windowHandle()->installEventFilter(this);
@@ -33,7 +33,7 @@ bool FileDrop::eventFilter(QObject* watched, QEvent* event) {
     auto* drop = static_cast<QDropEvent*>(event);
     const QString file = fileIn(*drop->mimeData());
     if (file.isEmpty()) return false;
-    drop->setDropAction(Qt::CopyAction); // it stays where it is
+    drop->setDropAction(Qt::CopyAction); // the source must not delete the file
     drop->accept();
     if (type == QEvent::Drop)
         QMetaObject::invokeMethod(

@@ -9,13 +9,13 @@ class QWidget;
 
 namespace trundle {
 
-/// Opens a text that is dropped anywhere on a window, also on a panel that takes what is dropped for words to insert.
+/// Opens a file that is dropped anywhere on a window, including panels that would insert it as text.
 class FileDrop final : public QObject {
 public:
-    /// Lives as long as the window. `open` is called once the drop is over, as it may ask questions.
+    /// Owned by the window. `open` is called after the drop has finished, since it may ask questions.
     FileDrop(QWidget& window, std::function<void(const QString& path)> open);
 
-    /// The one file that is carried; empty where it is none of ours.
+    /// The path, if the data is a single supported file; else empty.
     [[nodiscard]] static QString fileIn(const QMimeData& mime);
 
 protected:

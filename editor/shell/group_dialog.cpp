@@ -23,7 +23,7 @@ QString trGroup(const char* text) { return QCoreApplication::translate("GroupDia
 void askForGroup(QWidget* parent, Document& document, const std::vector<std::string>& paths, const std::string& shippedConfigs) {
     if (!document.isOpen()) return;
     if (document.isNew() || document.isSample(document.path()))
-        return Q_EMIT document.refused(trGroup("A piece is a file beside the experiment: save the experiment first, under a name of its own."));
+        return Q_EMIT document.refused(trGroup("A piece is a file beside the experiment: save the experiment first."));
     const std::string name = freeGroupName(*document.loaded(), shippedConfigs);
     if (const auto plan = planGroup(*document.loaded(), paths, name, shippedConfigs); !plan)
         return Q_EMIT document.refused(QString::fromStdString(plan.error().message));
@@ -65,7 +65,7 @@ void askForGroup(QWidget* parent, Document& document, const std::vector<std::str
     QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, [&document, dialog, line, planned] {
         const auto plan = planned();
         if (!plan) return Q_EMIT document.refused(QString::fromStdString(plan.error().message));
-        (void)applyGroup(document, trGroup("Group into %1").arg(line->text().trimmed()), plan.value()); // which says why not
+        (void)applyGroup(document, trGroup("Group into %1").arg(line->text().trimmed()), plan.value()); // which reports a failure
         dialog->accept();
     });
     check();

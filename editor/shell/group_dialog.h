@@ -8,8 +8,9 @@ namespace trundle {
 
 class Document;
 
-/// Asks for a name and makes the objects one piece of that name, see planGroup(): one entry of the history. What cannot be grouped is said
-/// through Document::refused, before anything is asked. `shippedConfigs`: the folder of the program's own configs.
+/// Asks for a name and groups the objects into a config of that name, see planGroup(): one entry of the history. If they cannot
+/// be grouped, reports it through Document::refused() without asking. `shippedConfigs`: the folder of the configs installed with
+/// Trundle.
 void askForGroup(QWidget* parent, Document& document, const std::vector<std::string>& paths, const std::string& shippedConfigs);
 
 } // namespace trundle

@@ -24,7 +24,7 @@ GuideIndex::GuideIndex(const QString& folder) {
         bool code = false;
         for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
             if (line.startsWith(QStringLiteral("```"))) code = !code;
-            if (code) continue; // `#import` is no heading
+            if (code) continue; // `#import` in a code block is not a heading
             if (const auto found = heading.match(line); found.hasMatch())
                 place = page + QLatin1Char('#') + headingAnchor(found.captured(1));
             else if (const auto named = kinds.match(line); named.hasMatch())

@@ -6,18 +6,19 @@
 
 namespace trundle {
 
-/// The name of a heading in a link: "bodies-and-mass" of "Bodies and mass".
+/// The anchor of a heading in links: "bodies-and-mass" for "Bodies and mass".
 [[nodiscard]] QString headingAnchor(const QString& heading);
 
-/// Which place of the guide explains each kind: the heading above a comment such as `<!-- kinds: Box Sphere -->`. The words `controller`
-/// and `device` in it are for kinds of these roles that modules bring. Constructs that are no kinds stand in `<!-- words: #import Param -->`.
+/// Maps each kind to the section of the guide that explains it: the heading above a comment such as `<!-- kinds: Box Sphere
+/// -->`. The words `controller` and `device` in it stand for module kinds of these roles. Other constructs are in `<!-- words:
+/// #import Param -->`.
 class GuideIndex {
 public:
     /// Reads the Markdown files of a folder.
     explicit GuideIndex(const QString& folder);
-    /// "language.md#geoms"; empty where the guide does not explain the kind.
+    /// "language.md#geoms"; empty if the guide does not explain the kind.
     [[nodiscard]] QString placeOf(const Kind& kind) const;
-    /// The same of a word of the language that is no kind: "#import", "Param".
+    /// The same for a construct that is not a kind: "#import", "Param".
     [[nodiscard]] QString placeOf(const QString& word) const { return m_places.value(word); }
 
 private:

@@ -21,9 +21,9 @@ HelpPanel::HelpPanel(QWidget* parent) : QTextBrowser(parent), m_index(guideFolde
     setObjectName(QStringLiteral("guide"));
     setOpenExternalLinks(true);
     document()->setDocumentMargin(14);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // one that comes and goes would change the pictures' size
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // a scroll bar that appears would change the size of the images
     QScrollBar* bar = verticalScrollBar();
-    bar->setEnabled(false); // and empty, while there is nothing to scroll
+    bar->setEnabled(false); // disabled while there is nothing to scroll
     connect(bar, &QScrollBar::rangeChanged, bar, [bar](int least, int most) { bar->setEnabled(most > least); });
     connect(this, &QTextBrowser::sourceChanged, this, &HelpPanel::onSourceChanged);
     showKind(nullptr);
@@ -44,14 +44,14 @@ void HelpPanel::showPlace(const QString& place) {
     else setSource(url, QTextDocument::MarkdownResource);
 }
 
-/// A link into the page that is shown may keep its text. source() is still that of the page before.
+/// A link within the current page does not reload it. source() still returns the previous URL here.
 void HelpPanel::onSourceChanged(const QUrl& source) {
-    const QTextBlock title = document()->begin(); // has its anchor where the page has its type
+    const QTextBlock title = document()->begin(); // setType() has run if the title has its anchor
     if (title.begin().atEnd() || !title.begin().fragment().charFormat().isAnchor()) setType();
-    if (source.hasFragment()) scrollToAnchor(source.fragment()); // Markdown's headings have anchors only now
+    if (source.hasFragment()) scrollToAnchor(source.fragment()); // the headings have no anchors before setType()
 }
 
-/// Those of Markdown have a white double frame, and a first row also where nothing is in it.
+/// Replaces the format of Markdown tables, which have a white double frame, and removes an empty header row.
 static void setTable(QTextTable& table) {
     QTextTableFormat format = table.format();
     format.setBorderCollapse(true);
@@ -71,10 +71,10 @@ static void setTable(QTextTable& table) {
     if (empty) table.removeRows(0, 1);
 }
 
-/// Markdown comes without room between its paragraphs, and in fonts that are not the window's.
+/// Sets paragraph spacing, fonts and heading anchors, which Markdown documents lack.
 void HelpPanel::setType() {
     QTextCursor all(document());
-    all.beginEditBlock(); // laid out once, not after each piece
+    all.beginEditBlock(); // a single layout at the end
     for (QTextFrame* frame : document()->rootFrame()->childFrames())
         if (auto* table = qobject_cast<QTextTable*>(frame)) setTable(*table);
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
@@ -83,7 +83,7 @@ void HelpPanel::setType() {
         const bool heading = room.headingLevel() > 0;
         const auto isCode = [](const QTextBlock& b) { return b.isValid() && b.blockFormat().nonBreakableLines(); };
         const bool code = isCode(block), inTable = cursor.currentTable() != nullptr;
-        const bool picture = block.text().contains(QChar::ObjectReplacementCharacter); // of its height there is no fifth to add
+        const bool picture = block.text().contains(QChar::ObjectReplacementCharacter); // no extra height for images
         room.setLineHeight(heading || picture ? 100 : 120, QTextBlockFormat::ProportionalHeight);
         room.setTopMargin(heading && block.position() > 0 ? 14 : code || inTable ? 0 : 2);
         room.setBottomMargin(inTable || (code && isCode(block.next())) ? 0 : block.textList() ? 2 : 6);
@@ -95,9 +95,9 @@ void HelpPanel::setType() {
             cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
             cursor.mergeCharFormat(anchor);
         }
-        std::vector<QTextFragment> parts;
-        for (auto part = block.begin(); !part.atEnd(); ++part) parts.push_back(part.fragment());
-        for (const QTextFragment& part : parts) {
+        std::vector<QTextFragment> context;
+        for (auto part = block.begin(); !part.atEnd(); ++part) context.push_back(part.fragment());
+        for (const QTextFragment& part : context) {
             QTextCharFormat own;
             if (part.charFormat().fontWeight() > QFont::DemiBold) own.setFontWeight(QFont::DemiBold);
             if (part.charFormat().fontFixedPitch()) own.setFontFamilies({monospaceFont().family()});
@@ -111,7 +111,7 @@ void HelpPanel::setType() {
     all.endEditBlock();
 }
 
-/// As wide as they are, where there is room for that.
+/// Scales images down to the width of the panel.
 void HelpPanel::fitPictures() {
     const int room = std::max(120, viewport()->width() - 2 * int(document()->documentMargin()));
     QTextCursor all(document());

@@ -11,7 +11,7 @@ class HelpPanel final : public QTextBrowser {
 public:
     explicit HelpPanel(QWidget* parent = nullptr);
 
-    /// The place that explains the kind; the first page where there is none, or for nullptr.
+    /// Shows the section that explains the kind; the first page if there is none, or for nullptr.
     void showKind(const Kind* kind);
     void showConstruct(const QString& word); ///< "#import", "Param"
 

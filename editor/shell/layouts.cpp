@@ -8,11 +8,11 @@
 namespace trundle {
 namespace {
 
-constexpr int kVersion = 3; // raised when docks come or go, so that old settings are not applied to a new window
+constexpr int kVersion = 3; // increase when docks are added or removed: old settings are then ignored
 
 const QString kGuide = QStringLiteral("guide");
 
-/// All side docks do not stand beside 3D view and text there: a screen of 1600 x 1000 at scale factor 2.
+/// Whether the side docks do not fit next to viewport and text: for example 1600 x 1000 at scale factor 2.
 bool isSmall(const QWidget& window) { return window.width() < 1000 && window.height() < 600; }
 
 QString settingOf(Layout layout) { return QStringLiteral("layouts/") + nameOf(layout); }
@@ -23,11 +23,11 @@ QString nameOf(Layout layout) { return layout == Layout::Edit ? QStringLiteral("
 
 Layouts::Layouts(QMainWindow& window) : QObject(&window), m_window(window), m_menu(new QMenu(tr("&Panels"), &window)) {
     m_menu->setEnabled(false);
-    // Side docks stand beside the bottom ones only where the window is wide; the view should be as high as can be.
+    // Side docks extend to the bottom, so that the viewport is as high as possible.
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     m_window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks |
-                            QMainWindow::GroupedDragging); // also by the tab: one among tabs has no title
+                            QMainWindow::GroupedDragging); // GroupedDragging: also by the tab, since tabbed docks have no title
     m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
 }
 
@@ -67,7 +67,7 @@ void Layouts::resetCurrent() {
 }
 
 void Layouts::save() const {
-    if (m_shown && m_leavesTraces) QSettings().setValue(settingOf(m_layout), m_window.saveState(kVersion));
+    if (m_shown && m_savesSettings) QSettings().setValue(settingOf(m_layout), m_window.saveState(kVersion));
 }
 
 void Layouts::restore() {
@@ -75,7 +75,7 @@ void Layouts::restore() {
     const QSize size = m_window.size();
     const bool small = isSmall(m_window);
     const bool restored = !kept.isEmpty() && m_window.restoreState(kept, kVersion);
-    // What was kept on a larger screen makes the window wider where it is on the screen already.
+    // A layout saved on a larger screen widens the window while it is already visible.
     const bool fits = !small || std::max(m_window.minimumSizeHint().width(), m_window.width()) <= size.width();
     if (!restored || !fits) arrange(m_layout);
     if (fits) return;
@@ -94,7 +94,7 @@ void Layouts::setShown(bool shown) {
     if (shown) restore();
     else
         for (QDockWidget* dock : m_docks) dock->hide();
-    if (reading && shown) raise(kGuide); // who reads it on the Welcome page goes on in what it told them to open
+    if (reading && shown) raise(kGuide); // the user may be following instructions opened on the Welcome page
 }
 
 void Layouts::raise(const QString& name) {
@@ -112,7 +112,7 @@ void Layouts::arrange(Layout layout) {
     struct Place {
         const char* name;
         Qt::DockWidgetArea area;
-        const char* tabWith; // "" a place of its own
+        const char* tabWith; // nullptr: an area of its own
         bool shown;
     };
     static const Place edit[] = {{"scene", Qt::LeftDockWidgetArea, "", true},
@@ -139,7 +139,7 @@ void Layouts::arrange(Layout layout) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);
     }
-    const bool small = isSmall(m_window); // one column of tabs then
+    const bool small = isSmall(m_window); // all docks in one column of tabs
     for (const Place& place : layout == Layout::Edit ? edit : run) {
         QDockWidget* dock = m_docks.value(QLatin1String(place.name));
         if (!dock) continue;
@@ -155,11 +155,11 @@ void Layouts::arrange(Layout layout) {
          {small ? "properties" : "scene", small ? "scene" : "properties", layout == Layout::Edit ? "problems" : "console"})
         if (QDockWidget* dock = m_docks.value(QLatin1String(front))) dock->raise();
     sizeDocks();
-    // Again once the window is laid out: docks that were hidden until now do not take a size before that.
+    // Repeated after the layout: a dock that was hidden ignores its size before that.
     QMetaObject::invokeMethod(this, &Layouts::sizeDocks, Qt::QueuedConnection);
 }
 
-/// The tab of a dock says its name: a title below would say it again.
+/// Hides the title of tabbed docks, since the tab shows it.
 void Layouts::showTitles() {
     for (QDockWidget* dock : m_docks) {
         const QList<QDockWidget*> others = m_window.tabifiedDockWidgets(dock);

@@ -6,32 +6,32 @@
 
 namespace trundle {
 
-/// What the window is used for: each has its own arrangement of docks, kept in the settings.
+/// Arrangements of the docks, each saved in the settings.
 enum class Layout { Edit, Run };
 
 [[nodiscard]] QString nameOf(Layout layout);
 
-/// The docks of a window and where they stand.
+/// The docks of a window and their arrangement.
 class Layouts final : public QObject {
     Q_OBJECT
 public:
     explicit Layouts(QMainWindow& window);
 
-    /// Adds a dock, hidden until setShown(). Docks are known by the object names of their panels: "scene", "properties" ...
+    /// Adds a dock, hidden until setShown(). Docks are identified by their panel's object name: "scene", "properties" ...
     QDockWidget* add(QWidget* panel, const QString& title);
     [[nodiscard]] QDockWidget* dock(const QString& name) const { return m_docks.value(name); }
     void use(Layout layout);
     void resetCurrent();
     void save() const;
-    void leaveNoTrace() { m_leavesTraces = false; } ///< save() does nothing from now on
+    void disableSettings() { m_savesSettings = false; } ///< save() does nothing from now on
     [[nodiscard]] Layout current() const { return m_layout; }
-    /// The docks as they were last, or all away, as at first and on the Welcome page.
+    /// Restores the docks, or hides them all, as initially and on the Welcome page.
     void setShown(bool shown);
-    /// Brings a dock to the front, wherever it is. On the Welcome page there is only the guide.
+    /// Shows a dock and raises it. On the Welcome page only the guide can be shown.
     void raise(const QString& name);
-    /// Shows and hides each dock; of no use while setShown() keeps them away.
+    /// Shows and hides each dock; disabled while setShown(false).
     [[nodiscard]] QMenu* menu() const { return m_menu; }
-    /// "Show Console" ...: each brings a dock to the front, for who looks for it by its name.
+    /// "Show Console" ...: actions that raise a dock, for the command palette.
     [[nodiscard]] QList<QAction*> raising() const { return m_raising; }
 
 private:
@@ -45,7 +45,7 @@ private:
     QMap<QString, QDockWidget*> m_docks;
     QList<QAction*> m_raising;
     Layout m_layout = Layout::Edit;
-    bool m_shown = false, m_leavesTraces = true;
+    bool m_shown = false, m_savesSettings = true;
 };
 
 } // namespace trundle

@@ -26,7 +26,7 @@ std::vector<DiffLine> diffLines(std::string_view before, std::string_view after,
     using Kind = DiffLine::Kind;
     const std::vector<QString> a = linesOf(before), b = linesOf(after);
     std::vector<DiffLine> lines;
-    int done = 0; // lines of `before` that are told of
+    int done = 0; // lines of `before` processed so far
     const auto same = [&](int to) {
         for (; done < to; ++done) lines.push_back({Kind::Same, a[std::size_t(done)]});
     };

@@ -37,11 +37,11 @@
 #include "editor/shell/menus.h"
 #include "editor/shell/preferences_dialog.h"
 #include "editor/shell/recent_files.h"
+#include "editor/shell/saved_window_state.h"
 #include "editor/shell/share_dialog.h"
 #include "editor/shell/status_line.h"
 #include "editor/shell/unsaved_files.h"
 #include "editor/shell/welcome_page.h"
-#include "editor/shell/window_memory.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
 #include "editor/widgets/theme.h"
@@ -49,7 +49,7 @@
 namespace trundle {
 namespace {
 
-/// Whether a command means nothing on the Welcome page. Undo, the run and the controllers look after theirs themselves.
+/// Whether a command is disabled on the Welcome page. Undo, the run and the controllers enable theirs separately.
 bool needsDocument(std::string_view id) {
     for (const char* other : {"file.new", "file.open", "file.quit", "edit.undo", "edit.redo", "edit.palette", "edit.preferences",
                               "view.theme", "view.look", "sim.", "controllers.", "help."})
@@ -57,12 +57,12 @@ bool needsDocument(std::string_view id) {
     return true;
 }
 
-/// Neither the first size nor one remembered from a larger screen hides the status line.
+/// Limits the window to the screen, so that neither the default size nor one restored from a larger screen hides the status bar.
 void fitOnScreen(QWidget& window) {
     const Qt::WindowStates state = window.windowState();
-    window.setWindowState(Qt::WindowNoState); // how large it is once it is no longer maximized
+    window.setWindowState(Qt::WindowNoState); // sets the size after unmaximizing
     const QRect room =
-        window.screen()->availableGeometry().adjusted(4, 36, -4, -4); // less the frame, not known before it is shown
+        window.screen()->availableGeometry().adjusted(4, 36, -4, -4); // margin for the frame, not known before showing
     QRect place = window.geometry();
     place.setSize(place.size().boundedTo(room.size()));
     const bool remembered = window.testAttribute(Qt::WA_Moved);
@@ -78,9 +78,9 @@ void fitOnScreen(QWidget& window) {
 
 } // namespace
 
-MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& places)
-    : m_actions(std::make_unique<Actions>(actionTable())), m_document(new Document(parts, this)),
-      m_selection(new Selection(this)), m_session(new RunSession(*m_document, parts, this)), m_marks(new ObjectMarks(this)),
+MainWindow::MainWindow(Application& application, RenderService* render, const Locations& places)
+    : m_actions(std::make_unique<Actions>(actionTable())), m_document(new Document(application, this)),
+      m_selection(new Selection(this)), m_session(new RunSession(*m_document, application, this)), m_marks(new ObjectMarks(this)),
       m_edits(new ObjectEdits(*m_document, *m_selection, *m_marks, this)) {
     setObjectName(QStringLiteral("mainWindow"));
     resize(1440, 900);
@@ -88,26 +88,26 @@ MainWindow::MainWindow(Parts& parts, RenderService* render, const Locations& pla
     fitOnScreen(*this);
     m_files = new FileCommands(*this, *m_document, *m_actions, QString::fromStdString(places.configs));
     m_layouts = new Layouts(*this);
-    makePanels(parts, render, places);
+    makePanels(application, render, places);
     makeDocks();
     makeToolBars();
     connectPanels();
     connectActions();
-    connectCameras(parts, render);
+    connectCameras(application, render);
     showDocument();
-    QMetaObject::invokeMethod(this, &MainWindow::offerRecovery, Qt::QueuedConnection); // texts that no file holds
+    QMetaObject::invokeMethod(this, &MainWindow::offerRecovery, Qt::QueuedConnection); // recovers new texts that were never saved
 }
 
 MainWindow::~MainWindow() {
     m_layouts->save();
     m_memory->save();
-    delete m_memory; // it looks at the views
-    // Panels look at document, selection and run until they are gone.
+    delete m_memory; // before the views it refers to
+    // Panels refer to document, selection and run until they are deleted.
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete m_pages;
 }
 
-void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations& places) {
+void MainWindow::makePanels(Application& application, RenderService* render, const Locations& places) {
     m_pages = new QStackedWidget;
     m_welcome = new WelcomePage(*m_actions, QString::fromStdString(places.configs));
     m_viewport = new ViewportPanel(*m_document, *m_selection, *m_session, render, *m_actions);
@@ -123,13 +123,13 @@ void MainWindow::makePanels(Parts& parts, RenderService* render, const Locations
     m_pages->addWidget(m_work);
     setCentralWidget(m_pages);
 
-    m_memory = new WindowMemory(*m_document, *m_marks, *m_viewport, this);
+    m_memory = new SavedWindowState(*m_document, *m_marks, *m_viewport, this);
     m_outline = new OutlinePanel(*m_document, *m_selection, *m_marks, *m_edits);
     m_outline->showValuesOf(*m_session);
     m_outline->addToMenu(m_actions->at("view.pinValues"));
-    m_library = new LibraryPanel(*m_document, *m_selection, parts, render, places);
+    m_library = new LibraryPanel(*m_document, *m_selection, application, render, places);
     m_properties = new PropertiesPanel(*m_document, *m_selection, m_session);
-    m_properties->setMinimumWidth(300); // narrower, a row would lose its right end
+    m_properties->setMinimumWidth(300); // narrower, the rows would be cut off
     m_history = new HistoryPanel(*m_document);
     m_problems = new ProblemsPanel(*m_document, *m_selection);
     m_console = new ConsolePanel(*m_session);
@@ -190,15 +190,15 @@ void MainWindow::connectPanels() {
     connect(m_document, &Document::openFailed, this, notOpened);
     connect(m_document, &Document::opened, this, &MainWindow::showDocument);
     connect(m_document, &Document::opened, this, [this] { m_problemsMayCome = true; });
-    connect(m_document, &Document::changed, this, &MainWindow::raiseProblemsOnce); // comes behind opened()
+    connect(m_document, &Document::changed, this, &MainWindow::raiseProblemsOnce); // emitted after opened()
     connect(m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(m_document, &Document::refused, m_status, &StatusLine::refuse);
-    connect(m_document, &Document::selectionWanted, m_selection, [this](const auto& paths) { m_selection->set(paths); });
+    connect(m_document, &Document::selectionRequested, m_selection, [this](const auto& paths) { m_selection->set(paths); });
     connect(m_document, &Document::notice, m_status, &StatusLine::refuse);
-    connect(m_document, &Document::diskChanged, this, &MainWindow::askAboutDisk);
+    connect(m_document, &Document::diskChanged, this, &MainWindow::askAboutDiskChange);
     connect(m_document, &Document::opened, this, &MainWindow::offerRecovery, Qt::QueuedConnection);
-    connect(m_document, &Document::opened, m_console, &ConsolePanel::clear); // what it told of is gone
-    connect(m_document, &Document::openFailed, m_files, &FileCommands::sayNotOpened);
+    connect(m_document, &Document::opened, m_console, &ConsolePanel::clear); // its messages refer to the previous project
+    connect(m_document, &Document::openFailed, m_files, &FileCommands::reportNotOpened);
     connect(m_document, &Document::readOnlyChanged, this, &MainWindow::showReadOnly);
     connect(m_session, &RunSession::refused, m_status, &StatusLine::refuse);
     connect(m_session, &RunSession::refused, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
@@ -213,11 +213,11 @@ void MainWindow::connectPanels() {
         std::ranges::replace(body, '/', '.');
         m_selection->select(body);
     });
-    connect(m_welcome, &WelcomePage::openWanted, m_files, &FileCommands::open);
-    connect(m_welcome, &WelcomePage::tryWanted, m_files, &FileCommands::tryOut);
+    connect(m_welcome, &WelcomePage::openRequested, m_files, &FileCommands::open);
+    connect(m_welcome, &WelcomePage::tryRequested, m_files, &FileCommands::tryOut);
     connect(m_problems, &ProblemsPanel::countsChanged, m_status, &StatusLine::setProblems);
     m_status->setProblems(m_problems->errors(), m_problems->warnings());
-    connect(m_status, &StatusLine::problemsWanted, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
+    connect(m_status, &StatusLine::problemsRequested, this, [this] { m_layouts->raise(QStringLiteral("problems")); });
     connect(m_outline, &OutlinePanel::jumpTo, this, [this](const std::string& file, TextRange block) {
         showText(true);
         m_text->revealBlock(file, block);
@@ -228,18 +228,20 @@ void MainWindow::connectPanels() {
     connect(m_problems, &ProblemsPanel::modelChecked, m_text, &TextPanel::setModelProblems);
     connect(m_controllers, &ControllersPanel::jumpTo, this, go);
     connect(m_controllers, &ControllersPanel::refused, m_status, &StatusLine::refuse);
-    connect(m_controllers, &ControllersPanel::attentionWanted, this, [this] { m_layouts->raise(QStringLiteral("controllers")); });
+    connect(m_controllers, &ControllersPanel::attentionRequested, this,
+            [this] { m_layouts->raise(QStringLiteral("controllers")); });
     connect(m_marks, &ObjectMarks::hiddenChanged, this, [this] {
         m_viewport->setHidden({m_marks->hidden().begin(), m_marks->hidden().end()});
     });
     connect(m_marks, &ObjectMarks::lockedChanged, this, [this] {
         m_viewport->setLocked({m_marks->locked().begin(), m_marks->locked().end()});
     });
-    connect(m_text, &TextPanel::said, m_status, &StatusLine::refuse);
-    connect(m_radios, &RadiosPanel::said, m_status, &StatusLine::refuse);
-    m_document->structure().setAsker([this](const ShareQuestion& question, const StructureEdits::Answer& answer) {
-        askAboutSharedConfig(this, question, answer);
-    });
+    connect(m_text, &TextPanel::messageRequested, m_status, &StatusLine::refuse);
+    connect(m_radios, &RadiosPanel::messageRequested, m_status, &StatusLine::refuse);
+    m_document->structure().setShareQuestionHandler(
+        [this](const ShareQuestion& question, const StructureEdits::ShareAnswer& answer) {
+            askAboutSharedConfig(this, question, answer);
+        });
     m_files->setFlush([this] { m_text->flush(); });
     m_text->installEventFilter(this);
     new FileDrop(*this, [this](const QString& path) { m_files->open(path); });
@@ -282,7 +284,8 @@ void MainWindow::connectActions() {
     for (const char* id :
          {"edit.cut", "edit.copy", "edit.paste", "edit.delete", "edit.duplicate", "edit.rename", "edit.selectAll", "edit.find"})
         on(id, [this, id] { doEdit(id); });
-    on("edit.group", [this] { askForGroup(this, *m_document, m_selection->paths(), m_session->parts().locations().configs); });
+    on("edit.group",
+       [this] { askForGroup(this, *m_document, m_selection->paths(), m_session->application().locations().configs); });
     on("edit.filter", [this] {
         m_layouts->raise(QStringLiteral("scene"));
         m_outline->focusFilter();
@@ -291,20 +294,20 @@ void MainWindow::connectActions() {
     on("problems.previous", [this] { m_problems->goTo(-1); });
     on("problems.fix", [this] { m_problems->fixCurrent(); });
     for (const char* id : {"edit.findInFiles", "edit.replace"}) on(id, [this] { showText(true); });
-    new KeyboardDrive(*m_session, *m_selection, *m_actions, *this); // a child of the window
+    new KeyboardDrive(*m_session, *m_selection, *m_actions, *this); // child of the window
     on("sim.drive", [this](bool drives) {
         if (!drives) return;
-        m_viewport->current().setFocus(); // in a text the arrows move the caret
+        m_viewport->current().setFocus(); // in a text editor the arrows move the caret
         m_status->refuse(tr("The arrow keys steer the selected robot while it runs, with Shift twice as fast."));
     });
-    on("sim.run", [this] { // the arrows are meant for the robot now, not for the row that was edited last
+    on("sim.run", [this] { // the arrow keys should drive the robot, not edit the last row
         if (m_actions->at("sim.drive").isChecked()) m_viewport->current().setFocus();
     });
     connect(m_document, &Document::historyChanged, this, &MainWindow::showUndo);
     showUndo();
 }
 
-/// The page of work with its docks and bars, or the Welcome page.
+/// Shows the main page with docks and tool bars, or the Welcome page.
 void MainWindow::showPages(bool work) {
     m_pages->setCurrentWidget(work ? static_cast<QWidget*>(m_work) : m_welcome);
     m_layouts->setShown(work);
@@ -315,7 +318,7 @@ void MainWindow::showPages(bool work) {
 void MainWindow::showDocument() {
     const bool open = m_document->isOpen();
     showPages(open);
-    if (open && m_leavesTraces && !m_document->isNew()) addRecentFile(QString::fromStdString(m_document->path()));
+    if (open && m_savesSettings && !m_document->isNew()) addRecentFile(QString::fromStdString(m_document->path()));
     if (!open) m_welcome->refresh();
     for (const ActionRow& row : m_actions->table())
         if (needsDocument(row.id)) m_actions->at(row.id).setEnabled(open);

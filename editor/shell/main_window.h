@@ -1,5 +1,5 @@
 #pragma once
-// The window: joins the panels, and is the only one who knows them all.
+// The main window: creates and connects the panels. Only this class uses all of them.
 
 #include <map>
 #include <memory>
@@ -37,15 +37,15 @@ class TextPanel;
 class TransportBar;
 class ViewportPanel;
 class WelcomePage;
-class WindowMemory;
+class SavedWindowState;
 
 struct Kind;
 
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
-    /// `render` is null where no OpenGL is to be had; the views then say so. Both outlive the window.
-    MainWindow(Parts& parts, RenderService* render, const Locations& places);
+    /// `render` is null without OpenGL; the viewports then show a message. Both must outlive the window.
+    MainWindow(Application& application, RenderService* render, const Locations& places);
     ~MainWindow() override;
 
     [[nodiscard]] Document& document() { return *m_document; }
@@ -55,23 +55,23 @@ public:
     [[nodiscard]] ViewportPanel& viewport() { return *m_viewport; }
     [[nodiscard]] TextPanel& text() { return *m_text; }
 
-    /// Asks about unsaved changes, then opens. False where it did not come to that.
+    /// Asks about unsaved changes, then opens. False if the user cancelled.
     bool open(const QString& path);
-    /// For running the 3D view takes the centre; for editing the text comes back where it was.
+    /// For running the viewport is in the centre; for editing the text is shown as before.
     void setLayout(Layout layout);
-    /// Shows the text beside the 3D view, or not.
+    /// Shows or hides the text next to the viewport.
     void showText(bool shown);
     void showHelp();
     [[nodiscard]] const Kind* kindForHelp();
-    /// "perspective", "top", "front", "side", "follow", "chase", or "text": the text alone. "" leaves it as it is.
+    /// "perspective", "top", "front", "side", "follow", "chase", or "text": the text alone. "" does nothing.
     void useView(const QString& name);
-    /// All that is shown is drawn as it is now.
+    /// Everything visible is up to date. For tests and screenshots.
     [[nodiscard]] bool isSettled() const;
-    /// Hidden and locked objects, cameras, overlays and snap steps are those of the last time, and are kept for the next.
+    /// Restores and saves hidden and locked objects, cameras, overlays and snap steps per experiment.
     void rememberViews();
-    /// Neither recent files nor the size and docks of this window are kept for the next one.
-    void leaveNoTrace();
-    /// Keeps for the next start what is kept, and lets go of the project. The window is done then.
+    /// Recent files and the size and docks of this window are not saved.
+    void disableSettings();
+    /// Saves the settings and closes the project. The window must not be used afterwards.
     void putAway();
 
 protected:
@@ -80,7 +80,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void makePanels(Parts& parts, RenderService* render, const Locations& places);
+    void makePanels(Application& application, RenderService* render, const Locations& places);
     void makeDocks();
     void makeToolBars();
     void connectPanels();
@@ -95,11 +95,11 @@ private:
     void doEdit(const char* id);
     [[nodiscard]] QList<QAction*> insertActions();
     void showUndo();
-    void connectCameras(Parts& parts, RenderService* render);
+    void connectCameras(Application& application, RenderService* render);
     [[nodiscard]] QString pictureFile(const QString& ending) const;
-    void askAboutDisk(const QString& file);
+    void askAboutDiskChange(const QString& file);
     void offerRecovery();
-    void tellOfJournals();
+    void reportJournals();
     void showReadOnly(const QString& holder);
     void setDarkTheme(bool dark);
     void applyPreferences(const Preferences& before, const Preferences& now);
@@ -132,9 +132,9 @@ private:
     HelpPanel* m_help = nullptr;
     TransportBar* m_transport = nullptr;
     StatusLine* m_status = nullptr;
-    WindowMemory* m_memory = nullptr;
-    bool m_leavesTraces = true, m_textForEditing = true, m_problemsMayCome = false;
-    QString m_toldJournals; ///< what tellOfJournals() said last
+    SavedWindowState* m_memory = nullptr;
+    bool m_savesSettings = true, m_textForEditing = true, m_problemsMayCome = false;
+    QString m_reportedJournals; ///< the last message of reportJournals()
     std::map<QString, QMenu*> m_menus;
 };
 

@@ -1,4 +1,4 @@
-// Cameras, pictures and movies: what the window joins for them.
+// MainWindow: cameras, saving images, and movies.
 
 #include <QDir>
 #include <QFileInfo>
@@ -13,25 +13,25 @@
 
 namespace trundle {
 
-/// Beside the experiment, named as it is; in the user's own folder where that cannot be written.
+/// A file next to the experiment with its name; in the user's own folder if the project's is not writable.
 QString MainWindow::pictureFile(const QString& ending) const {
     const QFileInfo text(QString::fromStdString(m_document->path()));
     const bool beside = !m_document->isNew() && QFileInfo(text.path()).isWritable();
     return QDir(beside ? text.path() : QDir::homePath()).filePath(text.completeBaseName() + ending);
 }
 
-void MainWindow::connectCameras(Parts& parts, RenderService* render) {
-    connect(m_cameras, &CamerasPanel::said, m_status, &StatusLine::refuse);
-    connect(m_cameras, &CamerasPanel::lookThroughWanted, this, [this](const std::string& camera) {
+void MainWindow::connectCameras(Application& application, RenderService* render) {
+    connect(m_cameras, &CamerasPanel::messageRequested, m_status, &StatusLine::refuse);
+    connect(m_cameras, &CamerasPanel::lookThroughRequested, this, [this](const std::string& camera) {
         showViewport(true);
         m_viewport->current().lookThrough(camera);
     });
-    connect(m_outline, &OutlinePanel::lookThroughWanted, this, [this](const std::string& path) {
+    connect(m_outline, &OutlinePanel::lookThroughRequested, this, [this](const std::string& path) {
         showViewport(true);
         m_viewport->lookThrough(path);
     });
     const auto needsGraphics = [this, render] {
-        if (!render) m_status->refuse(tr("Pictures need OpenGL, and none is to be had here."));
+        if (!render) m_status->refuse(tr("Pictures need OpenGL, which is not available."));
         return render != nullptr;
     };
     connect(&m_actions->at("view.savePicture"), &QAction::triggered, this, [this, render, needsGraphics] {
@@ -44,21 +44,21 @@ void MainWindow::connectCameras(Parts& parts, RenderService* render) {
                 [this](const QString& path) { m_status->refuse(tr("Wrote %1").arg(path)); });
         dialog->open();
     });
-    connect(&m_actions->at("sim.record"), &QAction::triggered, this, [this, &parts, render, needsGraphics] {
+    connect(&m_actions->at("sim.record"), &QAction::triggered, this, [this, &application, render, needsGraphics] {
         if (!needsGraphics()) return;
         if (auto* before = findChild<MovieDialog*>()) return before->raise(); // one movie at a time
         View& view = m_viewport->current();
-        MovieOffer offer;
+        MovieDialogOptions options;
         if (const QString why = m_session->refusal(); !why.isEmpty()) return m_status->refuse(why);
-        offer.text = m_document->loaded();
-        offer.run = m_session->snapshot() ? m_session->built() : nullptr;
-        offer.commands = m_session->commands();
-        offer.runTime = m_session->time();
-        offer.view = [&view](std::uint32_t width, std::uint32_t height) { return view.movingView(width, height); };
-        offer.shown = view.size();
-        offer.look = view.still(std::uint32_t(view.width()), std::uint32_t(view.height()));
-        offer.file = pictureFile(QStringLiteral(".mp4"));
-        auto* dialog = new MovieDialog(parts, *render, std::move(offer), this);
+        options.text = m_document->loaded();
+        options.run = m_session->snapshot() ? m_session->built() : nullptr;
+        options.commands = m_session->commands();
+        options.runTime = m_session->time();
+        options.view = [&view](std::uint32_t width, std::uint32_t height) { return view.movingView(width, height); };
+        options.shown = view.size();
+        options.look = view.still(std::uint32_t(view.width()), std::uint32_t(view.height()));
+        options.file = pictureFile(QStringLiteral(".mp4"));
+        auto* dialog = new MovieDialog(application, *render, std::move(options), this);
         connect(dialog, &MovieDialog::recorded, this,
                 [this](const QString& path) { m_status->refuse(tr("Wrote %1").arg(path)); });
         dialog->show();

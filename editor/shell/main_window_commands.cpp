@@ -1,4 +1,4 @@
-// What the window's own commands do.
+// MainWindow: implementation of its commands.
 
 #include <functional>
 #include <utility>
@@ -26,27 +26,27 @@
 #include "editor/shell/line_diff.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/recovery_dialog.h"
+#include "editor/shell/saved_window_state.h"
 #include "editor/shell/status_line.h"
-#include "editor/shell/window_memory.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 namespace {
 
-/// Whether no movie is being recorded, or the person says that it may be lost.
-bool mayEndRecording(MainWindow& window) {
+/// Whether no movie is being recorded, or the user agrees to cancel it.
+bool confirmEndRecording(MainWindow& window) {
     const QPointer<MovieDialog> movie = window.findChild<MovieDialog*>();
     if (!movie || !movie->isRecording()) return true;
     QMessageBox question(QMessageBox::Question, MainWindow::tr("A movie is being recorded"),
                          MainWindow::tr("Stop recording and close the window?"), QMessageBox::NoButton, &window);
     question.setObjectName(QStringLiteral("movieQuestion"));
-    question.setInformativeText(MainWindow::tr("The movie is not kept then."));
+    question.setInformativeText(MainWindow::tr("The movie will be discarded."));
     question.addButton(MainWindow::tr("Stop Recording"), QMessageBox::DestructiveRole);
-    QPushButton* stay = question.addButton(MainWindow::tr("Go On"), QMessageBox::RejectRole);
+    QPushButton* stay = question.addButton(MainWindow::tr("Continue"), QMessageBox::RejectRole);
     question.setDefaultButton(stay);
     question.exec();
     return question.clickedButton() != stay || !movie || !movie->isRecording();
@@ -56,22 +56,22 @@ bool mayEndRecording(MainWindow& window) {
 
 bool MainWindow::open(const QString& path) { return m_files->open(path); }
 
-/// Of the block at the caret while the keyboard is in a text, else of what is selected.
+/// Of the block at the caret if a text has the focus, else of the selection.
 const Kind* MainWindow::kindForHelp() {
     if (!m_document->isOpen() || !m_document->loaded() || m_help->hasFocus()) return nullptr;
     if (m_text->hasKeyboard()) return m_text->kindAtCaret();
     if (m_selection->empty()) return nullptr;
-    const Loaded& loaded = *m_document->loaded();
+    const LoadedProject& loaded = *m_document->loaded();
     const std::string path = m_selection->current();
     if (path.empty()) return loaded.registry->find("settings");
-    const std::optional<ObjectPlace> place = placeOf(loaded, path);
+    const std::optional<ObjectLocation> place = placeOf(loaded, path);
     if (!place) return nullptr;
     const Part* part = place->part ? place->part : place->instance;
     return part ? part->kind : nullptr;
 }
 
 void MainWindow::showHelp() {
-    // Before the dock may take the keyboard.
+    // Before the dock can take the focus.
     const QString construct = m_document->isOpen() && m_text->hasKeyboard() ? m_text->constructAtCaret() : QString();
     const Kind* kind = kindForHelp();
     m_layouts->raise(QStringLiteral("guide"));
@@ -80,7 +80,7 @@ void MainWindow::showHelp() {
 }
 
 void MainWindow::showText(bool shown) {
-    // One of the two is always there.
+    // At least one of the two is shown.
     if (!shown) m_viewport->show();
     m_text->setVisible(shown);
     m_actions->at("view.text").setChecked(shown);
@@ -117,17 +117,17 @@ void MainWindow::connectLogs() {
         m_status->setLogs(open.isEnabled() ? folder : QString());
     };
     connect(m_session, &RunSession::logsAtChanged, this, show);
-    connect(m_session, &RunSession::stateChanged, this, show); // the folder is made with the first of them
-    connect(m_status, &StatusLine::logsWanted, &open, &QAction::trigger);
+    connect(m_session, &RunSession::stateChanged, this, show); // the folder is created with the first log
+    connect(m_status, &StatusLine::logsRequested, &open, &QAction::trigger);
     connect(&open, &QAction::triggered, this, [this] {
         const QString& folder = m_session->logsAt();
         if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
-            m_status->refuse(tr("No program here opens folders. The logs are in %1").arg(folder));
+            m_status->refuse(tr("No file manager is available. The logs are in %1").arg(folder));
     });
     show();
 }
 
-/// What is wrong with a file that was just opened is not to be looked for.
+/// Shows the Problems panel once after opening a file with diagnostics.
 void MainWindow::raiseProblemsOnce() {
     if (!std::exchange(m_problemsMayCome, false) || !m_document->isOpen()) return;
     if (m_document->loaded()->diagnostics.errorCount() > 0) m_layouts->raise(QStringLiteral("problems"));
@@ -143,9 +143,9 @@ void MainWindow::showPlace(const std::string& file, TextRange range) {
     m_text->reveal(file, range, true);
 }
 
-/// What the window's edit actions mean where the keyboard is: in the text a text, everywhere else the selected objects.
+/// Runs an edit action on the text that has the focus, else on the selected objects.
 void MainWindow::doEdit(const char* id) {
-    if (m_text->hasKeyboard() && m_text->carryOut(id)) return;
+    if (m_text->hasKeyboard() && m_text->apply(id)) return;
     const std::string_view what = id;
     if (what == "edit.cut") m_edits->cutSelected();
     else if (what == "edit.copy") m_edits->copySelected();
@@ -162,7 +162,7 @@ void MainWindow::doEdit(const char* id) {
         m_selection->set(all);
     } else if (what == "edit.find") {
         showText(true);
-        m_text->carryOut(id);
+        m_text->apply(id);
     }
 }
 
@@ -170,7 +170,7 @@ QList<QAction*> MainWindow::insertActions() {
     QList<QAction*> leaves;
     QMenu* insert = m_menus.at(QStringLiteral("Insert"));
     Q_EMIT insert->aboutToShow();
-    // Along the menus, not their children: among those are what aboutToShow() has just taken out.
+    // Follows the menus rather than findChildren(), which would include actions just removed by aboutToShow().
     const std::function<void(const QMenu&)> collect = [&](const QMenu& menu) {
         for (QAction* action : menu.actions()) {
             if (action->menu()) collect(*action->menu());
@@ -198,7 +198,7 @@ void MainWindow::setDarkTheme(bool dark) {
 }
 
 void MainWindow::applyPreferences(const Preferences& before, const Preferences& now) {
-    const bool newTheme = now.theme != before.theme; // else the one of the command line stays
+    const bool newTheme = now.theme != before.theme; // else the theme of the command line stays
     if (newTheme || now.fonts != before.fonts) applyTheme(*qApp, newTheme ? themeOf(now.theme) : currentTheme(), now.fonts);
     m_actions->at("view.theme").setChecked(currentTheme() == ThemeKind::Dark);
     m_text->setWrapLines(now.wrapLines);
@@ -206,21 +206,21 @@ void MainWindow::applyPreferences(const Preferences& before, const Preferences& 
 }
 
 void MainWindow::offerRecovery() {
-    if (m_document->isReadOnly()) return; // once it may be edited
-    tellOfJournals();
+    if (m_document->isReadOnly()) return; // offered when it becomes editable
+    reportJournals();
     std::vector<Recovery> found = m_document->recoveries();
     if (found.empty()) return;
-    for (auto* asked : findChildren<RecoveryDialog*>()) asked->close(); // this one offers the same, and more
+    for (auto* asked : findChildren<RecoveryDialog*>()) asked->close(); // the new dialog includes their content
     auto* dialog = new RecoveryDialog(
-        *m_document, std::move(found), [this] { return m_files->mayLeave(); }, this);
+        *m_document, std::move(found), [this] { return m_files->confirmClose(); }, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 
-/// Once for each: who has read it may go on without them.
-void MainWindow::tellOfJournals() {
+/// Reports each message once.
+void MainWindow::reportJournals() {
     const QString text = journalsNotRead(*m_document);
-    if (text.isEmpty() || text == std::exchange(m_toldJournals, text)) return;
+    if (text.isEmpty() || text == std::exchange(m_reportedJournals, text)) return;
     auto* message = new QMessageBox(QMessageBox::Information, tr("Unsaved edits were not restored"), text, QMessageBox::Ok, this);
     message->setObjectName(QStringLiteral("journalsNotRead"));
     message->setAttribute(Qt::WA_DeleteOnClose);
@@ -228,18 +228,17 @@ void MainWindow::tellOfJournals() {
 }
 
 void MainWindow::showReadOnly(const QString& holder) {
-    for (auto* asked : findChildren<QMessageBox*>(QStringLiteral("lockQuestion"))) asked->close(); // it is answered
+    for (auto* asked : findChildren<QMessageBox*>(QStringLiteral("lockQuestion"))) asked->close(); // the question is obsolete
     if (holder.isEmpty()) {
-        QMetaObject::invokeMethod(this, &MainWindow::offerRecovery, Qt::QueuedConnection); // what the other one left
+        QMetaObject::invokeMethod(this, &MainWindow::offerRecovery, Qt::QueuedConnection); // those of the other window
         return;
     }
     auto* question = new QMessageBox(QMessageBox::Information, tr("Open elsewhere"),
                                      tr("This project is open in %1.").arg(holder), QMessageBox::NoButton, this);
     question->setObjectName(QStringLiteral("lockQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(
-        tr("Here it can be looked at and run, not changed, so that the two do not get in each other's way."));
-    question->setEscapeButton(question->addButton(tr("Only Look"), QMessageBox::AcceptRole));
+    question->setInformativeText(tr("It can be viewed and run here, but not edited."));
+    question->setEscapeButton(question->addButton(tr("Open Read-Only"), QMessageBox::AcceptRole));
     const auto* edit = question->addButton(tr("Edit Anyway"), QMessageBox::DestructiveRole);
     connect(question, &QMessageBox::buttonClicked, this, [this, edit](QAbstractButton* button) {
         if (button == edit) m_document->editAnyway();
@@ -247,25 +246,27 @@ void MainWindow::showReadOnly(const QString& holder) {
     question->open();
 }
 
-void MainWindow::askAboutDisk(const QString& file) {
+void MainWindow::askAboutDiskChange(const QString& file) {
     const auto mineNow = m_document->text(file.toStdString()), theirs = m_document->diskChanges()[file.toStdString()];
     if (!mineNow || !theirs) return;
     for (auto* asked : findChildren<QMessageBox*>(QStringLiteral("diskQuestion")))
-        if (asked->property("file") == file) delete asked; // it was written once more meanwhile
-    auto* question = new QMessageBox(QMessageBox::Question, tr("Changed on disk"),
-                                     tr("Another program wrote %1 while it had edits here, and both touch the same lines.")
-                                         .arg(QString::fromStdString(m_document->shown(file.toStdString()))),
-                                     QMessageBox::NoButton, this);
+        if (asked->property("file") == file) delete asked; // the file changed again meanwhile
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Changed on disk"),
+                        tr("Another program changed %1, which has unsaved edits here, and both change the same lines.")
+                            .arg(QString::fromStdString(m_document->shown(file.toStdString()))),
+                        QMessageBox::NoButton, this);
     question->setObjectName(QStringLiteral("diskQuestion"));
     question->setProperty("file", file);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    setHtmlInformation(*question, tr("Theirs would change this here; it can be undone.") +
+    setHtmlInformation(*question, tr("Loading it from disk would change this; it can be undone.") +
                                       diffAsHtml(inShort(diffLines(*mineNow, *theirs, 1))));
-    QPushButton* mine = question->addButton(tr("Keep Mine"), QMessageBox::RejectRole);
+    QPushButton* mine = question->addButton(tr("Keep My Version"), QMessageBox::RejectRole);
     question->setDefaultButton(mine);
-    question->addButton(tr("Take Theirs"), QMessageBox::AcceptRole);
+    question->addButton(tr("Load From Disk"), QMessageBox::AcceptRole);
     connect(question, &QMessageBox::buttonClicked, this, [this, file, mine](QAbstractButton* button) {
-        (void)m_document->resolveDiskChange(file.toStdString(), button == mine ? Document::Keep::Mine : Document::Keep::Theirs);
+        (void)m_document->resolveDiskChange(file.toStdString(),
+                                            button == mine ? Document::Resolution::Mine : Document::Resolution::Theirs);
     });
     question->open();
 }
@@ -293,14 +294,14 @@ void MainWindow::showAbout() {
            "(<i>core/sdk</i>) are under the 2-clause BSD licence.</p>"
            "<p>With Qt %1, QScintilla, the Open Dynamics Engine, OpenSceneGraph, assimp and Eigen. Fonts: Inter and JetBrains "
            "Mono, SIL Open Font License.</p>"
-           "<p>Carries out and goes beyond the simulator of James Ashcraft’s thesis <i>Design and Development of an Expandable "
+           "<p>Implements and extends the simulator of James Ashcraft’s thesis <i>Design and Development of an Expandable "
            "Robot Simulation Framework</i> (2011).</p>")
             .arg(QLatin1String(qVersion())));
     about.exec();
 }
 
-/// The keys that take objects away do so in the tree and in the views. Elsewhere whoever presses them means what is there, be it a
-/// message or a value, and the robot that happens to be selected stays.
+/// The Delete and Cut shortcuts apply to objects only if the outline or a viewport has the focus. Elsewhere they belong to the
+/// focused widget, and the selected robot stays.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
@@ -315,12 +316,12 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
-    // Whoever comes back from another program may have written a file there.
-    if (event->type() == QEvent::ActivationChange && isActiveWindow()) m_document->lookAtDisk();
+    // Another program may have changed a file while the window was inactive.
+    if (event->type() == QEvent::ActivationChange && isActiveWindow()) m_document->checkExternalChanges();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayEndRecording(*this) || !m_files->mayLeave()) return event->ignore();
+    if (!confirmEndRecording(*this) || !m_files->confirmClose()) return event->ignore();
     putAway();
     event->accept();
 }
@@ -330,14 +331,14 @@ void MainWindow::rememberViews() {
     m_viewport->settings().keepBetweenStarts();
 }
 
-void MainWindow::leaveNoTrace() {
-    m_leavesTraces = false;
-    m_layouts->leaveNoTrace();
+void MainWindow::disableSettings() {
+    m_savesSettings = false;
+    m_layouts->disableSettings();
 }
 
 void MainWindow::putAway() {
     m_layouts->save();
-    if (m_leavesTraces) QSettings().setValue(QStringLiteral("windowGeometry"), saveGeometry());
+    if (m_savesSettings) QSettings().setValue(QStringLiteral("windowGeometry"), saveGeometry());
     m_document->close();
 }
 

@@ -9,7 +9,8 @@
 
 namespace trundle {
 
-/// Menus of a window as the table says; by path ("File", "File/New"), so that others may add what is not in the table.
+/// Builds a window's menus from the table of actions. Returns them by path ("File", "File/New"), so that callers can add actions
+/// that are not in the table.
 [[nodiscard]] std::map<QString, QMenu*> buildMenus(QMenuBar& bar, const Actions& actions);
 
 } // namespace trundle

@@ -26,7 +26,8 @@ const QString kTrusted = QStringLiteral("trustedFolders");
 
 QString menuOf(const ActionRow& row) { return QString(QLatin1String(row.menu)).remove(QLatin1Char('|')); }
 
-/// As the table has it, since an action's own text may say more ("Undo Move robot0"); with its submenu, since "Robot" alone says little.
+/// The table's text, since the action's current one may be longer ("Undo Move robot0"); with its submenu, since "Robot" alone is
+/// ambiguous.
 QString nameOf(const ActionRow& row) {
     const QString menu = menuOf(row), name = PreferencesDialog::tr(row.text).remove(QLatin1Char('&')).remove(QStringLiteral("…"));
     const qsizetype under = menu.indexOf(QLatin1Char('/'));
@@ -48,7 +49,7 @@ PreferencesDialog::PreferencesDialog(Actions& actions, QWidget* parent) : QDialo
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(tabs);
     layout->addWidget(buttons);
-    for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false); // Enter in a field does nothing
+    for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false); // not for Enter in a field
 }
 
 QWidget* PreferencesDialog::makeGeneral() {
@@ -88,7 +89,7 @@ QWidget* PreferencesDialog::makeGeneral() {
 }
 
 void PreferencesDialog::take() {
-    if (!m_theme || !m_textFont || !m_wrap || !m_navigation) return; // still being made
+    if (!m_theme || !m_textFont || !m_wrap || !m_navigation) return; // the dialog is still being built
     const Preferences before = m_preferences;
     m_preferences.theme = static_cast<ThemeChoice>(m_theme->currentIndex());
     m_preferences.fonts = {m_interfaceFont->value(), m_textFont->value()};
@@ -162,7 +163,7 @@ bool PreferencesDialog::areFree(const char* id, const QKeySequence& keys) {
         const auto row = std::ranges::find_if(m_actions.table(), [&](const ActionRow& r) { return other == r.id; });
         const auto answer = QMessageBox::question(
             this, tr("Keys in use"),
-            tr("%1 is the shortcut of “%2”. Take it from there?").arg(keys.toString(QKeySequence::NativeText), nameOf(*row)),
+            tr("%1 is the shortcut of “%2”. Reassign it?").arg(keys.toString(QKeySequence::NativeText), nameOf(*row)),
             QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
         if (answer != QMessageBox::Yes) return false;
         m_actions.setShortcut(other.constData(), {});
@@ -179,7 +180,7 @@ void PreferencesDialog::setKeys(const char* id, const QKeySequence& keys) {
 void PreferencesDialog::fillShortcuts() {
     const int current = m_shortcuts->indexOfTopLevelItem(m_shortcuts->currentItem());
     {
-        const QSignalBlocker quiet(m_shortcuts); // the button that did this keeps the focus
+        const QSignalBlocker quiet(m_shortcuts); // keeps the focus on the button that was pressed
         m_shortcuts->clear();
     }
     for (std::size_t i = 0; i < m_actions.table().size(); ++i) {
@@ -198,13 +199,13 @@ void PreferencesDialog::narrow() {
     QTreeWidgetItem* first = nullptr;
     for (int i = 0; i < m_shortcuts->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = m_shortcuts->topLevelItem(i);
-        const bool fits = std::ranges::any_of(std::array{0, 1, 2}, [&](int column) { // keys too: who has Ctrl+D?
+        const bool fits = std::ranges::any_of(std::array{0, 1, 2}, [&](int column) { // also by shortcut: which one has Ctrl+D?
             return item->text(column).contains(words, Qt::CaseInsensitive);
         });
         item->setHidden(!fits);
         if (fits && !first) first = item;
     }
-    // Keys are set for what is seen to be chosen.
+    // Select a visible row, since shortcuts apply to the current one.
     if (const QTreeWidgetItem* current = m_shortcuts->currentItem(); !current || current->isHidden())
         m_shortcuts->setCurrentItem(first);
 }
@@ -213,11 +214,11 @@ QWidget* PreferencesDialog::makeTrust() {
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
     auto* why = new QLabel(
-        tr("Modules are programs. Those in these folders, and those that come with Trundle, are loaded without a question."));
+        tr("Modules are programs. Those in these folders, and those that come with Trundle, are loaded without asking."));
     why->setWordWrap(true);
     m_folders->setObjectName(QStringLiteral("trustedFolders"));
     m_folders->addItems(QSettings().value(kTrusted).toStringList());
-    auto* remove = new QPushButton(tr("Trust no longer"));
+    auto* remove = new QPushButton(tr("Stop trusting"));
     connect(remove, &QPushButton::clicked, this, [this] {
         delete m_folders->currentItem();
         QStringList left;

@@ -13,13 +13,14 @@ class QSpinBox;
 
 namespace trundle {
 
-/// Theme, fonts and the like, shortcuts of every action, and the folders whose modules may run. All is kept and works at once.
+/// Theme, fonts, text and navigation settings, shortcuts of every action, and the folders whose modules may run. Changes apply
+/// and are saved at once.
 class PreferencesDialog final : public QDialog {
     Q_OBJECT
 public:
     PreferencesDialog(Actions& actions, QWidget* parent);
 
-    /// The action, other than `id`, that has these keys; "" where they are free.
+    /// Id of the action, other than `id`, that has this shortcut; "" if it is free.
     [[nodiscard]] static QString ownerOf(const Actions& actions, const QKeySequence& keys, const char* id);
 
 Q_SIGNALS:
@@ -32,7 +33,7 @@ private:
     QWidget* makeTrust();
     void fillShortcuts();
     void narrow();
-    /// Takes the keys from who has them, if that is wanted.
+    /// Whether the shortcut is free, or the user agrees to remove it from the action that has it.
     [[nodiscard]] bool areFree(const char* id, const QKeySequence& keys);
     void setKeys(const char* id, const QKeySequence& keys);
 
@@ -40,7 +41,7 @@ private:
     Preferences m_preferences = loadPreferences();
     QComboBox *m_theme = nullptr, *m_wrap = nullptr, *m_navigation = nullptr;
     QSpinBox *m_interfaceFont = nullptr, *m_textFont = nullptr;
-    QLabel* m_buttons = nullptr; ///< of the mouse, in the chosen style
+    QLabel* m_buttons = nullptr; ///< mouse buttons of the selected navigation style
     QLineEdit* m_filter = new QLineEdit;
     QTreeWidget* m_shortcuts = new QTreeWidget;
     QListWidget* m_folders = new QListWidget;

@@ -8,7 +8,7 @@
 
 namespace trundle {
 
-static constexpr int kMostRecent = 12;
+static constexpr int kMaxRecent = 12;
 
 QStringList recentFiles() {
     QStringList files = QSettings().value(QStringLiteral("recentFiles")).toStringList();
@@ -20,21 +20,21 @@ void addRecentFile(const QString& path) {
     QStringList files = QSettings().value(QStringLiteral("recentFiles")).toStringList();
     files.removeAll(path);
     files.prepend(path);
-    QSettings().setValue(QStringLiteral("recentFiles"), files.mid(0, kMostRecent));
+    QSettings().setValue(QStringLiteral("recentFiles"), files.mid(0, kMaxRecent));
 }
 
 QList<Sample> sampleExperiments(const QString& configs) {
     const std::initializer_list<std::array<const char*, 3>> samples{
         {"linear_motion", "Linear motion", "One metre straight ahead, measured."},
         {"arc_motion", "Arc motion", "A full circle at a commanded speed and turn rate."},
-        {"obstacle_detection", "Obstacle detection", "Bump, back off, turn, go on: a walled arena."},
+        {"obstacle_detection", "Obstacle detection", "Bump, back off, turn, continue: a walled arena."},
         {"swarm", "Swarm", "A hundred robots, each on a random walk of its own."},
         {"camera_swarm", "Camera swarm", "Twenty robots with a camera each, all after one red ball."},
         {"blob_follow", "Blob follow", "Looks around with a camera, drives to the red ball."},
         {"directional_antenna", "Directional antenna", "Turns once, finds three motes by how strong they are."},
         {"turn_angle", "Turn angle", "How exactly a turn finds the bearings of five motes."},
-        {"sensor_network_amr", "Sensor network", "A carrier follows nine motes to the one it cannot hear."},
-        {"network_navigation", "Network navigation", "By signal strength alone to a target that is out of hearing."},
+        {"sensor_network_amr", "Sensor network", "A carrier follows nine motes to the one out of its range."},
+        {"network_navigation", "Network navigation", "By signal strength alone to a target that is out of range."},
         {"thesis_figure_3_4", "Figure 3.4", "The experiment of the thesis's figure 3.4."},
     };
     QList<Sample> found;
@@ -49,8 +49,8 @@ QList<Sample> sampleExperiments(const QString& configs) {
 }
 
 QList<Sample> sampleParts(const QString& configs) {
-    const std::initializer_list<std::array<const char*, 3>> parts{
-        {"robots/simple_robot", "Simple robot", "Two driven wheels, a slider, a bumper that feels."},
+    const std::initializer_list<std::array<const char*, 3>> context{
+        {"robots/simple_robot", "Simple robot", "Two driven wheels, a slider, a touch-sensing bumper."},
         {"robots/evbot", "EvBot", "A sturdy indoor robot, bumpers front and back."},
         {"robots/amr", "AMR", "A heavy carrier for halls and corridors."},
         {"robots/camera_robot", "Camera robot", "Two driven wheels and a camera on a mast."},
@@ -60,7 +60,7 @@ QList<Sample> sampleParts(const QString& configs) {
         {"arenas/colour_yard", "Colour yard", "A red ball to find among things of other colours."},
     };
     QList<Sample> found;
-    for (const auto& [name, title, description] : parts) {
+    for (const auto& [name, title, description] : context) {
         const QString path = configs + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".sim");
         if (!QFileInfo::exists(path)) continue;
         const QString picture = QStringLiteral("pictures/gallery/%1.png").arg(QFileInfo(path).completeBaseName());

@@ -3,16 +3,16 @@
 
 namespace trundle {
 
-/// Files opened lately, newest first, kept in the settings. Files that are gone are left out.
+/// Recently opened files, newest first, saved in the settings. Files that do not exist are left out.
 [[nodiscard]] QStringList recentFiles();
 void addRecentFile(const QString& path);
 
-/// The sample experiments that come with the program, in the order in which a newcomer should meet them.
+/// The sample experiments installed with Trundle, in a recommended order for newcomers.
 struct Sample {
     QString path, title, description, picture;
 };
 [[nodiscard]] QList<Sample> sampleExperiments(const QString& configs);
-/// Robots and arenas that come with the program.
+/// Robots and arenas installed with Trundle.
 [[nodiscard]] QList<Sample> sampleParts(const QString& configs);
 
 } // namespace trundle

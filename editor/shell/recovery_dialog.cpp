@@ -26,13 +26,13 @@ QByteArray onDisk(const std::string& path) {
 
 } // namespace
 
-RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, std::function<bool()> mayLeave, QWidget* parent)
-    : QDialog(parent), m_document(document), m_found(std::move(found)), m_mayLeave(std::move(mayLeave)) {
+RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, std::function<bool()> confirmClose,
+                               QWidget* parent)
+    : QDialog(parent), m_document(document), m_found(std::move(found)), m_confirmClose(std::move(confirmClose)) {
     setObjectName(QStringLiteral("recovery"));
     setWindowTitle(tr("Unsaved work was found"));
     resize(760, 480);
-    auto* text =
-        new QLabel(tr("Trundle did not end well the last time. These edits were not saved; what they change is shown below."));
+    auto* text = new QLabel(tr("Trundle closed unexpectedly. These edits were not saved; their changes are shown below."));
     text->setWordWrap(true);
     m_list->setObjectName(QStringLiteral("recoveries"));
     m_list->setMaximumHeight(110);
@@ -40,11 +40,11 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
     m_preview->setOpenLinks(false);
     useMonospaceFont(*m_preview);
     m_preview->setFrameShape(QFrame::StyledPanel);
-    auto* back = new QPushButton(tr("Bring Back"));
-    auto* drop = new QPushButton(tr("Throw Away"));
+    auto* back = new QPushButton(tr("Restore"));
+    auto* drop = new QPushButton(tr("Discard"));
     auto* later = new QPushButton(tr("Later"));
-    back->setObjectName(QStringLiteral("bringBack"));
-    drop->setObjectName(QStringLiteral("throwAway"));
+    back->setObjectName(QStringLiteral("restoreEdits"));
+    drop->setObjectName(QStringLiteral("discardEdits"));
     back->setDefault(true);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(drop);
@@ -57,10 +57,10 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
     layout->addWidget(m_preview, 1);
     layout->addLayout(buttons);
     connect(m_list, &QListWidget::currentRowChanged, this, &RecoveryDialog::show);
-    connect(back, &QPushButton::clicked, this, &RecoveryDialog::bringBack);
+    connect(back, &QPushButton::clicked, this, &RecoveryDialog::restore);
     connect(drop, &QPushButton::clicked, this, &RecoveryDialog::discard);
     connect(later, &QPushButton::clicked, this, &QDialog::reject);
-    // Once the list is in the dialog, or its rows have the height they have without a style.
+    // After the list was inserted, since the style determines the row height.
     for (const Recovery& r : m_found) {
         const QFileInfo file(QString::fromStdString(r.head.opened));
         const QString name =
@@ -95,18 +95,18 @@ void RecoveryDialog::show(int row) {
     html += QStringLiteral("</ul>");
     for (const auto& [path, recovered] : recovery.files) {
         html += QStringLiteral("<p style='font-weight:600'>%1</p>").arg(heading(path));
-        html += isOutside(path) ? diffAsHtml(diffLines(recovered.base, recovered.text)) // what is on the disk is not its business
+        html += isOutside(path) ? diffAsHtml(diffLines(recovered.base, recovered.text)) // its file is not read
                                 : diffAsHtml(diffLines(onDisk(path).toStdString(), Document::recoveredText(path, recovered)));
     }
     m_preview->setHtml(html);
 }
 
-void RecoveryDialog::bringBack() {
+void RecoveryDialog::restore() {
     const int row = m_list->currentRow();
     if (row < 0) return;
-    if (m_document.isReplacedBy(m_found[std::size_t(row)]) && !m_mayLeave()) return;
+    if (m_document.isReplacedBy(m_found[std::size_t(row)]) && !m_confirmClose()) return;
     if (const Status done = m_document.recover(m_found[std::size_t(row)]); !done) {
-        QMessageBox::warning(this, tr("Not brought back"), QString::fromStdString(done.error().message));
+        QMessageBox::warning(this, tr("Not restored"), QString::fromStdString(done.error().message));
         return;
     }
     accept();
@@ -115,9 +115,9 @@ void RecoveryDialog::bringBack() {
 void RecoveryDialog::discard() {
     const int row = m_list->currentRow();
     if (row < 0) return;
-    QMessageBox question(QMessageBox::Warning, tr("Throw away?"), tr("These edits cannot be had back then."),
+    QMessageBox question(QMessageBox::Warning, tr("Discard?"), tr("These edits cannot be restored afterwards."),
                          QMessageBox::Discard | QMessageBox::Cancel, this);
-    question.setObjectName(QStringLiteral("throwAwayQuestion"));
+    question.setObjectName(QStringLiteral("discardQuestion"));
     question.setDefaultButton(QMessageBox::Cancel);
     if (question.exec() != QMessageBox::Discard) return;
     discardRecovery(m_found[std::size_t(row)]);

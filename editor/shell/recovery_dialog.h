@@ -9,22 +9,22 @@
 
 namespace trundle {
 
-/// Offers what a window that ended badly has left, with what differs from the disk. Nothing is thrown away unasked: closing the
-/// dialog keeps the journals, and the next start offers them again.
+/// Offers to restore the unsaved edits of a window that crashed, and shows their differences from the files. Nothing is
+/// discarded without a question: closing the dialog keeps the journals, and they are offered again at the next start.
 class RecoveryDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// `mayLeave` asks what becomes of unsaved edits that would give way to those brought back.
-    RecoveryDialog(Document& document, std::vector<Recovery> found, std::function<bool()> mayLeave, QWidget* parent);
+    /// `confirmClose` asks about unsaved edits that restoring would replace.
+    RecoveryDialog(Document& document, std::vector<Recovery> found, std::function<bool()> confirmClose, QWidget* parent);
 
 private:
     void show(int row);
-    void bringBack();
+    void restore();
     void discard();
 
     Document& m_document;
     std::vector<Recovery> m_found;
-    std::function<bool()> m_mayLeave;
+    std::function<bool()> m_confirmClose;
     QListWidget* m_list = new QListWidget;
     QTextBrowser* m_preview = new QTextBrowser;
 };

@@ -11,16 +11,16 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("ShareDialog", text); }
 
-constexpr qsizetype kMostUsersNamed = 8;
+constexpr qsizetype kMaxUsersNamed = 8;
 
-QString usersOf(const ShareQuestion& question) {
+QString dependentsOf(const ShareQuestion& question) {
     const auto files = question.users.size();
     if (files > 1) return tr("%1 files use it").arg(files);
     if (question.instances > 1) return tr("%1 instances use it").arg(question.instances);
     return files == 1 ? tr("1 file uses it") : tr("no file uses it yet");
 }
 
-/// Who gets the copy: some of the instances, or all of a file.
+/// Text of the copy button: which instances will use the copy.
 QString copyButtonText(const ShareQuestion& question) {
     const auto some = question.copyFor.size();
     if (some == 1 && question.instances > 1) return tr("Make a copy for %1").arg(question.copyFor.front());
@@ -30,7 +30,7 @@ QString copyButtonText(const ShareQuestion& question) {
 
 } // namespace
 
-void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const StructureEdits::Answer& answer) {
+void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const StructureEdits::ShareAnswer& answer) {
     auto* box =
         new QMessageBox(QMessageBox::Question, tr("Shared config"),
                         tr("This changes the structure of %1, which is defined in %2.").arg(question.config, question.file),
@@ -38,17 +38,17 @@ void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const 
     box->setObjectName(QStringLiteral("shareQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     const bool one = question.copyFor.size() == 1;
-    QString more =
-        question.users.isEmpty() ? QString() : tr("Used by %1.").arg(listed(question.users, kMostUsersNamed)) + QStringLiteral("\n\n");
-    more +=
-        question.copyFor.isEmpty() ? tr("A copy goes into %1.").arg(question.copyFile)
-        : one
-            ? tr("A copy goes into %1, and %2 uses it from then on.").arg(question.copyFile, question.copyFor.front())
-            : tr("A copy goes into %1, and %2 use it from then on.").arg(question.copyFile, listed(question.copyFor, kMostUsersNamed));
+    QString more = question.users.isEmpty()
+                       ? QString()
+                       : tr("Used by %1.").arg(listed(question.users, kMaxUsersNamed)) + QStringLiteral("\n\n");
+    more += question.copyFor.isEmpty() ? tr("A copy goes into %1.").arg(question.copyFile)
+            : one ? tr("A copy goes into %1, and %2 uses it from then on.").arg(question.copyFile, question.copyFor.front())
+                  : tr("A copy goes into %1, and %2 use it from then on.")
+                        .arg(question.copyFile, listed(question.copyFor, kMaxUsersNamed));
     box->setInformativeText(more + QLatin1Char(' ') +
-                            tr("The answer holds for %1 until this window closes.").arg(question.config));
+                            tr("The choice applies to %1 until this window closes.").arg(question.config));
     QPushButton* all =
-        box->addButton(tr("Change %1 for all (%2)").arg(question.config, usersOf(question)), QMessageBox::AcceptRole);
+        box->addButton(tr("Change %1 for all (%2)").arg(question.config, dependentsOf(question)), QMessageBox::AcceptRole);
     all->setObjectName(QStringLiteral("changeForAll"));
     QPushButton* copy = box->addButton(copyButtonText(question), QMessageBox::AcceptRole);
     copy->setObjectName(QStringLiteral("makeCopy"));

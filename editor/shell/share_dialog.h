@@ -5,7 +5,8 @@
 
 namespace trundle {
 
-/// Asks whether a config that others use too is to be changed for all of them. Returns at once; the answer comes with the click.
-void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const StructureEdits::Answer& answer);
+/// Asks whether a config with several users is changed for all of them or copied. Returns at once; calls the answer when a
+/// button is clicked.
+void askAboutSharedConfig(QWidget* parent, const ShareQuestion& question, const StructureEdits::ShareAnswer& answer);
 
 } // namespace trundle

@@ -9,7 +9,7 @@ namespace trundle {
 namespace {
 
 constexpr int kRefusalMs = 8000;
-constexpr qsizetype kMostUnsavedNamed = 3; ///< files that are not saved
+constexpr qsizetype kMaxUnsavedNamed = 3; ///< file names listed
 
 QString painted(const QString& text, Ink which) {
     return QStringLiteral("<span style=\"color:%1\">%2</span>").arg(ink(which).name(), text.toHtmlEscaped());
@@ -32,7 +32,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
         m_bar.addWidget(label);
     }
     m_run->setContentsMargins(8, 2, 10, 2);
-    m_run->setTextFormat(Qt::PlainText); // it may hold words of a module
+    m_run->setTextFormat(Qt::PlainText); // it may contain text of a module
     m_bar.addPermanentWidget(m_run);
     for (QLabel* label : {m_problems, m_logs}) {
         label->setCursor(Qt::PointingHandCursor);
@@ -53,22 +53,22 @@ void StatusLine::refuse(const QString& reason) {
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_problems && event->type() == QEvent::MouseButtonRelease) Q_EMIT problemsWanted();
-    if (watched == m_logs && event->type() == QEvent::MouseButtonRelease) Q_EMIT logsWanted();
+    if (watched == m_problems && event->type() == QEvent::MouseButtonRelease) Q_EMIT problemsRequested();
+    if (watched == m_logs && event->type() == QEvent::MouseButtonRelease) Q_EMIT logsRequested();
     return QObject::eventFilter(watched, event);
 }
 
 void StatusLine::refresh() {
-    if (!m_document.isOpen()) return; // the bar is hidden then; the labels are not: the bar hides them while it shows a message
+    if (!m_document.isOpen()) return; // only the bar is hidden; QStatusBar hides its labels itself while it shows a message
     m_file->setText(QString::fromStdString(m_document.shown(m_document.path())));
     m_file->setToolTip(QString::fromStdString(m_document.path()));
     const QStringList unsaved = unsavedFiles(m_document);
     m_saved->setText(unsaved.isEmpty() ? painted(tr("saved"), Ink::Faint)
                      : m_document.isNew() && unsaved.size() == 1
                          ? painted(tr("not saved yet"), Ink::Warning)
-                         : painted(tr("unsaved: %1").arg(listed(unsaved, kMostUnsavedNamed)), Ink::Warning));
+                         : painted(tr("unsaved: %1").arg(listed(unsaved, kMaxUnsavedNamed)), Ink::Warning));
     m_saved->setToolTip(unsaved.isEmpty()
-                            ? tr("Every file is as it is on the disk")
+                            ? tr("All files are saved")
                             : tr("Files with unsaved changes:") + QLatin1Char('\n') + unsaved.join(QLatin1Char('\n')));
 }
 

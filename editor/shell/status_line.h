@@ -6,23 +6,23 @@
 
 namespace trundle {
 
-/// file • saved • problems • what the run says. A hint or a refusal takes the place on the left for a while.
+/// file • saved • problems • run status. A hint or the reason of a refused action is shown temporarily on the left.
 class StatusLine final : public QObject {
     Q_OBJECT
 public:
     StatusLine(QStatusBar& bar, Document& document);
 
     void setRunText(const QString& text) { m_run->setText(text); }
-    /// Stands for some seconds, or until the document changes: what was refused may be possible then.
+    /// Shown for some seconds or until the document changes, since the action may be possible then.
     void refuse(const QString& reason);
-    /// Where the run writes its logs, to be clicked; empty: nowhere.
+    /// Shows a link to the folder of the run's logs; empty: none.
     void setLogs(const QString& folder);
-    /// Of the texts and of the run, as the Problems panel lists them.
+    /// Totals of the texts and of the run, as in the Problems panel.
     void setProblems(int errors, int warnings);
 
 Q_SIGNALS:
-    void problemsWanted();
-    void logsWanted();
+    void problemsRequested();
+    void logsRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -6,7 +6,7 @@
 namespace trundle {
 namespace {
 
-constexpr qsizetype kMostInTitle = 3;
+constexpr qsizetype kMaxInTitle = 3;
 
 QString tr(const char* text, int count) { return QCoreApplication::translate("UnsavedFiles", text, nullptr, count); }
 
@@ -35,7 +35,7 @@ QString windowTitle(const Document& document) {
     if (marked) title += QStringLiteral("[*]");
     QStringList others = unsaved;
     others.removeOne(opened);
-    const QStringList named = others.size() > kMostInTitle ? others.mid(0, kMostInTitle - 1) : others;
+    const QStringList named = others.size() > kMaxInTitle ? others.mid(0, kMaxInTitle - 1) : others;
     for (const QString& file : named) {
         title += QStringLiteral(", ") + QFileInfo(file).fileName() + (marked ? QStringLiteral("*") : QStringLiteral("[*]"));
         marked = true;

@@ -6,12 +6,12 @@
 
 namespace trundle {
 
-/// The files with unsaved changes as shown to people, the opened one first. A new text that no file holds yet is one of them.
+/// Display names of the files with unsaved changes, the opened one first. Includes a new text that is not saved to a file yet.
 [[nodiscard]] QStringList unsavedFiles(const Document& document);
-/// "a.sim, b.sim and 3 more": the first ones, and how many more there are.
+/// "a.sim, b.sim and 3 more": the first names and the number of the others.
 [[nodiscard]] QString listed(const QStringList& names, qsizetype most);
-/// "main.sim[*] – Trundle", "main.sim, rover.sim[*] – Trundle": the opened file, then the others that are not saved. A file with unsaved
-/// changes has a star; `[*]` is the one that QWidget::setWindowModified() shows.
+/// "main.sim[*] – Trundle", "main.sim, rover.sim[*] – Trundle": the opened file, then the other unsaved ones. A file with
+/// unsaved changes has a star; `[*]` is the placeholder of QWidget::setWindowModified().
 [[nodiscard]] QString windowTitle(const Document& document);
 
 } // namespace trundle

@@ -18,7 +18,7 @@
 namespace trundle {
 namespace {
 
-/// A sample: its picture, its title and one sentence. A button, so that keys work too.
+/// A sample with its image, title and one sentence. A button, so that it works with the keyboard.
 class SampleCard final : public QAbstractButton {
 public:
     SampleCard(const Sample& sample, QWidget* parent) : QAbstractButton(parent), m_sample(sample), m_picture(sample.picture) {
@@ -103,7 +103,7 @@ protected:
     }
 };
 
-/// Looks like a link, works like a button.
+/// A button that looks like a link.
 QPushButton* linkButton(const QString& text, const QIcon& icon = {}) {
     auto* button = new LinkButton(icon, text);
     button->setFlat(true);
@@ -115,7 +115,7 @@ QPushButton* linkButton(const QString& text, const QIcon& icon = {}) {
     return button;
 }
 
-/// Cards in as many columns as fit, as wide as there is room.
+/// Lays out cards in as many columns as fit, stretched to the full width.
 class CardFlow final : public QWidget {
 public:
     using QWidget::QWidget;
@@ -145,20 +145,20 @@ private:
     QList<SampleCard*> m_cards;
 };
 
-/// A column that scrolls where it is too high, so that the window can be as low as it likes.
+/// Makes the content scroll, so that it does not limit the window's minimum height.
 QScrollArea* scrolled(QWidget* content) {
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus); // what stands in it takes the keys
+    scroll->setFocusPolicy(Qt::NoFocus); // its content takes the focus
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->viewport()->setAutoFillBackground(false);
     content->setAutoFillBackground(false);
     return scroll;
 }
 
-/// Whether a window that ended badly has left edits of this file. Opening it asks about them.
+/// Whether a crashed window has left edits of this file. Opening it offers to restore them.
 bool hasUnsavedWork(const QString& file) {
     const std::string path = canonicalPath(file.toStdString());
     return std::ranges::any_of(findRecoveries(projectFolderOf(path)), [&](const Recovery& r) { return r.head.opened == path; });
@@ -215,8 +215,8 @@ QWidget* WelcomePage::makeSamples(const QString& configs) {
     layout->setContentsMargins(0, 10, 0, 0);
     layout->setSpacing(12);
     for (const auto& [title, samples, wanted] :
-         {std::tuple(tr("Samples"), sampleExperiments(configs), &WelcomePage::openWanted),
-          std::tuple(tr("Robots and arenas"), sampleParts(configs), &WelcomePage::tryWanted)}) {
+         {std::tuple(tr("Samples"), sampleExperiments(configs), &WelcomePage::openRequested),
+          std::tuple(tr("Robots and arenas"), sampleParts(configs), &WelcomePage::tryRequested)}) {
         layout->addWidget(heading(title, 15));
         auto* flow = new CardFlow;
         for (const Sample& sample : samples) {
@@ -249,7 +249,7 @@ void WelcomePage::refresh() {
         QPushButton* button = linkButton(hasUnsavedWork(file) ? tr("%1 – unsaved work").arg(label) : label);
         button->setObjectName(QStringLiteral("recent.") + name);
         button->setToolTip(file);
-        connect(button, &QPushButton::clicked, this, [this, file] { Q_EMIT openWanted(file); });
+        connect(button, &QPushButton::clicked, this, [this, file] { Q_EMIT openRequested(file); });
         m_recent->addWidget(button);
     }
 }

@@ -7,17 +7,17 @@
 
 namespace trundle {
 
-/// What the window shows while nothing is open: samples as pictures, new things from templates, files opened lately.
+/// Shown while nothing is open: samples with images, templates, and recent files.
 class WelcomePage final : public QWidget {
     Q_OBJECT
 public:
     WelcomePage(const Actions& actions, const QString& configs, QWidget* parent = nullptr);
 
-    void refresh(); ///< the list of recent files
+    void refresh(); ///< updates the list of recent files
 
 Q_SIGNALS:
-    void openWanted(const QString& path);
-    void tryWanted(const QString& path); ///< a robot or an arena
+    void openRequested(const QString& path);
+    void tryRequested(const QString& path); ///< a robot or an arena
 
 private:
     QWidget* makeStart(const Actions& actions);

@@ -31,7 +31,7 @@ CodeEdit::CodeEdit(QWidget* parent) : QsciScintilla(parent) {
     setWays(m_lineEnd, m_step);
     chooseKeys();
     buildMargins();
-    applyLook();
+    applyStyle();
     connect(this, &QsciScintillaBase::SCN_MODIFIED, this,
             [this](int at, int what, const char* text, int length) { onModified(at, what, text, length); });
     connect(this, &QsciScintillaBase::SCN_STYLENEEDED, this, &CodeEdit::styleUpTo);
@@ -75,8 +75,8 @@ void CodeEdit::setPlain(bool plain) {
     const long document = SendScintilla(SCI_CREATEDOCUMENT, 0UL,
                                         static_cast<long>(plain ? SC_DOCUMENTOPTION_STYLES_NONE : SC_DOCUMENTOPTION_DEFAULT));
     SendScintilla(SCI_SETDOCPOINTER, 0UL, document);
-    SendScintilla(SCI_RELEASEDOCUMENT, 0UL, document); // the widget keeps it
-    setUtf8(true); // a document has settings of its own
+    SendScintilla(SCI_RELEASEDOCUMENT, 0UL, document); // the widget holds its own reference
+    setUtf8(true); // a setting of the document, not of the widget
     SendScintilla(SCI_SETUNDOCOLLECTION, 0UL);
     setWays(m_lineEnd, m_step);
     fitWrap();
@@ -151,7 +151,7 @@ void CodeEdit::scrollTo(TextRange range) {
     const long from = SendScintilla(SCI_VISIBLEFROMDOCLINE, static_cast<unsigned long>(first));
     const long to = SendScintilla(SCI_VISIBLEFROMDOCLINE, static_cast<unsigned long>(last));
     if (from >= top && std::min(to, from + rows - 1) < top + rows) return;
-    const long spare = std::max(0L, rows - (to - from + 1)) / 3; // it comes to stand a little above the middle
+    const long spare = std::max(0L, rows - (to - from + 1)) / 3; // places the range slightly above the middle
     SendScintilla(SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(std::max(0L, from - spare)));
 }
 
@@ -170,7 +170,7 @@ int CodeEdit::lineHeight() const { return static_cast<int>(SendScintilla(SCI_TEX
 
 void CodeEdit::onModified(int at, int what, const char* text, int length) {
     if (what & (SC_MOD_INSERTTEXT | SC_MOD_DELETETEXT)) m_stale = true;
-    if (m_own || m_composing || (what & SC_PERFORMED_UNDO)) return; // the last: an input method takes back what it showed
+    if (m_own || m_composing || (what & SC_PERFORMED_UNDO)) return; // undo: an input method removes its preedit text
     if (!(what & (SC_MOD_INSERTTEXT | SC_MOD_DELETETEXT))) return;
     const std::string_view changed(text ? text : "", text ? static_cast<std::size_t>(length) : 0);
     const std::size_t place = static_cast<std::size_t>(at) + m_bom;
@@ -195,7 +195,7 @@ void CodeEdit::readTokens() {
 }
 
 void CodeEdit::styleUpTo(int position) {
-    constexpr long kLinesBefore = 3; // what a word is may follow from the line below it
+    constexpr long kLinesBefore = 3; // the style of a word may depend on the next line
     readTokens();
     const long styled = SendScintilla(SCI_GETENDSTYLED);
     const long line = std::max(0L, SendScintilla(SCI_LINEFROMPOSITION, static_cast<unsigned long>(styled)) - kLinesBefore);
@@ -214,16 +214,16 @@ TextStyle CodeEdit::styleAt(std::uint32_t offset) {
 
 void CodeEdit::type(TextRange range, std::string_view text, std::uint32_t caretAfter) {
     Q_EMIT actionBegins();
-    carryOut({{static_cast<std::size_t>(position(range.begin)),
-               static_cast<std::size_t>(position(range.end) - position(range.begin)), std::string(text)},
-              static_cast<std::size_t>(position(caretAfter)),
-              static_cast<std::size_t>(position(caretAfter))});
-    const auto place = static_cast<unsigned long>(position(caretAfter)); // the text may only now be long enough
+    apply({{static_cast<std::size_t>(position(range.begin)),
+            static_cast<std::size_t>(position(range.end) - position(range.begin)), std::string(text)},
+           static_cast<std::size_t>(position(caretAfter)),
+           static_cast<std::size_t>(position(caretAfter))});
+    const auto place = static_cast<unsigned long>(position(caretAfter)); // computed after the edit: the old text may be shorter
     SendScintilla(SCI_SETEMPTYSELECTION, place);
-    noticeCaret();
+    updateCaret();
 }
 
-void CodeEdit::carryOut(const LineEdit& edit) {
+void CodeEdit::apply(const LineEdit& edit) {
     if (isReadOnly()) return;
     SendScintilla(SCI_SETTARGETRANGE, static_cast<unsigned long>(edit.splice.at),
                   static_cast<long>(edit.splice.at + edit.splice.removed));
@@ -236,28 +236,28 @@ void CodeEdit::carryOut(const LineEdit& edit) {
 void CodeEdit::removeForward() {
     Q_EMIT actionBegins();
     SendScintilla(SCI_CLEAR);
-    noticeCaret();
+    updateCaret();
 }
 
 void CodeEdit::toggleComment() {
     Q_EMIT actionBegins();
     if (const auto edit = trundle::toggleComment(view(), static_cast<std::size_t>(SendScintilla(SCI_GETANCHOR)),
                                                  static_cast<std::size_t>(SendScintilla(SCI_GETCURRENTPOS))))
-        carryOut(*edit);
+        apply(*edit);
 }
 
 void CodeEdit::duplicateLines() {
     Q_EMIT actionBegins();
     if (const auto edit = trundle::duplicateLines(view(), static_cast<std::size_t>(SendScintilla(SCI_GETANCHOR)),
                                                   static_cast<std::size_t>(SendScintilla(SCI_GETCURRENTPOS)), m_lineEnd))
-        carryOut(*edit);
+        apply(*edit);
 }
 
 void CodeEdit::moveLines(int direction) {
     Q_EMIT actionBegins();
     if (const auto edit = trundle::moveLines(view(), static_cast<std::size_t>(SendScintilla(SCI_GETANCHOR)),
                                              static_cast<std::size_t>(SendScintilla(SCI_GETCURRENTPOS)), direction))
-        carryOut(*edit);
+        apply(*edit);
 }
 
 void CodeEdit::foldEverything(bool folded) {
@@ -268,16 +268,16 @@ void CodeEdit::foldEverything(bool folded) {
 void CodeEdit::cut() {
     Q_EMIT actionBegins();
     QsciScintilla::cut();
-    noticeCaret();
+    updateCaret();
 }
 
 void CodeEdit::paste() {
     Q_EMIT actionBegins();
     QsciScintilla::paste();
-    noticeCaret();
+    updateCaret();
 }
 
-void CodeEdit::noticeCaret() {
+void CodeEdit::updateCaret() {
     const long caret = SendScintilla(SCI_GETCURRENTPOS), anchor = SendScintilla(SCI_GETANCHOR);
     if (caret == m_lastCaret && anchor == m_lastAnchor) return;
     m_lastCaret = caret;
@@ -294,30 +294,30 @@ void CodeEdit::keyPressEvent(QKeyEvent* event) {
     const auto at = static_cast<std::size_t>(SendScintilla(SCI_GETCURRENTPOS)),
                anchor = static_cast<std::size_t>(SendScintilla(SCI_GETANCHOR));
     if (plain && enter && !isReadOnly()) {
-        carryOut(newLine(view(), anchor, at, m_lineEnd, m_step));
+        apply(newLine(view(), anchor, at, m_lineEnd, m_step));
     } else if (const auto closed =
                    event->text() == QLatin1String("}") && at == anchor && !isReadOnly() ? closeBrace(view(), at) : std::nullopt) {
-        carryOut(*closed);
+        apply(*closed);
     } else if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
-        QKeyEvent command(event->type(), event->key(), event->modifiers()); // without its character: a command types nothing
+        QKeyEvent command(event->type(), event->key(), event->modifiers()); // without text: a shortcut must not type
         QsciScintilla::keyPressEvent(&command);
         event->setAccepted(command.isAccepted());
     } else {
         QsciScintilla::keyPressEvent(event);
     }
-    noticeCaret();
+    updateCaret();
 }
 
 void CodeEdit::inputMethodEvent(QInputMethodEvent* event) {
     Q_EMIT actionBegins();
     const bool composing = !event->preeditString().isEmpty();
-    if (composing && !event->commitString().isEmpty()) { // one after the other
+    if (composing && !event->commitString().isEmpty()) { // commit first, then compose
         QInputMethodEvent done;
         done.setCommitString(event->commitString(), event->replacementStart(), event->replacementLength());
         inputMethodEvent(&done);
         event->setCommitString({});
     }
-    // What it shows for the moment is taken back by the widget's own undo, so that must work until it is done.
+    // The widget removes preedit text by its own undo, so undo collection must be on until composing ends.
     if (composing) SendScintilla(SCI_SETUNDOCOLLECTION, 1UL);
     m_composing = composing;
     QsciScintilla::inputMethodEvent(event);
@@ -325,13 +325,13 @@ void CodeEdit::inputMethodEvent(QInputMethodEvent* event) {
         SendScintilla(SCI_SETUNDOCOLLECTION, 0UL);
         SendScintilla(SCI_EMPTYUNDOBUFFER);
     }
-    noticeCaret();
+    updateCaret();
 }
 
 bool CodeEdit::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        Q_EMIT hoverAsked(offsetAt(help->pos()), help->globalPos());
+        Q_EMIT hoverRequested(offsetAt(help->pos()), help->globalPos());
         return true;
     }
     return QsciScintilla::viewportEvent(event);
@@ -346,36 +346,36 @@ void CodeEdit::mousePressEvent(QMouseEvent* event) {
     }
     Q_EMIT actionBegins();
     QsciScintilla::mousePressEvent(event);
-    noticeCaret();
+    updateCaret();
 }
 
 void CodeEdit::mouseMoveEvent(QMouseEvent* event) {
     QsciScintilla::mouseMoveEvent(event);
-    if (event->buttons() & Qt::LeftButton) noticeCaret();
+    if (event->buttons() & Qt::LeftButton) updateCaret();
     const bool looking = event->modifiers() == Qt::ControlModifier && event->buttons() == Qt::NoButton;
-    if (looking || m_looking) Q_EMIT linkSought(looking ? offsetAt(event->pos()) : kNowhere);
+    if (looking || m_looking) Q_EMIT linkRequested(looking ? offsetAt(event->pos()) : kNowhere);
     m_looking = looking;
 }
 
 void CodeEdit::mouseReleaseEvent(QMouseEvent* event) {
     QsciScintilla::mouseReleaseEvent(event);
-    noticeCaret();
+    updateCaret();
 }
 
 void CodeEdit::mouseDoubleClickEvent(QMouseEvent* event) {
     QsciScintilla::mouseDoubleClickEvent(event);
-    noticeCaret();
+    updateCaret();
 }
 
 void CodeEdit::contextMenuEvent(QContextMenuEvent* event) {
-    Q_EMIT menuAsked(event->globalPos());
+    Q_EMIT menuRequested(event->globalPos());
     event->accept();
 }
 
 void CodeEdit::dropEvent(QDropEvent* event) {
     Q_EMIT actionBegins();
     QsciScintilla::dropEvent(event);
-    noticeCaret();
+    updateCaret();
 }
 
 void CodeEdit::focusOutEvent(QFocusEvent* event) {
@@ -385,7 +385,7 @@ void CodeEdit::focusOutEvent(QFocusEvent* event) {
 
 void CodeEdit::changeEvent(QEvent* event) {
     QsciScintilla::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) applyLook();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) applyStyle();
 }
 
 void CodeEdit::resizeEvent(QResizeEvent* event) {

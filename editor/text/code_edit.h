@@ -1,6 +1,6 @@
 #pragma once
-// One text on the screen: colours from the language's own lexer, folding, marks under and beside the text. It holds exactly the
-// bytes it was given, whatever they are; a BOM is kept out of sight. All places are bytes of the file. It has no undo of its own.
+// The editor widget for one text: syntax colours from the language's own lexer, folding, problem marks. It preserves all bytes,
+// valid UTF-8 or not; a BOM is hidden. All offsets are byte offsets in the file. It has no undo history of its own.
 
 #include <cstdint>
 #include <string>
@@ -21,40 +21,40 @@ public:
     explicit CodeEdit(QWidget* parent = nullptr);
 
     [[nodiscard]] std::string bytes() const;
-    void load(std::string_view bytes); ///< another text; caret at the start
-    /// The same text as somebody else changed it: caret, selection, scroll and folds stay with the text they stood on.
-    /// Gives where the last change ends.
+    void load(std::string_view bytes); ///< replaces the text; caret at the start
+    /// Updates the text after an external change: caret, selection, scroll position and folds keep their positions in it.
+    /// Returns the end of the last change.
     std::uint32_t bring(std::string_view bytes);
-    /// The file's own ways: its line end and one level of indent.
+    /// Sets the file's line end and indentation step.
     void setWays(const std::string& lineEnd, const std::string& step);
 
-    /// Without colours, folds and wrapped lines, for a large text: the widget keeps no style of each byte then. Empties the text.
+    /// For large texts: no colours, folds or line wrapping, so that the widget stores no style per byte. Clears the text.
     void setPlain(bool plain);
     [[nodiscard]] bool isPlain() const { return m_plain; }
 
     void setWrapLines(WrapLines wrap);
-    [[nodiscard]] bool wrapsLines() const { return m_wraps; } ///< now, with the width that it has
+    [[nodiscard]] bool wrapsLines() const { return m_wraps; } ///< at the current width
 
     [[nodiscard]] std::uint32_t caret() const;
     [[nodiscard]] TextRange selection() const;
-    void select(TextRange range, bool scroll = true);              ///< caret at its end; unfolds what hides it
-    void scrollTo(TextRange range);                                ///< as little as needed, caret untouched
-    [[nodiscard]] std::uint32_t offsetAt(const QPoint& pos) const; ///< of the viewport; kNowhere where no text is
-    [[nodiscard]] QPoint placeOf(std::uint32_t offset) const;      ///< below its line, in the viewport
+    void select(TextRange range, bool scroll = true);              ///< caret at its end; unfolds the lines around it
+    void scrollTo(TextRange range);                                ///< as little as needed; the caret does not move
+    [[nodiscard]] std::uint32_t offsetAt(const QPoint& pos) const; ///< `pos` is in the viewport; kNowhere outside the text
+    [[nodiscard]] QPoint placeOf(std::uint32_t offset) const;      ///< below its line, in viewport coordinates
     [[nodiscard]] int lineHeight() const;
     static constexpr std::uint32_t kNowhere = 0xffffffffu;
 
-    [[nodiscard]] bool isComposing() const { return m_composing; } ///< an input method shows what it may insert
+    [[nodiscard]] bool isComposing() const { return m_composing; } ///< an input method shows preedit text
 
-    /// Replaces bytes as if typed.
+    /// Replaces a range, reported like typing.
     void type(TextRange range, std::string_view text, std::uint32_t caretAfter);
 
-    void showProblems(const std::vector<Diagnostic>& problems); ///< of this text
+    void showProblems(const std::vector<Diagnostic>& problems); ///< diagnostics of this text
     void showMatches(const std::vector<TextRange>& matches);
-    void showBlock(TextRange block); ///< softly; empty: none
-    void showLink(TextRange link);   ///< what Ctrl+click follows
+    void showBlock(TextRange block); ///< with a faint background; empty: none
+    void showLink(TextRange link);   ///< underlines what Ctrl+click opens
 
-    void removeForward(); ///< what is selected, else the next character
+    void removeForward(); ///< deletes the selection, else the next character
     void toggleComment();
     void duplicateLines();
     void moveLines(int direction);
@@ -63,16 +63,16 @@ public:
     [[nodiscard]] TextStyle styleAt(std::uint32_t offset);
 
 Q_SIGNALS:
-    void actionBegins(); ///< a key press, a paste, a drop: the changes until the next belong together
-    /// By the person, not by load() or bring(). Either is empty.
+    void actionBegins(); ///< a key press, paste or drop; changes up to the next signal belong to it
+    /// The user changed the text, not load() or bring(). One of the two is empty.
     void edited(std::size_t at, std::string_view removed, std::string_view inserted);
     void caretMovedByHand();
-    void hoverAsked(std::uint32_t offset, const QPoint& globalPos);
+    void hoverRequested(std::uint32_t offset, const QPoint& globalPos);
     void linkFollowed(std::uint32_t offset);
-    void linkSought(std::uint32_t offset); ///< Ctrl is held over it; kNowhere: no more
-    void menuAsked(const QPoint& globalPos);
+    void linkRequested(std::uint32_t offset); ///< Ctrl is held over it; kNowhere: no longer
+    void menuRequested(const QPoint& globalPos);
     void wrapsLinesChanged();
-    void left(); ///< the keyboard is elsewhere now
+    void left(); ///< the editor lost the focus
 
 public Q_SLOTS:
     void cut() override;
@@ -96,16 +96,16 @@ protected:
 private:
     void chooseKeys();
     void buildMargins();
-    void applyLook();
+    void applyStyle();
     void drawMarks();
     void fitNumberMargin();
     void fitWrap();
     void onModified(int at, int what, const char* text, int length);
     void styleUpTo(int position);
     void readTokens();
-    void carryOut(const LineEdit& edit);
-    void noticeCaret();
-    [[nodiscard]] std::string_view view() const; ///< without the BOM; good until the next change
+    void apply(const LineEdit& edit);
+    void updateCaret();
+    [[nodiscard]] std::string_view view() const; ///< without the BOM; valid until the next change
     [[nodiscard]] long position(std::uint32_t offset) const;
     [[nodiscard]] std::uint32_t offset(long position) const { return static_cast<std::uint32_t>(position) + m_bom; }
     void mark(int indicator, TextRange range);
@@ -113,13 +113,13 @@ private:
 
     std::string m_styles; ///< of the text without the BOM
     std::string m_lineEnd = "\n", m_step = "  ";
-    std::uint32_t m_bom = 0; ///< bytes of it that stand before the text
+    std::uint32_t m_bom = 0; ///< its length in bytes
     long m_lastCaret = 0, m_lastAnchor = 0;
     WrapLines m_wrap = WrapLines::InNarrowPanes;
     bool m_wraps = false;
     bool m_plain = false;
-    bool m_stale = true; ///< m_styles are of an older text
-    bool m_own = false;  ///< load() or bring() at work
+    bool m_stale = true; ///< m_styles must be recomputed
+    bool m_own = false;  ///< load() or bring() is running
     bool m_looking = false, m_composing = false;
 };
 

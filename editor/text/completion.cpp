@@ -1,5 +1,5 @@
-// Needs: a load, an offset. Gives: what may stand there. Method: the tokens before the caret say in which part of a statement it
-// stands, the tree in which block; the outline and the registry say what exists.
+// Needs: a loaded project, an offset. Returns: the possible completions. Method: the tokens before the caret give the position
+// in the statement, the syntax tree gives the enclosing block; outline and registry list the existing names.
 #include "editor/text/completion.h"
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include "base/units.h"
 #include "editor/text/completion_context.h"
 #include "editor/text/completion_values.h"
-#include "editor/text/property_words.h"
-#include "editor/text/text_place.h"
+#include "editor/text/property_text.h"
+#include "editor/text/text_location.h"
 #include "lang/characters.h"
 #include "lang/edit_style.h"
 
@@ -21,7 +21,7 @@ using Where = CompletionContext::Where;
 
 class Completer {
 public:
-    Completer(const Loaded& loaded, FileId file, std::uint32_t offset, const FileFolders& folders)
+    Completer(const LoadedProject& loaded, FileId file, std::uint32_t offset, const FileFolders& folders)
         : m_loaded(loaded), m_tree(*loaded.trees[file]), m_text(m_tree.source().bytes()), m_folders(folders),
           m_context(completionContext(m_tree, offset)), m_place(placeAt(loaded, file, m_context.word.begin)) {}
 
@@ -52,9 +52,9 @@ private:
     // --- directives and files ---
 
     void directiveNames() {
-        add(CompletionSort::Word, "#import", "#import ", "", "Takes everything in from another file.").goesOn = true;
-        add(CompletionSort::Word, "#loadModule", "#loadModule ", "", "Makes the controllers and components of a library known.")
-            .goesOn = true;
+        add(CompletionSort::Word, "#import", "#import ", "", "Imports everything from another file.").hasMore = true;
+        add(CompletionSort::Word, "#loadModule", "#loadModule ", "", "Loads the controllers and components of a library.")
+            .hasMore = true;
     }
 
     [[nodiscard]] std::vector<std::string> folders(const std::vector<std::string>& more) const {
@@ -81,7 +81,7 @@ private:
             add(CompletionSort::File, module, module, "", "");
     }
 
-    /// In quotes where the language wants them.
+    /// In quotes if the language requires them.
     [[nodiscard]] std::string asWord(const std::string& text) const {
         const bool plain = m_context.quoted || m_context.where == Where::Import ||
                            (!text.empty() && isIdentStart(text[0]) && std::all_of(text.begin(), text.end(), isWordChar));
@@ -109,7 +109,7 @@ private:
         return line.find_first_not_of(" \t") + static_cast<std::size_t>(line.data() - m_text.data()) >= m_context.word.begin;
     }
 
-    /// What follows the word on its line.
+    /// The first non-blank character after the word on its line.
     [[nodiscard]] char nextSign() const {
         std::size_t at = m_context.word.end;
         while (at < m_text.size() && isBlank(m_text[at])) ++at;
@@ -119,7 +119,7 @@ private:
         return nextSign() != '\0' && signs.find(nextSign()) != std::string_view::npos;
     }
 
-    /// Keys that stand in this block already, but for the one at the caret.
+    /// Keys already set in this block, except the one at the caret.
     [[nodiscard]] std::set<std::string> given(std::string_view before) const {
         std::set<std::string> keys;
         for (const Item& item : m_place.items(m_loaded)) {
@@ -142,7 +142,7 @@ private:
 
     void keys(const Kind& kind, std::string_view before) {
         const std::set<std::string> there = given(before);
-        std::set<std::string> shut; // another of which only one may stand there does
+        std::set<std::string> shut; // keys excluded because an alternative of them is set
         for (const Alternatives& a : kind.alternatives) {
             const bool one = std::any_of(a.names.begin(), a.names.end(), [&](const std::string& n) { return there.contains(n); });
             if (one) shut.insert(a.names.begin(), a.names.end());
@@ -150,7 +150,7 @@ private:
         for (const bool required : {true, false}) {
             for (const Property& p : kind.properties) {
                 if (p.required != required || there.contains(p.name) || shut.contains(p.name)) continue;
-                add(CompletionSort::Key, p.name, p.name + equals(), typeText(p), p.help + "\n" + factsText(p)).goesOn =
+                add(CompletionSort::Key, p.name, p.name + equals(), typeText(p), p.help + "\n" + factsText(p)).hasMore =
                     hasChoices(p);
             }
         }
@@ -163,7 +163,7 @@ private:
     /// Params of the config, and its parts for overrides.
     void configKeys(const Part& config) {
         const std::set<std::string> there = given({});
-        for (const PlacedParam& p : config.params) {
+        for (const SourceParam& p : config.params) {
             if (there.contains(p.name->text)) continue;
             const std::string value(
                 m_loaded.outline->texts().slice(p.valueFile == kNoFile ? p.file : p.valueFile, p.value->range));
@@ -178,7 +178,7 @@ private:
             if (!part.kind || part.name.empty()) continue;
             add(CompletionSort::Reference, part.name, part.name + ".", part.kind->name,
                 "Set a property of " + part.title() + " for this one only.")
-                .goesOn = true;
+                .hasMore = true;
         }
     }
 
@@ -237,7 +237,7 @@ private:
         c.insert += " {" + style.lineEnd + indent + style.step + key + style.lineEnd + indent + "}";
     }
 
-    /// The name and the brace, or the brace alone, stand there already.
+    /// Whether a name and a brace, or a brace alone, follow the caret.
     [[nodiscard]] bool restFollows() const {
         std::size_t at = m_context.word.end;
         const auto skip = [&](auto what) {
@@ -249,7 +249,7 @@ private:
         return at < m_text.size() && m_text[at] == '{';
     }
 
-    /// "leftWheel" would be better, but the program cannot know: "body", "body2".
+    /// A name not used in the block: "body", "body2".
     [[nodiscard]] std::string freeName(const Kind& kind) const {
         std::set<std::string> taken;
         for (const Item& item : m_place.items(m_loaded))
@@ -300,11 +300,11 @@ private:
     }
 
     void params(const std::string& sign) {
-        for (const PlacedParam* p : paramsAt(m_loaded, m_place)) {
+        for (const SourceParam* p : paramsAt(m_loaded, m_place)) {
             const std::string value(
                 m_loaded.outline->texts().slice(p->valueFile == kNoFile ? p->file : p->valueFile, p->value->range));
             if (p->name->range.begin <= m_place.offset && p->value->range.end >= m_place.offset && p->file == m_place.file)
-                continue; // itself
+                continue; // not the block itself
             add(CompletionSort::Param, sign + p->name->text, sign + p->name->text, value,
                 "Param " + p->name->text + " = " + value);
         }
@@ -319,18 +319,18 @@ private:
         add(CompletionSort::Word, "pi", "pi", "3.14159…", "");
     }
 
-    const Loaded& m_loaded;
+    const LoadedProject& m_loaded;
     const Tree& m_tree;
     std::string_view m_text;
     const FileFolders& m_folders;
     CompletionContext m_context;
-    TextPlace m_place;
+    TextLocation m_place;
     Completions m_out;
 };
 
 } // namespace
 
-Completions completionsAt(const Loaded& loaded, FileId file, std::uint32_t offset, const FileFolders& folders) {
+Completions completionsAt(const LoadedProject& loaded, FileId file, std::uint32_t offset, const FileFolders& folders) {
     if (file >= loaded.trees.size() || offset > loaded.trees[file]->source().bytes().size()) return {};
     return Completer(loaded, file, offset, folders).complete();
 }
@@ -339,14 +339,14 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// 0: no fit; smaller is better.
+/// 0: no match; smaller is better.
 int fit(std::string_view label, std::string_view typed) {
     if (label.starts_with(typed)) return 1;
     const auto same = [](char a, char b) { return lower(a) == lower(b); };
     if (typed.size() <= label.size() && std::equal(typed.begin(), typed.end(), label.begin(), same)) return 2;
     const auto found = std::search(label.begin(), label.end(), typed.begin(), typed.end(), same);
     if (found != label.end()) return 3;
-    std::size_t at = 0; // letters in order, the first one begins
+    std::size_t at = 0; // subsequence match whose first letter matches the start
     if (!same(label.empty() ? '\0' : label[0], typed[0])) return 0;
     for (const char c : label)
         if (at < typed.size() && same(c, typed[at])) ++at;

@@ -1,5 +1,6 @@
 #pragma once
-// What may stand at a place of a text: pure, no widgets. Works on what the parser recovered of a broken text and on its tokens.
+// Computes completions at an offset of a text, without widgets. Uses the parser's error recovery and the tokens, so it also
+// works on texts with errors.
 
 #include <string>
 #include <string_view>
@@ -14,23 +15,24 @@ enum class CompletionSort { Key, Kind, Word, Value, Reference, Param, Unit, File
 
 struct Completion {
     CompletionSort sort = CompletionSort::Word;
-    std::string label;                 ///< as listed, and what typed letters are compared with
-    std::string insert;                ///< takes the place of Completions::word
-    std::size_t select = 0, caret = 0; ///< of `insert`, selected afterwards up to the caret
+    std::string label;                 ///< as listed, and as matched against the typed letters
+    std::string insert;                ///< replaces Completions::word
+    std::size_t select = 0, caret = 0; ///< selection in `insert` after insertion: from `select` to `caret`
     std::string detail;                ///< short: "m", "Material"
-    std::string help;                  ///< one line or two
-    bool goesOn = false;               ///< there is more to complete behind it
+    std::string help;                  ///< one or two lines
+    bool hasMore = false;              ///< more can be completed after it
 };
 
 struct Completions {
-    TextRange word; ///< what is typed of it already, or would be replaced
+    TextRange word; ///< the part typed so far, which is replaced
     std::vector<Completion> items;
 };
 
-/// `folders` are those of Loaded's texts and modules beside the text's own and the project's.
-[[nodiscard]] Completions completionsAt(const Loaded& loaded, FileId file, std::uint32_t offset, const FileFolders& folders);
+/// `folders`: search folders for texts and modules in addition to the text's own folder and the project's.
+[[nodiscard]] Completions completionsAt(const LoadedProject& loaded, FileId file, std::uint32_t offset,
+                                        const FileFolders& folders);
 
-/// Those that fit the letters typed, best first: as begun, then with its capitals or inner letters.
+/// The items that match the typed letters, best first: prefixes, then substrings, then subsequences.
 [[nodiscard]] std::vector<const Completion*> fitting(const std::vector<Completion>& items, std::string_view typed);
 
 } // namespace trundle

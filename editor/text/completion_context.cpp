@@ -9,9 +9,9 @@ namespace {
 
 using Where = CompletionContext::Where;
 
-class Looker {
+class ContextParser {
 public:
-    Looker(const Tree& tree, std::uint32_t offset) : m_text(tree.source().bytes()), m_at(offset) {
+    ContextParser(const Tree& tree, std::uint32_t offset) : m_text(tree.source().bytes()), m_at(offset) {
         for (const Token& token : tree.tokens()) {
             if (token.range.begin >= offset || token.kind == TokenKind::End) break;
             m_touching = token;
@@ -19,7 +19,7 @@ public:
         }
     }
 
-    CompletionContext look() {
+    CompletionContext updateMatches() {
         m_context.word = {m_at, m_at};
         if (directive()) return m_context;
         if (inComment()) return m_context;
@@ -58,12 +58,12 @@ private:
         return true;
     }
 
-    /// Also right behind the sign that ends it.
+    /// True also directly after its last character.
     [[nodiscard]] bool inComment() const {
         return m_touching.kind == TokenKind::LineComment || m_touching.kind == TokenKind::BlockComment;
     }
 
-    /// Only what a value names may stand in quotes.
+    /// Only names in values may be quoted.
     bool inString() {
         if (m_touching.kind != TokenKind::String) return false;
         const std::string_view text = slice(m_touching.range);
@@ -76,7 +76,7 @@ private:
         return true;
     }
 
-    /// The word under the caret is what is typed, no longer something before it.
+    /// The word at the caret is the one being typed, not part of what precedes it.
     void takeWord() {
         if (m_before.empty() || m_before.back().range.end < m_at) return;
         const Token token = m_before.back();
@@ -125,7 +125,7 @@ private:
         return false;
     }
 
-    /// Drops the value before the caret and reads the key that it belongs to.
+    /// Removes the value before the caret and reads its key.
     void value() {
         while (!m_before.empty() && last() != TokenKind::Equals) {
             if (last() == TokenKind::OpenBrace || last() == TokenKind::CloseBrace) return;
@@ -167,7 +167,7 @@ private:
         }
     }
 
-    /// `leftMotor.` may have been read as one word.
+    /// `leftMotor.` may be a single token.
     void splitPath() {
         if (m_context.where != Where::Statement || m_context.before.empty()) return;
         std::string_view rest = m_context.before;
@@ -177,7 +177,7 @@ private:
     }
 
     void number() {
-        if (m_context.before.ends_with('.')) { // no unit has a dot: `Pos=1,1,0 leftMotor.|`
+        if (m_context.before.ends_with('.')) { // units contain no dots: `Pos=1,1,0 leftMotor.|`
             m_context.where = Where::Statement;
             return;
         }
@@ -195,7 +195,7 @@ private:
         std::vector<std::string> words;
         while (last() == TokenKind::Dot) {
             m_before.pop_back();
-            if (last() != TokenKind::Word && last() != TokenKind::Unit) return; // behind a number a word is read as its unit
+            if (last() != TokenKind::Word && last() != TokenKind::Unit) return; // after a number a word is lexed as its unit
             words.emplace_back(slice(token(0).range));
             m_before.pop_back();
         }
@@ -204,7 +204,7 @@ private:
         m_context.where = Where::Override;
     }
 
-    /// Behind a word of a value the next statement begins, behind one that stands alone a name.
+    /// After a value that is a word a statement begins; after a single word a block name.
     void afterWord() {
         const bool value = last(1) == TokenKind::Equals || last(1) == TokenKind::Comma;
         const std::uint32_t end = token(0).range.end;
@@ -214,13 +214,15 @@ private:
 
     std::string_view m_text;
     std::uint32_t m_at;
-    Token m_touching;            ///< the last one that begins before the caret
+    Token m_touching;            ///< the last token that begins before the caret
     std::vector<Token> m_before; ///< without trivia
     CompletionContext m_context;
 };
 
 } // namespace
 
-CompletionContext completionContext(const Tree& tree, std::uint32_t offset) { return Looker(tree, offset).look(); }
+CompletionContext completionContext(const Tree& tree, std::uint32_t offset) {
+    return ContextParser(tree, offset).updateMatches();
+}
 
 } // namespace trundle

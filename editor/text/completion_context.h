@@ -1,5 +1,5 @@
 #pragma once
-// Where in its statement a caret stands, by the tokens before it. Private to completion.
+// Determines from the tokens before the caret where in a statement it is. Private to completion.
 
 #include <optional>
 #include <string>
@@ -11,23 +11,23 @@ namespace trundle {
 
 struct CompletionContext {
     enum class Where {
-        Nowhere,       ///< a comment, a text in quotes, the name of a block
+        Nowhere,       ///< in a comment, a quoted text or the name of a block
         DirectiveName, ///< `#im|`
         Import,
         Module,
         Statement,  ///< a key, a kind, Param
-        Override,   ///< `leftMotor.|`: path holds what stands before the last dot
-        Value,      ///< path holds the key
-        Number,     ///< behind a number of a value: a unit, or, with a blank between, the next statement
-        Expression, ///< in `$( )`
-        ParamUse,   ///< behind `$`
+        Override,   ///< `leftMotor.|`: path has the components before the last dot
+        Value,      ///< path is the key
+        Number,     ///< after a number in a value: a unit or, after a blank, the next statement
+        Expression, ///< inside `$( )`
+        ParamUse,   ///< after `$`
     };
     Where where = Where::Nowhere;
-    TextRange word;                ///< typed of it already
+    TextRange word;                ///< the part typed so far
     std::vector<std::string> path; ///< of the key
-    std::string before;            ///< of a value with dots, what stands before `word`: "chassis."
+    std::string before;            ///< in a dotted value, the text before `word`: "chassis."
     bool ofParam = false;          ///< the value of a Param
-    bool blank = false;            ///< a blank stands before `word`
+    bool blank = false;            ///< `word` is preceded by a blank
     bool quoted = false;           ///< inside quotes
 };
 

@@ -15,9 +15,9 @@
 namespace trundle {
 namespace {
 
-constexpr int kMostRows = 10, kWidest = 620, kHelpMargin = 6, kMostHelpLines = 4;
+constexpr int kMaxRows = 10, kWidest = 620, kHelpMargin = 6, kMaxHelpLines = 4;
 
-/// A letter in a coloured square: what sort of thing it is.
+/// A letter in a coloured square for the sort of a completion.
 QPixmap badge(CompletionSort sort, qreal scale, bool selected) {
     struct Look {
         char letter;
@@ -83,7 +83,7 @@ CompletionPopup::CompletionPopup(QWidget* owner)
     m_help->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_help->setForegroundRole(QPalette::PlaceholderText);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0); // the border keeps its own
+    layout->setContentsMargins(0, 0, 0, 0); // the frame reserves room for its border
     layout->setSpacing(0);
     layout->addWidget(m_list, 1);
     layout->addWidget(m_help);
@@ -124,13 +124,13 @@ void CompletionPopup::fitTo(const QPoint& place, int lineHeight) {
         detail = std::max(detail, plain.horizontalAdvance(row->text(1)) + 24);
     }
     const int rowHeight = std::max(20, m_list->sizeHintForRow(0));
-    const int count = std::min(kMostRows, m_list->topLevelItemCount());
+    const int count = std::min(kMaxRows, m_list->topLevelItemCount());
     const int width = std::clamp(label + detail + 20, 320, std::min(kWidest, std::max(200, window->width() - 8)));
     m_list->setColumnWidth(0, std::min(label, width - std::min(detail, 160) - 20));
     m_list->setFixedHeight(count * rowHeight + 4);
-    // As high as the longest help of the list, so that nothing moves while one goes through it.
+    // Height of the longest help text, so that the popup keeps its size while the user steps through the list.
     const QFontMetrics metrics(m_help->font());
-    const QRect room(0, 0, width - 2 * kHelpMargin - 2, kMostHelpLines * metrics.lineSpacing());
+    const QRect room(0, 0, width - 2 * kHelpMargin - 2, kMaxHelpLines * metrics.lineSpacing());
     int high = 0;
     for (const std::string& help : m_helps)
         if (!help.empty())
@@ -151,7 +151,7 @@ void CompletionPopup::fitTo(const QPoint& place, int lineHeight) {
 
 int CompletionPopup::current() const { return m_list->indexOfTopLevelItem(m_list->currentItem()); }
 
-int CompletionPopup::rows() const { return kMostRows; }
+int CompletionPopup::rows() const { return kMaxRows; }
 
 void CompletionPopup::step(int by) {
     const int count = m_list->topLevelItemCount();
@@ -174,7 +174,7 @@ void CompletionPopup::hideEvent(QHideEvent* event) {
 
 bool CompletionPopup::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::NonClientAreaMouseButtonPress) {
-        const auto* widget = qobject_cast<QWidget*>(watched); // the window of the screen hears of it first
+        const auto* widget = qobject_cast<QWidget*>(watched); // QWindow gets each event before the widget
         if (widget && widget != this && !isAncestorOf(widget)) Q_EMIT left();
     }
     return QFrame::eventFilter(watched, event);

@@ -11,21 +11,21 @@ class QTreeWidget;
 
 namespace trundle {
 
-/// The list under the caret, with a line of help for the one that is chosen. Never takes the keyboard.
+/// The list below the caret, with the help of the current item. It never takes the focus.
 class CompletionPopup final : public QFrame {
     Q_OBJECT
 public:
     explicit CompletionPopup(QWidget* owner);
 
-    /// `place` is below the caret's line, `lineHeight` what to go up to stand above it; both in global pixels.
+    /// `place`: below the caret's line; `lineHeight`: distance to move up if it must open above; both in global pixels.
     void showItems(const std::vector<const Completion*>& items, const QPoint& place, int lineHeight);
     [[nodiscard]] int current() const; ///< index into the items shown last; -1: none
-    void step(int by);                 ///< up or down in the list
-    [[nodiscard]] int rows() const;    ///< that are seen at once
+    void step(int by);                 ///< moves the current item
+    [[nodiscard]] int rows() const;    ///< visible at once
 
 Q_SIGNALS:
     void clicked();
-    void left(); ///< somebody pressed the mouse elsewhere
+    void left(); ///< mouse press outside
 
 protected:
     void showEvent(QShowEvent* event) override;

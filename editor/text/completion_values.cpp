@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "editor/text/property_words.h"
-#include "project/mentions.h"
-#include "project/object_place.h"
+#include "editor/text/property_text.h"
+#include "project/name_references.h"
+#include "project/object_location.h"
 
 namespace trundle {
 namespace {
 
 class Values {
 public:
-    Values(const Loaded& loaded, const TextPlace& place, const Property& property, const std::string& before)
+    Values(const LoadedProject& loaded, const TextLocation& place, const Property& property, const std::string& before)
         : m_loaded(loaded), m_place(place), m_property(property), m_before(before) {}
 
     std::vector<Completion> list() {
@@ -49,7 +49,7 @@ private:
         add(CompletionSort::Reference, prefix + part.name, part.kind ? part.kind->name : std::string(), firstLine(part));
     }
 
-    /// How it stands in its text.
+    /// The first line of its definition.
     [[nodiscard]] std::string firstLine(const Part& part) const {
         std::string text(m_loaded.outline->texts().slice(part.range));
         if (const std::size_t end = text.find_first_of("\r\n"); end != std::string::npos) text.resize(end);
@@ -63,7 +63,7 @@ private:
                 for (const Part* part : space->all())
                     if (part->kind == kind) named(*part);
                 if (kind->role == Role::Material || kind->role == Role::Surface)
-                    add(CompletionSort::Value, "default", "", "The one that holds where none is named.");
+                    add(CompletionSort::Value, "default", "", "The default where none is named.");
             } else if (choice == "world") {
                 add(CompletionSort::Value, "world", "", "The ground that nothing moves.");
             } else if (m_place.config) {
@@ -89,11 +89,11 @@ private:
         if (!m_place.kind) return;
         if (namesWorld(*m_place.kind, m_property)) return world();
         if (m_place.kind->role != Role::Controller || !m_place.config) return;
-        for (const Part& part : m_place.config->parts) // a controller names the devices it uses
+        for (const Part& part : m_place.config->parts) // a controller refers to the devices that it uses
             if (part.is(Role::Device)) named(part);
     }
 
-    /// Robots, and for a log of signals what they publish.
+    /// Robots and, for a log of signals, their signals.
     void world() {
         for (const Part* part : m_loaded.outline->world.all()) {
             if (!isPlaced(*part)) continue;
@@ -106,7 +106,7 @@ private:
             signalsOf(*part, Role::Controller, name);
         }
     }
-    /// Of the devices of a config or the controller of a robot.
+    /// Signals of a config's devices or a robot's controller.
     void signalsOf(const Part& owner, Role role, const std::string& robot) {
         for (const Part& part : owner.parts) {
             if (!part.is(role)) continue;
@@ -115,8 +115,8 @@ private:
         }
     }
 
-    const Loaded& m_loaded;
-    const TextPlace& m_place;
+    const LoadedProject& m_loaded;
+    const TextLocation& m_place;
     const Property& m_property;
     const std::string& m_before;
     std::vector<Completion> m_out;
@@ -124,7 +124,7 @@ private:
 
 } // namespace
 
-std::vector<Completion> valuesOf(const Loaded& loaded, const TextPlace& place, const Property& property,
+std::vector<Completion> valuesOf(const LoadedProject& loaded, const TextLocation& place, const Property& property,
                                  const std::string& before) {
     return Values(loaded, place, property, before).list();
 }

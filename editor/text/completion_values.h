@@ -1,16 +1,16 @@
 #pragma once
-// The values that a property may have at a place. Private to completion.
+// The possible values of a property at an offset. Private to completion.
 
 #include <string>
 #include <vector>
 
 #include "editor/text/completion.h"
-#include "editor/text/text_place.h"
+#include "editor/text/text_location.h"
 
 namespace trundle {
 
-/// Numbers have none but their default. `before` is what is written of a dotted or slashed name already ("chassis.").
-[[nodiscard]] std::vector<Completion> valuesOf(const Loaded& loaded, const TextPlace& place, const Property& property,
+/// For numbers only the default. `before`: the typed part of a name with dots or slashes ("chassis.").
+[[nodiscard]] std::vector<Completion> valuesOf(const LoadedProject& loaded, const TextLocation& place, const Property& property,
                                                const std::string& before);
 
 } // namespace trundle

@@ -8,15 +8,15 @@
 
 #include "editor/document/document.h"
 #include "editor/text/code_edit.h"
+#include "editor/text/edit_name.h"
 #include "editor/text/large_text.h"
 #include "editor/text/splice.h"
-#include "editor/text/typed_name.h"
 #include "lang/edit_style.h"
 
 namespace trundle {
 namespace {
 
-constexpr int kWait = 10, kLongestWait = 400; ///< ms from a key until the document hears of it
+constexpr int kWait = 10, kLongestWait = 400; ///< ms from a key press to the update of the document
 
 } // namespace
 
@@ -40,8 +40,8 @@ FilePage::FilePage(Document& document, std::string file, QWidget* parent)
             m_typing.close(std::move(before));
         }
         m_typing.changed(at, inserted);
-        // Not put off by the next key: a person who types on sees the rest of the window follow all the same. Where reading takes
-        // long, as much time lies between two readings, so that half of it is left to the keys.
+        // The timer is not restarted by later keys, so that the rest of the window follows continuous typing. If loading is
+        // slow, the pause is as long as the last flush, so that half of the time is left for typing.
         const int since = m_sinceFlush.isValid() ? int(std::min<qint64>(m_sinceFlush.elapsed(), kLongestWait)) : kLongestWait;
         if (!m_timer.isActive()) m_timer.start(std::clamp(m_cost - since, kWait, kLongestWait));
         Q_EMIT typed();
@@ -50,7 +50,7 @@ FilePage::FilePage(Document& document, std::string file, QWidget* parent)
     start();
 }
 
-FilePage::~FilePage() { m_edit->blockSignals(true); } // it loses the keyboard when it goes
+FilePage::~FilePage() { m_edit->blockSignals(true); } // no focus signal during destruction
 
 void FilePage::abandon() {
     m_timer.stop();
@@ -70,7 +70,7 @@ bool FilePage::isTooLarge() const {
     return !size.isShowable() || (size.isLarge() && !m_asText);
 }
 
-/// The document's text in the editor, or a notice that says why it is not there.
+/// Shows the document's text, or a notice with the reason if it cannot be shown.
 void FilePage::showText() {
     const std::string_view text = m_base ? std::string_view(*m_base) : std::string_view();
     const TextSize size = sizeOf(text);
@@ -88,7 +88,7 @@ void FilePage::showText() {
         });
     }
     if (m_notice) m_notice->setSize(QString::fromStdString(m_document.shown(m_file)), size);
-    const bool experiment = id() != kNoFile || m_file.ends_with(".sim") || m_file.ends_with(".txt"); // else the source of a module
+    const bool experiment = id() != kNoFile || m_file.ends_with(".sim") || m_file.ends_with(".txt"); // or a module's source
     m_edit->setPlain(size.isLarge() || !experiment);
     m_edit->load(m_shown ? text : std::string_view());
     m_edit->setReadOnly(!m_shown);
@@ -111,7 +111,7 @@ FileId FilePage::id() const {
 
 void FilePage::setFile(const std::string& file) {
     m_file = file;
-    m_typing = Typing(file);
+    m_typing = TypingMerger(file);
     m_base = m_document.text(file);
 }
 
@@ -125,7 +125,7 @@ void FilePage::readWays() {
 bool FilePage::flush() {
     if (m_flushing || !m_typing.pending()) return true;
     m_timer.stop();
-    if (m_document.isOpening() || m_edit->isComposing()) { // edits are refused until then, or the text is not what it will be
+    if (m_document.isOpening() || m_edit->isComposing()) { // edits are refused, or the text is not final
         m_timer.start(kWait);
         return false;
     }
@@ -135,7 +135,7 @@ bool FilePage::flush() {
     {
         const QScopedValueRollback<bool> flushing(m_flushing, true);
         std::string before = m_base ? *m_base : std::string();
-        for (Typing::Entry& entry : m_typing.take(m_edit->bytes())) {
+        for (TypingMerger::Entry& entry : m_typing.take(m_edit->bytes())) {
             const QString name = nameOf(entry, before);
             before = entry.bytes;
             taken = taken && m_document.replaceText(name, m_file, std::move(entry.bytes), entry.mergeKey).ok();
@@ -145,7 +145,7 @@ bool FilePage::flush() {
     m_sinceFlush.start();
     if (!taken) {
         m_typing.drop();
-        m_base = nullptr; // what is shown is not made from it any more: the document's text comes back whether it changed or not
+        m_base = nullptr; // no longer the base of the editor's text: follow() now restores the document's text in any case
     }
     follow();
     showProblems();
@@ -153,7 +153,7 @@ bool FilePage::flush() {
     return taken;
 }
 
-QString FilePage::nameOf(const Typing::Entry& entry, const std::string& before) {
+QString FilePage::nameOf(const TypingMerger::Entry& entry, const std::string& before) {
     if (entry.mergeKey != m_wordKey) {
         m_wordKey = entry.mergeKey;
         m_wordBase = before;
@@ -166,7 +166,7 @@ void FilePage::follow() {
     const std::shared_ptr<const std::string> now = m_document.text(m_file);
     if (!now || now == m_base) return;
     const std::string shown = m_shown ? m_edit->bytes() : std::string();
-    if (m_typing.pending()) { // typed on while somebody else changed the text
+    if (m_typing.pending()) { // typing and an external change at the same time: merge
         m_typing.joinAll();
         (void)m_edit->bring(merged(*m_base, shown, *now));
         m_base = now;
@@ -181,7 +181,7 @@ void FilePage::follow() {
     }
     const std::uint32_t end = m_edit->bring(*now);
     readWays();
-    Q_EMIT brought(end);
+    Q_EMIT textReplaced(end);
 }
 
 void FilePage::showProblems() {
@@ -193,7 +193,7 @@ void FilePage::showProblems() {
         if (m_modelProblems && m_modelProblems->texts == m_document.loaded())
             for (const Diagnostic& d : m_modelProblems->found)
                 if (d.range.file == file) m_problems.push_back(d);
-    } else if (m_typing.pending()) return; // their places are of the text before; they move with it until it is read
+    } else if (m_typing.pending()) return; // old ranges: the marks move with the text until it is loaded
     if (m_shown) m_edit->showProblems(m_problems);
 }
 

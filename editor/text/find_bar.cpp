@@ -17,7 +17,7 @@ FindBar::FindBar(QWidget* parent)
     : QWidget(parent), m_find(new QLineEdit(this)), m_replace(new QLineEdit), m_everywhere(new QCheckBox(tr("All files"), this)),
       m_said(new QLabel(this)), m_second(new QWidget(this)) {
     setObjectName(QStringLiteral("findBar"));
-    m_case = toggle(QStringLiteral("Aa"), QStringLiteral("findCase"), tr("Capitals count"));
+    m_case = toggle(QStringLiteral("Aa"), QStringLiteral("findCase"), tr("Match case"));
     m_words = toggle(QStringLiteral("W"), QStringLiteral("findWords"), tr("Whole words only"));
     m_regex = toggle(QStringLiteral(".*"), QStringLiteral("findRegex"),
                      tr("A regular expression; \\1 in the replacement is its first group"));
@@ -37,8 +37,8 @@ FindBar::FindBar(QWidget* parent)
         b->setAutoRaise(true);
         return b;
     };
-    QToolButton* back = button(QStringLiteral("↑"), QStringLiteral("findBack"), tr("The one before (Shift+Enter)"));
-    QToolButton* on = button(QStringLiteral("↓"), QStringLiteral("findOn"), tr("The next one (Enter)"));
+    QToolButton* back = button(QStringLiteral("↑"), QStringLiteral("findBack"), tr("Find Previous (Shift+Enter)"));
+    QToolButton* on = button(QStringLiteral("↓"), QStringLiteral("findOn"), tr("Find Next (Enter)"));
     QToolButton* shut = button({}, QStringLiteral("findClose"), tr("Close (Esc)"));
     shut->setIcon(themedIcon(QStringLiteral("close")));
     shut->setIconSize({14, 14});
@@ -99,7 +99,9 @@ void FindBar::open(const QString& words, bool replacing) {
     Q_EMIT changed();
 }
 
-SearchWish FindBar::wish() const { return {m_find->text(), m_case->isChecked(), m_words->isChecked(), m_regex->isChecked()}; }
+SearchOptions FindBar::searchOptions() const {
+    return {m_find->text(), m_case->isChecked(), m_words->isChecked(), m_regex->isChecked()};
+}
 
 QString FindBar::replacement() const { return m_replace->text(); }
 
@@ -107,7 +109,7 @@ bool FindBar::everywhere() const { return m_everywhere->isChecked(); }
 
 void FindBar::setEverywhere(bool everywhere) { m_everywhere->setChecked(everywhere); }
 
-void FindBar::say(const QString& text, bool wrong) {
+void FindBar::showStatus(const QString& text, bool wrong) {
     QPalette colours = palette();
     colours.setColor(QPalette::WindowText, ink(wrong ? Ink::Error : Ink::Faint));
     m_said->setPalette(colours);
@@ -121,7 +123,7 @@ void FindBar::keyPressEvent(QKeyEvent* event) {
         if (m_replace->hasFocus()) Q_EMIT replaceOne();
         else Q_EMIT step(event->modifiers() & Qt::ShiftModifier ? -1 : +1);
     } else if (event->key() == Qt::Key_Down && everywhere()) {
-        Q_EMIT listWanted();
+        Q_EMIT listRequested();
     } else {
         QWidget::keyPressEvent(event);
     }

@@ -10,27 +10,27 @@ class QToolButton;
 
 namespace trundle {
 
-/// The row under the text in which one says what to find, and a second one for what to put there.
+/// The row below the text with the search field, and a second one with the replacement.
 class FindBar final : public QWidget {
     Q_OBJECT
 public:
     explicit FindBar(QWidget* parent = nullptr);
 
-    /// Shows it and takes the keyboard; `words`, where there are some, are what to find.
+    /// Shows the bar and focuses it; `words`, if not empty, become the search text.
     void open(const QString& words, bool replacing);
-    [[nodiscard]] SearchWish wish() const;
+    [[nodiscard]] SearchOptions searchOptions() const;
     [[nodiscard]] QString replacement() const;
-    [[nodiscard]] bool everywhere() const; ///< in all files, not only the one in front
+    [[nodiscard]] bool everywhere() const; ///< in all files, not only the current one
     void setEverywhere(bool everywhere);
-    void say(const QString& text, bool wrong = false);
+    void showStatus(const QString& text, bool wrong = false);
 
 Q_SIGNALS:
-    void changed(); ///< what to find is another one
+    void changed(); ///< the search has changed
     void step(int direction);
     void replaceOne();
     void replaceAll();
     void closed();
-    void listWanted(); ///< the keyboard is to go to the list of what was found
+    void listRequested(); ///< the focus should move to the list of results
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "base/units.h"
-#include "editor/text/navigation.h"
-#include "editor/text/property_words.h"
-#include "editor/text/text_place.h"
+#include "editor/text/property_text.h"
+#include "editor/text/text_location.h"
+#include "editor/text/text_navigation.h"
 #include "model/params.h"
 #include "schema/value_words.h"
 
@@ -17,12 +17,12 @@ bool touches(TextRange range, std::uint32_t offset) {
     return range.begin <= offset && offset < std::max(range.end, range.begin + 1);
 }
 
-class Teller {
+class HoverProvider {
 public:
-    Teller(const Loaded& loaded, FileId file, std::uint32_t offset)
+    HoverProvider(const LoadedProject& loaded, FileId file, std::uint32_t offset)
         : m_loaded(loaded), m_place(placeAt(loaded, file, offset)), m_at(offset) {}
 
-    std::optional<Hover> tell() {
+    std::optional<Hover> showMessage() {
         if (!m_place.item) return std::nullopt;
         if (const auto* a = m_place.item->as<AssignmentItem>()) return assignment(*a);
         if (const auto* block = m_place.item->as<BlockItem>()) return blockHead(*block);
@@ -67,14 +67,14 @@ private:
         return std::nullopt;
     }
 
-    /// What `$name` or `$( )` comes to here, with the config's own values.
+    /// The value of `$name` or `$( )` here, using the Params of the enclosing config.
     std::optional<Hover> evaluated(const Element& e) {
         Hover hover{e.range, slice(e.range), {}};
         const std::string result = resultOf({e.range, {e}, false});
         hover.lines.push_back(result.empty() ? "has no value" : "= " + result);
         if (const auto given = definitionAt(m_loaded, m_place.file, m_at); given && given->place.known()) {
             const SourceText& text = m_loaded.trees[given->place.file]->source();
-            hover.lines.push_back("given in " + text.path() + ", line " +
+            hover.lines.push_back("set in " + text.path() + ", line " +
                                   std::to_string(text.position(given->place.range.begin).line));
         }
         return hover;
@@ -97,7 +97,7 @@ private:
         return text;
     }
 
-    /// A word that names something: how that stands in its text.
+    /// For a reference: the definition of its target.
     std::optional<Hover> named() const {
         const auto given = definitionAt(m_loaded, m_place.file, m_at);
         if (!given || !given->place.known()) return std::nullopt;
@@ -123,7 +123,7 @@ private:
         std::vector<std::string> parents = kind->parents;
         std::replace(parents.begin(), parents.end(), std::string(), std::string("the top level"));
         const bool top = parents.size() == 1 && parents.front() == "the top level";
-        if (!parents.empty()) hover.lines.push_back((top ? "Stands at " : "Stands in ") + listText(parents) + ".");
+        if (!parents.empty()) hover.lines.push_back((top ? "Allowed at " : "Allowed in ") + listText(parents) + ".");
         if (!kind->module.empty()) hover.lines.push_back("From " + kind->module);
         return hover;
     }
@@ -147,13 +147,13 @@ private:
         std::vector<std::string> kinds;
         for (const Kind* kind : m_loaded.registry->all())
             if (!hover.lines.empty() && kind->module == hover.lines.front()) kinds.push_back(kind->name);
-        if (!kinds.empty()) hover.lines.push_back("Brings " + listText(kinds, "and") + ".");
+        if (!kinds.empty()) hover.lines.push_back("Defines " + listText(kinds, "and") + ".");
         if (hover.lines.empty()) return std::nullopt;
         return hover;
     }
 
-    const Loaded& m_loaded;
-    TextPlace m_place;
+    const LoadedProject& m_loaded;
+    TextLocation m_place;
     std::uint32_t m_at;
 };
 
@@ -172,12 +172,12 @@ std::string escaped(std::string_view text) {
 
 } // namespace
 
-std::optional<Hover> hoverAt(const Loaded& loaded, FileId file, std::uint32_t offset) {
+std::optional<Hover> hoverAt(const LoadedProject& loaded, FileId file, std::uint32_t offset) {
     if (file >= loaded.trees.size()) return std::nullopt;
-    return Teller(loaded, file, offset).tell();
+    return HoverProvider(loaded, file, offset).showMessage();
 }
 
-/// As bold as the font of the window comes.
+/// Semibold, as used by the window's fonts.
 static std::string strong(const std::string& html) { return "<span style='font-weight:600'>" + html + "</span>"; }
 
 std::string hoverHtml(const std::optional<Hover>& hover, const std::vector<const Diagnostic*>& problems) {

@@ -1,5 +1,5 @@
 #pragma once
-// What is said about the word under the mouse.
+// The tooltip of the word under the mouse pointer.
 
 #include <optional>
 #include <string>
@@ -12,11 +12,11 @@ namespace trundle {
 struct Hover {
     TextRange word;
     std::string title;              ///< "Radius", "Box"
-    std::vector<std::string> lines; ///< plain texts
+    std::vector<std::string> lines; ///< plain text
 };
 
-[[nodiscard]] std::optional<Hover> hoverAt(const Loaded& loaded, FileId file, std::uint32_t offset);
-/// As rich text; the problems at the place come first.
+[[nodiscard]] std::optional<Hover> hoverAt(const LoadedProject& loaded, FileId file, std::uint32_t offset);
+/// As rich text; diagnostics at the offset come first.
 [[nodiscard]] std::string hoverHtml(const std::optional<Hover>& hover, const std::vector<const Diagnostic*>& problems);
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// Texts that are too large for the text editor to show at once: what they are shown as instead.
+// Limits beyond which the text editor does not show a text, and the notice shown instead.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,22 +12,22 @@ class QPushButton;
 
 namespace trundle {
 
-/// Of more text than this the editor shows nothing until it is asked to, and then without colours and folds: those take a byte or more
-/// for each byte of the text, and the tokens for them several.
+/// A longer text is shown only on request, without colours and folds: these take at least one byte per byte of text, and the
+/// tokens several.
 inline constexpr std::size_t kLargestFullText = std::size_t(4) << 20; // bytes
-/// A line that is longer is not shown at all: the place of each of its characters would be computed with each change of its height.
+/// A text with a longer line is not shown at all: each change of the line's height would lay out all of its characters again.
 inline constexpr std::size_t kLongestShownLine = std::size_t(256) << 10; // bytes
 
 struct TextSize {
     std::size_t bytes = 0;
     std::size_t longestLine = 0;  ///< bytes
-    std::uint32_t longestAt = 1;  ///< its number
+    std::uint32_t longestAt = 1;  ///< line number
     [[nodiscard]] bool isLarge() const { return bytes > kLargestFullText; }
     [[nodiscard]] bool isShowable() const { return longestLine <= kLongestShownLine; }
 };
 [[nodiscard]] TextSize sizeOf(std::string_view text);
 
-/// Stands in the place of the text, says why, and offers to open it where that is possible.
+/// Shown instead of a text: gives the reason, and offers to show the text anyway if possible.
 class LargeTextNotice final : public QWidget {
     Q_OBJECT
 public:

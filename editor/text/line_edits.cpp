@@ -15,12 +15,12 @@ std::size_t lineBegin(std::string_view text, std::size_t at) {
     while (at > 0 && !isEnd(text[at - 1])) --at;
     return at;
 }
-/// Before the line end.
+/// The position before the line ending.
 std::size_t lineStop(std::string_view text, std::size_t at) {
     while (at < text.size() && !isEnd(text[at])) ++at;
     return at;
 }
-/// Behind the line end.
+/// The position after the line ending.
 std::size_t lineNext(std::string_view text, std::size_t at) {
     at = lineStop(text, at);
     if (at == text.size()) return at;
@@ -34,9 +34,9 @@ std::string_view blanksAt(std::string_view text, std::size_t lineBegin) {
 }
 
 struct Lines {
-    std::size_t begin = 0, stop = 0; ///< stop: before the end of the last one
+    std::size_t begin = 0, stop = 0; ///< stop: before the last line's ending
 };
-/// The lines a selection touches; one that ends at the beginning of a line leaves that out.
+/// The lines that a selection touches, without a last line of which it only touches the beginning.
 Lines linesOf(std::string_view text, std::size_t anchor, std::size_t caret) {
     const std::size_t from = std::min(anchor, caret);
     std::size_t to = std::max(anchor, caret);
@@ -45,7 +45,7 @@ Lines linesOf(std::string_view text, std::size_t anchor, std::size_t caret) {
     return {begin, lineStop(text, std::max(to, begin))};
 }
 
-/// The same lines with and without `//`.
+/// Adds or removes `//` at the start of each line.
 std::string commented(std::string_view lines, bool on) {
     std::size_t column = std::string_view::npos;
     for (std::size_t at = 0; at < lines.size(); at = lineNext(lines, at)) {
@@ -89,7 +89,7 @@ std::optional<LineEdit> toggleComment(std::string_view text, std::size_t anchor,
     const std::string after = commented(before, !allCommented(before));
     if (before == after) return std::nullopt;
     const std::vector<Splice> parts = splicesBetween(before, after);
-    const auto moved = [&](std::size_t offset) { // in a line that begins later or earlier by what came or went before it
+    const auto moved = [&](std::size_t offset) { // maps an offset across the added or removed characters
         return lines.begin +
                std::min(after.size(), movedOffset(std::clamp(offset, lines.begin, lines.stop) - lines.begin, parts));
     };
@@ -141,7 +141,7 @@ LineEdit newLine(std::string_view text, std::size_t anchor, std::size_t caret, s
     const std::size_t begin = lineBegin(text, from);
     std::string_view blanks = blanksAt(text, begin);
     blanks = blanks.substr(0, std::min(blanks.size(), from - begin));
-    int depth = 0; // of the blocks that this line opens before the caret
+    int depth = 0; // net number of blocks opened on this line before the caret
     for (const Token& token : Lexer(text.substr(begin, from - begin)).lex()) {
         if (token.kind == TokenKind::OpenBrace) ++depth;
         if (token.kind == TokenKind::CloseBrace && depth > 0) --depth;
@@ -153,7 +153,7 @@ LineEdit newLine(std::string_view text, std::size_t anchor, std::size_t caret, s
     const std::size_t place = from + inserted.size();
     std::size_t rest = to;
     while (rest < text.size() && isBlank(text[rest])) ++rest;
-    const std::size_t removed = rest - from; // blanks behind the caret would stand before the indent
+    const std::size_t removed = rest - from; // blanks after the caret would add to the indentation
     if (opens && rest < text.size() && text[rest] == '}') {
         inserted += lineEnd;
         inserted += blanks;

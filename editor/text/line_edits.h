@@ -1,5 +1,5 @@
 #pragma once
-// What the editor's commands do with whole lines, as splices of the text. Places are bytes; a selection is its anchor and caret.
+// Line commands of the text editor, as splices of the text. Positions are byte offsets; a selection is anchor and caret.
 
 #include <optional>
 #include <string>
@@ -11,21 +11,21 @@ namespace trundle {
 
 struct LineEdit {
     Splice splice;
-    std::size_t anchor = 0, caret = 0; ///< of the selection afterwards
+    std::size_t anchor = 0, caret = 0; ///< the selection after the edit
 };
 
-/// Puts `//` before each line of the selection, or takes it away where every line that is not empty has one.
+/// Adds `//` to each line of the selection, or removes it if every line that is not empty has one.
 [[nodiscard]] std::optional<LineEdit> toggleComment(std::string_view text, std::size_t anchor, std::size_t caret);
-/// The lines of the selection once more below themselves; the copy is selected.
+/// Copies the lines of the selection below themselves and selects the copy.
 [[nodiscard]] std::optional<LineEdit> duplicateLines(std::string_view text, std::size_t anchor, std::size_t caret,
                                                      std::string_view lineEnd);
-/// The lines of the selection change places with the line above (-1) or below (+1).
+/// Moves the lines of the selection up (-1) or down (+1) by one line.
 [[nodiscard]] std::optional<LineEdit> moveLines(std::string_view text, std::size_t anchor, std::size_t caret, int direction);
-/// A new line at the caret in place of the selection: indented as the line above, deeper after `{`, a `}` behind the caret on a
-/// line of its own.
+/// Replaces the selection by a line break: indented like the line above, one step more after `{`; a `}` after the caret gets its
+/// own line.
 [[nodiscard]] LineEdit newLine(std::string_view text, std::size_t anchor, std::size_t caret, std::string_view lineEnd,
                                std::string_view step);
-/// A `}` typed at the caret, where only blanks stand before it: as deep as the line of its `{`.
+/// Inserts a `}` at the caret if only blanks precede it, indented like the line of its `{`.
 [[nodiscard]] std::optional<LineEdit> closeBrace(std::string_view text, std::size_t caret);
 
 } // namespace trundle

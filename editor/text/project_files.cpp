@@ -9,13 +9,13 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr int kDeepest = 6;
-constexpr std::size_t kMostLookedAt = 20'000; ///< a project may lie in anybody's home
+constexpr std::size_t kMaxLookedAt = 20'000; ///< limit, since a project may be in a home folder
 
 template <class Take> void eachFile(const std::string& folder, Take take) {
     std::error_code error;
     std::size_t looked = 0;
     for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error), end;
-         !error && at != end && looked < kMostLookedAt; at.increment(error), ++looked) {
+         !error && at != end && looked < kMaxLookedAt; at.increment(error), ++looked) {
         std::error_code ignored;
         const std::string name = at->path().filename().string();
         if (at.depth() >= kDeepest || name.starts_with(".")) at.disable_recursion_pending();

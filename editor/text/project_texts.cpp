@@ -15,9 +15,9 @@ std::vector<ProjectTexts::Text> ProjectTexts::in(const std::string& folder) {
     for (const std::string& name : filesBelow({folder}, {"sim", "txt", "md", "h", "hpp", "c", "cpp", "cmake", "py"})) {
         if (name.starts_with("logs/") || name.starts_with("build/")) continue;
         const std::string path = canonicalPath(folder + "/" + name);
-        if (!liesInside(path, {folder})) continue;
+        if (!isInside(path, {folder})) continue;
         const std::shared_ptr<const std::string> text = read(path);
-        if (!text || bytes + text->size() > kMostBytes) {
+        if (!text || bytes + text->size() > kMaxBytes) {
             ++m_left;
             continue;
         }
@@ -28,7 +28,7 @@ std::vector<ProjectTexts::Text> ProjectTexts::in(const std::string& folder) {
     return texts;
 }
 
-/// Null where it is too large or cannot be read.
+/// Null if it is too large or cannot be read.
 std::shared_ptr<const std::string> ProjectTexts::read(const std::string& path) {
     const Result<FileStamp> stamp = regularFileStamp(path);
     if (!stamp || stamp.value().size > kLargest) return nullptr;

@@ -1,5 +1,5 @@
 #pragma once
-// QScintilla's headers are written in Qt's keywords, which this program does without.
+// Includes QScintilla's headers, which need Qt's keyword macros; Trundle is compiled without them.
 
 #include <QtCore/qobjectdefs.h>
 

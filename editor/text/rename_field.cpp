@@ -19,7 +19,7 @@ RenameField::RenameField(QWidget* viewport) : QFrame(viewport), m_name(new QLine
     setCursor(Qt::ArrowCursor);
     m_name->setObjectName(QStringLiteral("renameText"));
     m_name->setAccessibleName(tr("New name"));
-    m_name->setToolTip(tr("Enter renames it everywhere, Esc leaves it as it is"));
+    m_name->setToolTip(tr("Enter renames it everywhere, Esc cancels"));
     useMonospaceFont(*m_name);
     m_error->setObjectName(QStringLiteral("renameError"));
     m_error->setTextFormat(Qt::PlainText);
@@ -28,7 +28,7 @@ RenameField::RenameField(QWidget* viewport) : QFrame(viewport), m_name(new QLine
     layout->setContentsMargins(3, 3, 3, 3);
     layout->setSpacing(3);
     m_others->setObjectName(QStringLiteral("renameOthers"));
-    m_others->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard in the line
+    m_others->setFocusPolicy(Qt::TabFocus); // a click keeps the focus in the line edit
     m_others->hide();
     layout->addWidget(m_name);
     layout->addWidget(m_others);
@@ -70,7 +70,7 @@ void RenameField::showError(const QString& sentence) {
     m_name->setFocus();
 }
 
-/// As wide as the name or the sentence needs, and whole in the viewport.
+/// As wide as the name or the sentence needs, limited to the viewport.
 void RenameField::fit() {
     constexpr int kNarrowest = 200, kWidest = 420;
     const QRect room = parentWidget()->rect().adjusted(2, 2, -2, -2);
@@ -93,13 +93,13 @@ void RenameField::keyPressEvent(QKeyEvent* event) {
         hide();
         Q_EMIT closed();
     }
-    // Other keys end here: none of them is meant for the text behind.
+    // Other keys are not passed on to the text.
 }
 
 bool RenameField::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_name && event->type() == QEvent::FocusOut) {
         const auto reason = static_cast<QFocusEvent*>(event)->reason();
-        if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason) hide(); // its menu, another window
+        if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason) hide(); // not for its menu or another window
     }
     if (watched == m_name && event->type() == QEvent::ShortcutOverride &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {

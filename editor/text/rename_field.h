@@ -7,23 +7,23 @@ class QLineEdit;
 
 namespace trundle {
 
-/// A line over a name in the text, in which another name is typed: Enter asks for it, Escape or a click elsewhere closes it.
+/// A line edit over a name in the text: Enter requests the rename, Escape or a click elsewhere closes it.
 class RenameField final : public QFrame {
     Q_OBJECT
 public:
-    /// A child of the viewport that shows the text.
+    /// A child of the text's viewport.
     explicit RenameField(QWidget* viewport);
 
-    /// Opens over the text that starts at `topLeft`, with the keyboard and all of `name` selected.
+    /// Opens over the text that starts at `topLeft`, takes the focus and selects all of `name`.
     void open(const QPoint& topLeft, const QString& name);
-    /// Offers to rename it also in texts that are not loaded; `tip` lists them.
+    /// Offers to rename also in texts that are not loaded; `tip` lists them.
     void offerOthers(const QString& sentence, const QString& tip);
     [[nodiscard]] bool renamesOthers() const;
-    void showError(const QString& sentence); ///< why the name cannot be had; until it is changed
+    void showError(const QString& sentence); ///< why the name is invalid; shown until it is edited
 
 Q_SIGNALS:
     void renameRequested(const QString& name);
-    void closed(); ///< by the person: the keyboard goes back to the text
+    void closed(); ///< by the user: the focus returns to the text
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

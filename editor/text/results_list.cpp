@@ -61,7 +61,7 @@ void ResultsList::showRows(const QString& title, std::vector<Row> rows) {
             {QString::fromStdString(row.shown) + QLatin1Char(':') + QString::number(row.line), QString::fromStdString(text)});
         item->setForeground(0, ink(Ink::Faint));
         item->setFont(1, monospaceFont());
-        if (row.given) item->setToolTip(0, tr("Given here"));
+        if (row.given) item->setToolTip(0, tr("Defined here"));
         QFont font = m_list->font();
         font.setWeight(row.given ? QFont::DemiBold : QFont::Normal);
         item->setFont(0, font);

@@ -7,13 +7,13 @@ namespace {
 
 bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// Whether a text may be cut there.
+/// Whether a splice may begin or end there: not inside a character or a CR LF.
 bool mayCut(std::string_view text, std::size_t at) {
     if (at == 0 || at >= text.size()) return true;
     return !isContinuation(text[at]) && !(text[at - 1] == '\r' && text[at] == '\n');
 }
 
-/// The one splice between the first and the last difference.
+/// A single splice from the first to the last difference.
 Splice wholeSplice(std::string_view from, std::string_view to) {
     const std::size_t shorter = std::min(from.size(), to.size());
     std::size_t head = static_cast<std::size_t>(
@@ -25,7 +25,7 @@ Splice wholeSplice(std::string_view from, std::string_view to) {
     return {head, from.size() - head - tail, std::string(to.substr(head, to.size() - head - tail))};
 }
 
-/// Lines with their ends.
+/// Lines including their endings.
 std::vector<std::string_view> linesOf(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {

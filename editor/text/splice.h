@@ -1,5 +1,5 @@
 #pragma once
-// Two versions of a text, and the least that has to change to make one of the other.
+// Differences between two versions of a text as a list of splices.
 
 #include <cstddef>
 #include <string>
@@ -8,24 +8,24 @@
 
 namespace trundle {
 
-/// `removed` bytes at `at` become `text`.
+/// Replaces the `removed` bytes at `at` by `text`.
 struct Splice {
     std::size_t at = 0, removed = 0;
     std::string text;
     bool operator==(const Splice&) const = default;
 };
 
-/// What makes `to` of `from`, in order, with places as in `from`; empty where they are equal. No splice cuts a character or a
-/// CR LF in two. Where as many lines stand between the first and the last difference, lines that are equal stay untouched.
+/// The splices from `from` to `to`, in order, with offsets in `from`; empty if the texts are equal. No splice divides a
+/// character or a CR LF. If the range of changes has as many lines in both texts, its unchanged lines get no splice.
 [[nodiscard]] std::vector<Splice> splicesBetween(std::string_view from, std::string_view to);
 
-/// The text with the splices carried out.
+/// The text with the splices applied.
 [[nodiscard]] std::string spliced(std::string_view text, const std::vector<Splice>& splices);
 
-/// Where an offset of the old text is in the new one; inside what is removed: its end there.
+/// Maps an offset of the old text to the new one; an offset inside a removed range maps to the end of its replacement.
 [[nodiscard]] std::size_t movedOffset(std::size_t offset, const std::vector<Splice>& splices);
 
-/// Both changes of `base` in one text. Where they touch the same bytes, `theirs` stands and what `ours` wrote follows it.
+/// Applies both changes of `base`. Where they overlap, `theirs` is kept and the text inserted by `ours` follows it.
 [[nodiscard]] std::string merged(std::string_view base, std::string_view ours, std::string_view theirs);
 
 } // namespace trundle

@@ -16,7 +16,7 @@ void TextCommands::own(const char* id, std::function<void()> run) {
 
 void TextCommands::watch(QWidget& edit) { edit.installEventFilter(this); }
 
-bool TextCommands::carryOut(const std::string& id) const {
+bool TextCommands::apply(const std::string& id) const {
     for (const Command& command : m_commands) {
         if (command.id != id) continue;
         command.run();
@@ -38,7 +38,7 @@ bool TextCommands::eventFilter(QObject* watched, QEvent* event) {
         return QObject::eventFilter(watched, event);
     const Command* command = commandOf(*static_cast<QKeyEvent*>(event));
     if (!command) return QObject::eventFilter(watched, event);
-    event->accept(); // before the window's own shortcut of the same keys
+    event->accept(); // takes precedence over the window's shortcut with the same keys
     if (event->type() == QEvent::KeyPress) std::function(command->run)();
     return true;
 }

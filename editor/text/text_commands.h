@@ -1,5 +1,5 @@
 #pragma once
-// What the text editor does for actions of the table, while the keyboard is in a text.
+// The text editor's commands for entries of the table of actions, active while a text has the focus.
 
 #include <functional>
 #include <string>
@@ -19,14 +19,14 @@ class TextCommands final : public QObject {
 public:
     explicit TextCommands(Actions& actions, QObject* parent = nullptr) : QObject(parent), m_actions(actions) {}
 
-    /// The keys of the action mean this in a text, whatever the action does elsewhere ("edit.duplicate" doubles a line).
+    /// While a text has the focus, the action's shortcut runs this instead ("edit.duplicate" duplicates a line).
     void inText(const char* id, std::function<void()> run);
-    /// The action is the text editor's own: it works from the menu and the command palette as well.
+    /// The action belongs to the text editor: it also works from the menu and the command palette.
     void own(const char* id, std::function<void()> run);
-    /// Keys pressed in this widget are looked up from now on.
+    /// Handles shortcuts pressed in this widget.
     void watch(QWidget& edit);
-    /// Does what an action means in a text; false where it means nothing here.
-    bool carryOut(const std::string& id) const;
+    /// Runs the text command of an action; false if it has none.
+    bool apply(const std::string& id) const;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -17,21 +17,21 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/text/code_edit.h"
-#include "editor/text/completing.h"
+#include "editor/text/completion_session.h"
 #include "editor/text/file_page.h"
 #include "editor/text/find_bar.h"
-#include "editor/text/finding.h"
+#include "editor/text/find_session.h"
 #include "editor/text/results_list.h"
 #include "editor/text/text_commands.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 
 namespace trundle {
 namespace {
 
-constexpr int kCaretWait = 60; ///< ms that the caret rests before what it stands in is selected
+constexpr int kCaretWait = 60; ///< ms that the caret rests before its block is selected
 
 QString nameOf(const std::string& file) { return QString::fromStdString(std::filesystem::path(file).filename().string()); }
 
@@ -41,7 +41,7 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     : QWidget(parent), m_document(document), m_selection(selection), m_actions(actions), m_tabs(new QTabWidget(this)),
       m_nothing(new QLabel(tr("No experiment is open."), this)), m_files(new QToolButton(this)),
       m_commands(new TextCommands(actions, this)), m_uses(new ResultsList(QStringLiteral("uses"), this)),
-      m_found(new ResultsList(QStringLiteral("found"), this)), m_completing(new Completing(
+      m_found(new ResultsList(QStringLiteral("found"), this)), m_completing(new CompletionSession(
                                                                    document, [this] { return m_folders; }, this)) {
     setObjectName(QStringLiteral("textPanel"));
     m_tabs->setObjectName(QStringLiteral("textTabs"));
@@ -63,7 +63,7 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     split->addWidget(m_tabs);
     split->addWidget(m_uses);
     split->addWidget(m_found);
-    split->setStretchFactor(0, 1); // lists keep the height that they want
+    split->setStretchFactor(0, 1); // lists keep their preferred height
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -85,7 +85,7 @@ TextPanel::TextPanel(Document& document, Selection& selection, Actions& actions,
     connect(&m_document, &Document::opened, this, &TextPanel::onOpened);
     connect(&m_document, &Document::changed, this, &TextPanel::onChanged);
     m_finding =
-        new Finding(m_document, *this, *m_bar, *m_found); // hears of a change behind the pages: it marks what they show then
+        new FindSession(m_document, *this, *m_bar, *m_found); // connected after the pages: it marks their new texts
     connect(&m_document, &Document::modifiedChanged, this, &TextPanel::showModified);
     connect(&m_selection, &Selection::changed, this, &TextPanel::onSelectionChanged);
     addCommands();
@@ -115,20 +115,20 @@ FilePage* TextPanel::pageOf(const std::string& file) const {
 
 bool TextPanel::hasKeyboard() const { return page() && page()->edit().hasFocus(); }
 
-bool TextPanel::carryOut(const std::string& id) { return page() && m_commands->carryOut(id); }
+bool TextPanel::apply(const std::string& id) { return page() && m_commands->apply(id); }
 
 QSize TextPanel::minimumSizeHint() const {
-    for (const QWidget* part : m_bar->findChildren<QWidget*>()) part->ensurePolished(); // or they grow when they are shown
+    for (const QWidget* part : m_bar->findChildren<QWidget*>()) part->ensurePolished(); // it changes their size
     return QWidget::minimumSizeHint().expandedTo({m_bar->minimumSizeHint().width(), 0});
 }
 
-// --- what is typed ---
+// --- typed text ---
 
 void TextPanel::flush() {
     for (FilePage* page : pages()) page->flush();
 }
 
-/// While something typed waits for its time, whoever is about to do something else finds it done.
+/// While typed text is pending, an event filter flushes it before any other user action is handled.
 void TextPanel::watchForOthers() {
     if (m_watching) return;
     m_watching = true;
@@ -206,7 +206,7 @@ FilePage* TextPanel::addPage(const std::string& file) {
     m_tabs->addTab(page, withoutMnemonics(nameOf(file)));
     const auto side = static_cast<QTabBar::ButtonPosition>(
         m_tabs->style()->styleHint(QStyle::SH_TabBar_CloseButtonPosition, nullptr, m_tabs->tabBar()));
-    QToolButton* shut = nullptr; // the opened file stays; setTabsClosable() would make buttons that are never deleted
+    QToolButton* shut = nullptr; // none for the opened file; those of setTabsClosable() are never deleted
     if (file != m_opened) {
         shut = new QToolButton(m_tabs);
         shut->setObjectName(QStringLiteral("closeTab"));
@@ -229,30 +229,31 @@ void TextPanel::connectPage(FilePage& page) {
     edit.setWrapLines(m_wrap);
     connect(&edit, &CodeEdit::wrapsLinesChanged, this, &TextPanel::showWrap);
     m_commands->watch(edit);
-    m_completing->watch(page); // asked before the commands: while the list is open the keys are its
-    connect(&edit, &CodeEdit::hoverAsked, this, [this, &page](std::uint32_t at, const QPoint& pos) { showHover(page, at, pos); });
-    connect(&edit, &CodeEdit::linkSought, this, [this, &page](std::uint32_t at) { showLink(page, at); });
+    m_completing->watch(page); // installed last: an open list gets the keys first
+    connect(&edit, &CodeEdit::hoverRequested, this,
+            [this, &page](std::uint32_t at, const QPoint& pos) { showHover(page, at, pos); });
+    connect(&edit, &CodeEdit::linkRequested, this, [this, &page](std::uint32_t at) { showLink(page, at); });
     connect(&edit, &CodeEdit::linkFollowed, this, &TextPanel::goToDefinition);
-    connect(&edit, &CodeEdit::menuAsked, this, [this, &page](const QPoint& pos) { showMenu(page, pos); });
+    connect(&edit, &CodeEdit::menuRequested, this, [this, &page](const QPoint& pos) { showMenu(page, pos); });
     connect(&page, &FilePage::typed, this, &TextPanel::watchForOthers);
     connect(&page, &FilePage::flushed, this, [this] {
-        m_caretTimer.stop(); // the caret moved with what was typed: one picture for both
+        m_caretTimer.stop(); // the caret moved because of typing: select with this update
         selectAtCaret();
         const auto all = pages();
         if (!m_watching || std::any_of(all.begin(), all.end(), [](FilePage* p) { return p->pending(); })) return;
         m_watching = false;
         qApp->removeEventFilter(this);
     });
-    connect(&page, &FilePage::brought, this, [this, &edit](std::uint32_t end) {
-        if (m_stepping && edit.hasFocus()) edit.select({end, end}); // undo leads back to what it changed
+    connect(&page, &FilePage::textReplaced, this, [this, &edit](std::uint32_t end) {
+        if (m_stepping && edit.hasFocus()) edit.select({end, end}); // undo moves the caret to what it changed
     });
     connect(&edit, &CodeEdit::caretMovedByHand, this, [this] { m_caretTimer.start(); });
 }
 
 FilePage* TextPanel::openFile(const std::string& file) {
     FilePage* page = pageOf(file);
-    if (!page) { // of a text that no import leads to, too
-        if (const Status added = m_document.addText(file); !added) tell(QString::fromStdString(added.error().message));
+    if (!page) { // also for a text that is not imported
+        if (const Status added = m_document.addText(file); !added) showMessage(QString::fromStdString(added.error().message));
         if (m_document.text(file)) page = addPage(file);
     }
     if (page) m_tabs->setCurrentWidget(page);
@@ -269,10 +270,10 @@ void TextPanel::closePage(int index) {
 void TextPanel::removePage(FilePage& page) {
     page.abandon();
     m_tabs->removeTab(m_tabs->indexOf(&page));
-    page.deleteLater(); // one of its own signals may have led here
+    page.deleteLater(); // a signal of the page may have called this
 }
 
-/// Every file with unsaved changes has a tab; one that the user closes stays closed until another edit.
+/// Opens a tab for every modified file; one that the user closes stays closed until the next edit.
 void TextPanel::showModified() {
     const std::vector<std::string> modified = m_document.modifiedFiles();
     for (const std::string& file : modified)
@@ -308,12 +309,12 @@ void TextPanel::fillFileMenu() {
 void TextPanel::selectAtCaret() {
     FilePage* page = this->page();
     if (!page || !page->edit().hasFocus()) return;
-    if (page->pending()) return m_caretTimer.start(); // read first, in its own time, so that no one wait is for both
+    if (page->pending()) return m_caretTimer.start(); // load first, in a separate event: shorter delays
     const FileId file = page->id();
     if (file == kNoFile) return;
     const std::string path = objectAt(*m_document.loaded(), file, page->edit().caret());
     if (m_selection.paths() == std::vector<std::string>{path}) return;
-    // An object that is reached through an instance stands in the same text as the config's own.
+    // An object selected through an instance has the same block as the object in the config.
     if (blockOf(*m_document.loaded(), m_selection.current()) == blockOf(*m_document.loaded(), path) && !m_selection.empty())
         return;
     const QScopedValueRollback<bool> own(m_selecting, true);
@@ -327,7 +328,7 @@ void TextPanel::onSelectionChanged() {
 
 void TextPanel::markSelected(bool scroll) {
     if (!m_document.isOpen()) return;
-    const Loaded& loaded = *m_document.loaded();
+    const LoadedProject& loaded = *m_document.loaded();
     SourceRange block;
     const std::string path = m_selection.current();
     if (!m_selection.empty() && !path.empty()) {
@@ -359,7 +360,7 @@ void TextPanel::revealBlock(const std::string& file, TextRange block) {
     if (FilePage* page = pageOf(file)) page->edit().scrollTo(block);
 }
 
-void TextPanel::setModelProblems(const std::shared_ptr<const Loaded>& texts, const std::vector<Diagnostic>& found) {
+void TextPanel::setModelProblems(const std::shared_ptr<const LoadedProject>& texts, const std::vector<Diagnostic>& found) {
     m_modelProblems = std::make_shared<const ModelProblems>(ModelProblems{texts, found});
     for (FilePage* page : pages()) page->setModelProblems(m_modelProblems);
 }
@@ -370,7 +371,7 @@ void TextPanel::setWrapLines(WrapLines wrap) {
     showWrap();
 }
 
-/// What the text in front does is what is checked; whoever changes that decides it for panes of every width.
+/// The action's check mark shows the state of the current text; toggling it applies to panes of every width.
 void TextPanel::showWrap() { m_actions.at("text.wrap").setChecked(page() && page()->edit().wrapsLines()); }
 
 void TextPanel::revealFile(const SourceRange& place, bool focus) {

@@ -1,5 +1,5 @@
 #pragma once
-// The document's files as texts, in tabs: the opened file first, the others when they are wanted.
+// The Text panel: the document's files in tabs, the opened file first, others on demand.
 
 #include <memory>
 #include <string>
@@ -22,13 +22,13 @@ namespace trundle {
 
 class Actions;
 class CodeEdit;
-class Completing;
+class CompletionSession;
 class Document;
 class FilePage;
-struct Loaded;
+struct LoadedProject;
 struct ModelProblems;
 class FindBar;
-class Finding;
+class FindSession;
 class RenameField;
 class ProjectRename;
 class ResultsList;
@@ -42,48 +42,49 @@ public:
     TextPanel(Document& document, Selection& selection, Actions& actions, QWidget* parent = nullptr);
     ~TextPanel() override;
 
-    /// Where texts, pictures and modules are looked for beside the project's own folders; for completion.
+    /// Search folders for texts, images and modules in addition to the project's; for completion.
     void setFolders(FileFolders folders) { m_folders = std::move(folders); }
     void setWrapLines(WrapLines wrap);
-    /// Gives all that is typed to the document. To be called before anything that reads or saves its texts; the panel does it by
-    /// itself whenever the keyboard or the mouse goes elsewhere, and 40 ms after the first key.
+    /// Passes all typed text to the document. Call it before reading or saving its texts; the panel itself calls it on any other
+    /// keyboard or mouse action, and 10 to 400 ms after the first key.
     void flush();
-    [[nodiscard]] FilePage* page() const; ///< the one in front; nullptr where nothing is open
+    [[nodiscard]] FilePage* page() const; ///< the current page; nullptr if nothing is open
     [[nodiscard]] FilePage* pageOf(const std::string& file) const;
     [[nodiscard]] std::vector<FilePage*> pages() const;
 
-    /// Whether the keyboard is in a text: then the edit actions of the window mean the text.
+    /// Whether a text has the focus: then the window's edit actions apply to the text.
     [[nodiscard]] bool hasKeyboard() const;
-    /// Does what an action of the table means in a text ("edit.cut"); false where it means nothing here.
-    bool carryOut(const std::string& id);
-    /// As wide as the bar to find with needs, also while that is away: nothing moves when it comes.
+    /// Runs an action of the table as a text command ("edit.cut"); false if there is none.
+    bool apply(const std::string& id);
+    /// Includes the width of the hidden find bar, so that showing it does not resize the panel.
     [[nodiscard]] QSize minimumSizeHint() const override;
 
-    /// The kind of block whose word the caret is at, else that of the block round it; nullptr where there is none.
+    /// The kind of the block whose keyword is at the caret, else of the enclosing block; nullptr if there is none.
     [[nodiscard]] const Kind* kindAtCaret();
-    /// "#import", "#loadModule" or "Param" where the caret is in one; else empty.
+    /// "#import", "#loadModule" or "Param" if the caret is in one; else empty.
     [[nodiscard]] QString constructAtCaret();
 
     void goToDefinition(std::uint32_t offset);
     void showUses(std::uint32_t offset);
-    /// Opens a line over the name at an offset, in which another name for it is typed.
+    /// Opens the rename field for the name at an offset.
     void renameAt(std::uint32_t offset);
-    /// The ways to mend what is wrong at the caret, else on its line, as a menu under the caret; nullptr where there is none.
+    /// Opens a menu below the caret with the fixes of the diagnostics at the caret, else on its line; nullptr if there are none.
     QMenu* showFixes();
     void formatText();
 
 public Q_SLOTS:
-    /// Shows a place: opens the file's tab, selects the range there. Takes the keyboard only where asked to.
+    /// Opens the file's tab and selects the range. Takes the focus only with `focus`.
     void reveal(const std::string& file, TextRange range, bool focus = false);
-    /// Shows a block: the caret goes before it with the keyboard, and nothing is selected, so that what is typed replaces nothing.
+    /// Moves focus and caret to the start of a block, without a selection that typing would replace.
     void revealBlock(const std::string& file, TextRange block);
     void revealRange(const SourceRange& place) { revealFile(place, false); }
-    /// Marks what the model check found as other problems are marked, as long as the document has these texts.
-    void setModelProblems(const std::shared_ptr<const trundle::Loaded>& texts, const std::vector<trundle::Diagnostic>& found);
+    /// Shows the diagnostics of the model check while the document has these texts.
+    void setModelProblems(const std::shared_ptr<const trundle::LoadedProject>& texts,
+                          const std::vector<trundle::Diagnostic>& found);
     FilePage* openFile(const std::string& file);
 
 Q_SIGNALS:
-    void said(const QString& text); ///< why nothing happened; for the status bar
+    void messageRequested(const QString& text); ///< the reason why a command did nothing; for the status bar
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -110,7 +111,7 @@ private:
     void showMenu(FilePage& page, const QPoint& globalPos);
     void offerOthers(const ProjectRename& renaming);
     void rename(FilePage& page, ProjectRename& renaming, const QString& from, const QString& to);
-    void tell(const QString& text); ///< beside the caret, for a moment
+    void showMessage(const QString& text); ///< a tooltip at the caret
 
     Document& m_document;
     Selection& m_selection;
@@ -120,19 +121,19 @@ private:
     QToolButton* m_files;
     TextCommands* m_commands;
     ResultsList *m_uses, *m_found;
-    Completing* m_completing;
+    CompletionSession* m_completing;
     FindBar* m_bar;
-    Finding* m_finding;
+    FindSession* m_finding;
     FileFolders m_folders;
     std::shared_ptr<const ModelProblems> m_modelProblems;
     WrapLines m_wrap = WrapLines::InNarrowPanes;
     QPointer<RenameField> m_rename;
     QTimer m_caretTimer;
-    std::string m_opened;                ///< path of the opened file, as last seen
-    std::vector<std::string> m_modified; ///< files that were not saved, as last seen
+    std::string m_opened;                ///< path of the opened file at the last update
+    std::vector<std::string> m_modified; ///< modified files at the last update
     std::size_t m_historyAt = 0, m_historySize = 0;
-    bool m_stepping = false;  ///< the document goes back or forth in its history
-    bool m_selecting = false; ///< the selection changes because of this panel
+    bool m_stepping = false;  ///< undo or redo is running
+    bool m_selecting = false; ///< this panel is changing the selection
     bool m_watching = false;
 };
 

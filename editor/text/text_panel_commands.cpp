@@ -1,10 +1,10 @@
-// What the panel does for the actions of the table.
+// The text panel's implementation of the actions.
 
 #include "editor/document/document.h"
 #include "editor/text/code_edit.h"
-#include "editor/text/completing.h"
+#include "editor/text/completion_session.h"
 #include "editor/text/file_page.h"
-#include "editor/text/finding.h"
+#include "editor/text/find_session.h"
 #include "editor/text/text_commands.h"
 #include "editor/text/text_panel.h"
 #include "editor/widgets/actions.h"

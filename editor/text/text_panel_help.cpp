@@ -1,4 +1,4 @@
-// What the panel says and offers about the text: hover, links, uses, fixes, the menu.
+// TextPanel: tooltips, links, references, fixes, rename and the context menu.
 
 #include <algorithm>
 
@@ -10,11 +10,11 @@
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/hover.h"
-#include "editor/text/navigation.h"
 #include "editor/text/rename_field.h"
 #include "editor/text/results_list.h"
+#include "editor/text/text_location.h"
+#include "editor/text/text_navigation.h"
 #include "editor/text/text_panel.h"
-#include "editor/text/text_place.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/plain_text.h"
 #include "lang/formatter.h"
@@ -26,12 +26,12 @@ bool touches(TextRange range, std::uint32_t offset) { return range.begin <= offs
 
 bool isSign(char c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; }
 
-/// Formatting moves only what is blank, so the signs before a place tell where it is afterwards.
+/// Number of non-blank characters before an offset. Formatting changes only blanks, so this identifies the offset afterwards.
 std::size_t signsBefore(std::string_view text, std::size_t place) {
     return static_cast<std::size_t>(
         std::count_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(place, text.size())), isSign));
 }
-/// Before the sign that comes after so many.
+/// The offset of the character that follows this many non-blank characters.
 std::size_t placeBehind(std::string_view text, std::size_t signs) {
     std::size_t at = 0;
     while (at < text.size() && (signs > 0 || !isSign(text[at])))
@@ -47,8 +47,8 @@ FileEdits editsOf(const Fix& fix) {
 
 } // namespace
 
-void TextPanel::tell(const QString& text) {
-    Q_EMIT said(text);
+void TextPanel::showMessage(const QString& text) {
+    Q_EMIT messageRequested(text);
     FilePage* page = this->page();
     if (page) showToolTip(page->edit().viewport()->mapToGlobal(page->edit().placeOf(page->edit().caret())), text, &page->edit());
 }
@@ -77,7 +77,7 @@ void TextPanel::showLink(FilePage& page, std::uint32_t offset) {
 const Kind* TextPanel::kindAtCaret() {
     FilePage* page = this->page();
     if (!page || !page->flush() || page->id() == kNoFile) return nullptr;
-    const TextPlace place = placeAt(*m_document.loaded(), page->id(), page->edit().caret());
+    const TextLocation place = placeAt(*m_document.loaded(), page->id(), page->edit().caret());
     const auto* block = place.item ? place.item->as<BlockItem>() : nullptr;
     const Kind* named = block ? m_document.loaded()->registry->find(block->type.text) : nullptr;
     return named ? named : place.kind;
@@ -100,7 +100,7 @@ void TextPanel::goToDefinition(std::uint32_t offset) {
     if (page->id() == kNoFile) return;
     const auto found = definitionAt(*m_document.loaded(), page->id(), offset);
     if (found) revealFile(found->place, true);
-    else tell(tr("Nothing is named here"));
+    else showMessage(tr("No name at the caret"));
 }
 
 void TextPanel::showUses(std::uint32_t offset) {
@@ -108,9 +108,9 @@ void TextPanel::showUses(std::uint32_t offset) {
     if (!page) return;
     flush();
     if (page->id() == kNoFile) return;
-    const Loaded& loaded = *m_document.loaded();
+    const LoadedProject& loaded = *m_document.loaded();
     const std::vector<SourceRange> uses = usesAt(loaded, page->id(), offset);
-    if (uses.empty()) return tell(tr("Nothing is named here"));
+    if (uses.empty()) return showMessage(tr("No name at the caret"));
     const auto given = definitionAt(loaded, page->id(), offset);
     std::vector<ResultsList::Row> rows;
     for (const SourceRange& use : uses) {
@@ -120,8 +120,8 @@ void TextPanel::showUses(std::uint32_t offset) {
                         std::string(text.line(line)), given && given->place == use});
     }
     const QString name = QString::fromStdString(given ? given->name : std::string());
-    const QString title =
-        uses.size() == 1 ? tr("Only here: %1").arg(name) : tr("%1 is named in %2 places").arg(name, QString::number(uses.size()));
+    const QString title = uses.size() == 1 ? tr("Only one reference: %1").arg(name)
+                                           : tr("%1 has %2 references").arg(name, QString::number(uses.size()));
     m_uses->showRows(title, std::move(rows));
 }
 
@@ -131,7 +131,7 @@ void TextPanel::renameAt(std::uint32_t offset) {
     flush();
     if (page->id() == kNoFile) return;
     const std::optional<Symbol> symbol = symbolAt(*m_document.loaded(), page->id(), offset);
-    if (!symbol) return tell(tr("There is no name to change here"));
+    if (!symbol) return showMessage(tr("There is no name to rename here"));
     CodeEdit& edit = page->edit();
     delete m_rename;
     m_rename = new RenameField(edit.viewport());
@@ -140,12 +140,12 @@ void TextPanel::renameAt(std::uint32_t offset) {
     connect(m_rename, &RenameField::closed, page, [page] { page->setFocus(); });
     connect(m_rename, &RenameField::renameRequested, page,
             [this, page, renaming, name](const QString& to) { rename(*page, *renaming, name, to); });
-    connect(&m_document, &Document::changed, m_rename, &QWidget::hide); // the name may be another one now
+    connect(&m_document, &Document::changed, m_rename, &QWidget::hide); // the name may have changed
     m_rename->open(edit.placeOf(symbol->word.range.begin) - QPoint(4, edit.lineHeight() + 4), name);
     offerOthers(*renaming);
 }
 
-/// Texts of the project that this experiment does not load would name nothing after a rename: they are counted, listed, and changed too.
+/// References in texts of the project that are not loaded would break: counts and lists them, and offers to rename them too.
 void TextPanel::offerOthers(const ProjectRename& renaming) {
     if (renaming.usesOutside().empty()) return;
     int uses = 0;
@@ -154,7 +154,8 @@ void TextPanel::offerOthers(const ProjectRename& renaming) {
         uses += static_cast<int>(use.count);
         lines += tr("%1: %2").arg(QString::fromStdString(m_document.shown(use.file)), QString::number(use.count));
     }
-    if (!renaming.isComplete()) lines += tr("Others were not read: the project has more than %1 files that import it").arg(ProjectRename::kMostTexts);
+    if (!renaming.isComplete())
+        lines += tr("Others were not read: the project has more than %1 files that import it").arg(ProjectRename::kMaxTexts);
     const auto files = static_cast<int>(renaming.usesOutside().size());
     const QString where = files == 1 ? tr("Also in %1, which is not loaded (%2)") : tr("Also in %1 files that are not loaded (%2)");
     const QString of = files == 1 ? QString::fromStdString(m_document.shown(renaming.usesOutside()[0].file)) : QString::number(files);
@@ -190,7 +191,7 @@ QMenu* TextPanel::showFixes() {
         if (!problems.empty()) break;
     }
     if (problems.empty()) {
-        tell(page->problems().empty() ? tr("Nothing is wrong here") : tr("There is no fix for this place"));
+        showMessage(page->problems().empty() ? tr("No problems here") : tr("No fix available here"));
         return nullptr;
     }
     auto* menu = new QMenu(this);
@@ -219,7 +220,7 @@ void TextPanel::formatText() {
     const Tree& tree = *m_document.loaded()->trees[page->id()];
     const auto broken = std::any_of(tree.diagnostics().begin(), tree.diagnostics().end(),
                                     [](const Diagnostic& d) { return d.severity == Severity::Error; });
-    if (broken) return tell(tr("Mend the errors first; a text that cannot be read is not formatted"));
+    if (broken) return showMessage(tr("Fix the errors first; text with syntax errors cannot be formatted"));
     const std::string before = page->edit().bytes();
     const std::size_t signs = signsBefore(before, page->edit().caret());
     if (!m_document.replaceText(tr("Format"), page->file(), format(tree))) return;
@@ -232,7 +233,7 @@ void TextPanel::showMenu(FilePage& page, const QPoint& globalPos) {
     menu->setObjectName(QStringLiteral("textMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const auto add = [&](const QString& text, const char* id) {
-        QAction* action = menu->addAction(text, this, [this, id] { carryOut(id); });
+        QAction* action = menu->addAction(text, this, [this, id] { apply(id); });
         action->setShortcut(m_actions.at(id).shortcut());
         action->setShortcutVisibleInContextMenu(true);
         return action;

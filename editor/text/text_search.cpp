@@ -5,14 +5,14 @@
 namespace trundle {
 namespace {
 
-/// A text in UTF-16 and where each unit stands in the bytes.
-struct Wide {
+/// A text in UTF-16, with the byte offset of each code unit.
+struct Utf16Text {
     QString text;
     std::vector<std::uint32_t> places;
 };
 
-Wide wideOf(std::string_view bytes) {
-    Wide wide;
+Utf16Text utf16Of(std::string_view bytes) {
+    Utf16Text wide;
     wide.text.reserve(static_cast<qsizetype>(bytes.size()));
     wide.places.reserve(bytes.size() + 1);
     for (std::size_t at = 0; at < bytes.size();) {
@@ -35,20 +35,21 @@ Wide wideOf(std::string_view bytes) {
 
 } // namespace
 
-TextSearch::TextSearch(const SearchWish& wish) : m_regex(wish.regex), m_empty(wish.words.isEmpty()) {
-    QString pattern = wish.regex ? wish.words : QRegularExpression::escape(wish.words);
-    if (wish.wholeWords) pattern = QStringLiteral("(?<!\\w)(?:%1)(?!\\w)").arg(pattern);
+TextSearch::TextSearch(const SearchOptions& searchOptions)
+    : m_regex(searchOptions.regex), m_empty(searchOptions.words.isEmpty()) {
+    QString pattern = searchOptions.regex ? searchOptions.words : QRegularExpression::escape(searchOptions.words);
+    if (searchOptions.wholeWords) pattern = QStringLiteral("(?<!\\w)(?:%1)(?!\\w)").arg(pattern);
     QRegularExpression::PatternOptions options =
         QRegularExpression::MultilineOption | QRegularExpression::UseUnicodePropertiesOption;
-    if (!wish.caseSensitive) options |= QRegularExpression::CaseInsensitiveOption;
-    m_pattern = QRegularExpression(wish.regex ? QStringLiteral("(*ANYCRLF)") + pattern : pattern, options);
+    if (!searchOptions.caseSensitive) options |= QRegularExpression::CaseInsensitiveOption;
+    m_pattern = QRegularExpression(searchOptions.regex ? QStringLiteral("(*ANYCRLF)") + pattern : pattern, options);
 }
 
 std::vector<TextMatch> TextSearch::in(std::string_view text) const {
     std::vector<TextMatch> found;
     if (!valid() || m_empty) return found;
-    const Wide wide = wideOf(text);
-    for (auto matches = m_pattern.globalMatch(wide.text); matches.hasNext() && found.size() < kMostMatches;) {
+    const Utf16Text wide = utf16Of(text);
+    for (auto matches = m_pattern.globalMatch(wide.text); matches.hasNext() && found.size() < kMaxMatches;) {
         const QRegularExpressionMatch match = matches.next();
         if (match.capturedLength() == 0) continue;
         const TextRange range{wide.places[static_cast<std::size_t>(match.capturedStart())],

@@ -1,5 +1,5 @@
 #pragma once
-// Finding words in the bytes of a text. Places are bytes, whatever they hold.
+// Search in the bytes of a text. Offsets are byte offsets, even in invalid UTF-8.
 
 #include <string>
 #include <string_view>
@@ -12,29 +12,29 @@
 
 namespace trundle {
 
-struct SearchWish {
+struct SearchOptions {
     QString words;
     bool caseSensitive = false, wholeWords = false, regex = false;
-    bool operator==(const SearchWish&) const = default;
+    bool operator==(const SearchOptions&) const = default;
 };
 
 struct TextMatch {
     TextRange range;
-    QStringList groups; ///< [0] all of it; more with a regular expression
+    QStringList groups; ///< [0] the whole match; more for a regular expression
 };
 
 class TextSearch {
 public:
-    explicit TextSearch(const SearchWish& wish);
+    explicit TextSearch(const SearchOptions& searchOptions);
 
     [[nodiscard]] bool valid() const { return m_pattern.isValid(); }
-    [[nodiscard]] QString fault() const { return m_pattern.errorString(); } ///< why a regular expression is none
-    /// All of them, in order, none empty, none within another; at most kMostMatches.
+    [[nodiscard]] QString fault() const { return m_pattern.errorString(); } ///< error in a regular expression; else empty
+    /// All matches in order, neither empty nor overlapping; at most kMaxMatches.
     [[nodiscard]] std::vector<TextMatch> in(std::string_view text) const;
-    /// What stands for a match afterwards: with a regular expression \1 ... \9 are its groups, \n the text's line end, \t a tab.
+    /// The replacement of a match; with a regular expression \1 ... \9 are its groups, \n the text's line ending, \t a tab.
     [[nodiscard]] std::string replacement(const TextMatch& match, const QString& with, const std::string& lineEnd = "\n") const;
 
-    static constexpr std::size_t kMostMatches = 100'000;
+    static constexpr std::size_t kMaxMatches = 100'000;
 
 private:
     QRegularExpression m_pattern;

@@ -5,7 +5,7 @@
 namespace trundle {
 namespace {
 
-/// Says what the words of a text are by what stands beside them.
+/// Classifies words by their neighbouring tokens.
 class Words {
 public:
     Words(std::string_view text, const std::vector<Token>& tokens) : m_text(text), m_tokens(tokens) {
@@ -13,7 +13,7 @@ public:
             if (!isTrivia(tokens[i].kind)) m_significant.push_back(i);
     }
 
-    /// Puts the style of each token into `styles`.
+    /// Writes the style of each token into `styles`.
     void style(std::string& styles) {
         for (m_at = 0; m_at < m_significant.size(); ++m_at) {
             const Token& token = m_tokens[m_significant[m_at]];
@@ -86,10 +86,10 @@ private:
     std::vector<std::size_t> m_significant;
     std::size_t m_at = 0;
     int m_parens = 0;
-    bool m_afterKind = false; ///< the word before is the kind of the block whose name comes
+    bool m_afterKind = false; ///< the previous word is a kind, so a block name follows
 };
 
-/// Where the lines of a text begin.
+/// The offsets at which lines begin.
 std::vector<std::size_t> lineStarts(std::string_view text) {
     std::vector<std::size_t> starts{0};
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -108,7 +108,7 @@ std::string stylesOf(std::string_view text, const std::vector<Token>& tokens) {
 
 std::vector<FoldLine> foldLinesOf(std::string_view text, const std::vector<Token>& tokens) {
     const std::vector<std::size_t> starts = lineStarts(text);
-    std::vector<int> change(starts.size() + 1, 0); // of the depth, by the line after which it holds
+    std::vector<int> change(starts.size() + 1, 0); // change of the depth after each line
     std::vector<FoldLine> lines(starts.size());
     std::size_t line = 0;
     const auto lineOf = [&](std::size_t offset) {
@@ -132,7 +132,7 @@ std::vector<FoldLine> foldLinesOf(std::string_view text, const std::vector<Token
         ++change[from + 1];
         --change[to + 1];
     }
-    for (const std::size_t from : open) { // never closed: to the end
+    for (const std::size_t from : open) { // unclosed: up to the end
         if (from + 1 >= lines.size()) continue;
         lines[from].opens = true;
         ++change[from + 1];

@@ -1,5 +1,5 @@
 #pragma once
-// What each byte of a text looks like and where its lines fold, from the tokens of the language's own lexer.
+// Syntax highlighting and folding of a text, from the tokens of the language's own lexer.
 
 #include <string>
 #include <string_view>
@@ -12,14 +12,14 @@ namespace trundle {
 enum class TextStyle : char {
     Plain,
     Kind,
-    Name, ///< of a block or a Param, where it is given
+    Name, ///< of a block or a Param, in its definition
     Key,
     Keyword, ///< Param, true, false, functions
     Number,
     Unit,
     Word, ///< a value: a reference, a choice, a file
     String,
-    Param, ///< where one is used
+    Param, ///< a use of a Param
     Comment,
     Directive,
     Path,
@@ -28,16 +28,16 @@ enum class TextStyle : char {
     Count
 };
 
-/// One style for each byte, as many as the text has. The tokens are those of the whole text.
+/// One style per byte of the text. The tokens are those of the whole text.
 [[nodiscard]] std::string stylesOf(std::string_view text, const std::vector<Token>& tokens);
 
-/// One line: how many blocks are open where it begins, and whether it opens one that ends on a later line.
+/// One line: the number of blocks open at its start, and whether it opens one that ends on a later line.
 struct FoldLine {
     int level = 0;
     bool opens = false;
     bool operator==(const FoldLine&) const = default;
 };
-/// As many as the text has lines (ended by LF, CR LF or a lone CR). Comments over several lines fold as blocks do.
+/// One entry per line (ended by LF, CR LF or a lone CR). Multi-line comments fold like blocks.
 [[nodiscard]] std::vector<FoldLine> foldLinesOf(std::string_view text, const std::vector<Token>& tokens);
 
 } // namespace trundle

@@ -27,7 +27,7 @@ std::shared_ptr<const TintedMesh> lobeMesh(const AntennaPattern& pattern, double
     mesh->normals.assign(mesh->points.size(), Eigen::Vector3f::Zero());
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const Eigen::Vector3f normal =
-            (mesh->points[b] - mesh->points[a]).cross(mesh->points[c] - mesh->points[a]); // as long as the triangle is large
+            (mesh->points[b] - mesh->points[a]).cross(mesh->points[c] - mesh->points[a]); // length is twice the triangle's area
         for (const std::uint32_t corner : {a, b, c}) {
             mesh->indices.push_back(corner);
             mesh->normals[corner] += normal;
@@ -41,7 +41,7 @@ std::shared_ptr<const TintedMesh> lobeMesh(const AntennaPattern& pattern, double
     for (std::size_t i = 0; i < mesh->normals.size(); ++i) {
         Eigen::Vector3f& normal = mesh->normals[i];
         if (normal.norm() > 1e-12f) normal.normalize();
-        else normal = Eigen::Vector3f::UnitZ(); // in a null there is nothing to be seen
+        else normal = Eigen::Vector3f::UnitZ(); // in a null the surface has no extent
     }
     return mesh;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// How an antenna sends and hears in each direction, as a surface around it.
+// Gain of an antenna by direction, as a surface around it.
 
 #include <memory>
 
@@ -8,13 +8,13 @@
 
 namespace trundle {
 
-/// Distance of the surface from the antenna in a direction of this gain (dBi), where 0 dBi is `unit` metres: linear in dB.
+/// Distance (m) of the surface from the antenna in a direction of this gain (dBi): linear in dB, with `unit` metres at 0 dBi.
 [[nodiscard]] double lobeRadius(double gain, double unit);
 
-/// In the frame of the antenna; `spokes` around, a multiple of four, so that all six axes have a corner.
+/// In the antenna's frame. `spokes`: vertices around the axis, a multiple of four, so that all six axes pass through a vertex.
 [[nodiscard]] std::shared_ptr<const TintedMesh> lobeMesh(const AntennaPattern& pattern, double unit, int spokes);
 
-/// The round length (1, 2 or 5 times a power of ten) that is nearest to the size of a robot: what 0 dBi is beside it.
+/// The round length (1, 2 or 5 times a power of ten, m) nearest to the size of a robot; used as the radius of 0 dBi.
 [[nodiscard]] double lobeUnitBeside(double robotRadius);
 
 } // namespace trundle

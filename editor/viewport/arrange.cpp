@@ -9,39 +9,39 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
-#include "editor/viewport/held_objects.h"
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/transform_selection.h"
 #include "editor/viewport/view.h"
+#include "editor/viewport/viewport_scene.h"
 #include "lang/edit_style.h"
 #include "lang/number_text.h"
 #include "lang/tree_edit.h"
-#include "project/object_place.h"
+#include "project/moved_block.h"
+#include "project/object_location.h"
 #include "project/part_values.h"
-#include "project/placed_text.h"
 
 namespace trundle {
 namespace {
 
-constexpr double kInset = 0.02, kAbove = 0.001; // share of a footprint; m
-constexpr int kMostCopies = 400;
+constexpr double kInset = 0.02, kAbove = 0.001; // fraction of the footprint; m
+constexpr int kMaxCopies = 400;
 
 QString trArrange(const char* text) { return QCoreApplication::translate("Arrange", text); }
 
-void refuse(const ViewParts& parts, const QString& why) { Q_EMIT parts.document.refused(why); }
+void refuse(const ViewContext& context, const QString& why) { Q_EMIT context.document.refused(why); }
 
-/// What can be arranged, or the reason why nothing can.
-bool usable(const ViewParts& parts, const HeldObjects& held, std::size_t least) {
+/// True if at least `least` objects can be arranged; otherwise reports the reason.
+bool usable(const ViewContext& context, const TransformSelection& held, std::size_t least) {
     if (held.paths().size() >= least) return true;
-    refuse(parts, !held.refusal().isEmpty() ? held.refusal()
-                  : least == 1              ? trArrange("Select what is to stand on the floor.")
-                  : least == 2              ? trArrange("Select two or more objects.")
-                                            : trArrange("Select three or more objects."));
+    refuse(context, !held.refusal().isEmpty() ? held.refusal()
+                    : least == 1              ? trArrange("Select the objects to drop to the floor.")
+                    : least == 2              ? trArrange("Select two or more objects.")
+                                              : trArrange("Select three or more objects."));
     return false;
 }
 
-/// The height of what is below a box: the highest thing under it that is not the object itself.
-double groundBelow(const ViewParts& parts, const Bounds& box, const std::vector<ObjectRef>& itself) {
-    const ShownWorld& world = parts.world;
+/// Height of the highest surface below a box, ignoring the object itself; 0 if there is none.
+double groundBelow(const ViewContext& context, const Bounds& box, const std::vector<ObjectRef>& itself) {
+    const ViewportScene& world = context.world;
     const auto isItself = [&](const ObjectRef& geom) {
         for (std::optional<ObjectRef> object = geom; object; object = world.objects()->ownerOf(*object))
             if (std::find(itself.begin(), itself.end(), *object) != itself.end()) return true;
@@ -62,22 +62,22 @@ double groundBelow(const ViewParts& parts, const Bounds& box, const std::vector<
 
 } // namespace
 
-void dropToFloor(const ViewParts& parts) {
-    HeldObjects held(parts);
-    if (!usable(parts, held, 1)) return;
+void dropToFloor(const ViewContext& context) {
+    TransformSelection held(context);
+    if (!usable(context, held, 1)) return;
     std::vector<Vec3> offsets;
     const std::vector<std::string> paths = held.paths();
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const Bounds box = held.boundsOf(i);
-        const double by = box.empty() ? 0 : groundBelow(parts, box, parts.world.objectsOf(paths[i])) - box.low.z();
+        const double by = box.empty() ? 0 : groundBelow(context, box, context.world.objectsOf(paths[i])) - box.low.z();
         offsets.emplace_back(0, 0, by);
     }
     (void)held.moveEach(offsets, trArrange("Drop %1 to floor").arg(held.title()));
 }
 
-void alignSelected(const ViewParts& parts, int axis, AlignTo to) {
-    HeldObjects held(parts);
-    if (!usable(parts, held, 2)) return;
+void alignSelected(const ViewContext& context, int axis, AlignTo to) {
+    TransformSelection held(context);
+    if (!usable(context, held, 2)) return;
     const auto mark = [&](std::size_t i) {
         const Bounds box = held.boundsOf(i);
         if (box.empty()) return std::optional<double>();
@@ -91,9 +91,9 @@ void alignSelected(const ViewParts& parts, int axis, AlignTo to) {
     (void)held.moveEach(offsets, trArrange("Align %1").arg(held.title()));
 }
 
-void distributeSelected(const ViewParts& parts, int axis) {
-    HeldObjects held(parts);
-    if (!usable(parts, held, 3)) return;
+void distributeSelected(const ViewContext& context, int axis) {
+    TransformSelection held(context);
+    if (!usable(context, held, 3)) return;
     const std::size_t count = held.paths().size();
     std::vector<double> middles;
     for (std::size_t i = 0; i < count; ++i) middles.push_back(held.boundsOf(i).empty() ? 0 : held.boundsOf(i).centre()[axis]);
@@ -106,39 +106,39 @@ void distributeSelected(const ViewParts& parts, int axis) {
     (void)held.moveEach(offsets, trArrange("Distribute %1").arg(held.title()));
 }
 
-QString gridRefusal(const ViewParts& parts) {
-    const std::vector<std::string>& paths = parts.selection.paths();
-    const auto object = paths.size() == 1 ? parts.world.find(paths[0]) : std::nullopt;
+QString gridRefusal(const ViewContext& context) {
+    const std::vector<std::string>& paths = context.selection.paths();
+    const auto object = paths.size() == 1 ? context.world.find(paths[0]) : std::nullopt;
     if (!object || object->kind != ObjectKind::Robot) return trArrange("A Grid is made of one robot.");
-    const auto place = placeOf(*parts.document.loaded(), paths[0]);
+    const auto place = placeOf(*context.document.loaded(), paths[0]);
     return !place || place->member || !place->part
                ? trArrange("%1 is part of a Grid already.").arg(QString::fromStdString(paths[0]))
                : QString();
 }
 
-bool gridIsTurned(const ViewParts& parts) {
-    if (!gridRefusal(parts).isEmpty()) return false;
-    const Pose& pose = parts.world.objects()->robotOf(*parts.world.find(parts.selection.current()))->pose;
+bool gridIsTurned(const ViewContext& context) {
+    if (!gridRefusal(context).isEmpty()) return false;
+    const Pose& pose = context.world.objects()->robotOf(*context.world.find(context.selection.current()))->pose;
     return pose.rotation.angularDistance(Quat::Identity()) > 1e-6;
 }
 
 namespace {
 
-/// The block of a robot as that of a Grid whose first member stands where the robot stood.
-void makeGrid(const ViewParts& parts, const ArrayCopy& copy) {
-    const std::string path = parts.selection.current();
-    const Loaded& loaded = *parts.document.loaded();
+/// Replaces the block of a robot by a Grid whose first member has the robot's pose.
+void makeGrid(const ViewContext& context, const ArrayCopy& copy) {
+    const std::string path = context.selection.current();
+    const LoadedProject& loaded = *context.document.loaded();
     const auto place = placeOf(loaded, path);
-    const ObjectRef robot = *parts.world.find(path);
+    const ObjectRef robot = *context.world.find(path);
     const Part& part = *place->part;
     const Tree& tree = *loaded.trees[part.file];
-    const Pose& pose = parts.world.objects()->robotOf(robot)->pose;
+    const Pose& pose = context.world.objects()->robotOf(robot)->pose;
     const Vec3 centre =
         pose * Vec3(0.5 * (copy.count[0] - 1) * copy.spacing.x(), 0.5 * (copy.count[1] - 1) * copy.spacing.y(), 0);
     std::string pos;
     for (int k = 0; k < 3; ++k) pos += (k ? "," : "") + steppedNumber(centre[k], 1e-6);
     std::vector<TextEdit> edits{editReplace(tree, part.block->type.range, "Grid")};
-    const PlacedAssignment* old = part.assignments.find("Pos");
+    const SourceAssignment* old = part.assignments.find("Pos");
     const std::string count = std::to_string(copy.count[0]) + "," + std::to_string(copy.count[1]);
     const std::string spacing =
         steppedNumber(std::abs(copy.spacing.x()), 1e-6) + "," + steppedNumber(std::abs(copy.spacing.y()), 1e-6);
@@ -155,16 +155,16 @@ void makeGrid(const ViewParts& parts, const ArrayCopy& copy) {
         edits.push_back(
             {{part.file, {open, open}}, assignment("Pos", pos) + assignment("Count", count) + assignment("Spacing", spacing)});
     }
-    (void)parts.document.edit(trArrange("Array copy of %1").arg(QString::fromStdString(path)), {{part.file, edits}});
+    (void)context.document.edit(trArrange("Array copy of %1").arg(QString::fromStdString(path)), {{part.file, edits}});
 }
 
 } // namespace
 
 namespace {
 
-/// All copies of these objects; what has one parent is inserted together. Selects the originals and the copies.
-Result<EditPlan> planCopies(const Loaded& loaded, const std::vector<std::string>& originals, const ArrayCopy& copy,
-                            const StructureEdits::Renamed& renamed) {
+/// All copies of these objects; copies with the same parent are inserted by one edit. Selects the originals and the copies.
+Result<EditPlan> planCopies(const LoadedProject& loaded, const std::vector<std::string>& originals, const ArrayCopy& copy,
+                            const StructureEdits::PathMapping& renamed) {
     std::map<std::string, std::string> blocks; // by parent
     EditPlan all;
     const int total = copy.count[0] * copy.count[1] * copy.count[2];
@@ -176,7 +176,7 @@ Result<EditPlan> planCopies(const Loaded& loaded, const std::vector<std::string>
         const Vec3 at = place ? poseAt(loaded, *place).position : Vec3::Zero();
         for (int i = 1; i < total; ++i) {
             const Vec3 steps(i % copy.count[0], i / copy.count[0] % copy.count[1], i / (copy.count[0] * copy.count[1]));
-            PlacedText block(text);
+            MovedBlock block(text);
             block.shift("Pos", steps.cwiseProduct(copy.spacing), at);
             blocks[parent] += block.text() + "\n";
         }
@@ -193,30 +193,31 @@ Result<EditPlan> planCopies(const Loaded& loaded, const std::vector<std::string>
 
 } // namespace
 
-void copyInRows(const ViewParts& parts, const ArrayCopy& copy) {
-    if (!parts.document.isOpen()) return;
+void copyInRows(const ViewContext& context, const ArrayCopy& copy) {
+    if (!context.document.isOpen()) return;
     if (copy.asGrid) {
-        if (const QString why = gridRefusal(parts); !why.isEmpty()) return refuse(parts, why);
-        return makeGrid(parts, copy);
+        if (const QString why = gridRefusal(context); !why.isEmpty()) return refuse(context, why);
+        return makeGrid(context, copy);
     }
-    const std::vector<std::string> originals = parts.selection.paths();
-    if (originals.empty()) return refuse(parts, trArrange("Select what is to be copied."));
+    const std::vector<std::string> originals = context.selection.paths();
+    if (originals.empty()) return refuse(context, trArrange("Select what is to be copied."));
     const long total = long(copy.count[0]) * copy.count[1] * copy.count[2];
-    if (total > kMostCopies)
+    if (total > kMaxCopies)
         return refuse(
-            parts,
-            trArrange("That would be %1 copies; at most %2 are made, a Grid can hold more.").arg(total - 1).arg(kMostCopies));
+            context,
+            trArrange("That would be %1 copies; at most %2 are made, a Grid can hold more.").arg(total - 1).arg(kMaxCopies));
     for (const std::string& path : originals) {
-        const auto place = placeOf(*parts.document.loaded(), path);
+        const auto place = placeOf(*context.document.loaded(), path);
         if (place && !place->member) continue;
-        return refuse(parts, trArrange("%1 has no text of its own to copy.").arg(QString::fromStdString(path)));
+        return refuse(context, trArrange("%1 has no text of its own to copy.").arg(QString::fromStdString(path)));
     }
-    parts.document.endMerge();
+    context.document.endMerge();
     const QString title = originals.size() == 1 ? trArrange("Array copy of %1").arg(QString::fromStdString(originals.front()))
                                                 : trArrange("Array copy of %1 objects").arg(originals.size());
-    (void)parts.document.structure().apply(title, originals, [originals, copy](const Loaded& loaded, const auto& renamed) {
-        return planCopies(loaded, originals, copy, renamed);
-    });
+    (void)context.document.structure().apply(title, originals,
+                                             [originals, copy](const LoadedProject& loaded, const auto& renamed) {
+                                                 return planCopies(loaded, originals, copy, renamed);
+                                             });
 }
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// Tools that put several selected objects in order. Each call is one edit of the document; what cannot be is said through
+// Commands that arrange several selected objects. Each call is one edit of the document; failures are reported through
 // Document::refused.
 
 #include <array>
@@ -10,26 +10,27 @@
 
 namespace trundle {
 
-struct ViewParts;
+struct ViewContext;
 
-/// Lowers (or lifts) each object until it stands on what is below it, or on z = 0.
-void dropToFloor(const ViewParts& parts);
+/// Moves each object up or down until it rests on the surface below it, or on z = 0.
+void dropToFloor(const ViewContext& context);
 
 enum class AlignTo { Low, Middle, High };
-/// To the object selected last, along x, y or z.
-void alignSelected(const ViewParts& parts, int axis, AlignTo to);
-/// Middles at equal distances between the outermost two, along x, y or z.
-void distributeSelected(const ViewParts& parts, int axis);
+/// Aligns the selected objects to the one selected last, along x, y or z.
+void alignSelected(const ViewContext& context, int axis, AlignTo to);
+/// Spaces the centres equally between the outermost two, along x, y or z.
+void distributeSelected(const ViewContext& context, int axis);
 
 struct ArrayCopy {
-    std::array<int, 3> count{3, 1, 1}; ///< with the original
+    std::array<int, 3> count{3, 1, 1}; ///< including the original
     Vec3 spacing{1, 1, 1};             ///< m
-    bool asGrid = false;               ///< a single robot becomes a Grid of count x and y
+    bool asGrid = false;               ///< replaces a single robot by a Grid with the counts of x and y
 };
-void copyInRows(const ViewParts& parts, const ArrayCopy& copy);
-/// Why a Grid cannot be made of what is selected; empty where it can.
-[[nodiscard]] QString gridRefusal(const ViewParts& parts);
-/// Whether the rows of that Grid are turned, as its one HPR is that of the rows and of each robot. Single copies stand along x and y.
-[[nodiscard]] bool gridIsTurned(const ViewParts& parts);
+void copyInRows(const ViewContext& context, const ArrayCopy& copy);
+/// The reason why the selection cannot become a Grid; empty if it can.
+[[nodiscard]] QString gridRefusal(const ViewContext& context);
+/// True if that Grid's rows would be rotated, since its HPR applies to the rows as well as to each robot. Single copies are
+/// placed along the world's x and y.
+[[nodiscard]] bool gridIsTurned(const ViewContext& context);
 
 } // namespace trundle

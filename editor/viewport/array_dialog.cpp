@@ -38,7 +38,7 @@ ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& grid
         grid->addWidget(label, k + 1, 0);
         grid->addWidget(m_count[std::size_t(k)], k + 1, 1);
         grid->addWidget(m_spacing[std::size_t(k)], k + 1, 2);
-        connect(m_count[std::size_t(k)], &QSpinBox::valueChanged, this, &ArrayDialog::say);
+        connect(m_count[std::size_t(k)], &QSpinBox::valueChanged, this, &ArrayDialog::showStatus);
     }
     m_asGrid = new QCheckBox(tr("One Grid instead of single robots"));
     m_asGrid->setObjectName(QStringLiteral("asGrid"));
@@ -46,7 +46,7 @@ ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& grid
     m_asGrid->setToolTip(gridRefusal.isEmpty()
                              ? tr("A few words of text, and any number of robots: count and spacing can be changed later.")
                              : gridRefusal);
-    connect(m_asGrid, &QCheckBox::toggled, this, &ArrayDialog::say);
+    connect(m_asGrid, &QCheckBox::toggled, this, &ArrayDialog::showStatus);
     m_summary = new QLabel;
     m_summary->setObjectName(QStringLiteral("summary"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
@@ -59,7 +59,7 @@ ArrayDialog::ArrayDialog(const Vec3& spacing, int originals, const QString& grid
     all->addWidget(m_asGrid);
     all->addWidget(m_summary);
     all->addWidget(buttons);
-    say();
+    showStatus();
 }
 
 ArrayCopy ArrayDialog::copy() const {
@@ -73,7 +73,7 @@ ArrayCopy ArrayDialog::copy() const {
     return copy;
 }
 
-void ArrayDialog::say() {
+void ArrayDialog::showStatus() {
     m_count[2]->setEnabled(!m_asGrid->isChecked());
     m_spacing[2]->setEnabled(!m_asGrid->isChecked());
     const ArrayCopy wanted = copy();

@@ -10,19 +10,19 @@ class QSpinBox;
 
 namespace trundle {
 
-/// Asks how many copies and how far apart.
+/// Dialog for the number and spacing of copies.
 class ArrayDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// `originals`: how many objects are copied. `gridRefusal`: why a Grid cannot be made; empty: it is offered.
-    /// `gridIsTurned`: its rows go along the axes of the robot, which are not those of the world.
+    /// `originals`: number of objects to copy. `gridRefusal`: the reason why a Grid cannot be made; empty: the dialog offers it.
+    /// `gridIsTurned`: its rows follow the axes of the robot instead of the world's.
     ArrayDialog(const Vec3& spacing, int originals, const QString& gridRefusal, bool gridIsTurned = false,
                 QWidget* parent = nullptr);
 
     [[nodiscard]] ArrayCopy copy() const;
 
 private:
-    void say();
+    void showStatus();
 
     const int m_originals;
     const bool m_gridIsTurned;

@@ -25,12 +25,12 @@ std::vector<ContactArrow> contactArrows(const std::vector<LiveContact>& contacts
     std::vector<ContactArrow> arrows;
     for (const LiveContact& contact : contacts) {
         const double wanted = kForcePixels * std::max(0.0, contact.force) / unit;
-        arrows.push_back({&contact, std::min(wanted, kMostForcePixels), wanted > kMostForcePixels});
+        arrows.push_back({&contact, std::min(wanted, kMaxForcePixels), wanted > kMaxForcePixels});
     }
-    if (arrows.size() <= kMostContacts) return arrows;
+    if (arrows.size() <= kMaxContacts) return arrows;
     const auto stronger = [](const ContactArrow& a, const ContactArrow& b) { return a.contact->force > b.contact->force; };
-    std::nth_element(arrows.begin(), arrows.begin() + kMostContacts, arrows.end(), stronger);
-    arrows.resize(kMostContacts);
+    std::nth_element(arrows.begin(), arrows.begin() + kMaxContacts, arrows.end(), stronger);
+    arrows.resize(kMaxContacts);
     return arrows;
 }
 

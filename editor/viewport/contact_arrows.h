@@ -1,5 +1,5 @@
 #pragma once
-// Which contacts of a run are drawn, and how long the arrows of their forces are.
+// Selection of the contacts that are drawn, and the lengths of their force arrows.
 
 #include <vector>
 
@@ -8,21 +8,21 @@
 
 namespace trundle {
 
-inline constexpr std::size_t kMostContacts = 600;                     ///< drawn, of all robots: the strongest
-inline constexpr double kForcePixels = 60, kMostForcePixels = 150;    ///< of an arrow of forceUnit(), and of the longest
+inline constexpr std::size_t kMaxContacts = 600;                  ///< limit over all robots; the strongest are drawn
+inline constexpr double kForcePixels = 60, kMaxForcePixels = 150; ///< length of the arrow for forceUnit(), and the maximum
 
 struct ContactArrow {
     const LiveContact* contact = nullptr;
-    double pixels = 0;  ///< in proportion to the force, kMostForcePixels at most
-    bool isCut = false; ///< the force is more than its length says
+    double pixels = 0;  ///< proportional to the force, at most kMaxForcePixels
+    bool isCut = false; ///< the arrow was shortened to the maximum
 };
 
-/// 1, 2 or 5 times a power of ten, at most so much.
+/// The largest of 1, 2 or 5 times a power of ten that is not above `most`.
 [[nodiscard]] double roundNumber(double most);
-/// The force (N) whose arrow is kForcePixels long: what the heaviest robot weighs, in round numbers. It is the experiment's own, so
-/// the arrows of two moments and of two robots compare.
+/// The force (N) whose arrow is kForcePixels long: the weight of the heaviest robot, rounded. Constant for an experiment, so that
+/// arrows can be compared between times and robots.
 [[nodiscard]] double forceUnit(const ExperimentSpec& experiment);
-/// They point into `contacts`.
+/// The results point into `contacts`.
 [[nodiscard]] std::vector<ContactArrow> contactArrows(const std::vector<LiveContact>& contacts, double unit);
 
 } // namespace trundle

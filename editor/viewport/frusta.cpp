@@ -3,18 +3,18 @@
 #include <set>
 
 #include "editor/document/selection.h"
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/scene_painter.h"
 #include "editor/viewport/view.h"
-#include "editor/viewport/world_pen.h"
+#include "editor/viewport/viewport_scene.h"
 #include "scene/camera_model.h"
 
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostFrusta = 200, kMostUnasked = 4;
+constexpr std::size_t kMaxFrusta = 200, kMaxUnasked = 4;
 const QColor kFrustum(70, 196, 222);
 
-void paintFrustum(const WorldPen& pen, const CameraModel& camera, const Pose& body, const QColor& colour, double width) {
+void paintFrustum(const ScenePainter& pen, const CameraModel& camera, const Pose& body, const QColor& colour, double width) {
     const Pose lens = body * camera.mounting;
     const double wide = std::tan(0.5 * camera.fieldOfView), high = wide * camera.height / std::max(1u, camera.width);
     const auto corner = [&](double depth, int i) {
@@ -31,20 +31,21 @@ void paintFrustum(const WorldPen& pen, const CameraModel& camera, const Pose& bo
 } // namespace
 
 void paintFrusta(QPainter& painter, const View& view, bool all) {
-    const ShownWorld& world = view.parts().world;
+    const ViewportScene& world = view.context().world;
     std::set<const CameraModel*> selected;
-    for (const std::string& path : view.parts().selection.paths())
+    for (const std::string& path : view.context().selection.paths())
         for (const CameraModel* camera : world.camerasOf(path)) selected.insert(camera);
-    // Those of a whole swarm say nothing, nor do others while one looks through a camera: whoever wants them switches them on.
-    if (!all && (selected.empty() || selected.size() > kMostUnasked || view.throughCamera())) return;
-    const WorldPen pen(painter, view);
+    // Frusta are shown unasked only for a few selected cameras, and not while the view looks through a camera; the overlay shows
+    // all.
+    if (!all && (selected.empty() || selected.size() > kMaxUnasked || view.throughCamera())) return;
+    const ScenePainter pen(painter, view);
     const BodyPoses& poses = view.shownPoses();
     std::size_t shown = 0;
     for (const CameraModel& camera : world.cameras()) {
         const bool marked = selected.contains(&camera);
         const auto robot = world.find(camera.robot);
         if ((!all && !marked) || &camera == view.throughCamera() || camera.body >= poses.size()) continue;
-        if ((robot && world.isHidden(*robot)) || ++shown > kMostFrusta) continue;
+        if ((robot && world.isHidden(*robot)) || ++shown > kMaxFrusta) continue;
         paintFrustum(pen, camera, poses[camera.body], marked ? View::outlineColour() : kFrustum, marked ? 1.3 : 1);
     }
 }

@@ -5,7 +5,7 @@ namespace trundle {
 
 class View;
 
-/// What cameras see, from their near to their far plane, as thin lines: of those that are selected, or of all.
+/// Draws camera frusta from the near to the far plane as thin lines, for all cameras or for the selected ones only.
 void paintFrusta(QPainter& painter, const View& view, bool all);
 
 } // namespace trundle

@@ -11,8 +11,8 @@ namespace trundle {
 namespace {
 
 constexpr double kLength = 84, kRing = 74, kPlaneFrom = 20, kPlaneTo = 36, kScreen = 7; // pixels
-constexpr double kLineReach = 7; // pixels from a line, or the head at its end, within which it is hit
-constexpr double kFaceOn = 6;    // pixels by which an arrow along the line of sight counts as farther
+constexpr double kLineReach = 7; // pixels; hit distance to a line, or to the arrow head at its end
+constexpr double kFaceOn = 6;    // pixels added to the hit distance of an arrow along the line of sight
 constexpr double kAlongSight = 0.97, kHandleEdgeOn = 0.13;
 constexpr int kRingSteps = 72;
 
@@ -33,7 +33,7 @@ QPolygonF square(const QPointF& at, double half) { return QRectF(at.x() - half, 
 
 } // namespace
 
-Gizmo::Gizmo(Tool tool, const GizmoPlace& place, const Projector& project) : m_place(place), m_project(project) {
+Gizmo::Gizmo(Tool tool, const GizmoPose& place, const Projector& project) : m_place(place), m_project(project) {
     if (!project(place.origin)) return;
     for (int axis = 0; axis < 3; ++axis) {
         if (tool == Tool::Rotate) addRing(axis);
@@ -134,7 +134,7 @@ Handle Gizmo::hit(const QPointF& at) const {
         if (shape.handle.kind == Handle::Kind::Axis || shape.handle.kind == Handle::Kind::Size) lines.push_back(shape.face);
         for (const QPolygonF& line : lines) {
             const double distance = distanceTo(line, at);
-            // Of arrows over each other the one that points less along the line of sight is meant.
+            // Of overlapping arrows, the one that is more perpendicular to the line of sight is preferred.
             const double score = distance + (shape.handle.kind == Handle::Kind::Axis
                                                  ? kFaceOn * std::abs(m_place.axes.col(shape.handle.axis).dot(m_place.forward))
                                                  : 0);
@@ -142,7 +142,7 @@ Handle Gizmo::hit(const QPointF& at) const {
         }
     }
     if (nearest) return nearest;
-    // Planes can lie over each other: the one whose middle is nearest is meant.
+    // Planes can overlap; the one whose centre is closest is hit.
     best = 1e9;
     for (const Shape& shape : m_shapes) {
         const double distance = QLineF(shape.spot, at).length();

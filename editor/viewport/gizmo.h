@@ -1,5 +1,5 @@
 #pragma once
-// The handles by which objects are moved, turned and sized: where they are on the screen, how they look, which one a point hits.
+// The gizmo for moving, rotating and scaling objects: its handles on the screen, their appearance and hit test.
 
 #include <array>
 #include <functional>
@@ -11,67 +11,67 @@
 #include <QString>
 
 #include "editor/viewport/view_settings.h"
-#include "scene/view.h"
+#include "scene/camera_view.h"
 
 class QPainter;
 
 namespace trundle {
 
-/// Axis, Plane (named by the axis that stands on it), Screen, Ring, Size.
+/// A handle: Axis, Plane (`axis` is its normal), Screen, Ring or Size.
 struct Handle {
     enum class Kind { None, Axis, Plane, Screen, Ring, Size };
     Kind kind = Kind::None;
     int axis = 0; ///< 0 x, 1 y, 2 z
-    int side = 1; ///< of Size: where the axis points, or -1: the other one
+    int side = 1; ///< for Size: 1 on the positive side of the axis, -1 on the negative side
     bool operator==(const Handle&) const = default;
     explicit operator bool() const { return kind != Kind::None; }
 };
 
-/// Which sides of a thing go when a length of it grows.
+/// Which sides of an object move when a size grows.
 enum class Sides {
-    Both,   ///< either, and the other stays: the Pos follows
+    Both,   ///< either one; the other stays, and Pos is adjusted
     Middle, ///< both at once, as with a radius
-    Upper,  ///< where the axis points: the thing has its Pos at the other side
+    Upper,  ///< the positive one; Pos is at the negative side
     Lower,
 };
 
-/// A length of a shape as its text has it: "Radius", "Size x".
+/// A size of a shape, with its name in the text: "Radius", "Size x".
 struct SizeName {
     QString name;
-    double ofHalf = 2; ///< how much larger it is than half the extent
+    double ofHalf = 2; ///< factor from half the extent to the value
     Sides sides = Sides::Both;
-    /// From side to side, so that one side may stay where it is; not a radius, and no height above a base.
+    /// True for a size measured from side to side, so that one side can stay in place; not for a radius or a height above a base.
     [[nodiscard]] bool hasTwoSides() const { return sides == Sides::Both; }
 };
 
-/// Where a gizmo stands.
-struct GizmoPlace {
+/// Pose and sizes of a gizmo, in world coordinates.
+struct GizmoPose {
     Vec3 origin = Vec3::Zero();
     Mat3 axes = Mat3::Identity();  ///< columns, unit, right-handed
-    Vec3 half = Vec3::Zero();      ///< half the extent of what is sized; 0: cannot be sized along that axis
-    std::array<SizeName, 3> sizes; ///< along each axis that can be sized
+    Vec3 half = Vec3::Zero();      ///< m, half the extent of the scaled object; 0: cannot be scaled along that axis
+    std::array<SizeName, 3> sizes; ///< one per axis that can be scaled
     double metresPerPixel = 0.01;  ///< at the origin
-    Vec3 forward = Vec3::UnitY();  ///< of the camera, at the origin
+    Vec3 forward = Vec3::UnitY();  ///< the camera's viewing direction, at the origin
 };
 
 using Projector = std::function<std::optional<QPointF>(const Vec3&)>;
 
 class Gizmo {
 public:
-    /// Handles that stand so that they could not be dragged with any sense are left out.
-    Gizmo(Tool tool, const GizmoPlace& place, const Projector& project);
+    /// Handles that cannot be dragged sensibly from this view are left out.
+    Gizmo(Tool tool, const GizmoPose& place, const Projector& project);
 
     [[nodiscard]] Handle hit(const QPointF& at) const;
-    /// `hot` is drawn bright, and alone while it is dragged.
+    /// `hot` is drawn highlighted, and alone while it is dragged.
     void paint(QPainter& painter, const Handle& hot, bool dragged) const;
-    /// Middle of a handle on the screen, for hints and tests.
+    /// Centre of a handle on the screen, for hints and tests.
     [[nodiscard]] std::optional<QPointF> spot(const Handle& handle) const;
 
 private:
     struct Shape {
         Handle handle;
         QColor colour;
-        std::vector<QPolygonF> lines, faint; ///< faint: behind
+        std::vector<QPolygonF> lines, faint; ///< faint: on the far side
         QPolygonF face;                      ///< filled
         QPointF spot;
     };
@@ -81,9 +81,9 @@ private:
     void addRing(int axis);
     void addSize(int axis, int side);
 
-    GizmoPlace m_place;
+    GizmoPose m_place;
     Projector m_project;
-    std::vector<Shape> m_shapes; // drawn in this order, hit in the other
+    std::vector<Shape> m_shapes; // in drawing order; hit-tested in reverse
 };
 
 } // namespace trundle

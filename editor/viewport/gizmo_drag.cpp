@@ -12,15 +12,15 @@
 namespace trundle {
 namespace {
 
-constexpr double kEdgeOn = 0.15;       // of a ring's plane against the line of sight
-constexpr double kRadPerPixel = 0.013; // of a ring seen from its edge
-constexpr double kReach = 2000;        // m; a plane seen at a grazing angle ends there
+constexpr double kEdgeOn = 0.15;       // cosine between ring normal and line of sight; below it the ring is edge-on
+constexpr double kRadPerPixel = 0.013; // for an edge-on ring
+constexpr double kReach = 2000;        // m; limit for planes seen at a grazing angle
 
 double snapped(double value, double step) { return step > 0 ? step * std::round(value / step) : value; }
 
 } // namespace
 
-GizmoDrag::GizmoDrag(const Handle& handle, const GizmoPlace& place, const ViewRay& start, const QPointF& pixel)
+GizmoDrag::GizmoDrag(const Handle& handle, const GizmoPose& place, const ViewRay& start, const QPointF& pixel)
     : m_handle(handle), m_place(place), m_startPixel(pixel) {
     m_edgeOn = handle.kind == Handle::Kind::Ring && std::abs(place.axes.col(handle.axis).dot(place.forward)) < kEdgeOn;
     m_start = place.origin;
@@ -28,7 +28,7 @@ GizmoDrag::GizmoDrag(const Handle& handle, const GizmoPlace& place, const ViewRa
     m_lastAngle = angleOf(m_start);
 }
 
-/// On the handle's line or plane, nearest to the ray. Where there is none, the start.
+/// The point on the handle's line or plane that is nearest to the ray; the start point if there is none.
 Vec3 GizmoDrag::pointOf(const ViewRay& ray) const {
     const Vec3 axis = m_place.axes.col(m_handle.axis);
     if (m_handle.kind == Handle::Kind::Axis || m_handle.kind == Handle::Kind::Size) {
@@ -51,7 +51,7 @@ double GizmoDrag::angleOf(const Vec3& point) const {
     return std::atan2(out.dot(m_place.axes.col((m_handle.axis + 2) % 3)), out.dot(m_place.axes.col((m_handle.axis + 1) % 3)));
 }
 
-void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, double turnStep, bool aboutCentre) {
+void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, double rotationStep, bool aboutCentre) {
     m_aboutCentre = aboutCentre;
     if (m_handle.kind == Handle::Kind::Ring) {
         if (m_edgeOn) {
@@ -61,7 +61,7 @@ void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, do
             m_turned += std::remainder(angle - m_lastAngle, 2 * std::numbers::pi);
             m_lastAngle = angle;
         }
-        m_degrees = snapped(m_turned * 180 / std::numbers::pi, turnStep);
+        m_degrees = snapped(m_turned * 180 / std::numbers::pi, rotationStep);
         return;
     }
     const Vec3 by = m_place.axes.transpose() * (pointOf(ray) - m_start);
@@ -70,7 +70,7 @@ void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, do
             m_handle.kind == Handle::Kind::Screen || (m_handle.kind == Handle::Kind::Plane) != (k == m_handle.axis);
         const double size = m_handle.kind == Handle::Kind::Size ? m_place.sizes[k].ofHalf : 1;
         const double outward = m_handle.kind == Handle::Kind::Size ? m_handle.side : 1;
-        const double share = isOneSided() ? 0.5 : 1; // the side goes with the mouse, the middle half as far
+        const double share = isOneSided() ? 0.5 : 1; // the side follows the mouse, the centre moves half as far
         m_amount[k] = along ? snapped(size * outward * share * by[k], moveStep) / size : 0;
     }
 }
@@ -88,7 +88,7 @@ bool GizmoDrag::type(int key, const QString& text) {
     return true;
 }
 
-/// The numbers typed so far go to the handle's axes in their order. Nothing while a unit is not typed out.
+/// The typed numbers, assigned to the handle's axes in order. nullopt while a unit is incomplete.
 std::optional<Vec3> GizmoDrag::typedNumbers() const {
     if (m_typed.empty()) return std::nullopt;
     Vec3 values = Vec3::Zero();
@@ -114,7 +114,7 @@ Vec3 GizmoDrag::amount() const {
     Vec3 amount = Vec3::Zero();
     if (m_handle.kind == Handle::Kind::Screen) return *typed;
     if (m_handle.kind == Handle::Kind::Plane) {
-        // In the order x, y, z, whichever two they are.
+        // The plane's two axes in the order x, y, z.
         int next = 0;
         for (int k = 0; k < 3; ++k)
             if (k != m_handle.axis) amount[k] = (*typed)[next++];
@@ -122,7 +122,7 @@ Vec3 GizmoDrag::amount() const {
     }
     amount[m_handle.axis] = typed->x();
     if (m_handle.kind != Handle::Kind::Size) return amount;
-    // The size itself is typed, as a row has it.
+    // The value typed is the size itself, as in the property row.
     if (typed->x() <= 0) return m_amount;
     amount[m_handle.axis] = typed->x() / m_place.sizes[m_handle.axis].ofHalf - m_place.half[m_handle.axis];
     return amount;

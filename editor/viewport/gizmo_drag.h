@@ -1,5 +1,5 @@
 #pragma once
-// What a drag of a handle comes to: how far along its axes, by which angle.
+// Converts a mouse drag of a gizmo handle to a translation, rotation or size change.
 
 #include <string>
 
@@ -9,24 +9,24 @@ namespace trundle {
 
 class GizmoDrag {
 public:
-    GizmoDrag(const Handle& handle, const GizmoPlace& place, const ViewRay& start, const QPointF& pixel);
+    GizmoDrag(const Handle& handle, const GizmoPose& place, const ViewRay& start, const QPointF& pixel);
 
-    /// The mouse is there now. Steps in m and degrees; 0: no steps. A length from side to side grows by the side that is dragged,
-    /// `aboutCentre` by both.
-    void to(const ViewRay& ray, const QPointF& pixel, double moveStep, double turnStep, bool aboutCentre = false);
-    /// Keys typed while dragging: numbers, with their unit or without, commas between them, Backspace. True where they were used.
+    /// Updates the drag to the mouse position. Steps in m and degrees; 0: no snapping. A side-to-side size grows at the dragged
+    /// side only, or at both with `aboutCentre`.
+    void to(const ViewRay& ray, const QPointF& pixel, double moveStep, double rotationStep, bool aboutCentre = false);
+    /// Numbers typed during the drag, with or without units, separated by commas; Backspace deletes. True if the key was used.
     bool type(int key, const QString& text);
     [[nodiscard]] const std::string& typed() const { return m_typed; }
 
     [[nodiscard]] const Handle& handle() const { return m_handle; }
-    /// m along the axes of the gizmo (Axis, Plane, Screen), or by which half the extent grows (Size).
+    /// m along the axes of the gizmo (Axis, Plane, Screen), or the change of half the extent (Size).
     [[nodiscard]] Vec3 amount() const;
-    [[nodiscard]] double degrees() const; ///< of a Ring
-    /// Size: the other side stays where it is, and the middle goes out by amount().
+    [[nodiscard]] double degrees() const; ///< rotation angle of a Ring
+    /// Size: the opposite side stays in place and the centre moves by amount().
     [[nodiscard]] bool isOneSided() const;
-    /// Of the world: what stood at p stands at motion * p. Of Size, where the middle of the sized object goes.
+    /// Motion in world coordinates: a point p moves to motion() * p. For Size, the motion of the object's centre.
     [[nodiscard]] Pose motion() const;
-    /// "X 0.35 m", "45°", "Radius 0.1 m".
+    /// Readout of the drag: "X 0.35 m", "45°", "Radius 0.1 m".
     [[nodiscard]] QString readOut() const;
 
 private:
@@ -35,7 +35,7 @@ private:
     [[nodiscard]] std::optional<Vec3> typedNumbers() const;
 
     Handle m_handle;
-    GizmoPlace m_place;
+    GizmoPose m_place;
     Vec3 m_start, m_amount = Vec3::Zero();
     QPointF m_startPixel;
     double m_lastAngle = 0, m_turned = 0, m_degrees = 0; // rad, rad, degrees

@@ -1,5 +1,5 @@
 #pragma once
-// A drag from the Library over a view: the thing itself goes under the cursor, and the drop puts it where it was shown.
+// Drag and drop from the Library into a view: a preview follows the cursor, and the drop inserts the block at the preview's pose.
 
 #include <memory>
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include <QPointF>
 
-#include "scene/standing.h"
+#include "scene/drop_placement.h"
 
 class QMimeData;
 
@@ -18,14 +18,15 @@ struct Kind;
 struct StaticSpec;
 class View;
 
-/// Whether a drag brings blocks from the Library (JSON {"kind", "text", "imports"}).
+/// True if the drag contains blocks from the Library (JSON {"kind", "text", "imports"}).
 [[nodiscard]] bool canDrop(const QMimeData& data);
 
-/// Robots and arenas are placed in the world, bodies and shapes in the config of what they fall on, a material onto the shape. What
-/// stands in the world stands on the floor or on top of what is there, never inside. What cannot be is said through Document::refused.
+/// Robots and arenas are inserted into the world, bodies and shapes into the config of the object under the cursor; a material is
+/// assigned to the shape. Objects in the world rest on the floor or on other objects, never inside them. Failures are reported
+/// through Document::refused.
 class LibraryDrop {
 public:
-    /// `shown`: what is dragged is drawn at its place, in all views, as long as this lives.
+    /// `shown`: the dragged object is drawn at its target pose, in all views, during the lifetime of this object.
     LibraryDrop(View& view, const QMimeData& data, bool shown);
     ~LibraryDrop();
 
@@ -33,36 +34,36 @@ public:
     void drop(const QPointF& at);
 
 private:
-    struct Cargo {
+    struct DraggedContent {
         std::string kind, text;
         std::vector<std::string> imports;
     };
-    /// What a drop falls on, and what it goes into.
+    /// What is under the cursor, and the object that a drop inserts into.
     struct Ground {
         std::vector<RayHit> hits;
         Vec3 point = Vec3::Zero();
-        std::string owner;    ///< of a shape or body: the robot, body or static that it becomes part of
-        Pose frame;           ///< that a Pos there is written in
-        bool isRobot = false; ///< the owner is part of one
+        std::string owner;    ///< for a shape or body: the robot, body or static that it is inserted into
+        Pose frame;           ///< the frame of a Pos there, in world coordinates
+        bool isRobot = false; ///< the owner belongs to a robot
         [[nodiscard]] const RayHit* hit() const { return hits.empty() ? nullptr : &hits.front(); }
     };
-    [[nodiscard]] static std::optional<Cargo> cargoOf(const QMimeData& data);
+    [[nodiscard]] static std::optional<DraggedContent> draggedContentOf(const QMimeData& data);
     [[nodiscard]] Ground groundAt(const QPointF& at) const;
-    /// Into which body or config a shape or body would go; false: into none.
+    /// Sets the owner and frame for a dragged shape or body; false if there is none.
     [[nodiscard]] bool findOwner(Ground& ground) const;
-    [[nodiscard]] Vec3 placeOn(const Ground& ground) const; ///< in the world
+    [[nodiscard]] Vec3 placeOn(const Ground& ground) const; ///< in world coordinates
     [[nodiscard]] const Kind* kind() const;
-    [[nodiscard]] bool standsInWorld() const; ///< a Robot, Static, Grid or Scatter
+    [[nodiscard]] bool isWorldObject() const; ///< a Robot, Static, Grid or Scatter
     void load();
     void dropController(const Ground& ground);
     bool dropMaterial(const Ground& ground);
     void refuse(const QString& why);
 
     View& m_view;
-    std::optional<Cargo> m_cargo;
+    std::optional<DraggedContent> m_content;
     bool m_shown = false;
-    std::shared_ptr<const ExperimentSpec> m_thing; ///< alone, at the origin; null where it has no shapes
-    std::vector<StandingGeom> m_geoms;             ///< of m_thing
+    std::shared_ptr<const ExperimentSpec> m_thing; ///< the dragged object alone, at the origin; null if it has no shapes
+    std::vector<PlacementGeom> m_geoms;            ///< of m_thing
 };
 
 } // namespace trundle

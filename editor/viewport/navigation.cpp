@@ -12,13 +12,13 @@ namespace trundle {
 namespace {
 
 constexpr double kRadPerPixel = 0.0065;
-constexpr double kZoomPerStep = 0.87; // one notch of a wheel
-constexpr double kPixelsPerStep = 20; // of a drag that zooms
-constexpr double kClick = 3;          // pixels that the hand may tremble
+constexpr double kZoomPerStep = 0.87; // per notch of the wheel
+constexpr double kPixelsPerStep = 20; // for a zoom drag
+constexpr double kClick = 3;          // pixels; smaller movements count as a click
 constexpr int kFlyMs = 16;
 constexpr int kFlyKeys[] = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E};
 
-/// Where a ray meets the plane through `at` that faces the camera.
+/// Intersection of a ray with the plane through `at` that faces the camera.
 Vec3 onPlane(const ViewRay& ray, const Vec3& at, const Vec3& forward) {
     const double along = ray.direction.dot(forward);
     return ray.origin + (std::abs(along) < 1e-9 ? 0 : (at - ray.origin).dot(forward) / along) * ray.direction;
@@ -27,16 +27,16 @@ Vec3 onPlane(const ViewRay& ray, const Vec3& at, const Vec3& forward) {
 } // namespace
 
 QString Navigation::hint() const {
-    const bool orbits = m_mode == CameraDrag::Orbit, pans = m_view.parts().settings.navigation() == NavigationStyle::Trundle;
-    QString text = orbits ? tr("Drag goes round") + QStringLiteral(" · ") : QString();
-    if (pans) text += tr("Shift and drag shifts") + QStringLiteral(" · ");
+    const bool orbits = m_mode == CameraDrag::Orbit, pans = m_view.context().settings.navigation() == NavigationStyle::Trundle;
+    QString text = orbits ? tr("Drag orbits") + QStringLiteral(" · ") : QString();
+    if (pans) text += tr("Shift and drag pans") + QStringLiteral(" · ");
     return text + tr("W A S D, Q and E fly, the wheel sets how fast");
 }
 
 Navigation::Navigation(View& view) : m_view(view) { connect(&m_timer, &QTimer::timeout, this, &Navigation::fly); }
 
 bool Navigation::press(const Pointer& pointer) {
-    const CameraDrag drag = cameraDrag(m_view.parts().settings.navigation(), pointer.button, pointer.modifiers);
+    const CameraDrag drag = cameraDrag(m_view.context().settings.navigation(), pointer.button, pointer.modifiers);
     if (drag == CameraDrag::None) return false;
     m_button = pointer.button;
     m_mode = drag;
@@ -48,13 +48,13 @@ bool Navigation::press(const Pointer& pointer) {
 
 void Navigation::drag(const Pointer& pointer) {
     if (!m_moved && (pointer.at - m_start).manhattanLength() < kClick) return;
-    if (!m_moved && m_button == Qt::RightButton) // nobody finds flying by himself
+    if (!m_moved && m_button == Qt::RightButton) // users rarely discover flying without a hint
         m_view.setHint(hint());
     m_moved = true;
     const QPointF by = pointer.at - m_last;
     m_last = pointer.at;
     m_view.changeCamera([&](ViewCamera& camera) {
-        if (m_flown) return camera.look(-kRadPerPixel * 0.5 * by.x(), -kRadPerPixel * 0.5 * by.y());
+        if (m_flown) return camera.rotate(-kRadPerPixel * 0.5 * by.x(), -kRadPerPixel * 0.5 * by.y());
         if (m_mode == CameraDrag::Fly) return;
         if (m_mode == CameraDrag::Orbit) return camera.orbit(-kRadPerPixel * by.x(), -kRadPerPixel * by.y(), m_about);
         if (m_mode == CameraDrag::Zoom) return camera.zoom(std::pow(kZoomPerStep, -by.y() / kPixelsPerStep), m_about);
@@ -67,7 +67,7 @@ void Navigation::release(const Pointer& pointer) {
     m_mode = CameraDrag::None;
     m_view.setHint({});
     stopFlying();
-    if (click) Q_EMIT m_view.menuWanted(pointer.at);
+    if (click) Q_EMIT m_view.menuRequested(pointer.at);
 }
 
 void Navigation::cancel() {

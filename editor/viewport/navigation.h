@@ -5,17 +5,17 @@
 #include <QObject>
 #include <QTimer>
 
-#include "editor/viewport/mouse_work.h"
 #include "editor/viewport/navigation_style.h"
-#include "scene/view.h"
+#include "editor/viewport/view_tool.h"
+#include "scene/camera_view.h"
 
 namespace trundle {
 
 class View;
 
-/// Moves a view's camera: buttons orbit about what is under the cursor, pan and zoom as the navigation style says; the wheel zooms
-/// to the cursor; with the right button down W A S D Q E fly (Shift: faster) and the mouse looks around.
-class Navigation final : public QObject, public MouseWork {
+/// Camera navigation of a view: buttons orbit about the point under the cursor, pan and zoom as the navigation style defines; the
+/// wheel zooms towards the cursor. With the right button held, W A S D Q E fly (Shift: faster) and the mouse rotates the view.
+class Navigation final : public QObject, public ViewTool {
     Q_OBJECT
 public:
     explicit Navigation(View& view);
@@ -38,9 +38,9 @@ private:
     CameraDrag m_mode = CameraDrag::None;
     Qt::MouseButton m_button = Qt::NoButton;
     QPointF m_start, m_last;
-    Vec3 m_about = Vec3::Zero(); ///< orbited about, held while panning, zoomed to
+    Vec3 m_about = Vec3::Zero(); ///< centre of orbiting, panning and zooming, in world coordinates
     bool m_moved = false, m_flown = false, m_fast = false;
-    double m_speed = 1; ///< of flying, of the distance looked at per second
+    double m_speed = 1; ///< flying speed, in view distances per second
     std::set<int> m_keys;
     QTimer m_timer;
     QElapsedTimer m_sinceStep;

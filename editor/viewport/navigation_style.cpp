@@ -7,11 +7,11 @@ namespace {
 
 struct DragRow {
     Qt::MouseButton button;
-    Qt::KeyboardModifiers held; ///< these and no others
+    Qt::KeyboardModifiers held; ///< exactly these modifiers
     CameraDrag drag;
 };
 
-// The first row that fits holds. Alt with the left button is for mice and pads without a middle one.
+// The first matching row applies. Alt with the left button serves mice and touchpads without a middle button.
 constexpr DragRow kTrundle[] = {{Qt::MiddleButton, Qt::ShiftModifier, CameraDrag::Pan},
                                 {Qt::MiddleButton, Qt::NoModifier, CameraDrag::Orbit},
                                 {Qt::RightButton, Qt::ShiftModifier, CameraDrag::Pan},

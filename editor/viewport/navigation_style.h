@@ -8,10 +8,10 @@ namespace trundle {
 
 enum class CameraDrag { None, Orbit, Pan, Zoom, Fly };
 
-/// What a drag with a button does to the camera. None: it is not navigation's. The right button is never None: a click with it
-/// opens the menu, and while it is held the keys fly.
+/// The camera motion for a drag with that button; None if navigation does not use it. The right button is never None: clicking it
+/// opens the menu, and holding it enables the flying keys.
 [[nodiscard]] CameraDrag cameraDrag(NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers held);
-/// The same for people: which button does what.
+/// Description of the style for the user: which button does what.
 [[nodiscard]] QString navigationWords(NavigationStyle style);
 
 } // namespace trundle

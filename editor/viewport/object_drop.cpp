@@ -7,20 +7,20 @@
 
 #include "editor/document/selection.h"
 #include "editor/document/structure_edits.h"
-#include "editor/viewport/held_objects.h"
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/transform_selection.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
+#include "editor/viewport/viewport_scene.h"
 #include "project/plans.h"
-#include "scene/standing.h"
+#include "scene/drop_placement.h"
 
 namespace trundle {
 namespace {
 
-const QString kRowsMime = QStringLiteral("application/x-trundle-objects"); // which tree of which program, then paths, a line each
-constexpr double kFreeStep = 0.01, kLevel = 0.002; // m: where nothing snaps; what stands so near to the floor stands on it
+const QString kRowsMime = QStringLiteral("application/x-trundle-objects"); // id of the source tree, then one path per line
+constexpr double kFreeStep = 0.01, kLevel = 0.002; // m; step without snapping; vertical moves below kLevel are ignored
 
-/// Where a ray falls where nothing is in its way.
+/// Point of the plane z = 0 under a pixel, ignoring objects.
 Vec3 groundUnder(const View& view, const QPointF& at) {
     const ViewRay ray = view.rayAt(at);
     const double down = -ray.origin.z() / ray.direction.z();
@@ -28,8 +28,8 @@ Vec3 groundUnder(const View& view, const QPointF& at) {
     return view.pointUnder(at);
 }
 
-/// The geoms of an object as they stand, seen from a place.
-void addGeoms(const ShownWorld& world, const ObjectRef& object, const Vec3& from, std::vector<StandingGeom>& out) {
+/// Adds the geoms of an object at their current poses, relative to `from`.
+void addGeoms(const ViewportScene& world, const ObjectRef& object, const Vec3& from, std::vector<PlacementGeom>& out) {
     const ObjectIndex& objects = *world.objects();
     const auto add = [&](const std::vector<GeomSpec>& geoms, Pose owner) {
         owner.position -= from;
@@ -43,30 +43,30 @@ void addGeoms(const ShownWorld& world, const ObjectRef& object, const Vec3& from
             add(robot->config->bodies[i].geoms, world.poseOf({ObjectKind::Body, object.instance, i}));
 }
 
-/// From where the object selected last stands to where it is to stand.
-Vec3 wayTo(const View& view, const QPointF& at, const HeldObjects& held) {
-    const ViewParts& parts = view.parts();
+/// Displacement of the object selected last to its drop position.
+Vec3 wayTo(const View& view, const QPointF& at, const TransformSelection& held) {
+    const ViewContext& context = view.context();
     std::vector<ObjectRef> moved;
     const std::vector<std::string> paths = held.paths();
     for (const std::string& path : paths)
-        for (const ObjectRef& object : parts.world.objectsOf(path)) moved.push_back(object);
-    const ShownWorld& world = parts.world;
+        for (const ObjectRef& object : context.world.objectsOf(path)) moved.push_back(object);
+    const ViewportScene& world = context.world;
     const Vec3 from = held.pivot().position;
-    const double step = parts.settings.snaps() ? parts.settings.moveStep() : kFreeStep;
-    std::vector<StandingGeom> geoms; // of the one selected last
+    const double step = context.settings.snaps() ? context.settings.moveStep() : kFreeStep;
+    std::vector<PlacementGeom> geoms; // of the object selected last
     for (const ObjectRef& object : world.objectsOf(paths.back())) addGeoms(world, object, from, geoms);
     const auto counts = [&](const ObjectRef& geom) {
         std::optional<ObjectRef> object = geom;
         while (object && std::find(moved.begin(), moved.end(), *object) == moved.end()) object = world.objects()->ownerOf(*object);
         return !object && !world.isHidden(geom);
     };
-    const Standing standing(*world.objects(), *world.poses(), counts);
-    Vec3 way = standing.placeFor(geoms, world.hitsAlong(view.rayAt(at), true), groundUnder(view, at), step) - from;
-    if (std::abs(way.z()) < kLevel) way.z() = 0; // its exact number stays
+    const DropPlacement placement(*world.objects(), *world.poses(), counts);
+    Vec3 way = placement.placeFor(geoms, world.hitsAlong(view.rayAt(at), true), groundUnder(view, at), step) - from;
+    if (std::abs(way.z()) < kLevel) way.z() = 0; // keeps the exact number in the text
     return way;
 }
 
-void refuse(const View& view, const HeldObjects& held) { Q_EMIT view.parts().document.refused(held.refusal()); }
+void refuse(const View& view, const TransformSelection& held) { Q_EMIT view.context().document.refused(held.refusal()); }
 
 QString trObject(const char* text) { return QCoreApplication::translate("ObjectDrop", text); }
 
@@ -75,32 +75,32 @@ QString trObject(const char* text) { return QCoreApplication::translate("ObjectD
 bool canMoveHere(const View& view, const QMimeData& data) {
     const QByteArrayList lines = data.data(kRowsMime).split('\n');
     if (!lines.front().startsWith(QByteArray::number(QCoreApplication::applicationPid()) + ' ')) return false;
-    const std::vector<std::string>& selected = view.parts().selection.paths();
+    const std::vector<std::string>& selected = view.context().selection.paths();
     const auto isSelected = [&](const QByteArray& path) {
         return path.isEmpty() || std::find(selected.begin(), selected.end(), path.toStdString()) != selected.end();
     };
     if (!std::all_of(lines.begin() + 1, lines.end(), isSelected)) return false;
-    const HeldObjects held(view.parts());
+    const TransformSelection held(view.context());
     return !held.empty() || !held.refusal().isEmpty();
 }
 
 void moveHere(View& view, const QPointF& at) {
-    HeldObjects held(view.parts());
+    TransformSelection held(view.context());
     if (held.empty()) return refuse(view, held);
     const std::vector<Vec3> offsets(held.paths().size(), wayTo(view, at, held));
     (void)held.moveEach(offsets, trObject("Move %1").arg(held.title()));
 }
 
 void copyHere(View& view, const QPointF& at) {
-    const HeldObjects held(view.parts());
+    const TransformSelection held(view.context());
     if (held.empty()) return refuse(view, held);
     const Vec3 inFrame = held.pivotFrame().rotation.conjugate() * wayTo(view, at, held);
-    const auto plan = [paths = held.paths(), inFrame](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+    const auto plan = [paths = held.paths(), inFrame](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
         std::vector<std::string> now;
         for (const std::string& path : paths) now.push_back(renamed(path));
         return planDuplicate(loaded, now, inFrame);
     };
-    (void)view.parts().document.structure().apply(trObject("Copy %1").arg(held.title()), held.paths(), plan);
+    (void)view.context().document.structure().apply(trObject("Copy %1").arg(held.title()), held.paths(), plan);
 }
 
 } // namespace trundle

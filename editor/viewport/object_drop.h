@@ -1,5 +1,5 @@
 #pragma once
-// Rows of the scene tree dropped into a view: the objects go where they fall, with Ctrl a copy of them.
+// Rows of the Scene tree dropped into a view: moves the objects to the drop position, or with Ctrl copies them there.
 
 class QMimeData;
 class QPointF;
@@ -8,12 +8,12 @@ namespace trundle {
 
 class View;
 
-/// Whether what is dragged are the selected objects of this window, and objects that can be moved, or at least told why not.
+/// True if the drag contains the selected objects of this window and they can be moved, or a reason can be reported.
 [[nodiscard]] bool canMoveHere(const View& view, const QMimeData& data);
-/// The one selected last stands on what is under the cursor, the others beside it as they did. One edit; while a world runs
-/// they are placed there. What cannot be is said through Document::refused.
+/// The object selected last is placed under the cursor, the others keep their offsets from it. One edit of the text; during a run
+/// the objects are moved in the running world. Failures are reported through Document::refused.
 void moveHere(View& view, const QPointF& at);
-/// The same with copies of them, in the text.
+/// The same with copies of the objects; always edits the text.
 void copyHere(View& view, const QPointF& at);
 
 } // namespace trundle

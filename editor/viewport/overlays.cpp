@@ -10,17 +10,17 @@
 #include "editor/viewport/frusta.h"
 #include "editor/viewport/pinned_values.h"
 #include "editor/viewport/radio_legend.h"
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/trails.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
+#include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/theme.h"
 #include "lang/number_text.h"
 
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostNames = 150, kMostRobots = 300;
+constexpr std::size_t kMaxNames = 150, kMaxRobots = 300;
 const QColor kShade(10, 12, 16, 110), kJoint(214, 92, 214), kContact(255, 196, 40), kForce(255, 120, 40), kLight(245, 246, 248);
 
 void line(QPainter& painter, const QPointF& a, const QPointF& b, const QColor& colour, double width) {
@@ -40,7 +40,7 @@ void arrow(QPainter& painter, const QPointF& from, const QPointF& to, const QCol
     painter.drawPolygon(QPolygonF{to + 2 * d, to - 6 * d + 3.5 * n, to - 6 * d - 3.5 * n});
 }
 
-/// Light letters with a dark rim.
+/// Light text with a dark outline.
 void shaded(QPainter& painter, const QPointF& at, const QString& text) {
     painter.setPen(QColor(10, 12, 16, 170));
     for (const QPointF& by : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) painter.drawText(at + by, text);
@@ -49,10 +49,10 @@ void shaded(QPainter& painter, const QPointF& at, const QString& text) {
 }
 
 void paintNames(QPainter& painter, const View& view) {
-    const ShownWorld& world = view.parts().world;
+    const ViewportScene& world = view.context().world;
     std::vector<QRectF> taken;
     for (const ObjectRef& object : world.objects()->instances()) {
-        if (taken.size() >= kMostNames) break;
+        if (taken.size() >= kMaxNames) break;
         const Bounds bounds = world.objects()->boundsOf(object, view.shownPoses());
         if (bounds.empty() || world.isHidden(object)) continue;
         const auto at = view.shownPixelOf({bounds.centre().x(), bounds.centre().y(), bounds.high.z()});
@@ -60,7 +60,7 @@ void paintNames(QPainter& painter, const View& view) {
         const QString name = QString::fromStdString(world.objects()->pathOf(object));
         const QSizeF size(painter.fontMetrics().horizontalAdvance(name), painter.fontMetrics().height());
         const QRectF box(at->x() - 0.5 * size.width(), at->y() - size.height() - 4, size.width(), size.height());
-        // Where they would crowd the first one stays.
+        // Labels that would overlap an earlier one are skipped.
         if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(box); })) continue;
         taken.push_back(box);
         shaded(painter, {box.left(), box.bottom() - painter.fontMetrics().descent()}, name);
@@ -68,16 +68,16 @@ void paintNames(QPainter& painter, const View& view) {
 }
 
 void paintJoints(QPainter& painter, const View& view, bool all) {
-    const ShownWorld& world = view.parts().world;
-    const Selection& selection = view.parts().selection;
+    const ViewportScene& world = view.context().world;
+    const Selection& selection = view.context().selection;
     if (!all && selection.empty()) return;
     const auto& robots = world.objects()->experiment().robots;
-    for (std::uint32_t r = 0; r < robots.size() && r < kMostRobots; ++r) {
+    for (std::uint32_t r = 0; r < robots.size() && r < kMaxRobots; ++r) {
         if (!robots[r].config || world.isHidden({ObjectKind::Robot, r})) continue;
         const RobotConfigSpec& config = *robots[r].config;
         for (const JointSpec& joint : config.joints) {
             if (joint.child < 0 || std::size_t(joint.child) >= config.bodies.size()) continue;
-            // What is selected is shown always, also where its config is.
+            // Selected joints are always shown, including those selected in their config.
             const bool selected = selection.contains(robots[r].name + "." + joint.name) ||
                                   selection.contains("RobotConfig." + config.name + "." + joint.name);
             if (!all && !selected) continue;
@@ -99,19 +99,19 @@ void paintJoints(QPainter& painter, const View& view, bool all) {
     }
 }
 
-/// How long an arrow of how much force is, and what is left out.
+/// Scale of the force arrows, and the number of contacts that are not drawn.
 void paintContactScale(QPainter& painter, const View& view, double unit, std::size_t count) {
     const QPointF from(76, view.height() - 52), to = from + QPointF(kForcePixels, 0);
     arrow(painter, from, to, kForce, 1.6);
     QString text = QObject::tr("%1 N").arg(QString::fromStdString(steppedNumber(unit, 0.001)));
-    if (count > kMostContacts) text += QObject::tr("  ·  the %1 strongest of %2 contacts").arg(kMostContacts).arg(count);
+    if (count > kMaxContacts) text += QObject::tr("  ·  the %1 strongest of %2 contacts").arg(kMaxContacts).arg(count);
     shaded(painter, to + QPointF(10, 4), text);
 }
 
 void paintContacts(QPainter& painter, const View& view) {
-    const auto snapshot = view.parts().session.snapshot();
+    const auto snapshot = view.context().session.snapshot();
     if (!snapshot || !snapshot->contacts) return;
-    const double unit = forceUnit(view.parts().world.objects()->experiment());
+    const double unit = forceUnit(view.context().world.objects()->experiment());
     for (const ContactArrow& shown : contactArrows(*snapshot->contacts, unit)) {
         const LiveContact& contact = *shown.contact;
         const auto at = view.shownPixelOf(contact.position);
@@ -137,9 +137,9 @@ void massMark(QPainter& painter, const QPointF& at, double radius) {
 }
 
 void paintMass(QPainter& painter, const View& view) {
-    const ShownWorld& world = view.parts().world;
+    const ViewportScene& world = view.context().world;
     const auto& robots = world.objects()->experiment().robots;
-    for (std::uint32_t r = 0; r < robots.size() && r < kMostRobots; ++r) {
+    for (std::uint32_t r = 0; r < robots.size() && r < kMaxRobots; ++r) {
         if (!robots[r].config || world.isHidden({ObjectKind::Robot, r})) continue;
         Vec3 sum = Vec3::Zero();
         double mass = 0;
@@ -155,9 +155,9 @@ void paintMass(QPainter& painter, const View& view) {
 }
 
 void paintTrails(QPainter& painter, const View& view) {
-    if (!view.parts().trails) return;
+    if (!view.context().trails) return;
     int hue = 0;
-    for (const auto& [robot, trail] : view.parts().trails->all()) {
+    for (const auto& [robot, trail] : view.context().trails->all()) {
         QPolygonF points;
         for (const Vec3& place : trail)
             if (const auto at = view.shownPixelOf(place + Vec3(0, 0, 0.003))) points << *at;
@@ -175,7 +175,7 @@ QString lengthText(double m) {
     return QStringLiteral("%1 m").arg(QString::fromStdString(steppedNumber(m, 0.001)));
 }
 
-/// Seen from the side a floor is a line and has no grid of its own: lines of whole lengths, and a stronger one for the ground.
+/// Side views see the floor edge-on, so they get a grid of their own: lines at round distances, and a thicker one for the ground.
 void paintSideGrid(QPainter& painter, const View& view) {
     const ViewCamera& camera = view.camera();
     if (!camera.isParallel() || std::abs(camera.forward().z()) > 0.02) return;
@@ -198,7 +198,7 @@ void paintSideGrid(QPainter& painter, const View& view) {
     painter.drawLine(QPointF(0, ground), QPointF(view.width(), ground));
 }
 
-/// How long a metre is in the middle of the picture.
+/// Scale bar for the distance at the centre of the view.
 void paintScale(QPainter& painter, const View& view) {
     const double metresPerPixel = view.camera().metresPerPixel(view.width(), view.camera().middle());
     const double x = 76, y = view.height() - 20, room = std::clamp(view.width() - x - 30, 30.0, 130.0);
@@ -217,7 +217,7 @@ void paintAxes(QPainter& painter, const View& view) {
     const QPointF middle(36, view.height() - 36);
     const Mat3 axes = cameraAxes(view.cameraView());
     std::array<int, 3> order{0, 1, 2};
-    // What points away is drawn first.
+    // Axes that point away are drawn first.
     std::sort(order.begin(), order.end(), [&](int a, int b) { return axes(a, 2) < axes(b, 2); });
     QFont font = painter.font();
     font.setWeight(QFont::DemiBold);
@@ -238,7 +238,7 @@ void paintAxes(QPainter& painter, const View& view) {
 } // namespace
 
 void paintOverlays(QPainter& painter, const View& view) {
-    const ViewSettings& settings = view.parts().settings;
+    const ViewSettings& settings = view.context().settings;
     if (settings.shows(kOverlayGrid)) paintSideGrid(painter, view);
     if (settings.shows(kOverlayTrails)) paintTrails(painter, view);
     if (settings.shows(kOverlayLinks)) paintRadioLinks(painter, view);

@@ -5,7 +5,7 @@ namespace trundle {
 
 class View;
 
-/// What the settings of a view want over its picture: names, joints, contacts, centres of mass, trails, scale bar, axes.
+/// Paints the overlays enabled in the view's settings: names, joints, contacts, centres of mass, trails, scale bar, axes.
 void paintOverlays(QPainter& painter, const View& view);
 
 } // namespace trundle

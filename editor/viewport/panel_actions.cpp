@@ -1,4 +1,4 @@
-// What the panel does when the window's actions are triggered.
+// Handlers of the window's actions in the viewport panel.
 
 #include <QActionGroup>
 #include <QCursor>
@@ -10,11 +10,11 @@
 #include "editor/viewport/array_dialog.h"
 #include "editor/viewport/picking.h"
 #include "editor/viewport/pinned_values.h"
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_header.h"
 #include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/actions.h"
-#include "project/object_place.h"
+#include "project/object_location.h"
 #include "render/service.h"
 
 namespace trundle {
@@ -61,7 +61,7 @@ struct LookRow {
 constexpr LookRow kLooks[] = {
     {"view.lookAutomatic", LookChoice::Automatic}, {"view.lookFast", LookChoice::Fast}, {"view.lookRich", LookChoice::Rich}};
 
-constexpr std::size_t kMostCameras = 8; // in a menu
+constexpr std::size_t kMaxCameras = 8; // entries in the menu
 
 QString axisName(int axis) { return QString(QLatin1Char("XYZ"[axis])); }
 
@@ -84,7 +84,7 @@ void ViewportPanel::connectActions() {
     on("view.two", [this] { setViewCount(2); });
     on("view.three", [this] { setViewCount(3); });
     on("view.four", [this] { setViewCount(4); });
-    on("view.through", [this] { lookThroughSelected(); });
+    on("view.through", [this] { lookThroughSelectedCamera(); });
     on("view.frame", [this] { frameSelection(); });
     on("view.frameAll", [this] { frameAll(); });
     on("tool.snap", [this] { m_settings.setSnaps(m_actions.at("tool.snap").isChecked()); });
@@ -93,7 +93,7 @@ void ViewportPanel::connectActions() {
         const AxesOf axes = m_settings.axes();
         m_settings.setAxes(axes == AxesOf::World ? AxesOf::Parent : axes == AxesOf::Parent ? AxesOf::Local : AxesOf::World);
     });
-    on("tool.drop", [this] { dropToFloor(*m_parts); });
+    on("tool.drop", [this] { dropToFloor(*m_context); });
     on("tool.align", [this] { askAlign(); });
     on("tool.distribute", [this] { askDistribute(); });
     on("tool.array", [this] { askArray(); });
@@ -112,18 +112,18 @@ void ViewportPanel::connectOverlays() {
     for (const OverlayRow& row : kOverlays)
         connect(&m_actions.at(row.id), &QAction::triggered, this,
                 [this, overlay = row.overlay](bool on) { m_settings.show(overlay, on); });
-    const auto tellLook = [this] {
-        if (m_parts->render) m_parts->render->setLook(m_settings.look());
+    const auto reportRenderStyle = [this] {
+        if (m_context->render) m_context->render->setLook(m_settings.look());
     };
-    tellLook();
-    connect(&m_settings, &ViewSettings::changed, this, tellLook);
+    reportRenderStyle();
+    connect(&m_settings, &ViewSettings::changed, this, reportRenderStyle);
     connect(&m_settings, &ViewSettings::changed, this, [this] {
-        m_session.wantContacts(m_settings.shows(kOverlayContacts));
+        m_session.setContactsEnabled(m_settings.shows(kOverlayContacts));
         m_trails->setWanted(m_settings.shows(kOverlayTrails));
     });
 }
 
-/// The action pins or unpins what is selected, or the run itself where nothing is.
+/// The action pins or unpins the selection, or the run itself if nothing is selected.
 void ViewportPanel::connectPinned() {
     const auto meant = [this] { return m_selection.empty() ? std::vector<std::string>{""} : m_selection.paths(); };
     connect(&m_actions.at("view.pinValues"), &QAction::triggered, this,
@@ -133,15 +133,15 @@ void ViewportPanel::connectPinned() {
         m_actions.at("view.pinValues").setChecked(std::ranges::all_of(paths, [this](const auto& p) { return m_pinned->contains(p); }));
     };
     const auto repaint = [this] {
-        if (!m_pinned->pins().empty()) m_current->update(); // the picture below it stays
+        if (!m_pinned->pins().empty()) m_current->update(); // repaints the overlay only
     };
     connect(&m_selection, &Selection::changed, this, check);
     connect(m_pinned.get(), &PinnedValues::changed, this, check);
     connect(m_pinned.get(), &PinnedValues::changed, this, [this] { m_current->update(); });
     connect(&m_session, &RunSession::valuesChanged, this, repaint);
-    // Not at once: a listener of opened() may still save the pins of the experiment before.
+    // Delayed: another slot of opened() may still save the pins of the previous experiment.
     connect(&m_document, &Document::opened, this, [this] { m_pinsOfOther = true; });
-    connect(&m_document, &Document::changed, this, [this] { // also where an object has another name now
+    connect(&m_document, &Document::changed, this, [this] { // objects may have been renamed
         if (std::exchange(m_pinsOfOther, false)) m_pinned->setPins({});
         if (m_document.isOpen())
             m_pinned->keepIf([this](const std::string& path) { return placeOf(*m_document.loaded(), path).has_value(); });
@@ -153,8 +153,8 @@ void ViewportPanel::lookThrough(const std::string& path) {
     if (!cameras.empty()) m_current->lookThrough(cameras.front()->path);
 }
 
-/// Again: the next camera of what is selected, or of all where nothing with a camera is.
-void ViewportPanel::lookThroughSelected() {
+/// Repeated calls cycle through the cameras of the selection, or through all if the selection has none.
+void ViewportPanel::lookThroughSelectedCamera() {
     std::vector<const CameraModel*> cameras = m_world->camerasOf(m_selection.current());
     if (cameras.empty())
         for (const CameraModel& camera : m_world->cameras()) cameras.push_back(&camera);
@@ -175,7 +175,7 @@ void ViewportPanel::askAlign() {
         menu.addSeparator();
         for (const auto& [to, name] : places)
             connect(menu.addAction(tr("Along %1: %2").arg(axisName(axis), name)), &QAction::triggered, this,
-                    [this, axis, to = to] { alignSelected(*m_parts, axis, to); });
+                    [this, axis, to = to] { alignSelected(*m_context, axis, to); });
     }
     menu.exec(QCursor::pos());
 }
@@ -185,7 +185,7 @@ void ViewportPanel::askDistribute() {
     menu.setObjectName(QStringLiteral("distributeMenu"));
     for (int axis = 0; axis < 3; ++axis)
         connect(menu.addAction(tr("Along %1").arg(axisName(axis))), &QAction::triggered, this,
-                [this, axis] { distributeSelected(*m_parts, axis); });
+                [this, axis] { distributeSelected(*m_context, axis); });
     menu.exec(QCursor::pos());
 }
 
@@ -199,15 +199,15 @@ void ViewportPanel::askArray() {
     const auto objects = m_world->objectsOf(m_selection.current());
     if (!objects.empty()) {
         const Bounds box = m_world->boundsOf(objects.front());
-        // Half as much again as the object is large, in round numbers.
+        // 1.5 times the size of the object, rounded.
         if (!box.empty()) spacing = (10 * 1.5 * box.size()).array().ceil() / 10;
     }
-    ArrayDialog dialog(spacing, int(m_selection.paths().size()), gridRefusal(*m_parts), gridIsTurned(*m_parts), this);
-    if (dialog.exec() == QDialog::Accepted) copyInRows(*m_parts, dialog.copy());
+    ArrayDialog dialog(spacing, int(m_selection.paths().size()), gridRefusal(*m_context), gridIsTurned(*m_context), this);
+    if (dialog.exec() == QDialog::Accepted) copyInRows(*m_context, dialog.copy());
 }
 
 void ViewportPanel::showMenu(View& view, const QPointF& at) {
-    // What was clicked is meant, unless it is in what is selected.
+    // The menu applies to the clicked object, unless that is part of the selection.
     const std::vector<std::string> chain = pickChain(*m_world, m_world->hitsAlong(view.rayAt(at)));
     const bool selected =
         std::any_of(chain.begin(), chain.end(), [this](const std::string& path) { return m_selection.contains(path); });
@@ -226,7 +226,7 @@ void ViewportPanel::showMenu(View& view, const QPointF& at) {
     }
     for (const char* id : {"view.frame", "view.frameAll"}) menu.addAction(&m_actions.at(id));
     const std::vector<const CameraModel*> cameras = m_world->camerasOf(m_selection.current());
-    for (std::size_t i = 0; i < cameras.size() && i < kMostCameras; ++i)
+    for (std::size_t i = 0; i < cameras.size() && i < kMaxCameras; ++i)
         connect(menu.addAction(tr("Look Through %1").arg(QString::fromStdString(cameras[i]->path))), &QAction::triggered, &view,
                 [&view, path = cameras[i]->path] { view.lookThrough(path); });
     menu.addAction(&m_actions.at("view.pinValues"));

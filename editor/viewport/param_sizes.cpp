@@ -1,9 +1,10 @@
 // needs: an instance whose config can be evaluated with other Params (InstanceVariants).
-// assumes: near its present value a Param changes the extents smoothly; a Param that is no number changes none.
-// method: each Param is moved a little to both sides while all others are held; the change of the box tells which axes it sets and
-//   which side of the box goes. Along an axis the Param that changes it alone is taken; of several, the one that changes this axis as
-//   much as any other axis. The value for a wanted extent is found by secant steps, which end at once where the config is linear.
-// data: the axes in the config's frame; numbers of Params in their own units.
+// assumes: near its present value a Param changes the extents smoothly; a Param that is not a number has no effect.
+// method: each Param is varied slightly in both directions while the others are fixed; the change of the bounding box gives the
+//   axes it affects and which side moves. An axis is assigned the only Param that affects it; of several, the only one whose
+//   effect on this axis is as large as on any other. The value for a wanted extent is found by the secant method, which takes one
+//   step where the config is linear.
+// data: axes of the config's frame; Param values in their own units.
 #include "editor/viewport/param_sizes.h"
 
 #include <algorithm>
@@ -19,10 +20,10 @@
 namespace trundle {
 namespace {
 
-constexpr double kShare = 1e-3;    // of a Param's value, by which it is moved
-constexpr double kLeastStep = 1e-4; // m (or of another unit), at least
-constexpr double kNoChange = 1e-4;  // of the largest possible change: the box stays
-constexpr double kAsMuch = 0.99;    // of the change along another axis
+constexpr double kShare = 1e-3;    // of a Param's value, variation for the numerical derivative
+constexpr double kLeastStep = 1e-4; // m (or another unit), minimum variation
+constexpr double kNoChange = 1e-4;  // fraction of the largest possible change; smaller changes count as none
+constexpr double kAsMuch = 0.99;    // fraction of the change along another axis
 constexpr double kExact = 1e-9;     // m
 constexpr int kSecants = 12;
 
@@ -30,7 +31,7 @@ QString trSizes(const char* text) { return QCoreApplication::translate("ParamSiz
 
 } // namespace
 
-std::optional<ParamSizes> ParamSizes::of(const Loaded& loaded, const std::string& path) {
+std::optional<ParamSizes> ParamSizes::of(const LoadedProject& loaded, const std::string& path) {
     const auto place = placeOf(loaded, path);
     if (!place || !place->part || place->member) return std::nullopt;
     const Part* config = configOf(loaded, *place->part);
@@ -42,11 +43,11 @@ std::optional<ParamSizes> ParamSizes::of(const Loaded& loaded, const std::string
     for (const auto& [name, value] : all) {
         if (value.elements.size() != 1 || value.elements[0].kind != GivenElement::Kind::Number) continue;
         Param param{name, {}, value, convertUnit(1, value.elements[0].unit, "m").value_or(1), false};
-        const PlacedAssignment* own = place->part->assignments.find(name);
-        const PlacedParam* there = config->param(name);
+        const SourceAssignment* own = place->part->assignments.find(name);
+        const SourceParam* there = config->param(name);
         const Value& written = own ? *own->value : *there->value;
         param.written = written.elements.size() == 1 && written.elements[0].kind == Element::Kind::Number;
-        // A formula of the config may mean something else, or nothing, in the instance.
+        // A formula of the config may have another meaning, or be invalid, in the instance.
         if (own || param.written)
             param.text = loaded.outline->texts().slice(own ? own->valueRange() : SourceRange{there->valueFile, written.range});
         sizes.m_params.push_back(std::move(param));
@@ -55,7 +56,7 @@ std::optional<ParamSizes> ParamSizes::of(const Loaded& loaded, const std::string
     if (!now || now->empty()) return std::nullopt;
     sizes.m_shapes = now->size();
     const auto box = sizes.boxWith({});
-    if (!box || box->empty()) return std::nullopt; // a floor alone
+    if (!box || box->empty()) return std::nullopt; // only a floor
     sizes.m_box = *box;
     sizes.findAxes(all);
     if (now->size() == 1 && !sizes.canSizeAny() && sizes.refusal().isEmpty()) {
@@ -70,7 +71,7 @@ std::optional<ParamSizes> ParamSizes::of(const Loaded& loaded, const std::string
 
 std::optional<Bounds> ParamSizes::boxWith(const InstanceVariants::Params& changed) const {
     const auto geoms = m_variants.geoms(changed);
-    if (!geoms || geoms->size() != m_shapes) return std::nullopt; // a value fits no more
+    if (!geoms || geoms->size() != m_shapes) return std::nullopt; // a value is invalid
     Bounds box;
     for (const bool hiddenToo : {false, true}) {
         for (const ConfigGeom& each : *geoms)
@@ -88,7 +89,7 @@ InstanceVariants::Params ParamSizes::with(const Param& param, double number) con
 
 void ParamSizes::findAxes(const InstanceVariants::Params& all) {
     struct Effect {
-        Vec3 low = Vec3::Zero(), high = Vec3::Zero(); // m of each side per unit of the number
+        Vec3 low = Vec3::Zero(), high = Vec3::Zero(); // m per unit of the Param, for each side
         double step = 0;
     };
     std::vector<Effect> effects;
@@ -128,7 +129,7 @@ void ParamSizes::findAxes(const InstanceVariants::Params& all) {
         const Effect& effect = effects[meant[0]];
         const Vec3 slope = effect.high - effect.low;
         const auto stays = [&](double side) { return std::abs(side) < kNoChange * std::abs(slope[k]); };
-        int across = 0; // other axes that it sets as much
+        int across = 0; // number of other axes with the same effect
         for (int other = 0; other < 3; ++other)
             across += other != k && std::abs(slope[other]) >= kAsMuch * slope.cwiseAbs().maxCoeff();
         axis.param = meant[0];
@@ -146,7 +147,7 @@ SizeName ParamSizes::sizeName(int axis) const {
     const Param& param = m_params[std::size_t(set.param)];
     const double perMetre = set.slope / param.metres, value = param.value.elements[0].number * param.metres;
     const bool proportional = std::abs(perMetre * value - m_box.size()[axis]) < 1e-6 * std::max(1.0, m_box.size()[axis]);
-    // A length is said as the text has it; where there is more to an extent, that is said.
+    // A length is shown under the Param's name and with its value; otherwise the extent is shown, with the axis.
     if (proportional && perMetre > 0) return {QString::fromStdString(param.name), 2 / perMetre, set.sides};
     static constexpr const char* kAxes[] = {"x", "y", "z"};
     return {trSizes("%1: size along %2").arg(QString::fromStdString(param.name), QLatin1String(kAxes[axis])), 2, set.sides};
@@ -154,7 +155,7 @@ SizeName ParamSizes::sizeName(int axis) const {
 
 QString ParamSizes::refusal() const {
     static constexpr const char* kAxes[] = {"x", "y", "z"};
-    QStringList none, parts;
+    QStringList none, context;
     for (int k = 0; k < 3; ++k) {
         const Axis& axis = m_axes[std::size_t(k)];
         if (axis.param >= 0) continue;
@@ -164,18 +165,18 @@ QString ParamSizes::refusal() const {
         }
         QStringList names;
         for (const std::string& name : axis.several) names += QString::fromStdString(name);
-        parts += trSizes("along %1 it depends on %2").arg(QLatin1String(kAxes[k]), names.join(trSizes(" and ")));
+        context += trSizes("along %1 it depends on %2").arg(QLatin1String(kAxes[k]), names.join(trSizes(" and ")));
     }
-    if (none.isEmpty() && parts.isEmpty()) return {};
-    if (m_shapes == 1 && !canSizeAny() && parts.isEmpty()) return {}; // the shape itself can be sized
+    if (none.isEmpty() && context.isEmpty()) return {};
+    if (m_shapes == 1 && !canSizeAny() && context.isEmpty()) return {}; // its only shape can be scaled directly
     const QString who = QString::fromStdString(m_path), config = QString::fromStdString(m_config);
     if (m_params.empty())
         return trSizes("%1 cannot be scaled: %2 has no Params. Give it some, or scale its shapes").arg(who, config);
-    if (!none.isEmpty()) parts += trSizes("along %1 no Param sets it").arg(none.join(QStringLiteral(", ")));
+    if (!none.isEmpty()) context += trSizes("along %1 no Param sets it").arg(none.join(QStringLiteral(", ")));
     QStringList names;
     for (const Param& param : m_params) names += QString::fromStdString(param.name);
     return trSizes("Size of %1: %2 · Params of %3: %4. Set them in Properties")
-        .arg(who, parts.join(QStringLiteral(" · ")), config, names.join(QStringLiteral(", ")));
+        .arg(who, context.join(QStringLiteral(" · ")), config, names.join(QStringLiteral(", ")));
 }
 
 ParamSizes::Change ParamSizes::resized(int axis, double extent, double fineness) const {
@@ -183,7 +184,7 @@ ParamSizes::Change ParamSizes::resized(int axis, double extent, double fineness)
     const Param& param = m_params[std::size_t(set.param)];
     const double first = param.value.elements[0].number;
     const auto box = [&](double number) { return boxWith(with(param, number)); };
-    // In steps of the number that are worth no more than the fineness.
+    // Steps of the Param that change the extent by at most `fineness`.
     const double step = std::pow(10.0, std::floor(std::log10(fineness / std::abs(set.slope)) + 1e-9));
     double number = first, slope = set.slope;
     Bounds last = m_box;
@@ -191,7 +192,7 @@ ParamSizes::Change ParamSizes::resized(int axis, double extent, double fineness)
         const double next = number + (extent - last.size()[axis]) / slope;
         const auto there = box(next);
         if (!there) {
-            number = next; // refused where it is written, with the reason
+            number = next; // writing it reports the reason
             break;
         }
         const double grown = there->size()[axis] - last.size()[axis];

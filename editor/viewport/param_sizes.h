@@ -1,5 +1,6 @@
 #pragma once
-// Which Param of its config makes a Robot or Static how large along each of its axes, found by evaluating the config with other values.
+// Determines which Param of a config sets the size of a Robot or Static along each axis, by evaluating the config with varied
+// values.
 
 #include <array>
 #include <optional>
@@ -13,40 +14,41 @@ namespace trundle {
 
 class ParamSizes {
 public:
-    /// Nothing for what is no Robot, Static, Grid or Scatter with a config that has shapes. A member stands for all of a Grid.
-    [[nodiscard]] static std::optional<ParamSizes> of(const Loaded& loaded, const std::string& path);
+    /// nullopt unless `path` is a Robot, Static, Grid or Scatter with a config that has shapes. One member represents the whole
+    /// Grid.
+    [[nodiscard]] static std::optional<ParamSizes> of(const LoadedProject& loaded, const std::string& path);
 
-    /// Around its shapes, in the config's frame.
+    /// Bounding box of its shapes, in the config's frame.
     [[nodiscard]] const Bounds& box() const { return m_box; }
-    /// An axis that exactly one Param sets the extent along can be sized.
+    /// True if exactly one Param sets the extent along that axis.
     [[nodiscard]] bool canSize(int axis) const { return m_axes[std::size_t(axis)].param >= 0; }
     [[nodiscard]] bool canSizeAny() const { return canSize(0) || canSize(1) || canSize(2); }
     [[nodiscard]] SizeName sizeName(int axis) const;
-    /// Why some axis cannot be sized, naming the Params there are; empty where each can.
+    /// Why some axis cannot be scaled, naming the Params involved; empty if all can.
     [[nodiscard]] QString refusal() const;
-    /// The only shape of a config whose size no Param changes; empty where it is otherwise.
+    /// Path of the only shape of a config whose size does not depend on Params; otherwise empty.
     [[nodiscard]] const std::string& onlyShape() const { return m_onlyShape; }
 
-    /// A new value of a Param, and the box that it gives.
+    /// A new value of a Param, and the bounding box that it results in.
     struct Change {
         std::string param, text;
         Bounds box;
     };
-    /// The value that gives an axis that can be sized this extent (m), to steps of `fineness` (m) of the extent.
+    /// The value that gives a scalable axis the extent (m), rounded so that the extent is accurate to `fineness` (m).
     [[nodiscard]] Change resized(int axis, double extent, double fineness) const;
 
 private:
     struct Param {
-        std::string name, text; ///< text: its value as written, in the instance or the config
-        GivenValue value;       ///< one number
-        double metres = 1;      ///< of one of its unit
+        std::string name, text; ///< text: its value as written in the instance or the config
+        GivenValue value;       ///< a single number
+        double metres = 1;      ///< metres per unit of the value
         bool written = false;   ///< the text is a number with or without a unit, not a formula
     };
     struct Axis {
-        int param = -1;   ///< the one that sets it; -1: none
-        double slope = 0; ///< m of extent per unit of the Param's number
+        int param = -1;   ///< index of the Param that sets it; -1: none
+        double slope = 0; ///< m of extent per unit of the Param
         Sides sides = Sides::Both;
-        std::vector<std::string> several; ///< more than one that could be meant
+        std::vector<std::string> several; ///< Params that affect it, where it is ambiguous
     };
     ParamSizes(std::string path, InstanceVariants variants) : m_path(std::move(path)), m_variants(std::move(variants)) {}
 
@@ -56,7 +58,7 @@ private:
 
     std::string m_path, m_config;
     InstanceVariants m_variants;
-    std::vector<Param> m_params; // those that are one number
+    std::vector<Param> m_params; // numeric ones only
     std::array<Axis, 3> m_axes;
     Bounds m_box;
     std::size_t m_shapes = 0;

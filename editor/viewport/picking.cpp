@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
+#include "editor/viewport/viewport_scene.h"
 
 namespace trundle {
 namespace {
@@ -12,7 +12,7 @@ constexpr double kSamePlace = 5; // pixels
 
 } // namespace
 
-std::vector<std::string> pickChain(const ShownWorld& world, const std::vector<RayHit>& hits) {
+std::vector<std::string> pickChain(const ViewportScene& world, const std::vector<RayHit>& hits) {
     std::vector<std::string> chain;
     const auto add = [&](const ObjectRef& object) {
         std::string path = world.objects()->pathOf(object);
@@ -29,7 +29,7 @@ std::vector<std::string> pickChain(const ShownWorld& world, const std::vector<Ra
 }
 
 std::vector<std::string> boxPick(const View& view, const QRectF& box) {
-    const ShownWorld& world = view.parts().world;
+    const ViewportScene& world = view.context().world;
     std::vector<std::string> paths;
     for (const ObjectRef& object : world.objects()->instances()) {
         const Bounds bounds = world.boundsOf(object);

@@ -8,20 +8,21 @@
 
 namespace trundle {
 
-class ShownWorld;
+class ViewportScene;
 class View;
 
-/// What repeated clicks at one place select, in order: of each hit the robot or static, the body, the geom; then what lies
-/// behind. "" is nothing: bare floor means that first.
-[[nodiscard]] std::vector<std::string> pickChain(const ShownWorld& world, const std::vector<RayHit>& hits);
+/// The selection sequence of repeated clicks at one place: for each hit the robot or static, the body, the geom; then the hits
+/// behind it. "" clears the selection; it is the first entry on bare floor.
+[[nodiscard]] std::vector<std::string> pickChain(const ViewportScene& world, const std::vector<RayHit>& hits);
 
-/// Robots whose middle lies in a rectangle of the view, and statics that lie in it whole. Nothing hidden or locked.
+/// Robots whose centre is inside a rectangle of the view, and statics that are completely inside. Hidden and locked objects are
+/// skipped.
 [[nodiscard]] std::vector<std::string> boxPick(const View& view, const QRectF& box);
 
-/// Remembers the last click, so that the next one at the same place goes on along the chain.
+/// Advances along the selection sequence when clicks are repeated at the same place.
 class PickCycle {
 public:
-    /// What a click selects now.
+    /// The path that a click selects.
     [[nodiscard]] std::string next(const QPointF& at, std::vector<std::string> chain, const std::string& selected);
 
 private:

@@ -6,8 +6,8 @@
 #include <QPainter>
 
 #include "editor/running/session.h"
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
+#include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -20,10 +20,10 @@ const QColor kPinPaper(24, 27, 31, 205), kPinWords(245, 246, 248), kPinQuiet(178
 
 QString noValues() { return PinnedValues::tr("no values before it runs"); }
 
-/// The content of one plate. Its columns are as wide as the widest text that they can get, not as the one of this moment.
-class PlateText {
+/// Text of one label. Column widths are those of the longest possible text, so that they do not change with the values.
+class LabelText {
 public:
-    PlateText(const QFont& font, const std::string& path, std::vector<LiveValue> values)
+    LabelText(const QFont& font, const std::string& path, std::vector<LiveValue> values)
         : m_title(path.empty() ? PinnedValues::tr("Run") : QString::fromStdString(path)), m_values(std::move(values)), m_words(font),
           m_bold(font), m_figures(monospaceFont()) {
         m_bold.setWeight(QFont::DemiBold);
@@ -48,13 +48,13 @@ public:
         return {m_width + 2 * kPinRim, 2 * kPinRim + m_line * double(1 + std::max<std::size_t>(1, m_values.size()))};
     }
 
-    void paint(QPainter& painter, const PinnedPlate& plate) const {
+    void paint(QPainter& painter, const PinnedLabel& label) const {
         painter.setPen(Qt::NoPen);
         painter.setBrush(kPinPaper);
-        painter.drawRoundedRect(plate.rect, 4, 4);
-        paintCross(painter, plate.close);
-        const double left = plate.rect.left() + kPinRim;
-        double y = plate.rect.top() + kPinRim;
+        painter.drawRoundedRect(label.rect, 4, 4);
+        paintCross(painter, label.close);
+        const double left = label.rect.left() + kPinRim;
+        double y = label.rect.top() + kPinRim;
         const auto write = [&](const QFont& font, const QColor& colour, double x, double width, int align, const QString& text) {
             painter.setFont(font);
             painter.setPen(colour);
@@ -91,9 +91,9 @@ private:
     double m_line = 0, m_nameWidth = 0, m_numberWidth = 0, m_numbersWidth = 0, m_unitWidth = 0, m_width = 0;
 };
 
-struct LaidPlate {
-    PinnedPlate plate;
-    PlateText text;
+struct LaidLabel {
+    PinnedLabel label;
+    LabelText text;
 };
 
 QRectF within(const QRectF& rect, const QRectF& room) {
@@ -103,16 +103,16 @@ QRectF within(const QRectF& rect, const QRectF& room) {
     return moved;
 }
 
-/// All that there is room for; `hidden` is how many there is none for, below `y`.
-std::vector<LaidPlate> layOut(const View& view, std::size_t& hidden, double& y) {
-    std::vector<LaidPlate> laid;
+/// The labels that fit into the view; `hidden`: number of labels that do not fit; `y`: lower end of the column.
+std::vector<LaidLabel> layOut(const View& view, std::size_t& hidden, double& y) {
+    std::vector<LaidLabel> laid;
     hidden = 0;
     y = kPinTop;
-    const PinnedValues* pinned = view.parts().pinned;
+    const PinnedValues* pinned = view.context().pinned;
     if (!pinned || !view.isCurrent()) return laid;
     bool full = false;
     for (const Pin& pin : pinned->pins()) {
-        PlateText text(view.font(), pin.path, view.parts().session.liveValues(pin.path));
+        LabelText text(view.font(), pin.path, view.context().session.liveValues(pin.path));
         QRectF rect(QPointF(kPinLeft, y), text.size());
         if (pin.position) {
             rect.moveCenter({pin.position->x() * view.width(), pin.position->y() * view.height()});
@@ -124,16 +124,16 @@ std::vector<LaidPlate> layOut(const View& view, std::size_t& hidden, double& y) 
         } else {
             y += rect.height() + kPinGap;
         }
-        const double right = std::min(rect.right(), double(view.width())); // of a plate wider than the view it is seen too
+        const double right = std::min(rect.right(), double(view.width())); // keeps the cross of a wide label visible
         const QRectF close(right - kPinCross - 12, rect.top() + 4, kPinCross + 8, kPinCross + 8);
         laid.push_back({{pin.path, rect, close}, std::move(text)});
     }
     return laid;
 }
 
-/// Where an object is seen; of a device the robot that it is in. Nothing for the run, and for what is out of sight.
+/// Screen position of an object; for a device, of its robot. nullopt for the run and for objects outside the view.
 std::optional<QPointF> spotOf(const View& view, const std::string& path) {
-    const ShownWorld& world = view.parts().world;
+    const ViewportScene& world = view.context().world;
     if (path.empty()) return std::nullopt;
     std::vector<ObjectRef> objects = world.objectsOf(path);
     if (objects.empty()) objects = world.objectsOf(path.substr(0, path.find('.')));
@@ -144,12 +144,12 @@ std::optional<QPointF> spotOf(const View& view, const std::string& path) {
     return at && QRectF(view.rect()).contains(*at) ? at : std::nullopt;
 }
 
-/// From the nearest point of the plate's edge to the object.
-void paintLeader(QPainter& painter, const View& view, const PinnedPlate& plate) {
-    const auto spot = spotOf(view, plate.path);
-    if (!spot || plate.rect.contains(*spot)) return;
-    const QPointF edge(std::clamp(spot->x(), plate.rect.left(), plate.rect.right()),
-                       std::clamp(spot->y(), plate.rect.top(), plate.rect.bottom()));
+/// Line from the nearest point of the label's edge to the object.
+void paintLeader(QPainter& painter, const View& view, const PinnedLabel& label) {
+    const auto spot = spotOf(view, label.path);
+    if (!spot || label.rect.contains(*spot)) return;
+    const QPointF edge(std::clamp(spot->x(), label.rect.left(), label.rect.right()),
+                       std::clamp(spot->y(), label.rect.top(), label.rect.bottom()));
     painter.setPen(QPen(kPinPaper, 3.2));
     painter.drawLine(edge, *spot);
     painter.setPen(QPen(kPinWords, 1.2));
@@ -202,21 +202,21 @@ void PinnedValues::move(const std::string& path, const std::optional<QPointF>& p
     Q_EMIT changed();
 }
 
-std::vector<PinnedPlate> pinnedPlates(const View& view) {
+std::vector<PinnedLabel> pinnedLabels(const View& view) {
     std::size_t hidden = 0;
     double y = 0;
-    std::vector<PinnedPlate> plates;
-    for (LaidPlate& laid : layOut(view, hidden, y)) plates.push_back(std::move(laid.plate));
-    return plates;
+    std::vector<PinnedLabel> labels;
+    for (LaidLabel& laid : layOut(view, hidden, y)) labels.push_back(std::move(laid.label));
+    return labels;
 }
 
 void paintPinnedValues(QPainter& painter, const View& view) {
     std::size_t hidden = 0;
     double y = 0;
-    const std::vector<LaidPlate> plates = layOut(view, hidden, y);
+    const std::vector<LaidLabel> labels = layOut(view, hidden, y);
     painter.save();
-    for (const LaidPlate& laid : plates) paintLeader(painter, view, laid.plate);
-    for (const LaidPlate& laid : plates) laid.text.paint(painter, laid.plate);
+    for (const LaidLabel& laid : labels) paintLeader(painter, view, laid.label);
+    for (const LaidLabel& laid : labels) laid.text.paint(painter, laid.label);
     painter.restore();
     if (hidden > 0) paintMore(painter, hidden, y);
 }

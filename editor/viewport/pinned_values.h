@@ -14,16 +14,17 @@ namespace trundle {
 
 class View;
 
-/// One object whose values are read out over the 3D view.
+/// An object whose values are displayed over the 3D view.
 struct Pin {
     std::string path; ///< "robot0.leftMotor"; "" is the run itself
-    /// Where its plate was dragged to: the middle of it, as a share of the view's width and height. Nothing: in the column on the left.
+    /// Position of its label's centre after a drag, as fractions of the view's width and height; nullopt: in the column on the
+    /// left.
     std::optional<QPointF> position;
 
     bool operator==(const Pin&) const = default;
 };
 
-/// The pins of a panel, in the order in which they were made.
+/// The pins of a panel, in the order of creation.
 class PinnedValues final : public QObject {
     Q_OBJECT
 public:
@@ -33,11 +34,11 @@ public:
     [[nodiscard]] std::vector<std::string> paths() const;
     [[nodiscard]] bool contains(const std::string& path) const;
     void set(const std::vector<std::string>& paths, bool pinned);
-    /// In place of those that there are.
+    /// Replaces all pins.
     void setPins(std::vector<Pin> pins);
-    /// Moves a plate; `position` as in Pin.
+    /// Moves a label; `position` as in Pin.
     void move(const std::string& path, const std::optional<QPointF>& position);
-    /// Leaves out those of which this says no.
+    /// Removes the pins for which `exists` returns false.
     template <class Exists> void keepIf(const Exists& exists) {
         if (std::erase_if(m_pins, [&](const Pin& pin) { return !exists(pin.path); }) > 0) Q_EMIT changed();
     }
@@ -49,17 +50,18 @@ private:
     std::vector<Pin> m_pins;
 };
 
-/// A plate as it is on the screen.
-struct PinnedPlate {
+/// The label of a pin on the screen.
+struct PinnedLabel {
     std::string path;
     QRectF rect;
     QRectF close; ///< the cross that unpins it
 };
 
-/// The plates of the current view, the topmost last; none in another view.
-[[nodiscard]] std::vector<PinnedPlate> pinnedPlates(const View& view);
+/// The labels of the current view, the topmost last; empty for other views.
+[[nodiscard]] std::vector<PinnedLabel> pinnedLabels(const View& view);
 
-/// Each with a line to its object. Plates that nobody moved are in a column below the corner; those that it has no room for are counted.
+/// Paints the labels with leader lines to their objects. Labels not moved by the user are in a column; those that do not fit are
+/// counted.
 void paintPinnedValues(QPainter& painter, const View& view);
 
 } // namespace trundle

@@ -6,13 +6,14 @@ namespace trundle {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// From little (0, dark blue) to much (1, yellow), lighter all the way: to be told apart without colours too.
+/// Sequential colour map from 0 (dark blue) to 1 (yellow), with increasing lightness, so that it is readable without colour
+/// vision.
 [[nodiscard]] Rgb heatColour(double share);
 
-inline constexpr double kLobeFloor = -20, kLobeTop = 10; ///< dBi: where a lobe has no radius, and where its colours end
+inline constexpr double kLobeFloor = -20, kLobeTop = 10; ///< dBi: radius 0 of a lobe, and the end of its colour scale
 [[nodiscard]] Rgb gainColour(double gain);
 
-inline constexpr double kSlimMargin = 3, kSafeMargin = 10; ///< dB over the sensitivity, where red ends and green begins
+inline constexpr double kSlimMargin = 3, kSafeMargin = 10; ///< dB above the sensitivity: end of red, start of green
 [[nodiscard]] Rgb marginColour(double margin);
 
 } // namespace trundle

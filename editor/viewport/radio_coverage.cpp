@@ -9,10 +9,10 @@
 namespace trundle {
 namespace {
 
-constexpr double kRoom = 0.15, kLeastRoom = 0.5; // around what is there, of its size; m
-constexpr double kStep = 0.5;                    // dB between two colours
+constexpr double kRoom = 0.15, kLeastRoom = 0.5; // margin around the scene, as a fraction of its size; at least, m
+constexpr double kStep = 0.5;                    // dB per colour step
 constexpr double kScaleStep = 5, kHighShare = 0.98;
-constexpr double kLoneHeight = 0.1; // m, of the receiver where the transmitter is alone
+constexpr double kLoneHeight = 0.1; // m, receiver height if there is no other radio
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
@@ -41,7 +41,7 @@ Ground groundAround(const Bounds& bounds, const Ground& before) {
     return ground;
 }
 
-ImaginedReceiver typicalReceiver(const RadioPlaces& places, std::size_t transmitter) {
+ImaginedReceiver typicalReceiver(const RadioPoses& places, std::size_t transmitter) {
     const std::vector<RadioNode>& nodes = *places.nodes;
     const std::vector<Pose> antennas = antennasOf(places);
     std::vector<double> heights, sensitivities;
@@ -61,23 +61,23 @@ double Coverage::at(double x, double y) const {
     return double(power[std::size_t(row) * columns + std::size_t(column)]);
 }
 
-std::optional<Coverage> coverageOf(const CoverageWish& wish, const std::function<bool()>& goOn) {
-    Coverage coverage{{}, 0, wish.ground, wish.receiver, 0, 0, {}};
-    const double cell = std::max(wish.ground.width, wish.ground.depth) / wish.cells;
-    coverage.columns = std::uint32_t(std::max(1.0, std::round(wish.ground.width / cell)));
-    coverage.rows = std::uint32_t(std::max(1.0, std::round(wish.ground.depth / cell)));
+std::optional<Coverage> coverageOf(const CoverageRequest& request, const std::function<bool()>& resume) {
+    Coverage coverage{{}, 0, request.ground, request.receiver, 0, 0, {}};
+    const double cell = std::max(request.ground.width, request.ground.depth) / request.cells;
+    coverage.columns = std::uint32_t(std::max(1.0, std::round(request.ground.width / cell)));
+    coverage.rows = std::uint32_t(std::max(1.0, std::round(request.ground.depth / cell)));
     coverage.power.reserve(std::size_t(coverage.columns) * coverage.rows);
-    const RadioNodes radios = radiosAt(wish.places);
-    const auto from = RadioId(wish.transmitter);
+    const RadioNodes radios = radiosAt(request.places);
+    const auto from = RadioId(request.transmitter);
     coverage.transmitter = radios.all()[from].radio.path;
     coverage.sent = radios.all()[from].radio.maxOutputPower;
-    AntennaPlace probe{RadioId(radios.all().size()), 0, {}, nullptr}; // nobody's, so that only the sender's own body is left out
+    AntennaPose probe{RadioId(radios.all().size()), 0, {}, nullptr}; // unused id: only the sender's own body is ignored
     for (std::uint32_t row = 0; row < coverage.rows; ++row) {
-        if (!goOn()) return std::nullopt;
-        const double y = wish.ground.y + (row + 0.5) * wish.ground.depth / coverage.rows;
+        if (!resume()) return std::nullopt;
+        const double y = request.ground.y + (row + 0.5) * request.ground.depth / coverage.rows;
         for (std::uint32_t column = 0; column < coverage.columns; ++column) {
-            const double x = wish.ground.x + (column + 0.5) * wish.ground.width / coverage.columns;
-            probe.pose.position = {x, y, wish.receiver.height};
+            const double x = request.ground.x + (column + 0.5) * request.ground.width / coverage.columns;
+            probe.pose.position = {x, y, request.receiver.height};
             coverage.power.push_back(float(radios.reach(from, probe, coverage.sent).power));
         }
     }

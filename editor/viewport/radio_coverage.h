@@ -1,5 +1,5 @@
 #pragma once
-// What a receiver on the floor would get of one transmitter, place by place. A value from values: made on any thread.
+// Received power of one transmitter on a grid over the floor. A pure function of its request, so it can run on any thread.
 
 #include <functional>
 #include <optional>
@@ -11,27 +11,27 @@ namespace trundle {
 
 /// A rectangle of ground, m.
 struct Ground {
-    double x = 0, y = 0, width = 0, depth = 0; ///< its lower left corner and its size
+    double x = 0, y = 0, width = 0, depth = 0; ///< lower left corner and size
     bool operator==(const Ground&) const = default;
     [[nodiscard]] bool empty() const { return !(width > 0 && depth > 0); }
 };
 
-/// The ground of an experiment with room around it, in whole steps: it stays what it is while robots move about in it. `before` is
-/// kept in it.
+/// The ground area of an experiment with a margin, rounded to whole steps, so that it does not change while robots move inside
+/// it. The result contains `before`.
 [[nodiscard]] Ground groundAround(const Bounds& bounds, const Ground& before = {});
 
-/// The receiver that is imagined at each place: it hears all directions alike (0 dBi).
+/// The hypothetical receiver at each grid point: isotropic (0 dBi).
 struct ImaginedReceiver {
-    double height = 0.1;      ///< m, over z = 0
+    double height = 0.1;      ///< m above z = 0
     double sensitivity = -94; ///< dBm
     bool operator==(const ImaginedReceiver&) const = default;
 };
-/// As the typical other radio on the transmitter's channel: the median of their heights and of their sensitivities.
-[[nodiscard]] ImaginedReceiver typicalReceiver(const RadioPlaces& places, std::size_t transmitter);
+/// A typical receiver on the transmitter's channel: the medians of the other radios' heights and sensitivities.
+[[nodiscard]] ImaginedReceiver typicalReceiver(const RadioPoses& places, std::size_t transmitter);
 
-struct CoverageWish {
-    RadioPlaces places;
-    std::size_t transmitter = 0; ///< node; it sends with full power
+struct CoverageRequest {
+    RadioPoses places;
+    std::size_t transmitter = 0; ///< node index; transmits at full power
     ImaginedReceiver receiver;
     Ground ground;
     std::uint32_t cells = 192; ///< along the longer side
@@ -43,23 +43,23 @@ struct Coverage {
     Ground ground;
     ImaginedReceiver receiver;
     std::uint32_t columns = 0, rows = 0;
-    std::vector<float> power;                          ///< dBm in the middle of each cell; rows along y
-    [[nodiscard]] double at(double x, double y) const; ///< of the cell there; NaN outside
+    std::vector<float> power;                          ///< dBm at the centre of each cell; rows along y
+    [[nodiscard]] double at(double x, double y) const; ///< value of the cell there; NaN outside
 };
 
-/// Nothing where `goOn`, asked before each row, says no.
-[[nodiscard]] std::optional<Coverage> coverageOf(const CoverageWish& wish, const std::function<bool()>& goOn);
+/// `resume` is called before each row; nullopt as soon as it returns false.
+[[nodiscard]] std::optional<Coverage> coverageOf(const CoverageRequest& request, const std::function<bool()>& resume);
 
-/// dBm between which the colours run: whole fives about what is heard.
+/// Power range of the colours (dBm): multiples of five around the sensitivity.
 struct PowerScale {
     double low = -94, high = -40;
 };
 [[nodiscard]] PowerScale scaleOf(const Coverage& coverage);
-/// In steps of half a dB; what is not heard is grey.
+/// Colour in steps of half a dB; grey below the sensitivity.
 [[nodiscard]] std::array<std::uint8_t, 4> powerColour(double power, const PowerScale& scale, double sensitivity);
 [[nodiscard]] std::shared_ptr<const FloorPicture> pictureOf(const Coverage& coverage, const PowerScale& scale);
 
-/// Ready to be shown.
+/// A coverage with its colours, ready to draw.
 struct CoverageMap {
     Coverage coverage;
     PowerScale scale;

@@ -7,18 +7,18 @@
 
 #include "editor/viewport/radio_colours.h"
 #include "editor/viewport/radio_overlays.h"
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/scene_painter.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
-#include "editor/viewport/world_pen.h"
+#include "editor/viewport/viewport_scene.h"
 #include "lang/number_text.h"
 
 namespace trundle {
 namespace {
 
-constexpr int kLeastWidth = 360, kLeastHeight = 240;    // of a view with room for a legend
-constexpr int kRoomForWords = 760;                      // pixels across, for more than colours
-constexpr double kWide = 276, kNarrow = 190, kEdge = 8; // of its plates, and around them
+constexpr int kLeastWidth = 360, kLeastHeight = 240;    // minimum view size for a legend
+constexpr int kRoomForWords = 760;                      // pixels across, minimum for text beside the colours
+constexpr double kWide = 276, kNarrow = 190, kEdge = 8; // widths of the legend boxes, and the margin around them
 constexpr double kRim = 10, kGap = 6, kBar = 9, kUnderBar = 4;
 const QColor kPaper(24, 27, 31, 205), kWords(245, 246, 248), kQuiet(178, 184, 192);
 
@@ -30,27 +30,27 @@ QString decibelText(double value) {
 
 QString metresText(double metres) { return QString::fromStdString(steppedNumber(metres, 0.001)) + QStringLiteral(" m"); }
 
-/// A line of a plate: words, a bar of colours with numbers below, or samples of lines.
+/// A row of a legend box: text, a colour bar with numbers below, or line samples.
 struct LegendRow {
     QString words;
     bool isTitle = false;
     Rgb (*bar)(double share) = nullptr;
-    std::vector<std::pair<double, QString>> numbers; ///< where below the bar, as a share of it
+    std::vector<std::pair<double, QString>> numbers; ///< position below the bar as a fraction of its width, and the text
     std::vector<std::pair<Rgb, QString>> samples;
-    bool stays = false; ///< also where there is little room; so do the others, but for mere words
+    bool stays = false; ///< also shown in a narrow view; without it, rows of plain text are left out there
     [[nodiscard]] bool explains() const { return !isTitle && !bar && samples.empty() && !stays; }
 };
-using LegendPlate = std::vector<LegendRow>;
+using LegendBox = std::vector<LegendRow>;
 
-/// What each overlay has to say.
+/// Contents of the legend boxes of the enabled overlays.
 class Legend {
     Q_DECLARE_TR_FUNCTIONS(trundle::Legend)
 public:
-    explicit Legend(const View& view) : m_view(view), m_radios(*view.parts().radios) {}
+    explicit Legend(const View& view) : m_view(view), m_radios(*view.context().radios) {}
 
-    [[nodiscard]] std::vector<LegendPlate> plates() const {
-        const ViewSettings& settings = m_view.parts().settings;
-        std::vector<LegendPlate> all;
+    [[nodiscard]] std::vector<LegendBox> labels() const {
+        const ViewSettings& settings = m_view.context().settings;
+        std::vector<LegendBox> all;
         if (settings.shows(kOverlayLobes)) all.push_back(lobes());
         if (settings.shows(kOverlayLinks)) all.push_back(links());
         if (settings.shows(kOverlayCoverage)) all.push_back(coverage());
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    [[nodiscard]] LegendPlate lobes() const {
+    [[nodiscard]] LegendBox lobes() const {
         const auto colour = [](double share) { return gainColour(kLobeFloor + share * (kLobeTop - kLobeFloor)); };
         return {{tr("Antenna lobes"), true},
                 {{},
@@ -70,46 +70,45 @@ private:
                 {tr("Radius %1 at 0 dBi, 0 at %2 dBi").arg(metresText(m_radios.lobeUnit()), decibelText(kLobeFloor))}};
     }
 
-    [[nodiscard]] LegendPlate links() const {
-        LegendPlate plate{{tr("Radio links"), true}, {}, {tr("over the sensitivity, at full power")}};
-        plate[1].samples = {{marginColour(0), tr("< %1").arg(kSlimMargin)},
+    [[nodiscard]] LegendBox links() const {
+        LegendBox label{{tr("Radio links"), true}, {}, {tr("over the sensitivity, at full power")}};
+        label[1].samples = {{marginColour(0), tr("< %1").arg(kSlimMargin)},
                             {marginColour(kSlimMargin), tr("%1–%2").arg(kSlimMargin).arg(kSafeMargin)},
                             {marginColour(kSafeMargin), tr("> %1 dB").arg(kSafeMargin)}};
         const RadioLinks* links = m_radios.links();
         const std::size_t drawn = links ? links->links.size() : 0;
-        QString count = !links                    ? tr("Reckoning…")
-                        : drawn == 0              ? tr("Nobody is in reach.")
+        QString count = !links                    ? tr("Computing…")
+                        : drawn == 0              ? tr("No radio is in range.")
                         : drawn < links->reaching ? tr("The %1 strongest of %2").arg(drawn).arg(links->reaching)
                                                   : tr("Links: %1").arg(drawn);
         if (links && std::ranges::any_of(links->links, &RadioLink::oneWay)) count += tr("; dashed: one way only");
-        plate.push_back({count});
-        if (links && links->nearest > 0) plate.push_back({tr("Looked for among each one's %1 nearest").arg(links->nearest)});
-        return plate;
+        label.push_back({count});
+        if (links && links->nearest > 0) label.push_back({tr("Searched among the %1 nearest of each").arg(links->nearest)});
+        return label;
     }
 
-    [[nodiscard]] LegendPlate coverage() const {
+    [[nodiscard]] LegendBox coverage() const {
         const CoverageMap* map = m_radios.coverage();
-        if (!map) return {{tr("Radio coverage"), true}, {tr("Reckoning…")}};
+        if (!map) return {{tr("Radio coverage"), true}, {tr("Computing…")}};
         const Coverage& c = map->coverage;
         const auto& [low, high] = map->scale;
-        const MediumSettings& medium = m_view.parts().world.objects()->experiment().medium;
-        LegendPlate plate{
-            {tr("Coverage of %1").arg(QString::fromStdString(c.transmitter)), true},
-            {{},
-             false,
-             heatColour,
-             {{0, decibelText(low)}, {0.5, decibelText(0.5 * (low + high))}, {1, decibelText(high) + tr(" dBm")}}},
-            {tr("%1 dBm sent; grey: less than %2 dBm").arg(decibelText(c.sent), decibelText(c.receiver.sensitivity))},
-            {tr("Received with 0 dBi, %1 over z = 0").arg(metresText(c.receiver.height))},
-            {modelText(medium)}};
+        const MediumSettings& medium = m_view.context().world.objects()->experiment().medium;
+        LegendBox label{{tr("Coverage of %1").arg(QString::fromStdString(c.transmitter)), true},
+                        {{},
+                         false,
+                         heatColour,
+                         {{0, decibelText(low)}, {0.5, decibelText(0.5 * (low + high))}, {1, decibelText(high) + tr(" dBm")}}},
+                        {tr("%1 dBm sent; grey: less than %2 dBm").arg(decibelText(c.sent), decibelText(c.receiver.sensitivity))},
+                        {tr("Received with 0 dBi, %1 over z = 0").arg(metresText(c.receiver.height))},
+                        {modelText(medium)}};
         if (medium.shadowing > 0)
-            plate.push_back({tr("Shadowing %1 dB, as one receiver finds it").arg(decibelText(medium.shadowing))});
-        plate.push_back(
-            {medium.wallLoss > 0 ? tr("%1 dB for each wall").arg(decibelText(medium.wallLoss)) : tr("Walls take nothing away")});
+            label.push_back({tr("Shadowing %1 dB, as one receiver finds it").arg(decibelText(medium.shadowing))});
+        label.push_back(
+            {medium.wallLoss > 0 ? tr("%1 dB for each wall").arg(decibelText(medium.wallLoss)) : tr("Walls do not attenuate")});
         const auto here = underPointer(c);
-        plate.push_back({here ? tr("Here: %1 dBm").arg(decibelText(*here)) : tr("Here: –")});
-        plate.back().stays = true;
-        return plate;
+        label.push_back({here ? tr("Here: %1 dBm").arg(decibelText(*here)) : tr("Here: –")});
+        label.back().stays = true;
+        return label;
     }
 
     static QString modelText(const MediumSettings& medium) {
@@ -120,7 +119,7 @@ private:
 
     [[nodiscard]] std::optional<double> underPointer(const Coverage& coverage) const {
         if (!m_view.underMouse()) return std::nullopt;
-        const ViewRay ray = m_view.rayAt(m_view.cursorAt());
+        const ViewRay ray = m_view.rayAt(m_view.cursorPosition());
         const double way = -ray.origin.z() / ray.direction.z();
         if (!(way > 0 && std::isfinite(way))) return std::nullopt;
         const Vec3 place = ray.origin + way * ray.direction;
@@ -132,9 +131,9 @@ private:
     const RadioOverlays& m_radios;
 };
 
-double plateHeight(const LegendPlate& plate, double line) {
+double labelHeight(const LegendBox& label, double line) {
     double height = 2 * kRim;
-    for (const LegendRow& row : plate) height += line + (row.bar ? kBar + kUnderBar : 0);
+    for (const LegendRow& row : label) height += line + (row.bar ? kBar + kUnderBar : 0);
     return height;
 }
 
@@ -161,12 +160,12 @@ void paintLegendRow(QPainter& painter, const LegendRow& row, const QRectF& at, d
     painter.drawText(at, Qt::AlignVCenter, painter.fontMetrics().elidedText(row.words, Qt::ElideMiddle, int(at.width())));
 }
 
-void paintLegendPlate(QPainter& painter, const LegendPlate& plate, const QRectF& at, double line) {
+void paintLegendBox(QPainter& painter, const LegendBox& label, const QRectF& at, double line) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPaper);
     painter.drawRoundedRect(at, 4, 4);
     double y = at.top() + kRim;
-    for (const LegendRow& row : plate) {
+    for (const LegendRow& row : label) {
         painter.save();
         QFont font = painter.font();
         font.setWeight(row.isTitle ? QFont::DemiBold : QFont::Normal);
@@ -181,19 +180,19 @@ void paintLegendPlate(QPainter& painter, const LegendPlate& plate, const QRectF&
 } // namespace
 
 void paintRadioLinks(QPainter& painter, const View& view) {
-    const RadioOverlays* radios = view.parts().radios;
+    const RadioOverlays* radios = view.context().radios;
     if (!radios || !radios->links()) return;
     const BodyPoses& poses = view.shownPoses();
     const std::vector<RadioNode>& nodes = radios->nodes();
-    const WorldPen pen(painter, view);
+    const ScenePainter pen(painter, view);
     const auto antenna = [&](std::size_t node) -> std::optional<Vec3> {
         if (node >= nodes.size() || nodes[node].body >= poses.size()) return std::nullopt;
-        const auto robot = view.parts().world.find(nodes[node].robot);
-        if (robot && view.parts().world.isHidden(*robot)) return std::nullopt;
+        const auto robot = view.context().world.find(nodes[node].robot);
+        if (robot && view.context().world.isHidden(*robot)) return std::nullopt;
         return poses[nodes[node].body] * nodes[node].mounting.position;
     };
     const auto& links = radios->links()->links;
-    for (auto link = links.rbegin(); link != links.rend(); ++link) { // the strongest on top
+    for (auto link = links.rbegin(); link != links.rend(); ++link) { // the strongest is drawn last
         const auto from = antenna(link->from), to = antenna(link->to);
         if (from && to)
             pen.line(*from, *to, colourOf(marginColour(link->margin)), 1.8, link->oneWay ? Qt::DashLine : Qt::SolidLine);
@@ -201,29 +200,29 @@ void paintRadioLinks(QPainter& painter, const View& view) {
 }
 
 void paintRadioLegend(QPainter& painter, const View& view) {
-    const RadioOverlays* radios = view.parts().radios;
+    const RadioOverlays* radios = view.context().radios;
     if (!radios || radios->nodes().empty() || !view.isCurrent()) return;
     if (view.width() < kLeastWidth || view.height() < kLeastHeight) return;
     const double line = painter.fontMetrics().height() + 1;
-    std::vector<LegendPlate> plates = Legend(view).plates();
+    std::vector<LegendBox> labels = Legend(view).labels();
     bool full = view.width() >= kRoomForWords;
     if (!full) {
-        // The colours alone, and the words too while the pointer is on them.
-        std::vector<LegendPlate> brief = plates;
+        // Colours only; the text is added while the pointer is over the legend.
+        std::vector<LegendBox> brief = labels;
         double bottom = kEdge;
-        for (LegendPlate& plate : brief) {
-            std::erase_if(plate, [](const LegendRow& row) { return row.explains(); });
-            bottom += plateHeight(plate, line) + kGap;
+        for (LegendBox& label : brief) {
+            std::erase_if(label, [](const LegendRow& row) { return row.explains(); });
+            bottom += labelHeight(label, line) + kGap;
         }
-        const QPointF& cursor = view.cursorAt();
+        const QPointF& cursor = view.cursorPosition();
         full = view.underMouse() && cursor.x() > view.width() - kNarrow - kEdge && cursor.y() < bottom;
-        if (!full) plates = std::move(brief);
+        if (!full) labels = std::move(brief);
     }
     const double wide = full ? kWide : kNarrow;
     double y = kEdge;
-    for (const LegendPlate& plate : plates) {
-        const double high = plateHeight(plate, line);
-        paintLegendPlate(painter, plate, {view.width() - wide - kEdge, y, wide, high}, line);
+    for (const LegendBox& label : labels) {
+        const double high = labelHeight(label, line);
+        paintLegendBox(painter, label, {view.width() - wide - kEdge, y, wide, high}, line);
         y += high + kGap;
     }
 }

@@ -7,14 +7,14 @@ namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Each pair once, the lower number first.
+/// Each pair once, the lower index first.
 std::vector<Pair> pairsOf(const RadioNodes& radios, const std::vector<bool>& selected, std::size_t& nearest) {
     const std::vector<RadioNode>& nodes = radios.all();
     std::vector<std::uint32_t> meant;
     for (std::uint32_t i = 0; i < nodes.size(); ++i)
         if (selected.empty() || selected[i]) meant.push_back(i);
     const std::size_t most = meant.size() * (nodes.size() - std::min<std::size_t>(nodes.size(), 1));
-    nearest = most > 2 * kMostLinkPairs ? std::max<std::size_t>(4, 2 * kMostLinkPairs / meant.size()) : 0;
+    nearest = most > 2 * kMaxLinkPairs ? std::max<std::size_t>(4, 2 * kMaxLinkPairs / meant.size()) : 0;
     std::vector<Pair> pairs;
     std::vector<std::pair<double, std::uint32_t>> others;
     for (const std::uint32_t i : meant) {
@@ -35,21 +35,21 @@ std::vector<Pair> pairsOf(const RadioNodes& radios, const std::vector<bool>& sel
 
 } // namespace
 
-std::vector<Pose> antennasOf(const RadioPlaces& places) {
+std::vector<Pose> antennasOf(const RadioPoses& places) {
     std::vector<Pose> antennas;
     for (const RadioNode& node : *places.nodes)
         antennas.push_back(node.body < places.poses->size() ? (*places.poses)[node.body] * node.mounting : node.mounting);
     return antennas;
 }
 
-RadioNodes radiosAt(const RadioPlaces& places) {
+RadioNodes radiosAt(const RadioPoses& places) {
     RadioNodes radios(places.objects->experiment().medium, *places.nodes);
     radios.place(*places.poses);
     radios.setWalls(wallsBetween(places.objects, places.poses, *places.nodes));
     return radios;
 }
 
-RadioLinks linksOf(const RadioPlaces& places, const std::vector<bool>& selected) {
+RadioLinks linksOf(const RadioPoses& places, const std::vector<bool>& selected) {
     const RadioNodes radios = radiosAt(places);
     const auto margin = [&](RadioId from, RadioId to) {
         return radios.link(from, to, radios.all()[from].radio.maxOutputPower).margin;
@@ -66,7 +66,7 @@ RadioLinks linksOf(const RadioPlaces& places, const std::vector<bool>& selected)
     const auto stronger = [](const RadioLink& a, const RadioLink& b) {
         return a.margin != b.margin ? a.margin > b.margin : std::pair(a.from, a.to) < std::pair(b.from, b.to);
     };
-    const auto last = result.links.begin() + std::ptrdiff_t(std::min(kMostLinks, result.links.size()));
+    const auto last = result.links.begin() + std::ptrdiff_t(std::min(kMaxLinks, result.links.size()));
     std::partial_sort(result.links.begin(), last, result.links.end(), stronger);
     result.links.erase(last, result.links.end());
     return result;

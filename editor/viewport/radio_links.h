@@ -1,6 +1,6 @@
 #pragma once
-// Which radios of an experiment reach each other as everything stands now, and with how much to spare. A value from values: made on any
-// thread, of what a run shows, not of its world.
+// Which radios of an experiment can reach each other at the current poses, with their link margins. A pure function of the
+// displayed poses, so it can run on any thread and does not access the running world.
 
 #include <memory>
 #include <vector>
@@ -9,31 +9,31 @@
 
 namespace trundle {
 
-inline constexpr std::size_t kMostLinks = 400;        ///< drawn: the strongest
-inline constexpr std::size_t kMostLinkPairs = 20'000; ///< looked at: beyond it those to the nearest radios
+inline constexpr std::size_t kMaxLinks = 400;        ///< drawn; the strongest are kept
+inline constexpr std::size_t kMaxLinkPairs = 20'000; ///< pairs tested; beyond it only each radio's nearest neighbours
 
-struct RadioPlaces {
+struct RadioPoses {
     std::shared_ptr<const ObjectIndex> objects;
     std::shared_ptr<const BodyPoses> poses;
     std::shared_ptr<const std::vector<RadioNode>> nodes;
 };
-[[nodiscard]] std::vector<Pose> antennasOf(const RadioPlaces& places); ///< in the world
-/// With walls between them. Number i is node i.
-[[nodiscard]] RadioNodes radiosAt(const RadioPlaces& places);
+[[nodiscard]] std::vector<Pose> antennasOf(const RadioPoses& places); ///< world poses
+/// Radio nodes at these poses, with walls between them. Node indices are those of `places`.
+[[nodiscard]] RadioNodes radiosAt(const RadioPoses& places);
 
 struct RadioLink {
-    std::size_t from = 0, to = 0; ///< nodes
-    double margin = 0;            ///< dB over the sensitivity; of both directions the smaller one
-    bool oneWay = false;          ///< only `to` hears `from`, and the margin is its
+    std::size_t from = 0, to = 0; ///< node indices
+    double margin = 0;            ///< dB above the sensitivity; the smaller one of both directions
+    bool oneWay = false;          ///< only `to` receives `from`; the margin is of that direction
 };
 
 struct RadioLinks {
     std::vector<RadioLink> links; ///< strongest first
-    std::size_t reaching = 0;     ///< pairs in reach of those looked at
-    std::size_t nearest = 0;      ///< not 0: of each radio only so many nearest were looked at
+    std::size_t reaching = 0;     ///< number of tested pairs that reach each other
+    std::size_t nearest = 0;      ///< not 0: only that many nearest neighbours of each radio were tested
 };
 
-/// At full power. `selected` (by node; empty: all) says whose links are meant.
-[[nodiscard]] RadioLinks linksOf(const RadioPlaces& places, const std::vector<bool>& selected);
+/// Links at full power. `selected` (by node; empty: all) restricts them to those of the selected radios.
+[[nodiscard]] RadioLinks linksOf(const RadioPoses& places, const std::vector<bool>& selected);
 
 } // namespace trundle

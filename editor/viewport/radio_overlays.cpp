@@ -5,17 +5,17 @@
 
 #include "editor/document/selection.h"
 #include "editor/viewport/antenna_lobes.h"
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_settings.h"
+#include "editor/viewport/viewport_scene.h"
 #include "model/footprint.h"
 
 namespace trundle {
 namespace {
 
 constexpr unsigned kOfRadios = kOverlayLobes | kOverlayLinks | kOverlayCoverage;
-constexpr std::size_t kMostLobes = 300, kManyLobes = 20;
+constexpr std::size_t kMaxLobes = 300, kManyLobes = 20;
 constexpr int kFineSpokes = 64, kCoarseSpokes = 32;
-constexpr double kMoved = 1e-3, kTurned = 2e-3; // m, rad; what moves less changes no colour
+constexpr double kMoved = 1e-3, kTurned = 2e-3; // m, rad; smaller motions do not change the display
 
 bool areNear(const std::vector<Pose>& a, const std::vector<Pose>& b) {
     return std::ranges::equal(a, b, [](const Pose& p, const Pose& q) {
@@ -29,11 +29,12 @@ bool areSame(const std::vector<RadioNode>& a, const std::vector<RadioNode>& b) {
 
 } // namespace
 
-RadioOverlays::RadioOverlays(const ShownWorld& world, const Selection& selection, const ViewSettings& settings, QObject* parent)
+RadioOverlays::RadioOverlays(const ViewportScene& world, const Selection& selection, const ViewSettings& settings,
+                             QObject* parent)
     : QObject(parent), m_world(world), m_selection(selection), m_settings(settings) {
-    connect(&world, &ShownWorld::replaced, this, &RadioOverlays::look);
-    connect(&world, &ShownWorld::posed, this, &RadioOverlays::follow);
-    connect(&world, &ShownWorld::marked, this, &RadioOverlays::makeLobes);
+    connect(&world, &ViewportScene::replaced, this, &RadioOverlays::updateScene);
+    connect(&world, &ViewportScene::posed, this, &RadioOverlays::follow);
+    connect(&world, &ViewportScene::marked, this, &RadioOverlays::makeLobes);
     connect(&selection, &Selection::changed, this, &RadioOverlays::choose);
     connect(&settings, &ViewSettings::changed, this, [this] {
         unsigned shown = 0;
@@ -41,17 +42,17 @@ RadioOverlays::RadioOverlays(const ShownWorld& world, const Selection& selection
             if (m_settings.shows(overlay)) shown |= overlay;
         if (shown == m_shown) return;
         m_shown = shown;
-        look();
+        updateScene();
     });
 }
 
-RadioOverlays::~RadioOverlays() { m_reckoner.reset(); }
+RadioOverlays::~RadioOverlays() { m_worker.reset(); }
 
-RadioReckoner& RadioOverlays::reckoner() {
-    if (m_reckoner) return *m_reckoner;
-    // Answers come on the reckoner's thread, which ends before this does.
+RadioWorker& RadioOverlays::worker() {
+    if (m_worker) return *m_worker;
+    // Results arrive on the worker thread, which ends before this object does.
     const auto here = [this](auto&& take) { QMetaObject::invokeMethod(this, std::move(take), Qt::QueuedConnection); };
-    RadioReckoner::Answers answers;
+    RadioWorker::Answers answers;
     answers.links = [this, here](std::uint64_t number, RadioLinks links) {
         here([this, number, links = std::move(links)] { takeLinks(number, links); });
     };
@@ -61,13 +62,13 @@ RadioReckoner& RadioOverlays::reckoner() {
         });
     };
     answers.coverageGivenUp = [this, here](std::uint64_t number) { here([this, number] { takeGivenUp(number); }); };
-    m_reckoner = std::make_unique<RadioReckoner>(std::move(answers));
-    return *m_reckoner;
+    m_worker = std::make_unique<RadioWorker>(std::move(answers));
+    return *m_worker;
 }
 
-/// Another experiment, or other things to be shown of it.
-void RadioOverlays::look() {
-    if (m_reckoner) m_reckoner->forget();
+/// Restarts all overlays for another experiment or other settings.
+void RadioOverlays::updateScene() {
+    if (m_worker) m_worker->forget();
     m_oldest = m_number + 1;
     m_linksAwaited = m_coverageAwaited = false;
     m_linkPoses.clear();
@@ -76,7 +77,7 @@ void RadioOverlays::look() {
     const auto before =
         std::exchange(m_nodes, std::make_shared<const std::vector<RadioNode>>(
                                    m_shown ? radioNodesOf(m_world.objects()->experiment()) : std::vector<RadioNode>()));
-    // While one drags something through the text, what was there is shown until there is something newer.
+    // While an edit is being dragged, the previous overlay stays visible until a newer one is ready.
     if (!(m_shown & kOverlayLinks) || !areSame(*before, *m_nodes)) dropLinks();
     if (!(m_shown & kOverlayCoverage) || (m_coverage && !nodeAt(m_coverage->coverage.transmitter))) dropCoverage();
     choose();
@@ -103,8 +104,8 @@ void RadioOverlays::choose() {
 }
 
 void RadioOverlays::follow() {
-    wantLinks();
-    wantCoverage();
+    requestLinks();
+    requestCoverage();
 }
 
 std::optional<std::size_t> RadioOverlays::nodeAt(const std::string& path) const {
@@ -112,15 +113,15 @@ std::optional<std::size_t> RadioOverlays::nodeAt(const std::string& path) const 
     return it == m_nodes->end() ? std::nullopt : std::optional(std::size_t(it - m_nodes->begin()));
 }
 
-RadioPlaces RadioOverlays::places() const { return {m_world.objects(), m_world.poses(), m_nodes}; }
+RadioPoses RadioOverlays::places() const { return {m_world.objects(), m_world.poses(), m_nodes}; }
 
 std::vector<Pose> RadioOverlays::posesBehind(std::optional<std::size_t> transmitter) const {
-    if (m_world.objects()->experiment().medium.wallLoss > 0) return *m_world.poses(); // whatever moves may stand between
+    if (m_world.objects()->experiment().medium.wallLoss > 0) return *m_world.poses(); // any moving body can be a wall
     std::vector<Pose> antennas = antennasOf(places());
     return transmitter ? std::vector<Pose>{antennas[*transmitter]} : antennas;
 }
 
-/// How far a robot with an antenna reaches from its middle, m; whatever way it faces.
+/// Largest radius (m) of a robot with a radio, around its centre and for any heading.
 double RadioOverlays::largestRobot() const {
     std::map<const RobotConfigSpec*, double> radii;
     double largest = 0;
@@ -144,7 +145,7 @@ void RadioOverlays::makeLobes() {
         const std::size_t many = m_selected.empty() ? m_nodes->size() : std::size_t(std::ranges::count(m_selected, true));
         std::map<const AntennaPattern*, std::shared_ptr<const TintedMesh>> meshes;
         auto shapes = std::make_shared<std::vector<TintedShape>>();
-        for (std::size_t i = 0; i < m_nodes->size() && shapes->size() < kMostLobes; ++i) {
+        for (std::size_t i = 0; i < m_nodes->size() && shapes->size() < kMaxLobes; ++i) {
             const RadioNode& node = (*m_nodes)[i];
             const auto robot = m_world.find(node.robot);
             if ((!m_selected.empty() && !m_selected[i]) || (robot && m_world.isHidden(*robot))) continue;
@@ -160,33 +161,33 @@ void RadioOverlays::makeLobes() {
     if (had || m_inScene.shapes) Q_EMIT sceneChanged();
 }
 
-void RadioOverlays::wantLinks() {
+void RadioOverlays::requestLinks() {
     if (!(m_shown & kOverlayLinks) || m_nodes->empty()) return;
     std::vector<Pose> poses = posesBehind({});
     if (!m_linkPoses.empty() && areNear(poses, m_linkPoses)) return;
     m_linkPoses = std::move(poses);
     m_linkNumber = ++m_number;
     m_linksAwaited = true;
-    reckoner().wantLinks(m_linkNumber, places(), m_selected);
+    worker().requestLinks(m_linkNumber, places(), m_selected);
 }
 
-void RadioOverlays::wantCoverage() {
+void RadioOverlays::requestCoverage() {
     if (!(m_shown & kOverlayCoverage) || m_nodes->empty()) return;
-    CoverageWish wish;
-    wish.places = places();
-    wish.transmitter = nodeAt(m_transmitter).value_or(0);
-    const bool same = m_wanted && m_wanted->transmitter == wish.transmitter;
-    // The receiver stays what it is while things move.
-    wish.receiver = same ? m_wanted->receiver : typicalReceiver(wish.places, wish.transmitter);
-    wish.ground = groundAround(m_world.bounds(), m_wanted ? m_wanted->ground : Ground());
-    if (wish.ground.empty()) return;
-    std::vector<Pose> poses = posesBehind(wish.transmitter);
-    if (same && wish.ground == m_wanted->ground && areNear(poses, m_coveragePoses)) return;
+    CoverageRequest request;
+    request.places = places();
+    request.transmitter = nodeAt(m_transmitter).value_or(0);
+    const bool same = m_wanted && m_wanted->transmitter == request.transmitter;
+    // The receiver is not changed while objects move.
+    request.receiver = same ? m_wanted->receiver : typicalReceiver(request.places, request.transmitter);
+    request.ground = groundAround(m_world.bounds(), m_wanted ? m_wanted->ground : Ground());
+    if (request.ground.empty()) return;
+    std::vector<Pose> poses = posesBehind(request.transmitter);
+    if (same && request.ground == m_wanted->ground && areNear(poses, m_coveragePoses)) return;
     m_coveragePoses = std::move(poses);
-    m_wanted = wish;
+    m_wanted = request;
     m_coverageNumber = ++m_number;
     m_coverageAwaited = true;
-    reckoner().wantCoverage(m_coverageNumber, std::move(wish));
+    worker().requestCoverage(m_coverageNumber, std::move(request));
 }
 
 void RadioOverlays::takeLinks(std::uint64_t number, RadioLinks links) {

@@ -1,20 +1,20 @@
 #include "editor/viewport/trails.h"
 
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/viewport_scene.h"
 
 namespace trundle {
 namespace {
 
 constexpr double kApart = 0.01;        // m
-constexpr double kLeap = 1;            // m: a robot that was put elsewhere begins a new trail
-constexpr std::size_t kLongest = 3000; // places of one robot
-constexpr std::size_t kMostRobots = 400;
+constexpr double kLeap = 1;            // m; a jump, such as a moved robot, starts a new trail
+constexpr std::size_t kLongest = 3000; // points per robot
+constexpr std::size_t kMaxRobots = 400;
 
 } // namespace
 
-Trails::Trails(ShownWorld& world, QObject* parent) : QObject(parent), m_world(world) {
-    connect(&world, &ShownWorld::posed, this, &Trails::note);
-    connect(&world, &ShownWorld::replaced, this, [this] { m_trails.clear(); });
+Trails::Trails(ViewportScene& world, QObject* parent) : QObject(parent), m_world(world) {
+    connect(&world, &ViewportScene::posed, this, &Trails::note);
+    connect(&world, &ViewportScene::replaced, this, [this] { m_trails.clear(); });
 }
 
 void Trails::setWanted(bool wanted) {
@@ -26,7 +26,7 @@ void Trails::note() {
     if (!m_world.isRunning()) m_trails.clear();
     if (!m_wanted || !m_world.isRunning()) return;
     const auto& robots = m_world.objects()->experiment().robots;
-    for (std::uint32_t i = 0; i < robots.size() && i < kMostRobots; ++i) {
+    for (std::uint32_t i = 0; i < robots.size() && i < kMaxRobots; ++i) {
         const Vec3 at = m_world.poseOf({ObjectKind::Robot, i}).position;
         std::deque<Vec3>& trail = m_trails[robots[i].name];
         const double far = trail.empty() ? kApart : (at - trail.back()).norm();

@@ -9,22 +9,22 @@
 
 namespace trundle {
 
-class ShownWorld;
+class ViewportScene;
 
-/// Where the robots of a run have been, as long as somebody wants to see it.
+/// Records the paths of the robots of a run while the trail overlay is enabled.
 class Trails final : public QObject {
     Q_OBJECT
 public:
-    explicit Trails(ShownWorld& world, QObject* parent = nullptr);
+    explicit Trails(ViewportScene& world, QObject* parent = nullptr);
 
-    /// What was noted is forgotten when nobody wants it any more.
+    /// Disabling discards the recorded points.
     void setWanted(bool wanted);
-    /// Oldest first, by robot; places at least a few millimetres apart.
+    /// By robot, oldest point first; points are at least a few millimetres apart.
     [[nodiscard]] const std::map<std::string, std::deque<Vec3>>& all() const { return m_trails; }
 
 private:
     void note();
-    ShownWorld& m_world;
+    ViewportScene& m_world;
     std::map<std::string, std::deque<Vec3>> m_trails;
     bool m_wanted = false;
 };

@@ -8,28 +8,28 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
-#include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/gizmo_tool.h"
 #include "editor/viewport/library_drop.h"
-#include "editor/viewport/measure_work.h"
+#include "editor/viewport/measure_tool.h"
 #include "editor/viewport/navigation.h"
 #include "editor/viewport/overlays.h"
-#include "editor/viewport/pin_work.h"
-#include "editor/viewport/push_work.h"
+#include "editor/viewport/pin_tool.h"
+#include "editor/viewport/push_tool.h"
 #include "editor/viewport/radio_overlays.h"
-#include "editor/viewport/select_work.h"
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/select_tool.h"
 #include "editor/viewport/view_settings.h"
+#include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/theme.h"
 #include "scene/framing.h"
 
 namespace trundle {
 namespace {
 
-constexpr int kFrameMs = 16; // no more than about 60 pictures a second
+constexpr int kFrameMs = 16; // limits the rate to about 60 images per second
 constexpr int kSettleMs =
-    350; // after so long without a change, longer than between two keys, the picture is drawn once more, finer
+    350; // ms without a change, longer than between two key presses, before the image is refined
 constexpr int kGlideMs = 160;
-constexpr int kLongMs = 500; // a first picture that takes longer says so
+constexpr int kLongMs = 500; // ms after which the first image shows "Drawing…"
 
 std::array<std::uint8_t, 3> bytesOf(const QColor& colour) {
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};
@@ -37,7 +37,7 @@ std::array<std::uint8_t, 3> bytesOf(const QColor& colour) {
 
 } // namespace
 
-/// Where the render thread leaves pictures. It outlives the view: a picture for a view that is gone goes nowhere.
+/// Receives images from the render thread. Shared with pending requests; images for a destroyed view are dropped.
 struct View::Inbox {
     std::mutex mutex;
     View* view = nullptr;
@@ -45,8 +45,8 @@ struct View::Inbox {
 
 QColor View::outlineColour() { return {255, 150, 30}; }
 
-View::View(const ViewParts& parts, ViewKind kind, QWidget* parent)
-    : QWidget(parent), m_parts(parts), m_inbox(std::make_shared<Inbox>()) {
+View::View(const ViewContext& context, ViewKind kind, QWidget* parent)
+    : QWidget(parent), m_context(context), m_inbox(std::make_shared<Inbox>()) {
     m_inbox->view = this;
     setObjectName(QStringLiteral("view3d"));
     setMouseTracking(true);
@@ -56,16 +56,16 @@ View::View(const ViewParts& parts, ViewKind kind, QWidget* parent)
     setMinimumSize(120, 90);
     setAccessibleName(tr("3D view"));
 
-    m_works.push_back(std::make_unique<PinWork>(*this));
+    m_tools.push_back(std::make_unique<PinTool>(*this));
     auto navigation = std::make_unique<Navigation>(*this);
     m_navigation = navigation.get();
-    m_works.push_back(std::move(navigation));
-    m_works.push_back(std::make_unique<MeasureWork>(*this));
-    auto gizmo = std::make_unique<GizmoWork>(*this);
+    m_tools.push_back(std::move(navigation));
+    m_tools.push_back(std::make_unique<MeasureTool>(*this));
+    auto gizmo = std::make_unique<GizmoTool>(*this);
     m_gizmo = gizmo.get();
-    m_works.push_back(std::move(gizmo));
-    m_works.push_back(std::make_unique<PushWork>(*this));
-    m_works.push_back(std::make_unique<SelectWork>(*this));
+    m_tools.push_back(std::move(gizmo));
+    m_tools.push_back(std::make_unique<PushTool>(*this));
+    m_tools.push_back(std::make_unique<SelectTool>(*this));
 
     m_pumpTimer.setSingleShot(true);
     m_settle.setSingleShot(true);
@@ -73,28 +73,28 @@ View::View(const ViewParts& parts, ViewKind kind, QWidget* parent)
         if (mayAsk()) ask(false);
     });
     connect(&m_settle, &QTimer::timeout, this, [this] {
-        if (!m_wanted && !m_inFlight && isVisible() && !mouseIsBusy()) ask(true);
+        if (!m_wanted && !m_inFlight && isVisible() && !isMouseBusy()) ask(true);
     });
     connect(&m_glide, &QTimer::timeout, this, &View::glide);
-    connect(&m_parts.session, &RunSession::stateChanged, this, &View::settle);
-    connect(&m_parts.world, &ShownWorld::replaced, this, [this] {
+    connect(&m_context.session, &RunSession::stateChanged, this, &View::settle);
+    connect(&m_context.world, &ViewportScene::replaced, this, [this] {
         followSelection();
         redraw();
     });
-    connect(&m_parts.world, &ShownWorld::posed, this, [this] {
+    connect(&m_context.world, &ViewportScene::posed, this, [this] {
         followSelection();
         redraw();
     });
-    connect(&m_parts.world, &ShownWorld::marked, this, &View::redraw);
-    connect(&m_parts.world, &ShownWorld::draggedMoved, this, &View::redraw);
-    connect(&m_parts.settings, &ViewSettings::changed, this, &View::redraw);
-    connect(&m_parts.settings, &ViewSettings::changed, this, qOverload<>(&View::update)); // handles need no other picture
-    connect(&m_parts.selection, &Selection::changed, this, [this] {
+    connect(&m_context.world, &ViewportScene::marked, this, &View::redraw);
+    connect(&m_context.world, &ViewportScene::draggedMoved, this, &View::redraw);
+    connect(&m_context.settings, &ViewSettings::changed, this, &View::redraw);
+    connect(&m_context.settings, &ViewSettings::changed, this, qOverload<>(&View::update)); // handles need no new image
+    connect(&m_context.selection, &Selection::changed, this, [this] {
         if (m_camera.kind() == ViewKind::Follow || m_camera.kind() == ViewKind::Chase) m_camera.setKind(m_camera.kind());
         followSelection();
         redraw();
     });
-    if (const RadioOverlays* radios = m_parts.radios) {
+    if (const RadioOverlays* radios = m_context.radios) {
         connect(radios, &RadioOverlays::sceneChanged, this, &View::redraw);
         connect(radios, &RadioOverlays::linksChanged, this, qOverload<>(&QWidget::update));
     }
@@ -131,7 +131,7 @@ void View::changeCamera(const std::function<void(ViewCamera&)>& change) {
 void View::frame(const Bounds& bounds, bool gently) {
     ViewCamera there = m_camera;
     there.frame(bounds, width(), height());
-    if (!gently || !isVisible() || m_frame.image.isNull()) return changeCamera([&](ViewCamera& camera) { camera = there; });
+    if (!gently || !isVisible() || m_image.image.isNull()) return changeCamera([&](ViewCamera& camera) { camera = there; });
     if (leaveCamera()) Q_EMIT kindChanged();
     m_glideFrom = m_camera;
     m_glideTo = there;
@@ -140,7 +140,7 @@ void View::frame(const Bounds& bounds, bool gently) {
 }
 
 void View::glide() {
-    // The direction of sight is the same at both ends, so nothing turns on the way.
+    // Both ends have the same viewing direction, so only position and zoom are interpolated.
     const double share = std::min(1.0, double(m_gliding.elapsed()) / kGlideMs), smooth = share * share * (3 - 2 * share);
     if (share >= 1) m_glide.stop();
     ViewCamera between = m_glideTo;
@@ -152,11 +152,11 @@ void View::glide() {
     redraw();
 }
 
-/// Nothing where the view follows none.
+/// nullopt unless the view follows a robot.
 std::optional<ObjectRef> View::followedRobot() const {
     if (m_camera.kind() != ViewKind::Follow && m_camera.kind() != ViewKind::Chase) return std::nullopt;
-    const ShownWorld& world = m_parts.world;
-    const std::optional<ObjectRef> selected = world.find(m_parts.selection.current());
+    const ViewportScene& world = m_context.world;
+    const std::optional<ObjectRef> selected = world.find(m_context.selection.current());
     if (selected && world.objects()->robotOf(*selected)) return ObjectRef{ObjectKind::Robot, selected->instance};
     if (world.objects()->experiment().robots.empty()) return std::nullopt;
     return ObjectRef{ObjectKind::Robot, 0};
@@ -165,16 +165,17 @@ std::optional<ObjectRef> View::followedRobot() const {
 void View::followSelection() {
     followCamera();
     followNamed();
-    if (const auto robot = followedRobot()) m_camera.follow(m_parts.world.poseOf(*robot));
+    if (const auto robot = followedRobot()) m_camera.follow(m_context.world.poseOf(*robot));
 }
 
 CameraView View::cameraView() const {
-    if (const CameraModel* camera = throughCamera()) return throughView(*camera, *m_parts.world.poses());
+    if (const CameraModel* camera = throughCamera()) return throughView(*camera, *m_context.world.poses());
     if (!m_named.empty())
-        if (const auto view = namedView(*textOfViews(), m_named, m_parts.world.objects()->experiment(), *m_parts.world.poses()))
+        if (const auto view =
+                namedView(*textOfViews(), m_named, m_context.world.objects()->experiment(), *m_context.world.poses()))
             return *view;
     if (!m_camera.isParallel()) return m_camera.view();
-    const Bounds all = m_parts.world.bounds();
+    const Bounds all = m_context.world.bounds();
     return m_camera.view(all.empty() ? 0 : (all.centre() - m_camera.middle()).norm() + all.radius());
 }
 
@@ -188,18 +189,18 @@ std::optional<QPointF> View::pixelOf(const Vec3& point) const {
 }
 
 std::optional<QPointF> View::shownPixelOf(const Vec3& point) const {
-    if (m_frame.image.isNull()) return pixelOf(point);
-    const auto at = project(m_frame.camera, std::uint32_t(std::max(1, width())), std::uint32_t(std::max(1, height())), point);
+    if (m_image.image.isNull()) return pixelOf(point);
+    const auto at = project(m_image.camera, std::uint32_t(std::max(1, width())), std::uint32_t(std::max(1, height())), point);
     return at ? std::optional(QPointF(at->x, at->y)) : std::nullopt;
 }
 
 const BodyPoses& View::shownPoses() const {
-    return m_frame.poses && m_frame.objects == m_parts.world.objects() ? *m_frame.poses : *m_parts.world.poses();
+    return m_image.poses && m_image.objects == m_context.world.objects() ? *m_image.poses : *m_context.world.poses();
 }
 
 Vec3 View::pointUnder(const QPointF& at) const {
     const ViewRay ray = rayAt(at);
-    const std::vector<RayHit> hits = m_parts.world.hitsAlong(ray, true);
+    const std::vector<RayHit> hits = m_context.world.hitsAlong(ray, true);
     if (!hits.empty()) return hits.front().point;
     const double down = -ray.origin.z() / ray.direction.z();
     if (std::isfinite(down) && down > 0 && down < 50 * m_camera.distance()) return ray.origin + down * ray.direction;
@@ -230,41 +231,41 @@ void View::redraw() {
 
 void View::pump() {
     if (!mayAsk() || m_pumpTimer.isActive()) return;
-    // Changes of one moment make one picture: the request goes out when the event loop comes round.
+    // Changes made in one event-loop pass are combined into one request.
     const qint64 since = m_sinceAsked.isValid() ? m_sinceAsked.elapsed() : kFrameMs;
     m_pumpTimer.start(int(std::max<qint64>(0, kFrameMs - since)));
 }
 
 PictureRequest View::request(bool fine) const {
     PictureRequest r;
-    const ViewSettings& settings = m_parts.settings;
-    // Beyond what is drawn at most, a pixel of the picture is larger than one of the screen.
-    const double scale = std::min(devicePixelRatioF(), kMostPixels / double(std::max({1, width(), height()})));
-    r.scene = m_parts.world.drawnScene();
+    const ViewSettings& settings = m_context.settings;
+    // The image size is limited; beyond it one image pixel covers several screen pixels.
+    const double scale = std::min(devicePixelRatioF(), kMaxPixels / double(std::max({1, width(), height()})));
+    r.scene = m_context.world.drawnScene();
     r.view = cameraView();
-    r.width = std::uint32_t(std::clamp(int(std::lround(width() * scale)), 1, int(kMostPixels)));
-    r.height = std::uint32_t(std::clamp(int(std::lround(height() * scale)), 1, int(kMostPixels)));
-    r.poses = m_parts.world.drawnPoses();
+    r.width = std::uint32_t(std::clamp(int(std::lround(width() * scale)), 1, int(kMaxPixels)));
+    r.height = std::uint32_t(std::clamp(int(std::lround(height() * scale)), 1, int(kMaxPixels)));
+    r.poses = m_context.world.drawnPoses();
     r.samples = fine || !m_software ? 4 : 1;
     r.yields = fine;
     r.mask = kMaskRobots | kMaskStatics | kMaskFloor | kMaskSky | kMaskGhosts;
     r.floorLines = settings.shows(kOverlayGrid);
     if (r.floorLines) r.mask |= kMaskGuide;
     if (settings.shows(kOverlayCollision)) r.mask |= kMaskCollision;
-    if (m_parts.radios && (m_parts.radios->inScene().shapes || m_parts.radios->inScene().floor)) {
+    if (m_context.radios && (m_context.radios->inScene().shapes || m_context.radios->inScene().floor)) {
         r.mask |= kMaskOverlay;
-        r.overlay = m_parts.radios->inScene();
+        r.overlay = m_context.radios->inScene();
     }
     r.wireframe = settings.shows(kOverlayWireframe);
     if (settings.shows(kOverlayShadows) && !r.wireframe) r.mask |= fine || !m_software ? kMaskSoftShadows : kMaskShadows;
-    r.hidden = m_parts.world.hiddenInScene();
+    r.hidden = m_context.world.hiddenInScene();
     if (const CameraModel* camera = throughCamera(); camera && !camera->seesSelf) r.hidden.push_back(camera->robot);
-    for (const std::string& path : m_parts.selection.paths())
-        for (const ObjectRef& object : m_parts.world.objectsOf(path))
-            r.marks.selected.push_back(m_parts.world.objects()->pathOf(object, '/'));
-    if (!m_hovered.empty() && !m_parts.selection.contains(m_hovered))
-        for (const ObjectRef& object : m_parts.world.objectsOf(m_hovered))
-            r.marks.hovered.push_back(m_parts.world.objects()->pathOf(object, '/'));
+    for (const std::string& path : m_context.selection.paths())
+        for (const ObjectRef& object : m_context.world.objectsOf(path))
+            r.marks.selected.push_back(m_context.world.objects()->pathOf(object, '/'));
+    if (!m_hovered.empty() && !m_context.selection.contains(m_hovered))
+        for (const ObjectRef& object : m_context.world.objectsOf(m_hovered))
+            r.marks.hovered.push_back(m_context.world.objects()->pathOf(object, '/'));
     r.outline.selected = bytesOf(outlineColour());
     r.outline.hovered = {255, 255, 255};
     r.outline.width = float(1.6 * scale);
@@ -272,9 +273,9 @@ PictureRequest View::request(bool fine) const {
 }
 
 void View::ask(bool fine) {
-    if (!m_parts.render) {
+    if (!m_context.render) {
         m_wanted = false;
-        m_failure = tr("3D pictures need OpenGL, and none is to be had here.");
+        m_failure = tr("3D pictures need OpenGL, which is not available.");
         return update();
     }
     m_wanted = false;
@@ -282,11 +283,11 @@ void View::ask(bool fine) {
     m_fine = fine;
     m_sinceAsked.start();
     ++(fine ? m_refinements : m_redraws);
-    if (m_frame.image.isNull()) QTimer::singleShot(kLongMs, this, qOverload<>(&View::update)); // a large mesh takes its time
-    PictureRequest wish = request(fine);
-    Frame frame{{}, *wish.view, m_parts.world.objects(), m_parts.world.poses()};
-    m_parts.render->draw(std::move(wish), [inbox = m_inbox, frame = std::move(frame), number = m_redraws + m_refinements,
-                                           render = m_parts.render](Result<Image> result) {
+    if (m_image.image.isNull()) QTimer::singleShot(kLongMs, this, qOverload<>(&View::update)); // large meshes take long
+    PictureRequest newRequest = request(fine);
+    RenderedImage frame{{}, *newRequest.view, m_context.world.objects(), m_context.world.poses()};
+    m_context.render->draw(std::move(newRequest), [inbox = m_inbox, frame = std::move(frame), number = m_redraws + m_refinements,
+                                                   render = m_context.render](Result<Image> result) {
         QImage image;
         QString failure;
         if (result) {
@@ -297,58 +298,58 @@ void View::ask(bool fine) {
             failure = QString::fromStdString(result.error().message);
         }
         const bool software = render->isSoftware();
-        const QString notice = QString::fromStdString(render->takeNotice());
+        const QString notice = QString::fromStdString(render->takeWarning());
         const std::lock_guard lock(inbox->mutex);
         if (!inbox->view) return;
         QMetaObject::invokeMethod(
             inbox->view,
             [view = inbox->view, number, image, failure, frame, software, notice] {
-                if (!notice.isEmpty()) Q_EMIT view->m_parts.document.notice(notice);
+                if (!notice.isEmpty()) Q_EMIT view->m_context.document.notice(notice);
                 view->take(number, image, failure, frame, software);
             },
             Qt::QueuedConnection);
     });
 }
 
-void View::take(int number, const QImage& image, const QString& failure, Frame frame, bool software) {
-    if (number != m_redraws + m_refinements) return; // a finer one that gave way
+void View::take(int number, const QImage& image, const QString& failure, RenderedImage frame, bool software) {
+    if (number != m_redraws + m_refinements) return; // a cancelled refinement
     m_inFlight = false;
     m_software = software;
-    if (image.isNull() && failure.isEmpty()) { // it gave way to somebody else's picture: once more when there is time
+    if (image.isNull() && failure.isEmpty()) { // cancelled by another request: retry when idle
         m_fine = false;
         return settle();
     }
     m_failure = failure;
     if (!image.isNull()) {
-        m_frame = std::move(frame);
-        m_frame.image = image;
+        m_image = std::move(frame);
+        m_image.image = image;
     }
     update();
     Q_EMIT pictureShown();
-    // The next picture is drawn while this one is painted.
+    // Requests the next image while this one is painted.
     if (m_wanted && isVisible() && m_sinceAsked.elapsed() >= kFrameMs) ask(false);
     else if (m_wanted) pump();
     else settle();
 }
 
 void View::settle() {
-    const bool moves = m_parts.session.state() == RunState::Running;
-    if (m_software && m_failure.isEmpty() && isUpToDate() && !moves && !m_fine && !mouseIsBusy()) m_settle.start(kSettleMs);
+    const bool moves = m_context.session.state() == RunState::Running;
+    if (m_software && m_failure.isEmpty() && isUpToDate() && !moves && !m_fine && !isMouseBusy()) m_settle.start(kSettleMs);
 }
 
 void View::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    if (m_frame.image.isNull()) {
+    if (m_image.image.isNull()) {
         painter.fillRect(rect(), palette().window());
         if (!m_failure.isEmpty()) paintMessage(painter, m_failure);
         else if (m_inFlight && m_sinceAsked.elapsed() >= kLongMs) paintMessage(painter, tr("Drawing…"));
         return;
     }
-    painter.drawImage(rect(), m_frame.image);
+    painter.drawImage(rect(), m_image.image);
     painter.setRenderHint(QPainter::Antialiasing);
     paintOverlays(painter, *this);
     paintThrough(painter);
-    for (const auto& work : m_works) work->paint(painter);
+    for (const auto& work : m_tools) work->paint(painter);
     paintHints(painter);
     if (!m_failure.isEmpty()) paintMessage(painter, m_failure);
     if (m_isFramed) {

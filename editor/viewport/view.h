@@ -1,5 +1,5 @@
 #pragma once
-// One 3D view: asks the render service for pictures when something changed, and paints them with what belongs over them.
+// One 3D view: requests images from the render service when something changes, and paints them with their overlays.
 
 #include <functional>
 #include <memory>
@@ -10,8 +10,8 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "editor/viewport/mouse_work.h"
 #include "editor/viewport/view_camera.h"
+#include "editor/viewport/view_tool.h"
 #include "scene/object_index.h"
 #include "scene/ray_cast.h"
 
@@ -21,7 +21,7 @@ namespace trundle {
 
 class Document;
 struct ExperimentSpec;
-class GizmoWork;
+class GizmoTool;
 class LibraryDrop;
 class Measurement;
 class Navigation;
@@ -30,18 +30,18 @@ class RadioOverlays;
 class RenderService;
 class RunSession;
 class Selection;
-class ShownWorld;
+class ViewportScene;
 class Trails;
 class ViewSettings;
 struct CameraModel;
 struct PictureRequest;
 
-/// What the views of a panel share. `render` may be null.
-struct ViewParts {
+/// Shared by the views of a panel. `render` may be null.
+struct ViewContext {
     Document& document;
     Selection& selection;
     RunSession& session;
-    ShownWorld& world;
+    ViewportScene& world;
     ViewSettings& settings;
     Measurement& measurement;
     RenderService* render = nullptr;
@@ -53,71 +53,73 @@ struct ViewParts {
 class View final : public QWidget {
     Q_OBJECT
 public:
-    View(const ViewParts& parts, ViewKind kind, QWidget* parent = nullptr);
+    View(const ViewContext& context, ViewKind kind, QWidget* parent = nullptr);
     ~View() override;
 
-    [[nodiscard]] const ViewParts& parts() const { return m_parts; }
+    [[nodiscard]] const ViewContext& context() const { return m_context; }
     [[nodiscard]] const ViewCamera& camera() const { return m_camera; }
     void setKind(ViewKind kind);
     void setCamera(const CameraView& view);
-    /// Shows a box from where the camera looks. `gently`: on the way there pictures in between are shown, for a moment.
+    /// Frames a box without changing the viewing direction. `gently`: with a short animation.
     void frame(const Bounds& bounds, bool gently = true);
     void changeCamera(const std::function<void(ViewCamera&)>& change);
-    /// Looks through a robot's camera, "robot0/eye", and goes with it until the view is moved by itself. "": back to where it was.
+    /// Looks through a robot's camera, "robot0/eye", and follows it until the user moves the view. "": returns to the previous
+    /// view.
     void lookThrough(const std::string& camera);
-    /// Looks as a View of the experiment does, and goes with it until the view is moved by itself.
+    /// Shows a View block of the experiment and follows it until the user moves the view.
     void showNamed(const std::string& name);
     [[nodiscard]] const std::string& named() const { return m_named; } ///< empty: none
-    /// The experiment whose Views can be chosen: as its text is now, also while an older one runs.
+    /// The experiment whose View blocks can be chosen: the current text, also while an older world runs.
     [[nodiscard]] std::shared_ptr<const ExperimentSpec> textOfViews() const;
-    /// The text of a View that looks as this one does now: "View view { Eye=... }".
-    [[nodiscard]] std::string asViewBlock() const;
-    [[nodiscard]] const CameraModel* throughCamera() const; ///< null where it looks through none
-    /// What is drawn in a picture of another size, without marks: all that the view shows is in it.
+    /// A View block for the current camera: "View view { Eye=... }".
+    [[nodiscard]] std::string viewBlockText() const;
+    [[nodiscard]] const CameraModel* throughCamera() const; ///< null unless the view looks through a camera
+    /// The image request for another image size, without marks; the image contains everything that the view shows.
     [[nodiscard]] PictureRequest still(std::uint32_t width, std::uint32_t height) const;
-    /// Where such a picture is taken from while bodies stand elsewhere; called with one moment after the other.
+    /// The camera of such an image for other body poses; must be called in order of time.
     [[nodiscard]] std::function<CameraView(const BodyPoses&)> movingView(std::uint32_t width, std::uint32_t height) const;
 
     [[nodiscard]] CameraView cameraView() const;
     [[nodiscard]] ViewRay rayAt(const QPointF& at) const;
     [[nodiscard]] std::optional<QPointF> pixelOf(const Vec3& point) const;
-    /// What lies under a pixel: the nearest thing, else the ground at z = 0, else a point at the distance looked at.
+    /// The point under a pixel: on the nearest object, otherwise on the ground at z = 0, otherwise at the view distance.
     [[nodiscard]] Vec3 pointUnder(const QPointF& at) const;
-    /// As the picture that is shown has it, which can be one behind.
+    /// Position in the displayed image, which can be one image behind.
     [[nodiscard]] std::optional<QPointF> shownPixelOf(const Vec3& point) const;
     [[nodiscard]] const BodyPoses& shownPoses() const;
-    [[nodiscard]] CameraView shownCamera() const { return m_frame.image.isNull() ? cameraView() : m_frame.camera; }
+    [[nodiscard]] CameraView shownCamera() const { return m_image.image.isNull() ? cameraView() : m_image.camera; }
 
-    /// The picture is out of date. Many calls make one request; none is made while the view is hidden.
+    /// Marks the image as outdated. Calls are combined into one request; a hidden view requests none.
     void redraw();
-    /// What is outlined thinly, and said beside the cursor; empty: nothing.
+    /// Sets the hovered object, outlined thinly, and the hint beside the cursor; empty: none.
     void setHovered(const std::string& path, const QString& hint);
-    /// A line of words at the lower edge, while something is done; empty: none.
+    /// Sets the hint at the lower edge; empty: none.
     void setHint(const QString& hint);
     [[nodiscard]] const QString& hint() const { return m_hint; }
-    /// The one that keys and menus mean, framed where there are several. Legends stand in it.
+    /// Marks the view that keys and menus apply to. `framed`: draw a frame around it, if there are several views. It also shows
+    /// the legends.
     void setCurrent(bool current, bool framed);
     [[nodiscard]] bool isCurrent() const { return m_isCurrent; }
 
-    /// Pictures asked for because something changed, and those asked for once more, finer, when all stood still.
+    /// Number of images requested because of a change, and number of refinements requested when idle.
     [[nodiscard]] int redraws() const { return m_redraws; }
     [[nodiscard]] int refinements() const { return m_refinements; }
-    /// A view that says why there is no picture has nothing to wait for either.
-    [[nodiscard]] bool isUpToDate() const { return !m_wanted && !m_inFlight && !(m_frame.image.isNull() && m_failure.isEmpty()); }
+    /// A view that displays an error instead of an image also counts as up to date.
+    [[nodiscard]] bool isUpToDate() const { return !m_wanted && !m_inFlight && !(m_image.image.isNull() && m_failure.isEmpty()); }
     [[nodiscard]] bool isSettled() const { return isUpToDate() && !m_settle.isActive() && !m_glide.isActive(); }
-    [[nodiscard]] const QImage& picture() const { return m_frame.image; }
-    [[nodiscard]] const QPointF& cursorAt() const { return m_cursor; } ///< where the mouse was last
-    [[nodiscard]] bool mouseIsBusy() const { return m_working != nullptr; }
-    /// The work that has the mouse is done, although the button is still down.
-    void endWork(const Pointer& pointer = {});
-    /// Of what is selected: the same over every picture and in both themes.
+    [[nodiscard]] const QImage& picture() const { return m_image.image; }
+    [[nodiscard]] const QPointF& cursorPosition() const { return m_cursor; } ///< last position of the mouse
+    [[nodiscard]] bool isMouseBusy() const { return m_activeTool != nullptr; }
+    /// Ends the active tool although the button is still pressed.
+    void endTool(const Pointer& pointer = {});
+    /// Outline of the selection; the same over every image and in both themes.
     [[nodiscard]] static QColor outlineColour();
-    [[nodiscard]] GizmoWork& gizmo() { return *m_gizmo; }
+    [[nodiscard]] GizmoTool& gizmo() { return *m_gizmo; }
 
 Q_SIGNALS:
     void kindChanged();
-    void activated();                                       ///< it was pressed or got the focus
-    void menuWanted(const QPointF& at);                     ///< right click
+    void activated();                                       ///< pressed or focused
+    void menuRequested(const QPointF& at);                  ///< right click
     void dropped(const QMimeData& data, const QPointF& at); ///< from the Library
     void pictureShown();
 
@@ -143,8 +145,8 @@ protected:
 
 private:
     struct Inbox;
-    /// A picture with all that tells where things are in it.
-    struct Frame {
+    /// An image with the camera and poses it was drawn for.
+    struct RenderedImage {
         QImage image;
         CameraView camera;
         std::shared_ptr<const ObjectIndex> objects;
@@ -152,8 +154,8 @@ private:
     };
     void pump();
     void ask(bool fine);
-    void take(int number, const QImage& image, const QString& failure, Frame frame, bool software);
-    /// A finer picture gives way to one of something new.
+    void take(int number, const QImage& image, const QString& failure, RenderedImage frame, bool software);
+    /// A refinement in progress is cancelled by a new request.
     [[nodiscard]] bool mayAsk() const { return m_wanted && (!m_inFlight || m_fine) && isVisible(); }
     [[nodiscard]] PictureRequest request(bool fine) const;
     void followSelection();
@@ -165,32 +167,32 @@ private:
     void paintThrough(QPainter& painter) const;
     void settle();
     void glide();
-    void cancelWork();
+    void cancelTool();
     [[nodiscard]] Pointer pointerOf(const QMouseEvent& event) const;
     void paintMessage(QPainter& painter, const QString& text) const;
     void paintHints(QPainter& painter) const;
-    bool takesDrop(QDropEvent& event) const;
+    bool acceptsDrop(QDropEvent& event) const;
 
-    ViewParts m_parts;
+    ViewContext m_context;
     ViewCamera m_camera, m_glideFrom, m_glideTo, m_beforeThrough;
-    std::string m_through; // camera that it looks through
-    std::string m_named;   // View of the experiment that it looks as
+    std::string m_through; // path of the camera that the view looks through
+    std::string m_named;   // name of the View block that the view shows
     std::shared_ptr<Inbox> m_inbox;
-    std::vector<std::unique_ptr<MouseWork>> m_works;
-    MouseWork* m_working = nullptr; // has the mouse
+    std::vector<std::unique_ptr<ViewTool>> m_tools;
+    ViewTool* m_activeTool = nullptr; // receives the mouse events
     Qt::MouseButton m_workButton = Qt::NoButton;
     Navigation* m_navigation = nullptr;
-    GizmoWork* m_gizmo = nullptr;
-    Frame m_frame;
+    GizmoTool* m_gizmo = nullptr;
+    RenderedImage m_image;
     QString m_failure, m_hint, m_hoverHint;
     std::string m_hovered;
-    std::unique_ptr<LibraryDrop> m_drop; // a drag from the Library is over this view
+    std::unique_ptr<LibraryDrop> m_drop; // non-null during a drag from the Library over this view
     QPointF m_cursor, m_dropAt{-1, -1};
     QTimer m_pumpTimer, m_settle, m_glide;
     QElapsedTimer m_sinceAsked, m_gliding;
     bool m_wanted = true, m_inFlight = false, m_fine = false, m_software = true, m_dropping = false, m_dropMoves = false,
          m_isCurrent = false, m_isFramed = false;
-    int m_redraws = 0, m_refinements = 0; // together: the number of the picture asked for last
+    int m_redraws = 0, m_refinements = 0; // their sum is the number of the last request
 };
 
 } // namespace trundle

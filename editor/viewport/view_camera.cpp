@@ -8,16 +8,16 @@ namespace {
 
 constexpr double kFieldOfView = 45 * std::numbers::pi / 180;
 constexpr double kQuarter = std::numbers::pi / 2;
-constexpr double kNearest = 0.02, kFarthest = 5000; // m, of what is looked at
-constexpr double kFarAway = 1e5;                    // m, the eye comes back from there
-constexpr double kRoom = 0.88;                      // share of the picture that is framed
-constexpr double kBeyond = 4;                       // of the reach, how far a parallel view is drawn
+constexpr double kNearest = 0.02, kFarthest = 5000; // m, limits of the view distance
+constexpr double kFarAway = 1e5;                    // m; an eye farther away is moved back
+constexpr double kRoom = 0.88;                      // fraction of the image that the framed box fills
+constexpr double kBeyond = 4;                       // depth of a parallel view, as a multiple of the reach
 
 Vec3 headingOf(double heading) { return {std::cos(heading), std::sin(heading), 0}; }
 
-Mat3 turnAbout(const Vec3& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+Mat3 rotateAbout(const Vec3& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
 
-/// Multiples of a quarter turn exactly, so that axis views stand square.
+/// Replaces rounding errors around 0 by 0, so that axis views are exactly axis-aligned.
 Vec3 clean(Vec3 v) {
     for (int i = 0; i < 3; ++i)
         if (std::abs(v[i]) < 1e-15) v[i] = 0;
@@ -75,13 +75,13 @@ void ViewCamera::setView(const CameraView& view) {
 void ViewCamera::orbit(double heading, double pitch, const Vec3& about) {
     if (m_kind == ViewKind::Top || m_kind == ViewKind::Front || m_kind == ViewKind::Side) m_kind = ViewKind::Orthographic;
     const double turned = std::clamp(m_pitch + pitch, -kQuarter, kQuarter) - m_pitch;
-    const Mat3 turn = turnAbout(Vec3::UnitZ(), heading) * turnAbout(right(), turned);
+    const Mat3 turn = rotateAbout(Vec3::UnitZ(), heading) * rotateAbout(right(), turned);
     m_eye = about + turn * (m_eye - about);
     m_heading = std::remainder(m_heading + heading, 2 * std::numbers::pi);
     m_pitch += turned;
 }
 
-void ViewCamera::look(double heading, double pitch) { orbit(heading, pitch, m_eye); }
+void ViewCamera::rotate(double heading, double pitch) { orbit(heading, pitch, m_eye); }
 
 void ViewCamera::zoom(double factor, const Vec3& about) {
     factor = std::clamp(m_distance * factor, kNearest, kFarthest) / m_distance;
@@ -97,7 +97,7 @@ void ViewCamera::fly(const Vec3& way) {
 
 void ViewCamera::frame(const Bounds& bounds, double width, double height) {
     Bounds box = bounds;
-    if (box.empty()) box = {Vec3(-1, -1, 0), Vec3(1, 1, 0.5)}; // a bare floor: room for what comes
+    if (box.empty()) box = {Vec3(-1, -1, 0), Vec3(1, 1, 0.5)}; // empty floor: leave room for objects
     if (box.radius() < 0.05) box.grow(0.05);
     Mat3 axes;
     axes << right(), upward(), -forward();
@@ -128,7 +128,7 @@ void ViewCamera::follow(const Pose& robot) {
     if (m_kind != ViewKind::Follow && m_kind != ViewKind::Chase) return;
     const double heading = hprFromRotation(robot.rotation).x();
     if (!m_following) {
-        // From behind and above for a chase; from where the camera is for following.
+        // Chase views from behind and above; Follow keeps the camera's offset.
         if (m_kind == ViewKind::Chase) {
             m_heading = heading;
             m_pitch = -0.38;

@@ -1,43 +1,45 @@
 #pragma once
-// Where a view looks from, and how mouse and keys move it. Angles in rad, lengths in m.
+// Camera of a view, and its motion by mouse and keys. Angles in rad, lengths in m.
 
 #include "scene/bounds.h"
-#include "scene/view.h"
+#include "scene/camera_view.h"
 
 namespace trundle {
 
 enum class ViewKind { Perspective, Orthographic, Top, Front, Side, Follow, Chase };
 
-/// Stands upright always: heading and pitch, never a roll.
+/// Always upright: heading and pitch, no roll.
 class ViewCamera {
 public:
     [[nodiscard]] ViewKind kind() const { return m_kind; }
     [[nodiscard]] bool isParallel() const { return m_parallel; }
-    /// Axis views turn the camera and make it parallel; Follow and Chase are perspective. What is in the middle stays there.
+    /// Axis views rotate the camera and use parallel projection; Follow and Chase use perspective. The centre of the view is
+    /// kept.
     void setKind(ViewKind kind);
 
-    /// For a picture of this shape. `reach`: how far the scene extends about the middle, so that a parallel view cuts nothing off.
+    /// The view for an image of this shape. `reach`: extent of the scene around the centre, so that a parallel view does not clip
+    /// it.
     [[nodiscard]] CameraView view(double reach = 0) const;
     void setView(const CameraView& view);
 
-    /// Turns about a point, which stays where it is in the picture. An axis view becomes a free one.
+    /// Orbits about a point, whose position in the image is kept. An axis view becomes a perspective view.
     void orbit(double heading, double pitch, const Vec3& about);
-    /// Turns about the eye.
-    void look(double heading, double pitch);
-    /// What was at `from` is then seen where `to` was.
+    /// Rotates about the eye.
+    void rotate(double heading, double pitch);
+    /// Moves the image so that the point `from` appears where `to` was.
     void pan(const Vec3& from, const Vec3& to) { m_eye += from - to; }
-    /// Everything twice as large for factor 0.5; the point stays where it is in the picture.
+    /// Scales the view about a point, whose position in the image is kept; factor 0.5 shows everything twice as large.
     void zoom(double factor, const Vec3& about);
-    /// Right, up and forward, in the camera's own directions.
+    /// Moves the eye; `way` is along the camera's right, up and forward axes (m).
     void fly(const Vec3& way);
-    /// Shows all of it from where the camera looks now.
+    /// Frames a box without changing the viewing direction.
     void frame(const Bounds& bounds, double width, double height);
-    /// For Follow and Chase: goes with a robot. The first pose after setKind() is where it begins.
+    /// Follow and Chase: moves with a robot. The first pose after setKind() is the reference.
     void follow(const Pose& robot);
 
     [[nodiscard]] Vec3 forward() const;
     [[nodiscard]] Vec3 middle() const { return m_eye + m_distance * forward(); }
-    [[nodiscard]] double distance() const { return m_distance; } ///< from the eye to what it looks at
+    [[nodiscard]] double distance() const { return m_distance; } ///< from the eye to the centre of the view
     [[nodiscard]] double metresPerPixel(double width, const Vec3& at) const;
 
 private:

@@ -12,9 +12,9 @@
 #include <QWidgetAction>
 
 #include "editor/document/document.h"
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_settings.h"
+#include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/actions.h"
 #include "editor/widgets/theme.h"
 #include "lang/number_text.h"
@@ -23,7 +23,7 @@
 namespace trundle {
 namespace {
 
-constexpr qsizetype kMostInMenu = 24;
+constexpr qsizetype kMaxInMenu = 24;
 
 QDoubleSpinBox* stepBox(const QString& name, double value, const QString& suffix, int decimals) {
     auto* box = new QDoubleSpinBox;
@@ -53,11 +53,11 @@ QString viewKindName(ViewKind kind) {
 
 ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new QToolButton(this)) {
     m_button->setObjectName(QStringLiteral("viewKind"));
-    m_button->setToolTip(tr("Which way this view looks"));
+    m_button->setToolTip(tr("View direction"));
     m_button->setPopupMode(QToolButton::InstantPopup);
     m_button->setFocusPolicy(Qt::NoFocus);
     m_button->setCursor(Qt::ArrowCursor);
-    // Over a picture, so the same in both themes.
+    // Painted over an image, so the colours do not depend on the theme.
     m_button->setStyleSheet(QStringLiteral(
         "QToolButton { color: #f5f6f8; background: rgba(24,27,31,170); border: none; border-radius: 4px; padding: 3px 20px 3px "
         "8px; }"
@@ -73,15 +73,15 @@ ViewCorner::ViewCorner(View& view) : QWidget(&view), m_view(view), m_button(new 
     through->setObjectName(QStringLiteral("throughMenu"));
     connect(menu, &QMenu::aboutToShow, this, [this, through] {
         through->clear();
-        for (const CameraModel& camera : m_view.parts().world.cameras()) {
-            if (through->actions().size() >= kMostInMenu) break;
+        for (const CameraModel& camera : m_view.context().world.cameras()) {
+            if (through->actions().size() >= kMaxInMenu) break;
             connect(through->addAction(QString::fromStdString(camera.path)), &QAction::triggered, this,
                     [this, path = camera.path] { m_view.lookThrough(path); });
         }
         through->menuAction()->setVisible(!through->isEmpty());
     });
     m_button->setMenu(menu);
-    auto* layout = new QHBoxLayout(this); // it follows the button's words and font
+    auto* layout = new QHBoxLayout(this); // resizes with the button's text and font
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSizeConstraint(QLayout::SetFixedSize);
     layout->addWidget(m_button);
@@ -95,28 +95,27 @@ void ViewCorner::show() {
                       : m_view.throughCamera() ? tr("Camera") : viewKindName(m_view.camera().kind()));
 }
 
-/// The Views that the experiment's text has, as they are when the menu opens, and what makes one.
+/// Adds the View blocks of the experiment, as of the opening of the menu, and the command that creates one.
 void ViewCorner::addNamedViews(QMenu& menu) {
     menu.addSeparator();
     auto* views = menu.addMenu(tr("View of the Experiment"));
     views->setObjectName(QStringLiteral("namedViews"));
     QAction* make = menu.addAction(tr("Make View from This"));
     make->setObjectName(QStringLiteral("makeView"));
-    make->setToolTip(tr("Writes a View block that looks as this view does now"));
+    make->setToolTip(tr("Writes a View block with the camera of this view"));
     connect(make, &QAction::triggered, this, [this] {
-        Document& document = m_view.parts().document;
-        if (document.isOpen())
-            (void)document.carryOut(tr("Make View"), planInsert(*document.loaded(), {}, m_view.asViewBlock()));
+        Document& document = m_view.context().document;
+        if (document.isOpen()) (void)document.apply(tr("Make View"), planInsert(*document.loaded(), {}, m_view.viewBlockText()));
     });
     connect(&menu, &QMenu::aboutToShow, this, [this, views, make] {
         views->clear();
         const auto text = m_view.textOfViews();
         for (const ComponentSpec& look : text->looks)
-            if (look.kind == "View" && views->actions().size() < kMostInMenu)
+            if (look.kind == "View" && views->actions().size() < kMaxInMenu)
                 connect(views->addAction(QString::fromStdString(look.name)), &QAction::triggered, this,
                         [this, name = look.name] { m_view.showNamed(name); });
         views->menuAction()->setVisible(!views->isEmpty());
-        make->setEnabled(m_view.parts().document.isOpen());
+        make->setEnabled(m_view.context().document.isOpen());
     });
 }
 
@@ -137,7 +136,7 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
     auto* form = new QWidget;
     auto* lines = new QFormLayout(form);
     auto *move = stepBox(QStringLiteral("moveStep"), settings.moveStep(), tr(" m"), 3),
-         *turn = stepBox(QStringLiteral("turnStep"), settings.turnStep(), QStringLiteral("°"), 1);
+         *turn = stepBox(QStringLiteral("turnStep"), settings.rotationStep(), QStringLiteral("°"), 1);
     lines->addRow(tr("Move"), move);
     lines->addRow(tr("Turn"), turn);
     const auto take = [this, move, turn] { m_settings.setSteps(move->value(), turn->value()); };
@@ -145,9 +144,9 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
     connect(turn, &QDoubleSpinBox::valueChanged, this, take);
     connect(&settings, &ViewSettings::changed, this, [this, move, turn] {
         const QSignalBlocker quietMove(move), quietTurn(turn);
-        // Only what comes from elsewhere: a number that is being typed stays as it is.
+        // Only if changed elsewhere, so that a number being typed is not replaced.
         if (move->value() != m_settings.moveStep()) move->setValue(m_settings.moveStep());
-        if (turn->value() != m_settings.turnStep()) turn->setValue(m_settings.turnStep());
+        if (turn->value() != m_settings.rotationStep()) turn->setValue(m_settings.rotationStep());
     });
     auto* holder = new QWidgetAction(steps);
     holder->setDefaultWidget(form);
@@ -163,7 +162,7 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
     auto* counts = new QMenu(this);
     for (const char* id : {"view.one", "view.two", "view.three", "view.four"}) counts->addAction(&actions.at(id));
 
-    m_axes = addMenuButton("axes", tr("Along whose axes arrows and rings stand"), axes);
+    m_axes = addMenuButton("axes", tr("Axes of arrows and rings"), axes);
     m_steps = addMenuButton("steps", tr("Steps of moves and turns"), steps);
     auto* gap = new QWidget;
     gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -172,14 +171,14 @@ ViewBar::ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent) : QT
     shown->setText(tr("Overlays"));
     shown->setIcon(themedIcon(QStringLiteral("overlays")));
     QAction* views = addMenuButton("views", tr("How many views"), counts);
-    views->setText(tr("Views")); // for the menu of what has no room
+    views->setText(tr("Views")); // title of the overflow menu
     views->setIcon(themedIcon(QStringLiteral("views")));
     qobject_cast<QToolButton*>(widgetForAction(views))->setToolButtonStyle(Qt::ToolButtonIconOnly);
     connect(&settings, &ViewSettings::changed, this, &ViewBar::showSettings);
     showSettings();
 }
 
-/// As high as the tabs of the text beside it.
+/// Same height as the tabs of the text editor beside it.
 void ViewBar::fitFont() { setFixedHeight(fontMetrics().height() + 13); }
 
 void ViewBar::changeEvent(QEvent* event) {
@@ -203,7 +202,7 @@ void ViewBar::showSettings() {
     m_axes->setText(axes == AxesOf::World ? tr("World") : axes == AxesOf::Parent ? tr("Parent") : tr("Local"));
     m_steps->setText(QStringLiteral("%1 m · %2°")
                          .arg(QString::fromStdString(steppedNumber(m_settings.moveStep(), 0.001)),
-                              QString::fromStdString(steppedNumber(m_settings.turnStep(), 0.1))));
+                              QString::fromStdString(steppedNumber(m_settings.rotationStep(), 0.1))));
 }
 
 void ViewBar::openSteps() {

@@ -11,10 +11,10 @@ class View;
 class ViewSettings;
 enum class ViewKind;
 
-/// Words that menus and tooltips use.
+/// Name of a view kind for menus and tooltips.
 [[nodiscard]] QString viewKindName(ViewKind kind);
 
-/// In a corner of each view: which way it looks, as a menu.
+/// Menu button in the corner of each view: its viewing direction.
 class ViewCorner final : public QWidget {
     Q_OBJECT
 public:
@@ -27,13 +27,13 @@ private:
     QToolButton* m_button;
 };
 
-/// The bar over the views: axes of the handles, steps of moves, overlays, how many views. Where it is narrow, what has
-/// no room goes into the menu at its end.
+/// Toolbar above the views: axes of the gizmo, snapping steps, overlays, number of views. In a narrow window the items that do
+/// not fit move to an overflow menu.
 class ViewBar final : public QToolBar {
     Q_OBJECT
 public:
     ViewBar(ViewSettings& settings, Actions& actions, QWidget* parent = nullptr);
-    /// The steps of moves and turns, to be typed.
+    /// Opens the menu for typing the move and rotation steps.
     void openSteps();
 
 protected:

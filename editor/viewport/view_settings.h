@@ -7,12 +7,12 @@
 namespace trundle {
 
 enum class Tool { Select, Move, Rotate, Scale, Measure };
-/// Whose axes arrows and rings stand along.
+/// Axes that the gizmo is aligned to.
 enum class AxesOf { World, Parent, Local };
 
-/// What can be drawn over a view.
+/// Overlays of a view.
 enum Overlay : unsigned {
-    kOverlayGrid = 1u << 0, ///< the lines of the floor and the scale bar
+    kOverlayGrid = 1u << 0, ///< grid lines of the floor, and the scale bar
     kOverlayNames = 1u << 1,
     kOverlayJoints = 1u << 2,
     kOverlayContacts = 1u << 3,
@@ -21,13 +21,13 @@ enum Overlay : unsigned {
     kOverlayTrails = 1u << 6,
     kOverlayShadows = 1u << 7,
     kOverlayWireframe = 1u << 8,
-    kOverlayFrusta = 1u << 9,    ///< what cameras see
-    kOverlayLobes = 1u << 10,    ///< of antennas
-    kOverlayLinks = 1u << 11,    ///< between radios
-    kOverlayCoverage = 1u << 12, ///< of a radio, on the floor
+    kOverlayFrusta = 1u << 9,    ///< camera frusta
+    kOverlayLobes = 1u << 10,    ///< antenna lobes
+    kOverlayLinks = 1u << 11,    ///< radio links
+    kOverlayCoverage = 1u << 12, ///< radio coverage on the floor
 };
 
-/// How the views of one panel are worked with; the same for all of them.
+/// Settings shared by all views of a panel.
 class ViewSettings final : public QObject {
     Q_OBJECT
 public:
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] AxesOf axes() const { return m_axes; }
     [[nodiscard]] bool snaps() const { return m_snaps; }
     [[nodiscard]] double moveStep() const { return m_moveStep; } ///< m
-    [[nodiscard]] double turnStep() const { return m_turnStep; } ///< degrees
+    [[nodiscard]] double rotationStep() const { return m_rotationStep; } ///< degrees
     [[nodiscard]] LookChoice look() const { return m_look; }
     [[nodiscard]] NavigationStyle navigation() const { return m_navigation; }
     [[nodiscard]] bool shows(Overlay overlay) const { return (m_overlays & overlay) != 0; }
@@ -47,10 +47,10 @@ public:
     void setSnaps(bool snaps) { set(m_snaps, snaps); }
     void setLook(LookChoice look) { set(m_look, look); }
     void setNavigation(NavigationStyle style) { set(m_navigation, style); }
-    /// Only steps above 0 are taken.
+    /// Steps that are not positive are ignored.
     void setSteps(double moveM, double turnDegrees);
-    /// As they were in the last window of this user; from now on every change is kept for the next. Neither the tool nor the
-    /// navigation style, which is a preference.
+    /// Restores the settings of the user's last window and saves every further change. Excludes the tool, and the navigation
+    /// style, which is a preference.
     void keepBetweenStarts();
     void show(Overlay overlay, bool shown) { set(m_overlays, shown ? m_overlays | overlay : m_overlays & ~unsigned(overlay)); }
 
@@ -68,7 +68,7 @@ private:
     LookChoice m_look = LookChoice::Automatic;
     NavigationStyle m_navigation = NavigationStyle::Trundle;
     bool m_snaps = true;
-    double m_moveStep = 0.05, m_turnStep = 15;
+    double m_moveStep = 0.05, m_rotationStep = 15;
     unsigned m_overlays = kOverlayGrid | kOverlayShadows;
 };
 

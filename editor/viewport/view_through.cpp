@@ -1,4 +1,4 @@
-// A view that looks through a robot's camera, and pictures of a view in other shapes than its own.
+// Views through a robot's camera or a View block, and images of a view in other aspect ratios.
 
 #include <cmath>
 #include <numbers>
@@ -7,9 +7,9 @@
 #include <QPainterPath>
 
 #include "editor/document/document.h"
-#include "editor/viewport/plate.h"
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/label.h"
 #include "editor/viewport/view.h"
+#include "editor/viewport/viewport_scene.h"
 #include "lang/number_text.h"
 #include "render/service.h"
 #include "scene/camera_model.h"
@@ -18,9 +18,9 @@
 namespace trundle {
 namespace {
 
-constexpr double kAhead = 2; // m, what the camera of a robot is taken to look at
+constexpr double kAhead = 2; // m, view distance used for a robot's camera
 
-/// All that a picture of one shape shows, in another: more beside it or more above and below.
+/// Adapts a view to another aspect ratio without losing anything: the image shows more at the sides, or above and below.
 CameraView reshaped(CameraView view, double from, double to) {
     if (to <= from) return view;
     view.fieldOfView = 2 * std::atan(std::tan(0.5 * view.fieldOfView) * to / from);
@@ -32,7 +32,7 @@ double aspectOf(const CameraModel& camera) { return double(camera.width) / std::
 
 } // namespace
 
-const CameraModel* View::throughCamera() const { return m_through.empty() ? nullptr : m_parts.world.camera(m_through); }
+const CameraModel* View::throughCamera() const { return m_through.empty() ? nullptr : m_context.world.camera(m_through); }
 
 CameraView View::throughView(const CameraModel& camera, const BodyPoses& poses) const {
     const CameraView view = viewOf(camera, camera.body < poses.size() ? poses[camera.body] : Pose{});
@@ -41,7 +41,7 @@ CameraView View::throughView(const CameraModel& camera, const BodyPoses& poses) 
 
 void View::lookThrough(const std::string& camera) {
     if (camera == m_through) return;
-    if (!camera.empty() && !m_parts.world.camera(camera)) return;
+    if (!camera.empty() && !m_context.world.camera(camera)) return;
     m_glide.stop();
     if (m_through.empty()) m_beforeThrough = m_camera;
     if (camera.empty()) m_camera = m_beforeThrough;
@@ -51,7 +51,7 @@ void View::lookThrough(const std::string& camera) {
     redraw();
 }
 
-/// The free camera goes along, so that whoever orbits goes on from there.
+/// The free camera is kept at the same pose, so that orbiting continues from there.
 void View::followCamera() {
     if (m_through.empty()) return;
     const CameraModel* camera = throughCamera();
@@ -61,7 +61,7 @@ void View::followCamera() {
         Q_EMIT kindChanged();
         return;
     }
-    CameraView view = throughView(*camera, *m_parts.world.poses());
+    CameraView view = throughView(*camera, *m_context.world.poses());
     view.target = view.eye + kAhead * (view.target - view.eye);
     m_camera.setView(view);
 }
@@ -84,22 +84,22 @@ void View::showNamed(const std::string& name) {
 }
 
 std::shared_ptr<const ExperimentSpec> View::textOfViews() const {
-    if (m_parts.document.isOpen()) return m_parts.document.loaded()->experiment;
-    const auto objects = m_parts.world.objects();
+    if (m_context.document.isOpen()) return m_context.document.loaded()->experiment;
+    const auto objects = m_context.world.objects();
     return {objects, &objects->experiment()};
 }
 
 void View::followNamed() {
     if (m_named.empty()) return;
-    const auto view = namedView(*textOfViews(), m_named, m_parts.world.objects()->experiment(), *m_parts.world.poses());
+    const auto view = namedView(*textOfViews(), m_named, m_context.world.objects()->experiment(), *m_context.world.poses());
     if (view) return m_camera.setView(*view);
     m_named.clear();
     Q_EMIT kindChanged();
 }
 
-std::string View::asViewBlock() const {
+std::string View::viewBlockText() const {
     CameraView view = cameraView();
-    if (view.orthographicWidth > 0) { // a View has perspective: from as far as shows the same width
+    if (view.orthographicWidth > 0) { // a View block has perspective: uses the distance that shows the same width
         const Vec3 back = (view.eye - view.target).normalized();
         view.target = m_camera.middle();
         view.eye = view.target + 0.5 * view.orthographicWidth / std::tan(0.5 * view.fieldOfView) * back;
@@ -128,18 +128,19 @@ std::function<CameraView(const BodyPoses&)> View::movingView(std::uint32_t width
             return reshaped(viewOf(camera, camera.body < poses.size() ? poses[camera.body] : Pose{}), aspectOf(camera), to);
         };
     if (!m_named.empty())
-        return [objects = m_parts.world.objects(), text = textOfViews(), name = m_named, now = cameraView(), from, to](const BodyPoses& poses) {
+        return [objects = m_context.world.objects(), text = textOfViews(), name = m_named, now = cameraView(), from,
+                to](const BodyPoses& poses) {
             return reshaped(namedView(*text, name, objects->experiment(), poses).value_or(now), from, to);
         };
     const auto robot = followedRobot();
     if (!robot) return [view = reshaped(cameraView(), from, to)](const BodyPoses&) { return view; };
-    return [camera = m_camera, objects = m_parts.world.objects(), robot = *robot, from, to](const BodyPoses& poses) mutable {
+    return [camera = m_camera, objects = m_context.world.objects(), robot = *robot, from, to](const BodyPoses& poses) mutable {
         if (poses.size() == objects->poseCount()) camera.follow(objects->poseOf(robot, poses));
         return reshaped(camera.view(), from, to);
     };
 }
 
-/// What the camera itself would not show is dimmed.
+/// Dims the area outside the camera's own image.
 void View::paintThrough(QPainter& painter) const {
     const CameraModel* camera = throughCamera();
     if (!camera) return;
@@ -155,7 +156,7 @@ void View::paintThrough(QPainter& painter) const {
     const bool bends = camera->k1 != 0 || camera->k2 != 0;
     const QString words = (bends ? tr("Through %1, without its Distortion  •  Esc leaves") : tr("Through %1  •  Esc leaves"))
                               .arg(QString::fromStdString(m_through));
-    paintPlate(painter, {0.5 * width(), 8 + 0.5 * (painter.fontMetrics().height() + 6)}, words);
+    paintLabel(painter, {0.5 * width(), 8 + 0.5 * (painter.fontMetrics().height() + 6)}, words);
 }
 
 } // namespace trundle

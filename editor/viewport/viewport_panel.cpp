@@ -10,12 +10,12 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
-#include "editor/viewport/held_objects.h"
-#include "editor/viewport/measure_work.h"
+#include "editor/viewport/measure_tool.h"
 #include "editor/viewport/pinned_values.h"
 #include "editor/viewport/radio_overlays.h"
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/transform_selection.h"
 #include "editor/viewport/view_header.h"
+#include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/actions.h"
 #include "scene/framing.h"
 
@@ -30,19 +30,19 @@ constexpr double kLeastFramed = 0.1; // m
 ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSession& session, RenderService* render,
                              Actions& actions, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_session(session), m_actions(actions),
-      m_measurement(std::make_unique<Measurement>()), m_world(std::make_unique<ShownWorld>(document, session, render)),
+      m_measurement(std::make_unique<Measurement>()), m_world(std::make_unique<ViewportScene>(document, session, render)),
       m_trails(std::make_unique<Trails>(*m_world)), m_radios(std::make_unique<RadioOverlays>(*m_world, selection, m_settings)),
       m_pinned(std::make_unique<PinnedValues>()) {
     setObjectName(QStringLiteral("viewportPanel"));
-    m_parts.reset(new ViewParts{document, selection, session, *m_world, m_settings, *m_measurement, render, m_trails.get(),
-                                m_radios.get(), m_pinned.get()});
+    m_context.reset(new ViewContext{document, selection, session, *m_world, m_settings, *m_measurement, render, m_trails.get(),
+                                    m_radios.get(), m_pinned.get()});
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(new ViewBar(m_settings, actions));
 
     m_columns = new QSplitter(Qt::Horizontal);
-    // Over the views, so that nothing moves when it comes and goes.
+    // Placed over the views, so that the layout does not change when it appears.
     m_banner = new QFrame(this);
     m_banner->setObjectName(QStringLiteral("viewportBanner"));
     m_banner->setAutoFillBackground(true);
@@ -67,46 +67,46 @@ ViewportPanel::ViewportPanel(Document& document, Selection& selection, RunSessio
     connectPinned();
     setViewCount(1);
 
-    // Framed once, when there is something to be seen of it.
+    // A new document is framed once, as soon as it has objects.
     connect(&m_document, &Document::opened, this, [this] {
         m_toBeFramed = true;
-        for (View* view : m_views) // the robot that it went with is gone
+        for (View* view : m_views) // the followed robot is gone
             if (view->camera().kind() == ViewKind::Follow || view->camera().kind() == ViewKind::Chase)
                 view->setKind(ViewKind::Perspective);
     });
-    connect(&m_document, &Document::changed, this, [this] { // comes behind opened(); the world may be another one before that
+    connect(&m_document, &Document::changed, this, [this] { // emitted after opened(), before which the scene is outdated
         if (!m_toBeFramed || m_world->objects()->instances().empty()) return;
         m_toBeFramed = false;
         m_frameWhenShown = !isVisible();
         frameAll();
     });
     if (!m_world->objects()->instances().empty()) m_toBeFramed = false, m_frameWhenShown = true;
-    for (const auto& signal : {&ShownWorld::replaced, &ShownWorld::posed})
+    for (const auto& signal : {&ViewportScene::replaced, &ViewportScene::posed})
         connect(m_world.get(), signal, this, &ViewportPanel::showBanner);
-    connect(m_world.get(), &ShownWorld::posed, this, &ViewportPanel::keepDrivenInSight);
+    connect(m_world.get(), &ViewportScene::posed, this, &ViewportPanel::followDrivenRobot);
     connect(&m_selection, &Selection::changed, this, &ViewportPanel::showBanner);
     connect(&m_session, &RunSession::stateChanged, this, &ViewportPanel::showBanner);
     connect(&m_settings, &ViewSettings::changed, this, &ViewportPanel::showBanner);
     connect(m_bannerButton, &QPushButton::clicked, this, [this] {
-        if (m_inTheWay.empty()) return m_session.keepPoses();
-        (void)m_document.carryOut(tr("Replace %1 by single instances").arg(QString::fromStdString(m_inTheWay)),
-                                  planReplaceBySingles(*m_document.loaded(), m_inTheWay));
+        if (m_blockingLayout.empty()) return m_session.keepPoses();
+        (void)m_document.apply(tr("Replace %1 by single instances").arg(QString::fromStdString(m_blockingLayout)),
+                               planReplaceBySingles(*m_document.loaded(), m_blockingLayout));
     });
 }
 
 ViewportPanel::~ViewportPanel() {
-    // The views use what belongs to this panel.
+    // The views refer to members of this panel, so they are deleted first.
     delete m_columns;
 }
 
 void ViewportPanel::makeViews(RenderService*) {
     for (int i = 0; i < 4; ++i) {
-        auto* view = new View(*m_parts, kKinds[i]);
+        auto* view = new View(*m_context, kKinds[i]);
         view->setObjectName(QStringLiteral("view%1").arg(i));
         new ViewCorner(*view);
         (i % 2 == 0 ? m_left : m_right)->addWidget(view);
         connect(view, &View::activated, this, [this, view] { setCurrent(*view); });
-        connect(view, &View::menuWanted, this, [this, view](const QPointF& at) { showMenu(*view, at); });
+        connect(view, &View::menuRequested, this, [this, view](const QPointF& at) { showMenu(*view, at); });
         m_views.push_back(view);
     }
     m_current = m_views.front();
@@ -116,9 +116,9 @@ void ViewportPanel::setViewCount(int count) {
     m_shown = std::clamp(count, 1, 4);
     for (int i = 0; i < 4; ++i) {
         View* view = m_views[std::size_t(i)];
-        const bool wasThere = view->isVisibleTo(this), isThere = m_shown == 3 ? i != 2 : i < m_shown; // of three one stands alone
+        const bool wasThere = view->isVisibleTo(this), isThere = m_shown == 3 ? i != 2 : i < m_shown; // 3: one left, two right
         view->setVisible(isThere);
-        // What comes up is framed in the shape that it has then.
+        // A newly shown view is framed after it got its size.
         if (isThere && !wasThere) QTimer::singleShot(0, view, [this, view] { view->frame(m_world->bounds(), false); });
     }
     m_right->setVisible(m_shown > 1);
@@ -132,8 +132,8 @@ void ViewportPanel::setCurrent(View& view) {
     for (View* each : m_views) each->setCurrent(each == m_current, m_shown > 1 && each == m_current);
 }
 
-/// Whoever steers by the keyboard has no hand free for the view: it goes along where the robot would leave it.
-void ViewportPanel::keepDrivenInSight() {
+/// While a robot is driven by keyboard, the view moves when the robot would leave it.
+void ViewportPanel::followDrivenRobot() {
     const std::string robot = m_session.driven();
     const std::optional<Pose> pose = robot.empty() ? std::nullopt : m_session.robotPose(robot);
     if (!pose || !m_current->isVisible() || m_current->camera().kind() != ViewKind::Perspective || m_current->throughCamera())
@@ -162,18 +162,18 @@ bool ViewportPanel::showView(const QString& name) {
     return false;
 }
 
-std::vector<ViewStand> ViewportPanel::stands() const {
-    std::vector<ViewStand> stands;
-    for (const View* view : m_views) stands.push_back({view->camera().kind(), view->camera().view()});
-    return stands;
+std::vector<ViewState> ViewportPanel::viewStates() const {
+    std::vector<ViewState> viewStates;
+    for (const View* view : m_views) viewStates.push_back({view->camera().kind(), view->camera().view()});
+    return viewStates;
 }
 
-void ViewportPanel::setStands(const std::vector<ViewStand>& stands, int shown) {
+void ViewportPanel::setViewStates(const std::vector<ViewState>& viewStates, int shown) {
     m_toBeFramed = m_frameWhenShown = false;
     setViewCount(shown);
-    for (std::size_t i = 0; i < m_views.size() && i < stands.size(); ++i) {
-        m_views[i]->setCamera(stands[i].camera);
-        m_views[i]->setKind(stands[i].kind);
+    for (std::size_t i = 0; i < m_views.size() && i < viewStates.size(); ++i) {
+        m_views[i]->setCamera(viewStates[i].camera);
+        m_views[i]->setKind(viewStates[i].kind);
     }
 }
 
@@ -182,7 +182,7 @@ bool ViewportPanel::isUpToDate() const {
 }
 
 bool ViewportPanel::isSettled() const {
-    if (m_radios->isReckoning()) return false;
+    if (m_radios->isComputing()) return false;
     return std::all_of(m_views.begin(), m_views.end(), [](const View* view) { return !view->isVisible() || view->isSettled(); });
 }
 
@@ -215,25 +215,25 @@ void ViewportPanel::setHidden(const std::vector<std::string>& paths) { m_world->
 void ViewportPanel::setLocked(const std::vector<std::string>& paths) { m_world->setLocked(paths); }
 
 void ViewportPanel::showBanner() {
-    if (m_current && m_current->mouseIsBusy() && !m_banner->isVisible()) return; // a drag says what it does by itself
-    m_inTheWay.clear();
+    if (m_current && m_current->isMouseBusy() && !m_banner->isVisible()) return; // the tool shows its own message during a drag
+    m_blockingLayout.clear();
     QString text, button;
     const Tool tool = m_settings.tool();
     const bool edits = tool == Tool::Move || tool == Tool::Rotate || tool == Tool::Scale;
     if (edits && !m_selection.empty() && m_document.isOpen()) {
-        const HeldObjects held(*m_parts, tool == Tool::Scale ? HeldObjects::Purpose::Scale : HeldObjects::Purpose::Move);
+        const TransformSelection held(*m_context, tool == Tool::Scale ? TransformSelection::Operation::Scale
+                                                                      : TransformSelection::Operation::Move);
         text = held.refusal();
-        m_inTheWay = held.layoutInTheWay();
-        if (!m_inTheWay.empty()) button = tr("Replace by Single Instances");
+        m_blockingLayout = held.blockingLayout();
+        if (!m_blockingLayout.empty()) button = tr("Replace by Single Instances");
         if (text.isEmpty() && tool == Tool::Scale) text = held.sizeRefusal();
         if (text.isEmpty() && tool == Tool::Scale && !held.empty() && held.halfExtent().isZero())
-            text = m_world->isRunning()
-                       ? tr("Sizes change at the start of a run only.")
-                       : tr("%1 has no size of its own: choose a shape, by clicks at one place.").arg(held.title());
+            text = m_world->isRunning() ? tr("Sizes can only change at the start of a run.")
+                                        : tr("%1 has no size of its own: select a shape with repeated clicks.").arg(held.title());
     }
     if (text.isEmpty() && m_session.state() == RunState::Paused && edits && m_world->isRunning() &&
         m_session.keepRefusal().isEmpty()) {
-        text = tr("The text keeps its start while you move things here.");
+        text = tr("Moving objects during a run does not change their start in the text.");
         button = tr("Keep These Poses as Start");
     }
     m_bannerText->setText(text);
@@ -243,7 +243,7 @@ void ViewportPanel::showBanner() {
     placeBanner();
 }
 
-/// Below the corner of the first view: axes and scale stand at the lower edge.
+/// Below the corner button of the first view, since axes and scale bar are at the lower edge.
 void ViewportPanel::placeBanner() {
     const int frame = m_banner->layout()->minimumSize().width() - m_bannerText->minimumSizeHint().width();
     const int wanted = frame + m_bannerText->fontMetrics().horizontalAdvance(m_bannerText->text()) + 4;
@@ -255,7 +255,7 @@ void ViewportPanel::placeBanner() {
 void ViewportPanel::resizeEvent(QResizeEvent*) { placeBanner(); }
 
 void ViewportPanel::showEvent(QShowEvent*) {
-    // Framed while it had no shape yet.
+    // It was framed before it had a size.
     if (m_frameWhenShown) QTimer::singleShot(0, this, &ViewportPanel::frameAll);
     m_frameWhenShown = false;
 }

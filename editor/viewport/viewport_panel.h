@@ -1,5 +1,5 @@
 #pragma once
-// The 3D part of the window: one to four views with what belongs to them.
+// The viewport panel: one to four 3D views and their shared state.
 
 #include <memory>
 #include <vector>
@@ -20,8 +20,8 @@ class Actions;
 class PinnedValues;
 class RadioOverlays;
 
-/// How a view stands, for the next time.
-struct ViewStand {
+/// Saved state of a view.
+struct ViewState {
     ViewKind kind = ViewKind::Perspective;
     CameraView camera;
 };
@@ -29,38 +29,38 @@ struct ViewStand {
 class ViewportPanel final : public QWidget {
     Q_OBJECT
 public:
-    /// `render` is null where no OpenGL is to be had. All outlive this.
+    /// `render` is null without OpenGL. All arguments must outlive this object.
     ViewportPanel(Document& document, Selection& selection, RunSession& session, RenderService* render, Actions& actions,
                   QWidget* parent = nullptr);
     ~ViewportPanel() override;
 
-    /// 1, 2 or 4.
+    /// Number of visible views, 1 to 4.
     void setViewCount(int count);
     [[nodiscard]] int viewCount() const { return m_shown; }
-    /// Those shown, and the one that keys and menus mean.
+    /// One of the four views, visible or not; current() is the one that keys and menus apply to.
     [[nodiscard]] View& view(int index) { return *m_views[std::size_t(index)]; }
     [[nodiscard]] View& current() { return *m_current; }
     [[nodiscard]] ViewSettings& settings() { return m_settings; }
-    [[nodiscard]] ShownWorld& world() { return *m_world; }
+    [[nodiscard]] ViewportScene& world() { return *m_world; }
     [[nodiscard]] RadioOverlays& radios() { return *m_radios; }
     [[nodiscard]] PinnedValues& pinned() { return *m_pinned; }
-    /// "perspective", "top", "chase" ..., or the name of a View of the experiment: the current view. False where there is none of that name.
+    /// Sets the current view: "perspective", "top", "chase" ..., or the name of a View block. False if the name is unknown.
     bool showView(const QString& name);
-    /// Of all four, whether they are shown or not.
-    [[nodiscard]] std::vector<ViewStand> stands() const;
-    /// So many are shown. What was just opened is not framed then.
-    void setStands(const std::vector<ViewStand>& stands, int shown);
-    /// Every visible view shows what is now.
+    /// Of all four views, visible or not.
+    [[nodiscard]] std::vector<ViewState> viewStates() const;
+    /// `shown`: number of visible views. Prevents the automatic framing of a newly opened document.
+    void setViewStates(const std::vector<ViewState>& viewStates, int shown);
+    /// True if every visible view shows the current state.
     [[nodiscard]] bool isUpToDate() const;
-    /// And as fine as it will be while all stands still: the time for a picture of the window.
+    /// True if, in addition, no refinement is pending; used for screenshots of the window.
     [[nodiscard]] bool isSettled() const;
-    /// The current view looks through the first camera that a path of the selection means.
+    /// Lets the current view look through the first camera that the path refers to.
     void lookThrough(const std::string& path);
 
 public Q_SLOTS:
     void frameSelection();
     void frameAll();
-    /// Objects that the views leave out, or do not let the mouse take.
+    /// Objects that are not drawn, or that cannot be selected with the mouse.
     void setHidden(const std::vector<std::string>& paths);
     void setLocked(const std::vector<std::string>& paths);
 
@@ -76,11 +76,11 @@ private:
     void connectPinned();
     void showBanner();
     void showMenu(View& view, const QPointF& at);
-    void lookThroughSelected();
+    void lookThroughSelectedCamera();
     void askAlign();
     void askDistribute();
     void askArray();
-    void keepDrivenInSight();
+    void followDrivenRobot();
     void setCurrent(View& view);
     void setKind(ViewKind kind);
     void showTools();
@@ -91,21 +91,21 @@ private:
     Actions& m_actions;
     ViewSettings m_settings;
     std::unique_ptr<Measurement> m_measurement;
-    std::unique_ptr<ShownWorld> m_world;
+    std::unique_ptr<ViewportScene> m_world;
     std::unique_ptr<Trails> m_trails;
     std::unique_ptr<RadioOverlays> m_radios;
     std::unique_ptr<PinnedValues> m_pinned;
-    std::unique_ptr<ViewParts> m_parts;
+    std::unique_ptr<ViewContext> m_context;
     std::vector<View*> m_views;
     View* m_current = nullptr;
     QSplitter *m_columns = nullptr, *m_left = nullptr, *m_right = nullptr;
     QWidget* m_banner = nullptr;
     QLabel* m_bannerText = nullptr;
     QPushButton* m_bannerButton = nullptr;
-    std::string m_inTheWay;
+    std::string m_blockingLayout;
     int m_shown = 1;
     bool m_toBeFramed = true, m_frameWhenShown = false;
-    bool m_pinsOfOther = false; // another experiment was opened, and its text is not shown yet
+    bool m_pinsOfOther = false; // another experiment was opened, but is not displayed yet
 };
 
 } // namespace trundle

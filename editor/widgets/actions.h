@@ -1,5 +1,5 @@
 #pragma once
-// Every action of the window in one table: menus, toolbars, the command palette and the shortcut editor read it.
+// The table of all actions of the window, used by menus, toolbars, the command palette and the shortcut editor.
 
 #include <map>
 #include <span>
@@ -12,15 +12,15 @@ namespace trundle {
 
 struct ActionRow {
     const char* id;       ///< "edit.undo"
-    const char* menu;     ///< "Edit", "Edit/Insert"; "" only in the palette. A new group starts with '|': "|Edit"
+    const char* menu;     ///< "Edit", "Edit/Insert"; "" only in the palette. '|' starts a new group: "|Edit"
     const char* text;     ///< "&Undo"
-    const char* icon;     ///< name of a file in resources/icons without ending, or ""
+    const char* icon;     ///< name of a file in resources/icons without extension, or ""
     const char* shortcut; ///< "Ctrl+Z", portable text; "" none
     const char* help;     ///< one sentence
     bool checkable = false;
 };
 
-/// Owns a QAction for each row. Parts connect to them by id; an id that is not in the table is a bug.
+/// Owns a QAction for each table row. Panels connect to them by id; an unknown id is a bug.
 class Actions final : public QObject {
     Q_OBJECT
 public:
@@ -28,7 +28,7 @@ public:
 
     [[nodiscard]] QAction& at(const char* id) const;
     [[nodiscard]] std::span<const ActionRow> table() const { return m_table; }
-    /// Shortcuts the user changed, kept in QSettings under "shortcuts/<id>".
+    /// Shortcuts changed by the user are saved in QSettings under "shortcuts/<id>".
     void setShortcut(const char* id, const QKeySequence& keys);
     void resetShortcut(const char* id);
 

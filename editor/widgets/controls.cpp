@@ -9,7 +9,7 @@
 namespace trundle {
 namespace {
 
-/// Rows of a table stay as high as its font needs.
+/// Adapts the row height of a table to its font.
 class RowHeights final : public QObject {
 public:
     explicit RowHeights(QTableView& table) : QObject(&table) {

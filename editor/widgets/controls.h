@@ -1,5 +1,5 @@
 #pragma once
-// Controls that several panels have alike.
+// Controls used by several panels.
 
 #include <QComboBox>
 #include <QTableView>
@@ -8,10 +8,10 @@ namespace trundle {
 
 enum class LineFont { Interface, Monospace };
 
-/// A table of short lines without a grid, as dense as its font allows; rows are selected whole, several at a time.
+/// A table of short lines without a grid, as dense as its font allows; selects whole rows, several at a time.
 [[nodiscard]] QTableView* makeLineTable(const char* name, QAbstractItemModel* model, LineFont font, QWidget* parent = nullptr);
 
-/// A choice that stays narrow whatever is in it. `tip` is its accessible name as well.
+/// A combo box whose width does not depend on its entries. `tip` is also its accessible name.
 [[nodiscard]] QComboBox* makeNarrowChoice(const char* name, const QString& tip, int characters, QWidget* parent);
 
 } // namespace trundle

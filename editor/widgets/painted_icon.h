@@ -6,10 +6,10 @@
 
 namespace trundle {
 
-/// Paints the icon into a box of logical pixels.
+/// Paints the icon into a rectangle in logical pixels.
 using IconPainting = std::function<void(QPainter& painter, const QRectF& box, QIcon::Mode mode)>;
 
-/// An icon that is painted whenever it is shown, so that it follows a change of theme and is sharp at any scale.
+/// An icon that is painted each time it is shown, so that it follows the theme and is sharp at any scale.
 [[nodiscard]] QIcon paintedIcon(IconPainting paint);
 
 } // namespace trundle

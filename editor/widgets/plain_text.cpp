@@ -11,16 +11,16 @@
 namespace trundle {
 namespace {
 
-bool g_htmlTip = false; // the tool tip that is being made is of HTML
+bool g_htmlTip = false; // the tool tip being created is HTML
 
-/// The tool tip, where there is one now; Qt gives it no other name.
+/// The current tool tip label, if there is one; Qt has no API for it.
 QLabel* toolTip() {
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (widget->inherits("QTipLabel")) return static_cast<QLabel*>(widget);
     return nullptr;
 }
 
-/// Qt uses one that is still visible again, whatever its format is.
+/// Hides a visible HTML tool tip: Qt would reuse it with its text format.
 void dropHtmlToolTip() {
     if (QLabel* tip = toolTip(); tip && tip->textFormat() == Qt::RichText) tip->hide();
 }
@@ -57,7 +57,7 @@ void showToolTip(const QPoint& at, const QString& text, QWidget* of, const QRect
 }
 
 void showHtmlToolTip(const QPoint& at, const QString& html, QWidget* of, const QRect& room) {
-    if (QLabel* tip = toolTip(); tip && tip->textFormat() != Qt::RichText) tip->hide(); // one that is hidden is made anew
+    if (QLabel* tip = toolTip(); tip && tip->textFormat() != Qt::RichText) tip->hide(); // once hidden, it is created again
     g_htmlTip = true;
     QToolTip::showText(at, html, of, room);
     g_htmlTip = false;

@@ -1,6 +1,6 @@
 #pragma once
-// Text of others (names of files, words of modules, diagnostics) is shown as it is. Qt guesses whether a text is HTML (Qt::AutoText), and
-// a file called `<img src=...>` would be shown as a picture, and read one from the disk.
+// Shows untrusted text (file names, module texts, diagnostics) as plain text. Qt guesses whether a text is HTML (Qt::AutoText);
+// a file called `<img src=...>` would be shown as an image and read one from the disk.
 
 #include <string>
 
@@ -14,21 +14,21 @@ class QWidget;
 
 namespace trundle {
 
-/// From now on labels, message boxes and tool tips of the application take no text for HTML, but labels that were told to (setTextFormat)
-/// before they are shown. Who does that escapes what is not his own: toHtmlEscaped(). applyTheme() calls it.
+/// Makes labels, message boxes and tool tips of the application show plain text, except labels with an explicit setTextFormat()
+/// before they are shown; these must escape untrusted text with toHtmlEscaped(). Called by applyTheme().
 void showTextPlainly(QApplication& application);
 
 /// One line without control characters, for a path or a name.
 [[nodiscard]] QString shownLine(const std::string& text);
 
-/// For menus, tabs and buttons, which take `&` for the mark of a shortcut's letter.
+/// For menus, tabs and buttons, where `&` marks the mnemonic.
 [[nodiscard]] QString withoutMnemonics(QString text);
 
-/// In place of QToolTip::showText(), which could show it as HTML. It goes when the mouse leaves `room`, where that is given.
+/// Use it instead of QToolTip::showText(), which may show HTML. The tool tip disappears when the mouse leaves `room`, if given.
 void showToolTip(const QPoint& at, const QString& text, QWidget* of, const QRect& room = {});
-/// The one way to a tool tip in HTML; the caller has escaped what is in it.
+/// Shows an HTML tool tip; the caller must escape untrusted text.
 void showHtmlToolTip(const QPoint& at, const QString& html, QWidget* of, const QRect& room = {});
-/// The second text of a message box in HTML; the caller has escaped what is in it.
+/// Sets the informative text of a message box as HTML; the caller must escape untrusted text.
 void setHtmlInformation(QMessageBox& box, const QString& html);
 
 } // namespace trundle

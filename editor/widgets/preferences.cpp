@@ -7,11 +7,11 @@
 namespace trundle {
 namespace {
 
-const QString kTheme = QStringLiteral("theme"), kDarkTheme = QStringLiteral("darkTheme"); // the second is of older programs
+const QString kTheme = QStringLiteral("theme"), kDarkTheme = QStringLiteral("darkTheme"); // kDarkTheme: key of earlier versions
 const QString kInterfaceFont = QStringLiteral("fonts/interface"), kTextFont = QStringLiteral("fonts/text");
 const QString kWrap = QStringLiteral("text/wrap"), kNavigation = QStringLiteral("views/navigation");
 
-// The words that stand for the values of an enumeration, in its order.
+// Saved names of the enumeration values, in order.
 const QStringList kThemes{QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")};
 const QStringList kWraps{QStringLiteral("narrow"), QStringLiteral("always"), QStringLiteral("never")};
 const QStringList kNavigations{QStringLiteral("trundle"), QStringLiteral("blender"), QStringLiteral("cad")};

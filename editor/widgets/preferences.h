@@ -5,10 +5,10 @@ namespace trundle {
 
 enum class ThemeChoice { System, Light, Dark };
 enum class WrapLines { InNarrowPanes, Always, Never };
-/// Which buttons of the mouse move the camera of a 3D view.
+/// Mouse buttons that move the camera of a viewport.
 enum class NavigationStyle { Trundle, Blender, Cad };
 
-/// What a person chose for the whole program, as QSettings keeps it.
+/// The user's preferences for the whole program, saved in QSettings.
 struct Preferences {
     ThemeChoice theme = ThemeChoice::System;
     FontSizes fonts;
@@ -20,7 +20,7 @@ struct Preferences {
 
 inline constexpr int kSmallestFont = 10, kLargestInterfaceFont = 20, kLargestTextFont = 32; ///< logical pixels
 
-/// What is missing or cannot be read has its default.
+/// Missing or invalid settings have their default.
 [[nodiscard]] Preferences loadPreferences();
 void savePreferences(const Preferences& preferences);
 [[nodiscard]] ThemeKind themeOf(ThemeChoice choice);

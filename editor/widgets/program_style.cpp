@@ -14,7 +14,7 @@ bool isDestructive(const QMessageBox& box, QAbstractButton* button) {
     return role == QMessageBox::DestructiveRole || role == QMessageBox::ResetRole;
 }
 
-/// Without one Qt takes the first that accepts, else the first there is.
+/// Without a default button Qt takes the first accepting one, else the first one.
 void chooseDefault(QMessageBox& box) {
     if (QPushButton* chosen = box.defaultButton(); chosen && !isDestructive(box, chosen)) return;
     QPushButton* best = nullptr;

@@ -3,8 +3,8 @@
 
 namespace trundle {
 
-/// Fusion with the program's own icons in message boxes. It also sees to it that no question has Discard or its like as the button
-/// that Enter presses.
+/// Fusion style with Trundle's icons in message boxes. Also ensures that Enter never presses Discard or another destructive
+/// button.
 class ProgramStyle final : public QProxyStyle {
     Q_OBJECT
 public:

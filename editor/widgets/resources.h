@@ -3,8 +3,8 @@
 
 namespace trundle {
 
-/// Absolute path of a file below the program's resources: "icons/undo.svg". Those of an installed program lie beside it, else
-/// those of the source tree it was built from serve.
+/// Absolute path of a file in the resources folder: "icons/undo.svg". The folder is next to the installed program, else in the
+/// source tree it was built from.
 [[nodiscard]] QString resourcePath(const QString& below);
 
 } // namespace trundle

@@ -12,7 +12,7 @@ QString askWhereToSave(QWidget* parent, const QString& title, const QString& sta
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOptions(options);
     dialog.setDefaultSuffix(suffix);
-    const QFileInfo proposed(start); // the name may come from a file or an object of somebody else
+    const QFileInfo proposed(start); // the name may come from an untrusted file or object name
     QString name = shownLine(proposed.fileName().toStdString());
     name.replace(QChar::ReplacementCharacter, QLatin1Char('_'));
     dialog.selectFile(start.contains(QLatin1Char('/')) ? proposed.path() + QLatin1Char('/') + name : name);

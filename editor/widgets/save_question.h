@@ -3,8 +3,8 @@
 
 namespace trundle {
 
-/// Asks where to save. A name without an ending gets `suffix`, before it is looked whether such a file is there already. Empty where
-/// nobody wants to.
+/// Asks for a file to save to. A name without an extension gets `suffix` before the check for an existing file. Empty if the
+/// user cancels.
 [[nodiscard]] QString askWhereToSave(QWidget* parent, const QString& title, const QString& start, const QString& filter,
                                      const QString& suffix, QFileDialog::Options options = {});
 

@@ -5,7 +5,7 @@
 namespace trundle {
 
 // Flat surfaces, hairlines between areas, one accent colour. Sizes are in logical pixels; Qt scales them. Icons named colour-*
-// keep their own colour, which can be seen in both themes: a style sheet cannot give them one.
+// have a fixed colour that is visible in both themes, since a style sheet cannot colour them.
 static const char* const kSheet =
     "QToolTip { background: @base; color: @text; border: 1px solid @line; padding: 4px 6px; }"
     "QMainWindow::separator { background: @line; width: 1px; height: 1px; }"
@@ -63,7 +63,7 @@ static const char* const kSheet =
     "min-height: 18px; selection-background-color: @accent; }"
     "QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border-color: @accent; }"
     "QLineEdit:disabled, QComboBox:disabled { color: @disabled; }"
-    "QComboBox QAbstractItemView { color: @text; selection-color: @onaccent; }" // also where the box itself is faint
+    "QComboBox QAbstractItemView { color: @text; selection-color: @onaccent; }" // also while the combo box itself is faint
     "QComboBox::drop-down { border: none; width: 20px; }"
     "QComboBox::down-arrow { image: url(\"@icons/colour-chevron-down.svg\"); width: 12px; height: 12px; }"
     "QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: 16px; }"
@@ -82,7 +82,7 @@ static const char* const kSheet =
     "QPushButton:disabled { color: @disabled; }"
     "QProgressBar { background: @base; color: @text; border: 1px solid @line; border-radius: 5px; text-align: center; "
     "min-height: 20px; }"
-    "QProgressBar::chunk { background: @chunk; border-radius: 4px; }" // pale: the text over it stays readable
+    "QProgressBar::chunk { background: @chunk; border-radius: 4px; }" // pale, so that the text above it is readable
     "QDialogButtonBox, QMessageBox { dialogbuttonbox-buttons-have-icons: 0; }"
     "QScrollBar:vertical { background: transparent; width: 11px; margin: 0; }"
     "QScrollBar:horizontal { background: transparent; height: 11px; margin: 0; }"

@@ -5,7 +5,7 @@
 
 namespace trundle {
 
-/// The style sheet of the window with `@name` replaced by colours.
+/// The style sheet of the window; each `@name` is replaced by the colour of that name.
 [[nodiscard]] QString styleSheet(const QMap<QString, QColor>& colours);
 
 } // namespace trundle

@@ -33,7 +33,7 @@ constexpr Colours kDark{"#22262d", "#1a1d23", "#1f2329", "#e4e7ec", "#9aa3b2", "
                         "#3a404b", "#697080", "#ff7b72", "#e3a341", "#79b8ff", "#56d364", "#d2a8ff", "#79c0ff",
                         "#8ddb8c", "#8b949e", "#ffb070", "#ff6b61", "#5fd068", "#5aa2ff"};
 
-ThemeKind g_kind = ThemeKind::Light; // as QApplication's own palette: one for the process
+ThemeKind g_kind = ThemeKind::Light; // global per process, like QApplication's palette
 FontSizes g_sizes;
 
 const Colours& colours() { return g_kind == ThemeKind::Dark ? kDark : kLight; }
@@ -73,7 +73,7 @@ void loadFonts() {
     Q_UNUSED(loaded);
 }
 
-/// An SVG in the colour that the theme has when it is drawn.
+/// Paints an SVG in a colour of the theme at the time of painting.
 void paintSvg(QPainter& painter, const QRectF& box, const QString& path, const QColor& colour) {
     QSvgRenderer svg(path);
     QImage image((box.size() * painter.device()->devicePixelRatioF()).toSize(), QImage::Format_ARGB32_Premultiplied);
@@ -98,7 +98,7 @@ ThemeKind systemTheme() {
 }
 
 void applyTheme(QApplication& application, ThemeKind kind, const FontSizes& sizes) {
-    (void)systemTheme(); // before the palette is ours
+    (void)systemTheme(); // queries the palette before it is replaced
     g_kind = kind;
     g_sizes = sizes;
     showTextPlainly(application);
@@ -155,7 +155,7 @@ QFont monospaceFont() {
 
 namespace {
 
-/// Gives its widget the font anew whenever a theme is applied.
+/// Sets the widget's font again whenever a theme is applied.
 class MonospaceFollower final : public QObject {
 public:
     using QObject::QObject;

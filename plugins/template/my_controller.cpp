@@ -3,7 +3,7 @@
 //     #loadModule template
 //     Robot robot0 { Config=SimpleRobot  MyController brain { Speed = 0.2 } }
 //
-// to an experiment. What else a controller can do (sensors, cameras, radios, values of its own for logs, the end of the run):
+// to an experiment. Other features of controllers (sensors, cameras, radios, published values for logs, ending the run):
 // core/sdk/README.md.
 #include <trundle/controller.h>
 

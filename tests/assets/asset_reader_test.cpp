@@ -77,7 +77,7 @@ private Q_SLOTS:
     }
 
     // Up is z in the world, whatever up was in the file.
-    void colladaStandsUpright_data() {
+    void convertsColladaUpAxis_data() {
         QTest::addColumn<QByteArray>("upAxis");
         QTest::addColumn<QByteArray>("meter");
         QTest::addColumn<QByteArray>("moved");
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QTest::newRow("y up") << QByteArray("Y_UP") << QByteArray("1") << QByteArray("0 5 0") << 0.0 << -2.0 << 5.0;
         QTest::newRow("centimetres") << QByteArray("Z_UP") << QByteArray("0.01") << QByteArray("0 0 0") << 0.0 << 0.0 << 0.02;
     }
-    void colladaStandsUpright() {
+    void convertsColladaUpAxis() {
         QFETCH(QByteArray, upAxis);
         QFETCH(QByteArray, meter);
         QFETCH(QByteArray, moved);
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QVERIFY(holds(*first.value(), {0, 1, 0})); // who holds the old one keeps it
     }
 
-    void aBrokenFileThatIsMendedIsReadAgain() {
+    void rereadsFixedFile() {
         const std::string path = sample("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 30\n");
         QVERIFY(!m_reader->mesh(path).ok());
         QVERIFY(!m_reader->mesh(path).ok());
@@ -159,7 +159,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < wanted.size(); ++i) QVERIFY(std::fabs(map.value()->heights[i] - wanted[i]) < 1e-3);
     }
 
-    void aPictureKeepsItsColours() {
+    void keepsColoursOfPictures() {
         QImage picture(3, 2, QImage::Format_RGB32);
         picture.fill(qRgb(10, 20, 30));
         picture.setPixel(2, 0, qRgb(250, 0, 5)); // top right
@@ -172,7 +172,7 @@ private Q_SLOTS:
         QVERIFY(raster.value()->pixels == wanted);
     }
 
-    void clearPixelsAreWhiteWhateverStandsBehindThem() {
+    void transparentPixelsAreWhite() {
         QImage picture(2, 1, QImage::Format_ARGB32);
         picture.setPixel(0, 0, qRgba(0, 0, 0, 0));
         picture.setPixel(1, 0, qRgba(255, 0, 0, 128));
@@ -182,7 +182,7 @@ private Q_SLOTS:
         QCOMPARE(raster.value()->pixels, (std::vector<std::uint8_t>{255, 255, 255, 255, 127, 127}));
     }
 
-    void aPhotographStandsUpright() {
+    void appliesPhotoOrientation() {
         QImage picture(16, 8, QImage::Format_RGB32);
         picture.fill(Qt::red);
         QImageWriter writer(m_folder->filePath("photo.jpg"));

@@ -157,7 +157,7 @@ private Q_SLOTS:
     }
 
     // 2^40 triangles in 6 kB of text: the memory limit ends it.
-    void aBombIsDefused() {
+    void limitsDecompression() {
         if (memoryLimitsAreOff()) return; // a sanitizer allows no limit of memory
         const QTemporaryDir folder;
         const std::string path =
@@ -173,7 +173,7 @@ private Q_SLOTS:
         expectError(impatient.mesh(writeSample(folder.path(), "a.obj", "v")), folder.filePath("a.obj"), "longer than 0.2 s");
     }
 
-    void aReaderThatTalksNonsenseIsNotBelieved() {
+    void rejectsInvalidReaderOutput() {
         const QTemporaryDir folder;
         const std::string stub =
             writeSample(folder.path(), "reader", "#!/bin/sh\nprintf 'TRMESH02\\377\\377\\377\\377\\377\\377\\377\\377'\n");
@@ -246,7 +246,7 @@ private Q_SLOTS:
         QVERIFY(m_reader->picture(path).ok());
     }
 
-    void whatIsNoFileIsAnErrorAtOnce() {
+    void reportsNonFilesAtOnce() {
         const QTemporaryDir folder;
         QVERIFY(QDir(folder.path()).mkdir("folder.obj"));
         QCOMPARE(::mkfifo(qPrintable(folder.filePath("pipe.obj")), 0600), 0);
@@ -258,7 +258,7 @@ private Q_SLOTS:
     }
 
     // Every cut and many flipped bytes of good files: an error or a mesh, never anything else.
-    void damagedFilesNeverTakeUsAlong() {
+    void damagedFilesNeverCrash() {
         const QTemporaryDir folder;
         const std::vector<std::pair<QString, QByteArray>> good{
             {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},

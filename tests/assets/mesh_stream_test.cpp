@@ -20,7 +20,7 @@ void put(std::string& bytes, std::size_t at, auto value) { std::memcpy(bytes.dat
 class MeshStreamTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void whatIsEncodedIsDecoded() {
+    void decodesWhatWasEncoded() {
         const auto mesh = decodeMesh(encodeMesh(tetrahedron()));
         QVERIFY(mesh.ok());
         QVERIFY(mesh.value().points == tetrahedron().points);
@@ -43,7 +43,7 @@ private Q_SLOTS:
         QVERIFY(!decodeMesh(grey).ok());
     }
 
-    void liesAreRefused_data() {
+    void rejectsInconsistentCounts_data() {
         QTest::addColumn<int>("lie");
         QTest::addColumn<QString>("word");
         QTest::newRow("4 thousand million points") << 0 << "too many";
@@ -54,7 +54,7 @@ private Q_SLOTS:
         QTest::newRow("infinity") << 5 << "not a number";
         QTest::newRow("no triangle") << 6 << "no triangle";
     }
-    void liesAreRefused() {
+    void rejectsInconsistentCounts() {
         QFETCH(int, lie);
         QFETCH(QString, word);
         std::string bytes = encodeMesh(tetrahedron());

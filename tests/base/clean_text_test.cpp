@@ -11,7 +11,7 @@ class CleanTextTest : public QObject {
 private Q_SLOTS:
     void textIsCleaned_data() {
         QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("clean"); // '#' stands for U+FFFD
+        QTest::addColumn<QByteArray>("clean"); // '#' represents U+FFFD
         const auto row = [](const char* name, QByteArray text, const char* clean) {
             QTest::newRow(name) << text << QByteArray(clean).replace('#', "\xEF\xBF\xBD");
         };

@@ -49,7 +49,7 @@ private Q_SLOTS:
         for (std::uint32_t i = 0; i < 3000; ++i) all.error(Code::BadMass, {0, {i, i}}, "an error");
         all.error(Code::BadMass, {1, {0, 0}}, "in another file");
         QCOMPARE(all.errorCount(), std::size_t(3001));
-        QCOMPARE(all.all().size(), 2 * Diagnostics::kMostOfOneFile + 1);
+        QCOMPARE(all.all().size(), 2 * Diagnostics::kMaxOfOneFile + 1);
         QCOMPARE(all.all().back().message, std::string("in another file"));
         all.summarize();
         QCOMPARE(all.all().back().code, Code::TooManyMistakes);
@@ -61,7 +61,7 @@ private Q_SLOTS:
         Diagnostics files;
         for (std::uint32_t file = 0; file < 100; ++file)
             for (std::uint32_t i = 0; i < 1000; ++i) files.error(Code::BadMass, {file, {i, i}}, "an error");
-        QCOMPARE(files.all().size(), Diagnostics::kMostOfAll);
+        QCOMPARE(files.all().size(), Diagnostics::kMaxOfAll);
     }
 
     /// A config that many robots share says the same of each: it is kept once, and still counts as an error of each.

@@ -143,7 +143,7 @@ std::set<std::string> typosOf(const std::string& word) {
 class SpellingTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void theRightWordComesFirst() {
+    void ranksRightWordFirst() {
         int right = 0, all = 0;
         std::string missed;
         for (const std::string& word : kWords) {
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QCOMPARE(nearestWords("wheelradius", kWords).at(0), std::string("WheelRadius"));
     }
 
-    void partsOfAWord() {
+    void splitsWordsIntoParts() {
         QCOMPARE(nearestWords("Color", kWords).at(0), std::string("ColorRGB"));
         QCOMPARE(nearestWords("Rad", kWords).at(0), std::string("Radius"));
         QCOMPARE(nearestWords("CountsPerRev", kWords).at(0), std::string("CountsPerRevolution"));
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(nearestWords("Mass", {}).empty());
     }
 
-    void tiesKeepTheOrderAndNothingComesTwice() {
+    void keepsOrderOfTiesWithoutDuplicates() {
         const std::vector<std::string> words{"bat", "cat", "bat", "hat", "rat"};
         QCOMPARE(nearestWords("xat", words), (std::vector<std::string>{"bat", "cat", "hat"}));
         QCOMPARE(nearestWords("xat", words, 1).size(), std::size_t(1));

@@ -55,7 +55,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatCannotBe() {
+    void rejectsImpossibleConversions() {
         QVERIFY(!convertUnit(1, "cm", "kg"));
         QVERIFY(!convertUnit(1, "dB", "dBm"));
         QVERIFY(!convertUnit(1, "dBi", "dB"));

@@ -1,2 +1,2 @@
-extern "C" int nobodyDefinesThis();
-extern "C" int brokenAnswer() { return nobodyDefinesThis(); }
+extern "C" int undefinedSymbol();
+extern "C" int brokenAnswer() { return undefinedSymbol(); }

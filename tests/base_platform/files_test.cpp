@@ -22,7 +22,7 @@ private Q_SLOTS:
         QVERIFY(m_folder->isValid());
     }
 
-    void whatIsWrittenIsRead() {
+    void readsWrittenBytes() {
         const std::string bytes("a\0b\r\n\xff", 6);
         QVERIFY(writeFileAtomically(at("new.sim"), bytes).ok());
         const auto read = readRegularFile(at("new.sim"));
@@ -31,7 +31,7 @@ private Q_SLOTS:
         QCOMPARE(names(), QStringList{"new.sim"}); // no temporary file stays
     }
 
-    void whatAKilledWriterLeftIsSweptAway() {
+    void removesTemporaryFilesOfKilledWriter() {
         const auto make = [&](const char* name, int ageS) {
             QFile file(QString::fromStdString(at(name)));
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write("half") == 4);
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QVERIFY(!FileLock::takeAll({at("link.sim")}, std::chrono::milliseconds(0)).ok());
     }
 
-    void aRewrittenFileKeepsItsMode() {
+    void keepsModeOfRewrittenFile() {
         QVERIFY(writeFileAtomically(at("script"), "one").ok());
         QCOMPARE(::chmod(at("script").c_str(), 0751), 0);
         QVERIFY(writeFileAtomically(at("script"), "two").ok());
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden).size(), 0);
     }
 
-    void whatCannotBeWrittenIsRefusedAndLeavesNothing_data() {
+    void failedWriteLeavesNoFile_data() {
         QTest::addColumn<QString>("name");
         QTest::newRow("a folder") << ".";
         QTest::newRow("a missing folder") << "missing/x.sim";
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QTest::newRow("a name too long") << QString(300, 'n');
         QTest::newRow("a device") << "null";
     }
-    void whatCannotBeWrittenIsRefusedAndLeavesNothing() {
+    void failedWriteLeavesNoFile() {
         QFETCH(QString, name);
         QCOMPARE(::mkfifo(at("pipe").c_str(), 0600), 0);
         QCOMPARE(::symlink("circle", at("circle").c_str()), 0);
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QCOMPARE(names(), before);
     }
 
-    void whatIsNoFileIsRefusedAtOnce_data() {
+    void rejectsNonFilesAtOnce_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("word");
         QTest::newRow("missing") << "missing"
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QTest::newRow("below a file") << "file/x"
                                       << "Not a directory";
     }
-    void whatIsNoFileIsRefusedAtOnce() {
+    void rejectsNonFilesAtOnce() {
         QFETCH(QString, name);
         QFETCH(QString, word);
         QCOMPARE(::mkfifo(at("pipe").c_str(), 0600), 0);

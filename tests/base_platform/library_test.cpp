@@ -33,7 +33,7 @@ private Q_SLOTS:
         QVERIFY(third.symbol("sampleAnswer") != nullptr);
     }
 
-    void aLibraryToldToStayKeepsItsCode() {
+    void persistentLibraryStaysLoaded() {
         int (*answer)() = nullptr;
         {
             auto library = DynamicLibrary::open(kFolder + "platform_sample.so");
@@ -45,7 +45,7 @@ private Q_SLOTS:
     }
 
     /// As by a compiler, which truncates the file, or by cp.
-    void aCopyIsLeftAloneByWhatBecomesOfItsFile() {
+    void copyIsIndependentOfItsFile() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("lib.so"));
         QVERIFY(QFile::copy(QString::fromStdString(kFolder + "platform_sample.so"), path));
@@ -62,7 +62,7 @@ private Q_SLOTS:
         QVERIFY(second.value().function<int()>("sampleAnswer") != answer);
     }
 
-    void aCopyThatCannotBeOpenedIsToldByItsFile() {
+    void reportsOriginalFileOfBrokenCopy() {
         const std::string path = kFolder + "platform_broken.so";
         const auto library = DynamicLibrary::openCopy(path, readRegularFile(path).value());
         QVERIFY(!library.ok());
@@ -78,20 +78,20 @@ private Q_SLOTS:
         QCOMPARE(open().size(), before);
     }
 
-    void whatCannotBeOpenedSaysWhy_data() {
+    void reportsWhyLibraryCannotBeOpened_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("word");
         QTest::newRow("missing file") << "/nowhere/x.so" << int(Code::ModuleUnreadable) << "No such file";
         QTest::newRow("missing symbol") << QString::fromStdString(kFolder + "platform_broken.so")
-                                        << int(Code::ModuleMissingSymbol) << "nobodyDefinesThis";
+                                        << int(Code::ModuleMissingSymbol) << "undefinedSymbol";
         QTest::newRow("a text") << QString(TRUNDLE_SOURCE_DIR "/CMakeLists.txt") << int(Code::ModuleUnreadable)
                                 << "CMakeLists.txt";
         QTest::newRow("a folder") << QString(TRUNDLE_SOURCE_DIR) << int(Code::ModuleUnreadable) << "";
         QTest::newRow("no slash: the system's libraries are not searched")
             << "libc.so.6" << int(Code::ModuleUnreadable) << "slash";
     }
-    void whatCannotBeOpenedSaysWhy() {
+    void reportsWhyLibraryCannotBeOpened() {
         QFETCH(QString, path);
         QFETCH(int, code);
         QFETCH(QString, word);

@@ -25,7 +25,7 @@ ProcessRequest shell(const std::string& script) {
 class ProcessTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void outputErrorsAndCodeComeBack() {
+    void returnsOutputErrorsAndCode() {
         const auto result = runProcess(shell("echo out; echo err >&2; exit 3"));
         QVERIFY(result.ok());
         QCOMPARE(result.value().output, std::string("out\n"));
@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(result.value().output, std::string("a b|$HOME|\"'\n"));
     }
 
-    void aLargeInputGoesThroughAndBack() {
+    void passesLargeInputThroughProcess() {
         ProcessRequest request = shell("cat");
         request.input = std::string(3'000'000, 'x') + "end";
         const auto result = runProcess(request);
@@ -121,7 +121,7 @@ private Q_SLOTS:
     }
 
     // As under a daemon: the pipes then get the numbers of the standard streams.
-    void closedStandardStreamsOfOursAreNoFault() {
+    void toleratesClosedStandardStreams() {
         const int kept[3] = {::dup(0), ::dup(1), ::dup(2)};
         for (int file = 0; file < 3; ++file) ::close(file);
         ProcessRequest request = shell("cat; echo err >&2");
@@ -136,7 +136,7 @@ private Q_SLOTS:
         QCOMPARE(result.value().errors, std::string("err\n"));
     }
 
-    void theWorkingFolderIsWhereWeSaid() {
+    void usesGivenWorkingFolder() {
         ProcessRequest request = shell("pwd");
         request.folder = "/usr";
         const auto result = runProcess(request);
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QCOMPARE(result.value().output, std::string("/usr\n"));
     }
 
-    void whatCannotRunIsAnError_data() {
+    void reportsUnrunnableProgram_data() {
         QTest::addColumn<QString>("program");
         QTest::addColumn<QString>("word");
         QTest::newRow("missing") << "/nowhere/program"
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QTest::newRow("not executable") << "/etc/passwd"
                                         << "Permission denied";
     }
-    void whatCannotRunIsAnError() {
+    void reportsUnrunnableProgram() {
         QFETCH(QString, program);
         QFETCH(QString, word);
         ProcessRequest request;
@@ -165,7 +165,7 @@ private Q_SLOTS:
         QVERIFY(QString::fromStdString(result.error().message).contains(program));
     }
 
-    void weKnowOurselves() {
+    void identifiesOwnProcess() {
         QVERIFY(programPath().ends_with("/test_base_platform_process"));
         QVERIFY(programPath().starts_with(programFolder() + "/"));
         QVERIFY(peakMemoryKb() > 500);

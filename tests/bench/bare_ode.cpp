@@ -39,7 +39,7 @@ constexpr double kReach = 0.235; // from the chassis' middle to its farthest cor
 // Settings as the product has them.
 constexpr double kStiffness = 2e5, kDamping = 1100, kServoTorque = 3.6;
 constexpr double kPlasticFriction = 0.2, kTyreFriction = 1.0;
-constexpr int kMostOfRobots = 2, kMostOfWalls = 4;
+constexpr int kMaxOfRobots = 2, kMaxOfWalls = 4;
 
 // How it drives: RandomDrive with its defaults, through the drive's ramps.
 constexpr double kSpeed = 0.3, kTurnRate = 1.0, kPeriod = 1.0, kAcceleration = 1.0, kTurnAcceleration = 4.0;
@@ -299,11 +299,11 @@ private:
             standOnFloor(robot);
             if (std::fabs(p[0]) > m_halfX - kReach || std::fabs(p[1]) > m_halfY - kReach)
                 for (const dGeomID wall : m_walls)
-                    for (const dGeomID geom : robot.geoms) collideGeoms(geom, wall, kMostOfWalls);
+                    for (const dGeomID geom : robot.geoms) collideGeoms(geom, wall, kMaxOfWalls);
             findPartners(i, p);
             for (const std::size_t partner : m_partners)
                 for (const dGeomID a : robot.geoms)
-                    for (const dGeomID b : m_robots[partner].geoms) collideGeoms(a, b, kMostOfRobots);
+                    for (const dGeomID b : m_robots[partner].geoms) collideGeoms(a, b, kMaxOfRobots);
         }
     }
 

@@ -1,8 +1,8 @@
 // Seeded faults: each is found, named, explained, and its fix, where one is promised, takes it away. What is right raises no alarm.
-#include "check/check_desk.h"
+#include "check/check_fixture.h"
 #include "flow/cli.h"
 
-using namespace desk;
+using namespace fixture;
 
 namespace {
 
@@ -20,7 +20,7 @@ RobotConfig Rover {
 }
 )";
 
-/// block.obj is a cube of 10 cm that stands on its origin.
+/// block.obj is a cube of 10 cm that rests on its origin.
 const std::string kMeshes = R"(
 RobotConfig Stone { Body b { Convex c { File=block.obj Mass=1 } } }
 RobotConfig Beam { Body b { Convex c { File=block.obj Scale=1,1,6 Mass=1 } } }
@@ -41,7 +41,7 @@ std::string rover(const char* from, const char* to) {
 
 class ModelCheckTest : public QObject {
     Q_OBJECT
-    CheckDesk m_desk;
+    CheckFixture m_fixture;
 
 private Q_SLOTS:
     void faults_data() {
@@ -142,10 +142,10 @@ private Q_SLOTS:
         QFETCH(QString, said);
         QFETCH(QString, place);
         QFETCH(bool, fix);
-        const auto loaded = m_desk.open(text.toStdString());
+        const auto loaded = m_fixture.open(text.toStdString());
         QVERIFY(loaded);
-        const Diagnostics found = CheckDesk::check(*loaded);
-        const std::string story = CheckDesk::shown(*loaded, found);
+        const Diagnostics found = CheckFixture::check(*loaded);
+        const std::string story = CheckFixture::shown(*loaded, found);
         const auto at = std::ranges::find_if(found.all(), [&](const Diagnostic& d) { return static_cast<int>(d.code) == code; });
         QVERIFY2(at != found.all().end(), story.c_str());
         QVERIFY2(QString::fromStdString(at->message).contains(said), story.c_str());
@@ -153,10 +153,10 @@ private Q_SLOTS:
                  place);
         QVERIFY2(fix == !at->fixes.empty(), story.c_str());
         if (!fix) return;
-        const std::string mended = CheckDesk::applied(*loaded, at->fixes[0]);
-        const auto again = m_desk.open(mended);
-        const Diagnostics after = CheckDesk::check(*again);
-        const std::string afterStory = mended + "\n" + story + "---\n" + CheckDesk::shown(*again, after);
+        const std::string repaired = CheckFixture::applied(*loaded, at->fixes[0]);
+        const auto again = m_fixture.open(repaired);
+        const Diagnostics after = CheckFixture::check(*again);
+        const std::string afterStory = repaired + "\n" + story + "---\n" + CheckFixture::shown(*again, after);
         QVERIFY2(!again->diagnostics.hasErrors(), afterStory.c_str());
         for (const Diagnostic& d : after.all()) {
             QVERIFY2(static_cast<int>(d.code) != code, afterStory.c_str());
@@ -164,7 +164,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatIsRightRaisesNoAlarm_data() {
+    void acceptsValidWorlds_data() {
         QTest::addColumn<QString>("text");
         const auto row = [](const char* name, const std::string& text) {
             QTest::newRow(name) << QString::fromStdString(kThings + text);
@@ -190,37 +190,37 @@ private Q_SLOTS:
             "RobotConfig Nested { Body b { Box g { Size=0.2,0.2,0.2 Mass=1 } } Body c { Box g { Size=0.1,0.1,0.1 Mass=1 } } "
             "Fixed f { Parent=b Child=c } }\nRobot a { Config=Nested Pos=0,0,0.1 }");
     }
-    void whatIsRightRaisesNoAlarm() {
+    void acceptsValidWorlds() {
         QFETCH(QString, text);
-        const auto loaded = m_desk.open(text.toStdString());
-        const Diagnostics found = CheckDesk::check(*loaded);
-        QVERIFY2(!loaded->diagnostics.hasErrors() && found.all().empty(), CheckDesk::shown(*loaded, found).c_str());
+        const auto loaded = m_fixture.open(text.toStdString());
+        const Diagnostics found = CheckFixture::check(*loaded);
+        QVERIFY2(!loaded->diagnostics.hasErrors() && found.all().empty(), CheckFixture::shown(*loaded, found).c_str());
     }
 
-    void shippedTextsRaiseNoAlarm_data() {
+    void acceptsShippedTexts_data() {
         QTest::addColumn<QString>("path");
         for (const QString& path : allConfigs()) QTest::newRow(qPrintable(path.section('/', -2))) << path;
     }
-    void shippedTextsRaiseNoAlarm() {
+    void acceptsShippedTexts() {
         QFETCH(QString, path);
-        const auto loaded = m_desk.openFile(path.toStdString());
+        const auto loaded = m_fixture.openFile(path.toStdString());
         if (!loaded || loaded->diagnostics.hasErrors()) return; // parts of others, which do not open alone
-        const Diagnostics found = CheckDesk::check(*loaded);
-        QVERIFY2(found.all().empty(), CheckDesk::shown(*loaded, found).c_str());
+        const Diagnostics found = CheckFixture::check(*loaded);
+        QVERIFY2(found.all().empty(), CheckFixture::shown(*loaded, found).c_str());
     }
 
     /// Ten thousand robots in the floor and in each other are two messages.
-    void manyRobotsAreToldOnce() {
-        const auto loaded = m_desk.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=0.15 Pos=0,0,0.02 }");
-        const Diagnostics found = CheckDesk::check(*loaded);
-        QVERIFY2(found.all().size() == 2, CheckDesk::shown(*loaded, found).c_str());
-        const auto air = m_desk.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=1 Pos=0,0,3 }");
-        QCOMPARE(CheckDesk::check(*air).all().size(), std::size_t(1));
+    void reportsManyRobotsOnce() {
+        const auto loaded = m_fixture.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=0.15 Pos=0,0,0.02 }");
+        const Diagnostics found = CheckFixture::check(*loaded);
+        QVERIFY2(found.all().size() == 2, CheckFixture::shown(*loaded, found).c_str());
+        const auto air = m_fixture.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=1 Pos=0,0,3 }");
+        QCOMPARE(CheckFixture::check(*air).all().size(), std::size_t(1));
     }
 
     /// Who closes the window does not wait for a check.
     void aRequestToStopEndsIt() {
-        const auto loaded = m_desk.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=1 Pos=0,0,3 }");
+        const auto loaded = m_fixture.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=1 Pos=0,0,3 }");
         std::stop_source stop;
         stop.request_stop();
         Diagnostics found;
@@ -229,10 +229,10 @@ private Q_SLOTS:
     }
 
     /// A text with errors is not checked further: its mistakes come first.
-    void errorsComeFirst() {
-        const auto loaded = m_desk.open(kThings + "Robot a { Config=Crate Pos=0,0,-1 Mess=3 }");
+    void listsErrorsFirst() {
+        const auto loaded = m_fixture.open(kThings + "Robot a { Config=Crate Pos=0,0,-1 Mess=3 }");
         QVERIFY(loaded->diagnostics.hasErrors());
-        QVERIFY(CheckDesk::check(*loaded).all().empty());
+        QVERIFY(CheckFixture::check(*loaded).all().empty());
     }
 };
 

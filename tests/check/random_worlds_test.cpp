@@ -1,15 +1,15 @@
 // Tame random worlds: boxes, balls and jointed pairs thrown together in a room. Most that blow up start inside something, and the
-// check says so before; where one stops without such a start its message says what to do. TRUNDLE_LONG: 700 of them.
+// check reports it before; where one stops without such a start its message says what to do. TRUNDLE_LONG: 700 of them.
 #include "base/rng.h"
-#include "check/check_desk.h"
+#include "check/check_fixture.h"
 
-using namespace desk;
+using namespace fixture;
 
 namespace {
 
-class Dice {
+class RandomNumbers {
 public:
-    explicit Dice(std::uint64_t seed) : m_seed(seed) {}
+    explicit RandomNumbers(std::uint64_t seed) : m_seed(seed) {}
     double in(double low, double high) {
         return low + (high - low) * static_cast<double>(randomBits(m_seed, 0, 0, m_index++) >> 11) * 0x1p-53;
     }
@@ -20,26 +20,26 @@ private:
     std::uint64_t m_seed, m_index = 0;
 };
 
-std::string shape(Dice& dice, const std::string& name) {
+std::string shape(RandomNumbers& rng, const std::string& name) {
     static const char* const kinds[] = {"Box", "Sphere", "Cylinder", "Capsule"};
-    const std::size_t kind = dice.below(4);
+    const std::size_t kind = rng.below(4);
     std::string text =
-        std::string(kinds[kind]) + " " + name + " { Pos=" + dice.number(-0.1, 0.1) + "," + dice.number(-0.1, 0.1) + ",0 ";
+        std::string(kinds[kind]) + " " + name + " { Pos=" + rng.number(-0.1, 0.1) + "," + rng.number(-0.1, 0.1) + ",0 ";
     static const char* const densities[] = {"100", "1000", "7800", "19900"};
-    text += dice.below(2) ? "Mass=" + dice.number(0.1, 5) : std::string("Density=") + densities[dice.below(4)];
-    if (kind == 0) text += " Size=" + dice.number(0.1, 0.5) + "," + dice.number(0.1, 0.5) + "," + dice.number(0.1, 0.5);
-    else text += " Radius=" + dice.number(0.03, 0.3);
-    if (kind > 1) text += " Length=" + dice.number(0.05, 0.4);
+    text += rng.below(2) ? "Mass=" + rng.number(0.1, 5) : std::string("Density=") + densities[rng.below(4)];
+    if (kind == 0) text += " Size=" + rng.number(0.1, 0.5) + "," + rng.number(0.1, 0.5) + "," + rng.number(0.1, 0.5);
+    else text += " Radius=" + rng.number(0.03, 0.3);
+    if (kind > 1) text += " Length=" + rng.number(0.05, 0.4);
     return text + " }";
 }
 
-std::string body(Dice& dice, const std::string& name) {
-    return "Body " + name + " { Pos=" + dice.number(-0.3, 0.3) + "," + dice.number(-0.3, 0.3) + "," + dice.number(-0.2, 0.2) +
-           " " + shape(dice, "g") + " " + shape(dice, "h") + " } ";
+std::string body(RandomNumbers& rng, const std::string& name) {
+    return "Body " + name + " { Pos=" + rng.number(-0.3, 0.3) + "," + rng.number(-0.3, 0.3) + "," + rng.number(-0.2, 0.2) + " " +
+           shape(rng, "g") + " " + shape(rng, "h") + " } ";
 }
 
 std::string randomWorld(std::uint64_t seed) {
-    Dice dice(seed);
+    RandomNumbers rng(seed);
     static const char* const joints[] = {
         "Hinge j { Parent=a Child=b Axis=0,1,0 } Hinge k { Parent=b Child=c Axis=1,0,0 }",
         "Ball j { Parent=a Child=b } Ball k { Parent=b Child=c }",
@@ -48,15 +48,15 @@ std::string randomWorld(std::uint64_t seed) {
     std::string text =
         "Tick=0.01 Duration=2 Seed=1\nStaticConfig Room { Plane ground { } Box wall { Size=4,0.1,1 Pos=0,1,0.5 } }\n"
         "Static room { Config=Room }\n";
-    const std::size_t configs = 1 + dice.below(3);
+    const std::size_t configs = 1 + rng.below(3);
     for (std::size_t c = 0; c < configs; ++c)
-        text += "RobotConfig C" + std::to_string(c) + " { " + body(dice, "a") + body(dice, "b") + body(dice, "c") +
-                joints[dice.below(4)] + " }\n";
-    const std::size_t robots = 1 + dice.below(8);
+        text += "RobotConfig C" + std::to_string(c) + " { " + body(rng, "a") + body(rng, "b") + body(rng, "c") +
+                joints[rng.below(4)] + " }\n";
+    const std::size_t robots = 1 + rng.below(8);
     for (std::size_t r = 0; r < robots; ++r)
-        text += "Robot r" + std::to_string(r) + " { Config=C" + std::to_string(dice.below(configs)) +
-                " Pos=" + dice.number(-1, 1) + "," + dice.number(-1, 1) + "," + dice.number(-1, 1.5) +
-                " HPR=" + dice.number(0, 360) + "," + dice.number(0, 90) + "," + dice.number(0, 90) + " }\n";
+        text += "Robot r" + std::to_string(r) + " { Config=C" + std::to_string(rng.below(configs)) + " Pos=" + rng.number(-1, 1) +
+                "," + rng.number(-1, 1) + "," + rng.number(-1, 1.5) + " HPR=" + rng.number(0, 360) + "," + rng.number(0, 90) +
+                "," + rng.number(0, 90) + " }\n";
     return text;
 }
 
@@ -65,19 +65,19 @@ std::string randomWorld(std::uint64_t seed) {
 class RandomWorldsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void blowUpsAreForetoldOrExplained() {
-        const CheckDesk desk;
+    void blowUpsArePredictedOrExplained() {
+        const CheckFixture fixture;
         const int worlds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 700 : 60;
         int stopped = 0, foretold = 0, warned = 0;
         for (int seed = 0; seed < worlds; ++seed) {
-            const auto loaded = desk.open(randomWorld(static_cast<std::uint64_t>(seed)));
-            const Diagnostics found = CheckDesk::check(*loaded);
-            QVERIFY2(!loaded->diagnostics.hasErrors(), CheckDesk::shown(*loaded, found).c_str());
+            const auto loaded = fixture.open(randomWorld(static_cast<std::uint64_t>(seed)));
+            const Diagnostics found = CheckFixture::check(*loaded);
+            QVERIFY2(!loaded->diagnostics.hasErrors(), CheckFixture::shown(*loaded, found).c_str());
             const bool warning =
                 std::ranges::any_of(found.all(), [](const Diagnostic& d) { return d.severity == Severity::Warning; });
             warned += warning;
             Diagnostics problems;
-            const auto runner = desk.parts->makeRunner(*loaded, {}, problems);
+            const auto runner = fixture.application->makeRunner(*loaded, {}, problems);
             QVERIFY(runner);
             for (int tick = 0; tick < 200 && !runner->world().fault(); ++tick) (void)runner->tick();
             const Fault* fault = runner->world().fault();

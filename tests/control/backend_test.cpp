@@ -49,18 +49,18 @@ struct Stage {
         auto made = makeInProcessBackend(robot, settings, store);
         if (!made) return made.error();
         backend = std::move(made).value();
-        ControllerOutlet outlet;
-        outlet.print = [this](int severity, const std::string& line) {
+        ControllerOutputs outputs;
+        outputs.print = [this](int severity, const std::string& line) {
             console.push_back((severity == TRUNDLE_WARNING ? "warning: " : "") + line);
         };
-        outlet.openLog = [this](const std::string& file) {
+        outputs.openLog = [this](const std::string& file) {
             logs.push_back(file + ":");
             return static_cast<int>(logs.size()) - 1;
         };
-        outlet.writeLog = [this](int log, std::string_view bytes) { logs[static_cast<std::size_t>(log)] += bytes; };
-        outlet.finish = [this](const std::string& reason) { finished.push_back(reason); };
-        outlet.capture = [this](const std::string&) { return Result<const Frame*>(&frame); };
-        return backend->start(layout, *block, outlet);
+        outputs.writeLog = [this](int log, std::string_view bytes) { logs[static_cast<std::size_t>(log)] += bytes; };
+        outputs.finish = [this](const std::string& reason) { finished.push_back(reason); };
+        outputs.capture = [this](const std::string&) { return Result<const CameraImage*>(&frame); };
+        return backend->start(layout, *block, outputs);
     }
     double& at(const std::string& path, std::uint32_t i = 0) {
         return valuesOf(*block)[layout.find(robot.name + "/" + path)->offset + i];
@@ -72,7 +72,7 @@ struct Stage {
     SignalLayout layout;
     std::unique_ptr<SignalBlock> block;
     std::unique_ptr<ControllerBackend> backend;
-    Frame frame{1, 1, 0, 0, {1, 2, 3}, {}, {}};
+    CameraImage frame{1, 1, 0, 0, {1, 2, 3}, {}, {}};
     std::vector<std::string> console, logs, finished;
 };
 } // namespace
@@ -146,7 +146,7 @@ private Q_SLOTS:
         QCOMPARE(watcher.console.at(1), std::string("1 1 1"));
     }
 
-    /// The text may have been judged by a newer version of the module than the one that runs.
+    /// The text may have been checked against a newer version of the module than the one that runs.
     void aLiveValueOutOfTheRunningCodesRangeIsRefused() {
         Stage stage("Rebuilt", {});
         QVERIFY(stage.store.load(kModules + "rebuilt/libbefore.so").ok());
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QVERIFY(drawn(1, "robot0", {7}) != drawn(1, "robot1", {7}));
     }
 
-    void failuresSayWhatIsWrong_data() {
+    void reportsControllerFailures_data() {
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("words");
         QTest::newRow("setup") << 410 << "the controller Failing of robot0 failed in setup: no battery";
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QTest::newRow("update") << 410 << "the controller Failing of robot0 failed: an exception that is no std::exception";
         QTest::newRow("give up") << 410 << "the controller Failing of robot0 gave up: the map is empty";
     }
-    void failuresSayWhatIsWrong() {
+    void reportsControllerFailures() {
         QFETCH(int, code);
         QFETCH(QString, words);
         Stage stage("Failing", {{"Where", text(QTest::currentDataTag())}});
@@ -213,7 +213,7 @@ private Q_SLOTS:
         QCOMPARE(stage.console.at(0), std::string("1.5 1 0.25 3"));
     }
 
-    void aCameraWithoutAStreamAlwaysHasANewPicture() {
+    void cameraWithoutStreamIsAlwaysNew() {
         Stage stage("Watcher", {});
         const Status started = stage.start();
         QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QVERIFY(status.error().message.find("Pair") != std::string::npos);
     }
 
-    void startsAnew() {
+    void restartsController() {
         Stage stage("Driver", {});
         QVERIFY(stage.start().ok());
         stage.backend->stop();

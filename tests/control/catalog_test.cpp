@@ -49,7 +49,7 @@ private Q_SLOTS:
         }
     }
 
-    void modulesFoldersComeBeforeTheProgramsOwn() {
+    void searchesModuleFoldersBeforeProgramFolder() {
         put("program/libgood.so", true);
         put("mine/libgood.so", false);
         DirectoryCatalog catalog({{path("mine")}, path("program"), {}, false});
@@ -94,14 +94,14 @@ private Q_SLOTS:
             QVERIFY2(missing.error().message.find(path(tried)) != std::string::npos, tried);
     }
 
-    void suggestsTheModuleThatWasMeant_data() {
+    void suggestsSimilarModule_data() {
         QTest::addColumn<QString>("meant");
         QTest::newRow("controllers/goood") << "controllers/good";
         QTest::newRow("good") << "controllers/good";                  // its folder forgotten
         QTest::newRow("Controllers\\good.dll") << "controllers/good"; // the thesis's spelling of the folder
         QTest::newRow("mine") << "";
     }
-    void suggestsTheModuleThatWasMeant() {
+    void suggestsSimilarModule() {
         QFETCH(QString, meant);
         put("program/controllers/libgood.so", true);
         QVERIFY(QFile::link("libmine.so", m_folder->filePath("program/libmine.so"))); // leads nowhere but to itself
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QCOMPARE(message.contains("did you mean"), !meant.isEmpty());
     }
 
-    void knowsWhichModuleBringsAKind() {
+    void findsModuleOfKind() {
         put("program/controllers/libgood.so", true);
         put("mine/libother.so", true);
         DirectoryCatalog catalog({{path("mine")}, path("program"), {}, false});
@@ -123,7 +123,7 @@ private Q_SLOTS:
         QCOMPARE(DirectoryCatalog({{path("mine")}, "", {}, false}).moduleWith(kind), ""); // nobody's folder is searched for it
     }
 
-    void pythonComesLater() {
+    void reportsPythonModule() {
         QDir().mkpath(m_folder->filePath("experiments"));
         QFile file(m_folder->filePath("experiments/brain.py"));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -132,7 +132,7 @@ private Q_SLOTS:
         QCOMPARE(catalog.find("other.py", path("experiments")).error().code, Code::PythonModule);
     }
 
-    void looksAtTheFileWithoutRunningIt() {
+    void inspectsFileWithoutRunningIt() {
         QDir().mkpath(m_folder->filePath("program"));
         QFile file(m_folder->filePath("program/libtext.so"));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("not a library") > 0);
@@ -141,7 +141,7 @@ private Q_SLOTS:
                  Code::ModuleWrongFormat);
     }
 
-    void strangeNamesAreNoCrash() {
+    void handlesStrangeNames() {
         DirectoryCatalog catalog({{}, path("program"), {}, true});
         for (const std::string& written : {std::string(), std::string("/"), std::string(".."), std::string(5000, 'x'),
                                            std::string("a\0b", 3), std::string(".so")})

@@ -20,7 +20,7 @@ const std::string kBefore = kModules + "rebuilt/libbefore.so", kAfter = kModules
 
 std::string bytesOf(const std::string& path) { return readRegularFile(path).value(); }
 
-/// What is said when the modules of an experiment are loaded whose text was checked with a registry.
+/// What is reported when the modules of an experiment are loaded whose text was checked with a registry.
 std::vector<Diagnostic> loaded(const ExperimentSpec& experiment, const Registry& registry) {
     ModuleStore store;
     Diagnostics diagnostics;
@@ -32,7 +32,7 @@ std::vector<Diagnostic> loaded(const ExperimentSpec& experiment, const Registry&
 class ModulesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void badLibrariesAreToldApart_data() {
+    void distinguishesBrokenLibraries_data() {
         QTest::addColumn<QString>("library");
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("words");
@@ -41,7 +41,7 @@ private Q_SLOTS:
         };
         row("missing", kModules + "libnone.so", Code::ModuleUnreadable, "libnone.so");
         row("no entry", kModules + "libno_entry.so", Code::ModuleNoEntry, "exports no trundle_module");
-        row("wrong magic", kModules + "libwrong_magic.so", Code::ModuleWrongFormat, "no Trundle module");
+        row("wrong magic", kModules + "libwrong_magic.so", Code::ModuleWrongFormat, "not a Trundle module");
         row("newer interface", kModules + "libnewer_abi.so", Code::ModuleVersion, "interface 2.3; this program has 1.");
         row("newer minor interface", kModules + "libnewer_minor.so", Code::ModuleVersion,
             "with this program's SDK, or use a newer Trundle");
@@ -50,7 +50,7 @@ private Q_SLOTS:
         row("a controller with too many numbers", kModules + "libpublishes_too_much.so", Code::ModuleWrongFormat,
             "kind 'Wrong' publishes 1001 numbers; at most 1000 are possible");
         row("missing symbol", kModules + "libmissing_symbol.so", Code::ModuleMissingSymbol,
-            "symbol trundle_test_symbol_that_nobody_has,");
+            "symbol trundle_test_missing_symbol,");
         row("broken kinds", kModules + "libbroken_kinds.so", Code::ModuleWrongFormat, "kind 'Hollow' lacks one of its functions");
         row("throws in describe", kModules + "libthrows_in_describe.so", Code::ModuleNoEntry, "describing its kinds failed");
         row("truncated", made("cut.so", bytesOf(kGood).substr(0, 5000)), Code::ModuleUnreadable, "is cut off: it has 5000 bytes");
@@ -70,7 +70,7 @@ private Q_SLOTS:
         row("empty file", made("empty.so", ""), Code::ModuleWrongFormat, "is empty");
         row("a folder", kModules, Code::ModuleUnreadable, "folder");
     }
-    void badLibrariesAreToldApart() {
+    void distinguishesBrokenLibraries() {
         QFETCH(QString, library);
         QFETCH(int, code);
         QFETCH(QString, words);
@@ -82,7 +82,7 @@ private Q_SLOTS:
     }
 
     /// Any byte of the tables may lie: the file is refused or loaded, nothing crashes before the loader.
-    void damagedTablesAreNoCrash() {
+    void rejectsDamagedTables() {
         const std::string good = bytesOf(kGood);
         std::uint32_t state = 1;
         for (int i = 0; i < 300; ++i) {
@@ -95,7 +95,7 @@ private Q_SLOTS:
         }
     }
 
-    void goodModuleTellsItsKinds() {
+    void goodModuleListsItsKinds() {
         ModuleStore store;
         const auto module = store.load(kGood);
         QVERIFY2(module.ok(), module.ok() ? "" : module.error().message.c_str());
@@ -124,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(other.load(kModules + "libtwin.so").ok());
     }
 
-    void descriptionFileSaysTheSame() {
+    void descriptionFileMatchesModule() {
         const std::string out = made("libgood.so.kinds.json", "old");
         const Status written = writeKindsJson(kGood, out);
         QVERIFY2(written.ok(), written.ok() ? "" : written.error().message.c_str());
@@ -197,7 +197,7 @@ private Q_SLOTS:
         QVERIFY(load()[0].severity == Severity::Warning && load()[0].range.range.begin == 5);
     }
 
-    void aModuleThatNobodyDescribedIsAnothersWarning() {
+    void warnsAboutUndescribedModule() {
         ExperimentSpec experiment;
         experiment.modules.push_back({"bare", made("libbare.so", bytesOf(kGood)), {}});
         ModuleStore store;
@@ -206,7 +206,7 @@ private Q_SLOTS:
         QVERIFY(diagnostics.all().empty());
     }
 
-    /// The text was read before the module was built anew: its values were judged by what is no longer true.
+    /// The text was read before the module was built anew: its values were checked against what is no longer true.
     void aModuleThatIsAnotherOneThanTheTextWasCheckedWithDoesNotRun() {
         const std::string library = made("libmind.so", bytesOf(kBefore)), description = kindsJsonPath(library);
         made("libmind.so.kinds.json", bytesOf(kindsJsonPath(kBefore)));
@@ -216,17 +216,17 @@ private Q_SLOTS:
         const auto kinds = kindsFromJson(bytesOf(description), library);
         for (const Kind& kind : kinds.value()) QVERIFY(registry.add(kind).ok());
         const auto load = [&] { return loaded(experiment, registry); };
-        QVERIFY(load().empty() && !describedAnew(experiment, registry));
+        QVERIFY(load().empty() && !descriptionChanged(experiment, registry));
         made("libmind.so", bytesOf(kAfter)); // its description is not written yet
         QCOMPARE(load().size(), std::size_t(1));
         QVERIFY(load()[0].severity == Severity::Error && load()[0].code == Code::ModuleDescriptionStale);
         QVERIFY2(load()[0].message.find("build the module again") != std::string::npos, load()[0].message.c_str());
-        QVERIFY(!describedAnew(experiment, registry));
+        QVERIFY(!descriptionChanged(experiment, registry));
         made("libmind.so.kinds.json", bytesOf(kindsJsonPath(kAfter)));
         QCOMPARE(load().size(), std::size_t(1));
         QCOMPARE(load()[0].severity, Severity::Error);
         QVERIFY2(load()[0].message.find("was rebuilt: reload it (Ctrl+Shift+R)") != std::string::npos, load()[0].message.c_str());
-        QVERIFY(describedAnew(experiment, registry));
+        QVERIFY(descriptionChanged(experiment, registry));
     }
 
     /// Written over while it is loaded, as by `cp`: what runs goes on, what is loaded next is the new one.

@@ -62,7 +62,7 @@ public:
             if (std::string why = setup(d); !why.empty()) return why;
         return "";
     }
-    /// act in text order, step, sense in reverse; a device that binds a peer's signals has to stand before that.
+    /// act in text order, step, sense in reverse; a device that binds a peer's signals has to be before that.
     void tick() {
         for (BenchJoint& j : m_joints) j.driven = false;
         TrundleServices services = table();

@@ -38,7 +38,7 @@ private Q_SLOTS:
         for (const double tick : {.001, .01, .03}) {
             QTest::addRow("servo %g", tick) << "servo" << tick << 1e-12;
             QTest::addRow("pi %g", tick) << "pi" << tick << 1e-4;
-            QTest::addRow("voltage %g", tick) << "voltage" << tick << 1e-4; // the lag of the start comes back at the end
+            QTest::addRow("voltage %g", tick) << "voltage" << tick << 1e-4; // the lag of the start returns at the end
         }
     }
     void drivesAnAmount() {
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(lag - .5 * .0058 / .405) < 1e-6, qPrintable(QString::number(lag, 'g', 9)));
     }
 
-    void odometryComesFromTheWheelsNotFromTheCommand() {
+    void computesOdometryFromWheels() {
         Base base("servo");
         QCOMPARE(base.robot.setup(), std::string());
         base.robot.joint("leftAxle").inertia = base.robot.joint("rightAxle").inertia = 1e12; // held fast
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(base.at("pose", 2) - M_PI / 2) < 1e-12);
     }
 
-    void refusesNonsenseAndSaysSo() {
+    void rejectsInvalidCommandAndReportsIt() {
         Base base("servo");
         QCOMPARE(base.robot.setup(), std::string());
         base.command(0, 0, 1, 0);
@@ -152,7 +152,7 @@ private Q_SLOTS:
         QCOMPARE(base.robot.warnings.size(), std::size_t(1));
     }
 
-    void takesNoNumberForZero() {
+    void treatsNanAsZero() {
         Base base("servo");
         QCOMPARE(base.robot.setup(), std::string());
         for (const char* slot : {"linearVelocity", "angularVelocity", "linearAmount", "angularAmount", "sequence"})

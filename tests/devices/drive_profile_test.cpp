@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY2(d.hardest <= kLimits.linear + 1e-6, qPrintable(QString::number(d.hardest)));
     }
 
-    void nonsenseIsRefused_data() {
+    void rejectsInvalidValues_data() {
         QTest::addColumn<double>("v");
         QTest::addColumn<double>("w");
         QTest::addColumn<double>("x");
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QTest::newRow("opposite turn") << .2 << -1. << 0. << 1.;
         QTest::newRow("beyond all numbers") << 1e-300 << 1e200 << 1e200 << 0.;
     }
-    void nonsenseIsRefused() {
+    void rejectsInvalidValues() {
         QFETCH(double, v);
         QFETCH(double, w);
         QFETCH(double, x);

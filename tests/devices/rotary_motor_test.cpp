@@ -25,7 +25,7 @@ private Q_SLOTS:
     void torqueFallsWithTheRate() {
         QFETCH(double, rate);
         QFETCH(double, torque);
-        const VoltageRow row = voltageRow(kM0, 12, 0, .01);
+        const VoltageConstraint row = voltageConstraint(kM0, 12, 0, .01);
         QVERIFY(std::abs((row.rate - rate) / row.softness - torque) < 1e-12);
         QVERIFY(std::abs(row.limit - 5.4) < 1e-12);
         QVERIFY(std::abs(1 / row.softness - .405) < 1e-12);
@@ -75,7 +75,7 @@ private Q_SLOTS:
     }
 
     /// Whatever drives it: what a meter at its terminals would show.
-    void theTerminalsShowTheVoltage() {
+    void reportsTerminalVoltage() {
         BenchRobot robot(.01);
         robot.joint("axle").inertia = .0405;
         addMotor(robot, "motor", "axle").numbers["Inductance"] = {.002};
@@ -112,7 +112,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.joint("axle").inertia - (1e-3 + 900 * 2e-6)) < 1e-15);
     }
 
-    void servoHoldsARateWithinItsTorque() {
+    void servoKeepsRateWithinTorque() {
         BenchRobot robot(.01);
         robot.joint("axle").inertia = .0054;
         addMotor(robot, "motor", "axle");
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QVERIFY(robot.setup().find("'axel'") != std::string::npos);
     }
 
-    void takesNoNumberForZeroAndSaysSoOnce() {
+    void treatsNanAsZeroAndReportsOnce() {
         BenchRobot robot(.01);
         addMotor(robot, "motor", "axle");
         QCOMPARE(robot.setup(), std::string());

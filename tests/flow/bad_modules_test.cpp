@@ -10,7 +10,7 @@ namespace {
 constexpr int kTicks = 100, kAt = 50;
 constexpr int kRowsWhole = 1 + 1 + kTicks, kRowsCut = 1 + kAt; // a header, the start, a row for each tick
 
-/// A sanitizer's runtime answers crashes in our place, unless it is told not to.
+/// A sanitizer's runtime answers crashes in our place, unless it is reported not to.
 const QString kOwnHandlers = QStringLiteral("handle_segv=0:handle_abort=0:handle_sigill=0:handle_sigbus=0:handle_sigfpe=0:"
                                             "use_sigaltstack=0:detect_leaks=0:allocator_may_return_null=1");
 
@@ -76,19 +76,19 @@ class BadModulesTest : public QObject {
 
 private Q_SLOTS:
     void initTestCase();
-    void everyDeedHasItsEnd_data();
-    void everyDeedHasItsEnd();
+    void reportsEveryModuleFault_data();
+    void reportsEveryModuleFault();
     void oneSignalEndsWhatLoops_data();
     void oneSignalEndsWhatLoops();
     void aLongStepOfTheSolverEndsWithWordsOfItsCluster();
-    void comingAndGoing_data();
-    void comingAndGoing();
-    void aThreadsStackOverflowSaysNothingFalse();
+    void reportsFaultsOnLoadAndUnload_data();
+    void reportsFaultsOnLoadAndUnload();
+    void reportsNothingFalseAfterStackOverflow();
     void describingWhatLoopsEndsWithASignal();
-    void describingACrashIsSaid_data();
-    void describingACrashIsSaid();
-    void closedDescriptorsHarmNoFile_data();
-    void closedDescriptorsHarmNoFile();
+    void reportsCrashWhileDescribing_data();
+    void reportsCrashWhileDescribing();
+    void closedDescriptorsCorruptNoFile_data();
+    void closedDescriptorsCorruptNoFile();
     void aKilledRunLosesASecondAtMost();
 };
 
@@ -100,7 +100,7 @@ void BadModulesTest::initTestCase() {
     QCOMPARE(rows(), kRowsWhole);
 }
 
-void BadModulesTest::everyDeedHasItsEnd_data() {
+void BadModulesTest::reportsEveryModuleFault_data() {
     QTest::addColumn<QByteArray>("controller");
     QTest::addColumn<QByteArray>("device");
     QTest::addColumn<int>("code");
@@ -112,12 +112,12 @@ void BadModulesTest::everyDeedHasItsEnd_data() {
                         const QByteArray& robot, int rows) {
         QTest::newRow(name) << controller << device << code << said << robot << rows;
     };
-    const auto deed = [](const QByteArray& name, const QByteArray& phase = "update") {
-        return "Deed=\"" + name + "\" Phase=" + phase;
+    const auto action = [](const QByteArray& name, const QByteArray& phase = "update") {
+        return "Action=\"" + name + "\" Phase=" + phase;
     };
     // A crash ends the run.
     const auto crash = [&](const char* name, const QByteArray& why) {
-        row(name, deed(name), {}, 4, "crashed in update at t = 0.49 s: " + why, "bad", kRowsCut);
+        row(name, action(name), {}, 4, "crashed in update at t = 0.49 s: " + why, "bad", kRowsCut);
     };
     crash("segv", "Segmentation fault");
     crash("jump", "Segmentation fault");
@@ -132,39 +132,41 @@ void BadModulesTest::everyDeedHasItsEnd_data() {
     crash("leave thread", "Aborted");
     crash("trapped division", "Arithmetic exception");
     for (const char* exit : {"exit", "_exit", "_Exit", "quick_exit"})
-        row(exit, deed(exit), {}, 4, brain + "(" + TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so) ended the program in update",
-            "bad", kRowsCut);
+        row(exit, action(exit), {}, 4,
+            brain + "(" + TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so) ended the program in update", "bad", kRowsCut);
     for (const char* thread : {"thread crashes", "thread throws", "thread aborts", "thread jumps"})
-        row(thread, deed(thread), {}, 4, "in a thread of the module " TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so", "?", kRowsCut);
-    row("segv in setup", deed("segv", "setup"), {}, 4, brain, "bad", 0);
-    row("exit in setup", deed("exit", "setup"), {}, 4, brain, "bad", 0);
-    row("segv in a destructor", deed("segv", "destructor"), {}, 4, "crashed in destructor", "bad", kRowsWhole);
-    row("exit in a destructor", deed("exit", "destructor"), {}, 4, "ended the program in destructor", "bad", kRowsWhole);
-    row("a device: segv in setup", {}, deed("segv", "setup"), 4, thing, "cart", 0);
-    row("a device: segv in act", {}, deed("segv", "act"), 4, "crashed in act at t = 0.49 s", "cart", kRowsCut);
-    row("a device: abort in sense", {}, deed("abort", "sense"), 4, "crashed in sense", "cart", kRowsCut);
-    row("a device: segv in a destructor", {}, deed("segv", "destructor"), 4, "crashed in destructor", "", kRowsWhole);
-    row("a device: throw in act", {}, deed("throw", "act"), 1, "cart/thing", "", kRowsCut);
+        row(thread, action(thread), {}, 4, "in a thread of the module " TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so", "?",
+            kRowsCut);
+    row("segv in setup", action("segv", "setup"), {}, 4, brain, "bad", 0);
+    row("exit in setup", action("exit", "setup"), {}, 4, brain, "bad", 0);
+    row("segv in a destructor", action("segv", "destructor"), {}, 4, "crashed in destructor", "bad", kRowsWhole);
+    row("exit in a destructor", action("exit", "destructor"), {}, 4, "ended the program in destructor", "bad", kRowsWhole);
+    row("a device: segv in setup", {}, action("segv", "setup"), 4, thing, "cart", 0);
+    row("a device: segv in act", {}, action("segv", "act"), 4, "crashed in act at t = 0.49 s", "cart", kRowsCut);
+    row("a device: abort in sense", {}, action("abort", "sense"), 4, "crashed in sense", "cart", kRowsCut);
+    row("a device: segv in a destructor", {}, action("segv", "destructor"), 4, "crashed in destructor", "", kRowsWhole);
+    row("a device: throw in act", {}, action("throw", "act"), 1, "cart/thing", "", kRowsCut);
     // An exception stops the controller, and the run with it.
     for (const char* thrown : {"throw", "throw int", "throw other", "throw much", "allocate"})
-        row(thrown, deed(thrown), {}, 4, "E410", "", kRowsCut);
+        row(thrown, action(thrown), {}, 4, "E410", "", kRowsCut);
     // Names without an end are the names of nothing.
     for (const char* name : {"unended port", "filled port", "port from nowhere", "unended signal", "unended publish"})
-        row(name, deed(name, "setup"), {}, 4, "a name without a terminating zero byte", "", 0);
-    row("unended has", deed("unended has", "setup"), {}, 0, {}, "", kRowsWhole);
+        row(name, action(name, "setup"), {}, 4, "a name without a terminating zero byte", "", 0);
+    row("unended has", action("unended has", "setup"), {}, 0, {}, "", kRowsWhole);
     for (const char* name : {"unended signal", "filled signal"})
-        row((QByteArray("a device: ") + name).constData(), {}, deed(name, "setup"), 1, "a name without a terminating zero byte", "", 0);
-    row("a device: unended field", {}, deed("unended field", "setup"), 0, {}, "", kRowsWhole);
-    row("fail badly", deed("fail badly"), {}, 4, "E410", "", kRowsCut);
+        row((QByteArray("a device: ") + name).constData(), {}, action(name, "setup"), 1, "a name without a terminating zero byte",
+            "", 0);
+    row("a device: unended field", {}, action("unended field", "setup"), 0, {}, "", kRowsWhole);
+    row("fail badly", action("fail badly"), {}, 4, "E410", "", kRowsCut);
     // All else harms nobody.
     const auto harmless = [&](const char* name, const QByteArray& said = {}) {
-        row(name, deed(name), {}, 0, said, "", kRowsWhole);
+        row(name, action(name), {}, 0, said, "", kRowsWhole);
     };
     for (const char* phase : {"setup", "update", "destructor"})
         for (const char* mode : {"round up", "round down", "round to zero", "flush denormals", "trap floats"})
-            row((QByteArray(mode) + " in " + phase).constData(), deed(mode, phase), {}, 0, {}, "", kRowsWhole);
+            row((QByteArray(mode) + " in " + phase).constData(), action(mode, phase), {}, 0, {}, "", kRowsWhole);
     for (const char* phase : {"setup", "act", "sense"})
-        row((QByteArray("a device: round up in ") + phase).constData(), {}, deed("round up", phase), 0, {}, "", kRowsWhole);
+        row((QByteArray("a device: round up in ") + phase).constData(), {}, action("round up", phase), 0, {}, "", kRowsWhole);
     harmless("replace standard");
     harmless("close standard");
     harmless("flood", "write");
@@ -172,10 +174,10 @@ void BadModulesTest::everyDeedHasItsEnd_data() {
     harmless("handle signals");
     harmless("block signals");
     harmless("change folder");
-    row("change folder in setup", deed("change folder", "setup"), {}, 0, {}, "", kRowsWhole);
+    row("change folder in setup", action("change folder", "setup"), {}, 0, {}, "", kRowsWhole);
     harmless("set locale");
     harmless("umask");
-    row("umask in setup", deed("umask", "setup"), {}, 0, {}, "", kRowsWhole);
+    row("umask in setup", action("umask", "setup"), {}, 0, {}, "", kRowsWhole);
     harmless("fork without leave");
     harmless("fork", "a copy of the program that code of a module made by fork() was ended");
     harmless("break pipe");
@@ -185,13 +187,13 @@ void BadModulesTest::everyDeedHasItsEnd_data() {
     harmless("print much", "E506");
     harmless("print long");
     harmless("log badly", "cannot be called");
-    row("write outputs", deed("write outputs"), {}, 0, {}, "", kRowsWhole);
-    row("terminate itself", deed("terminate itself"), {}, 130, {}, "", kRowsCut + 1);
+    row("write outputs", action("write outputs"), {}, 0, {}, "", kRowsWhole);
+    row("terminate itself", action("terminate itself"), {}, 130, {}, "", kRowsCut + 1);
     // Without its descriptors there is nowhere to write to, and a file that took their place is left alone.
-    for (const char* name : {"close all", "replace all"}) row(name, deed(name), {}, 1, "E503", "", 0);
+    for (const char* name : {"close all", "replace all"}) row(name, action(name), {}, 1, "E503", "", 0);
 }
 
-void BadModulesTest::everyDeedHasItsEnd() {
+void BadModulesTest::reportsEveryModuleFault() {
     QFETCH(QByteArray, controller);
     QFETCH(QByteArray, device);
     QFETCH(int, code);
@@ -237,13 +239,15 @@ void BadModulesTest::oneSignalEndsWhatLoops_data() {
     QTest::addColumn<QByteArray>("said");
     QTest::addColumn<int>("rows");
     const QByteArray brain = "the controller Zoo of bad (", thing = "the device ZooDevice cart/thing (";
-    QTest::newRow("update") << QByteArray("Deed=loop") << QByteArray() << SIGTERM << brain << kRowsCut;
-    QTest::newRow("update, hung up") << QByteArray("Deed=loop") << QByteArray() << SIGHUP << brain << kRowsCut;
-    QTest::newRow("setup") << QByteArray("Deed=loop Phase=setup") << QByteArray() << SIGINT << brain << 0;
-    QTest::newRow("destructor") << QByteArray("Deed=loop Phase=destructor") << QByteArray() << SIGTERM << brain << kRowsWhole;
-    QTest::newRow("act") << QByteArray() << QByteArray("Deed=loop Phase=act") << SIGTERM << thing << kRowsCut;
-    QTest::newRow("with signals ignored") << QByteArray("Deed=\"ignore and loop\"") << QByteArray() << SIGTERM << brain << kRowsCut;
-    QTest::newRow("with signals blocked") << QByteArray("Deed=\"block and loop\"") << QByteArray() << SIGTERM << brain << kRowsCut;
+    QTest::newRow("update") << QByteArray("Action=loop") << QByteArray() << SIGTERM << brain << kRowsCut;
+    QTest::newRow("update, hung up") << QByteArray("Action=loop") << QByteArray() << SIGHUP << brain << kRowsCut;
+    QTest::newRow("setup") << QByteArray("Action=loop Phase=setup") << QByteArray() << SIGINT << brain << 0;
+    QTest::newRow("destructor") << QByteArray("Action=loop Phase=destructor") << QByteArray() << SIGTERM << brain << kRowsWhole;
+    QTest::newRow("act") << QByteArray() << QByteArray("Action=loop Phase=act") << SIGTERM << thing << kRowsCut;
+    QTest::newRow("with signals ignored") << QByteArray("Action=\"ignore and loop\"") << QByteArray() << SIGTERM << brain
+                                          << kRowsCut;
+    QTest::newRow("with signals blocked") << QByteArray("Action=\"block and loop\"") << QByteArray() << SIGTERM << brain
+                                          << kRowsCut;
 }
 
 void BadModulesTest::oneSignalEndsWhatLoops() {
@@ -264,7 +268,7 @@ void BadModulesTest::oneSignalEndsWhatLoops() {
 }
 
 void BadModulesTest::aLongStepOfTheSolverEndsWithWordsOfItsCluster() {
-    const QString path = experiment({}, "Deed=say Phase=act At=1", "Solver = exact");
+    const QString path = experiment({}, "Action=say Phase=act At=1", "Solver = exact");
     QFile file(path);
     QVERIFY(file.open(QIODevice::Append));
     file.write("RobotConfig Brick { Body body { Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1 Mass=1 Surface=plastic } } }\n"
@@ -283,7 +287,7 @@ void BadModulesTest::aLongStepOfTheSolverEndsWithWordsOfItsCluster() {
     QCOMPARE(rows(), 2); // the start is in the log
 }
 
-void BadModulesTest::comingAndGoing_data() {
+void BadModulesTest::reportsFaultsOnLoadAndUnload_data() {
     QTest::addColumn<QString>("environment");
     QTest::addColumn<int>("signal"); ///< 0: it ends by itself
     QTest::addColumn<int>("code");
@@ -299,7 +303,7 @@ void BadModulesTest::comingAndGoing_data() {
     QTest::newRow("print when loaded") << "TRUNDLE_ZOO_LOAD=flood" << 0 << 0 << QByteArray("printf");
 }
 
-void BadModulesTest::comingAndGoing() {
+void BadModulesTest::reportsFaultsOnLoadAndUnload() {
     QFETCH(QString, environment);
     QFETCH(int, signal);
     QFETCH(int, code);
@@ -316,10 +320,10 @@ void BadModulesTest::comingAndGoing() {
 }
 
 /// Its thread has no other stack for a handler: the kernel ends the program at once.
-void BadModulesTest::aThreadsStackOverflowSaysNothingFalse() {
+void BadModulesTest::reportsNothingFalseAfterStackOverflow() {
     QDir(m_folder.filePath("logs")).removeRecursively();
     const QString said = m_folder.filePath("said"), printed = m_folder.filePath("printed");
-    const Outcome run = runZoo(experiment("Deed=\"thread overflows\"", {}), {},
+    const Outcome run = runZoo(experiment("Action=\"thread overflows\"", {}), {},
                                "ulimit -c 0; \"$0\" \"$@\" > '" + printed + "' 2> '" + said + "'; exit $?");
     QVERIFY2(run.code == 128 + SIGSEGV, shown(run));
     QVERIFY2(contentOf(printed).isEmpty(), contentOf(printed));
@@ -344,7 +348,7 @@ void BadModulesTest::describingWhatLoopsEndsWithASignal() {
     QVERIFY(!QFile::exists(out));
 }
 
-void BadModulesTest::describingACrashIsSaid_data() {
+void BadModulesTest::reportsCrashWhileDescribing_data() {
     QTest::addColumn<QString>("environment");
     QTest::addColumn<QByteArray>("said");
     QTest::newRow("when loaded") << "TRUNDLE_ZOO_LOAD=segv" << QByteArray("crashed while it was loaded and described: Segmentation");
@@ -354,7 +358,7 @@ void BadModulesTest::describingACrashIsSaid_data() {
     QTest::newRow("when unloaded") << "TRUNDLE_ZOO_UNLOAD=abort" << QByteArray("crashed while it was unloaded: Aborted");
 }
 
-void BadModulesTest::describingACrashIsSaid() {
+void BadModulesTest::reportsCrashWhileDescribing() {
     QFETCH(QString, environment);
     QFETCH(QByteArray, said);
     const QString library = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so"), out = m_folder.filePath("out.json");
@@ -366,7 +370,7 @@ void BadModulesTest::describingACrashIsSaid() {
     QCOMPARE(QFile::exists(out), environment.contains("UNLOAD")); // by then it was written
 }
 
-void BadModulesTest::closedDescriptorsHarmNoFile_data() {
+void BadModulesTest::closedDescriptorsCorruptNoFile_data() {
     QTest::addColumn<QString>("closing");
     QTest::addColumn<int>("code");
     QTest::newRow("standard input") << "<&-" << 0;
@@ -375,10 +379,10 @@ void BadModulesTest::closedDescriptorsHarmNoFile_data() {
     QTest::newRow("all") << "<&- >&- 2>&-" << 1;
 }
 
-void BadModulesTest::closedDescriptorsHarmNoFile() {
+void BadModulesTest::closedDescriptorsCorruptNoFile() {
     QFETCH(QString, closing);
     QFETCH(int, code);
-    const Outcome run = runZoo(experiment("Deed=flood", {}), {}, "exec \"$0\" \"$@\" " + closing);
+    const Outcome run = runZoo(experiment("Action=flood", {}), {}, "exec \"$0\" \"$@\" " + closing);
     QVERIFY2(run.code == code, shown(run).left(4000));
     if (code == 0) QCOMPARE(QJsonDocument::fromJson(run.out).object()["state_hash"].toString().toLatin1(), m_hash);
     QCOMPARE(rows(), kRowsWhole);

@@ -62,7 +62,7 @@ private Q_SLOTS:
             QVERIFY2(contentOf(one.filePath(picture)) == contentOf(two.filePath(picture)), qPrintable(picture));
     }
 
-    void whatACameraSeesCanBeDrawn() {
+    void rendersCameraView() {
         QTemporaryDir folder;
         const QString picture = folder.filePath("eye.png");
         const Outcome drawn = cli({"render", kExperiment, "--camera", "seeker_0/eye", "--at", "1", "-o", picture});
@@ -102,7 +102,7 @@ private Q_SLOTS:
                  QByteArray("time [s],picture\n0,film_000000.jpg\n0.5,film_000001.jpg\n1,film_000002.jpg\n"));
     }
 
-    void aFrameLogSaysWhenItsPicturesWereTaken() {
+    void frameLogListsPictureTimes() {
         QTemporaryDir folder;
         QVERIFY(writeFile(folder.filePath("film.sim"), "#import robots/camera_robot.sim\n"
                                                        "Tick=0.01 Duration=0.15\n"
@@ -116,8 +116,8 @@ private Q_SLOTS:
         QVERIFY(contentOf(folder.filePath("film_000001.png")) != contentOf(folder.filePath("film_000002.png")));
     }
 
-    /// Told by a check, before anything runs.
-    void whatAFrameLogNamesIsThere() {
+    /// Reported by a check, before anything runs.
+    void frameLogListsExistingFiles() {
         QTemporaryDir folder;
         const auto check = [&](const char* log) {
             if (!writeFile(folder.filePath("film.sim"), contentOf(kExperiment) + log)) return Outcome{};
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY2(both.code == 0 && both.err.contains("has a Camera, so its View takes no pictures"), shown(both));
     }
 
-    void aRunGoesOnWithoutPictures() {
+    void runContinuesWithoutPictures() {
         QTemporaryDir logs;
         const QStringList environment{"-u", "DISPLAY", "__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere/none.json"};
         const Outcome run = cliWith(
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains("cannot see, stays where it is: no OpenGL to draw with"), shown(run));
     }
 
-    void aPictureThatCannotBeTakenIsToldOnce() {
+    void reportsFailedPictureOnce() {
         QTemporaryDir folder;
         QVERIFY(writeFile(folder.filePath("film.sim"), contentOf(kExperiment) +
                                                            "View inside { Eye=0,0,1 Target=0,0,1 }\n"
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(folder.filePath("film.csv")), QByteArray("time [s],picture\n0,\n0.1,\n0.2,\n0.3,\n"));
     }
 
-    void aPictureWhoseNameIsTakenIsToldOnce() {
+    void reportsTakenPictureNameOnce() {
         QTemporaryDir folder;
         QVERIFY(writeFile(folder.filePath("film.sim"), "#import robots/camera_robot.sim\n"
                                                        "Tick=0.01 Duration=0.02\n"
@@ -172,8 +172,8 @@ private Q_SLOTS:
                  QByteArray("time [s],picture\n0,film_000000.png\n0.01,\n0.02,film_000002.png\n"));
     }
 
-    /// A shell that may write small files only stands for a full disk.
-    void aFullDiskLeavesNoHalvesOfPictures() {
+    /// A shell that may write small files only represents a full disk.
+    void fullDiskLeavesNoPartialPictures() {
         QTemporaryDir folder;
         const QString logs = folder.filePath("logs");
         QVERIFY(writeFile(folder.filePath("film.sim"), "#import robots/camera_robot.sim\n"
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(precious), QByteArray("precious"));
     }
 
-    void whatIsOfAMovieNeedsOne_data() {
+    void movieOptionsRequireMovie_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("camera") << QStringList{"--camera", "seeker_0/eye"};
         QTest::newRow("view") << QStringList{"--view", "overview"};
@@ -248,7 +248,7 @@ private Q_SLOTS:
         QTest::newRow("no ending") << QStringList{"--movie", "a"};
         QTest::newRow("another ending") << QStringList{"--movie", "a.avi"};
     }
-    void whatIsOfAMovieNeedsOne() {
+    void movieOptionsRequireMovie() {
         QFETCH(QStringList, arguments);
         QTemporaryDir folder;
         const Outcome refused = cli(QStringList{"run", kExperiment, "--log-dir", folder.path()} + arguments, folder.path());

@@ -67,7 +67,7 @@ inline const QByteArray kHostileName = "\x1b]0;mine\x07\xc2\x9b"
                                        "mis.sim";
 
 /// What is wrong with bytes for a terminal; empty where nothing is.
-inline QByteArray dirt(const QByteArray& bytes) {
+inline QByteArray controlCharacters(const QByteArray& bytes) {
     QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
     const QString text = decoder(bytes);
     if (decoder.hasError()) return "no UTF-8";
@@ -78,4 +78,6 @@ inline QByteArray dirt(const QByteArray& bytes) {
     }
     return {};
 }
-inline QByteArray dirt(const Outcome& outcome) { return dirt(outcome.err) + dirt(outcome.out); }
+inline QByteArray controlCharacters(const Outcome& outcome) {
+    return controlCharacters(outcome.err) + controlCharacters(outcome.out);
+}

@@ -17,8 +17,8 @@ private Q_SLOTS:
         QCOMPARE(print.code, 0);
         QCOMPARE(print.out, contentOf(path));
     }
-    void loadsAloneWithoutAWord_data() { rows(); }
-    void loadsAloneWithoutAWord() {
+    void loadsAloneWithoutDiagnostics_data() { rows(); }
+    void loadsAloneWithoutDiagnostics() {
         QFETCH(QString, path);
         const Outcome check = cli({"check", path, "--json"});
         QVERIFY2(check.code == 0, shown(check));
@@ -43,7 +43,7 @@ private Q_SLOTS:
         QVERIFY2(run.code == 0, shown(run));
         QVERIFY2(run.out.contains("x real time"), shown(run));
     }
-    void checkTellsMistakesAsJson() {
+    void checkReportsErrorsAsJson() {
         QTemporaryDir folder;
         const QString path = folder.filePath("wrong.sim");
         QVERIFY(writeFile(path, "Surface rubber { Frictoin=0.8 }\n"));
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(entry["code"].toString(), QString("E201"));
         QCOMPARE(entry["suggestions"].toArray().first().toString(), QString("Friction"));
     }
-    void theManualKnowsBuiltInAndModuleKinds() {
+    void manualListsBuiltInAndModuleKinds() {
         for (const char* kind : {"RotaryMotor", "PoseLog", "Body", "LinearMotion"}) {
             const Outcome page = cli({"describe", kind});
             QVERIFY2(page.code == 0, shown(page));

@@ -104,7 +104,7 @@ private Q_SLOTS:
     }
 
     // What a robot does is its own: another one far away changes neither its numbers nor its bits.
-    void aRobotFarAwayChangesNothing() {
+    void distantRobotChangesNothing() {
         const World alone{"alone", "Robot robot0 { Config=SimpleRobot BumpAndTurn b { Speed=0.4 } }"};
         const World both{"both", "Robot robot0 { Config=SimpleRobot BumpAndTurn b { Speed=0.4 } }\nRobot other { Config=EvBot "
                                  "Pos=500,0,0 RandomDrive b {} }\n"

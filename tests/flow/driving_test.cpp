@@ -172,8 +172,7 @@ void DrivingFlowTest::pressedAgainstAWallItStays() {
     QVERIFY2(run.code == 0, shown(run));
     const QJsonObject json = QJsonDocument::fromJson(run.out).object();
     const QJsonObject robot = json["robots"].toObject()["robot0"].toObject();
-    const double hull =
-        distance < 0 ? -2 + 0.15 : 2 - 0.17; // the walls stand at 2 m; behind reaches the hull, in front the bumper
+    const double hull = distance < 0 ? -2 + 0.15 : 2 - 0.17; // the walls are at 2 m; behind reaches the hull, in front the bumper
     QVERIFY2(std::abs(robot["pos"].toArray()[0].toDouble() - hull) < 1e-3, shown(run));
     QVERIFY2(std::abs(robot["pos"].toArray()[1].toDouble()) < 2e-3, shown(run));
 }

@@ -23,11 +23,11 @@ private Q_SLOTS:
     void withoutWriteNothingIsWritten();
     void aNewOverrideIsAddedToTheInstance();
     void awrongPathChangesNothing();
-    void ofManyAtOnceNoneIsLost();
+    void concurrentEditsAllSurvive();
 };
 
 /// Sixty times two at once, of one file and of one that both import.
-void EditTest::ofManyAtOnceNoneIsLost() {
+void EditTest::concurrentEditsAllSurvive() {
     const QString path = copied("experiments/linear_motion.sim"), owner = m_folder.filePath("configs/robots/simple_robot.sim");
     for (int i = 0; i < 60; ++i) {
         const QByteArray distance = "Distance=" + QByteArray::number(2 + i), resistance = "Resistance=" + QByteArray::number(3 + i);

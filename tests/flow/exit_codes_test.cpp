@@ -37,25 +37,25 @@ private Q_SLOTS:
     void everyEndHasItsCode();
     void everyMisuseIsNamed_data();
     void everyMisuseIsNamed();
-    void helpStandsEverywhereWithExamples_data();
-    void helpStandsEverywhereWithExamples();
+    void everyHelpHasExamples_data();
+    void everyHelpHasExamples();
     void theVersionIsOneLine();
-    void withoutTheModuleFolderTheDiagnosticSaysWhereItLooked();
+    void missingModuleListsSearchedFolders();
     void aModuleThatIsNotTrustedDoesNotRun();
     void aFullDiskEndsTheRunHonestly();
     void jsonIsCompleteWhenTheTextIsWrong();
     void jsonNamesTheFileThatCannotBeRead();
-    void aCrashInAModuleIsSaid();
+    void reportsCrashInModule();
     void anExitInAModuleIsNoSuccess_data();
     void anExitInAModuleIsNoSuccess();
-    void aFullStandardOutputIsSaid_data();
-    void aFullStandardOutputIsSaid();
-    void aThousandMistakesAreNotAWallOfText();
+    void reportsFullStandardOutput_data();
+    void reportsFullStandardOutput();
+    void limitsDiagnosticsOutput();
     void sixtyFourMebibytesOfMistakesFitIntoLittleMemory_data();
     void sixtyFourMebibytesOfMistakesFitIntoLittleMemory();
-    void checkSaysWhatARunWouldShow();
-    void noFileNameLeadsTheLogsElsewhere();
-    void checkAndRunSayTheSameOfOneMotor();
+    void checkReportsRunErrors();
+    void fileNamesCannotRedirectLogs();
+    void checkAndRunReportMotorAlike();
 };
 
 void ExitCodesTest::everyEndHasItsCode_data() {
@@ -213,14 +213,14 @@ void ExitCodesTest::everyMisuseIsNamed() {
     QCOMPARE(QDir(here.path()).entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::Hidden), QStringList());
 }
 
-void ExitCodesTest::helpStandsEverywhereWithExamples_data() {
+void ExitCodesTest::everyHelpHasExamples_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::newRow("program") << QStringList{"--help"};
     for (const char* command : {"run", "check", "print", "format", "edit", "describe"})
         QTest::newRow(command) << QStringList{command, "--help"};
 }
 
-void ExitCodesTest::helpStandsEverywhereWithExamples() {
+void ExitCodesTest::everyHelpHasExamples() {
     QFETCH(QStringList, arguments);
     const Outcome help = cli(arguments);
     QVERIFY2(help.code == 0, shown(help));
@@ -233,7 +233,7 @@ void ExitCodesTest::theVersionIsOneLine() {
     QVERIFY2(QRegularExpression("^trundle-cli [0-9.]+ \\(SDK [0-9.]+\\)\n$").match(version.out).hasMatch(), shown(version));
 }
 
-void ExitCodesTest::withoutTheModuleFolderTheDiagnosticSaysWhereItLooked() {
+void ExitCodesTest::missingModuleListsSearchedFolders() {
     // The same program in a place with no lib/trundle beside it.
     QVERIFY(QDir(m_folder.path()).mkpath("elsewhere/bin"));
     const QString program = m_folder.filePath("elsewhere/bin/trundle-cli");
@@ -268,7 +268,7 @@ void ExitCodesTest::aModuleThatIsNotTrustedDoesNotRun() {
 
 void ExitCodesTest::aFullDiskEndsTheRunHonestly() {
     const QString path = experiment("much.sim", "", "Duration = 60\nSignalLog all { Signals=\"*\" }");
-    // A shell that may write files of 100 blocks only stands for a full disk.
+    // A shell that may write files of 100 blocks only represents a full disk.
     const Outcome run = callProgram("/bin/sh", {"-c", "ulimit -f 100; exec \"$0\" run \"$1\" --json", programPath(), path});
     QVERIFY2(run.code == 1, shown(run));
     QVERIFY2(run.err.contains("E503") && run.err.contains("all.csv"), shown(run));
@@ -295,7 +295,7 @@ void ExitCodesTest::jsonNamesTheFileThatCannotBeRead() {
     QCOMPARE(QJsonDocument::fromJson(run.out).object()["diagnostics"].toArray().first().toObject()["file"].toString(), none);
 }
 
-void ExitCodesTest::aCrashInAModuleIsSaid() {
+void ExitCodesTest::reportsCrashInModule() {
     const QString path = m_folder.filePath("crash.sim");
     QVERIFY(writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot "
                             "Exits brain { Recurse=true } }\n"));
@@ -323,7 +323,7 @@ void ExitCodesTest::anExitInAModuleIsNoSuccess() {
     QVERIFY2(run.err.contains("ended the program"), shown(run));
 }
 
-void ExitCodesTest::aFullStandardOutputIsSaid_data() {
+void ExitCodesTest::reportsFullStandardOutput_data() {
     QTest::addColumn<QString>("command");
     const QString good = experiment("full.sim", "");
     for (const char* command :
@@ -331,14 +331,14 @@ void ExitCodesTest::aFullStandardOutputIsSaid_data() {
         QTest::newRow(command) << QString(command).replace("%1", good);
 }
 
-void ExitCodesTest::aFullStandardOutputIsSaid() {
+void ExitCodesTest::reportsFullStandardOutput() {
     QFETCH(QString, command);
     const Outcome outcome = callProgram("/bin/sh", {"-c", "'" + programPath() + "' " + command + " > /dev/full"});
     QVERIFY2(outcome.code == 1, shown(outcome));
     QVERIFY2(outcome.err.contains("standard output"), shown(outcome));
 }
 
-void ExitCodesTest::aThousandMistakesAreNotAWallOfText() {
+void ExitCodesTest::limitsDiagnosticsOutput() {
     const QString path = m_folder.filePath("many.sim");
     QByteArray text;
     for (int i = 0; i < 1000; ++i) text += "Nonsense" + QByteArray::number(i) + " = 1\n";
@@ -380,7 +380,7 @@ void ExitCodesTest::sixtyFourMebibytesOfMistakesFitIntoLittleMemory() {
     QFile::remove(path);
 }
 
-void ExitCodesTest::checkSaysWhatARunWouldShow() {
+void ExitCodesTest::checkReportsRunErrors() {
     const auto text = [this](const char* name, const QByteArray& robot) {
         const QString path = m_folder.filePath(name);
         (void)writeFile(path, "Duration = 0.1\n#import arenas/open_floor.sim\n#loadModule controllers/linear_motion\n"
@@ -389,7 +389,7 @@ void ExitCodesTest::checkSaysWhatARunWouldShow() {
                                   robot);
         return path;
     };
-    // A port that the robot does not have is said without a run.
+    // A port that the robot does not have is reported without a run.
     const QString lacking = text("lacking.sim", "Robot r { Config=Crate Pos=0,0,0.1 LinearMotion brain { } }\n");
     const Outcome refused = cli({"check", lacking});
     QVERIFY2(refused.code == 1 && refused.err.contains("E411"), shown(refused));
@@ -415,7 +415,7 @@ void ExitCodesTest::checkSaysWhatARunWouldShow() {
 }
 
 /// One finding with one place and one fix, whoever is asked.
-void ExitCodesTest::checkAndRunSayTheSameOfOneMotor() {
+void ExitCodesTest::checkAndRunReportMotorAlike() {
     const QString path = m_folder.filePath("one_motor.sim");
     writeFile(path, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nDuration = 0.1\nStatic floor { Config=OpenFloor }\n"
                     "Robot r { Config=SimpleRobot base.RightMotor=leftMotor }\n");
@@ -432,7 +432,7 @@ void ExitCodesTest::checkAndRunSayTheSameOfOneMotor() {
     QCOMPARE(said[0]["line"].toInt(), 5);
 }
 
-void ExitCodesTest::noFileNameLeadsTheLogsElsewhere() {
+void ExitCodesTest::fileNamesCannotRedirectLogs() {
     QVERIFY(QDir(m_folder.path()).mkpath("dots"));
     const QString folder = m_folder.filePath("dots/");
     for (const char* name : {"...", "..sim"}) {

@@ -35,7 +35,7 @@ QList<Fence> fencesOf(const QString& page) {
     return fences;
 }
 
-/// The texts of a page: one that says `more` goes on from the one before.
+/// The texts of a page: one that says `more` goes on from the previous one.
 QList<Fence> textsOf(const QString& page) {
     QList<Fence> texts;
     QString before;
@@ -64,7 +64,7 @@ class GuideTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyBlockSaysWhatItIs() {
+    void everyCodeBlockHasALanguage() {
         const QStringList known{"sim", "sh", "cpp"};
         int count = 0;
         for (const QString& page : pages())
@@ -75,14 +75,14 @@ private Q_SLOTS:
         QVERIFY(count > 30);
     }
 
-    void itsTextsRun_data() {
+    void documentedTextsRun_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QStringList>("codes");
         for (const QString& page : pages())
             for (const Fence& fence : textsOf(page))
                 QTest::newRow(qPrintable(fence.where())) << fence.text << fence.words.filter(QRegularExpression("^E\\d+$"));
     }
-    void itsTextsRun() {
+    void documentedTextsRun() {
         QFETCH(QString, text);
         QFETCH(QStringList, codes);
         QTemporaryDir folder;
@@ -100,12 +100,12 @@ private Q_SLOTS:
     }
 
     /// In the order of the page, in one folder, where the page's first text is my.sim.
-    void itsCommandLinesDoWhatTheySay_data() {
+    void documentedCommandsWork_data() {
         QTest::addColumn<QString>("page");
         for (const QString& page : pages())
             if (textOf(page).contains("```sh")) QTest::newRow(qPrintable(page)) << page;
     }
-    void itsCommandLinesDoWhatTheySay() {
+    void documentedCommandsWork() {
         QFETCH(QString, page);
         QTemporaryDir folder;
         const QList<Fence> texts = textsOf(page);

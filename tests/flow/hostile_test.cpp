@@ -46,12 +46,12 @@ private Q_SLOTS:
         QVERIFY(contentOf(path("outside/authorized_keys")).startsWith("time"));
     }
 
-    void wordsOfAModuleAreClean_data() {
+    void cleansModuleText_data() {
         QTest::addColumn<bool>("fails");
         QTest::newRow("said") << false;
         QTest::newRow("failed with") << true;
     }
-    void wordsOfAModuleAreClean() {
+    void cleansModuleText() {
         QFETCH(bool, fails);
         const QString file = experiment("#loadModule hostile\nRobot r { Config=SimpleRobot Hostile brain { Fails=" +
                                         QByteArray(fails ? "true" : "false") + " } }\n");
@@ -62,14 +62,14 @@ private Q_SLOTS:
             QVERIFY2(run.err.contains("mis.exe"), shown(run));
             QVERIFY2(run.err.contains("cannot be called"), shown(run));          // the log it asked for
             QVERIFY2(!run.err.contains("\n[0 robot1] all is well"), shown(run)); // a line has the name of who said it
-            QCOMPARE(dirt(run), QByteArray());
+            QCOMPARE(controlCharacters(run), QByteArray());
         }
     }
     void theHelpOfAModuleIsClean() {
         for (const QStringList& more : {QStringList{}, {"--json"}, {"Hostile"}, {"Hostile", "--json"}}) {
-            const Outcome told = cli(QStringList{"describe", "--modules", kModules} + more);
-            QVERIFY2(told.code == 0 && told.out.contains("Hostile"), shown(told));
-            QCOMPARE(dirt(told), QByteArray());
+            const Outcome reported = cli(QStringList{"describe", "--modules", kModules} + more);
+            QVERIFY2(reported.code == 0 && reported.out.contains("Hostile"), shown(reported));
+            QCOMPARE(controlCharacters(reported), QByteArray());
         }
     }
 
@@ -83,10 +83,10 @@ private Q_SLOTS:
                  {QStringList{"check"}, {"run"}, {"check", "--json"}, {"run", "--json"}, {"render", "-o", "x.png"}}) {
                 const Outcome said = cli(before + QStringList{each});
                 QVERIFY2(said.err.size() + said.out.size() > 0, shown(said));
-                QCOMPARE(dirt(said), QByteArray());
+                QCOMPARE(controlCharacters(said), QByteArray());
             }
     }
-    void wordsOfTheCommandLineAreClean() {
+    void cleansCommandLineText() {
         const QString name = QString::fromUtf8(kHostileName);
         for (const QStringList& words : {QStringList{name},
                                          {"run", "--" + name},
@@ -96,7 +96,7 @@ private Q_SLOTS:
                                          {"describe", "--modules", name}}) {
             const Outcome said = cli(words, m_folder->path());
             QVERIFY2(said.code == 2 && !said.err.isEmpty(), shown(said));
-            QCOMPARE(dirt(said), QByteArray());
+            QCOMPARE(controlCharacters(said), QByteArray());
         }
     }
 };

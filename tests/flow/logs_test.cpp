@@ -51,7 +51,7 @@ private Q_SLOTS:
         const auto total = [&](int row) { return rows[row].split(',').value(4).toDouble(); };
         QVERIFY2(total(1) > total(2) && total(2) >= total(3) - 1e-6, rows[1] + "\n" + rows[2] + "\n" + rows[3]);
     }
-    void mistakesInLogsAreToldBeforeTheRun_data() {
+    void reportsLogErrorsBeforeRun_data() {
         QTest::addColumn<QByteArray>("logs");
         QTest::addColumn<QByteArray>("said");
         QTest::newRow("unknown robot") << QByteArray("PoseLog p { Robot=robbot0 }\n") << QByteArray("robot0");
@@ -66,7 +66,7 @@ private Q_SLOTS:
                                          << QByteArray("a.csv");
         QTest::newRow("no signals") << QByteArray("SignalLog s { }\n") << QByteArray("Signals");
     }
-    void mistakesInLogsAreToldBeforeTheRun() {
+    void reportsLogErrorsBeforeRun() {
         QFETCH(QByteArray, logs);
         QFETCH(QByteArray, said);
         const Outcome done = run(experiment(logs));

@@ -42,7 +42,7 @@ private Q_SLOTS:
         QVERIFY(most <= 10);
     }
 
-    void theRobotKnowsRadioWheelsAndTouchOnly() {
+    void robotUsesRadioWheelsAndTouchOnly() {
         // what the controllers bind is all they can know
         for (const char* source :
              {"network_navigator/network_navigator.cpp", "network_navigator/bearing_sweep.h", "network_navigator/listener.h",

@@ -1,4 +1,4 @@
-// What RadioLog, LinkMatrix and the capture file tell of a network, and that nothing in it is lost or made up.
+// What RadioLog, LinkMatrix and the capture file report a network, and that nothing in it is lost or made up.
 
 #include "flow/cli.h"
 
@@ -96,9 +96,9 @@ class RadioLogsTest : public QObject {
     }
 
 private Q_SLOTS:
-    void nothingIsLostOrMadeUp_data() {
+    void accountsForEveryPacket_data() {
         QTest::addColumn<QByteArray>("medium");
-        QTest::addColumn<QByteArrayList>("fates"); // that must occur
+        QTest::addColumn<QByteArrayList>("outcomes"); // that must occur
         QTest::newRow("ideal") << QByteArray("RadioMedium air { }\n")
                                << QByteArrayList{"delivered", "was sending", "too weak", "buffer full"};
         QTest::newRow("collisions") << QByteArray("RadioMedium air { Collisions=true }\n")
@@ -109,24 +109,24 @@ private Q_SLOTS:
                                                   "PacketErrors=true NoiseFloor=-78 }\n")
                                     << QByteArrayList{"delivered", "bit errors"};
     }
-    void nothingIsLostOrMadeUp() {
+    void accountsForEveryPacket() {
         QFETCH(QByteArray, medium);
-        QFETCH(QByteArrayList, fates);
+        QFETCH(QByteArrayList, outcomes);
         const Outcome done = run(kHead + medium + kMotes);
         QVERIFY2(done.code == 0, shown(done));
         const QStringList robots = m_robots.keys();
         QCOMPARE(robots.size(), 9);
 
-        QMap<QByteArray, QMap<QByteArray, int>> fateAt; // by receiver
+        QMap<QByteArray, QMap<QByteArray, int>> outcomeAt; // by receiver
         QMap<QByteArray, int> of;
         QMap<QByteArray, int> rowsFrom;
         for (const Row& row : rowsOf(file("frames.csv"))) {
             QCOMPARE(row["kind"], QByteArray("data"));
-            ++fateAt[row["to"]][row["fate"]];
+            ++outcomeAt[row["to"]][row["fate"]];
             ++of[row["fate"]];
             ++rowsFrom[row["from"]];
         }
-        for (const QByteArray& fate : fates) QVERIFY2(of.value(fate) > 0, fate);
+        for (const QByteArray& outcome : outcomes) QVERIFY2(of.value(outcome) > 0, outcome);
 
         // a row for each frame at each other radio; frames in the air at the end have none yet
         const QList<Captured> frames = capture(contentOf(file("frames.pcap")));
@@ -136,7 +136,7 @@ private Q_SLOTS:
         QCOMPARE(double(frames.size()), allSent);
         QMap<double, int> ended; // by address
         for (const Captured& frame : frames) ended[frame.sender()] += frame.end() <= 2;
-        const int receivers = fateAt.contains("far/radio") ? 8 : 7; // who is out of range of all has no rows
+        const int receivers = outcomeAt.contains("far/radio") ? 8 : 7; // who is out of range of all has no rows
         for (const QString& robot : robots) {
             const int rows = rowsFrom.value(robot.toUtf8() + "/radio"), sent = ended.value(counted(robot, "address"));
             QVERIFY2(rows == receivers * sent || (robot == "far" && rows == 0),
@@ -145,8 +145,8 @@ private Q_SLOTS:
 
         for (const QString& robot : robots) {
             const QByteArray radio = robot.toUtf8() + "/radio";
-            QCOMPARE(double(fateAt[radio].value("delivered")), counted(robot, "received"));
-            QCOMPARE(double(fateAt[radio].value("buffer full")), counted(robot, "dropped"));
+            QCOMPARE(double(outcomeAt[radio].value("delivered")), counted(robot, "received"));
+            QCOMPARE(double(outcomeAt[radio].value("buffer full")), counted(robot, "dropped"));
         }
         QCOMPARE(counted("deaf", "received"), 2.); // the newest are dropped, not the oldest
         QCOMPARE(counted("deaf", "pending"), 2.);

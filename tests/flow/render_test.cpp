@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(render("near.jpg", {"--eye", "-1,-1,0.5", "--target", "-1.5,0,0.1", "--fov", "40"}).code, 0);
         QVERIFY(contentOf(m_folder.filePath("near.jpg")).startsWith("\xFF\xD8\xFF"));
     }
-    void wrongWishesAreRefused_data() {
+    void rejectsWrongOptions_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<int>("code");
         QTest::newRow("size") << QStringList{"--size", "big"} << 2;
@@ -65,7 +65,7 @@ private Q_SLOTS:
         QTest::newRow("a folder that is not there") << QStringList{"-o", "/nonexistent/picture.png"} << 1;
         QTest::newRow("no such ending") << QStringList{"-o", "picture.bmp"} << 1;
     }
-    void wrongWishesAreRefused() {
+    void rejectsWrongOptions() {
         QFETCH(QStringList, arguments);
         QFETCH(int, code);
         QStringList all{"render", configPath("experiments/linear_motion.sim")};
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(m_folder.filePath("never.png")));
     }
     /// The run would take for ever.
-    void whatIsWrongIsToldBeforeTheRun_data() {
+    void reportsErrorsBeforeRun_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("reason");
         QTest::newRow("camera") << QStringList{"--camera", "robot0/ear"} << QByteArray("there is no camera robot0/ear");
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QTest::newRow("ending") << QStringList{"-o", "picture.bmp"} << QByteArray(".png, .jpg or .jpeg");
         QTest::newRow("folder") << QStringList{"-o", "/nonexistent/picture.png"} << QByteArray("No such file or directory");
     }
-    void whatIsWrongIsToldBeforeTheRun() {
+    void reportsErrorsBeforeRun() {
         QFETCH(QStringList, arguments);
         QFETCH(QByteArray, reason);
         QStringList all{"render", configPath("experiments/linear_motion.sim"), "--at", "1e8"};

@@ -15,15 +15,15 @@ class RunFlowTest : public QObject {
     static QByteArray hashLine(const Outcome& outcome) { return outcome.out.split('\n').value(outcome.out.count('\n') - 1); }
 
 private Q_SLOTS:
-    void theSummarySaysWhereTheRobotEndedAndHowFarThatIsFromTheCommand();
+    void summaryShowsFinalPoseAndDriveError();
     void jsonIsOneObjectOfTheKnownShape();
     void theSameInputGivesTheSameBits();
     void logsChangeNothing();
     void ctrlCEndsWithEverythingComplete();
     void manyRobotsAreSummedUp();
-    void aQuietRunSaysNothing();
+    void quietRunPrintsNothing();
     void seedAndSetReachTheExperiment();
-    void whatTheExactSolverCannotTakeIsTakenByTheQuickOne();
+    void quickSolverHandlesLargeClusters();
     void aControllerEndsTheRun_data();
     void aControllerEndsTheRun();
     void theThesisExperimentRuns();
@@ -31,7 +31,7 @@ private Q_SLOTS:
     void aWalkTouchesEveryWallAndNeverStays();
 };
 
-void RunFlowTest::theSummarySaysWhereTheRobotEndedAndHowFarThatIsFromTheCommand() {
+void RunFlowTest::summaryShowsFinalPoseAndDriveError() {
     const Outcome run = runLinear();
     QVERIFY2(run.code == 0, shown(run));
     QVERIFY2(run.out.contains("1200 ticks"), shown(run));
@@ -137,7 +137,7 @@ void RunFlowTest::manyRobotsAreSummedUp() {
              shown(run));
 }
 
-void RunFlowTest::aQuietRunSaysNothing() {
+void RunFlowTest::quietRunPrintsNothing() {
     const Outcome run = runLinear({"--quiet"});
     QCOMPARE(run.code, 0);
     QCOMPARE(run.out, QByteArray());
@@ -160,15 +160,16 @@ void RunFlowTest::seedAndSetReachTheExperiment() {
     QVERIFY2(wrong.err.contains("--set#1:1:") && wrong.err.contains("Speed"), shown(wrong));
 }
 
-void RunFlowTest::whatTheExactSolverCannotTakeIsTakenByTheQuickOne() {
+void RunFlowTest::quickSolverHandlesLargeClusters() {
     const QString clash = QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/data/clash.sim");
     const Outcome run = cli({"run", clash, "--duration", "0.1", "--json"});
     QVERIFY2(run.code == 0, shown(run));
     const QJsonObject json = QJsonDocument::fromJson(run.out).object();
     QVERIFY2(json["rescued_ticks"].toInt() >= 1 && json["quick_ticks"].toInt() >= 1, shown(run));
     QCOMPARE(json["ticks"].toInt(), 10);
-    const Outcome told = cli({"run", clash, "--duration", "0.1"});
-    QVERIFY2(told.out.contains("taken by the quick solver") && told.out.contains("taken again with more give"), shown(told));
+    const Outcome reported = cli({"run", clash, "--duration", "0.1"});
+    QVERIFY2(reported.out.contains("solved by the quick solver") && reported.out.contains("repeated with softer constraints"),
+             shown(reported));
 }
 
 void RunFlowTest::aControllerEndsTheRun_data() {
@@ -204,15 +205,15 @@ void RunFlowTest::aControllerEndsTheRun() {
     QCOMPARE(json["ticks"].toInt(), ticks);
     QCOMPARE(finished["robot"].toString(), who);
     QCOMPARE(contentOf(logs + "/counts.csv").count('\n'), ticks + 2); // heading and start
-    const Outcome told = cli(words);
-    QCOMPARE(told.code, 0);
-    QCOMPARE(told.out.contains("finished    by "), !who.isEmpty());
-    QVERIFY2(!told.out.contains('\x1b') && !told.out.contains("\xc2\x9b"),
-             shown(told)); // no word of a module commands the terminal
+    const Outcome reported = cli(words);
+    QCOMPARE(reported.code, 0);
+    QCOMPARE(reported.out.contains("finished    by "), !who.isEmpty());
+    QVERIFY2(!reported.out.contains('\x1b') && !reported.out.contains("\xc2\x9b"),
+             shown(reported)); // no word of a module commands the terminal
     if (who.isEmpty()) return;
     QCOMPARE(finished["time"].toDouble(), ticks * 0.01);
     QCOMPARE(finished["controller"].toString(), QString("brain"));
-    QVERIFY2(told.out.contains("finished    by " + who.toUtf8() + "/brain at t = "), shown(told));
+    QVERIFY2(reported.out.contains("finished    by " + who.toUtf8() + "/brain at t = "), shown(reported));
 }
 
 void RunFlowTest::theThesisExperimentRuns() {

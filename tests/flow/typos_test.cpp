@@ -58,7 +58,7 @@ std::vector<std::string> typosOf(const std::string& word) {
 class TyposFlowTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void theRightWordComesFirst() {
+    void ranksRightWordFirst() {
         const std::size_t perWord = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 60 : 2;
         QTemporaryDir folder;
         std::set<std::pair<std::string, std::string>> seen;

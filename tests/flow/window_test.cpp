@@ -13,7 +13,7 @@
 class WindowProgramTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8()); } // Qt says so where there is none
+    void initTestCase() { qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8()); } // Qt reports it where there is none
 
     void takesAPicture() {
         const QString picture = m_folder.filePath(QStringLiteral("driven.png"));
@@ -39,7 +39,7 @@ private Q_SLOTS:
     }
 
     /// Else the first of them would be the display's socket or a file, and a module that prints would write into it.
-    void aClosedDescriptorLeadsNowhere() {
+    void toleratesClosedDescriptor() {
         const QString experiment = m_folder.filePath(QStringLiteral("closed.sim")), pid = m_folder.filePath(QStringLiteral("closed.pid"));
         QVERIFY(writeFile(experiment, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
                                       "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\nPoseLog path { }\n"));
@@ -60,15 +60,16 @@ private Q_SLOTS:
         QCOMPARE(targets, QStringList(3, QStringLiteral("/dev/null")));
     }
 
-    void aSignalEndsItAtOnceAndKeepsTheLogs_data() {
+    void signalEndsProgramAndKeepsLogs_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("SIGTERM") << SIGTERM;
         QTest::newRow("SIGHUP") << SIGHUP;
     }
-    void aSignalEndsItAtOnceAndKeepsTheLogs() {
+    void signalEndsProgramAndKeepsLogs() {
         QFETCH(int, signal);
-        const QString experiment = m_folder.filePath(QStringLiteral("told/told.sim")), pid = m_folder.filePath(QStringLiteral("told/pid"));
-        QDir().mkpath(m_folder.filePath(QStringLiteral("told")));
+        const QString experiment = m_folder.filePath(QStringLiteral("marker/marker.sim")),
+                      pid = m_folder.filePath(QStringLiteral("marker/pid"));
+        QDir().mkpath(m_folder.filePath(QStringLiteral("marker")));
         QFile::remove(pid);
         QVERIFY(writeFile(experiment, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
                                       "Static floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot }\nPoseLog path { }\n"));
@@ -76,7 +77,7 @@ private Q_SLOTS:
             return callProgram("/usr/bin/env", {"QT_QPA_PLATFORM=offscreen", "/bin/sh", "-c", "echo $$ > \"$1\"; exec \"$0\" --open \"$2\" --run-for 1e6",
                                                 QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), pid, experiment});
         });
-        const QString log = m_folder.filePath(QStringLiteral("told/logs/told/path.csv"));
+        const QString log = m_folder.filePath(QStringLiteral("marker/logs/marker/path.csv"));
         const bool runs = QTest::qWaitFor([&] { return contentOf(log).count('\n') > 20; }, 60'000);
         ::kill(contentOf(pid).trimmed().toInt(), runs ? signal : SIGKILL);
         const Outcome outcome = running.get();
@@ -85,7 +86,7 @@ private Q_SLOTS:
         QFile::remove(log);
     }
 
-    void needsNoDisplayForWords() {
+    void helpNeedsNoDisplay() {
         for (const QString& word : {QStringLiteral("--help"), QStringLiteral("--version")}) {
             const Outcome outcome = callWithoutDisplay({word});
             QVERIFY2(outcome.code == 0 && outcome.err.isEmpty() && outcome.out.contains("Trundle"), shown(outcome));
@@ -96,7 +97,7 @@ private Q_SLOTS:
     }
 
     /// Who makes pictures for a manual finds neither their files among those opened last nor the window as large as they were.
-    void aPictureLeavesNoTrace() {
+    void screenshotChangesNoSettings() {
         const QString home = m_folder.filePath(QStringLiteral("home"));
         qputenv("XDG_CONFIG_HOME", home.toUtf8());
         const QString picture = m_folder.filePath(QStringLiteral("still.png"));
@@ -111,7 +112,7 @@ private Q_SLOTS:
                  settings);
     }
 
-    void theSizeHoldsAfterAMaximizedWindow() {
+    void keepsSizeAfterMaximizedWindow() {
         const QString home = m_folder.filePath(QStringLiteral("maximized"));
         QByteArray geometry; // as QWidget::saveGeometry() writes it
         QDataStream stream(&geometry, QIODevice::WriteOnly);
@@ -134,7 +135,7 @@ private Q_SLOTS:
     }
 
     /// Names of files, words of modules, what was typed: a terminal gets nothing of it that it would obey.
-    void whatItSaysIsClean_data() {
+    void cleansItsOutput_data() {
         QTest::addColumn<QStringList>("arguments");
         const QString name = QString::fromUtf8(kHostileName);
         QTest::newRow("no file") << QStringList{"--open", "/nowhere/" + name};
@@ -144,15 +145,15 @@ private Q_SLOTS:
         QTest::newRow("no option") << QStringList{"--" + name};
         QTest::newRow("no picture") << QStringList{"--screenshot", "/nowhere/" + name};
     }
-    void whatItSaysIsClean() {
+    void cleansItsOutput() {
         QFETCH(QStringList, arguments);
         QVERIFY(writeFile(m_folder.filePath(QString::fromUtf8(kHostileName)), "Robot r { Config=None }\n"));
         const Outcome outcome = call(arguments + QStringList{"--quit"});
         QVERIFY2(outcome.code != 0 && !outcome.err.isEmpty(), shown(outcome));
-        QCOMPARE(dirt(outcome), QByteArray());
+        QCOMPARE(controlCharacters(outcome), QByteArray());
     }
 
-    void saysWhyThereIsNone_data() {
+    void reportsMissingDisplay_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("reason");
         const QString sample = configPath("experiments/arc_motion.sim");
@@ -164,7 +165,7 @@ private Q_SLOTS:
         QTest::newRow("no option") << QStringList{"--nonsense"} << QByteArray("nonsense");
         QTest::newRow("no size") << QStringList{"--size", "10x10"} << QByteArray("320x240");
     }
-    void saysWhyThereIsNone() {
+    void reportsMissingDisplay() {
         QFETCH(QStringList, arguments);
         QFETCH(QByteArray, reason);
         const QString picture = m_folder.filePath(QStringLiteral("none.png"));
@@ -176,7 +177,7 @@ private Q_SLOTS:
     }
 
     /// The picture is taken, and does not pass for one of the run.
-    void saysThatThereWasNoRun_data() {
+    void reportsMissingRun_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<int>("code");
         QTest::addColumn<QByteArray>("reason");
@@ -197,7 +198,7 @@ private Q_SLOTS:
                                                        "Robot r { Config=SimpleRobot Failing brain { Where=\"give up\" } }\n")
                                          << 3 << QByteArray("the map is empty");
     }
-    void saysThatThereWasNoRun() {
+    void reportsMissingRun() {
         QFETCH(QByteArray, text);
         QFETCH(int, code);
         QFETCH(QByteArray, reason);
@@ -220,7 +221,7 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(picture));
     }
 
-    void anExitInAModuleIsSaid() {
+    void reportsExitInModule() {
         const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/");
         const QString home = m_folder.filePath(QStringLiteral("trusting")), file = m_folder.filePath(QStringLiteral("exits.sim"));
         QDir().mkpath(home + "/Trundle");

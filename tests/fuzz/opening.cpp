@@ -63,7 +63,7 @@ std::shared_ptr<const Registry> builtInKinds() {
     return kinds;
 }
 
-std::shared_ptr<const Loaded> open(std::span<const std::uint8_t> bytes) {
+std::shared_ptr<const LoadedProject> open(std::span<const std::uint8_t> bytes) {
     const std::filesystem::path file = scratch() / "fuzz.sim";
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

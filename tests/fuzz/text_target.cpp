@@ -3,8 +3,8 @@
 
 #include "base/rng.h"
 #include "fuzz/targets.h"
+#include "lang/diagnostic_text.h"
 #include "lang/formatter.h"
-#include "lang/render.h"
 #include "lang/tree_edit.h"
 
 namespace trundle::fuzz {

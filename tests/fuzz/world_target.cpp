@@ -4,7 +4,7 @@
 #include "devices/builtin.h"
 #include "fuzz/random_experiment.h"
 #include "fuzz/targets.h"
-#include "lang/render.h"
+#include "lang/diagnostic_text.h"
 #include "world/world.h"
 
 namespace trundle::fuzz {
@@ -34,7 +34,7 @@ void checkSignals(const World& world) {
     }
 }
 
-void shove(World& world, Choices& choices) {
+void pushBody(World& world, Choices& choices) {
     if (!choices.chance(1) || world.experiment().robots.empty()) return;
     const RobotSpec& robot =
         world.experiment().robots[choices.pick(static_cast<std::uint32_t>(world.experiment().robots.size()))];
@@ -60,7 +60,7 @@ void tryWorld(std::span<const std::uint8_t> bytes) {
     checkSignals(*world);
     for (int i = 0; i < kTicks; ++i) {
         writeCommands(*world, choices);
-        shove(*world, choices);
+        pushBody(*world, choices);
         const Status status = world->tick();
         require(status.ok() == (world->fault() == nullptr));
         if (!status.ok()) {

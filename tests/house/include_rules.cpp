@@ -35,7 +35,7 @@ QString IncludeRules::folderOf(const QString& path) const {
     return best;
 }
 
-QString IncludeRules::complaint(const QString& file, const QString& included, bool inAngles) const {
+QString IncludeRules::violation(const QString& file, const QString& included, bool inAngles) const {
     const QString folder = folderOf(file);
     if (folder.isEmpty()) return "no row of the table holds this file";
     const FolderRule rule = m_rules.value(folder);
@@ -55,7 +55,7 @@ QString IncludeRules::complaint(const QString& file, const QString& included, bo
     return folder + " must not use " + (inAngles ? "sdk" : included);
 }
 
-QString IncludeRules::linkComplaint(const QString& folder, const QString& library) const {
+QString IncludeRules::linkViolation(const QString& folder, const QString& library) const {
     for (auto rule = m_rules.begin(); rule != m_rules.end(); ++rule) {
         // A library holds all folders below its own, so it may link what any of them may include.
         if (rule.key() != "core/" + folder && !rule.key().startsWith("core/" + folder + '/')) continue;

@@ -23,9 +23,9 @@ public:
     /// The longest folder that holds the file; empty where no row does.
     [[nodiscard]] QString folderOf(const QString& path) const;
     /// Why `file` must not have this #include line, or nothing.
-    [[nodiscard]] QString complaint(const QString& file, const QString& included, bool inAngles) const;
+    [[nodiscard]] QString violation(const QString& file, const QString& included, bool inAngles) const;
     /// Why the library of core/<folder> must not link trundle::<library>, or nothing.
-    [[nodiscard]] QString linkComplaint(const QString& folder, const QString& library) const;
+    [[nodiscard]] QString linkViolation(const QString& folder, const QString& library) const;
 
 private:
     QMap<QString, FolderRule> m_rules;

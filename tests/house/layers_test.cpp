@@ -18,7 +18,7 @@ private Q_SLOTS:
     }
 
     // A rule that lets everything pass would make the rest of this file worthless.
-    void whatIsForbiddenIsSeen_data() {
+    void detectsForbiddenIncludes_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("header");
         QTest::addColumn<bool>("inAngles");
@@ -66,44 +66,44 @@ private Q_SLOTS:
         QTest::newRow("an unknown library") << "core/world/world.cpp"
                                             << "boost/any.hpp" << true << false;
     }
-    void whatIsForbiddenIsSeen() {
+    void detectsForbiddenIncludes() {
         QFETCH(QString, file);
         QFETCH(QString, header);
         QFETCH(bool, inAngles);
         QFETCH(bool, allowed);
-        const QString complaint = m_rules.complaint(file, header, inAngles);
-        QVERIFY2(complaint.isEmpty() == allowed, qPrintable(complaint));
+        const QString violation = m_rules.violation(file, header, inAngles);
+        QVERIFY2(violation.isEmpty() == allowed, qPrintable(violation));
     }
 
     void everyIncludeFollowsTheTable() {
-        QStringList complaints;
+        QStringList violations;
         int count = 0;
         for (const SourceFile& file :
              sourceFiles({"core", "editor", "app", "plugins"}, {".h", ".cpp", ".hpp", ".c", ".cc", ".inl"})) {
             for (const IncludeLine& include : includesOf(file.text)) {
                 ++count;
-                const QString complaint = m_rules.complaint(file.path, include.header, include.inAngles);
-                if (!complaint.isEmpty()) complaints << QString("%1:%2: %3").arg(file.path).arg(include.line).arg(complaint);
+                const QString violation = m_rules.violation(file.path, include.header, include.inAngles);
+                if (!violation.isEmpty()) violations << QString("%1:%2: %3").arg(file.path).arg(include.line).arg(violation);
             }
         }
-        QVERIFY2(complaints.isEmpty(), qPrintable("\n" + complaints.join('\n')));
+        QVERIFY2(violations.isEmpty(), qPrintable("\n" + violations.join('\n')));
         QVERIFY(count > 100);
     }
 
     void everyLinkFollowsTheTable() {
-        QVERIFY(!m_rules.linkComplaint("lang", "model").isEmpty());
-        QVERIFY(m_rules.linkComplaint("model", "lang").isEmpty());
+        QVERIFY(!m_rules.linkViolation("lang", "model").isEmpty());
+        QVERIFY(m_rules.linkViolation("model", "lang").isEmpty());
         static const QRegularExpression library("trundle::(\\w+)");
-        QStringList complaints;
+        QStringList violations;
         for (const SourceFile& file : sourceFiles({"core"}, {"CMakeLists.txt"})) {
             const QString folder = file.path.section('/', 1, 1);
             if (folder == "CMakeLists.txt" || folder == "sdk") continue;
             for (auto match = library.globalMatch(file.text); match.hasNext();) {
-                const QString complaint = m_rules.linkComplaint(folder, match.next().captured(1));
-                if (!complaint.isEmpty()) complaints << file.path + ": " + complaint;
+                const QString violation = m_rules.linkViolation(folder, match.next().captured(1));
+                if (!violation.isEmpty()) violations << file.path + ": " + violation;
             }
         }
-        QVERIFY2(complaints.isEmpty(), qPrintable("\n" + complaints.join('\n')));
+        QVERIFY2(violations.isEmpty(), qPrintable("\n" + violations.join('\n')));
     }
 
     void everyFolderOfCoreHasARow() {

@@ -66,14 +66,14 @@ private Q_SLOTS:
         QCOMPARE(q(formatted(after.toStdString())), after);
     }
 
-    void soundTextsKeepTheirSubstance() {
-        Dice dice(4);
+    void formattingKeepsMeaning() {
+        RandomNumbers rng(4);
         const int count = longRun() ? 50000 : 3000;
         int sound = 0;
         const std::vector<std::string> start = examples();
         for (int i = 0; i < count; ++i) {
             const std::string text =
-                i % 3 == 0 ? randomSoup(dice, 8) : mutated(dice, start[static_cast<std::size_t>(i) % start.size()]);
+                i % 3 == 0 ? randomSoup(rng, 8) : mutated(rng, start[static_cast<std::size_t>(i) % start.size()]);
             const std::string once = formatted(text);
             const QByteArray story = q(text) + "\n---- becomes ----\n" + q(once);
             QVERIFY2(formatted(once) == once, (story + "\n---- and then ----\n" + q(formatted(once))).constData());

@@ -38,7 +38,7 @@ QByteArray faultOf(const std::string& text) {
 class LosslessTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void nasty_data() {
+    void faultCase_data() {
         QTest::addColumn<QByteArray>("text");
         const auto row = [](const char* name, std::string_view text) { QTest::newRow(name) << q(text); };
         row("nothing", "");
@@ -71,7 +71,7 @@ private Q_SLOTS:
         row("UTF-16", std::string_view("\xFF\xFEx\0 \0=\0", 8));
         row("vertical tab and form feed", "x\v=\f1");
     }
-    void nasty() {
+    void faultCase() {
         QFETCH(QByteArray, text);
         QCOMPARE(faultOf(text.toStdString()), QByteArray());
     }
@@ -82,21 +82,21 @@ private Q_SLOTS:
     }
 
     void mutationsOfTheExamples() {
-        Dice dice(1);
+        RandomNumbers rng(1);
         const int count = longRun() ? 20000 : 1000;
         const std::vector<std::string> start = examples();
         for (int i = 0; i < count; ++i) {
-            const std::string text = mutated(dice, start[static_cast<std::size_t>(i) % start.size()]);
+            const std::string text = mutated(rng, start[static_cast<std::size_t>(i) % start.size()]);
             const QByteArray fault = faultOf(text);
             QVERIFY2(fault.isEmpty(), (fault + ": " + q(text).toPercentEncoding(" \n")).constData());
         }
     }
 
     void randomBytesAndSoup() {
-        Dice dice(2);
+        RandomNumbers rng(2);
         const int count = longRun() ? 20000 : 2000;
         for (int i = 0; i < count; ++i) {
-            const std::string text = i % 2 ? randomBytes(dice, 200) : randomSoup(dice, 60);
+            const std::string text = i % 2 ? randomBytes(rng, 200) : randomSoup(rng, 60);
             const QByteArray fault = faultOf(text);
             QVERIFY2(fault.isEmpty(), (fault + ": " + q(text).toPercentEncoding(" \n")).constData());
         }

@@ -150,7 +150,7 @@ private Q_SLOTS:
         QCOMPARE(q(source.slice(robot.items[1].range)), QByteArray("Box { }"));
     }
 
-    void theMinusOfTheThesisIsReadAndMended() {
+    void readsTypographicMinusAndOffersFix() {
         const auto tree = parsed("Pos = \xE2\x88\x92"
                                  "1.5, $(a \xE2\x88\x92 1)");
         QCOMPARE(q(shown(tree->items())), QByteArray("Pos=-1.5,$(a-1);"));
@@ -179,7 +179,7 @@ private Q_SLOTS:
         std::string sum = "x = $(1";
         for (int i = 0; i < 500; ++i) sum += "+1";
         QCOMPARE(parsed(sum + ")")->diagnostics()[0].code, Code::TooDeep);
-        for (const char* step : {"1^", "-", "+", "1^-", "abs("}) { // whatever may stand in a row costs depth
+        for (const char* step : {"1^", "-", "+", "1^-", "abs("}) { // whatever may be in a row costs depth
             std::string row = "x = $(";
             for (int i = 0; i < 200'000; ++i) row += step;
             const auto tree = parsed(row + "1)");

@@ -46,14 +46,14 @@ private Q_SLOTS:
         // Fixes that are offered make it no worse.
         for (const Diagnostic& d : tree->diagnostics()) {
             if (d.fixes.empty()) continue;
-            const auto mended = applied(*tree, d.fixes[0]);
-            QVERIFY2(mended->diagnostics().size() < tree->diagnostics().size(),
-                     (q(d.message) + "\n" + q(mended->source().bytes()) + "\n" + q(texts::messages(*mended))).constData());
+            const auto repaired = applied(*tree, d.fixes[0]);
+            QVERIFY2(repaired->diagnostics().size() < tree->diagnostics().size(),
+                     (q(d.message) + "\n" + q(repaired->source().bytes()) + "\n" + q(texts::messages(*repaired))).constData());
         }
     }
 
     /// A mistake costs its own line at most: what stands after it is read.
-    void whatFollowsIsRead() {
+    void recoversAfterError() {
         for (const char* broken : {"Pos = 1,2,", "x",        "x y z",       "= 3",      "Pos =",    "Pos = 0 0 0",
                                    "x == 3",     "x: 3",     "@@ !!",       "#frob",    "#import",  "x = $(1 +",
                                    "x = \"abc",  "x = 'abc", "1 2 3",       "x = 1..2", "x = [1,2", "Robot r { Pos = }",
@@ -70,13 +70,13 @@ private Q_SLOTS:
         }
     }
 
-    void aFloodOfMistakesEnds() {
+    void limitsErrorCount() {
         const auto tree = parsed(QByteArray("x = ;\n").repeated(5000).toStdString());
         QCOMPARE(tree->diagnostics().size(), std::size_t(101));
         QVERIFY(tree->diagnostics().back().message.find("too many mistakes") != std::string::npos);
     }
 
-    void largeMistakesAreReadInPart_data() {
+    void readsLargeErrorsPartially_data() {
         QTest::addColumn<QByteArray>("head");
         QTest::addColumn<QByteArray>("piece");
         QTest::newRow("lines of nonsense") << QByteArray() << QByteArray("a b c\n");
@@ -89,14 +89,14 @@ private Q_SLOTS:
         QTest::newRow("a path without an end") << QByteArray() << QByteArray("a.");
         QTest::newRow("bytes that are no text") << QByteArray() << QByteArray("\xff a ");
     }
-    /// The memory that a mistake costs does not grow with the text; the text stays whole, and what stands before it is read.
-    void largeMistakesAreReadInPart() {
+    /// The memory that a mistake costs does not grow with the text; the text stays whole, and what is before it is read.
+    void readsLargeErrorsPartially() {
         QFETCH(QByteArray, head);
         QFETCH(QByteArray, piece);
         const std::string text =
             "Robot first { Mass=1 }\n" + head.toStdString() + piece.repeated(2'000'000 / int(piece.size())).toStdString();
         const auto tree = parsed(text);
-        QCOMPARE(tree->extent(), Tree::Extent::Hopeless);
+        QCOMPARE(tree->extent(), Tree::Extent::Unrecoverable);
         QVERIFY(tree->readTo() > 0 && tree->readTo() < text.size());
         QVERIFY2(tree->tokens().size() < 300'000, QByteArray::number(qulonglong(tree->tokens().size())));
         QVERIFY(print(*tree) == text);
@@ -114,7 +114,7 @@ private Q_SLOTS:
         QTest::newRow("CR") << QByteArray("\r");
         QTest::newRow("with blanks") << QByteArray(" \t \n");
     }
-    /// What stands between two items takes the same memory however long it is.
+    /// What is between two items takes the same memory however long it is.
     void blankLinesAreTwoTokens() {
         QFETCH(QByteArray, piece);
         const std::string text = "A=1" + piece.repeated(100'000).toStdString() + "  B=2" + piece.repeated(3).toStdString();
@@ -148,7 +148,7 @@ private Q_SLOTS:
     }
 
     /// Each line end in an expression asks what comes next: looking through the same comments again and again would take minutes.
-    void anExpressionGoesOnBehindManyComments() {
+    void continuesExpressionAfterComments() {
         const std::string comments = QByteArray("// one more\n").repeated(200'000).toStdString();
         const auto sum = parsed("Param a = $(1\n" + comments + "+ 2)\n");
         QVERIFY2(sum->diagnostics().empty(), texts::messages(*sum).c_str());

@@ -72,8 +72,8 @@ private Q_SLOTS:
     void placesInLongTextsAreExact() {
         std::string bytes = "\xEF\xBB\xBF";
         const char* const pieces[] = {"a", "\n", "\r\n", "\r", "\xC3\xA4", "\xF0\x9F\x98\x80", "\xFF", "long words here", "\t"};
-        std::uint32_t dice = 1;
-        for (int i = 0; i < 12'000; ++i) bytes += pieces[((dice = dice * 1664525 + 1013904223) >> 20) % 9];
+        std::uint32_t rng = 1;
+        for (int i = 0; i < 12'000; ++i) bytes += pieces[((rng = rng * 1664525 + 1013904223) >> 20) % 9];
         bytes += std::string(20'000, 'x') + "\r\nend";
         const SourceText text("t", bytes);
         std::uint32_t line = 1, column = 1, begin = 0;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/rng.h"
-#include "lang/render.h"
+#include "lang/diagnostic_text.h"
 #include "lang/tree.h"
 
 namespace texts {
@@ -32,9 +32,9 @@ inline std::string messages(const trundle::Tree& tree) {
 inline bool longRun() { return qEnvironmentVariableIntValue("TRUNDLE_LONG") != 0; }
 
 /// Numbers below a bound, the same in every run.
-class Dice {
+class RandomNumbers {
 public:
-    explicit Dice(std::uint64_t seed) : m_seed(seed) {}
+    explicit RandomNumbers(std::uint64_t seed) : m_seed(seed) {}
     std::size_t below(std::size_t bound) {
         return static_cast<std::size_t>(trundle::randomBits(m_seed, 0, 0, m_index++) % bound);
     }
@@ -44,14 +44,14 @@ private:
     std::uint64_t m_seed, m_index = 0;
 };
 
-inline std::string randomBytes(Dice& dice, std::size_t most) {
+inline std::string randomBytes(RandomNumbers& rng, std::size_t most) {
     std::string text;
-    for (std::size_t n = dice.below(most); n > 0; --n) text += static_cast<char>(dice.below(256));
+    for (std::size_t n = rng.below(most); n > 0; --n) text += static_cast<char>(rng.below(256));
     return text;
 }
 
 /// Tokens of the language and of its neighbours in any order.
-inline std::string randomSoup(Dice& dice, std::size_t most) {
+inline std::string randomSoup(RandomNumbers& rng, std::size_t most) {
     static const std::vector<std::string_view> kPieces{"{",
                                                        "}",
                                                        "=",
@@ -139,23 +139,23 @@ inline std::string randomSoup(Dice& dice, std::size_t most) {
                                                        "<",
                                                        ">"};
     std::string text;
-    for (std::size_t n = dice.below(most); n > 0; --n) text += kPieces[dice.below(kPieces.size())];
+    for (std::size_t n = rng.below(most); n > 0; --n) text += kPieces[rng.below(kPieces.size())];
     return text;
 }
 
 /// One to five small changes of bytes.
-inline std::string mutated(Dice& dice, std::string text) {
-    for (std::size_t n = 1 + dice.below(5); n > 0; --n) {
-        const std::size_t at = dice.below(text.size() + 1);
-        switch (dice.below(4)) {
-        case 0: text.insert(at, 1, static_cast<char>(dice.below(256))); break;
+inline std::string mutated(RandomNumbers& rng, std::string text) {
+    for (std::size_t n = 1 + rng.below(5); n > 0; --n) {
+        const std::size_t at = rng.below(text.size() + 1);
+        switch (rng.below(4)) {
+        case 0: text.insert(at, 1, static_cast<char>(rng.below(256))); break;
         case 1:
-            if (at < text.size()) text.erase(at, 1 + dice.below(4));
+            if (at < text.size()) text.erase(at, 1 + rng.below(4));
             break;
         case 2:
-            if (at < text.size()) text[at] = static_cast<char>("{}=,.\"/* \n#$()"[dice.below(14)]);
+            if (at < text.size()) text[at] = static_cast<char>("{}=,.\"/* \n#$()"[rng.below(14)]);
             break;
-        default: text.insert(at, text.substr(dice.below(text.size() + 1), dice.below(30))); break;
+        default: text.insert(at, text.substr(rng.below(text.size() + 1), rng.below(30))); break;
         }
     }
     return text;

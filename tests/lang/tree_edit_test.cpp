@@ -234,7 +234,7 @@ private Q_SLOTS:
 
     /// Each step does what it says and nothing else; all of them undone give the first bytes.
     void randomWalks() {
-        Dice dice(3);
+        RandomNumbers rng(3);
         const int walks = longRun() ? 10000 : 300;
         const std::vector<std::string> start = examples();
         for (int walk = 0; walk < walks; ++walk) {
@@ -248,21 +248,21 @@ private Q_SLOTS:
                 TextEdit edit;
                 std::string expected; // the meaning afterwards
                 const std::string now = meaning(tree->items());
-                const Place place = places.empty() ? Place{} : places[dice.below(places.size())];
+                const Place place = places.empty() ? Place{} : places[rng.below(places.size())];
                 const BlockItem* block = place.item ? place.item->as<BlockItem>() : nullptr;
-                const std::size_t kindOfStep = places.empty() ? 3 + dice.below(2) : dice.below(6);
+                const std::size_t kindOfStep = places.empty() ? 3 + rng.below(2) : rng.below(6);
                 std::size_t comments = lineComments(*tree);
                 if (kindOfStep <= 1) {
                     const auto* assignment = place.item->as<AssignmentItem>();
                     if (!assignment) continue;
-                    edit = editSetValue(*tree, assignment->value, dice.chance(1, 2) ? "1, 2 cm" : "word");
+                    edit = editSetValue(*tree, assignment->value, rng.chance(1, 2) ? "1, 2 cm" : "word");
                 } else if (kindOfStep == 2) {
                     if (!block || !block->name) continue;
                     edit = editReplace(*tree, block->name->range, "renamed" + std::to_string(step));
                 } else if (kindOfStep == 3) {
                     edit = editAddAssignment(*tree, block, "New", "4, 5");
                 } else if (kindOfStep == 4) {
-                    edit = editAddItem(*tree, block, dice.chance(1, 2) ? "Box n { X=1 }" : "Box n {\n  X=1 // x\n  Y { }\n}\n");
+                    edit = editAddItem(*tree, block, rng.chance(1, 2) ? "Box n { X=1 }" : "Box n {\n  X=1 // x\n  Y { }\n}\n");
                 } else {
                     edit = editRemoveItem(*tree, *place.item);
                     expected = meaning(tree->items(), place.item);

@@ -89,7 +89,7 @@ private Q_SLOTS:
         QVERIFY((s.inertia - solidOf(whole).value().inertia).norm() < 1e-12);
     }
 
-    void whatNoBodyCanHave() {
+    void rejectsImpossibleInertia() {
         const auto of = [](double x, double y, double z) {
             return checkMass({1, Vec3::Zero(), Vec3(x, y, z).asDiagonal().toDenseMatrix()}).ok();
         };

@@ -1,5 +1,5 @@
-// Every file of tests/data/broken is wrong in one way. What a person reads about it stands in the .expected file beside it, to the
-// last caret. With TRUNDLE_ACCEPT=1 the expectations are written anew, to be read and judged before they are kept.
+// Every file of tests/data/broken is wrong in one way. What a person reads about it is in the .expected file beside it, to the
+// last caret. With TRUNDLE_ACCEPT=1 the expectations are written anew, to be read and checked before they are kept.
 
 #include <QTest>
 
@@ -39,10 +39,10 @@ private Q_SLOTS:
     }
     void eachIsExplained() {
         QFETCH(QString, name);
-        sample::Desk desk;
+        sample::ProjectFixture fixture;
         const std::string path = name.toStdString();
-        for (const std::string& set : setsOf(path)) desk.options.sets.push_back(set);
-        const auto loaded = desk.openFile(path);
+        for (const std::string& set : setsOf(path)) fixture.options.sets.push_back(set);
+        const auto loaded = fixture.openFile(path);
         QVERIFY(loaded);
         const std::string said = sample::rendered(*loaded);
         QVERIFY2(!loaded->diagnostics.all().empty(), "nothing is said about it");
@@ -52,7 +52,7 @@ private Q_SLOTS:
         QVERIFY2(loaded->diagnostics.errorCount() <= 3, "more than two errors follow from the first");
     }
 
-    /// Codes that no text of the language can cause, or that stand in tests of their own.
+    /// Codes that no text of the language can cause, or that are in tests of their own.
     void everyCodeHasAFile() {
         const std::set<Code> elsewhere{Code::TooLarge,      Code::ImportDepth,    Code::TooManyFiles, Code::FileUnreadable,
                                        Code::ImportOutside, Code::ThesisSpelling, Code::TurnRate,     Code::TooManyMistakes,
@@ -60,9 +60,9 @@ private Q_SLOTS:
                                        Code::WheelGeometry};
         std::set<Code> seen;
         for (const std::string& name : brokenFiles()) {
-            sample::Desk desk;
-            for (const std::string& set : setsOf(name)) desk.options.sets.push_back(set);
-            const auto loaded = desk.openFile(name);
+            sample::ProjectFixture fixture;
+            for (const std::string& set : setsOf(name)) fixture.options.sets.push_back(set);
+            const auto loaded = fixture.openFile(name);
             for (const Diagnostic& d : loaded->diagnostics.all()) seen.insert(d.code);
         }
         for (const CodeEntry& entry : allCodes()) {
@@ -72,11 +72,11 @@ private Q_SLOTS:
     }
 
     /// A fix is a promise: applied, it takes its own message away.
-    void fixesMend() {
+    void fixesRemoveTheirErrors() {
         for (const std::string& name : brokenFiles()) {
-            sample::Desk desk;
+            sample::ProjectFixture fixture;
             if (!setsOf(name).empty()) continue;
-            const auto loaded = desk.openFile(name);
+            const auto loaded = fixture.openFile(name);
             for (const Diagnostic& d : loaded->diagnostics.all()) {
                 if (d.fixes.empty()) continue;
                 std::string text = contents(name);
@@ -87,20 +87,20 @@ private Q_SLOTS:
                 std::sort(edits.begin(), edits.end(),
                           [](const TextEdit& a, const TextEdit& b) { return a.range.range.begin > b.range.range.begin; });
                 for (const TextEdit& e : edits) text.replace(e.range.range.begin, e.range.range.size(), e.text);
-                const std::string mended = "mended_" + name + ".txt";
-                std::ofstream(mended, std::ios::binary) << text;
-                const auto again = desk.openFile(mended);
-                std::filesystem::remove(mended);
+                const std::string repaired = "fixed_" + name + ".txt";
+                std::ofstream(repaired, std::ios::binary) << text;
+                const auto again = fixture.openFile(repaired);
+                std::filesystem::remove(repaired);
                 std::size_t before = 0, after = 0;
                 for (const Diagnostic& o : loaded->diagnostics.all()) before += o.code == d.code && o.message == d.message;
                 for (const Diagnostic& o : again->diagnostics.all()) after += o.code == d.code && o.message == d.message;
-                QVERIFY2(after < before, (name + ": the fix '" + d.fixes[0].title + "' does not mend: " + d.message).c_str());
+                QVERIFY2(after < before, (name + ": the fix '" + d.fixes[0].title + "' does not fix: " + d.message).c_str());
             }
         }
     }
 
 private:
-    /// A first line `// --set A=1 --set B=2` stands for the command line.
+    /// A first line `// --set A=1 --set B=2` represents the command line.
     static std::vector<std::string> setsOf(const std::string& path) {
         std::vector<std::string> sets;
         const std::string text = contents(path);

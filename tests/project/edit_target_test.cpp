@@ -3,11 +3,11 @@
 
 #include <fstream>
 
-#include "plan_desk.h"
+#include "plan_fixture.h"
 #include "project/edit_target.h"
 
 using namespace trundle;
-using sample::PlanDesk;
+using sample::PlanFixture;
 
 namespace {
 
@@ -29,7 +29,7 @@ std::string alone(const std::string& robots) {
            robots;
 }
 
-const Part& config(const Loaded& loaded, const char* name = "Rover") { return *loaded.outline->configs.find(name); }
+const Part& config(const LoadedProject& loaded, const char* name = "Rover") { return *loaded.outline->configs.find(name); }
 
 } // namespace
 
@@ -67,8 +67,8 @@ private Q_SLOTS:
         QFETCH(QString, asked);
         QFETCH(QString, set);
         QFETCH(bool, isOverride);
-        PlanDesk desk;
-        const auto loaded = desk.open({{"main.sim", main.toStdString()}, {"rover.sim", kRover}, {"common.sim", kCommon}});
+        PlanFixture fixture;
+        const auto loaded = fixture.open({{"main.sim", main.toStdString()}, {"rover.sim", kRover}, {"common.sim", kCommon}});
         QVERIFY2(!loaded->diagnostics.hasErrors(), sample::rendered(*loaded).c_str());
         ConfigUsers users;
         const EditTarget target = targetOfValue(*loaded, asked.toStdString(), users);
@@ -78,16 +78,16 @@ private Q_SLOTS:
 
     /// An instance in a file that is not open counts as well.
     void anotherFileOfTheProject() {
-        PlanDesk desk;
-        const auto loaded = desk.open({{"configs/main.sim", alone("Robot r { Config=Rover }\n")}}, "configs/main.sim");
+        PlanFixture fixture;
+        const auto loaded = fixture.open({{"configs/main.sim", alone("Robot r { Config=Rover }\n")}}, "configs/main.sim");
         ConfigUsers users;
         QVERIFY(!targetOfValue(*loaded, "r.width", users).isOverride);
-        const std::string other = desk.path("configs/deep/other.sim");
-        std::filesystem::create_directories(desk.path("configs/deep"));
+        const std::string other = fixture.path("configs/deep/other.sim");
+        std::filesystem::create_directories(fixture.path("configs/deep"));
         std::ofstream(other) << "#import main.sim\nRobot second { Config=Rover Pos=2,0,0 }\n";
-        std::ofstream(desk.path("configs/main.sim")) << alone("Robot r { Config=Rover }\n"); // what other.sim finds
+        std::ofstream(fixture.path("configs/main.sim")) << alone("Robot r { Config=Rover }\n"); // what other.sim finds
         QVERIFY(targetOfValue(*loaded, "r.width", users).isOverride);
-        const std::vector<std::string> both{other, desk.path("configs/main.sim")};
+        const std::vector<std::string> both{other, fixture.path("configs/main.sim")};
         QCOMPARE(users.of(*loaded, config(*loaded)), both);
         const EditTarget structure = targetOfStructure(*loaded, config(*loaded), nullptr, users);
         QVERIFY(structure.isShared(*loaded));
@@ -97,9 +97,9 @@ private Q_SLOTS:
     }
 
     void shippedIsReadOnly() {
-        PlanDesk desk;
-        desk.options.shippedConfigs = TRUNDLE_SOURCE_DIR "/configs";
-        const auto loaded = desk.open("#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot }\n");
+        PlanFixture fixture;
+        fixture.options.shippedConfigs = TRUNDLE_SOURCE_DIR "/configs";
+        const auto loaded = fixture.open("#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot }\n");
         ConfigUsers users;
         QVERIFY(targetOfStructure(*loaded, config(*loaded, "SimpleRobot"), nullptr, users).isShipped);
         QVERIFY(targetOfValue(*loaded, "RobotConfig.SimpleRobot.wheelRadius", users).isShipped);
@@ -110,8 +110,8 @@ private Q_SLOTS:
     }
 
     void configsThatAPlanChanges() {
-        PlanDesk desk;
-        const auto loaded = desk.open(
+        PlanFixture fixture;
+        const auto loaded = fixture.open(
             {{"main.sim", "#import rover.sim\nRobot r { Config=Rover }\n"}, {"rover.sim", kRover}, {"common.sim", kCommon}});
         const auto changed = [&](const Result<EditPlan>& plan) {
             return plan.ok() ? configsChangedBy(*loaded, plan.value()) : std::vector<const Part*>{nullptr};
@@ -127,12 +127,12 @@ private Q_SLOTS:
     }
 
     void copies() {
-        PlanDesk desk;
+        PlanFixture fixture;
         const std::string main = "#import rover.sim\n\nTick = 0.02\n\n// The first.\nRobot r { Config=Rover width=0.4 } // here\n"
                                  "Robot s { Pos=1,0,0 Config = Rover }\n";
-        const auto loaded = desk.open({{"main.sim", main}, {"rover.sim", kRover}, {"common.sim", kCommon}});
+        const auto loaded = fixture.open({{"main.sim", main}, {"rover.sim", kRover}, {"common.sim", kCommon}});
         const auto plan = planCopyConfig(*loaded, config(*loaded), instancesOf(*loaded, config(*loaded)));
-        QCOMPARE(QString::fromStdString(desk.text(loaded, plan)), QString::fromUtf8(R"(#import rover.sim
+        QCOMPARE(QString::fromStdString(fixture.text(loaded, plan)), QString::fromUtf8(R"(#import rover.sim
 
 Tick = 0.02
 
@@ -149,61 +149,62 @@ Robot s { Pos=1,0,0 Config = Rover2 }
 )"));
         QCOMPARE(plan.value().edits.size(), 1u);
         QCOMPARE(plan.value().selects, std::vector<std::string>{"RobotConfig.Rover2"});
-        const auto after = desk.carryOut(loaded, plan);
+        const auto after = fixture.apply(loaded, plan);
         QVERIFY2(!after->diagnostics.hasErrors(), sample::rendered(*after).c_str());
         QCOMPARE(after->experiment->robots[0].config->name, "Rover2");
     }
 
     /// A robot in a folder of its own, with a mesh beside it and lines that end as on Windows in the experiment.
     void copiesFindTheirFiles() {
-        PlanDesk desk;
-        std::filesystem::create_directories(desk.path("configs/robots/parts"));
+        PlanFixture fixture;
+        std::filesystem::create_directories(fixture.path("configs/robots/parts"));
         std::filesystem::copy_file(TRUNDLE_SOURCE_DIR "/resources/meshes/" + std::string(firstMesh()),
-                                   desk.path("configs/robots/parts/hull.obj"));
+                                   fixture.path("configs/robots/parts/hull.obj"));
         const std::string robot = "RobotConfig Shell { Body b { Mesh m { File=parts/hull.obj Mass=1 } } }\n";
         const auto loaded =
-            desk.open({{"configs/experiments/main.sim", "#import robots/shell.sim\r\nRobot r { Config=Shell }\r\n"},
-                       {"configs/robots/shell.sim", robot}},
-                      "configs/experiments/main.sim");
+            fixture.open({{"configs/experiments/main.sim", "#import robots/shell.sim\r\nRobot r { Config=Shell }\r\n"},
+                          {"configs/robots/shell.sim", robot}},
+                         "configs/experiments/main.sim");
         const auto plan = planCopyConfig(*loaded, config(*loaded, "Shell"), instancesOf(*loaded, config(*loaded, "Shell")));
-        const std::string text = desk.text(loaded, plan, "configs/experiments/main.sim");
+        const std::string text = fixture.text(loaded, plan, "configs/experiments/main.sim");
         QVERIFY2(text.find("Mesh m { File=\"robots/parts/hull.obj\" Mass=1 }") != std::string::npos, text.c_str());
         QCOMPARE(QString::fromStdString(text).count('\n'), QString::fromStdString(text).count("\r\n"));
-        const auto after = desk.carryOut(loaded, plan);
-        for (const auto& [use, file] : after->named) QCOMPARE(file.path, desk.path("configs/robots/parts/hull.obj"));
+        const auto after = fixture.apply(loaded, plan);
+        for (const auto& [use, file] : after->named) QCOMPARE(file.path, fixture.path("configs/robots/parts/hull.obj"));
         QCOMPARE(after->named.size(), 2u);
     }
 
     /// A config whose block imports a file: what is to be changed there is written out in the copy.
     void copiesWriteOutWhatTheyImport() {
-        PlanDesk desk;
+        PlanFixture fixture;
         const std::string robot = "#import paint.sim\nRobotConfig Cart {\n  #import parts/body.sim\n  #import parts/other.sim\n}\n";
         const std::string body = "// The body.\nBody b {\n  Box x { Size=1,1,1 Mass=1 Material=white }\n}\n";
-        const auto loaded = desk.open({{"configs/main.sim", "#import robots/cart.sim\nRobot r { Config=Cart }\n"},
-                                       {"configs/robots/cart.sim", robot},
-                                       {"configs/robots/paint.sim", "Material white { ColorRGB=1,1,1 }\n"},
-                                       {"configs/robots/parts/body.sim", body},
-                                       {"configs/robots/parts/other.sim", "Body o { Box x { Size=1,1,1 Pos=2,0,0 Mass=1 } }\n"}},
-                                      "configs/main.sim");
+        const auto loaded =
+            fixture.open({{"configs/main.sim", "#import robots/cart.sim\nRobot r { Config=Cart }\n"},
+                          {"configs/robots/cart.sim", robot},
+                          {"configs/robots/paint.sim", "Material white { ColorRGB=1,1,1 }\n"},
+                          {"configs/robots/parts/body.sim", body},
+                          {"configs/robots/parts/other.sim", "Body o { Box x { Size=1,1,1 Pos=2,0,0 Mass=1 } }\n"}},
+                         "configs/main.sim");
         QVERIFY2(!loaded->diagnostics.hasErrors(), sample::rendered(*loaded).c_str());
-        const std::string inner = desk.path("configs/robots/parts/body.sim");
+        const std::string inner = fixture.path("configs/robots/parts/body.sim");
         const auto plan = planCopyConfig(*loaded, config(*loaded, "Cart"), instancesOf(*loaded, config(*loaded, "Cart")), {inner});
-        const std::string text = desk.text(loaded, plan, "configs/main.sim");
+        const std::string text = fixture.text(loaded, plan, "configs/main.sim");
         QVERIFY2(text.find("RobotConfig Cart2 {\n  // From robots/parts/body.sim\n  // The body.\n  Body b {\n    Box x { Size=1,1,1 Mass=1 "
                            "Material=white }\n  }\n") != std::string::npos,
                  text.c_str());
         QVERIFY2(text.find("other.sim") != std::string::npos, text.c_str()); // which is not changed
-        const auto after = desk.carryOut(loaded, plan);
+        const auto after = fixture.apply(loaded, plan);
         QVERIFY2(!after->diagnostics.hasErrors(), sample::rendered(*after).c_str());
         QCOMPARE(after->experiment->robots[0].config->bodies.size(), std::size_t(2));
         const Part* copied = config(*after, "Cart2").find("b");
-        QVERIFY(copied && after->paths[copied->file] == desk.path("configs/main.sim"));
+        QVERIFY(copied && after->paths[copied->file] == fixture.path("configs/main.sim"));
     }
 
-    void copiesOfNothing() {
-        PlanDesk desk;
-        const auto loaded = desk.open({{"main.sim", "#import rover.sim\n"}, {"rover.sim", kRover}, {"common.sim", kCommon}});
-        const std::string text = desk.text(loaded, planCopyConfig(*loaded, config(*loaded), {}));
+    void rejectsEmptyCopy() {
+        PlanFixture fixture;
+        const auto loaded = fixture.open({{"main.sim", "#import rover.sim\n"}, {"rover.sim", kRover}, {"common.sim", kCommon}});
+        const std::string text = fixture.text(loaded, planCopyConfig(*loaded, config(*loaded), {}));
         QVERIFY2(text.starts_with("#import rover.sim\n"), text.c_str());
         QVERIFY2(text.find("RobotConfig Rover2 {") != std::string::npos, text.c_str());
     }

@@ -50,7 +50,7 @@ private Q_SLOTS:
         fs::create_directories(m_project + "/.trundle");
     }
 
-    void whatACrashLeavesIsFound() {
+    void findsJournalAfterCrash() {
         leave("base\n", {"base 1\n", "base 12\n", "\xff\0 any bytes"});
         const auto found = findRecoveries(m_project);
         QCOMPARE(found.size(), 1u);
@@ -65,13 +65,13 @@ private Q_SLOTS:
         QCOMPARE(entriesIn(m_project + "/.trundle"), 0u);
     }
 
-    void aWindowThatIsThereIsNoCrash() {
+    void ignoresJournalOfLiveWindow() {
         Journal journal(m_project, {m_project + "/main.sim", {}});
         QVERIFY(journal.note("a.sim", "base", "text").ok());
         QVERIFY(findRecoveries(m_project).empty());
     }
 
-    void savedTextsAreForgotten() {
+    void savingClearsJournal() {
         {
             Journal journal(m_project, {m_project + "/main.sim", {}});
             QVERIFY(journal.note("a.sim", "a", "a1").ok());
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QCOMPARE(found[0].files.at("b.sim").text, "b1");
     }
 
-    void theLastOneSavedTakesTheFileAlong() {
+    void lastSaveRemovesJournal() {
         Journal journal(m_project, {m_project + "/main.sim", {}});
         QVERIFY(journal.note("a.sim", "a", "a1").ok());
         QVERIFY(entriesIn(journals()) > 0);
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(found.at(0).files.at("a.sim").text, "three");
     }
 
-    // A crash may cut the file anywhere: what stands before the cut is brought back, nothing is made up.
+    // A crash may cut the file anywhere: what is before the cut is brought back, nothing is made up.
     void brokenTailsAreCut() {
         const std::vector<std::string> texts{"base 1\n", "base 12\n", "base 123\n", "bose 123\n"};
         const std::string bytes = leave("base\n", texts);
@@ -135,7 +135,7 @@ private Q_SLOTS:
         }
     }
 
-    void anyBytesAreNoCrash() {
+    void readsAnyBytes() {
         std::mt19937 random(1);
         for (int round = 0; round < 2000; ++round) {
             std::string bytes = "TRUNDLE JOURNAL 1\n";
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QVERIFY(findRecoveries(m_project).empty());
     }
 
-    void whatSaysNothingGoesAfterADay() {
+    void removesEmptyJournalsAfterADay() {
         const std::string folder = journals();
         fs::create_directories(folder);
         for (const char* name : {"/old.journal", "/old.journal.new", "/young.journal"})
@@ -206,7 +206,7 @@ private Q_SLOTS:
         QVERIFY(!second.taken());
         QCOMPARE(second.holder().opened, m_project + "/a.sim");
         QCOMPARE(second.holder().process, thisProcess());
-        QVERIFY(second.holder().said().starts_with("another window (process "));
+        QVERIFY(second.holder().description().starts_with("another window (process "));
         first.reset();
         QVERIFY(ProjectLock(m_project, "c").taken());
         QCOMPARE(entriesIn(m_project), 1u); // .trundle itself
@@ -222,7 +222,7 @@ private Q_SLOTS:
         QVERIFY(ProjectLock(m_project, "a").taken());
     }
 
-    void aLockOfAnEndedProcessThatNobodyAskedAfterIsNone() {
+    void ignoresLockOfEndedProcess() {
         const pid_t ended = ::fork();
         if (ended == 0) ::_exit(0);
         siginfo_t how;
@@ -233,7 +233,7 @@ private Q_SLOTS:
     }
 
     // Where locks do not work, what the file says counts.
-    void aLockOfALivingProcessHolds() {
+    void respectsLockOfRunningProcess() {
         const auto init = thisProcess();
         write(m_project + "/.trundle/lock", "1\n0\n" + init.host + "\n5\n/x.sim\n");
         const ProjectLock lock(m_project, "a");
@@ -271,12 +271,12 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(m_folder + "/precious"), "kept");
     }
 
-    void aHostileHolderIsNamedInOneLine() {
+    void namesHostileLockHolderInOneLine() {
         write(m_project + "/.trundle/lock", "1\n0\n\x1b[2J<b>" + std::string(500, 'x') + "\xff\n5\n/x.sim\n");
         LockHolder holder;
         holder.process = {1, 0, "\x1b[2J<b>" + std::string(500, 'x') + "\xff"};
-        QVERIFY(holder.said().size() < 200);
-        QVERIFY(holder.said().find('\x1b') == std::string::npos);
+        QVERIFY(holder.description().size() < 200);
+        QVERIFY(holder.description().find('\x1b') == std::string::npos);
     }
 
 private:

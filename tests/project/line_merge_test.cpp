@@ -49,7 +49,7 @@ private Q_SLOTS:
     }
 
     // Whatever one side did, with the other idle the result is that side.
-    void oneSideAloneWins() {
+    void keepsChangeOfOneSide() {
         std::mt19937 random(7);
         for (int round = 0; round < 500; ++round) {
             const auto text = [&] {

@@ -1,16 +1,16 @@
 // Several objects made one piece in a file of its own.
 #include <QTest>
 
-#include "plan_desk.h"
+#include "plan_fixture.h"
 #include "project/plan_group.h"
 
 using namespace trundle;
-using sample::PlanDesk;
+using sample::PlanFixture;
 
 class PlansGroupTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void aGroupKeepsEveryShapeWhereItIs_data() {
+    void groupingKeepsPoses_data() {
         QTest::addColumn<QString>("objects");
         QTest::addColumn<QStringList>("names");
         QTest::newRow("scenery") << "Static a { Config=Wall Pos=1.25,0.5,0 HPR=37.5,0,0 length=3 }\n"
@@ -32,7 +32,7 @@ private Q_SLOTS:
                 for (const GeomSpec& geom : body.geoms) all.emplace_back(robot.pose * body.pose * geom.pose, geom);
         return all;
     }
-    void aGroupKeepsEveryShapeWhereItIs() {
+    void groupingKeepsPoses() {
         QFETCH(QString, objects);
         QFETCH(QStringList, names);
         const std::string main = "Param far = 1.7\n#import parts.sim\nMaterial own { ColorRGB=1,0,0 }\n" + objects.toStdString() +
@@ -44,18 +44,19 @@ private Q_SLOTS:
                                   "StaticConfig Arch {\n  Cylinder left { Pos=-0.5,0,0.5 Radius=0.1 Length=1 Surface=rough }\n"
                                   "  Box top { Pos=0,0,1.1 HPR=0,$(2*5),0 Size=1.2,0.2,0.2 Collide=false }\n}\n"
                                   "RobotConfig Crate {\n  Param side=0.25\n  Body body {\n    Box planks { Pos=0,0,$(side/2) Size=$side,$side,$side Mass=1.5 Material=white }\n  }\n}\n"}};
-        const auto before = m_desk.open(files, "configs/main.sim");
+        const auto before = m_fixture.open(files, "configs/main.sim");
         QVERIFY2(!before->diagnostics.hasErrors(), sample::messages(*before).c_str());
         std::vector<std::string> paths;
         for (const QString& name : names) paths.push_back(name.toStdString());
         const auto group = planGroup(*before, paths, "RedCorner");
         QVERIFY2(group.ok(), group.ok() ? "" : group.error().message.c_str());
-        QCOMPARE(QString::fromStdString(group.value().file), QString::fromStdString(m_desk.path("configs/objects/red_corner.sim")));
-        sample::Texts texts = sample::PlanDesk::after(*before, group.value().plan);
+        QCOMPARE(QString::fromStdString(group.value().file),
+                 QString::fromStdString(m_fixture.path("configs/objects/red_corner.sim")));
+        sample::Texts texts = sample::PlanFixture::after(*before, group.value().plan);
         QVERIFY(!texts.empty());
         texts[group.value().file] = group.value().text;
-        const auto after = m_desk.read(texts);
-        const std::string said = sample::messages(*after) + group.value().text + texts[m_desk.path("configs/main.sim")];
+        const auto after = m_fixture.read(texts);
+        const std::string said = sample::messages(*after) + group.value().text + texts[m_fixture.path("configs/main.sim")];
         QVERIFY2(!after->diagnostics.hasErrors(), said.c_str());
         QCOMPARE(group.value().plan.selects, std::vector<std::string>{"redCorner"});
         QCOMPARE(after->experiment->statics.size() + after->experiment->robots.size(),
@@ -76,17 +77,18 @@ private Q_SLOTS:
     }
 
     /// The new file cannot name Params of the experiment: what moves there has their values.
-    void whatMovesAlongKeepsItsValues() {
-        const auto before = m_desk.open("Param tone = 0.25\nParam grip = 0.7\nMaterial paint { ColorRGB=1,$(tone*2),$tone } // ours\n"
-                                        "Surface sole { Friction=$grip }\n"
-                                        "StaticConfig S { Box b { Size=1,1,1 Material=paint Surface=sole } }\nStatic s { Config=S }\n");
+    void movedObjectsKeepValues() {
+        const auto before =
+            m_fixture.open("Param tone = 0.25\nParam grip = 0.7\nMaterial paint { ColorRGB=1,$(tone*2),$tone } // ours\n"
+                           "Surface sole { Friction=$grip }\n"
+                           "StaticConfig S { Box b { Size=1,1,1 Material=paint Surface=sole } }\nStatic s { Config=S }\n");
         QVERIFY2(!before->diagnostics.hasErrors(), sample::messages(*before).c_str());
         const auto group = planGroup(*before, {"s"}, "Piece");
         QVERIFY2(group.ok(), group.ok() ? "" : group.error().message.c_str());
         QVERIFY2(group.value().text.find('$') == std::string::npos, group.value().text.c_str());
-        sample::Texts texts = sample::PlanDesk::after(*before, group.value().plan);
+        sample::Texts texts = sample::PlanFixture::after(*before, group.value().plan);
         texts[group.value().file] = group.value().text;
-        const auto after = m_desk.read(texts);
+        const auto after = m_fixture.read(texts);
         QVERIFY2(!after->diagnostics.hasErrors(), (sample::messages(*after) + group.value().text).c_str());
         const auto find = [](const auto& all, const std::string& name) { return std::ranges::find_if(all, [&](const auto& each) { return each.name == name; }); };
         const auto was = find(before->experiment->materials, "paint"), is = find(after->experiment->materials, "paint");
@@ -96,11 +98,12 @@ private Q_SLOTS:
         QCOMPARE(find(after->experiment->surfaces, "sole")->friction, find(before->experiment->surfaces, "sole")->friction);
     }
 
-    void whatCannotBeGroupedIsSaid() {
-        const auto loaded = m_desk.open("#import other.sim\nStaticConfig S { Box b { Size=1,1,1 } }\nStatic s { Config=S }\n"
-                                        "RobotConfig C { Body b { Mass=1 Box x { Size=1,1,1 } } }\nRobot r { Config=C }\n"
-                                        "RobotConfig D { Body b { Mass=1 Box x { Size=1,1,1 } } Camera eye { Body=b } }\nRobot d { Config=D }\n"
-                                        "Grid g { Config=C Count=2 Spacing=9 }\nPoseLog l { Robot=r }\n");
+    void reportsUngroupableObjects() {
+        const auto loaded = m_fixture.open(
+            "#import other.sim\nStaticConfig S { Box b { Size=1,1,1 } }\nStatic s { Config=S }\n"
+            "RobotConfig C { Body b { Mass=1 Box x { Size=1,1,1 } } }\nRobot r { Config=C }\n"
+            "RobotConfig D { Body b { Mass=1 Box x { Size=1,1,1 } } Camera eye { Body=b } }\nRobot d { Config=D }\n"
+            "Grid g { Config=C Count=2 Spacing=9 }\nPoseLog l { Robot=r }\n");
         const auto why = [&](const std::vector<std::string>& paths, const char* name = "Piece") {
             const auto plan = planGroup(*loaded, paths, name);
             return plan.ok() ? std::string() : plan.error().message;
@@ -116,7 +119,7 @@ private Q_SLOTS:
     }
 
 private:
-    PlanDesk m_desk;
+    PlanFixture m_fixture;
 };
 
 QTEST_APPLESS_MAIN(PlansGroupTest)

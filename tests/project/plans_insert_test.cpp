@@ -1,10 +1,10 @@
 // Blocks given as text, and the text that templateOf gives for every kind.
 #include <QTest>
 
-#include "plan_desk.h"
+#include "plan_fixture.h"
 
 using namespace trundle;
-using sample::PlanDesk;
+using sample::PlanFixture;
 
 namespace {
 
@@ -19,7 +19,7 @@ const char* const kCart = R"(RobotConfig Cart {
 
 std::string scene(const std::string& more) { return kCart + more; }
 
-std::vector<std::string> newErrors(const Loaded& before, const Loaded& after) {
+std::vector<std::string> newErrors(const LoadedProject& before, const LoadedProject& after) {
     std::vector<std::string> fresh;
     for (const Diagnostic& d : after.diagnostics.all())
         if (d.severity == Severity::Error) fresh.push_back(d.message);
@@ -130,10 +130,10 @@ private Q_SLOTS:
         QFETCH(QString, text);
         QFETCH(QString, after);
         QFETCH(QString, selects);
-        const auto loaded = m_desk.open(before.toStdString());
+        const auto loaded = m_fixture.open(before.toStdString());
         const auto plan = planInsert(*loaded, parent.toStdString(), text.toStdString());
-        QCOMPARE(QString::fromStdString(m_desk.text(loaded, plan)), after);
-        const auto again = m_desk.carryOut(loaded, plan);
+        QCOMPARE(QString::fromStdString(m_fixture.text(loaded, plan)), after);
+        const auto again = m_fixture.apply(loaded, plan);
         QVERIFY2(newErrors(*loaded, *again).empty(), sample::messages(*again).c_str());
         QCOMPARE(QString::fromStdString(plan.value().selects.at(0)), selects);
         for (const std::string& path : plan.value().selects) QVERIFY2(placeOf(*again, path), path.c_str());
@@ -145,10 +145,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("why");
         QTest::newRow("geom at the top") << ""
                                          << "Box b { Size=1,1,1 }"
-                                         << "a Box stands in a Body or a StaticConfig, not at the top level";
+                                         << "a Box is allowed in a Body or a StaticConfig, not at the top level";
         QTest::newRow("geom in a robot") << "r"
                                          << "Box b { Size=1,1,1 }"
-                                         << "a Box stands in a Body or a StaticConfig, not in Robot r";
+                                         << "a Box is allowed in a Body or a StaticConfig, not in Robot r";
         QTest::newRow("second controller") << "r"
                                            << "Walker w { }"
                                            << "Robot r has a controller already: Walker brain";
@@ -187,7 +187,7 @@ private Q_SLOTS:
         QFETCH(QString, parent);
         QFETCH(QString, text);
         QFETCH(QString, why);
-        const auto loaded = m_desk.open(
+        const auto loaded = m_fixture.open(
             "#loadModule walker\n" +
             scene(
                 "Robot r { Config=Cart Walker brain { } }\nRobot s { Config=Cart }\nGrid g { Config=Cart Count=2 Spacing=1 }\n"));
@@ -223,101 +223,106 @@ private Q_SLOTS:
         QFETCH(QString, before);
         QFETCH(QStringList, imports);
         QFETCH(QString, after);
-        const auto loaded = m_desk.open(std::map<std::string, std::string>{{"main.sim", before.toStdString()},
-                                                                           {"a.sim", "StaticConfig A { Box b { Size=1,1,1 } }\n"},
-                                                                           {"b.sim", "\n"},
-                                                                           {"via.sim", "#import a.sim\n"}});
+        const auto loaded =
+            m_fixture.open(std::map<std::string, std::string>{{"main.sim", before.toStdString()},
+                                                              {"a.sim", "StaticConfig A { Box b { Size=1,1,1 } }\n"},
+                                                              {"b.sim", "\n"},
+                                                              {"via.sim", "#import a.sim\n"}});
         std::vector<std::string> names;
         for (const QString& name : imports) names.push_back(name.toStdString());
         const auto plan = planInsert(*loaded, "", "Static a { Config=A }", names);
-        QCOMPARE(QString::fromStdString(m_desk.text(loaded, plan)), after);
-        const auto again = m_desk.carryOut(loaded, plan);
+        QCOMPARE(QString::fromStdString(m_fixture.text(loaded, plan)), after);
+        const auto again = m_fixture.apply(loaded, plan);
         QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
     }
 
     void aFileOfTheProjectIsNeverNamedByItsWholePath() {
         // The importing file has a file of the same name beside it, which would be found first.
         for (const char* name : {"configs/trials/robots/a.sim", "configs/robots/a.sim"}) {
-            std::filesystem::create_directories(std::filesystem::path(m_desk.path(name)).parent_path());
-            std::ofstream(m_desk.path(name)) << "StaticConfig A { Box b { Size=1,1,1 } }\n";
+            std::filesystem::create_directories(std::filesystem::path(m_fixture.path(name)).parent_path());
+            std::ofstream(m_fixture.path(name)) << "StaticConfig A { Box b { Size=1,1,1 } }\n";
         }
-        const auto loaded = m_desk.open(std::map<std::string, std::string>{{"configs/trials/main.sim", ""}}, "configs/trials/main.sim");
-        const auto plan = planInsert(*loaded, "", "Static a { Config=A }", {m_desk.path("configs/robots/a.sim")});
-        QCOMPARE(m_desk.text(loaded, plan, "configs/trials/main.sim"), "#import ../robots/a.sim\nStatic a { Config=A }\n");
-        const auto again = m_desk.carryOut(loaded, plan);
+        const auto loaded =
+            m_fixture.open(std::map<std::string, std::string>{{"configs/trials/main.sim", ""}}, "configs/trials/main.sim");
+        const auto plan = planInsert(*loaded, "", "Static a { Config=A }", {m_fixture.path("configs/robots/a.sim")});
+        QCOMPARE(m_fixture.text(loaded, plan, "configs/trials/main.sim"), "#import ../robots/a.sim\nStatic a { Config=A }\n");
+        const auto again = m_fixture.apply(loaded, plan);
         QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
     }
 
     void controllers() {
         const std::string more = "Robot a { Config=Cart Walker brain { Speed=1 } }\nRobot b {\n  Config=Cart\n}\nGrid g { "
                                  "Config=Cart Count=2 Spacing=9 }\n";
-        const auto loaded = m_desk.open("#loadModule walker\n" + scene(more));
+        const auto loaded = m_fixture.open("#loadModule walker\n" + scene(more));
         const auto plan =
             planController(*loaded, {"g", "a", "b"}, "LinearMotion go { Speed=2 }", {"#loadModule controllers/linear_motion"});
-        QCOMPARE(m_desk.text(loaded, plan), "#loadModule walker\n#loadModule controllers/linear_motion\n" +
-                                                scene("Robot a { Config=Cart LinearMotion go { Speed=2 } }\nRobot b {\n  "
-                                                      "Config=Cart\n  LinearMotion go { Speed=2 }\n}\n"
-                                                      "Grid g { Config=Cart Count=2 Spacing=9 LinearMotion go { Speed=2 } }\n"));
+        QCOMPARE(m_fixture.text(loaded, plan),
+                 "#loadModule walker\n#loadModule controllers/linear_motion\n" +
+                     scene("Robot a { Config=Cart LinearMotion go { Speed=2 } }\nRobot b {\n  "
+                           "Config=Cart\n  LinearMotion go { Speed=2 }\n}\n"
+                           "Grid g { Config=Cart Count=2 Spacing=9 LinearMotion go { Speed=2 } }\n"));
         QCOMPARE(plan.value().selects, (std::vector<std::string>{"a.go", "b.go", "g.go"}));
-        QVERIFY(!m_desk.carryOut(loaded, plan)->diagnostics.hasErrors());
-        QCOMPARE(m_desk.text(loaded, planController(*loaded, {"g_0"}, "Walker w { }")),
+        QVERIFY(!m_fixture.apply(loaded, plan)->diagnostics.hasErrors());
+        QCOMPARE(m_fixture.text(loaded, planController(*loaded, {"g_0"}, "Walker w { }")),
                  "refused: g_0 is a member of Grid g and has no text of its own; replace that by single robots first");
-        QCOMPARE(m_desk.text(loaded, planController(*loaded, {"a.chassis"}, "Walker w { }")),
+        QCOMPARE(m_fixture.text(loaded, planController(*loaded, {"a.chassis"}, "Walker w { }")),
                  "refused: Body chassis is no robot: it has no controller");
-        QCOMPARE(m_desk.text(loaded, planController(*loaded, {"a"}, "Material m { }")), "refused: this is not one controller");
+        QCOMPARE(m_fixture.text(loaded, planController(*loaded, {"a"}, "Material m { }")), "refused: this is not one controller");
     }
 
     void noPathForALine() {
-        const auto loaded = m_desk.open("");
+        const auto loaded = m_fixture.open("");
         for (const char* path : {"a\nb", "", "  ", "a\"b"}) QVERIFY(!planInsert(*loaded, "", "Material m { }", {path}).ok());
-        QCOMPARE(m_desk.text(loaded, planInsert(*loaded, "", "Material m { }", {"my files/a//b.sim"})),
+        QCOMPARE(m_fixture.text(loaded, planInsert(*loaded, "", "Material m { }", {"my files/a//b.sim"})),
                  "#import \"my files/a//b.sim\"\nMaterial m { }\n");
     }
 
     void everyKindHasATemplate_data() {
         QTest::addColumn<QString>("kind");
-        QTest::addColumn<QString>("desk");
-        m_desk.catalog.plugin = {kindOf<Odd>("Odd", Role::Device, {"RobotConfig"}),
-                                 kindOf<OddBrain>("OddBrain", Role::Controller, {"Robot", "Grid", "Scatter"})};
-        const auto loaded = m_desk.open("#loadModule plugin\n#loadModule walker\n");
+        QTest::addColumn<QString>("fixture");
+        m_fixture.catalog.plugin = {kindOf<Odd>("Odd", Role::Device, {"RobotConfig"}),
+                                    kindOf<OddBrain>("OddBrain", Role::Controller, {"Robot", "Grid", "Scatter"})};
+        const auto loaded = m_fixture.open("#loadModule plugin\n#loadModule walker\n");
         for (const Kind* kind : loaded->registry->all()) {
             if (kind->role == Role::Settings) continue;
             const bool top = kind->role == Role::Log || std::count(kind->parents.begin(), kind->parents.end(), "") > 0;
-            for (const char* desk : {"empty", "bare", "sample"})
-                if (top || desk != std::string("empty"))
-                    QTest::newRow((kind->name + " " + desk).c_str()) << QString::fromStdString(kind->name) << desk;
+            for (const char* fixture : {"empty", "bare", "sample"})
+                if (top || fixture != std::string("empty"))
+                    QTest::newRow((kind->name + " " + fixture).c_str()) << QString::fromStdString(kind->name) << fixture;
         }
     }
     void everyKindHasATemplate() {
         QFETCH(QString, kind);
-        QFETCH(QString, desk);
+        QFETCH(QString, fixture);
         const std::string modules = "#loadModule plugin\n#loadModule walker\n";
         const std::string bare =
             modules + "RobotConfig C { Body b { Mass=1 Box x { Size=1,1,1 } } }\nStaticConfig S { }\nRobot r { Config=C }\nGrid "
                       "g { Config=C Count=2 Spacing=9 Pos=50,0,0 }\nStatic s { Config=S }\n";
-        const std::string text = desk == "empty"  ? modules
-                                 : desk == "bare" ? bare
-                                                  : modules + "#import experiments/linear_motion.sim\n";
-        m_desk.options.shippedConfigs = TRUNDLE_SOURCE_DIR "/configs";
-        const auto loaded = m_desk.open(text);
+        const std::string text = fixture == "empty"  ? modules
+                                 : fixture == "bare" ? bare
+                                                     : modules + "#import experiments/linear_motion.sim\n";
+        m_fixture.options.shippedConfigs = TRUNDLE_SOURCE_DIR "/configs";
+        const auto loaded = m_fixture.open(text);
         const Kind* described = loaded->registry->find(kind.toStdString());
         QVERIFY(described);
-        const auto standsIn = [&](const char* place) {
+        const auto allowedPlaces = [&](const char* place) {
             return std::count(described->parents.begin(), described->parents.end(), place) > 0;
         };
-        const std::string robot = desk == "sample" ? "robot0" : "r";
+        const std::string robot = fixture == "sample" ? "robot0" : "r";
         std::string parent;
         const bool controller = described->role == Role::Controller;
         if (described->role == Role::Device || described->role == Role::Joint || described->role == Role::Body) parent = robot;
         if (controller) parent = robot;
         if (described->role == Role::Geom)
-            parent = standsIn("Body") ? robot + (desk == "sample" ? ".chassis" : ".b") : desk == "sample" ? "arena" : "s";
+            parent = allowedPlaces("Body") ? robot + (fixture == "sample" ? ".chassis" : ".b")
+                     : fixture == "sample" ? "arena"
+                                           : "s";
         const std::string block = templateOf(*loaded, *described, parent);
         auto before = loaded;
-        if (controller && desk == "sample") before = m_desk.carryOut(loaded, planRemove(*loaded, {"robot0.brain"}));
+        if (controller && fixture == "sample") before = m_fixture.apply(loaded, planRemove(*loaded, {"robot0.brain"}));
         const auto plan = planInsert(*before, parent, block);
         QVERIFY2(plan.ok(), (block + (plan.ok() ? "" : plan.error().message)).c_str());
-        const auto again = m_desk.carryOut(before, plan);
+        const auto again = m_fixture.apply(before, plan);
         QVERIFY2(newErrors(*before, *again).empty(), (block + "\n" + sample::messages(*again)).c_str());
         const auto place = placeOf(*again, plan.value().selects.back());
         QVERIFY2(place && place->part && place->part->kind->name == kind.toStdString(), block.c_str());
@@ -328,12 +333,12 @@ private Q_SLOTS:
         }
         const auto second = planInsert(*again, parent, templateOf(*again, *described, parent));
         QVERIFY2(second.ok(), second.ok() ? "" : second.error().message.c_str());
-        const auto twice = m_desk.carryOut(again, second);
+        const auto twice = m_fixture.apply(again, second);
         QVERIFY2(newErrors(*before, *twice).empty(), sample::messages(*twice).c_str());
     }
 
     void templatesOfTheSample() {
-        const auto loaded = m_desk.open("Material red { }\nStaticConfig A { }\n" + scene("Robot r { Config=Cart }\n"));
+        const auto loaded = m_fixture.open("Material red { }\nStaticConfig A { }\n" + scene("Robot r { Config=Cart }\n"));
         const auto text = [&](const char* kind, const char* parent) {
             return templateOf(*loaded, *loaded->registry->find(kind), parent);
         };
@@ -347,20 +352,20 @@ private Q_SLOTS:
         QCOMPARE(text("settings", ""), "");
     }
 
-    void commentsComeAlong() {
-        sample::PlanDesk desk;
-        const auto loaded = desk.open("Tick = 0.01\n");
+    void copiesComments() {
+        sample::PlanFixture fixture;
+        const auto loaded = fixture.open("Tick = 0.01\n");
         QCOMPARE(
-            desk.text(loaded, planInsert(*loaded, "",
-                                         "// mine\r\nMaterial red { } // hot\n\n/* cold */ Material blue { }\n// the end\n")),
+            fixture.text(loaded, planInsert(*loaded, "",
+                                            "// mine\r\nMaterial red { } // hot\n\n/* cold */ Material blue { }\n// the end\n")),
             "Tick = 0.01\n// mine\nMaterial red { } // hot\n/* cold */ Material blue { }\n// the end\n");
-        const auto cut = desk.open("Material red { } // hot\nMaterial blue { } // cold\n");
-        QCOMPARE(desk.text(cut, planRemove(*cut, {"Material.red"})), "Material blue { } // cold\n");
+        const auto cut = fixture.open("Material red { } // hot\nMaterial blue { } // cold\n");
+        QCOMPARE(fixture.text(cut, planRemove(*cut, {"Material.red"})), "Material blue { } // cold\n");
         QCOMPARE(textOf(*cut, {"Material.red"}), "Material red { } // hot\n");
     }
 
 private:
-    PlanDesk m_desk;
+    PlanFixture m_fixture;
 };
 
 QTEST_APPLESS_MAIN(PlansInsertTest)

@@ -1,10 +1,10 @@
 // Blocks that get another place: the order in the text, and the pose in the world.
 #include <QTest>
 
-#include "plan_desk.h"
+#include "plan_fixture.h"
 
 using namespace trundle;
-using sample::PlanDesk;
+using sample::PlanFixture;
 
 namespace {
 
@@ -24,8 +24,8 @@ const char* const kCart = R"(RobotConfig Cart {
 
 std::string scene(const std::string& more) { return kCart + more; }
 
-/// Where a geom stands in the world.
-Pose worldPose(const Loaded& loaded, const std::string& robot, const std::string& body, const std::string& geom) {
+/// Where a geom is in the world.
+Pose worldPose(const LoadedProject& loaded, const std::string& robot, const std::string& body, const std::string& geom) {
     for (const RobotSpec& r : loaded.experiment->robots) {
         if (r.name != robot) continue;
         for (const BodySpec& b : r.config->bodies)
@@ -89,30 +89,30 @@ private Q_SLOTS:
         QFETCH(QString, parent);
         QFETCH(QString, beside);
         QFETCH(QString, after);
-        const auto loaded = m_desk.open(before.toStdString());
+        const auto loaded = m_fixture.open(before.toStdString());
         std::vector<std::string> all;
         for (const QString& path : paths) all.push_back(path.toStdString());
         const auto plan = planMove(*loaded, all, parent.toStdString(), beside.toStdString());
-        QCOMPARE(QString::fromStdString(m_desk.text(loaded, plan)), after);
+        QCOMPARE(QString::fromStdString(m_fixture.text(loaded, plan)), after);
         QCOMPARE(plan.value().selects.size(), all.size());
-        const auto again = m_desk.carryOut(loaded, plan);
+        const auto again = m_fixture.apply(loaded, plan);
         QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
         for (const std::string& path : plan.value().selects) QVERIFY2(placeOf(*again, path), path.c_str());
     }
 
-    /// What is only ordered anew stays in its file, whatever stands beside it; a file that is asked for gets it.
+    /// What is only ordered anew stays in its file, whatever is beside it; a file that is asked for gets it.
     void filesOfTheOrder() {
         const std::string one =
             "Surface ice { Friction=0 }\nSurface tar { Friction=2 } // black\nMaterial red { ColorRGB=1,0,0 }\n";
         const std::string two = "#import one.sim\nSurface own { Friction=1 }\nRobotConfig Cart { }\nRobot r { Config=Cart }\n";
-        const auto loaded = m_desk.open({{"main.sim", two}, {"one.sim", one}});
-        const auto one_ = [&](const Result<EditPlan>& plan) { return m_desk.text(loaded, plan, "one.sim"); };
+        const auto loaded = m_fixture.open({{"main.sim", two}, {"one.sim", one}});
+        const auto one_ = [&](const Result<EditPlan>& plan) { return m_fixture.text(loaded, plan, "one.sim"); };
         const std::string turned =
             "Surface tar { Friction=2 } // black\nSurface ice { Friction=0 }\nMaterial red { ColorRGB=1,0,0 }\n";
         for (const char* before : {"", "Surface.own"}) { // below the last one of its file, and of all
             const auto plan = planMove(*loaded, {"Surface.ice"}, "", before);
             QCOMPARE(one_(plan), turned);
-            QCOMPARE(m_desk.text(loaded, plan), two);
+            QCOMPARE(m_fixture.text(loaded, plan), two);
         }
         QCOMPARE(one_(planMove(*loaded, {"Surface.tar"}, "", "Surface.ice")), // its comment goes with it
                  "Surface tar { Friction=2 } // black\nSurface ice { Friction=0 }\nMaterial red { ColorRGB=1,0,0 }\n");
@@ -123,25 +123,25 @@ private Q_SLOTS:
 
         const auto there = planMove(*loaded, {"Surface.own"}, "", "", 1);
         QCOMPARE(one_(there), one + "Surface own { Friction=1 }\n");
-        QCOMPARE(m_desk.text(loaded, there), "#import one.sim\nRobotConfig Cart { }\nRobot r { Config=Cart }\n");
+        QCOMPARE(m_fixture.text(loaded, there), "#import one.sim\nRobotConfig Cart { }\nRobot r { Config=Cart }\n");
         QCOMPARE(one_(planMove(*loaded, {"Surface.own"}, "", "Surface.tar", 1)),
                  "Surface ice { Friction=0 }\nSurface own { Friction=1 }\nSurface tar { Friction=2 } // black\n"
                  "Material red { ColorRGB=1,0,0 }\n");
-        QCOMPARE(m_desk.text(loaded, planMove(*loaded, {"Surface.tar"}, "", "", 0)),
+        QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"Surface.tar"}, "", "", 0)),
                  two + "Surface tar { Friction=2 } // black\n");
     }
 
     /// The file that gets a block can be read by itself then; it is not made to import a file that imports it.
-    void whatTheMovedUseIsImported() {
+    void importsDependenciesOfMoved() {
         const std::string main = "#import one.sim\n#import floor.sim\nParam far = 2\n";
         const std::string floor = "#import two.sim\nParam side = 1\nMaterial red { ColorRGB=1,0,0 }\nStaticConfig Floor { "
                                   "Box slab { Size=$side,1,0.1 } }\n";
         const auto moved = [&](const std::string& block, const std::string& path, FileId file) {
             const auto loaded =
-                m_desk.open({{"main.sim", main + block}, {"one.sim", "Seed=1\n"}, {"floor.sim", floor}, {"two.sim", ""}});
+                m_fixture.open({{"main.sim", main + block}, {"one.sim", "Seed=1\n"}, {"floor.sim", floor}, {"two.sim", ""}});
             const auto plan = planMove(*loaded, {path}, "", "", file);
-            const auto again = m_desk.carryOut(loaded, plan);
-            const std::string texts = m_desk.text(loaded, plan, "one.sim") + "|" + m_desk.text(loaded, plan, "two.sim");
+            const auto again = m_fixture.apply(loaded, plan);
+            const std::string texts = m_fixture.text(loaded, plan, "one.sim") + "|" + m_fixture.text(loaded, plan, "two.sim");
             return again && !again->diagnostics.hasErrors() ? texts : texts + " " + sample::messages(*again);
         };
         const std::string wall = "Static wall { Config=Floor }\n", box = "StaticConfig B { Box b { Size=1,1,1 Material=red } }\n";
@@ -155,14 +155,14 @@ private Q_SLOTS:
     }
 
     /// No numbers of the config would do for all of its robots.
-    void aPoseOfOneRobotIsNotLost() {
+    void refusesToLosePoseOfOneRobot() {
         const auto refused = [&](const char* robots, const char* path = "r.chassis.hull", const char* to = "r.wheel") {
-            const auto loaded = m_desk.open(scene(robots));
+            const auto loaded = m_fixture.open(scene(robots));
             const auto plan = planMove(*loaded, {path}, to, "");
             return plan.ok() ? std::string() : plan.error().message;
         };
         QCOMPARE(refused("Robot r { Config=Cart chassis.hull.Pos=1,2,3 }\nRobot s { Config=Cart }\n"),
-                 "Box hull cannot keep its place in Robot r, which sets a Pos, HPR or Param of its own there; reset that first");
+                 "Box hull cannot keep its pose in Robot r, which sets a Pos, HPR or Param of its own there; reset that first");
         QVERIFY(!refused("Robot r { Config=Cart }\nRobot s { Config=Cart wheel.HPR=1,2,3 }\n").empty());
         QVERIFY(!refused("Robot r { Config=Cart }\nRobot s { Config=Cart chassis.hull.HPR=1,2,3 }\n",
                          "RobotConfig.Cart.chassis.hull", "RobotConfig.Cart.wheel")
@@ -173,16 +173,16 @@ private Q_SLOTS:
     }
 
     /// A geom goes to the other body; what names it follows, and in the world it stays.
-    void aGeomKeepsItsPose() {
-        const auto loaded = m_desk.open(scene(
+    void movedGeomKeepsPose() {
+        const auto loaded = m_fixture.open(scene(
             "Robot r { Config=Cart Pos=3,4,5 HPR=10,20,30 chassis.hull.Mass=2 }\nSignalLog l { Signals=r/chassis/pose }\n"));
         QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
         const auto plan = planMove(*loaded, {"r.chassis.hull"}, "r.wheel", "r.wheel.tyre");
-        const std::string text = m_desk.text(loaded, plan);
+        const std::string text = m_fixture.text(loaded, plan);
         QVERIFY2(text.find("Geom=wheel.hull") != std::string::npos && text.find("wheel.hull.Mass=2") != std::string::npos,
                  text.c_str());
         QCOMPARE(plan.value().selects.at(0), "r.wheel.hull");
-        const auto again = m_desk.carryOut(loaded, plan);
+        const auto again = m_fixture.apply(loaded, plan);
         QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
         const Pose a = worldPose(*loaded, "r", "chassis", "hull"), b = worldPose(*again, "r", "wheel", "hull");
         QVERIFY2((a.position - b.position).norm() < 1e-9, text.c_str());
@@ -191,10 +191,10 @@ private Q_SLOTS:
 
     /// There and back gives the numbers that were there, short again.
     void thereAndBack() {
-        const auto loaded = m_desk.open(scene("Robot r { Config=Cart }\n"));
-        const auto there = m_desk.carryOut(loaded, planMove(*loaded, {"r.chassis.hull"}, "r.wheel", ""));
+        const auto loaded = m_fixture.open(scene("Robot r { Config=Cart }\n"));
+        const auto there = m_fixture.apply(loaded, planMove(*loaded, {"r.chassis.hull"}, "r.wheel", ""));
         const auto back = planMove(*there, {"r.wheel.hull"}, "r.chassis", "r.chassis.sphere");
-        QCOMPARE(m_desk.text(there, back), scene("Robot r { Config=Cart }\n"));
+        QCOMPARE(m_fixture.text(there, back), scene("Robot r { Config=Cart }\n"));
     }
 
     void intoOtherRobots() {
@@ -202,23 +202,23 @@ private Q_SLOTS:
             "RobotConfig Other { Body b { HPR=0,0,45 Mass=1 Box x { Size=1,1,1 } } }\nStaticConfig Yard { }\n"
             "Static yard { Config=Yard Pos=7,0,0 }\nRobot r { Config=Cart Pos=3,4,5 HPR=10,20,30 }\nRobot o { Config=Other "
             "Pos=-3,0,1 HPR=90,0,0 }\n";
-        const auto loaded = m_desk.open(scene(more));
+        const auto loaded = m_fixture.open(scene(more));
         const auto moved = [&](const char* to, const char* robot, const char* body) {
             const auto plan = planMove(*loaded, {"r.wheel.tyre"}, to, "");
-            const auto again = m_desk.carryOut(loaded, plan);
+            const auto again = m_fixture.apply(loaded, plan);
             if (!again) return plan.error().message;
             const Pose a = worldPose(*loaded, "r", "wheel", "tyre"), b = worldPose(*again, robot, body, "tyre");
             return (a.position - b.position).norm() < 1e-9 && a.rotation.angularDistance(b.rotation) < 1e-8
                        ? std::string()
-                       : m_desk.text(loaded, plan);
+                       : m_fixture.text(loaded, plan);
         };
         QCOMPARE(moved("yard", "yard", ""), "");
         QCOMPARE(moved("r.chassis", "r", "chassis"), "");
         const auto refused = planMove(*loaded, {"r.chassis.hull"}, "o.b", "");
-        QCOMPARE(m_desk.text(loaded, refused), "refused: Box hull is still used by TouchSensor touch (Geom)");
-        QCOMPARE(m_desk.text(loaded, planMove(*loaded, {"r.chassis.sphere"}, "o.b", "")),
+        QCOMPARE(m_fixture.text(loaded, refused), "refused: Box hull is still used by TouchSensor touch (Geom)");
+        QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"r.chassis.sphere"}, "o.b", "")),
                  "refused: Sphere uses r, which there is not in Body b");
-        QCOMPARE(m_desk.text(loaded, planMove(*loaded, {"r.axle"}, "o", "")),
+        QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"r.axle"}, "o", "")),
                  "refused: Hinge axle uses chassis, which there is not in RobotConfig Other");
         const auto both = planMove(*loaded, {"r.wheel", "r.axle", "r.chassis", "r.touch"}, "o", "");
         QVERIFY(both.ok() || both.error().message.find("uses r,") != std::string::npos);
@@ -232,15 +232,15 @@ private Q_SLOTS:
         QTest::newRow("a body into a body") << "r.wheel"
                                             << "r.chassis"
                                             << ""
-                                            << "a Body stands in a RobotConfig, not in Body chassis";
+                                            << "a Body is allowed in a RobotConfig, not in Body chassis";
         QTest::newRow("a geom to the top") << "r.wheel.tyre"
                                            << ""
                                            << ""
-                                           << "a Sphere stands in a Body or a StaticConfig, not at the top level";
+                                           << "a Sphere is allowed in a Body or a StaticConfig, not at the top level";
         QTest::newRow("beside a stranger") << "r.wheel.tyre"
                                            << "r.chassis"
                                            << "r.wheel.tyre"
-                                           << "r.wheel.tyre does not stand in the same block";
+                                           << "r.wheel.tyre is not in the same block";
         QTest::newRow("member") << "g_0"
                                 << ""
                                 << ""
@@ -259,23 +259,23 @@ private Q_SLOTS:
         QFETCH(QString, parent);
         QFETCH(QString, beside);
         QFETCH(QString, why);
-        const auto loaded =
-            m_desk.open("#loadModule walker\n" + scene("Robot r { Config=Cart Walker brain { } }\nRobot s { Config=Cart Walker "
-                                                       "brain { } }\nGrid g { Config=Cart Count=2 Spacing=9 }\n"));
+        const auto loaded = m_fixture.open("#loadModule walker\n" +
+                                           scene("Robot r { Config=Cart Walker brain { } }\nRobot s { Config=Cart Walker "
+                                                 "brain { } }\nGrid g { Config=Cart Count=2 Spacing=9 }\n"));
         const auto plan = planMove(*loaded, {path.toStdString()}, parent.toStdString(), beside.toStdString());
         QVERIFY(!plan.ok());
         QCOMPARE(QString::fromStdString(plan.error().message), why);
     }
 
-    void aControllerGoesToAnotherRobot() {
-        const auto loaded = m_desk.open("#loadModule walker\n" +
-                                        scene("Robot r { Config=Cart Walker brain { Speed=1 } }\nRobot s { Config=Cart }\n"));
-        QCOMPARE(m_desk.text(loaded, planMove(*loaded, {"r.brain"}, "s", "")),
+    void movesControllerToAnotherRobot() {
+        const auto loaded = m_fixture.open("#loadModule walker\n" +
+                                           scene("Robot r { Config=Cart Walker brain { Speed=1 } }\nRobot s { Config=Cart }\n"));
+        QCOMPARE(m_fixture.text(loaded, planMove(*loaded, {"r.brain"}, "s", "")),
                  "#loadModule walker\n" + scene("Robot r { Config=Cart }\nRobot s { Config=Cart Walker brain { Speed=1 } }\n"));
     }
 
 private:
-    PlanDesk m_desk;
+    PlanFixture m_fixture;
 };
 
 QTEST_APPLESS_MAIN(PlansMoveTest)

@@ -3,15 +3,15 @@
 
 #include <QTest>
 
-#include "plan_desk.h"
+#include "plan_fixture.h"
 
 using namespace trundle;
-using sample::PlanDesk;
+using sample::PlanFixture;
 using sample::Texts;
 
 namespace {
 
-void collect(const Loaded& loaded, const Part& part, std::vector<const Part*> chain, std::vector<std::string>& paths) {
+void collect(const LoadedProject& loaded, const Part& part, std::vector<const Part*> chain, std::vector<std::string>& paths) {
     chain.push_back(&part);
     const std::string path = pathOf(loaded, chain);
     if (path.empty()) return;
@@ -19,7 +19,7 @@ void collect(const Loaded& loaded, const Part& part, std::vector<const Part*> ch
     for (const Part& inner : part.parts) collect(loaded, inner, chain, paths);
 }
 
-std::vector<std::string> pathsOf(const Loaded& loaded) {
+std::vector<std::string> pathsOf(const LoadedProject& loaded) {
     std::vector<std::string> paths;
     for (const auto& part : loaded.outline->parts) {
         collect(loaded, *part, {}, paths);
@@ -33,7 +33,7 @@ std::vector<std::string> pathsOf(const Loaded& loaded) {
     return paths;
 }
 
-std::vector<std::string> propertiesOf(const Loaded& loaded, const std::string& path) {
+std::vector<std::string> propertiesOf(const LoadedProject& loaded, const std::string& path) {
     const auto place = placeOf(loaded, path);
     std::vector<std::string> paths;
     if (place && place->part && place->part->kind)
@@ -41,7 +41,7 @@ std::vector<std::string> propertiesOf(const Loaded& loaded, const std::string& p
     return paths;
 }
 
-std::map<std::string, int> nameErrors(const Loaded& loaded) {
+std::map<std::string, int> nameErrors(const LoadedProject& loaded) {
     std::map<std::string, int> counts;
     for (const Diagnostic& d : loaded.diagnostics.all()) {
         const int code = static_cast<int>(d.code);
@@ -56,9 +56,9 @@ std::map<std::string, int> nameErrors(const Loaded& loaded) {
     return counts;
 }
 
-class Dice {
+class RandomNumbers {
 public:
-    explicit Dice(unsigned seed) : m_random(seed) {}
+    explicit RandomNumbers(unsigned seed) : m_random(seed) {}
     std::size_t below(std::size_t n) { return n == 0 ? 0 : m_random() % n; }
     template <class T> T of(const std::vector<T>& all) { return all.empty() ? T() : all[below(all.size())]; }
 
@@ -71,51 +71,51 @@ struct Throw {
     Result<EditPlan> plan;
 };
 
-Throw throwPlan(const Loaded& loaded, Dice& dice) {
+Throw throwPlan(const LoadedProject& loaded, RandomNumbers& rng) {
     const std::vector<std::string> paths = pathsOf(loaded);
-    const std::string path = dice.of(paths), other = dice.of(paths);
+    const std::string path = rng.of(paths), other = rng.of(paths);
     static const std::vector<std::string> names{"alpha",     "robot0", "chassis", "wheel", "red",  "swarm_1", "box",
                                                 "leftMotor", "world",  "9",       "a b",   "hull", "brain"};
     const std::vector<std::string> several =
-        dice.below(3) ? std::vector<std::string>{path} : std::vector<std::string>{path, other, dice.of(paths)};
+        rng.below(3) ? std::vector<std::string>{path} : std::vector<std::string>{path, other, rng.of(paths)};
     std::string all;
     for (const std::string& p : several) all += p + " ";
-    switch (dice.below(9)) {
+    switch (rng.below(9)) {
     case 0: {
-        const std::string name = dice.of(names);
+        const std::string name = rng.of(names);
         return {"rename " + path + " to " + name, planRename(loaded, path, name)};
     }
     case 1: return {"remove " + all, planRemove(loaded, several)};
-    case 2: return {"double " + all, planDuplicate(loaded, several, dice.below(2) ? Vec3(0.1, -0.5, 0) : Vec3::Zero())};
+    case 2: return {"double " + all, planDuplicate(loaded, several, rng.below(2) ? Vec3(0.1, -0.5, 0) : Vec3::Zero())};
     case 3: {
-        const std::string sibling = dice.below(2) ? other : std::string();
+        const std::string sibling = rng.below(2) ? other : std::string();
         const std::string parent = other.substr(0, other.rfind('.') == std::string::npos ? 0 : other.rfind('.'));
         return {"move " + all + "to " + parent + " before " + sibling,
-                planMove(loaded, several, dice.below(4) ? parent : other, sibling)};
+                planMove(loaded, several, rng.below(4) ? parent : other, sibling)};
     }
     case 4: {
         const std::vector<const Kind*> kinds = loaded.registry->all();
-        const Kind* kind = kinds[dice.below(kinds.size())];
+        const Kind* kind = kinds[rng.below(kinds.size())];
         const std::string text = templateOf(loaded, *kind, path);
         return {"insert " + text + " into " + path, planInsert(loaded, path, text)};
     }
     case 5:
         return {"paste " + all + "into " + other, planInsert(loaded, other, textOf(loaded, several), {"common/materials.sim"})};
     case 6: {
-        const std::string property = dice.of(propertiesOf(loaded, path));
+        const std::string property = rng.of(propertiesOf(loaded, path));
         return {"reset " + property, planReset(loaded, {property})};
     }
     case 7: {
-        const std::string property = dice.of(propertiesOf(loaded, path));
-        return dice.below(2) ? Throw{"push " + property, planPushOverride(loaded, property)}
-                             : Throw{"pull " + property, planPullOverride(loaded, property)};
+        const std::string property = rng.of(propertiesOf(loaded, path));
+        return rng.below(2) ? Throw{"push " + property, planPushOverride(loaded, property)}
+                            : Throw{"pull " + property, planPullOverride(loaded, property)};
     }
     default: return {"singles " + path, planReplaceBySingles(loaded, path)};
     }
 }
 
-/// The edits that take a plan back: what stands in the new text goes, what stood there comes again.
-std::map<std::string, std::vector<TextEdit>> inverseOf(const Loaded& loaded, const EditPlan& plan) {
+/// The edits that take a plan back: what is in the new text goes, what stood there comes again.
+std::map<std::string, std::vector<TextEdit>> inverseOf(const LoadedProject& loaded, const EditPlan& plan) {
     std::map<std::string, std::vector<TextEdit>> inverse;
     for (const auto& [file, edits] : plan.edits) {
         std::vector<TextEdit> ordered = edits;
@@ -148,7 +148,7 @@ private Q_SLOTS:
     void anyPlan() {
         QFETCH(QString, file);
         QFETCH(QString, style);
-        PlanDesk desk;
+        PlanFixture fixture;
         std::map<std::string, std::string> files;
         namespace fs = std::filesystem;
         const fs::path configs = fs::path(TRUNDLE_SOURCE_DIR) / "configs";
@@ -158,28 +158,28 @@ private Q_SLOTS:
             if (style == "CRLF") text = std::string(QByteArray::fromStdString(text).replace("\n", "\r\n").replace("  ", "\t"));
             files["configs/" + entry.path().lexically_relative(configs).string()] = text;
         }
-        const auto start = desk.open(files, "configs/experiments/" + file.toStdString() + ".sim");
+        const auto start = fixture.open(files, "configs/experiments/" + file.toStdString() + ".sim");
         QVERIFY2(start && !start->diagnostics.hasErrors(), sample::messages(*start).c_str());
         const bool isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
         const int count = isLong ? 10000 / 6 : 150;
         auto loaded = start;
         int done = 0;
         const unsigned seed = isLong ? std::random_device()() : static_cast<unsigned>(file.size() * 7 + style.size());
-        Dice dice(seed);
+        RandomNumbers rng(seed);
         for (int i = 0; i < count; ++i) {
-            const Throw thrown = throwPlan(*loaded, dice);
+            const Throw thrown = throwPlan(*loaded, rng);
             if (!thrown.plan.ok()) {
                 QVERIFY2(!thrown.plan.error().message.empty(), thrown.what.c_str());
                 continue;
             }
             const EditPlan& plan = thrown.plan.value();
-            const Texts before = PlanDesk::textsOf(*loaded), after = PlanDesk::after(*loaded, plan);
+            const Texts before = PlanFixture::textsOf(*loaded), after = PlanFixture::after(*loaded, plan);
             QVERIFY2(!after.empty(), thrown.what.c_str());
             for (const auto& [path, edits] : inverseOf(*loaded, plan)) {
                 const auto back = applyEdits(after.at(path), edits);
                 QVERIFY2(back.ok() && back.value() == before.at(path), thrown.what.c_str());
             }
-            const auto again = desk.read(after);
+            const auto again = fixture.read(after);
             const auto was = nameErrors(*loaded), is = nameErrors(*again);
             for (const auto& [code, n] : is)
                 QVERIFY2(was.count(code) && was.at(code) >= n,
@@ -194,7 +194,7 @@ private Q_SLOTS:
             loaded = again;
             ++done;
             if (done % 25 == 0)
-                loaded = desk.open(files, "configs/experiments/" + file.toStdString() + ".sim"); // not to wander off
+                loaded = fixture.open(files, "configs/experiments/" + file.toStdString() + ".sim"); // not to wander off
         }
         QVERIFY2(done > count / 6, "hardly any plan could be carried out");
     }
@@ -206,16 +206,16 @@ private Q_SLOTS:
         int done = 0;
         for (const auto& entry : fs::directory_iterator(TRUNDLE_SOURCE_DIR "/tests/data/broken")) {
             if (!entry.is_regular_file() || entry.file_size() > 100000) continue;
-            PlanDesk desk;
-            const auto loaded = desk.open(readFile(entry.path().string(), 1 << 20).value());
+            PlanFixture fixture;
+            const auto loaded = fixture.open(readFile(entry.path().string(), 1 << 20).value());
             QVERIFY(loaded);
-            Dice dice(isLong ? std::random_device()() : 3);
+            RandomNumbers rng(isLong ? std::random_device()() : 3);
             for (int i = 0; i < (isLong ? 100 : 5); ++i) {
-                const Throw thrown = throwPlan(*loaded, dice);
+                const Throw thrown = throwPlan(*loaded, rng);
                 if (!thrown.plan.ok()) continue;
-                const Texts after = PlanDesk::after(*loaded, thrown.plan.value());
+                const Texts after = PlanFixture::after(*loaded, thrown.plan.value());
                 QVERIFY2(!after.empty(), thrown.what.c_str());
-                QVERIFY(desk.read(after));
+                QVERIFY(fixture.read(after));
                 ++done;
             }
         }

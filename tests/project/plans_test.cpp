@@ -1,11 +1,11 @@
 // Renaming, removing, doubling, overrides: each a text before and the text after.
 #include <QTest>
 
-#include "plan_desk.h"
-#include "project/plan_users.h"
+#include "plan_fixture.h"
+#include "project/plan_dependents.h"
 
 using namespace trundle;
-using sample::PlanDesk;
+using sample::PlanFixture;
 
 namespace {
 
@@ -90,11 +90,11 @@ private Q_SLOTS:
         QFETCH(QString, name);
         QFETCH(QString, after);
         QFETCH(QString, selects);
-        const auto loaded = m_desk.open(kScene);
+        const auto loaded = m_fixture.open(kScene);
         QVERIFY2(!loaded->diagnostics.hasErrors(), sample::messages(*loaded).c_str());
         const auto plan = planRename(*loaded, path.toStdString(), name.toStdString());
-        QCOMPARE(QString::fromStdString(m_desk.text(loaded, plan)), after);
-        const auto again = m_desk.carryOut(loaded, plan);
+        QCOMPARE(QString::fromStdString(m_fixture.text(loaded, plan)), after);
+        const auto again = m_fixture.apply(loaded, plan);
         QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
         QCOMPARE(plan.value().selects.empty() ? QString() : QString::fromStdString(plan.value().selects[0]), selects);
         if (!selects.isEmpty()) QVERIFY(placeOf(*again, selects.toStdString()));
@@ -166,7 +166,7 @@ private Q_SLOTS:
         QFETCH(QString, path);
         QFETCH(QString, name);
         QFETCH(QString, why);
-        const auto loaded = m_desk.open(kScene);
+        const auto loaded = m_fixture.open(kScene);
         const auto plan = planRename(*loaded, path.toStdString(), name.toStdString());
         QVERIFY(!plan.ok());
         QCOMPARE(QString::fromStdString(plan.error().message), why);
@@ -174,17 +174,17 @@ private Q_SLOTS:
 
     /// The config lies in a file of its own, and is used in another.
     void acrossFiles() {
-        const auto loaded = m_desk.open(std::map<std::string, std::string>{
+        const auto loaded = m_fixture.open(std::map<std::string, std::string>{
             {"main.sim", "#import a/cart.sim\nRobot r { Config=Cart body.Mass=3 }\n"},
             {"a/cart.sim", "#import looks.sim\nRobotConfig Cart { Body body { Mass=1 Box b { Size=1,1,1 Material=red } } }\n"},
             {"a/looks.sim", "Material red { ColorRGB=1,0,0 }\n"}});
         auto plan = planRename(*loaded, "r.body", "hull");
-        QCOMPARE(m_desk.text(loaded, plan), "#import a/cart.sim\nRobot r { Config=Cart hull.Mass=3 }\n");
-        QCOMPARE(m_desk.text(loaded, plan, "a/cart.sim"),
+        QCOMPARE(m_fixture.text(loaded, plan), "#import a/cart.sim\nRobot r { Config=Cart hull.Mass=3 }\n");
+        QCOMPARE(m_fixture.text(loaded, plan, "a/cart.sim"),
                  "#import looks.sim\nRobotConfig Cart { Body hull { Mass=1 Box b { Size=1,1,1 Material=red } } }\n");
         plan = planRename(*loaded, "Material.red", "rot");
         QCOMPARE(plan.value().edits.size(), 2u);
-        QVERIFY(!m_desk.carryOut(loaded, plan)->diagnostics.hasErrors());
+        QVERIFY(!m_fixture.apply(loaded, plan)->diagnostics.hasErrors());
     }
 
     void removes_data() {
@@ -211,10 +211,10 @@ private Q_SLOTS:
         QFETCH(QString, text);
         QFETCH(QStringList, paths);
         QFETCH(QString, after);
-        const auto loaded = m_desk.open(text.toStdString());
+        const auto loaded = m_fixture.open(text.toStdString());
         std::vector<std::string> all;
         for (const QString& path : paths) all.push_back(path.toStdString());
-        QCOMPARE(QString::fromStdString(m_desk.text(loaded, planRemove(*loaded, all))), after);
+        QCOMPARE(QString::fromStdString(m_fixture.text(loaded, planRemove(*loaded, all))), after);
     }
 
     void refusedRemovals_data() {
@@ -239,7 +239,7 @@ private Q_SLOTS:
     void refusedRemovals() {
         QFETCH(QStringList, paths);
         QFETCH(QString, why);
-        const auto loaded = m_desk.open(kScene);
+        const auto loaded = m_fixture.open(kScene);
         std::vector<std::string> all;
         for (const QString& path : paths) all.push_back(path.toStdString());
         const auto plan = planRemove(*loaded, all);
@@ -247,7 +247,7 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(plan.error().message), why);
     }
 
-    void whatCouldGoAlong_data() {
+    void listsRemovableDependents_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QStringList>("users");
         QTest::newRow("robot") << "robot0" << QStringList{"where", "what"};
@@ -260,13 +260,13 @@ private Q_SLOTS:
         QTest::newRow("a robot stays without its override") << "robot0.leftMotor" << QStringList{};
         QTest::newRow("not there") << "blob" << QStringList{};
     }
-    void whatCouldGoAlong() {
+    void listsRemovableDependents() {
         QFETCH(QString, path);
         QFETCH(QStringList, users);
-        const auto loaded = m_desk.open(kScene);
+        const auto loaded = m_fixture.open(kScene);
         std::vector<std::string> all{path.toStdString()};
         QStringList found;
-        for (const std::string& user : usersOf(*loaded, all)) {
+        for (const std::string& user : dependentsOf(*loaded, all)) {
             found.append(QString::fromStdString(user));
             all.push_back(user);
         }
@@ -306,89 +306,90 @@ private Q_SLOTS:
         QFETCH(QStringList, paths);
         QFETCH(QString, from);
         QFETCH(QString, to);
-        const auto loaded = m_desk.open(kScene);
+        const auto loaded = m_fixture.open(kScene);
         std::vector<std::string> all;
         for (const QString& path : paths) all.push_back(path.toStdString());
         const auto plan = planDuplicate(*loaded, all, Vec3(1, 0.5, 0));
-        const QString text = QString::fromStdString(m_desk.text(loaded, plan));
+        const QString text = QString::fromStdString(m_fixture.text(loaded, plan));
         QVERIFY2(text.contains(to), qPrintable(text));
         QVERIFY(QString(kScene).contains(from));
-        const auto again = m_desk.carryOut(loaded, plan);
+        const auto again = m_fixture.apply(loaded, plan);
         QVERIFY2(!again->diagnostics.hasErrors(), sample::messages(*again).c_str());
         QCOMPARE(plan.value().selects.size(), all.size());
         for (const std::string& path : plan.value().selects) QVERIFY2(placeOf(*again, path), path.c_str());
     }
 
     void unitsStayWhenDoubled() {
-        const auto loaded = m_desk.open("StaticConfig C { Box b { Size=1,1,1 Pos = 10 cm, 5mm , 1 } }\nStatic a { Config=C }\n");
-        QCOMPARE(m_desk.text(loaded, planDuplicate(*loaded, {"a.b"}, Vec3(0.1, 0.2, 0))),
+        const auto loaded =
+            m_fixture.open("StaticConfig C { Box b { Size=1,1,1 Pos = 10 cm, 5mm , 1 } }\nStatic a { Config=C }\n");
+        QCOMPARE(m_fixture.text(loaded, planDuplicate(*loaded, {"a.b"}, Vec3(0.1, 0.2, 0))),
                  "StaticConfig C { Box b { Size=1,1,1 Pos = 10 cm, 5mm , 1 } Box b2 { Size=1,1,1 Pos = 20 cm, 205mm , 1 } "
                  "}\nStatic a { Config=C }\n");
     }
 
     void overrides() {
-        const auto loaded = m_desk.open(kScene);
-        QCOMPARE(m_desk.text(loaded, planReset(*loaded, {"robot0.leftMotor.Resistance"})),
+        const auto loaded = m_fixture.open(kScene);
+        QCOMPARE(m_fixture.text(loaded, planReset(*loaded, {"robot0.leftMotor.Resistance"})),
                  with(kScene, {{" leftMotor.Resistance=3", ""}}));
-        QCOMPARE(m_desk.text(loaded, planReset(*loaded, {"robot0.leftMotor.Resistance", "robot1.leftMotor.Resistance",
-                                                         "robot0.chassis.hull.Mass", "robot0.paint"})),
+        QCOMPARE(m_fixture.text(loaded, planReset(*loaded, {"robot0.leftMotor.Resistance", "robot1.leftMotor.Resistance",
+                                                            "robot0.chassis.hull.Mass", "robot0.paint"})),
                  with(kScene, {{" leftMotor.Resistance=3 chassis.hull.Mass=4 paint=blue", ""}}));
-        QCOMPARE(m_desk.text(loaded, planReset(*loaded, {"robot1.Pos", "RobotConfig.Cart.left.Pos"})),
+        QCOMPARE(m_fixture.text(loaded, planReset(*loaded, {"robot1.Pos", "RobotConfig.Cart.left.Pos"})),
                  with(kScene, {{"Pos=2,0,0 ", ""}, {"{ Pos=0,$(width/2),0.05  S", "{  S"}}));
-        QCOMPARE(m_desk.text(loaded, planPushOverride(*loaded, "robot0.leftMotor.Resistance")),
+        QCOMPARE(m_fixture.text(loaded, planPushOverride(*loaded, "robot0.leftMotor.Resistance")),
                  with(kScene, {{" leftMotor.Resistance=3", ""},
                                {"Joint=leftAxle TorqueConstant=1 BackEmfConstant=1 Resistance=2",
                                 "Joint=leftAxle TorqueConstant=1 BackEmfConstant=1 Resistance=3"}}));
-        QCOMPARE(m_desk.text(loaded, planPushOverride(*loaded, "robot1.width")),
+        QCOMPARE(m_fixture.text(loaded, planPushOverride(*loaded, "robot1.width")),
                  with(kScene, {{" width=0.4", ""}, {"width = 0.3", "width = 0.4"}}));
-        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "robot1.leftMotor.Resistance")),
+        QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot1.leftMotor.Resistance")),
                  with(kScene, {{"brain { }", "brain { } leftMotor.Resistance=2"}}));
-        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "robot1.left.Pos")),
+        QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot1.left.Pos")),
                  with(kScene, {{"brain { }", "brain { } left.Pos=0,0.2,0.05"}}));
-        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "robot0.leftMotor.GearRatio")),
+        QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot0.leftMotor.GearRatio")),
                  with(kScene, {{"Drive=base }", "Drive=base } leftMotor.GearRatio=1"}}));
-        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "swarm_1.paint")),
+        QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "swarm_1.paint")),
                  with(kScene, {{"Pos=0,8,0 }", "Pos=0,8,0 paint=red }"}}));
     }
 
     void refusedOverrides() {
-        const auto loaded = m_desk.open(kScene);
-        QCOMPARE(m_desk.text(loaded, planReset(*loaded, {"robot0.Config"})),
+        const auto loaded = m_fixture.open(kScene);
+        QCOMPARE(m_fixture.text(loaded, planReset(*loaded, {"robot0.Config"})),
                  "refused: Config of Robot robot0 must be given, it has no default");
-        QCOMPARE(m_desk.text(loaded, planReset(*loaded, {"robot1.leftMotor.Resistance"})),
+        QCOMPARE(m_fixture.text(loaded, planReset(*loaded, {"robot1.leftMotor.Resistance"})),
                  "refused: Resistance has no value of its own in Robot robot1");
-        QCOMPARE(m_desk.text(loaded, planReset(*loaded, {"Duration"})), "refused: Duration has its default already");
-        QCOMPARE(m_desk.text(loaded, planReset(*loaded, {"RobotConfig.Cart.leftMotor.BackEmfConstant"})),
+        QCOMPARE(m_fixture.text(loaded, planReset(*loaded, {"Duration"})), "refused: Duration has its default already");
+        QCOMPARE(m_fixture.text(loaded, planReset(*loaded, {"RobotConfig.Cart.leftMotor.BackEmfConstant"})),
                  "refused: BackEmfConstant of RotaryMotor leftMotor must be given, it has no default");
-        QCOMPARE(m_desk.text(loaded, planReset(*loaded, {"robot0.Wheels"})), "refused: there is no property robot0.Wheels");
-        QCOMPARE(m_desk.text(loaded, planPushOverride(*loaded, "robot1.leftMotor.Resistance")),
+        QCOMPARE(m_fixture.text(loaded, planReset(*loaded, {"robot0.Wheels"})), "refused: there is no property robot0.Wheels");
+        QCOMPARE(m_fixture.text(loaded, planPushOverride(*loaded, "robot1.leftMotor.Resistance")),
                  "refused: robot1.leftMotor.Resistance is no override: there is nothing to be moved into a config");
-        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "robot0.leftMotor.Resistance")),
+        QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot0.leftMotor.Resistance")),
                  "refused: Resistance is set in Robot robot0 already");
-        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "robot0.Pos")), "refused: robot0.Pos comes from no config");
-        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "robot0.leftAxle.LowStop")),
+        QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot0.Pos")), "refused: robot0.Pos comes from no config");
+        QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "robot0.leftAxle.LowStop")),
                  "refused: LowStop has no value that could be copied");
     }
 
     void anOverrideHasTheLineEndsOfItsFile() {
         const std::string cart = "RobotConfig Cart {\r\n  Body b { Box hull { Size=1,\r\n    2,3 } }\r\n}\r\n";
-        const auto loaded = m_desk.open({{"main.sim", "#import cart.sim\nRobot r { Config=Cart }\n"}, {"cart.sim", cart}});
-        QCOMPARE(m_desk.text(loaded, planPullOverride(*loaded, "r.b.hull.Size")),
+        const auto loaded = m_fixture.open({{"main.sim", "#import cart.sim\nRobot r { Config=Cart }\n"}, {"cart.sim", cart}});
+        QCOMPARE(m_fixture.text(loaded, planPullOverride(*loaded, "r.b.hull.Size")),
                  "#import cart.sim\nRobot r { Config=Cart b.hull.Size=1,\n    2,3 }\n");
     }
 
     void singles() {
-        const auto loaded = m_desk.open(with(kScene, {{"Grid swarm", "\r\n  Grid swarm"}}));
+        const auto loaded = m_fixture.open(with(kScene, {{"Grid swarm", "\r\n  Grid swarm"}}));
         const auto plan = planReplaceBySingles(*loaded, "swarm_1");
-        const std::string text = m_desk.text(loaded, plan);
+        const std::string text = m_fixture.text(loaded, plan);
         QVERIFY2(text.find("  Robot swarm_0 { Pos=-1.5,8,0 HPR=0,0,0 Config=Cart }") != std::string::npos, text.c_str());
-        QVERIFY(!m_desk.carryOut(loaded, plan)->diagnostics.hasErrors());
+        QVERIFY(!m_fixture.apply(loaded, plan)->diagnostics.hasErrors());
         QCOMPARE(plan.value().selects, (std::vector<std::string>{"swarm_0", "swarm_1"}));
-        QCOMPARE(m_desk.text(loaded, planReplaceBySingles(*loaded, "robot0")), "refused: robot0 is no Grid or Scatter");
+        QCOMPARE(m_fixture.text(loaded, planReplaceBySingles(*loaded, "robot0")), "refused: robot0 is no Grid or Scatter");
     }
 
     void textsToCopy() {
-        const auto loaded = m_desk.open(kScene);
+        const auto loaded = m_fixture.open(kScene);
         QCOMPARE(textOf(*loaded, {"where", "Material.blue", "where", "nothing"}),
                  "Material blue { ColorRGB=0,0,1 }\nPoseLog where { Robot=robot0,swarm }\n");
         QCOMPARE(textOf(*loaded, {"robot0.chassis.box", "robot0.chassis"}),
@@ -398,7 +399,7 @@ private Q_SLOTS:
     }
 
     void freeNames() {
-        const auto loaded = m_desk.open(kScene);
+        const auto loaded = m_fixture.open(kScene);
         QCOMPARE(freeName(*loaded, "", "robot0"), "robot2");
         QCOMPARE(freeName(*loaded, "", "red"), "red2");
         QCOMPARE(freeName(*loaded, "", "swarm_0"), "swarm2");
@@ -410,23 +411,23 @@ private Q_SLOTS:
     }
 
     /// A file that two configs import goes with neither of them.
-    void aSharedPieceIsNobodysOwn() {
-        PlanDesk desk;
-        const auto loaded = desk.open(
+    void sharedPieceIsNotExclusive() {
+        PlanFixture fixture;
+        const auto loaded = fixture.open(
             {{"main.sim", "RobotConfig A {\n  #import piece.sim\n  Body c { Box { Size=1,1,1 Mass=1 } }\n}\nRobotConfig B { "
                           "#import piece.sim\n"
                           "Hinge j { Parent=base Child=arm } }\nRobot a { Config=A base.hull.Mass=9 }\nRobot b { Config=B "
                           "base.hull.Mass=2 }\n"},
              {"piece.sim", "Body base { Box hull { Size=1,1,1 Mass=1 } }\nBody arm { Pos=1,0,0 Box { Size=1,1,1 Mass=1 } }\n"}});
-        QCOMPARE(desk.text(loaded, planRemove(*loaded, {"RobotConfig.B", "b"})),
+        QCOMPARE(fixture.text(loaded, planRemove(*loaded, {"RobotConfig.B", "b"})),
                  "RobotConfig A {\n  #import piece.sim\n  Body c { Box { Size=1,1,1 Mass=1 } }\n}\nRobot a { Config=A "
                  "base.hull.Mass=9 }\n");
-        QCOMPARE(desk.text(loaded, planRemove(*loaded, {"RobotConfig.B"})),
+        QCOMPARE(fixture.text(loaded, planRemove(*loaded, {"RobotConfig.B"})),
                  "refused: RobotConfig B is still used by Robot b (Config)");
     }
 
 private:
-    PlanDesk m_desk;
+    PlanFixture m_fixture;
 };
 
 QTEST_APPLESS_MAIN(PlansTest)

@@ -7,11 +7,11 @@
 #include "sample_project.h"
 
 using namespace trundle;
-using sample::Desk;
+using sample::ProjectFixture;
 
 namespace {
 
-/// Compares what is said, message by message.
+/// Compares what is reported, message by message.
 #define SAYS(loaded, expected) QCOMPARE(QString::fromStdString(sample::messages(*(loaded))), QString(expected))
 
 std::string scene(const std::string& more) { return std::string(sample::kGoodRobot) + more; }
@@ -22,9 +22,9 @@ class ProjectTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aWholeRobot() {
-        Desk desk;
-        const auto loaded = desk.open(scene("Tick = 5 ms  Seed = 7\nRobot robot0 { Config=Rover Pos=1,2,0 HPR=90,0,0 Walker "
-                                            "brain { Speed=20cm/s } }\n#loadModule walker\n"));
+        ProjectFixture fixture;
+        const auto loaded = fixture.open(scene("Tick = 5 ms  Seed = 7\nRobot robot0 { Config=Rover Pos=1,2,0 HPR=90,0,0 Walker "
+                                               "brain { Speed=20cm/s } }\n#loadModule walker\n"));
         SAYS(loaded, "");
         const ExperimentSpec& e = *loaded->experiment;
         QCOMPARE(e.settings.tick, 0.005);
@@ -54,8 +54,8 @@ private Q_SLOTS:
     }
 
     void paramsAndOverrides() {
-        Desk desk;
-        const auto loaded = desk.open(scene(R"(
+        ProjectFixture fixture;
+        const auto loaded = fixture.open(scene(R"(
 Param big = 8 cm
 Robot plain { Config=Rover }
 Robot fat { Config=Rover wheelRadius=$big leftMotor.Resistance=$(big*100/4) chassis.hull.Mass=500 g }
@@ -93,17 +93,17 @@ Robot plain2 { Config=Rover }
     void expressions() {
         QFETCH(QString, text);
         QFETCH(double, value);
-        Desk desk;
-        const auto loaded = desk.open(
+        ProjectFixture fixture;
+        const auto loaded = fixture.open(
             scene("Param half = 50%\nParam w = 5 cm\nRobot robot0 { Config=Rover Pos=" + text.toStdString() + ",0,0 }\n"));
         SAYS(loaded, "");
         QVERIFY(std::abs(loaded->experiment->robots[0].pose.position.x() - value) < 1e-9);
     }
 
     void aGridInOrder() {
-        Desk desk;
-        const auto loaded = desk.open(scene("Grid swarm { Config=Rover Count=3,2 Spacing=2,1 Pos=10,0,0 HPR=90,0,0 }\nPoseLog "
-                                            "all { Robot=swarm }\nPoseLog one { Robot=swarm_4 }\n"));
+        ProjectFixture fixture;
+        const auto loaded = fixture.open(scene("Grid swarm { Config=Rover Count=3,2 Spacing=2,1 Pos=10,0,0 HPR=90,0,0 }\nPoseLog "
+                                               "all { Robot=swarm }\nPoseLog one { Robot=swarm_4 }\n"));
         SAYS(loaded, "");
         const auto& robots = loaded->experiment->robots;
         QCOMPARE(robots.size(), 6u);
@@ -116,8 +116,8 @@ Robot plain2 { Config=Rover }
         QCOMPARE(loaded->experiment->logs.at(1).texts("Robot").at(0), "swarm_4");
     }
 
-    void aScatterKeepsClear() {
-        Desk desk;
+    void scatterAvoidsOverlaps() {
+        ProjectFixture fixture;
         const std::string text = scene(R"(
 StaticConfig Arena {
   Plane floor { Material=grey Surface=rubber }
@@ -127,7 +127,7 @@ StaticConfig Arena {
 Scatter swarm { Config=Rover Count=60 Area=-4,-4,4,4 MinDistance=0.5 }
 Static arena { Config=Arena }
 )");
-        const auto loaded = desk.open(text);
+        const auto loaded = fixture.open(text);
         SAYS(loaded, "");
         const auto& robots = loaded->experiment->robots;
         QCOMPARE(robots.size(), 60u);
@@ -137,30 +137,30 @@ Static arena { Config=Arena }
             QVERIFY2(std::max(std::abs(p.x()), std::abs(p.y())) > 1.15, "it stands in the block");
             for (std::size_t k = 0; k < i; ++k) QVERIFY((p - robots[k].pose.position).norm() >= 0.5);
         }
-        const auto again = desk.open(text);
-        const auto other = desk.open("Seed = 2\n" + text);
+        const auto again = fixture.open(text);
+        const auto other = fixture.open("Seed = 2\n" + text);
         QCOMPARE(again->experiment->robots[7].pose.position, robots[7].pose.position);
         QVERIFY(other->experiment->robots[7].pose.position != robots[7].pose.position);
     }
 
-    void settingsOfTheImporterHold() {
-        Desk desk;
-        desk.write("a.sim", "Tick = 0.001\nDuration = 5\nParam here = 3\n");
-        const auto loaded = desk.open("Tick = 0.02\n#import a.sim\nIterations = $(here + 1)\n");
+    void importerSettingsWin() {
+        ProjectFixture fixture;
+        fixture.write("a.sim", "Tick = 0.001\nDuration = 5\nParam here = 3\n");
+        const auto loaded = fixture.open("Tick = 0.02\n#import a.sim\nIterations = $(here + 1)\n");
         SAYS(loaded, "");
         QCOMPARE(loaded->experiment->settings.tick, 0.02);
         QCOMPARE(loaded->experiment->settings.duration, 5.0);
         QCOMPARE(loaded->experiment->settings.iterations, 4);
     }
 
-    /// A part in a file of its own, with the materials it needs: those stand at the top level all the same.
+    /// A part in a file of its own, with the materials it needs: those are at the top level all the same.
     void importsInsideABlock() {
-        Desk desk;
-        desk.write("common/looks.sim", "Material grey { ColorRGB=0.5,0.5,0.5 }\nSurface rubber { Friction=1 }\n");
-        desk.write(
+        ProjectFixture fixture;
+        fixture.write("common/looks.sim", "Material grey { ColorRGB=0.5,0.5,0.5 }\nSurface rubber { Friction=1 }\n");
+        fixture.write(
             "parts/wheel.sim",
             "#import ../common/looks.sim\nBody wheel { Sphere tyre { Radius=0.1 Mass=1 Material=grey Surface=rubber } }\n");
-        const auto loaded = desk.open(
+        const auto loaded = fixture.open(
             "RobotConfig Rover {\n  #import parts/wheel.sim\n  #import parts\\wheel.sim\n}\nRobot robot0 { Config=Rover }\n");
         QVERIFY(loaded);
         // `../common` from parts/ is outside parts/ but inside the project folder
@@ -172,13 +172,13 @@ Static arena { Config=Arena }
 
     /// Two imports of the next in each of 30 files: 2^30 ways, 31 files.
     void eachFileIsOpenedOnce() {
-        Desk desk;
+        ProjectFixture fixture;
         for (int i = 1; i <= 30; ++i) {
             const std::string next = i < 30 ? "f" + std::to_string(i + 1) + ".sim" : std::string("end.sim");
-            desk.write("f" + std::to_string(i) + ".sim", "#import " + next + "\n#import " + next + "\n");
+            fixture.write("f" + std::to_string(i) + ".sim", "#import " + next + "\n#import " + next + "\n");
         }
-        desk.write("end.sim", "Tick = 0.02\n");
-        const auto loaded = desk.open("#import f1.sim\n#import f1.sim\n");
+        fixture.write("end.sim", "Tick = 0.02\n");
+        const auto loaded = fixture.open("#import f1.sim\n#import f1.sim\n");
         SAYS(loaded, "");
         QCOMPARE(loaded->trees.size(), 32u);
         QCOMPARE(loaded->experiment->settings.tick, 0.02);
@@ -186,77 +186,77 @@ Static arena { Config=Arena }
 
     /// The same inside blocks makes 2^20 blocks: counted, not built.
     void blocksAreCountedBeforeTheyAreBuilt() {
-        Desk desk;
+        ProjectFixture fixture;
         for (int i = 1; i <= 20; ++i) {
             const std::string next = "#import f" + std::to_string(i + 1) + ".sim\n";
-            desk.write("f" + std::to_string(i) + ".sim", "Body a {\n" + next + "}\nBody b {\n" + next + "}\n");
+            fixture.write("f" + std::to_string(i) + ".sim", "Body a {\n" + next + "}\nBody b {\n" + next + "}\n");
         }
-        desk.write("f21.sim", "Box { Size=1,1,1 }\n");
-        const auto loaded = desk.open("RobotConfig Big {\n#import f1.sim\n}\n");
+        fixture.write("f21.sim", "Box { Size=1,1,1 }\n");
+        const auto loaded = fixture.open("RobotConfig Big {\n#import f1.sim\n}\n");
         QVERIFY(sample::messages(*loaded).starts_with("E312 "));
     }
 
     void importsTooDeep() {
-        Desk desk;
+        ProjectFixture fixture;
         for (int i = 1; i <= 40; ++i)
-            desk.write("f" + std::to_string(i) + ".sim", "#import f" + std::to_string(i + 1) + ".sim\n");
-        const auto loaded = desk.open("#import f1.sim\n");
+            fixture.write("f" + std::to_string(i) + ".sim", "#import f" + std::to_string(i + 1) + ".sim\n");
+        const auto loaded = fixture.open("#import f1.sim\n");
         SAYS(loaded, "E310 imports are nested more than 32 deep\n");
         QCOMPARE(loaded->trees.size(), 33u);
     }
 
     void tooManyFiles() {
-        Desk desk;
+        ProjectFixture fixture;
         std::string text;
         for (int i = 0; i < 1005; ++i) {
-            desk.write("f" + std::to_string(i) + ".sim", "");
+            fixture.write("f" + std::to_string(i) + ".sim", "");
             text += "#import f" + std::to_string(i) + ".sim\n";
         }
-        SAYS(desk.open(text), "E313 an experiment may hold 1000 files, this is one more\n");
+        SAYS(fixture.open(text), "E313 an experiment may hold 1000 files, this is one more\n");
     }
 
     void filesThatCannotBeRead() {
-        Desk desk;
-        QCOMPARE(mkfifo((desk.folder() + "/pipe.sim").c_str(), 0600), 0);
-        desk.write("folder/inner.sim", "");
-        desk.write("huge.sim", "");
-        std::filesystem::resize_file(desk.folder() + "/huge.sim", std::uintmax_t{200} << 20);
+        ProjectFixture fixture;
+        QCOMPARE(mkfifo((fixture.folder() + "/pipe.sim").c_str(), 0600), 0);
+        fixture.write("folder/inner.sim", "");
+        fixture.write("huge.sim", "");
+        std::filesystem::resize_file(fixture.folder() + "/huge.sim", std::uintmax_t{200} << 20);
         const std::string said =
-            sample::messages(*desk.open("#import pipe.sim\n#import folder\n#import huge.sim\n#import \"\"\n"));
+            sample::messages(*fixture.open("#import pipe.sim\n#import folder\n#import huge.sim\n#import \"\"\n"));
         QVERIFY2(said.find("E322 pipe.sim is not a plain file\nE322 folder is not a plain file\nE115 ") == 0, said.c_str());
-        QVERIFY(!desk.tryOpen(desk.folder()).ok());
-        QVERIFY(!desk.tryOpen(desk.folder() + "/pipe.sim").ok());
-        QVERIFY(!desk.tryOpen(desk.folder() + "/missing.sim").ok());
-        QVERIFY(desk.tryOpen(desk.folder() + "/huge.sim").error().code == Code::TooLarge);
+        QVERIFY(!fixture.tryOpen(fixture.folder()).ok());
+        QVERIFY(!fixture.tryOpen(fixture.folder() + "/pipe.sim").ok());
+        QVERIFY(!fixture.tryOpen(fixture.folder() + "/missing.sim").ok());
+        QVERIFY(fixture.tryOpen(fixture.folder() + "/huge.sim").error().code == Code::TooLarge);
     }
 
     /// A path may climb, but must end inside; a link out of the project does not.
     void pathsStayInside() {
-        Desk desk, elsewhere;
+        ProjectFixture fixture, elsewhere;
         elsewhere.write("secret.sim", "Tick = 0.02\n");
-        std::filesystem::create_symlink(elsewhere.folder() + "/secret.sim", desk.folder() + "/link.sim");
+        std::filesystem::create_symlink(elsewhere.folder() + "/secret.sim", fixture.folder() + "/link.sim");
         const std::string said = sample::messages(
-            *desk.open("#import link.sim\n#import " + elsewhere.folder() + "/secret.sim\n#import ../../../../etc/passwd\n"));
+            *fixture.open("#import link.sim\n#import " + elsewhere.folder() + "/secret.sim\n#import ../../../../etc/passwd\n"));
         QCOMPARE(QString::fromStdString(said).count("E311 "), 3);
-        desk.options.includeFolders = {elsewhere.folder()};
-        const auto loaded = desk.open("#import secret.sim\n");
+        fixture.options.includeFolders = {elsewhere.folder()};
+        const auto loaded = fixture.open("#import secret.sim\n");
         SAYS(loaded, "");
         QCOMPARE(loaded->experiment->settings.tick, 0.02);
     }
 
     void theProjectFolder() {
-        Desk desk;
-        const std::string file = desk.write("configs/experiments/a.sim", "#import robots/b.sim\n");
-        desk.write("configs/robots/b.sim", "Tick = 0.02\n");
-        const auto loaded = desk.openFile(file);
+        ProjectFixture fixture;
+        const std::string file = fixture.write("configs/experiments/a.sim", "#import robots/b.sim\n");
+        fixture.write("configs/robots/b.sim", "Tick = 0.02\n");
+        const auto loaded = fixture.openFile(file);
         SAYS(loaded, "");
         QVERIFY(loaded->projectFolder.ends_with("/configs"));
     }
 
     void picturesWithoutTheirEnding() {
-        Desk desk;
-        desk.write("RobotChassis.jpeg", "picture");
-        const auto loaded = desk.open("Material chassis { Texture=RobotChassis }\nMaterial gone { Texture=RobotChasis }\n");
+        ProjectFixture fixture;
+        fixture.write("RobotChassis.jpeg", "picture");
+        const auto loaded = fixture.open("Material chassis { Texture=RobotChassis }\nMaterial gone { Texture=RobotChasis }\n");
         QVERIFY(loaded->experiment->materials[1].texturePath.ends_with("RobotChassis.jpeg"));
         QCOMPARE(loaded->experiment->materials[1].texture, "RobotChassis");
         QVERIFY(!loaded->diagnostics.hasErrors());
@@ -264,45 +264,45 @@ Static arena { Config=Arena }
     }
 
     void theThesisModuleName() {
-        Desk desk;
+        ProjectFixture fixture;
         const auto loaded =
-            desk.open(scene("#loadModule Controllers/walker.dll\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"));
+            fixture.open(scene("#loadModule Controllers/walker.dll\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"));
         SAYS(loaded, "");
     }
 
     /// Who pastes a robot has its controller's kind, not the line that brings it.
     void aKindOfAModuleThatIsNotLoaded() {
-        Desk desk;
-        desk.write("crew.sim", scene("#loadModule walker\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"
-                                     "Robot robot1 { Config=Rover Prowler brain { } }\n"));
-        const auto loaded = desk.open("#import crew.sim\nRobot robot2 { Config=Rover Prowler brain { } }\n");
+        ProjectFixture fixture;
+        fixture.write("crew.sim", scene("#loadModule walker\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"
+                                        "Robot robot1 { Config=Rover Prowler brain { } }\n"));
+        const auto loaded = fixture.open("#import crew.sim\nRobot robot2 { Config=Rover Prowler brain { } }\n");
         QCOMPARE(sample::messages(*loaded), "E301 Prowler is a kind of the module controllers/prowler, which is not loaded\n"
                                             "E301 Prowler is a kind of the module controllers/prowler, which is not loaded\n");
         // Each in the file that uses it, behind what that file loads already.
         const auto& said = loaded->diagnostics.all();
         QCOMPARE(said[0].fixes.at(0).title, "#loadModule controllers/prowler");
         QCOMPARE(said[0].fixes[0].edits.at(0).range.file, said[0].range.file);
-        desk.write("crew.sim", applyEdits(loaded->trees[1]->source().bytes(), said[1].fixes.at(0).edits).value());
-        const auto mended = desk.openFile(desk.folder() + "/main.sim");
-        SAYS(mended, "");
+        fixture.write("crew.sim", applyEdits(loaded->trees[1]->source().bytes(), said[1].fixes.at(0).edits).value());
+        const auto repaired = fixture.openFile(fixture.folder() + "/main.sim");
+        SAYS(repaired, "");
     }
 
     /// What a file of the project or of the program's folder defines is imported by the fix, in the file that uses it.
     void aDefinitionThatIsNotImported() {
-        Desk desk;
+        ProjectFixture fixture;
         QTemporaryDir shipped;
         const auto ship = [&shipped](const std::string& name, const std::string& text) {
             const std::filesystem::path path = shipped.path().toStdString() + "/" + name;
             std::filesystem::create_directories(path.parent_path());
             std::ofstream(path, std::ios::binary) << text;
         };
-        desk.options.shippedConfigs = shipped.path().toStdString();
+        fixture.options.shippedConfigs = shipped.path().toStdString();
         ship("common/looks.sim", "Material shiny { }\nSurface smooth { }\n");
         ship("robots/scout.sim", "#import common/looks.sim\nRobotConfig Scout { Body b { Sphere s { Radius=0.1 Mass=1 "
                                  "Material=shiny Surface=smooth } } }\n");
-        desk.write("parts/hut.sim", "StaticConfig Hut { Box b { Size=1,1,1 Material=shiny Surface=smooth } }\n");
-        const auto loaded = desk.open("Tick = 0.01\nParam which = Scout\n#import parts/hut.sim\nStatic hut { Config=Hut }\n"
-                                      "Robot robot0 { Config=Scout }\nRobot robot1 { Config=$which }\n");
+        fixture.write("parts/hut.sim", "StaticConfig Hut { Box b { Size=1,1,1 Material=shiny Surface=smooth } }\n");
+        const auto loaded = fixture.open("Tick = 0.01\nParam which = Scout\n#import parts/hut.sim\nStatic hut { Config=Hut }\n"
+                                         "Robot robot0 { Config=Scout }\nRobot robot1 { Config=$which }\n");
         QCOMPARE(sample::messages(*loaded), "E208 Scout is defined in robots/scout.sim, which is not imported\n"
                                             "E208 Scout is defined in robots/scout.sim, which is not imported\n"
                                             "E208 shiny is defined in common/looks.sim, which is not imported\n"
@@ -316,34 +316,34 @@ Static arena { Config=Arena }
             const std::string text = applyEdits(loaded->trees[file]->source().bytes(), fix.edits).value();
             std::ofstream(loaded->paths[file], std::ios::binary) << text;
         }
-        const auto fixed = desk.openFile(desk.folder() + "/main.sim");
+        const auto fixed = fixture.openFile(fixture.folder() + "/main.sim");
         SAYS(fixed, "");
         QVERIFY(fixed->trees[0]->source().bytes().starts_with("Tick = 0.01\nParam which = Scout\n#import parts/hut.sim\n"
                                                               "#import robots/scout.sim\n"));
     }
 
     /// An import that would bring robots along, go round in a circle or define something twice is not offered.
-    void whatCannotBeImportedIsNotOffered() {
-        Desk desk;
+    void offersOnlyImportableFiles() {
+        ProjectFixture fixture;
         const std::string scout = "RobotConfig Scout { Body b { Sphere s { Radius=0.1 Mass=1 } } }\n";
-        desk.write("experiment.sim", scout + "Robot other { Config=Scout }\n");
-        desk.write("timed.sim", "Tick = 0.02\n" + scout);
-        desk.write("circle.sim", "#import main.sim\n" + scout);
-        desk.write("twice.sim", scout + "Material grey { }\n");
-        desk.write("other_kind.sim", "StaticConfig Scout { }\n");
-        const auto loaded = desk.open("Material grey { }\nRobot robot0 { Config=Scout }\n");
+        fixture.write("experiment.sim", scout + "Robot other { Config=Scout }\n");
+        fixture.write("timed.sim", "Tick = 0.02\n" + scout);
+        fixture.write("circle.sim", "#import main.sim\n" + scout);
+        fixture.write("twice.sim", scout + "Material grey { }\n");
+        fixture.write("other_kind.sim", "StaticConfig Scout { }\n");
+        const auto loaded = fixture.open("Material grey { }\nRobot robot0 { Config=Scout }\n");
         QCOMPARE(sample::messages(*loaded), "E208 Config names Scout, but there is no RobotConfig here\n");
         QVERIFY(loaded->diagnostics.all()[0].fixes.empty());
-        desk.write("good.sim", scout);
-        const auto again = desk.open("Material grey { }\nRobot robot0 { Config=Scout }\n");
+        fixture.write("good.sim", scout);
+        const auto again = fixture.open("Material grey { }\nRobot robot0 { Config=Scout }\n");
         QCOMPARE(again->diagnostics.all()[0].fixes.at(0).title, "#import good.sim");
     }
 
     void everyGeomAndJoint() {
-        Desk desk;
-        desk.write("cube.obj", "");
-        desk.write("hills.png", "");
-        const auto loaded = desk.open(R"(
+        ProjectFixture fixture;
+        fixture.write("cube.obj", "");
+        fixture.write("hills.png", "");
+        const auto loaded = fixture.open(R"(
 Material grey { } Surface rubber { }
 RobotConfig Zoo {
   Body a { Mass=2 Capsule { Radius=0.1 Length=0.5 Material=grey Surface=rubber } }
@@ -374,9 +374,9 @@ Robot zoo { Config=Zoo }
         QVERIFY(!land[1].collideAsHull);
     }
 
-    void unnamedThingsAreNumbered() {
-        Desk desk;
-        const auto loaded = desk.open(R"(
+    void numbersUnnamedObjects() {
+        ProjectFixture fixture;
+        const auto loaded = fixture.open(R"(
 Material grey { } Surface rubber { }
 StaticConfig Arena {
   Box { Size=1,1,1 Material=grey Surface=rubber }
@@ -390,12 +390,12 @@ Static arena { Config=Arena }
         QCOMPARE(geoms[0].name + geoms[1].name + geoms[2].name, "boxbox2box3");
     }
 
-    void whereValuesComeFrom() {
-        Desk desk;
-        desk.options.sets = {"robot0.rightMotor.Resistance=4"};
+    void reportsOriginOfValues() {
+        ProjectFixture fixture;
+        fixture.options.sets = {"robot0.rightMotor.Resistance=4"};
         const auto loaded =
-            desk.open(scene("#loadModule walker\nRobot robot0 { Config=Rover leftMotor.Resistance=3 Walker brain { Speed=1 } "
-                            "}\nGrid swarm { Config=Rover Count=2 Spacing=3 Pos=0,9,0 }\nTick=0.02\n"));
+            fixture.open(scene("#loadModule walker\nRobot robot0 { Config=Rover leftMotor.Resistance=3 Walker brain { Speed=1 } "
+                               "}\nGrid swarm { Config=Rover Count=2 Spacing=3 Pos=0,9,0 }\nTick=0.02\n"));
         SAYS(loaded, "");
         const auto text = [&](const char* path, Origin origin) {
             const auto p = provenanceOf(*loaded->outline, path);
@@ -418,13 +418,13 @@ Static arena { Config=Arena }
 
     /// The text part of a thousand robots is small; how small is measured in tests/bench.
     void aThousandRobots() {
-        Desk desk;
+        ProjectFixture fixture;
         std::string text = scene("#loadModule walker\n");
         for (int i = 0; i < 1000; ++i) {
             text += "Robot r" + std::to_string(i) + " { Config=Rover Pos=" + std::to_string(i) +
                     ",0,0 Walker brain { Speed=0.3 } }\n";
         }
-        const auto loaded = desk.open(text);
+        const auto loaded = fixture.open(text);
         SAYS(loaded, "");
         QCOMPARE(loaded->experiment->robots.size(), 1000u);
         QVERIFY(loaded->experiment->robots[0].config == loaded->experiment->robots[999].config);

@@ -6,7 +6,7 @@
 
 #include <QTemporaryDir>
 
-#include "lang/render.h"
+#include "lang/diagnostic_text.h"
 #include "model/model_kinds.h"
 #include "project/project.h"
 
@@ -175,7 +175,7 @@ inline std::shared_ptr<const Registry> kinds() {
 }
 
 /// Opens texts in a folder of their own.
-class Desk {
+class ProjectFixture {
 public:
     std::string folder() const { return m_dir.path().toStdString(); }
     std::string write(const std::string& name, const std::string& text) const {
@@ -184,12 +184,12 @@ public:
         std::ofstream(path, std::ios::binary) << text;
         return path.string();
     }
-    Result<std::shared_ptr<const Loaded>> tryOpen(const std::string& path) {
+    Result<std::shared_ptr<const LoadedProject>> tryOpen(const std::string& path) {
         Project project(kinds(), m_catalog, m_meshes, options);
         return project.open(path);
     }
-    std::shared_ptr<const Loaded> open(const std::string& text) { return openFile(write("main.sim", text)); }
-    std::shared_ptr<const Loaded> openFile(const std::string& path) {
+    std::shared_ptr<const LoadedProject> open(const std::string& text) { return openFile(write("main.sim", text)); }
+    std::shared_ptr<const LoadedProject> openFile(const std::string& path) {
         auto result = tryOpen(path);
         return result.ok() ? result.value() : nullptr;
     }
@@ -201,14 +201,14 @@ private:
     Meshes m_meshes;
 };
 
-inline std::string rendered(const Loaded& loaded) {
+inline std::string rendered(const LoadedProject& loaded) {
     std::string all;
     for (const Diagnostic& d : loaded.diagnostics.all()) all += render(d, loaded.sources);
     return all;
 }
 
 /// The messages alone, one a line: "E203 Radius is -3 cm, it must be above 0".
-inline std::string messages(const Loaded& loaded) {
+inline std::string messages(const LoadedProject& loaded) {
     std::string all;
     for (const Diagnostic& d : loaded.diagnostics.all()) all += codeName(d.code) + " " + d.message + "\n";
     return all;

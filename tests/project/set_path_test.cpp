@@ -5,14 +5,14 @@
 #include "sample_project.h"
 
 using namespace trundle;
-using sample::Desk;
+using sample::ProjectFixture;
 
 namespace {
 
 std::string scene(const std::string& more) { return std::string(sample::kGoodRobot) + more; }
 
 /// The opened file's text after the sets are written into it.
-std::string edited(const Loaded& loaded, FileId file = 0) {
+std::string edited(const LoadedProject& loaded, FileId file = 0) {
     const auto edits = editsForSets(loaded);
     const auto it = edits.find(file);
     const std::string_view bytes = loaded.trees[file]->source().bytes();
@@ -27,16 +27,16 @@ class SetPathTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void valuesFromTheCommandLine() {
-        Desk desk;
-        desk.options.sets = {"Tick=0.02",
-                             "robot0.leftMotor.Resistance=3",
-                             "Surface.rubber.Friction=0.7",
-                             "RobotConfig.Rover.chassis.hull.Mass=5 kg",
-                             "robot0.brain.Speed=1",
-                             "robot0.Pos=0,0,1",
-                             "RobotConfig.Rover.wheelRadius=0.06",
-                             "Material.grey.Shininess=1"};
-        const auto loaded = desk.open(scene(
+        ProjectFixture fixture;
+        fixture.options.sets = {"Tick=0.02",
+                                "robot0.leftMotor.Resistance=3",
+                                "Surface.rubber.Friction=0.7",
+                                "RobotConfig.Rover.chassis.hull.Mass=5 kg",
+                                "robot0.brain.Speed=1",
+                                "robot0.Pos=0,0,1",
+                                "RobotConfig.Rover.wheelRadius=0.06",
+                                "Material.grey.Shininess=1"};
+        const auto loaded = fixture.open(scene(
             "#loadModule walker\nRobot robot0 { Config=Rover Walker brain { Speed=0.2 } }\nRobot robot1 { Config=Rover }\n"));
         QCOMPARE(sample::rendered(*loaded), "");
         const ExperimentSpec& e = *loaded->experiment;
@@ -51,35 +51,35 @@ private Q_SLOTS:
         QCOMPARE(e.robots[0].pose.position.z(), 1.0);
     }
 
-    void theLastOneHolds() {
-        Desk desk;
-        desk.options.sets = {"Tick=0.02", "Tick=0.03"};
-        const auto loaded = desk.open("Tick = 0.01 // fine\n");
+    void lastSettingWins() {
+        ProjectFixture fixture;
+        fixture.options.sets = {"Tick=0.02", "Tick=0.03"};
+        const auto loaded = fixture.open("Tick = 0.01 // fine\n");
         QCOMPARE(loaded->experiment->settings.tick, 0.03);
         QCOMPARE(edited(*loaded), "Tick = 0.03 // fine\n");
     }
 
     void onlyTheValueChanges() {
-        Desk desk;
-        desk.options.sets = {"robot0.Pos=1,1,1"};
-        const auto loaded = desk.open(scene("Robot robot0 { // mine\n\tConfig=Rover\n\tPos = 0, 0 ,0 // here\n}"));
+        ProjectFixture fixture;
+        fixture.options.sets = {"robot0.Pos=1,1,1"};
+        const auto loaded = fixture.open(scene("Robot robot0 { // mine\n\tConfig=Rover\n\tPos = 0, 0 ,0 // here\n}"));
         QCOMPARE(edited(*loaded), scene("Robot robot0 { // mine\n\tConfig=Rover\n\tPos = 1,1,1 // here\n}"));
     }
 
     void anOverrideIsAddedToTheRobot() {
-        Desk desk;
-        desk.options.sets = {"robot0.leftMotor.Resistance=3", "robot0.rightMotor.Resistance=4"};
-        const auto loaded = desk.open(scene("Robot robot0 { Config=Rover }\n"));
+        ProjectFixture fixture;
+        fixture.options.sets = {"robot0.leftMotor.Resistance=3", "robot0.rightMotor.Resistance=4"};
+        const auto loaded = fixture.open(scene("Robot robot0 { Config=Rover }\n"));
         QVERIFY(!setsFailed(*loaded));
         QCOMPARE(edited(*loaded), scene("Robot robot0 { Config=Rover leftMotor.Resistance=3 rightMotor.Resistance=4 }\n"));
     }
 
     /// The file that owns the config is changed, not the one that was opened.
     void theOwningFile() {
-        Desk desk;
-        desk.write("rover.sim", sample::kGoodRobot);
-        desk.options.sets = {"RobotConfig.Rover.leftMotor.Resistance=3"};
-        const auto loaded = desk.open("#import rover.sim\nRobot robot0 { Config=Rover }\n");
+        ProjectFixture fixture;
+        fixture.write("rover.sim", sample::kGoodRobot);
+        fixture.options.sets = {"RobotConfig.Rover.leftMotor.Resistance=3"};
+        const auto loaded = fixture.open("#import rover.sim\nRobot robot0 { Config=Rover }\n");
         const auto edits = editsForSets(*loaded);
         QCOMPARE(edits.size(), 1u);
         QCOMPARE(edits.begin()->first, FileId{1});
@@ -89,10 +89,10 @@ private Q_SLOTS:
     }
 
     void aSettingOfAnImportedFileIsChangedThere() {
-        Desk desk;
-        desk.write("a.sim", "Tick = 0.001\n");
-        desk.options.sets = {"Tick=0.02"};
-        const auto loaded = desk.open("#import a.sim\n");
+        ProjectFixture fixture;
+        fixture.write("a.sim", "Tick = 0.001\n");
+        fixture.options.sets = {"Tick=0.02"};
+        const auto loaded = fixture.open("#import a.sim\n");
         QCOMPARE(edited(*loaded, 1), "Tick = 0.02\n");
     }
 
@@ -123,27 +123,27 @@ private Q_SLOTS:
     void faultsPointIntoTheCommandLine() {
         QFETCH(QString, set);
         QFETCH(QString, said);
-        Desk desk;
-        desk.options.sets = {set.toStdString()};
+        ProjectFixture fixture;
+        fixture.options.sets = {set.toStdString()};
         const auto loaded =
-            desk.open(scene("Robot robot0 { Config=Rover }\nGrid swarm { Config=Rover Count=2 Spacing=2 Pos=0,0,1 }\n"));
+            fixture.open(scene("Robot robot0 { Config=Rover }\nGrid swarm { Config=Rover Count=2 Spacing=2 Pos=0,0,1 }\n"));
         QVERIFY(setsFailed(*loaded));
         const std::string all = sample::rendered(*loaded);
         QVERIFY2(all.starts_with(said.toStdString()), all.c_str());
         QVERIFY(all.starts_with("--set#1:1:"));
     }
 
-    /// The fix of a path to a member writes the layout out; what stands there then is the same world.
+    /// The fix of a path to a member writes the layout out; what is there then is the same world.
     void aGridBecomesSingles() {
-        Desk desk;
-        desk.options.sets = {"swarm_1.leftMotor.Resistance=3"};
+        ProjectFixture fixture;
+        fixture.options.sets = {"swarm_1.leftMotor.Resistance=3"};
         const std::string text = scene("#loadModule walker\nGrid swarm { Config=Rover Count=3,2 Spacing=2 Pos=1,0,1 HPR=30,0,0 "
                                        "wheelRadius=0.06 Walker brain { Speed=1 } }\n");
-        const auto loaded = desk.open(text);
+        const auto loaded = fixture.open(text);
         QCOMPARE(loaded->diagnostics.all().size(), 1u);
         const auto result = applyEdits(text, loaded->diagnostics.all()[0].fixes.at(0).edits);
         QVERIFY(result.ok());
-        const auto again = desk.open(result.value());
+        const auto again = fixture.open(result.value());
         QCOMPARE(sample::rendered(*again), "");
         QCOMPARE(again->experiment->robots.size(), 6u);
         for (std::size_t i = 0; i < 6; ++i) {

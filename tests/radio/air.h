@@ -30,12 +30,14 @@ inline bool send(Medium& medium, RadioId radio, std::size_t bytes = 10, std::uin
     return medium.send(radio, std::vector<std::uint8_t>(bytes, 0x55), to, power);
 }
 
-inline std::uint64_t count(const Medium& medium, Fate fate) { return medium.fates()[static_cast<std::size_t>(fate)]; }
+inline std::uint64_t count(const Medium& medium, ReceptionOutcome outcome) {
+    return medium.outcomes()[static_cast<std::size_t>(outcome)];
+}
 
-/// Everything that was expected has its fate.
+/// Everything that was expected has its outcome.
 inline bool isConserved(const Medium& medium) {
     std::uint64_t decided = 0;
-    for (const std::uint64_t n : medium.fates()) decided += n;
+    for (const std::uint64_t n : medium.outcomes()) decided += n;
     return decided + medium.inTheAir() == medium.expected();
 }
 

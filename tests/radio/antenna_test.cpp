@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(near(p.value().gain(-90 * kDegree, 0), -1, 1e-9));
         QVERIFY(near(p.value().gain(0, 45 * kDegree), -2, 1e-9));
     }
-    void badFilesSayWhere_data() {
+    void reportsBadFilesWithPosition_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("words");
         QTest::newRow("empty") << QByteArray("azimuth,elevation,gain\n") << QByteArray("no line");
@@ -114,14 +114,14 @@ private Q_SLOTS:
         QTest::newRow("elevation") << QByteArray("0,100,1\n") << QByteArray("between -90 and 90");
         QTest::newRow("infinite") << QByteArray("0,0,1\n0,0,inf\n") << QByteArray("line 2");
     }
-    void badFilesSayWhere() {
+    void reportsBadFilesWithPosition() {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, words);
         const Result<AntennaPattern> p = AntennaPattern::fromCsv(text.toStdString());
         QVERIFY(!p.ok());
         QVERIFY2(QByteArray::fromStdString(p.error().message).contains(words), p.error().message.c_str());
     }
-    void whatRadiatesTooMuchIsSeen() {
+    void warnsAboutExcessGain() {
         QVERIFY(near(AntennaPattern::fromCuts({{0, 3}}, {}).radiated(), 1.995, 0.01));
         QVERIFY(AntennaPattern::of(AntennaModel::Dipole, 5).radiated() > 1.8);
     }

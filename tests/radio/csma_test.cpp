@@ -42,7 +42,7 @@ constexpr double kFrameUs = 1792, kAckUs = 352; // 50 and 5 bytes, six more befo
 /// parameters of unslotted CSMA-CA in IEEE 802.15.4-2006, 7.5.1.4. Every node ends its listening at a rate of its own that depends on how
 /// often it finds the channel busy; who begins within the turnaround of another collides with it; all else counts as independent.
 double modelled(int nodes) {
-    constexpr int kStages = kMostBackoffs + 1;
+    constexpr int kStages = kMaxBackoffs + 1;
     double rate = 1e-4, success = 1, cycle = 1; // of ended listenings, 1/us
     for (int round = 0; round < 2000; ++round) {
         success = std::exp(-kTurnaroundUs * rate * (nodes - 1));
@@ -52,7 +52,7 @@ double modelled(int nodes) {
         const double busy = (nodes - 1) * heardBusy / ((nodes - 1) * heardBusy + nodes * heardFree);
         double stages = 0, waited = 0, reached = 1; // `reached`, in the end: given up
         for (int stage = 0; stage < kStages; ++stage, reached *= busy) {
-            const int exponent = std::min(kLeastExponent + stage, kMostExponent);
+            const int exponent = std::min(kLeastExponent + stage, kMaxExponent);
             stages += reached;
             waited += reached * (((1 << exponent) - 1) / 2. * kBackoffUnitUs + kListenUs);
         }
@@ -76,9 +76,9 @@ double published(int nodes) {
     for (int round = 0; round < 2000; ++round) {
         const double alone = std::pow(1 - tau, nodes - 1), hit = 1 - alone;
         double listened = 0, waited = 0, busy = 1; // `busy`, in the end: always
-        for (int stage = 0; stage <= kMostBackoffs; ++stage, busy *= alpha) {
+        for (int stage = 0; stage <= kMaxBackoffs; ++stage, busy *= alpha) {
             listened += busy;
-            waited += busy * (((1 << std::min(kLeastExponent + stage, kMostExponent)) - 1) / 2. + 1);
+            waited += busy * (((1 << std::min(kLeastExponent + stage, kMaxExponent)) - 1) / 2. + 1);
         }
         const double next = listened / (waited + (1 - busy) * (kSuccess * (1 - hit) + kCollision * hit));
         const double acknowledged = nodes * tau * alone / (1 - std::pow(1 - tau, nodes));
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(medium.counts(a).noAck, 0u);
     }
 
-    void nobodyAnswersThreeRepetitions() {
+    void givesUpAfterThreeRepetitions() {
         Medium medium(csma());
         const RadioId a = open(medium, "a", {0, 0, 0});
         send(medium, a, 4, 77);
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QCOMPARE(medium.queued(a), std::size_t{0});
     }
 
-    void aLostAcknowledgementMakesNoSecondPacket() {
+    void lostAcknowledgementGivesNoDuplicate() {
         // the way back is lost: b sends too weakly for a
         Medium medium(csma());
         RadioDefinition weak = radioNamed("b");
@@ -124,12 +124,12 @@ private Q_SLOTS:
         send(medium, a, 4, medium.radio(b).address);
         medium.advance(1000000);
         QCOMPARE(medium.pending(b), std::size_t{1});
-        QCOMPARE(count(medium, Fate::Duplicate), 3u);
+        QCOMPARE(count(medium, ReceptionOutcome::Duplicate), 3u);
         QCOMPARE(medium.counts(a).noAck, 1u);
         QVERIFY(isConserved(medium));
     }
 
-    void whoHearsOthersWaits() {
+    void radioWaitsForBusyChannel() {
         // three that begin at the same moment, again and again: without listening nobody hears anything
         const auto delivered = [](bool listens) {
             MediumSettings settings = csma();
@@ -141,7 +141,7 @@ private Q_SLOTS:
                 for (const RadioId mote : motes) send(medium, mote, 100);
                 medium.advance(round * 50000);
             }
-            const std::uint64_t heard = count(medium, Fate::Delivered) + count(medium, Fate::BufferFull);
+            const std::uint64_t heard = count(medium, ReceptionOutcome::Delivered) + count(medium, ReceptionOutcome::BufferFull);
             return isConserved(medium) ? double(heard) / double(medium.expected()) : -1;
         };
         QCOMPARE(delivered(false), 0.);
@@ -185,7 +185,7 @@ private Q_SLOTS:
         open(medium, "b", {1, 0, 0});
         constexpr int kSeconds = 60;
         for (int tick = 1; tick <= kSeconds * 100; ++tick) {
-            while (medium.queued(sender) < 8) send(medium, sender, kMostPayload);
+            while (medium.queued(sender) < 8) send(medium, sender, kMaxPayload);
             medium.advance(tick * 10000);
         }
         const double cycle = kSeconds * 1e6 / double(medium.counts(sender).sent) - kListenUs - kTurnaroundUs;
@@ -222,7 +222,7 @@ private Q_SLOTS:
         QVERIFY(ourPeak < theirPeak); // which turns around in no time
     }
 
-    void manyGetInEachOthersWay() {
+    void manySendersCollide() {
         std::uint64_t few = 0, many = 0;
         const double five = saturated(5, &few), twenty = saturated(20), fifty = saturated(50, &many);
         QVERIFY(twenty < five);

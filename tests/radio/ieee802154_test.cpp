@@ -28,7 +28,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(receptionRate(sinr, 8 * 26) - bytes26) < 1e-4);
         QVERIFY(std::abs(receptionRate(sinr, 8 * 47) - bytes47) < 1e-4);
     }
-    void onePercentIsLost() {
+    void losesOnePercentAtSensitivity() {
         QVERIFY(std::abs(receptionRate(.509, 8 * 26) - .99) < 1e-4);
         QVERIFY(std::abs(receptionRate(.737, 8 * 47) - .99) < 1e-4);
         QVERIFY(std::abs(receptionRate(-94 + 98 - 3.5, 8 * 26) - .99) < 5e-4); // at the mote's sensitivity

@@ -100,7 +100,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(alone.link(a, b).shadow) > 1e-6);
     }
 
-    void lookingChangesNothing() {
+    void observingChangesNothing() {
         MediumSettings settings;
         settings.model = PropagationModel::LogDistance;
         settings.shadowing = 5;
@@ -123,7 +123,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(std::sqrt(squares / 399) - 2) < 0.25);
     }
 
-    void whoIsOutOfRangeIsLeftOut() {
+    void omitsRadiosOutOfRange() {
         // near and far of the range, with and without a grid that leaves some out
         Medium medium({});
         const RadioId sender = open(medium, "sender", {0, 0, 0});
@@ -133,8 +133,8 @@ private Q_SLOTS:
         QVERIFY(send(medium, sender));
         medium.advance(10000);
         QVERIFY(reach > 50 && reach < 299);
-        QCOMPARE(count(medium, Fate::Delivered), reach);
-        QCOMPARE(count(medium, Fate::TooWeak), 300 - reach);
+        QCOMPARE(count(medium, ReceptionOutcome::Delivered), reach);
+        QCOMPARE(count(medium, ReceptionOutcome::TooWeak), 300 - reach);
         QVERIFY(isConserved(medium));
     }
 };

@@ -8,7 +8,7 @@ using namespace air;
 
 namespace {
 
-/// A busy hour among some motes, told as a hash over every record.
+/// A busy hour among some motes, reported as a hash over every record.
 std::uint64_t story(std::uint64_t seed, bool watched, std::int64_t tick) {
     MediumSettings settings;
     settings.model = PropagationModel::LogDistance;
@@ -34,7 +34,7 @@ std::uint64_t story(std::uint64_t seed, bool watched, std::int64_t tick) {
         hash = (hash ^ bits) * 1099511628211ull;
     };
     for (const FrameRecord& r : trace->records)
-        for (const double v : {r.time, 1. * r.from, 1. * r.to, r.link.power, r.rssi, r.sinr, 1. * static_cast<int>(r.fate)})
+        for (const double v : {r.time, 1. * r.from, 1. * r.to, r.link.power, r.rssi, r.sinr, 1. * static_cast<int>(r.outcome)})
             add(v);
     add(static_cast<double>(trace->records.size()));
     return isConserved(medium) ? hash : 0;
@@ -93,8 +93,8 @@ private Q_SLOTS:
         open(medium, "outside", {0, 488.1, 0});
         send(medium, a);
         medium.advance(10000);
-        QCOMPARE(count(medium, Fate::Delivered), 1u);
-        QCOMPARE(count(medium, Fate::TooWeak), 1u);
+        QCOMPARE(count(medium, ReceptionOutcome::Delivered), 1u);
+        QCOMPARE(count(medium, ReceptionOutcome::TooWeak), 1u);
     }
 
     void levelsOfPower() {
@@ -128,7 +128,7 @@ private Q_SLOTS:
         medium.advance(100000);
         QCOMPARE(medium.pending(b), std::size_t{3});
         QCOMPARE(medium.counts(b).dropped, 2u);
-        QCOMPARE(count(medium, Fate::BufferFull), 2u);
+        QCOMPARE(count(medium, ReceptionOutcome::BufferFull), 2u);
         RadioPacket packet;
         for (std::size_t i = 1; i <= 3; ++i) {
             QVERIFY(medium.receive(b, packet));
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QVERIFY(isConserved(medium));
     }
 
-    void whoSendsHearsNothing() {
+    void sendingRadioReceivesNothing() {
         Medium medium({});
         const RadioId a = open(medium, "a", {0, 0, 0}), b = open(medium, "b", {1, 0, 0}), c = open(medium, "c", {2, 0, 0});
         send(medium, a);
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QCOMPARE(medium.pending(a), std::size_t{0});
         QCOMPARE(medium.pending(b), std::size_t{0});
         QCOMPARE(medium.pending(c), std::size_t{2}); // no collisions unless asked for
-        QCOMPARE(count(medium, Fate::Sending), 2u);
+        QCOMPARE(count(medium, ReceptionOutcome::Sending), 2u);
         QVERIFY(isConserved(medium));
     }
 
@@ -173,7 +173,7 @@ private Q_SLOTS:
         medium.advance(10000);
         QCOMPARE(medium.pending(b), std::size_t{0});
         QCOMPARE(medium.pending(c), std::size_t{1});
-        QCOMPARE(count(medium, Fate::NotForIt), 1u);
+        QCOMPARE(count(medium, ReceptionOutcome::NotAddressed), 1u);
     }
 
     void theStrongerSurvivesACollision() {
@@ -188,8 +188,8 @@ private Q_SLOTS:
             send(medium, far);
             medium.advance(10000);
             QCOMPARE(medium.pending(ear), std::size_t{distance > 1.5});
-            QVERIFY(count(medium, Fate::Busy) > 0);
-            QCOMPARE(count(medium, Fate::Collision), distance > 1.5 ? 0u : 1u);
+            QVERIFY(count(medium, ReceptionOutcome::Busy) > 0);
+            QCOMPARE(count(medium, ReceptionOutcome::Collision), distance > 1.5 ? 0u : 1u);
             QVERIFY(isConserved(medium));
         }
     }

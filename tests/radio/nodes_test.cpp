@@ -97,7 +97,7 @@ private Q_SLOTS:
         QCOMPARE(nodes.link(1, 0, -7).outputPower, -10 + nodes.offsets(1).power);
     }
 
-    void packetsAreLostByNoiseOrByTheThreshold() {
+    void losesPacketsByNoiseOrThreshold() {
         MediumSettings settings;
         settings.noiseFloor = -75;
         std::vector<RadioNode> two = threeNodes();

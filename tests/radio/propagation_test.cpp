@@ -34,7 +34,7 @@ private Q_SLOTS:
         QVERIFY(near(94 - freeSpaceLoss(488.03, kLambda), 0, 1e-3));
         QVERIFY(near(90 - freeSpaceLoss(307.92, kLambda), 0, 1e-3));
     }
-    void nobodyGetsMoreThanWasSent() {
+    void receivedPowerIsAtMostSentPower() {
         QVERIFY(freeSpaceLoss(0, kLambda) > 20);
         QCOMPARE(freeSpaceLoss(0.001, kLambda), freeSpaceLoss(0.1, kLambda));
     }
@@ -90,13 +90,13 @@ private Q_SLOTS:
         QVERIFY(near(squares / kPairs, 1, 0.07));
         QVERIFY(near(beyondOne / double(kPairs), 0.3173, 0.025));
     }
-    void shadowingFadesWithTheWay_data() {
+    void shadowingDecorrelatesWithDistance_data() {
         QTest::addColumn<double>("way");
         QTest::addColumn<double>("correlation");
         for (const auto& [way, rho] : {std::pair{1., .60653}, {2., .36788}, {5., .08208}})
             QTest::addRow("%g m", way) << way << rho;
     }
-    void shadowingFadesWithTheWay() {
+    void shadowingDecorrelatesWithDistance() {
         QFETCH(double, way);
         QFETCH(double, correlation);
         constexpr int kPairs = 6000;

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "model/experiment_spec.h"
-#include "render/frame_drawer.h"
+#include "render/camera_image_renderer.h"
 
 namespace trundle {
 
@@ -33,11 +33,11 @@ inline RobotSpec cameraRobot(const std::string& name, const Pose& pose, CameraVa
     return robot;
 }
 
-/// What a camera gives while everything stands where it starts.
-inline Result<Frame> captureAtStart(const std::shared_ptr<const ExperimentSpec>& experiment, const std::string& camera) {
+/// What a camera gives while everything is where it starts.
+inline Result<CameraImage> captureAtStart(const std::shared_ptr<const ExperimentSpec>& experiment, const std::string& camera) {
     const SignalLayout layout;
     const SignalBlock block(layout);
-    return FrameDrawer(experiment, layout).capture(camera, block);
+    return CameraImageRenderer(experiment, layout).capture(camera, block);
 }
 
 } // namespace trundle

@@ -7,9 +7,9 @@
 
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
-#include "scene/look.h"
 #include "scene/object_index.h"
 #include "scene/ray_cast.h"
+#include "scene/scene_shading.h"
 
 using namespace trundle;
 
@@ -29,7 +29,7 @@ Pose randomPose(Random& random) {
 CameraModel onlyCameraOf(const ExperimentSpec& experiment) { return camerasOf(experiment).at(0); }
 
 /// The middle of the red pixels within `reach` of a point; nothing where there are none.
-std::optional<ImagePoint> redMiddle(const Frame& frame, double x, double y, double reach) {
+std::optional<ImagePoint> redMiddle(const CameraImage& frame, double x, double y, double reach) {
     double sumX = 0, sumY = 0, weights = 0;
     for (int row = int(y - reach); row <= int(y + reach); ++row) {
         for (int column = int(x - reach); column <= int(x + reach); ++column) {
@@ -43,7 +43,7 @@ std::optional<ImagePoint> redMiddle(const Frame& frame, double x, double y, doub
     return ImagePoint{sumX / weights, sumY / weights, 0};
 }
 
-Frame mustTake(const Result<Frame>& frame) {
+CameraImage mustTake(const Result<CameraImage>& frame) {
     if (!frame) qFatal("%s", frame.error().message.c_str());
     return frame.value();
 }
@@ -97,11 +97,11 @@ LampScene lampScene(Random& random, CameraValues values, double lampPixels) {
 class CameraTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void pointsAreWhereThePinholeFormulaSays() {
+    void projectsPointsByPinholeModel() {
         Random random(11);
         for (int i = 0; i < kPoses; ++i) {
             const LampScene scene = lampScene(random, {}, 16);
-            const Frame frame = mustTake(captureAtStart(scene.experiment, "robot0/eye"));
+            const CameraImage frame = mustTake(captureAtStart(scene.experiment, "robot0/eye"));
             const CameraModel camera = onlyCameraOf(*scene.experiment);
             QCOMPARE(frame.width, camera.width);
             QCOMPARE(frame.pixels.size(), std::size_t(camera.width) * camera.height * 3);
@@ -122,13 +122,13 @@ private Q_SLOTS:
         }
     }
 
-    void aLensBendsAsItsFormulaSays_data() {
+    void appliesLensDistortion_data() {
         QTest::addColumn<double>("k1");
         QTest::addColumn<double>("k2");
         QTest::newRow("barrel") << -0.2 << 0.02;
         QTest::newRow("cushion") << 0.3 << 0.;
     }
-    void aLensBendsAsItsFormulaSays() {
+    void appliesLensDistortion() {
         QFETCH(double, k1);
         QFETCH(double, k2);
         Random random(5);
@@ -137,7 +137,7 @@ private Q_SLOTS:
             const LampScene scene = lampScene(
                 random, {{"Distortion", numbers({k1, k2})}, {"FieldOfView", numbers({1.2})}, {"Resolution", numbers({400, 300})}},
                 8);
-            const Frame frame = mustTake(captureAtStart(scene.experiment, "robot0/eye"));
+            const CameraImage frame = mustTake(captureAtStart(scene.experiment, "robot0/eye"));
             const CameraModel camera = onlyCameraOf(*scene.experiment);
             const CameraView view = viewOf(camera, scene.experiment->robots[0].pose);
             const double focal = 200 / std::tan(0.6);
@@ -168,7 +168,7 @@ private Q_SLOTS:
                                                      {{"Mode", word("depth")},
                                                       {"FieldOfView", numbers({between(random, 0.4, 2)})},
                                                       {"Resolution", numbers({160, 120})}}));
-            const Frame frame = mustTake(captureAtStart(experiment, "watcher/eye"));
+            const CameraImage frame = mustTake(captureAtStart(experiment, "watcher/eye"));
             QCOMPARE(frame.depth.size(), std::size_t(160 * 120));
             const CameraView view = viewOf(onlyCameraOf(*experiment), pose);
             const ObjectIndex objects(experiment);
@@ -202,7 +202,7 @@ private Q_SLOTS:
     void depthOfABallIsAsExact() {
         auto experiment = lampExperiment({{3, 0, 0}}, 0.5);
         experiment->robots = {cameraRobot("robot0", {}, {{"Mode", word("depth")}, {"Resolution", numbers({320, 240})}})};
-        const Frame frame = mustTake(captureAtStart(experiment, "robot0/eye"));
+        const CameraImage frame = mustTake(captureAtStart(experiment, "robot0/eye"));
         const CameraView view = viewOf(onlyCameraOf(*experiment), {});
         int compared = 0;
         for (int y = 0; y < 240; ++y) {
@@ -221,9 +221,9 @@ private Q_SLOTS:
         QVERIFY(compared > 2000);
     }
 
-    void whatIsInvisibleIsInNoPicture() {
+    void omitsInvisibleObjects() {
         for (const char* mode : {"color", "depth", "segmentation"}) {
-            Frame frames[2];
+            CameraImage frames[2];
             for (const bool there : {false, true}) {
                 auto experiment = lampExperiment({{3, 0, 0}}, 0.5);
                 if (there) experiment->materials[0].opacity = 0;
@@ -241,7 +241,7 @@ private Q_SLOTS:
             auto experiment = lampExperiment({{3, 0, 0}}, 1.0);
             experiment->materials[0].emission = glow;
             experiment->robots = {cameraRobot("robot0", {}, {{"Resolution", numbers({64, 48})}})};
-            const Frame frame = mustTake(captureAtStart(experiment, "robot0/eye"));
+            const CameraImage frame = mustTake(captureAtStart(experiment, "robot0/eye"));
             const std::uint8_t* p = frame.pixels.data() + 3 * (24 * 64 + 32);
             for (int k = 0; k < 3; ++k)
                 QVERIFY2(std::abs(p[k] - 255 * glow[std::size_t(k)]) <= 0.5 + 1e-9, qPrintable(QString::number(p[k])));
@@ -264,19 +264,19 @@ private Q_SLOTS:
         const SignalLayout layout;
         const SignalBlock block(layout);
         std::map<std::string, std::vector<std::uint8_t>> first;
-        FrameDrawer one(experiment, layout);
+        CameraImageRenderer one(experiment, layout);
         for (const std::string& camera : cameras) first[camera] = mustTake(one.capture(camera, block)).pixels;
         QVERIFY(first[cameras[0]] != first[cameras[4]]);
         for (int round = 0; round < 3; ++round) {
             std::shuffle(cameras.begin(), cameras.end(), random);
-            FrameDrawer other(experiment, layout);
+            CameraImageRenderer other(experiment, layout);
             for (const std::string& camera : cameras)
                 QVERIFY2(mustTake(other.capture(camera, block)).pixels == first[camera], camera.c_str());
             QVERIFY(mustTake(one.capture(cameras[0], block)).pixels == first[cameras[0]]);
         }
     }
 
-    void noiseIsOfSeedAndTickAlone() {
+    void noiseDependsOnSeedAndTick() {
         auto experiment = sampleExperiment({1, 1, true, 4});
         experiment->robots.push_back(cameraRobot("watcher", {{-1.5, 0, 0.5}, rotationFromHpr({0, 0.3, 0})},
                                                  {{"Noise", numbers({0.1})}, {"Resolution", numbers({160, 120})}}));
@@ -285,7 +285,7 @@ private Q_SLOTS:
         const auto taken = [&](std::uint64_t seed, std::uint64_t tick) {
             experiment->settings.seed = seed;
             block.header().tick = tick;
-            return mustTake(FrameDrawer(experiment, layout).capture("watcher/eye", block)).pixels;
+            return mustTake(CameraImageRenderer(experiment, layout).capture("watcher/eye", block)).pixels;
         };
         const auto once = taken(1, 5);
         QVERIFY(once == taken(1, 5));
@@ -302,11 +302,11 @@ private Q_SLOTS:
         QVERIFY(std::abs(std::sqrt(sum / count) / 25.5 - 1) < 0.05);
     }
 
-    void whatMovesChangesThePictureThereAndNowhereElse() {
+    void motionChangesOnlyItsPixels() {
         auto experiment = sampleExperiment({2, 1.4, true, 6});
         const Pose watch{{-2.2, -1.6, 1.3}, rotationFromHpr({0.6, 0.5, 0})};
         experiment->robots.push_back(cameraRobot("watcher", watch, {{"Resolution", numbers({320, 240})}}));
-        const Frame before = mustTake(captureAtStart(experiment, "watcher/eye"));
+        const CameraImage before = mustTake(captureAtStart(experiment, "watcher/eye"));
         const CameraModel camera = onlyCameraOf(*experiment);
         const CameraView view = viewOf(camera, watch);
 
@@ -328,7 +328,7 @@ private Q_SLOTS:
         cover();
         experiment->robots[0].pose.position += Vec3(0.1, 0.05, 0);
         cover();
-        const Frame after = mustTake(captureAtStart(experiment, "watcher/eye"));
+        const CameraImage after = mustTake(captureAtStart(experiment, "watcher/eye"));
         int inside = 0, outside = 0;
         for (int y = 0; y < 240; ++y) {
             for (int x = 0; x < 320; ++x) {
@@ -350,8 +350,8 @@ private Q_SLOTS:
             cameraRobot("watcher", {{-1.5, 0, 0.6}, rotationFromHpr({0, 0.35, 0})}, {{"Mode", word("segmentation")}}));
         const SignalLayout layout;
         const SignalBlock block(layout);
-        FrameDrawer drawer(experiment, layout);
-        const Frame frame = mustTake(drawer.capture("watcher/eye", block));
+        CameraImageRenderer drawer(experiment, layout);
+        const CameraImage frame = mustTake(drawer.capture("watcher/eye", block));
         const CameraView view = viewOf(onlyCameraOf(*experiment), experiment->robots[1].pose);
         const ObjectIndex objects(experiment);
         int compared = 0;
@@ -374,19 +374,19 @@ private Q_SLOTS:
     }
 
     void aCameraMaySeeItsOwnRobotOrNot() {
-        GeomSpec plate; // in front of the lens
-        plate.name = "plate";
-        plate.size = {0.02, 1, 1};
-        plate.pose.position = {0.5, 0, 0};
+        GeomSpec label; // in front of the lens
+        label.name = "plate";
+        label.size = {0.02, 1, 1};
+        label.pose.position = {0.5, 0, 0};
         for (const bool sees : {true, false}) {
             auto experiment = lampExperiment({{3, 0, 0}}, 1.0);
             CameraValues values{{"SeesSelf", numbers({sees ? 1.0 : 0.0})}, {"Resolution", numbers({64, 48})}};
-            experiment->robots = {cameraRobot("robot0", {}, values, {plate})};
+            experiment->robots = {cameraRobot("robot0", {}, values, {label})};
             experiment->materials.push_back({});
             auto config = std::make_shared<RobotConfigSpec>(*experiment->robots[0].config);
             config->bodies[0].geoms[0].material = 1;
             experiment->robots[0].config = config;
-            const Frame frame = mustTake(captureAtStart(experiment, "robot0/eye"));
+            const CameraImage frame = mustTake(captureAtStart(experiment, "robot0/eye"));
             const std::uint8_t* p = frame.pixels.data() + 3 * (24 * 64 + 32);
             QCOMPARE(p[0] == 255 && p[1] == 0, !sees);
         }
@@ -397,7 +397,7 @@ private Q_SLOTS:
             auto experiment = lampExperiment({{3, 0, 0}}, 1.0);
             experiment->robots = {
                 cameraRobot("robot0", {}, {{"Near", numbers({nearest})}, {"Far", numbers({farthest})}, {"Mode", word("depth")}})};
-            const Frame frame = mustTake(captureAtStart(experiment, "robot0/eye"));
+            const CameraImage frame = mustTake(captureAtStart(experiment, "robot0/eye"));
             QCOMPARE(std::isfinite(frame.depth[120 * 320 + 160]), seen);
         }
     }
@@ -408,7 +408,7 @@ private Q_SLOTS:
             experiment->materials[0].emission = {0.4, 0.4, 0.2};
             values["Resolution"] = numbers({64, 48});
             experiment->robots = {cameraRobot("robot0", {}, values)};
-            const Frame frame = mustTake(captureAtStart(experiment, "robot0/eye"));
+            const CameraImage frame = mustTake(captureAtStart(experiment, "robot0/eye"));
             const std::uint8_t* p = frame.pixels.data() + 3 * (24 * 64 + 32);
             return std::array<int, 3>{p[0], p[1], p[2]};
         };
@@ -417,23 +417,23 @@ private Q_SLOTS:
         QCOMPARE(taken({{"Mode", word("grey")}}), (std::array{96, 96, 96}));
     }
 
-    void anUnknownCameraIsToldWithThoseThereAre() {
+    void unknownCameraListsExisting() {
         auto experiment = lampExperiment({}, 1.0);
         experiment->robots = {cameraRobot("robot0", {}, {})};
-        const Result<Frame> frame = captureAtStart(experiment, "robot0/ear");
+        const Result<CameraImage> frame = captureAtStart(experiment, "robot0/ear");
         QVERIFY(!frame);
         QCOMPARE(frame.error().message, std::string("there is no camera robot0/ear; there is robot0/eye"));
     }
 
-    void aFileSaysWhereItIsFrom() {
+    void imageFileHasMetadata() {
         auto experiment = lampExperiment({{3, 0, 0}}, 1.0);
         experiment->robots = {cameraRobot("robot0", {}, {{"Resolution", numbers({64, 48})}})};
         const SignalLayout layout;
         SignalBlock block(layout);
         block.header().tick = 7;
         block.header().time = 0.07;
-        FrameDrawer drawer(experiment, layout);
-        const Frame frame = mustTake(drawer.capture("robot0/eye", block));
+        CameraImageRenderer drawer(experiment, layout);
+        const CameraImage frame = mustTake(drawer.capture("robot0/eye", block));
         for (const char* name : {"a.png", "a.jpg"}) {
             const Result<std::string> bytes = drawer.encode(frame, "robot0/eye", name);
             QVERIFY(bytes.ok());

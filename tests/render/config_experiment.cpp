@@ -24,7 +24,7 @@ struct NoMeshes final : MeshSource {
 
 } // namespace
 
-std::shared_ptr<const Loaded> readProject(const std::string& path) {
+std::shared_ptr<const LoadedProject> readProject(const std::string& path) {
     auto registry = std::make_shared<Registry>();
     addModelKinds(*registry);
     if (!addDeviceKinds(*registry)) return nullptr;

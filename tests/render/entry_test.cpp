@@ -40,9 +40,9 @@ private Q_SLOTS:
         QVERIFY(picture != draw({}));
     }
 
-    void theLookIsTheOneAskedFor() {
-        std::string told;
-        const std::function<void(const std::string&)> warn = [&](const std::string& line) { told += line; };
+    void usesRequestedRenderStyle() {
+        std::string reported;
+        const std::function<void(const std::string&)> warn = [&](const std::string& line) { reported += line; };
         RenderJob job;
         job.warn = &warn;
         job.look = LookChoice::Fast;
@@ -50,10 +50,10 @@ private Q_SLOTS:
         job.look = LookChoice::Rich;
         const QByteArray rich = draw(job);
         QVERIFY(!fast.isEmpty() && !rich.isEmpty() && fast != rich);
-        QCOMPARE(told, std::string());
+        QCOMPARE(reported, std::string());
     }
 
-    void posesComeFromSignals() {
+    void readsPosesFromSignals() {
         SignalLayout layout;
         layout.beginRobot("robot0");
         for (const char* body : {"chassis", "leftWheel", "rightWheel"})
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(here != draw({}));
     }
 
-    void failuresHaveWords_data() {
+    void reportsFailureReasons_data() {
         QTest::addColumn<int>("which");
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("words");
@@ -84,7 +84,7 @@ private Q_SLOTS:
         QTest::newRow("ending") << 4 << 511 << "a picture is written as .png, .jpg or .jpeg, not \"x.gif\"";
         QTest::newRow("no experiment") << 5 << 599 << "no experiment or no file to write";
     }
-    void failuresHaveWords() {
+    void reportsFailureReasons() {
         QFETCH(int, which);
         QFETCH(int, code);
         QFETCH(QString, words);
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QCOMPARE(QString(error), words);
     }
 
-    void longWordsAreCut() {
+    void truncatesLongNames() {
         char error[8] = "";
         RenderJob job;
         job.experiment = m_experiment.get();

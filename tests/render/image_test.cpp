@@ -32,7 +32,7 @@ Image readPng(const std::string& bytes) {
 class ImageTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void aPngHoldsEveryPixel() {
+    void pngKeepsEveryPixel() {
         for (const auto& [width, height] : {std::pair{1u, 1u}, {7u, 3u}, {320u, 240u}}) {
             const Image image = pattern(width, height);
             const auto bytes = pngBytes(image);
@@ -55,7 +55,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < image.pixels.size(); ++i) QVERIFY(std::abs(int(image.pixels[i]) - int(read.pixels[i])) <= 3);
     }
 
-    void theEndingOfTheNameSaysWhatIsWritten() {
+    void extensionSelectsFormat() {
         QTemporaryDir folder;
         const auto begins = [&](const char* name) {
             const std::string path = folder.filePath(name).toStdString();
@@ -71,7 +71,7 @@ private Q_SLOTS:
         QVERIFY(begins("missing folder/a.png").starts_with("E"));
     }
 
-    void aPictureWhoseSizeLiesIsRefused() {
+    void rejectsInconsistentPictureSize() {
         Image image = pattern(8, 8);
         image.height = 9;
         QVERIFY(!pngBytes(image).ok());

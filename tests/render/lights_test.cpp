@@ -5,7 +5,7 @@
 
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
-#include "scene/look.h"
+#include "scene/scene_shading.h"
 
 using namespace trundle;
 
@@ -47,7 +47,7 @@ std::shared_ptr<ExperimentSpec> post(std::vector<ComponentSpec> looks, const Vec
 
 /// Brightness of the floor at a place, over a few pixels.
 double floorAt(const std::shared_ptr<ExperimentSpec>& experiment, double x, double y) {
-    const Result<Frame> frame = captureAtStart(experiment, "robot0/eye");
+    const Result<CameraImage> frame = captureAtStart(experiment, "robot0/eye");
     if (!frame) qFatal("%s", frame.error().message.c_str());
     const CameraModel camera = camerasOf(*experiment).at(0);
     const auto at = project(viewOf(camera, experiment->robots[0].pose), 200, 200, {x, y, 0});
@@ -64,7 +64,7 @@ double floorAt(const std::shared_ptr<ExperimentSpec>& experiment, double x, doub
 class LightsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void theShadowFallsAwayFromTheSun() {
+    void castsShadowAwayFromSun() {
         for (const double side : {1.0, -1.0}) { // shining towards +x, then towards -x
             const auto experiment = post({look("Light", {{"Mode", word("sun")}, {"Direction", numbers({side, 0, -1})}})});
             const double shadow = floorAt(experiment, 0.5 * side, 0), lit = floorAt(experiment, -0.5 * side, 0);
@@ -75,7 +75,7 @@ private Q_SLOTS:
         const auto experiment = post({look("Light", {{"Direction", numbers({1, 0, -1})}, {"Shadows", numbers({0})}})});
         QVERIFY(floorAt(experiment, 0.5, 0) > 0.95 * floorAt(experiment, -0.5, 0));
     }
-    void whatIsClearCastsNoShadow() {
+    void transparentObjectsCastNoShadow() {
         for (const auto& [opacity, casts] : {std::pair{0.0, false}, {0.3, false}, {0.8, true}}) {
             const auto experiment = post({look("Light", {{"Direction", numbers({1, 0, -1})}})});
             experiment->materials[0].opacity = opacity;
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QVERIFY2(bright > 1.5 * dark, qPrintable(QStringLiteral("%1 and %2").arg(bright).arg(dark)));
         QVERIFY(floorAt(post({night, lamp}), -1, -1) < 0.7 * bright);
     }
-    void aLampCastsShadowsAwayFromIt() {
+    void castsShadowsAwayFromLamp() {
         const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
         for (const double side : {1.0, -1.0}) {
             const auto lit = post({night, lampAt(side, 0, 1.5, {{"Shadows", numbers({0})}})});
@@ -122,7 +122,7 @@ private Q_SLOTS:
         const double bright = floorAt(post({night, lampAt(3.6, 0, 1.5, {{"Shadows", numbers({0})}})}, outside), 1.8, 0);
         QVERIFY2(dark < 0.9 * bright, qPrintable(QStringLiteral("%1 and %2").arg(dark).arg(bright)));
     }
-    void whatIsAboveALampOrPartOfItCastsNone() {
+    void objectsAboveLampCastNoShadow() {
         const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
         const auto cast = [&](double height) { return floorAt(post({night, lampAt(0, 0, height)}, {0, 0, 1.5}), 0.6, 0.3); };
         const auto lit = [&](double height) {
@@ -166,7 +166,7 @@ private Q_SLOTS:
     void theSkyHasItsColours() {
         auto experiment = post({look("Sky", {{"Zenith", numbers({0, 1, 0})}, {"Horizon", numbers({0, 1, 0})}})});
         experiment->robots[0].pose = {{0, 0, 5}, rotationFromHpr({2, -0.6, 0})}; // up, away from the sun
-        const Result<Frame> frame = captureAtStart(experiment, "robot0/eye");
+        const Result<CameraImage> frame = captureAtStart(experiment, "robot0/eye");
         QVERIFY(frame.ok());
         const std::uint8_t* p = frame.value().pixels.data() + 3 * (100 * 200 + 100);
         QVERIFY(p[0] < 10 && p[1] > 245 && p[2] < 10);
@@ -181,7 +181,7 @@ private Q_SLOTS:
             const double heading = std::atan2(towards.y(), towards.x()),
                          pitch = -std::atan2(towards.z(), towards.head<2>().norm());
             experiment->robots[0].pose = {{0, 0, 5}, rotationFromHpr({heading, pitch, 0})};
-            const Result<Frame> frame = captureAtStart(experiment, "robot0/eye");
+            const Result<CameraImage> frame = captureAtStart(experiment, "robot0/eye");
             QVERIFY(frame.ok());
             QCOMPARE(int(*std::ranges::max_element(frame.value().pixels)), 0);
         }

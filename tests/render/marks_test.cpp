@@ -71,12 +71,12 @@ private Q_SLOTS:
         QVERIFY(m_service->draw(request).get().value() == plain);
     }
 
-    void whatIsHiddenIsGoneAndComesBack_data() {
+    void hidesAndShowsObjects_data() {
         QTest::addColumn<QString>("path");
         for (const char* path : {"robot0", "robot0/chassis", "robot0/chassis/hull", "arena", "arena/north", "arena/floor"})
             QTest::newRow(path) << path;
     }
-    void whatIsHiddenIsGoneAndComesBack() {
+    void hidesAndShowsObjects() {
         QFETCH(const QString, path);
         const SceneId scene = m_service->addScene(sampleExperiment({2, 1.0}));
         PictureRequest request = requestFor(scene);
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(m_service->draw(request).get().value() == plain);
     }
 
-    void ghostsAreDrawnWhereWanted() {
+    void drawsGhostsInRequestedViews() {
         auto ghost = std::make_shared<ExperimentSpec>(*sampleExperiment({1}));
         ghost->robots[0].pose.position = {0.6, -0.4, 0};
         ghost->statics.clear();
@@ -126,15 +126,15 @@ private Q_SLOTS:
         PickRequest request{scene, down, 200, 200, 100, 100};
         request.mask |= kMaskFloor;
         std::promise<std::vector<std::string>> promise;
-        m_service->pickAll(request, [&](Result<std::vector<Picked>> all) {
+        m_service->pickAll(request, [&](Result<std::vector<PickResult>> all) {
             std::vector<std::string> paths;
-            for (const Picked& picked : all.value()) paths.push_back(picked.path);
+            for (const PickResult& picked : all.value()) paths.push_back(picked.path);
             promise.set_value(paths);
         });
         QCOMPARE(promise.get_future().get(), (std::vector<std::string>{"robot0/leftWheel/tyre", "arena/floor"}));
     }
 
-    void aCaptureGoesBeforeViews() {
+    void drawsCaptureBeforeViews() {
         const SceneId scene = m_service->addScene(sampleExperiment({4}));
         std::mutex mutex;
         std::condition_variable changed;

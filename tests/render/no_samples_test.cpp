@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
+#include "render/render_thread_state.h"
 #include "render/sample_experiment.h"
-#include "render/studio.h"
 
 using namespace trundle;
 
@@ -15,47 +15,46 @@ private Q_SLOTS:
     void initTestCase() {
         ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
         ::setenv("GALLIUM_DRIVER", "softpipe", 1);
-        auto opened = Studio::open();
+        auto opened = RenderThreadState::open();
         QVERIFY2(opened.ok(), opened.ok() ? "" : opened.error().message.c_str());
-        m_studio = std::move(opened).value();
-        QCOMPARE(m_studio->context().renderer(), std::string("softpipe"));
-        m_studio->add(SceneId(1), sampleExperiment({2}), nullptr);
+        m_state = std::move(opened).value();
+        QCOMPARE(m_state->context().renderer(), std::string("softpipe"));
+        m_state->add(SceneId(1), sampleExperiment({2}), nullptr);
         m_request.scene = SceneId(1);
         m_request.width = 160;
         m_request.height = 120;
     }
-    void cleanupTestCase() { m_studio.reset(); }
+    void cleanupTestCase() { m_state.reset(); }
 
     void edgesStayRough() {
         m_request.samples = 1;
-        const Result<Image> rough = m_studio->draw(m_request, LookChoice::Fast);
+        const Result<Image> rough = m_state->draw(m_request, LookChoice::Fast);
         m_request.samples = 4;
-        const Result<Image> smooth = m_studio->draw(m_request, LookChoice::Fast);
+        const Result<Image> smooth = m_state->draw(m_request, LookChoice::Fast);
         QVERIFY(rough.ok() && smooth.ok());
         QVERIFY(rough.value() == smooth.value());
-        QCOMPARE(m_studio->takeNotice(), std::string());
+        QCOMPARE(m_state->takeWarning(), std::string());
     }
 
-    void theFastLookTakesThePlaceOfTheRichOne() {
+    void fallsBackToFastStyle() {
         m_request.samples = 4;
-        const Result<Image> fast = m_studio->draw(m_request, LookChoice::Fast),
-                            rich = m_studio->draw(m_request, LookChoice::Rich);
+        const Result<Image> fast = m_state->draw(m_request, LookChoice::Fast), rich = m_state->draw(m_request, LookChoice::Rich);
         QVERIFY2(rich.ok(), rich.ok() ? "" : rich.error().message.c_str());
         QVERIFY(rich.value() == fast.value());
-        QCOMPARE(m_studio->takeNotice(), std::string("the rich look is not to be had here, so pictures have the fast one: OpenGL "
+        QCOMPARE(m_state->takeWarning(), std::string("the rich look is not available, so pictures have the fast one: OpenGL "
                                                      "has no 4 samples for a pixel"));
-        QVERIFY(m_studio->draw(m_request, LookChoice::Rich).ok());
-        QCOMPARE(m_studio->takeNotice(), std::string()); // once
+        QVERIFY(m_state->draw(m_request, LookChoice::Rich).ok());
+        QCOMPARE(m_state->takeWarning(), std::string()); // once
     }
 
     /// The service asks for no such size; a card may have less room than that allows.
-    void aFramebufferThatIsNotToBeHadIsAnError_data() {
+    void reportsUnavailableFramebuffer_data() {
         QTest::addColumn<int>("width");
         QTest::addColumn<int>("samples");
         QTest::newRow("too wide") << 1'000'000 << 1;
         QTest::newRow("more samples than there are") << 64 << 64;
     }
-    void aFramebufferThatIsNotToBeHadIsAnError() {
+    void reportsUnavailableFramebuffer() {
         QFETCH(int, width);
         QFETCH(int, samples);
         osg::ref_ptr<GraphicsContext> context = new GraphicsContext;
@@ -68,7 +67,7 @@ private Q_SLOTS:
     }
 
 private:
-    std::unique_ptr<Studio> m_studio;
+    std::unique_ptr<RenderThreadState> m_state;
     PictureRequest m_request;
 };
 

@@ -6,7 +6,7 @@
 #include "render/sample_experiment.h"
 #include "render/started_service.h"
 #include "scene/framing.h"
-#include "scene/look.h"
+#include "scene/scene_shading.h"
 
 using namespace trundle;
 
@@ -57,7 +57,7 @@ class PictureTest : public QObject {
 private Q_SLOTS:
     void initTestCase() { startService(m_service); }
 
-    void knownPointsAppearWhereThePinholeFormulaSays() {
+    void projectsKnownPointsByPinholeModel() {
         std::mt19937 random(11);
         const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
         int seen = 0;
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QVERIFY((right - left) * (bottom - top) < 0.25 * 640 * 480); // the region says something
     }
 
-    void aMaskLeavesThingsOut() {
+    void maskOmitsObjects() {
         const SceneId scene = m_service->addScene(sampleExperiment({1}));
         PictureRequest request = requestFor(scene, lookingAt({1, -1.5, 1}, Vec3::Zero()));
         const Image all = m_service->draw(request).get().value();
@@ -271,7 +271,7 @@ private Q_SLOTS:
         }
     }
 
-    void manySizesAndScenesComeAndGo() {
+    void rendersManySizesAndScenes() {
         for (int i = 0; i < 30; ++i) {
             const SceneId scene = m_service->addScene(sampleExperiment({1 + i % 3}));
             QVERIFY(
@@ -280,7 +280,7 @@ private Q_SLOTS:
         }
     }
 
-    void aNewerPictureOfAStreamTakesTheOldOnesPlace() {
+    void newerPictureReplacesOlder() {
         const SceneId scene = m_service->addScene(sampleExperiment({30}));
         PictureRequest request = requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 800, 600);
         request.stream = 5;
@@ -291,7 +291,7 @@ private Q_SLOTS:
         QVERIFY(drawn >= 1 && drawn < 20);
     }
 
-    void aFinerPictureGivesWayToOthers() {
+    void refinementYieldsToOtherRequests() {
         const SceneId scene = m_service->addScene(sampleExperiment({100}));
         PictureRequest fine = requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 2048, 2048);
         fine.mask = kMaskStill;
@@ -315,7 +315,7 @@ private Q_SLOTS:
         QVERIFY(a.value() == b.value() && a.value() == m_service->draw(fine).get().value());
     }
 
-    void manyThreadsMayAsk() {
+    void acceptsRequestsOfManyThreads() {
         const SceneId scene = m_service->addScene(sampleExperiment({4}));
         const PictureRequest request = requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 80, 60);
         const Image expected = m_service->draw(request).get().value();

@@ -1,4 +1,4 @@
-// A mesh that is not there: what is drawn in its place, and what the user is told.
+// A mesh that is not there: what is drawn in its place, and what the user is reported.
 #include <QtTest>
 
 #include <QTemporaryDir>
@@ -40,20 +40,20 @@ private Q_SLOTS:
         m_view.target = {0, 0.2, 0};
     }
 
-    void theUserIsToldWhere() {
-        int told = 0;
+    void reportsWhere() {
+        int reported = 0;
         for (const Diagnostic& problem : m_loaded->diagnostics.all()) {
             if (problem.code != Code::MeshUnreadable) continue;
-            ++told;
+            ++reported;
             QCOMPARE(problem.severity, Severity::Error);
             QVERIFY2(problem.message.starts_with("meshes/gone.obj is not found"), problem.message.c_str());
             QCOMPARE(std::string(kText).substr(problem.range.range.begin, problem.range.range.size()),
                      std::string("meshes/gone.obj"));
         }
-        QCOMPARE(told, 1);
+        QCOMPARE(reported, 1);
     }
 
-    void aBrightMarkerStandsInItsPlace() {
+    void showsMarkerForMissingMesh() {
         PictureRequest request;
         request.scene = m_service->addScene(m_loaded->experiment);
         request.view = m_view;
@@ -75,22 +75,22 @@ private Q_SLOTS:
         QVERIFY2(shown > 300, qPrintable(QString::number(shown)));
         QCOMPARE(brightOnes({"rover/chassis/shell"}), 0);
 
-        // It has the name of the mesh, for the pointer and for cameras that tell objects apart.
+        // It has the name of the mesh, for the pointer and for cameras that distinguish objects.
         const auto at = project(m_view, 320, 240, {0, 0.4, 0.05});
         QVERIFY(at);
         request.hidden.clear();
-        const Result<Measured> measured = m_service->measure(request).get();
+        const Result<DataImage> measured = m_service->measure(request).get();
         QVERIFY(measured.ok());
         const std::uint32_t object = measured.value().objects[std::size_t(at->y) * 320 + std::size_t(at->x)];
         QCOMPARE(objectNames(*m_loaded->experiment).at(object), std::string("rover/chassis/shell"));
-        const Result<Picked> picked = m_service->pick({request.scene, m_view, 320, 240, at->x, at->y}).get();
+        const Result<PickResult> picked = m_service->pick({request.scene, m_view, 320, 240, at->x, at->y}).get();
         QVERIFY(picked.ok());
         QCOMPARE(picked.value().path, std::string("rover/chassis/shell"));
     }
 
 private:
     QTemporaryDir m_folder;
-    std::shared_ptr<const Loaded> m_loaded;
+    std::shared_ptr<const LoadedProject> m_loaded;
     std::unique_ptr<RenderService> m_service;
     CameraView m_view;
 };

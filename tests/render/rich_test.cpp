@@ -2,9 +2,9 @@
 #include <QtTest>
 
 #include "render/camera_experiment.h"
+#include "render/render_thread_state.h"
 #include "render/sample_experiment.h"
 #include "render/started_service.h"
-#include "render/studio.h"
 
 using namespace trundle;
 
@@ -75,10 +75,10 @@ private Q_SLOTS:
     void initTestCase() { startService(m_service); }
     void cleanup() {
         m_service->setLook(LookChoice::Automatic);
-        QCOMPARE(m_service->takeNotice(), std::string());
+        QCOMPARE(m_service->takeWarning(), std::string());
     }
 
-    void aShadowFallsOnWhatStandsInIt() {
+    void castsShadowsOntoObjects() {
         const PictureRequest request = from({0.6, -2, 2}, {0.5, 0, 0.2});
         const auto [fast, rich] = both(yard(postAndTable(), sun(1)), request);
         const Vec3 shaded(0.6, 0, 0.2), open(0.6, 0.25, 0.2);
@@ -87,7 +87,7 @@ private Q_SLOTS:
     }
 
     void itFallsOnTheFloorAndOnItselfToo() {
-        // An arch: the floor below it, and its own leg that stands in the shadow of the other.
+        // An arch: the floor below it, and its own leg that is in the shadow of the other.
         const PictureRequest request = from({3, -3, 2}, {0.4, 0, 0.3});
         const auto [fast, rich] =
             both(yard({box("left", {0.1, 0.6, 1}, {0, 0, 0.5}), box("right", {0.1, 0.2, 0.4}, {0.5, 0, 0.2})}, sun(1)), request);
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QVERIFY(pixelAt(rich, request, top)[1] < 0.8 * pixelAt(fast, request, top)[1]);
     }
 
-    void whatTheSunReachesIsNotShaded() {
+    void sunlitSurfacesAreUnshaded() {
         // Turned by all angles; on every lit face the picture is that of a sun without shadows.
         for (int i = 0; i < 12; ++i) {
             const std::vector<GeomSpec> one{box("crate", {0.5, 0.5, 0.5}, {0, 0, 0.25}, 0.13 * i)};
@@ -118,7 +118,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatOneCanSeeThroughCastsALighterShadow() {
+    void translucentObjectsCastLighterShadow() {
         const PictureRequest request = from({1, -3, 2}, {0.5, 0, 0.3});
         std::vector<GeomSpec> walls{box("left", {0.1, 0.6, 0.6}, {0, -0.5, 0.3}), box("right", {0.1, 0.6, 0.6}, {0, 0.5, 0.3})};
         walls[1].material = 8; // glass
@@ -184,20 +184,20 @@ private Q_SLOTS:
         QVERIFY(!(automatic == rich));
     }
 
-    void whatACameraSeesIsTheSameWhateverIsChosen() {
+    void sensorImagesIgnoreRenderStyle() {
         const auto experiment = sampleExperiment({4});
         PictureRequest request = from({2, -3, 2}, Vec3::Zero());
         request.capture = true;
         const auto [fast, rich] = both(experiment, request);
         QVERIFY(fast == rich);
         request.scene = m_service->addScene(experiment);
-        const Measured before = m_service->measure(request).get().value();
+        const DataImage before = m_service->measure(request).get().value();
         m_service->setLook(LookChoice::Fast);
-        const Measured after = m_service->measure(request).get().value();
+        const DataImage after = m_service->measure(request).get().value();
         QVERIFY(before.depth == after.depth && before.objects == after.objects);
     }
 
-    void linesAreDrawnAndShadowsLeftOut() {
+    void drawsLinesWithoutShadows() {
         PictureRequest request = from({0.6, -2, 2}, {0.5, 0, 0.2});
         request.wireframe = true;
         request.mask = kMaskWorld;
@@ -206,29 +206,28 @@ private Q_SLOTS:
     }
 
     void aBrokenProgramIsNoticed() {
-        auto opened = Studio::open();
+        auto opened = RenderThreadState::open();
         QVERIFY(opened.ok());
-        Studio& studio = *opened.value();
-        studio.add(SceneId(1), yard(postAndTable(), sun(1)), nullptr);
+        RenderThreadState& state = *opened.value();
+        state.add(SceneId(1), yard(postAndTable(), sun(1)), nullptr);
         PictureRequest request = from({0.6, -2, 2}, {0.5, 0, 0.2});
         request.scene = SceneId(1);
-        const Image fast = studio.draw(request, LookChoice::Fast).value();
-        auto* opening = dynamic_cast<osg::Program*>(studio.look().opened->getAttribute(osg::StateAttribute::PROGRAM));
+        const Image fast = state.draw(request, LookChoice::Fast).value();
+        auto* opening = dynamic_cast<osg::Program*>(state.look().opened->getAttribute(osg::StateAttribute::PROGRAM));
         QVERIFY(opening);
         opening->getShader(1)->setShaderSource("#version 130\nvoid main() { nonsense; }\n");
-        // One that only the rich look needs: the fast one takes its place, and a person is told once.
-        QVERIFY(studio.draw(request, LookChoice::Rich).value() == fast);
-        const std::string notice = studio.takeNotice();
-        QVERIFY2(
-            notice.starts_with("the rich look is not to be had here, so pictures have the fast one: the program \"opened\" does "
-                               "not suit this OpenGL: ") &&
-                notice.find("nonsense") != std::string::npos,
-            notice.c_str());
-        QVERIFY(studio.draw(request, LookChoice::Rich).value() == fast);
-        QCOMPARE(studio.takeNotice(), std::string());
+        // One that only the rich look needs: the fast one takes its place, and a person is reported once.
+        QVERIFY(state.draw(request, LookChoice::Rich).value() == fast);
+        const std::string notice = state.takeWarning();
+        QVERIFY2(notice.starts_with("the rich look is not available, so pictures have the fast one: the program \"opened\" does "
+                                    "not suit this OpenGL: ") &&
+                     notice.find("nonsense") != std::string::npos,
+                 notice.c_str());
+        QVERIFY(state.draw(request, LookChoice::Rich).value() == fast);
+        QCOMPARE(state.takeWarning(), std::string());
         // One that all need.
-        studio.look().floor->getShader(1)->setShaderSource("#version 130\nvoid main() { nonsense; }\n");
-        const Result<Image> broken = studio.draw(request, LookChoice::Fast);
+        state.look().floor->getShader(1)->setShaderSource("#version 130\nvoid main() { nonsense; }\n");
+        const Result<Image> broken = state.draw(request, LookChoice::Fast);
         QVERIFY(!broken);
         QVERIFY2(broken.error().message.starts_with("the program \"floor\" does not suit this OpenGL: "),
                  broken.error().message.c_str());

@@ -9,7 +9,7 @@ namespace trundle {
 
 struct SampleOptions {
     int robots = 1;
-    double spacing = 0.7; ///< m, of the square grid they stand in
+    double spacing = 0.7; ///< m, of the square grid they are in
     bool arena = true;    ///< floor and walls
     double side = 4;      ///< m, of the arena
 };

@@ -1,7 +1,7 @@
 // Pictures on surfaces, as a camera sees them.
 #include <QtTest>
 
-#include "base/mesh_look.h"
+#include "base/mesh_appearance.h"
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
 
@@ -52,7 +52,7 @@ std::shared_ptr<ExperimentSpec> pictured(GeomShape shape, Pose eye, double scale
 
 /// The quarters at four places of a picture, row by row.
 std::string seen(const std::shared_ptr<ExperimentSpec>& experiment, int low = 35, int high = 65) {
-    const Result<Frame> frame = captureAtStart(experiment, "robot0/eye");
+    const Result<CameraImage> frame = captureAtStart(experiment, "robot0/eye");
     if (!frame) return frame.error().message;
     std::string letters;
     for (const int y : {low, high})
@@ -65,8 +65,8 @@ const Pose kFromSouth{{0, -3, 0}, rotationFromHpr({std::numbers::pi / 2, 0, 0})}
 const Pose kFromAbove{{0, 0, 3}, rotationFromHpr({std::numbers::pi / 2, std::numbers::pi / 2, 0})}; // its top is +y
 
 /// A square across the line of sight from the west, its upper half with the quarters on it, its lower half red.
-std::shared_ptr<ExperimentSpec> meshWithLook(std::uint32_t material) {
-    auto look = std::make_shared<MeshLook>();
+std::shared_ptr<ExperimentSpec> meshWithAppearance(std::uint32_t material) {
+    auto look = std::make_shared<MeshAppearance>();
     look->materials.resize(2);
     look->materials[0].picture = quarters();
     look->materials[1].colour = {1, 0, 0};
@@ -105,13 +105,13 @@ private Q_SLOTS:
         QCOMPARE(seen(pictured(GeomShape::Plane, above), 45, 55), std::string("RGBW"));
     }
     // The square is 54 pixels wide and high about the middle.
-    void aMeshLooksAsItsFileSays() {
-        const Frame frame = captureAtStart(meshWithLook(0), "robot0/eye").value();
+    void usesAppearanceOfMeshFile() {
+        const CameraImage frame = captureAtStart(meshWithAppearance(0), "robot0/eye").value();
         const auto at = [&](int x, int y) { return quarterOf(frame.pixels.data() + 3 * (y * 100 + x)); };
         QCOMPARE((std::string{at(35, 32), at(65, 32), at(35, 44), at(65, 44), at(35, 60), at(65, 60)}), std::string("RGBWRR"));
     }
-    void aMaterialOfTheTextComesFirst() {
-        const Frame frame = captureAtStart(meshWithLook(1), "robot0/eye").value();
+    void prefersMaterialOfText() {
+        const CameraImage frame = captureAtStart(meshWithAppearance(1), "robot0/eye").value();
         for (const auto& [x, y] : {std::pair{35, 32}, {65, 44}, {35, 60}})
             QCOMPARE(quarterOf(frame.pixels.data() + 3 * (y * 100 + x)), 'B');
     }
@@ -119,10 +119,10 @@ private Q_SLOTS:
         auto experiment = pictured(GeomShape::Box, kFromWest);
         auto plain = std::make_shared<Raster>(Raster{1, 1, {128, 64, 200}});
         experiment->materials[1].picture = plain;
-        const Frame withPicture = captureAtStart(experiment, "robot0/eye").value();
+        const CameraImage withPicture = captureAtStart(experiment, "robot0/eye").value();
         experiment->materials[1].picture = nullptr;
         experiment->materials[1].colour = {128 / 255.0, 64 / 255.0, 200 / 255.0};
-        const Frame withColour = captureAtStart(experiment, "robot0/eye").value();
+        const CameraImage withColour = captureAtStart(experiment, "robot0/eye").value();
         for (std::size_t i = 3 * (50 * 100 + 50), k = 0; k < 3; ++k)
             QVERIFY(std::abs(int(withPicture.pixels[i + k]) - int(withColour.pixels[i + k])) <= 1);
     }

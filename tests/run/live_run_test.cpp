@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A door that a controller waits at, as one does that never comes back.
+/// A door that a controller waits at, as one does that never returns.
 struct Door {
     std::mutex lock;
     std::condition_variable opens;
@@ -39,19 +39,19 @@ public:
     TalkingBackend(Door& door, int linesPerTick) : m_door(door), m_lines(linesPerTick) {}
     std::uint64_t failAt = ~0ull, finishAt = ~0ull;
 
-    Status start(const SignalLayout&, SignalBlock&, ControllerOutlet outlet) override {
-        m_outlet = std::move(outlet);
+    Status start(const SignalLayout&, SignalBlock&, ControllerOutputs outputs) override {
+        m_outputs = std::move(outputs);
         return {};
     }
     Status tick(std::uint64_t tick, double, double) override {
         m_door.pass();
-        if (tick == finishAt) m_outlet.finish("reached");
+        if (tick == finishAt) m_outputs.finish("reached");
         if (tick == failAt) return Error{Code::ControllerFailed, "the controller Talker of robot0 failed: no"};
-        for (int i = 0; i < m_lines; ++i) m_outlet.print(TRUNDLE_INFO, "tick " + std::to_string(tick));
+        for (int i = 0; i < m_lines; ++i) m_outputs.print(TRUNDLE_INFO, "tick " + std::to_string(tick));
         return {};
     }
     Status set(const std::string& property, const PropertyValue& value) override {
-        m_outlet.print(TRUNDLE_INFO, property + " = " + std::to_string(value.numbers.at(0)));
+        m_outputs.print(TRUNDLE_INFO, property + " = " + std::to_string(value.numbers.at(0)));
         return {};
     }
     void stop() override {}
@@ -60,7 +60,7 @@ public:
 private:
     Door& m_door;
     int m_lines;
-    ControllerOutlet m_outlet;
+    ControllerOutputs m_outputs;
 };
 
 int threadCount() { return static_cast<int>(QDir("/proc/self/task").entryList(QDir::Dirs | QDir::NoDotAndDotDot).size()); }
@@ -120,7 +120,7 @@ private Q_SLOTS:
         m_faultAt = m_failAt = m_finishAt = ~0ull;
     }
 
-    void standsBuiltAtTheStart() {
+    void isBuiltAtStart() {
         LiveRun run(maker(), fast());
         EVENTUALLY_EQUAL(run.phase(), LivePhase::Paused);
         QCOMPARE(tickOf(run), 0u);
@@ -146,21 +146,21 @@ private Q_SLOTS:
         QVERIFY(run.waitUntilGone(10s));
     }
 
-    void goesOnPastItsDuration() {
+    void resumesPastDuration() {
         m_duration = 2;
         LiveRun::Options options = fast();
-        options.startsRunning = options.goesOn = true;
+        options.startsRunning = options.canContinue = true;
         options.logFolder = m_folder.filePath("goes_on").toStdString();
         LiveRun run(maker(), options);
         EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
-        QVERIFY(run.end()->goesOn && !run.end()->failure && !run.gone());
+        QVERIFY(run.end()->canContinue && !run.end()->failure && !run.gone());
         QCOMPARE(tickOf(run), 200u);
         const auto rows = [this] {
             QFile log(m_folder.filePath("goes_on/path.csv"));
             return log.open(QIODevice::ReadOnly) ? log.readAll().count('\n') : -1;
         };
         QCOMPARE(rows(), 202); // all there is so far can be read
-        run.wantContacts(true); // what stands is shown once more, and is at its end as before
+        run.setContactsEnabled(true); // what stands is shown once more, and is at its end as before
         EVENTUALLY(run.snapshot()->contacts != nullptr);
         QCOMPARE(run.phase(), LivePhase::Ended);
         run.step();
@@ -171,7 +171,7 @@ private Q_SLOTS:
         EVENTUALLY(tickOf(run) > 400); // without limit
         run.stop();
         QVERIFY(run.waitUntilGone(10s));
-        QVERIFY(run.end() && !run.end()->goesOn);
+        QVERIFY(run.end() && !run.end()->canContinue);
         QCOMPARE(rows(), int(tickOf(run)) + 2); // one log of it all
     }
 
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QCOMPARE(run.phase(), LivePhase::Paused);
     }
 
-    void pausesAndGoesOn() {
+    void pausesAndResumes() {
         LiveRun run(maker(), fast());
         run.run();
         EVENTUALLY(tickOf(run) > 10);
@@ -243,7 +243,7 @@ private Q_SLOTS:
         QCOMPARE(commands[2].tick, 2u);
     }
 
-    void aHeldControllerHasNoTurn() {
+    void heldControllerIsSkipped() {
         m_lines = 1;
         LiveRun run(maker(), fast());
         run.step();
@@ -288,19 +288,19 @@ private Q_SLOTS:
         QVERIFY(run.takeLines().lines.empty());
     }
 
-    void contactsComeWhenTheyAreWanted() {
+    void publishesContactsWhenEnabled() {
         LiveRun run(maker(), fast());
         run.step();
         EVENTUALLY_EQUAL(tickOf(run), 1u);
         QVERIFY(!run.snapshot()->contacts);
         QCOMPARE(run.snapshot()->contactCount, 1u);
-        run.wantContacts(true); // also of the tick that is over
+        run.setContactsEnabled(true); // also of the tick that is over
         EVENTUALLY(run.snapshot()->contacts);
         QCOMPARE(tickOf(run), 1u);
         QCOMPARE(run.snapshot()->contacts->at(0).second, std::string("arena/north"));
     }
 
-    void aBlownUpWorldSaysWhatAndWhen() {
+    void reportsBlowUpWithTime() {
         m_faultAt = 7;
         LiveRun::Options options = fast();
         options.startsRunning = true;
@@ -342,7 +342,7 @@ private Q_SLOTS:
         QCOMPARE(tickOf(run), 4u);
     }
 
-    void whatCannotBeBuiltEndsWithItsProblems() {
+    void buildFailureReportsProblems() {
         LiveRun run(
             [](RunOptions, Diagnostics& problems) -> std::unique_ptr<Runner> {
                 problems.warning(Code::ModuleDescriptionStale, {}, "old");
@@ -357,14 +357,14 @@ private Q_SLOTS:
         QVERIFY(!run.snapshot());
     }
 
-    void whatIsThrownBecomesAnEnd() {
+    void exceptionEndsRun() {
         LiveRun run([](RunOptions, Diagnostics&) -> std::unique_ptr<Runner> { throw std::runtime_error("out of luck"); }, fast());
         EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
         QVERIFY(run.end()->failure->message.find("out of luck") != std::string::npos);
         QVERIFY(run.waitUntilGone(10s));
     }
 
-    void nobodyWaitsForAControllerThatDoesNotComeBack() {
+    void doesNotWaitForUnresponsiveController() {
         m_door.set(false);
         const int threads = threadCount();
         LiveRun::Options options = fast();
@@ -378,13 +378,13 @@ private Q_SLOTS:
 
         // The next run does not write over its logs.
         options.after = run.get();
-        options.patience = 1ms;
+        options.timeout = 1ms;
         options.startsRunning = false;
         LiveRun next(maker(), options);
         EVENTUALLY_EQUAL(next.phase(), LivePhase::Paused);
         QVERIFY(next.takeLines().lines.at(0).text.find("writes no logs") != std::string::npos);
 
-        run.reset(); // comes back at once
+        run.reset(); // returns at once
         QCOMPARE(m_door.waiting.load(), 1);
         m_door.set(true);
         next.stop();
@@ -401,7 +401,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_door.waiting.load(), 1);
         first.stop();
         options.after = &first;
-        options.patience = 60s;
+        options.timeout = 60s;
         options.startsRunning = false;
         LiveRun second(maker(), options);
         QCOMPARE(second.phase(), LivePhase::Building);
@@ -411,21 +411,21 @@ private Q_SLOTS:
         QVERIFY(second.takeLines().lines.empty());
     }
 
-    void tellsOfEveryChange() {
-        std::atomic<int> told = 0;
+    void notifiesEveryChange() {
+        std::atomic<int> reported = 0;
         LiveRun::Options options = fast();
-        options.changed = [&told] { ++told; };
+        options.changed = [&reported] { ++reported; };
         LiveRun run(maker(), options);
-        EVENTUALLY_EQUAL(told.load(), 1); // built
+        EVENTUALLY_EQUAL(reported.load(), 1); // built
         run.step();
-        EVENTUALLY_EQUAL(told.load(), 2);
+        EVENTUALLY_EQUAL(reported.load(), 2);
         run.run();
-        EVENTUALLY_EQUAL(told.load(), 3);
+        EVENTUALLY_EQUAL(reported.load(), 3);
         run.pause();
-        EVENTUALLY_EQUAL(told.load(), 4);
+        EVENTUALLY_EQUAL(reported.load(), 4);
         run.stop();
         QVERIFY(run.waitUntilGone(10s));
-        EVENTUALLY_EQUAL(told.load(), 6); // its end, and that its thread is through
+        EVENTUALLY_EQUAL(reported.load(), 6); // its end, and that its thread is through
     }
 
     void leavesNoThreadAndNoDescriptor() {

@@ -155,7 +155,7 @@ private Q_SLOTS:
                                          "0.250 ms"));
     }
 
-    void whatIsNotInTheRunHasNoValues() {
+    void objectsOutsideRunHaveNoValues() {
         Bench b;
         for (const char* path : {"robot1", "robot0.nothing", "robot0.chassis.nothing", "robot0.motor.x", "RobotConfig.Rover.motor",
                                  "."})

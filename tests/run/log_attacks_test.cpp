@@ -33,12 +33,12 @@ bool write(const std::string& path, const QByteArray& text) {
 }
 
 /// A foreign project, and files of the user beside it.
-struct Desk {
+struct LogFixture {
     QTemporaryDir folder;
     std::string root = fs::canonical(folder.path().toStdString()).string();
     std::string project = root + "/project", logs = project + "/logs", own = logs + "/attack", outside = root + "/outside";
 
-    Desk() {
+    LogFixture() {
         fs::create_directories(own);
         fs::create_directories(outside + "/folder");
         write(outside + "/precious.csv", "precious");
@@ -68,7 +68,7 @@ struct Attack {
     const char* name;
     Outcome outcome;
     std::string file; ///< what the log is called
-    std::function<void(const Desk&)> prepare;
+    std::function<void(const LogFixture&)> prepare;
     const char* says = ""; ///< words of the refusal
 };
 
@@ -83,62 +83,64 @@ void makeSocket(const std::string& path) {
 
 const std::vector<Attack>& attacks() {
     using enum Outcome;
-    const auto nothing = [](const Desk&) {};
+    const auto nothing = [](const LogFixture&) {};
     static const std::vector<Attack> all{
-        {"logs is a link", Refused, "precious.csv", [](const Desk& d) { d.replaceByLink(d.logs, d.outside); }, "symbolic link"},
-        {"the experiment's folder is a link", Refused, "precious.csv", [](const Desk& d) { d.replaceByLink(d.own, d.outside); },
+        {"logs is a link", Refused, "precious.csv", [](const LogFixture& d) { d.replaceByLink(d.logs, d.outside); },
          "symbolic link"},
+        {"the experiment's folder is a link", Refused, "precious.csv",
+         [](const LogFixture& d) { d.replaceByLink(d.own, d.outside); }, "symbolic link"},
         {"a folder below it is a link", Refused, "way/precious.csv",
-         [](const Desk& d) { d.replaceByLink(d.own + "/way", d.outside); }, "symbolic link"},
+         [](const LogFixture& d) { d.replaceByLink(d.own + "/way", d.outside); }, "symbolic link"},
         {"the folder of pictures is a link", Refused, "eye/frames/eye_000000.png",
-         [](const Desk& d) {
+         [](const LogFixture& d) {
              fs::create_directories(d.own + "/eye");
              d.replaceByLink(d.own + "/eye/frames", d.outside + "/folder");
          },
          "symbolic link"},
         {"the log file is a link", Refused, "x.csv",
-         [](const Desk& d) { d.replaceByLink(d.own + "/x.csv", d.outside + "/precious.csv"); }, "symbolic link"},
-        {"logs is a link to nothing yet", Refused, "x.csv", [](const Desk& d) { d.replaceByLink(d.logs, d.outside + "/new"); },
-         "symbolic link"},
+         [](const LogFixture& d) { d.replaceByLink(d.own + "/x.csv", d.outside + "/precious.csv"); }, "symbolic link"},
+        {"logs is a link to nothing yet", Refused, "x.csv",
+         [](const LogFixture& d) { d.replaceByLink(d.logs, d.outside + "/new"); }, "symbolic link"},
         {"the experiment's folder is a link to nothing yet", Refused, "x.csv",
-         [](const Desk& d) { d.replaceByLink(d.own, d.outside + "/new"); }, "symbolic link"},
+         [](const LogFixture& d) { d.replaceByLink(d.own, d.outside + "/new"); }, "symbolic link"},
         {"the log file is a link to nothing yet", Refused, "x.csv",
-         [](const Desk& d) { d.replaceByLink(d.own + "/x.csv", d.outside + "/new.csv"); }, "symbolic link"},
-        {"a relative link", Refused, "precious.csv", [](const Desk& d) { d.replaceByLink(d.logs, "../outside"); },
+         [](const LogFixture& d) { d.replaceByLink(d.own + "/x.csv", d.outside + "/new.csv"); }, "symbolic link"},
+        {"a relative link", Refused, "precious.csv", [](const LogFixture& d) { d.replaceByLink(d.logs, "../outside"); },
          "symbolic link"},
         {"a link to a link", Refused, "precious.csv",
-         [](const Desk& d) {
+         [](const LogFixture& d) {
              fs::create_symlink(d.outside, d.project + "/way");
              d.replaceByLink(d.logs, "way");
          },
          "symbolic link"},
-        {"a link that leads back to itself", Refused, "x.csv", [](const Desk& d) { d.replaceByLink(d.logs, "logs"); },
+        {"a link that leads back to itself", Refused, "x.csv", [](const LogFixture& d) { d.replaceByLink(d.logs, "logs"); },
          "symbolic link"},
-        {"a link into the project itself", Refused, "attack.sim", [](const Desk& d) { d.replaceByLink(d.own, "../.."); },
+        {"a link into the project itself", Refused, "attack.sim", [](const LogFixture& d) { d.replaceByLink(d.own, "../.."); },
          "symbolic link"},
-        {"a link of the system", Refused, "x.csv", [](const Desk& d) { d.replaceByLink(d.own, "/proc/self/cwd"); },
+        {"a link of the system", Refused, "x.csv", [](const LogFixture& d) { d.replaceByLink(d.own, "/proc/self/cwd"); },
          "symbolic link"},
-        {"a link to a device", Refused, "x.csv", [](const Desk& d) { d.replaceByLink(d.own + "/x.csv", "/dev/null"); },
+        {"a link to a device", Refused, "x.csv", [](const LogFixture& d) { d.replaceByLink(d.own + "/x.csv", "/dev/null"); },
          "symbolic link"},
         {"logs is a file", Refused, "x.csv",
-         [](const Desk& d) {
+         [](const LogFixture& d) {
              fs::remove_all(d.logs);
              write(d.logs, "a file");
          },
          "not a folder"},
         {"the experiment's folder is a file", Refused, "x.csv",
-         [](const Desk& d) {
+         [](const LogFixture& d) {
              fs::remove_all(d.own);
              write(d.own, "a file");
          },
          "not a folder"},
-        {"the log file is a folder", Refused, "x.csv", [](const Desk& d) { fs::create_directories(d.own + "/x.csv"); },
+        {"the log file is a folder", Refused, "x.csv", [](const LogFixture& d) { fs::create_directories(d.own + "/x.csv"); },
          "it is a folder"},
         {"the log file is a pipe", Refused, "x.csv",
-         [](const Desk& d) { QCOMPARE(::mkfifo((d.own + "/x.csv").c_str(), 0666), 0); }, "it is a pipe"},
-        {"the log file is a socket", Refused, "x.csv", [](const Desk& d) { makeSocket(d.own + "/x.csv"); }, "it is a socket"},
+         [](const LogFixture& d) { QCOMPARE(::mkfifo((d.own + "/x.csv").c_str(), 0666), 0); }, "it is a pipe"},
+        {"the log file is a socket", Refused, "x.csv", [](const LogFixture& d) { makeSocket(d.own + "/x.csv"); },
+         "it is a socket"},
         {"the log file is a hard link to one outside", Inside, "x.csv",
-         [](const Desk& d) { fs::create_hard_link(d.outside + "/precious.csv", d.own + "/x.csv"); }},
+         [](const LogFixture& d) { fs::create_hard_link(d.outside + "/precious.csv", d.own + "/x.csv"); }},
         {"two dots", Refused, "../../../outside/precious.csv", nothing, "leaves the log folder"},
         {"two dots behind a folder", Refused, "a/../../../../outside/precious.csv", nothing, "leaves the log folder"},
         {"two dots with backslashes", Refused, "..\\..\\..\\outside\\precious.csv", nothing, "leaves the log folder"},
@@ -167,12 +169,12 @@ private Q_SLOTS:
     void nothingOutsideIsTouched() {
         QFETCH(int, row);
         const Attack& attack = attacks()[std::size_t(row)];
-        const Desk desk;
-        attack.prepare(desk);
-        const auto before = desk.state();
-        const QByteArray text = contentOf(desk.project + "/attack.sim");
+        const LogFixture cameraCapture;
+        attack.prepare(cameraCapture);
+        const auto before = cameraCapture.state();
+        const QByteArray text = contentOf(cameraCapture.project + "/attack.sim");
         {
-            LogFolder logs(desk.location());
+            LogFolder logs(cameraCapture.location());
             const Result<LogFile*> file = logs.create(attack.file);
             QCOMPARE(file.ok(), attack.outcome == Outcome::Inside);
             if (file) file.value()->write("a log");
@@ -185,46 +187,46 @@ private Q_SLOTS:
             logs.settle();
             if (file) logs.remove(*file.value());
         }
-        QCOMPARE(desk.state(), before);
-        QCOMPARE(contentOf(desk.project + "/attack.sim"), text);
+        QCOMPARE(cameraCapture.state(), before);
+        QCOMPARE(contentOf(cameraCapture.project + "/attack.sim"), text);
         QVERIFY(!fs::exists("/etc/trundle-attack.csv"));
     }
 
     // The folder was right when the first log was opened, and is exchanged while the run goes on.
     void aFolderThatIsExchangedLater() {
-        const Desk desk;
-        LogFolder logs(desk.location());
+        const LogFixture cameraCapture;
+        LogFolder logs(cameraCapture.location());
         LogFile* const first = logs.create("folder/x.csv").value();
         QVERIFY(logs.create("precious.csv").ok());
         for (const auto& each : logs.files()) QVERIFY(each->close().ok());
-        const auto before = desk.state();
+        const auto before = cameraCapture.state();
         for (const bool all : {false, true}) {
-            desk.replaceByLink(all ? desk.logs : desk.own, desk.outside);
+            cameraCapture.replaceByLink(all ? cameraCapture.logs : cameraCapture.own, cameraCapture.outside);
             logs.remove(*first); // half a picture
             logs.settle();
             QVERIFY(!logs.create(all ? "b.csv" : "a.csv").ok());
-            QCOMPARE(desk.state(), before);
-            if (!all) fs::remove(desk.own);
+            QCOMPARE(cameraCapture.state(), before);
+            if (!all) fs::remove(cameraCapture.own);
         }
     }
 
     // The list of an earlier run, as it comes with the project: lies in it remove nothing outside, and nothing that is a link.
     void aHostileListOfLogs() {
-        const Desk desk;
-        fs::create_symlink(desk.outside + "/precious.csv", desk.own + "/way.csv");
-        QVERIFY(write(desk.own + "/.trundle-logs",
+        const LogFixture cameraCapture;
+        fs::create_symlink(cameraCapture.outside + "/precious.csv", cameraCapture.own + "/way.csv");
+        QVERIFY(write(cameraCapture.own + "/.trundle-logs",
                       "logs of the last run, removed by the next\n../../attack.sim\n/etc/hostname\nway.csv\n"
                       "../../../outside/precious.csv\n"));
-        const auto before = desk.state();
-        LogFolder(desk.location()).settle();
-        QCOMPARE(desk.state(), before);
-        QVERIFY(fs::is_symlink(desk.own + "/way.csv"));
-        QVERIFY(fs::exists(desk.project + "/attack.sim"));
-        desk.replaceByLink(desk.own + "/.trundle-logs", desk.outside + "/precious.csv");
-        LogFolder logs(desk.location());
+        const auto before = cameraCapture.state();
+        LogFolder(cameraCapture.location()).settle();
+        QCOMPARE(cameraCapture.state(), before);
+        QVERIFY(fs::is_symlink(cameraCapture.own + "/way.csv"));
+        QVERIFY(fs::exists(cameraCapture.project + "/attack.sim"));
+        cameraCapture.replaceByLink(cameraCapture.own + "/.trundle-logs", cameraCapture.outside + "/precious.csv");
+        LogFolder logs(cameraCapture.location());
         QVERIFY(logs.create("x.csv").ok());
         logs.settle();
-        QCOMPARE(desk.state(), before);
+        QCOMPARE(cameraCapture.state(), before);
     }
 
     // A folder and a link to one outside change places all the time: no moment between looking and opening is of use.
@@ -234,16 +236,16 @@ private Q_SLOTS:
     }
     void aRaceIsNotWon() {
         QFETCH(int, level);
-        const Desk desk;
-        fs::create_directories(desk.own + "/sub");
-        fs::create_directories(desk.outside + "/attack/sub");
-        const std::string place = level == 0 ? desk.logs : level == 1 ? desk.own : desk.own + "/sub";
-        const std::string link = desk.project + "/link";
-        fs::create_symlink(level == 0   ? desk.outside
-                           : level == 1 ? desk.outside + "/attack"
-                                        : desk.outside + "/attack/sub",
+        const LogFixture cameraCapture;
+        fs::create_directories(cameraCapture.own + "/sub");
+        fs::create_directories(cameraCapture.outside + "/attack/sub");
+        const std::string place = level == 0 ? cameraCapture.logs : level == 1 ? cameraCapture.own : cameraCapture.own + "/sub";
+        const std::string link = cameraCapture.project + "/link";
+        fs::create_symlink(level == 0   ? cameraCapture.outside
+                           : level == 1 ? cameraCapture.outside + "/attack"
+                                        : cameraCapture.outside + "/attack/sub",
                            link);
-        const auto before = desk.state();
+        const auto before = cameraCapture.state();
         std::atomic<bool> done{false};
         std::atomic<long> exchanges{0};
         std::thread other([&] {
@@ -252,7 +254,7 @@ private Q_SLOTS:
         });
         int written = 0, refused = 0;
         for (int round = 0; round < 100000 && (round < 3000 || written < 200 || refused < 200 || exchanges < 200); ++round) {
-            LogFolder logs(desk.location());
+            LogFolder logs(cameraCapture.location());
             const Result<LogFile*> file = logs.create("sub/x.csv");
             (file ? written : refused)++;
             if (file) file.value()->write("a log");
@@ -260,12 +262,12 @@ private Q_SLOTS:
         done = true;
         other.join();
         QVERIFY2(written >= 200 && refused >= 200, "both were met");
-        QCOMPARE(desk.state(), before);
+        QCOMPARE(cameraCapture.state(), before);
     }
 
     void twoLogsOfOneFile() {
-        const Desk desk;
-        LogFolder logs(desk.location());
+        const LogFixture cameraCapture;
+        LogFolder logs(cameraCapture.location());
         QVERIFY(logs.create("a/x.csv").ok());
         for (const char* name : {"a/x.csv", "a//./x.csv", "a\\x.csv", "a", "a/x.csv/y.csv"})
             QVERIFY2(!logs.create(name).ok(), name);
@@ -273,18 +275,18 @@ private Q_SLOTS:
 
     // Who names a folder means it, wherever it leads.
     void aFolderThatIsNamedMayBeALink() {
-        const Desk desk;
-        const std::string link = desk.root + "/results";
-        fs::create_symlink(desk.outside, link);
+        const LogFixture cameraCapture;
+        const std::string link = cameraCapture.root + "/results";
+        fs::create_symlink(cameraCapture.outside, link);
         for (const std::string& named : {link, link + "/new/deep"}) {
             LogFolder logs{LogLocation(named)};
             LogFile* const file = logs.create("log.csv").value();
             file->write("a log");
             QVERIFY(file->close().ok());
         }
-        QCOMPARE(contentOf(desk.outside + "/log.csv"), QByteArray("a log"));
-        QCOMPARE(contentOf(desk.outside + "/new/deep/log.csv"), QByteArray("a log"));
-        fs::create_symlink(desk.project, desk.outside + "/way"); // below it a link is refused as ever
+        QCOMPARE(contentOf(cameraCapture.outside + "/log.csv"), QByteArray("a log"));
+        QCOMPARE(contentOf(cameraCapture.outside + "/new/deep/log.csv"), QByteArray("a log"));
+        fs::create_symlink(cameraCapture.project, cameraCapture.outside + "/way"); // below it a link is refused as ever
         QVERIFY(!LogFolder(LogLocation(link)).create("way/x.csv").ok());
     }
 

@@ -25,11 +25,11 @@ private Q_SLOTS:
     void oneRunReplacesItsOwnFilesOnly();
     void twoWritersOfOneFileAreRefused();
     void linksAreNotFollowed();
-    void aHardLinkElsewhereKeepsItsContent();
-    void whatIsNoFileIsNotReplaced();
+    void keepsContentOfHardLink();
+    void keepsNonFiles();
     void largeTextsPassThroughTheBuffer();
-    void aFullDiskIsToldOnceAndKept();
-    void whatTheLastRunLeftIsRemoved();
+    void reportsFullDiskOnce();
+    void removesLogsOfLastRun();
     void aHostileListRemovesNothingElse();
 };
 
@@ -96,7 +96,7 @@ void LogFolderTest::linksAreNotFollowed() {
     QVERIFY(QDir(m_outer.filePath("outside")).isEmpty());
 }
 
-void LogFolderTest::aHardLinkElsewhereKeepsItsContent() {
+void LogFolderTest::keepsContentOfHardLink() {
     QVERIFY(QDir(m_outer.path()).mkpath("logs"));
     QFile precious(m_outer.filePath("precious"));
     QVERIFY(precious.open(QIODevice::WriteOnly));
@@ -110,7 +110,7 @@ void LogFolderTest::aHardLinkElsewhereKeepsItsContent() {
     QCOMPARE(contentOf(m_outer.filePath("precious")), QByteArray("precious"));
 }
 
-void LogFolderTest::whatIsNoFileIsNotReplaced() {
+void LogFolderTest::keepsNonFiles() {
     QVERIFY(QDir(m_outer.path()).mkpath("logs/x.csv"));
     LogFolder logs(folder());
     QVERIFY(!logs.create("x.csv").ok());
@@ -133,7 +133,7 @@ void LogFolderTest::largeTextsPassThroughTheBuffer() {
     QCOMPARE(contentOf(m_outer.filePath("logs/big.csv")), expected);
 }
 
-void LogFolderTest::aFullDiskIsToldOnceAndKept() {
+void LogFolderTest::reportsFullDiskOnce() {
     std::FILE* full = std::fopen("/dev/full", "wb");
     if (!full) QSKIP("no /dev/full here");
     std::setvbuf(full, nullptr, _IONBF, 0);
@@ -146,7 +146,7 @@ void LogFolderTest::aFullDiskIsToldOnceAndKept() {
     QVERIFY(!file.close().ok());
 }
 
-void LogFolderTest::whatTheLastRunLeftIsRemoved() {
+void LogFolderTest::removesLogsOfLastRun() {
     for (const QStringList& names : {QStringList{"a.csv", "b.csv"}, QStringList{"b.csv", "c.csv"}}) {
         LogFolder logs(folder());
         for (const QString& name : names) QVERIFY(logs.create(name.toStdString()).ok());

@@ -36,7 +36,7 @@ private Q_SLOTS:
         QVERIFY(csv.find("swarm_x") == std::string::npos);
         QVERIFY(csv.find("other") == std::string::npos);
     }
-    void anUnknownRobotIsToldWithThoseThatAre() {
+    void unknownRobotListsExisting() {
         FakeWorld world(experimentOf({"robot0", "robot1"}));
         QCOMPARE(csvOf(world, logSpec("PoseLog", "path", {{"Robot", textValue({"robbot0"})}})),
                  std::string("no robot is called 'robbot0'; there is robot0, robot1"));
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QCOMPARE(diagnostics.all()[1].code, Code::UnknownReference);
         QCOMPARE(diagnostics.all()[2].code, Code::DuplicateName);
     }
-    void theKindsStandAtTheTopLevelUnderTheirNames() {
+    void logKindsAreTopLevel() {
         Registry registry;
         QVERIFY(addLogKinds(registry).ok());
         for (const char* name : {"PoseLog", "SignalLog", "ContactLog", "EnergyLog"}) {

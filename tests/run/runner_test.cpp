@@ -19,19 +19,19 @@ public:
     std::vector<double>* gaps;
     std::uint64_t failAt = ~0ull, finishAt = ~0ull;
     bool failStart = false;
-    ControllerOutlet outlet;
+    ControllerOutputs outputs;
 
-    Status start(const SignalLayout&, SignalBlock&, ControllerOutlet given) override {
-        outlet = std::move(given);
+    Status start(const SignalLayout&, SignalBlock&, ControllerOutputs given) override {
+        outputs = std::move(given);
         if (failStart) return Error{Code::UnknownPort, "there is no port arm"};
         return {};
     }
     Status tick(std::uint64_t tick, double time, double sinceLast) override {
         if (tick == failAt) return Error{Code::ControllerFailed, "brain failed"};
-        if (tick >= finishAt) outlet.finish("reached " + std::to_string(tick));
+        if (tick >= finishAt) outputs.finish("reached " + std::to_string(tick));
         *story += "think ";
         gaps->push_back(sinceLast);
-        outlet.print(TRUNDLE_INFO, "t=" + std::to_string(time));
+        outputs.print(TRUNDLE_INFO, "t=" + std::to_string(time));
         return {};
     }
     Status set(const std::string& property, const PropertyValue&) override {
@@ -100,22 +100,22 @@ private Q_SLOTS:
 
     void commandsThenThinkThenStep();
     void aControllerIsCalledAtItsPeriod();
-    void commandsAreStampedAndKept();
-    void aBadCommandIsToldAndTheRunGoesOn();
+    void stampsAndStoresCommands();
+    void reportsBadCommandAndContinues();
     void aSignalCommandReachesItsSlotOnly();
     void aFailedControllerEndsTheRun();
     void theFirstFinishEndsTheRunAfterItsTick();
     void aTickThatFailsFinishesNothing();
     void aFailedStartIsADiagnostic();
-    void aBlownUpWorldEndsTheRunAndKeepsTheLogs();
-    void aClusterTooBigForTheExactSolverIsToldOnce();
-    void aFolderThatCannotBeWrittenIsSaidOnce();
+    void blowUpEndsRunAndKeepsLogs();
+    void reportsLargeClusterOnce();
+    void reportsUnwritableFolderOnce();
     void logsHaveTheInitialStateAndEveryInterval();
     void noLogFolderMeansNoLogs();
-    void aControllersLogStandsInTheLogFolder();
+    void controllerLogIsInLogFolder();
     void aLogThatFailedIsNotNamed();
     void aControllersLogCannotLeaveTheLogFolder();
-    void aTalkativeControllerIsCutShort();
+    void limitsConsoleOutput();
 };
 
 void RunnerTest::commandsThenThinkThenStep() {
@@ -140,7 +140,7 @@ void RunnerTest::aControllerIsCalledAtItsPeriod() {
     QVERIFY(qAbs(m_gaps[2] - 0.02) < 1e-12);
 }
 
-void RunnerTest::commandsAreStampedAndKept() {
+void RunnerTest::stampsAndStoresCommands() {
     build();
     QVERIFY(m_runner->tick().ok());
     QVERIFY(m_runner->tick().ok());
@@ -153,7 +153,7 @@ void RunnerTest::commandsAreStampedAndKept() {
     QCOMPARE(m_runner->commands()[0].tick, std::uint64_t(2));
 }
 
-void RunnerTest::aBadCommandIsToldAndTheRunGoesOn() {
+void RunnerTest::reportsBadCommandAndContinues() {
     build();
     m_runner->command(PushCommand{"nobody"});
     m_runner->command(SignalCommand{"robot0/base/linearVelocty", 1});
@@ -224,7 +224,7 @@ void RunnerTest::aFailedStartIsADiagnostic() {
     QCOMPARE(m_diagnostics.all()[0].code, Code::UnknownPort);
 }
 
-void RunnerTest::aBlownUpWorldEndsTheRunAndKeepsTheLogs() {
+void RunnerTest::blowUpEndsRunAndKeepsLogs() {
     m_experiment->logs = {logSpec("PoseLog", "path", {{"Robot", textValue({"robot0"})}})};
     build();
     m_world->faultAt = 1;
@@ -235,7 +235,7 @@ void RunnerTest::aBlownUpWorldEndsTheRunAndKeepsTheLogs() {
     QCOMPARE(log("path.csv").count('\n'), 3);
 }
 
-void RunnerTest::aClusterTooBigForTheExactSolverIsToldOnce() {
+void RunnerTest::reportsLargeClusterOnce() {
     m_experiment->settings.solver = SolverChoice::Exact;
     m_experiment->settings.solverRange = {0, {7, 12}};
     build();
@@ -254,7 +254,7 @@ void RunnerTest::aClusterTooBigForTheExactSolverIsToldOnce() {
     QCOMPARE(QString::fromStdString(said.fixes.at(0).title), QString("auto"));
 }
 
-void RunnerTest::aFolderThatCannotBeWrittenIsSaidOnce() {
+void RunnerTest::reportsUnwritableFolderOnce() {
     m_experiment->logs = {logSpec("PoseLog", "a", {}), logSpec("EnergyLog", "b", {}), logSpec("ContactLog", "c", {})};
     QFile file(m_folder.filePath("taken"));
     QVERIFY(file.open(QIODevice::WriteOnly));
@@ -289,15 +289,15 @@ void RunnerTest::noLogFolderMeansNoLogs() {
     QVERIFY(m_runner->logFiles().empty());
 }
 
-void RunnerTest::aControllersLogStandsInTheLogFolder() {
+void RunnerTest::controllerLogIsInLogFolder() {
     giveController();
     build();
-    const int id = m_backend->outlet.openLog("mine.txt");
+    const int id = m_backend->outputs.openLog("mine.txt");
     QVERIFY(id >= 0);
-    m_backend->outlet.writeLog(id, "hello\n");
-    m_backend->outlet.writeLog(id + 1, "nowhere\n");
-    m_backend->outlet.writeLog(-1, "nowhere\n");
-    QVERIFY(m_backend->outlet.openLog("sub/mine.txt") >= 0);
+    m_backend->outputs.writeLog(id, "hello\n");
+    m_backend->outputs.writeLog(id + 1, "nowhere\n");
+    m_backend->outputs.writeLog(-1, "nowhere\n");
+    QVERIFY(m_backend->outputs.openLog("sub/mine.txt") >= 0);
     QVERIFY(m_runner->finish().ok());
     QCOMPARE(log("mine.txt"), QByteArray("hello\n"));
 }
@@ -306,11 +306,11 @@ void RunnerTest::aLogThatFailedIsNotNamed() {
 #ifdef Q_OS_UNIX
     giveController();
     build();
-    const int id = m_backend->outlet.openLog("mine.txt");
-    m_backend->outlet.writeLog(id, "hello\n");
+    const int id = m_backend->outputs.openLog("mine.txt");
+    m_backend->outputs.writeLog(id, "hello\n");
     rlimit before{};
     QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
-    const rlimit none{0, before.rlim_max}; // a full disk, as far as the file can tell
+    const rlimit none{0, before.rlim_max}; // a full disk, as far as the file can determine
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     QCOMPARE(setrlimit(RLIMIT_FSIZE, &none), 0);
     const bool done = m_runner->finish().ok();
@@ -324,25 +324,25 @@ void RunnerTest::aLogThatFailedIsNotNamed() {
 void RunnerTest::aControllersLogCannotLeaveTheLogFolder() {
     giveController();
     build();
-    QCOMPARE(m_backend->outlet.openLog("../mine.txt"), -1);
+    QCOMPARE(m_backend->outputs.openLog("../mine.txt"), -1);
     QVERIFY(!QFileInfo::exists(m_folder.filePath("mine.txt")));
     QCOMPARE(m_console.size(), std::size_t(1));
 }
 
-void RunnerTest::aTalkativeControllerIsCutShort() {
+void RunnerTest::limitsConsoleOutput() {
     giveController();
     build();
     for (int i = 0; i < 100; ++i) QVERIFY(m_runner->tick().ok()); // one line each
     m_console.clear();
-    for (int i = 0; i < 1000; ++i) m_backend->outlet.print(TRUNDLE_INFO, "chatter");
+    for (int i = 0; i < 1000; ++i) m_backend->outputs.print(TRUNDLE_INFO, "chatter");
     QCOMPARE(m_console.size(), std::size_t(100));
     m_console.clear();
-    m_backend->outlet.print(TRUNDLE_INFO, "a\nb\nc\n");
+    m_backend->outputs.print(TRUNDLE_INFO, "a\nb\nc\n");
     for (int i = 0; i < 99; ++i) QVERIFY(m_runner->tick().ok());
     QVERIFY(m_runner->tick().ok());
     QCOMPARE(m_console.size(), std::size_t(100)); // 99 turns, the first turn's line is dropped too
     QCOMPARE(m_console.back(), std::string("[2 robot0] E506: \u2026 904 lines dropped"));
-    m_backend->outlet.print(TRUNDLE_INFO, QByteArray("x\n").repeated(101).toStdString());
+    m_backend->outputs.print(TRUNDLE_INFO, QByteArray("x\n").repeated(101).toStdString());
     QCOMPARE(m_console.back().size(), std::string("[2 robot0] ").size() + 200);
     QVERIFY(m_runner->finish().ok());
     QCOMPARE(m_console.back(), std::string("[2 robot0] E506: \u2026 1 line dropped"));

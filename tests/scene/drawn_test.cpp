@@ -56,7 +56,7 @@ CameraView aboveTheCrowd() {
 class DrawnTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void smallThingsHaveFewTriangles_data() {
+    void smallObjectsHaveFewTriangles_data() {
         QTest::addColumn<int>("width");
         QTest::addColumn<unsigned>("most"); // triangles of a robot with its wheels
         QTest::newRow("64") << 64 << 40u;   // two boxes and a ball of eight; wheels less than two pixels large are left out
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QTest::newRow("640") << 640 << 120u;
         QTest::newRow("1920") << 1920 << 400u;
     }
-    void smallThingsHaveFewTriangles() {
+    void smallObjectsHaveFewTriangles() {
         QFETCH(int, width);
         QFETCH(unsigned, most);
         Scene scene(*sampleExperiment({49, 0.7, false, 4}));
@@ -74,7 +74,7 @@ private Q_SLOTS:
     }
 
     /// However far away it is; and a point casts no shadow.
-    void whatIsTooSmallForItsTrianglesIsAPoint() {
+    void drawsTinyObjectsAsPoints() {
         const auto experiment = sampleExperiment({49, 0.7, true, 6});
         Scene scene(*experiment);
         scene.setHidden({"arena"});
@@ -87,7 +87,7 @@ private Q_SLOTS:
             QCOMPARE(far.draws, 49u);
             QCOMPARE(far.triangles, 0u);
         }
-        // Nor is it there where the thing is hidden, and it comes back with it.
+        // Nor is it there where the thing is hidden, and it returns with it.
         scene.makeData(*experiment);
         scene.setHidden({"arena", "robot3"});
         scene.followData();
@@ -107,7 +107,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatWearsManyPicturesCastsOneShadow() {
+    void texturedMeshCastsOneShadow() {
         auto experiment = sampleExperiment({0, 1, true, 4});
         const auto picture = [] {
             auto raster = std::make_shared<Raster>();

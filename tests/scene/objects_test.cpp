@@ -25,7 +25,7 @@ private Q_SLOTS:
             QVERIFY2(!objects.find(path), path);
     }
 
-    void aPartStandsInItsOwner() {
+    void partIsRelativeToOwner() {
         const auto experiment = sampleExperiment({2});
         const ObjectIndex objects(experiment);
         const BodyPoses poses = startPoses(*experiment);
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(objects.find("bad.3"));
     }
 
-    void ghostsAreWhatIsLostButStillWritten() {
+    void ghostsAreBrokenObjects() {
         const auto before = sampleExperiment({3});
         auto now = std::make_shared<ExperimentSpec>(*before);
         now->robots.erase(now->robots.begin() + 1);

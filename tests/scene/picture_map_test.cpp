@@ -38,7 +38,7 @@ private Q_SLOTS:
         }
     }
 
-    void aPictureGoesOnceAroundACylinderWithoutAJump() {
+    void wrapsPictureAroundCylinderWithoutSeam() {
         const ShapeMesh tube = cylinderMesh(1, 2, 24);
         const std::vector<Vector2f> at = pictureCoordinates(tube, PictureMap::Cylinder, 1);
         float least = 9, most = -9;

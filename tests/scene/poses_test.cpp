@@ -39,7 +39,7 @@ void write(SignalBlock& block, const SignalLayout& layout, const char* path, std
 class PosesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void bodiesStandWhereTheTextPutsThem() {
+    void bodiesStartAtTextPoses() {
         const BodyPoses poses = startPoses(twoRobots());
         QCOMPARE(poses.size(), std::size_t(4));
         QVERIFY((poses[0].position - Vec3(5, 0, 0)).norm() < 1e-12);
@@ -47,7 +47,7 @@ private Q_SLOTS:
         QVERIFY((poses[3].position - Vec3(-4, 0, 0.2)).norm() < 1e-12);
     }
 
-    void posesComeFromTheBlock() {
+    void readsPosesFromSignalBlock() {
         const ExperimentSpec experiment = twoRobots();
         const SignalLayout layout = layoutFor({"a/chassis/pose", "a/arm/pose", "b/chassis/pose", "b/arm/pose"});
         SignalBlock block(layout);
@@ -65,7 +65,7 @@ private Q_SLOTS:
         QCOMPARE(poses[3].position.z(), -3.0);
     }
 
-    void whatIsNoPoseChangesNothing() {
+    void ignoresInvalidPoses() {
         const ExperimentSpec experiment = twoRobots();
         const SignalLayout layout = layoutFor({"a/chassis/pose", "a/arm/pose"});
         SignalBlock block(layout);

@@ -53,7 +53,7 @@ private Q_SLOTS:
         QVERIFY(lots.drawings > 999 * 3);
     }
 
-    void onlyWhatIsDrawnOtherwiseIsMadeAnew() {
+    void rebuildsOnlyChangedNodes() {
         auto experiment = sampleExperiment({2});
         auto other = std::make_shared<RobotConfigSpec>(*experiment->robots[1].config);
         experiment->robots[1].config = other;
@@ -76,7 +76,7 @@ private Q_SLOTS:
         QCOMPARE(store->made(), made + 1); // the body with the red bumper
     }
 
-    void whatNoSceneShowsIsForgotten() {
+    void releasesUnusedPictures() {
         auto store = std::make_shared<ShapeStore>();
         auto scene = std::make_unique<Scene>(*sampleExperiment({2}), store);
         store->forgetUnused();
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QVERIFY(scene.bounds().size().allFinite());
     }
 
-    void whatIsInvisibleOrBrokenIsLeftOut() {
+    void omitsInvisibleAndBroken() {
         auto experiment = sampleExperiment({1});
         auto geoms = *experiment->statics[0].geoms;
         geoms[1].visible = false;
@@ -165,7 +165,7 @@ private Q_SLOTS:
         }
     }
 
-    void aRobotIsNotLostInALargeHall() {
+    void robotStaysVisibleInLargeHall() {
         const auto experiment = sampleExperiment({1, 0.7, true, 400});
         const CameraView view = defaultView(*experiment, startPoses(*experiment), 1280, 720);
         const auto front = project(view, 1280, 720, {0.15, 0, 0.09}), back = project(view, 1280, 720, {-0.15, 0, 0.09});

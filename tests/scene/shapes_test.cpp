@@ -90,12 +90,12 @@ private Q_SLOTS:
         QVERIFY((highest(capsuleMesh(0.3f, 0.8f, 12)) - Vector3f(0.3f, 0.3f, 0.7f)).norm() < 1e-6f);
     }
 
-    void whatCannotBeDrawnIsNothing_data() {
+    void undrawableShapesAreEmpty_data() {
         QTest::addColumn<double>("value");
         for (const double v : {0.0, -1.0, double(NAN), double(INFINITY), 1e30})
             QTest::newRow(qPrintable(QString::number(v))) << v;
     }
-    void whatCannotBeDrawnIsNothing() {
+    void undrawableShapesAreEmpty() {
         QFETCH(double, value);
         for (const GeomShape shape : {GeomShape::Box, GeomShape::Sphere, GeomShape::Cylinder, GeomShape::Capsule}) {
             GeomSpec g = geomOf(shape);
@@ -117,7 +117,7 @@ private Q_SLOTS:
         }
         QCOMPARE(bareShapeOf(geomOf(GeomShape::Box), {12, true}).points.size(), std::size_t(8));
     }
-    void whatIsSmallOnTheScreenHasFewerSegments() {
+    void smallObjectsHaveFewerSegments() {
         const auto segments = [](double radius, double pixelsPerMetre) {
             GeomSpec g = geomOf(GeomShape::Cylinder);
             g.radius = radius;
@@ -155,7 +155,7 @@ private Q_SLOTS:
             if (smooth.points[i].y() == 0) QVERIFY(std::abs(smooth.normals[i].y()) < 1e-5f);
     }
 
-    void aBrokenMeshIsReadWithoutHarm() {
+    void readsBrokenMeshSafely() {
         TriangleMesh mesh;
         mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {NAN, 0, 0}, {1e300, 0, 0}};
         mesh.triangles = {{0, 1, 2}, {0, 0, 1}, {0, 1, 99}, {0, 1, 3}, {0, 2, 4}};
@@ -164,7 +164,7 @@ private Q_SLOTS:
         QVERIFY(smoothedMesh(TriangleMesh{}).indices.empty());
     }
 
-    void aPointWithManyFacesDoesNotTakeForEver() {
+    void handlesPointWithManyFaces() {
         TriangleMesh fan;
         constexpr std::uint32_t kFaces = 200000;
         fan.points.push_back({0, 0, 0});
@@ -173,7 +173,7 @@ private Q_SLOTS:
         QCOMPARE(smoothedMesh(fan).indices.size(), std::size_t(kFaces) * 3);
     }
 
-    void thePicturesTopRowLiesAtPlusY() {
+    void mapsTopRowOfPictureToPlusY() {
         HeightMap map{3, 2, {0, 0.5f, 1, 0, 0, 0}};
         const ShapeMesh mesh = heightfieldMesh(map, {4, 2, 0.5f});
         QCOMPARE(mesh.points.size(), std::size_t(6));

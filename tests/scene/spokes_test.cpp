@@ -80,7 +80,7 @@ private Q_SLOTS:
         QVERIFY((patterns[1][0].axis.cwiseAbs() - Vec3::UnitZ()).norm() < 1e-9); // the cylinder's own axis
     }
 
-    void whatShowsThatItTurnsHasNone() {
+    void addsNoSpokesToVisiblyRotatingShapes() {
         QCOMPARE(geomsWithSpokes(rover({tyre({0.01, 0, 0})})), Geoms{});                            // out of its axis
         QCOMPARE(geomsWithSpokes(rover({tyre(), box({0.02, 0.04, 0.02}, {0.03, 0, 0})})), Geoms{}); // a crank
         QCOMPARE(geomsWithSpokes(rover({tyre(), box({0.02, 0.01, 0.02})})), Geoms{0});              // a motor hidden in the wheel
@@ -157,7 +157,7 @@ private Q_SLOTS:
         }
     }
 
-    void spokesStandOutFromTheTyre_data() {
+    void spokesProtrudeFromTyre_data() {
         QTest::addColumn<double>("red");
         QTest::addColumn<double>("green");
         QTest::addColumn<double>("blue");
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QTest::newRow("yellow") << 0.9 << 0.8 << 0.15;
         QTest::newRow("blue") << 0.15 << 0.35 << 0.7;
     }
-    void spokesStandOutFromTheTyre() {
+    void spokesProtrudeFromTyre() {
         QFETCH(double, red);
         QFETCH(double, green);
         QFETCH(double, blue);

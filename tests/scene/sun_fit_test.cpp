@@ -32,7 +32,7 @@ Vec3 onMap(const SunFit& fit, const Vec3& point) {
 class SunFitTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void whatIsSeenIsOnTheMap() {
+    void mapCoversVisibleObjects() {
         std::mt19937 random(5);
         const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
         int checked = 0;
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(checked > 500);
     }
 
-    void whatCastsItsShadowIntoThePictureCounts() {
+    void includesShadowCastersOutsideView() {
         // High up behind the camera, its shadow in the middle of the picture.
         const Vec3 sun = Vec3(0, -1, 1).normalized();
         const CameraView view = lookingAt({0, -1, 0.5}, {0, 0, 0});
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QVERIFY(one->texel(kPixels) < 0.2 * all->texel(kPixels));
     }
 
-    void itHoldsStillWhileTheViewMovesALittle() {
+    void shadowMapIsStable() {
         const Vec3 sun = Vec3(-0.5, -0.3, 0.8).normalized();
         const std::vector<Bounds> boxes{boxAt({0, 0, 0.5}, 0.5), boxAt({2, 1, 0.5}, 0.5), boxAt({-30, 0, 5}, 5)};
         std::set<double> sizes;

@@ -113,7 +113,7 @@ private Q_SLOTS:
         else QCOMPARE(QString::fromStdString(diagnostics.all()[0].message), said);
     }
 
-    void listsAndWords() {
+    void readsListsAndWords() {
         const Kind kind = kindOf<Thing>("Thing", Role::Device, {});
         Diagnostics d;
         GivenValue two, three, choice;

@@ -1,4 +1,4 @@
-// The flat block: what stands where, and that two blocks of one shape know each other.
+// The flat block: what is where, and that two blocks of one shape know each other.
 #include <QtTest>
 
 #include <cstring>
@@ -31,7 +31,7 @@ private Q_SLOTS:
         QCOMPARE(l.find("b/pose")->offset, 8u);
         QVERIFY(!l.find("b/motor/voltage"));
     }
-    void aRobotsSlotsStandTogether() {
+    void robotSlotsAreContiguous() {
         const SignalLayout l = twoRobots();
         QCOMPARE(l.images().size(), std::size_t{2});
         QCOMPARE(l.images()[0].count, 8u);

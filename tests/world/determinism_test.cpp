@@ -113,11 +113,11 @@ private Q_SLOTS:
         QCOMPARE(withSeed(crowd(2, 0), 1), withSeed(crowd(2, 0), 2));
     }
 
-    /// A robot far away changes not one bit of the others, wherever its name sorts and wherever it stands in the text.
-    void strangerFarAway() {
-        for (const std::string stranger : {"a", "robot1b", "zz"}) {
+    /// A robot far away changes not one bit of the others, wherever its name sorts and wherever it is in the text.
+    void ignoresRobotFarAway() {
+        for (const std::string otherRobot : {"a", "robot1b", "zz"}) {
             Scene few = crowd(3, 0), more = crowd(3, 0);
-            more.robot(stranger, at(50, 50, 0), r0());
+            more.robot(otherRobot, at(50, 50, 0), r0());
             std::rotate(more.spec->robots.begin(), more.spec->robots.end() - 1, more.spec->robots.end());
             auto a = few.build(), b = more.build();
             for (int i = 0; i < 300; ++i) {
@@ -137,7 +137,7 @@ private Q_SLOTS:
     }
 
     /// Looking (contacts, energy, hash) changes nothing.
-    void lookingChangesNothing() {
+    void observingChangesNothing() {
         auto a = crowd(3, 6).build(), b = crowd(3, 6).build();
         for (int i = 0; i < 200; ++i) {
             steer(*a, 3);

@@ -127,8 +127,8 @@ private Q_SLOTS:
         QVERIFY(t.contains("the probe says no"));
     }
 
-    /// Nobody listens yet while the world is built; what is said then is not lost, and comes once.
-    void wordsOfTheSetupReachTheConsole() {
+    /// Nobody listens yet while the world is built; what is reported then is not lost, and comes once.
+    void setupMessagesReachConsole() {
         m_bench.probes["p"].setup = [](const TrundleMount& m) {
             m.print(m.context, TRUNDLE_WARNING, "the mount is loose");
             return 0;
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(down.distance - 0.09) < 1e-9);
     }
 
-    void contactsTellForceAndSide() {
+    void contactsHaveForceAndSide() {
         std::uint32_t geom = 0, count = 0;
         TrundleContact contacts[4];
         m_bench.probes["p"].setup = [&](const TrundleMount& m) { return m.geom(m.context, "leftWheel.tyre", &geom); };
@@ -332,7 +332,7 @@ private Q_SLOTS:
         QCOMPARE(world->block().header().sequence % 2, std::uint64_t{0});
     }
 
-    /// At tick 0 the pose is the text's, to the bit, even where the first body stands elsewhere.
+    /// At tick 0 the pose is the text's, to the bit, even where the first body is elsewhere.
     void poseAtTheStartIsExact() {
         Scene scene = r0Scene();
         auto config = std::make_shared<RobotConfigSpec>(*r0());

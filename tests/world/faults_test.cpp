@@ -1,4 +1,4 @@
-// What goes wrong is said, never died of: explosions named with body and time, nasty specs refused or survived.
+// What goes wrong is reported, never died of: explosions named with body and time, nasty specs refused or survived.
 #include <QtTest>
 
 #include <functional>
@@ -15,7 +15,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::nu
 /// Changes one thing of a sound experiment: R0 on a floor.
 using Spoil = std::function<void(ExperimentSpec&, RobotConfigSpec&, std::vector<GeomSpec>&)>;
 
-struct Nasty {
+struct FaultCase {
     const char* name;
     Spoil spoil;
     bool refused; ///< else: it builds and must live or fault, but not die
@@ -49,8 +49,8 @@ GeomSpec heights(std::uint32_t columns, std::uint32_t rows, std::size_t count, f
     return g;
 }
 
-const std::vector<Nasty>& nasties() {
-    static const std::vector<Nasty> all{
+const std::vector<FaultCase>& faultCases() {
+    static const std::vector<FaultCase> all{
         {"zero mass", [](auto&, auto& c, auto&) { c.bodies[1].mass.mass = 0; }, true},
         {"negative mass", [](auto&, auto& c, auto&) { c.bodies[1].mass.mass = -1; }, true},
         {"NaN mass", [](auto&, auto& c, auto&) { c.bodies[1].mass.mass = kNan; }, true},
@@ -216,24 +216,24 @@ class FaultsTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void nasty_data() {
+    void faultCase_data() {
         QTest::addColumn<int>("index");
-        for (std::size_t i = 0; i < nasties().size(); ++i) QTest::newRow(nasties()[i].name) << static_cast<int>(i);
+        for (std::size_t i = 0; i < faultCases().size(); ++i) QTest::newRow(faultCases()[i].name) << static_cast<int>(i);
     }
     /// No spec reaches an assertion: it is refused with words, or it runs, or it stops with a reason.
-    void nasty() {
+    void faultCase() {
         QFETCH(int, index);
-        const Nasty& nasty = nasties()[static_cast<std::size_t>(index)];
+        const FaultCase& faultCase = faultCases()[static_cast<std::size_t>(index)];
         Scene scene = r0Scene();
         auto config = std::make_shared<RobotConfigSpec>(*r0());
         std::vector<GeomSpec> scenery{plane("floor", {}, 1)};
         scene.robot("r", {}, config);
-        nasty.spoil(*scene.spec, *config, scenery);
+        faultCase.spoil(*scene.spec, *config, scenery);
         scene.scenery(scenery);
         Diagnostics diagnostics;
         auto world = scene.build(rowOnly, diagnostics);
-        QCOMPARE(world == nullptr, nasty.refused);
-        QCOMPARE(diagnostics.hasErrors(), nasty.refused);
+        QCOMPARE(world == nullptr, faultCase.refused);
+        QCOMPARE(diagnostics.hasErrors(), faultCase.refused);
         for (const Diagnostic& d : diagnostics.all()) {
             qInfo("%s: %s", codeName(d.code).c_str(), d.message.c_str());
             QVERIFY(!d.message.empty());
@@ -269,7 +269,7 @@ private Q_SLOTS:
     }
 
     /// What a message underlines is the name, not all of the block.
-    void messagesPointAtNames() {
+    void messagesNameObjects() {
         const SourceRange block{0, {0, 100}}, name{0, {6, 11}};
         Scene scene = r0Scene();
         auto config = r0();
@@ -287,8 +287,8 @@ private Q_SLOTS:
     }
 
     /// A rod of 10 micrograms on the floor makes ODE's exact solver fail an assertion: such ticks are taken again as those are
-    /// that it could not solve, and a world that cannot go on says which body it was and what helps.
-    void assertionsOfTheSolverAreRescued() {
+    /// that it could not solve, and a world that cannot go on reports which body it was and what helps.
+    void recoversFromSolverAssertions() {
         std::uint64_t rescued = 0;
         for (int i = 0; i < 8; ++i) {
             Scene scene;
@@ -307,7 +307,7 @@ private Q_SLOTS:
         QVERIFY(rescued > 0);
     }
 
-    void quickTicksAreCountedWhereTheyWereAskedFor() {
+    void countsRequestedQuickTicks() {
         Scene scene = r0Scene();
         scene.spec->settings.solver = SolverChoice::Quick;
         scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());
@@ -319,13 +319,13 @@ private Q_SLOTS:
     /// Whatever stops a world, the message names a body and what to do, in words that are not the engine's own.
     void everyFaultNamesABodyAndARemedy() {
         int faults = 0;
-        for (const Nasty& nasty : nasties()) {
-            if (nasty.refused) continue;
+        for (const FaultCase& faultCase : faultCases()) {
+            if (faultCase.refused) continue;
             Scene scene = r0Scene();
             auto config = std::make_shared<RobotConfigSpec>(*r0());
             std::vector<GeomSpec> scenery{plane("floor", {}, 1)};
             scene.robot("r", {}, config);
-            nasty.spoil(*scene.spec, *config, scenery);
+            faultCase.spoil(*scene.spec, *config, scenery);
             scene.scenery(scenery);
             auto world = scene.build();
             QVERIFY(world);
@@ -333,8 +333,9 @@ private Q_SLOTS:
             if (!world->fault()) continue;
             ++faults;
             const QString reason = QString::fromStdString(world->fault()->reason);
-            QVERIFY2(!world->fault()->body.empty(), nasty.name);
-            QVERIFY2(reason.contains("Tick") || reason.contains("give it more mass"), qPrintable(nasty.name + (": " + reason)));
+            QVERIFY2(!world->fault()->body.empty(), faultCase.name);
+            QVERIFY2(reason.contains("Tick") || reason.contains("give it more mass"),
+                     qPrintable(faultCase.name + (": " + reason)));
             for (const char* word : {"assert", "dx", "ODE", "matrix", ".cpp"})
                 QVERIFY2(!reason.contains(word), qPrintable(reason));
         }

@@ -74,7 +74,7 @@ struct Vehicle {
     double radius = 0.05, wheelMass = 0.02;
     double friction = 0.8, friction2 = -1; ///< of the wheels
     bool omni = false;
-    std::vector<Vec3> wheels, sliders; ///< where they stand
+    std::vector<Vec3> wheels, sliders; ///< where they are
     Vec3 centre = Vec3::Zero();        ///< of the mass of the chassis; of everything once it is in a scene
     double total = 0;
     std::uint32_t ground = 0;

@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(p.z() - kSide / 2) < 2e-3);
     }
 
-    void aBoxLiesOnAHull() {
+    void boxRestsOnHull() {
         Scene scene;
         scene.scenery({hull(finelyCutCube())})
             .loose("cube", at(0.03, 0, kSide + 0.02), massOfBox(1, {kSide, kSide, kSide}), {box("box", {kSide, kSide, kSide})});

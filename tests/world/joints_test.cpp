@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(value(*world, "r/j/rate") + 0.5 * g) < 1e-6);
     }
 
-    void fixedHolds() {
+    void fixedJointKeepsPose() {
         auto world = pair(joint("j", JointType::Fixed, 0, 1, {0, 0, 1}, Vec3::UnitZ()), {0.3, 0, 1}).build();
         QVERIFY(world->push("r/arm", {50, 0, 50}, {0.3, 0.1, 1}).ok());
         QVERIFY(run(*world, 1));
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QVERIFY(!world->layout().find("r/j/position"));
     }
 
-    void ballKeepsItsAnchor() {
+    void ballJointKeepsAnchor() {
         Scene scene = pair(joint("j", JointType::Ball, 0, 1, {0, 0, 1}, Vec3::UnitZ()), {0.3, 0, 1});
         scene.spec->settings.gravity = {0, 0, -g};
         auto world = scene.build();
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(position(*world, "r/arm").z() - 0.98) < 0.004);
     }
 
-    void frictionHoldsAndMotorOvercomesIt() {
+    void motorOvercomesFriction() {
         JointSpec j = joint("j", JointType::Hinge, 0, 1, {0, 0, 1}, Vec3::UnitZ());
         j.friction = 2;
         auto world = pair(j).build();

@@ -75,7 +75,7 @@ private Q_SLOTS:
     }
 
     /// It turns with nothing that slides.
-    void aSliderTakesNoRotor() {
+    void rejectsRotorOnSlider() {
         Diagnostics diagnostics;
         QVERIFY(!flywheel(0.01, JointType::Slider, Vec3::UnitZ(), motor(30, 1e-5)).build(findBuiltInDevice, diagnostics));
         QVERIFY(QString::fromStdString(diagnostics.all().at(0).message).contains("inertia"));

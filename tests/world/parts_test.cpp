@@ -64,16 +64,17 @@ private Q_SLOTS:
     void wheelOnFloor() {
         GroundContact c;
         const WheelPose wheel{{1, 2, 0.049}, Vec3::UnitY(), 0.05};
-        QCOMPARE(wheelOnPlane(wheel, Vec3::UnitZ(), 0, c), WheelAnswer::Contact);
+        QCOMPARE(wheelOnPlane(wheel, Vec3::UnitZ(), 0, c), WheelContactResult::Contact);
         QVERIFY((c.position - Vec3(1, 2, -0.001)).norm() < 1e-12);
         QVERIFY(std::abs(c.depth - 0.001) < 1e-12);
-        QCOMPARE(wheelOnPlane({{0, 0, 0.06}, Vec3::UnitY(), 0.05}, Vec3::UnitZ(), 0, c), WheelAnswer::NoContact);
-        QCOMPARE(wheelOnPlane({{0, 0, 0.01}, Vec3::UnitZ(), 0.05}, Vec3::UnitZ(), 0, c), WheelAnswer::Unknown);
+        QCOMPARE(wheelOnPlane({{0, 0, 0.06}, Vec3::UnitY(), 0.05}, Vec3::UnitZ(), 0, c), WheelContactResult::NoContact);
+        QCOMPARE(wheelOnPlane({{0, 0, 0.01}, Vec3::UnitZ(), 0.05}, Vec3::UnitZ(), 0, c), WheelContactResult::Unknown);
         const Vec3 half(1, 1, 0.1);
-        QCOMPARE(wheelOnBox({{0, 0, 0.149}, Vec3::UnitY(), 0.05}, Vec3::Zero(), Mat3::Identity(), half, c), WheelAnswer::Contact);
+        QCOMPARE(wheelOnBox({{0, 0, 0.149}, Vec3::UnitY(), 0.05}, Vec3::Zero(), Mat3::Identity(), half, c),
+                 WheelContactResult::Contact);
         QVERIFY(std::abs(c.depth - 0.001) < 1e-12);
         QCOMPARE(wheelOnBox({{0.98, 0, 0.149}, Vec3::UnitY(), 0.05}, Vec3::Zero(), Mat3::Identity(), half, c),
-                 WheelAnswer::Unknown);
+                 WheelContactResult::Unknown);
     }
 
     void devicesActBeforeTheirPeers() {

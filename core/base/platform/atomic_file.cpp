@@ -24,7 +24,7 @@ Error failure(const std::string& path, const std::string& why) {
     return Error{Code::FileUnwritable, "cannot write " + path + ": " + why};
 }
 
-// A rename would replace a link itself, so we go to what it points at.
+// A rename would replace the link itself, so the link is resolved first.
 std::optional<fs::path> targetOf(const std::string& path) {
     fs::path target = path;
     for (int hops = 0; hops < 40; ++hops) {
@@ -37,7 +37,7 @@ std::optional<fs::path> targetOf(const std::string& path) {
     return std::nullopt;
 }
 
-/// A temporary file that is removed unless it was renamed.
+/// A temporary file, removed on destruction unless it was renamed.
 struct Temporary {
     std::string path;
     int file = -1;
@@ -47,7 +47,7 @@ struct Temporary {
         for (int attempt = 0; attempt < 100 && file < 0; ++attempt) {
             path = (folder / (std::string(kPrefix) + std::to_string(::getpid()) + "-" + std::to_string(counter++) + std::string(kSuffix))).string();
             file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (file >= 0) (void)::flock(file, LOCK_EX | LOCK_NB); // until we end, however that happens: nobody sweeps it away
+            if (file >= 0) (void)::flock(file, LOCK_EX | LOCK_NB); // the lock prevents removal by sweep()
             if (file < 0 && errno != EEXIST) return;
         }
     }
@@ -82,7 +82,8 @@ bool isTemporaryName(std::string_view name) {
     return name.find('-') != std::string_view::npos && name.find_first_not_of("0123456789-") == std::string_view::npos;
 }
 
-/// Removes what killed writers left. The lock of a writer ends with it; one that has just made its file may not have it yet.
+/// Removes temporary files of writers that were killed. A live writer holds a lock, except just after creating its file; see the
+/// age limit.
 void sweep(const fs::path& folder) {
     std::error_code none;
     for (fs::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
@@ -97,7 +98,7 @@ void sweep(const fs::path& folder) {
     }
 }
 
-// Some file systems cannot fsync a folder; the rename has happened by then, so this is no failure.
+// Some file systems cannot fsync a folder. The rename has already happened, so this is not a failure.
 void syncFolder(const fs::path& folder) {
     const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (file < 0) return;
@@ -116,7 +117,7 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
         return failure(path, "it is a symbolic link to " + target->string() + ", which does not exist");
     if (exists && S_ISDIR(old.st_mode)) return failure(path, "it is a folder");
     if (exists && !S_ISREG(old.st_mode)) return failure(path, "it is not a regular file");
-    // A rename asks only the folder; a file that its owner made read-only stays as it is.
+    // A rename checks only the permissions of the folder; a file that its owner made read-only must stay unchanged.
     if (exists && ::access(target->c_str(), W_OK) != 0) return failure(path, std::strerror(errno));
 
     const fs::path folder = target->has_parent_path() ? target->parent_path() : fs::path(".");
@@ -127,7 +128,7 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
         return failure(path, std::strerror(why));
     }
     if (exists) {
-        // Keeping the owner works for root only; a file whose owner cannot be kept is still better written than not.
+        // Only root can keep the owner; otherwise the file is written with a new owner.
         if (::fchown(temporary.file, old.st_uid, old.st_gid) != 0) errno = 0;
         if (::fchmod(temporary.file, old.st_mode & 07777) != 0) return failure(path, std::strerror(errno));
     }

@@ -6,11 +6,12 @@
 
 namespace trundle {
 
-/// Replaces a file's content so that a reader, a crash or a full disk sees either the old bytes or the new ones, never a part.
-/// Keeps the file's mode, writes through a symbolic link to its target, creates no folders. Refuses anything that is not a
-/// regular file, and a link that leads to nothing: nobody would see where the new file is made. On failure nothing is left behind; what
-/// a writer left that was killed in the middle (`.trundle-*.tmp`, more than a minute old and held by nobody) is removed by the next one
-/// in the same folder.
+/// Replaces the content of a file atomically: a reader sees either the old bytes or the new ones, also after a crash or on a full
+/// disk.
+/// Keeps the file mode, writes through a symbolic link to its target, creates no folders. Refuses anything but a regular file,
+/// and a dangling link, because the user could not see where the new file is created. A failure leaves no files behind. Temporary
+/// files (`.trundle-*.tmp`) of killed writers that are unlocked and over a minute old are removed by the next write in that
+/// folder.
 [[nodiscard]] Status writeFileAtomically(const std::string& path, std::string_view bytes);
 
 } // namespace trundle

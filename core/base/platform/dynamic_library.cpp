@@ -12,10 +12,10 @@
 namespace trundle {
 namespace {
 
-constexpr unsigned kExecutable = 0x10; // MFD_EXEC, which older headers lack
+constexpr unsigned kExecutable = 0x10; // MFD_EXEC, missing in older headers
 
 Result<void*> opened(const std::string& path) {
-    ::dlerror(); // forget an older fault
+    ::dlerror(); // clear an earlier error
     if (void* handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return handle;
     const char* words = ::dlerror();
     std::string why = words != nullptr ? words : path + ": the loader gives no reason";
@@ -23,11 +23,11 @@ Result<void*> opened(const std::string& path) {
     return Error{missing ? Code::ModuleMissingSymbol : Code::ModuleUnreadable, std::move(why)};
 }
 
-/// A file in memory that nobody else has; -1, with errno, where there is no room for it.
+/// A private copy in memory (memfd); -1 with errno on failure.
 int fileOf(const std::string& path, std::string_view bytes) {
     const std::string name = path.substr(path.rfind('/') + 1).substr(0, 200);
     int file = ::memfd_create(name.c_str(), MFD_CLOEXEC | kExecutable);
-    if (file < 0 && errno == EINVAL) file = ::memfd_create(name.c_str(), MFD_CLOEXEC); // a system from before there was a choice
+    if (file < 0 && errno == EINVAL) file = ::memfd_create(name.c_str(), MFD_CLOEXEC); // a kernel without MFD_EXEC
     while (file >= 0 && !bytes.empty()) {
         const ssize_t written = ::write(file, bytes.data(), bytes.size());
         if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
@@ -36,7 +36,7 @@ int fileOf(const std::string& path, std::string_view bytes) {
     return file;
 }
 
-/// With the number of this process, not "self": debuggers read the symbols there.
+/// Uses the process id, not "self": debuggers read symbols through this path.
 std::string nameOf(int file) { return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(file); }
 
 } // namespace
@@ -62,7 +62,7 @@ Result<DynamicLibrary> DynamicLibrary::openCopy(const std::string& path, std::st
         library.m_handle = handle.value();
         return library;
     }
-    Error error = handle.error(); // its reader knows the file by its own name
+    Error error = handle.error(); // names the original file instead of the copy
     if (const std::size_t at = error.message.find(name); at != std::string::npos) error.message.replace(at, name.size(), path);
     return error;
 }
@@ -110,7 +110,8 @@ void DynamicLibrary::close() {
     if (handle != nullptr && m_keep) return;
     if (handle != nullptr) ::dlclose(handle);
     if (copy < 0) return;
-    // A library may refuse to go. As long as it is there another file must not get its name: the loader would take it for the same.
+    // A library may stay loaded after dlclose. Until it is unloaded no other file may get its name, because the loader would
+    // reuse the loaded one.
     void* stays = handle != nullptr ? ::dlopen(nameOf(copy).c_str(), RTLD_LAZY | RTLD_NOLOAD) : nullptr;
     if (stays != nullptr) ::dlclose(stays);
     else ::close(copy);

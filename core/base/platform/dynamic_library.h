@@ -9,14 +9,14 @@
 
 namespace trundle {
 
-/// A shared library opened into this process. Opening runs the library's static constructors: look at the file before.
+/// A shared library loaded into this process. Loading runs its static constructors, so check the file first.
 class DynamicLibrary {
 public:
-    /// All symbols bound at once, none shown to other libraries. Fails with the loader's own words: ModuleMissingSymbol where
-    /// one is undefined, else ModuleUnreadable. `path` must hold a slash, so that no search path is asked.
+    /// Loads with RTLD_NOW and RTLD_LOCAL. Fails with the loader's message: ModuleMissingSymbol for an undefined symbol,
+    /// otherwise ModuleUnreadable. `path` must contain a slash, so that no search path is used.
     [[nodiscard]] static Result<DynamicLibrary> open(const std::string& path);
-    /// The same for `bytes`, which were read from `path`, in memory of this process alone: whoever writes to the file changes nothing
-    /// of it, and the file opened once more is another library. `$ORIGIN` in it leads nowhere.
+    /// Loads `bytes`, read before from `path`, from private memory: later writes to the file have no effect, and the same file
+    /// opened again is a separate library. `$ORIGIN` does not work in it.
     [[nodiscard]] static Result<DynamicLibrary> openCopy(const std::string& path, std::string_view bytes);
 
     DynamicLibrary() = default;
@@ -26,22 +26,22 @@ public:
 
     [[nodiscard]] bool loaded() const { return m_handle != nullptr; }
     [[nodiscard]] const std::string& path() const { return m_path; }
-    /// nullptr where the library has no such symbol.
+    /// nullptr if the library has no such symbol.
     [[nodiscard]] void* symbol(const char* name) const;
     template <class Function> [[nodiscard]] Function* function(const char* name) const {
         return reinterpret_cast<Function*>(symbol(name));
     }
 
-    /// Where its machine code is in memory, from the first address up to the second.
+    /// The address ranges [first, second) of its machine code.
     [[nodiscard]] std::vector<std::pair<std::uintptr_t, std::uintptr_t>> code() const;
 
-    /// From now on neither close() nor the destructor unloads it: its code may still be on some stack or in some table.
+    /// Prevents close() and the destructor from unloading it, because its code may still be in use on a stack or in a table.
     void keepLoaded() { m_keep = true; }
     void close();
 
 private:
     void* m_handle = nullptr;
-    int m_copy = -1; // file in memory; -1: none
+    int m_copy = -1; // memfd; -1: none
     bool m_keep = false;
     std::string m_path;
 };

@@ -14,7 +14,7 @@
 namespace trundle {
 namespace {
 
-// Signal handlers take no arguments of ours.
+// Global, because signal handlers receive no arguments of ours.
 std::atomic<int> s_request{0};
 sem_t s_asked;
 
@@ -28,20 +28,20 @@ void onSignal(int signal) {
     errno = before;
 }
 
-void watchEnd(const std::function<void(int)>& onRequest, std::chrono::seconds patience) {
+void watchEnd(const std::function<void(int)>& onRequest, std::chrono::seconds timeout) {
     while (sem_wait(&s_asked) != 0 && errno == EINTR) {}
     const int exitCode = 128 + s_request;
     onRequest(exitCode);
-    std::this_thread::sleep_for(patience);
+    std::this_thread::sleep_for(timeout);
     BufferedFile::writeOutAll();
     _exit(exitCode);
 }
 
 } // namespace
 
-void watchEndRequests(std::function<void(int exitCode)> onRequest, std::chrono::seconds patience) {
+void watchEndRequests(std::function<void(int exitCode)> onRequest, std::chrono::seconds timeout) {
     sem_init(&s_asked, 0, 0);
-    std::thread([onRequest = std::move(onRequest), patience] { watchEnd(onRequest, patience); }).detach();
+    std::thread([onRequest = std::move(onRequest), timeout] { watchEnd(onRequest, timeout); }).detach();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action = {};
         if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Private to base/platform: what those that read files share.
+// Internal to base/platform: shared by the functions that read files.
 
 #include <cstdint>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace trundle {
 
-/// A file descriptor with an owner.
+/// An owned file descriptor.
 struct FileDescriptor {
     int file = -1;
     explicit FileDescriptor(int opened) : file(opened) {}
@@ -19,9 +19,9 @@ struct FileDescriptor {
     FileDescriptor& operator=(const FileDescriptor&) = delete;
 };
 
-/// Why nothing of this kind is read or written as a file ("it is a folder"); nullptr for a regular file.
+/// Why a file of this type is refused ("it is a folder"); nullptr for a regular file.
 [[nodiscard]] const char* kindRefused(mode_t mode);
-/// All bytes of an open file that is a regular one; fails with the reason alone.
+/// All bytes of an open regular file. The error message is the reason without the path.
 [[nodiscard]] Result<std::string> readAll(const FileDescriptor& open, std::uint64_t mostBytes);
 
 } // namespace trundle

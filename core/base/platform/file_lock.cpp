@@ -19,11 +19,11 @@ constexpr std::chrono::milliseconds kPause(2);
 
 int openForLock(const std::string& path) {
     const int flags = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
-    const int file = ::open(path.c_str(), O_RDWR | flags); // a network's locks want to write
+    const int file = ::open(path.c_str(), O_RDWR | flags); // read-write, as locks on network file systems require
     return file >= 0 ? file : ::open(path.c_str(), O_RDONLY | flags);
 }
 
-/// False where it was replaced by another file between opening and locking.
+/// False if the file was replaced between opening and locking.
 bool isAt(int file, const std::string& path) {
     struct stat held {
     }, there{};
@@ -33,7 +33,7 @@ bool isAt(int file, const std::string& path) {
 
 } // namespace
 
-/// A descriptor, kNothingThere or kBusy.
+/// Returns a descriptor, kNothingThere or kBusy.
 int FileLock::openLocked(const std::string& path, std::chrono::steady_clock::time_point until) {
     for (;;) {
         const int file = openForLock(path);

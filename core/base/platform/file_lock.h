@@ -7,13 +7,13 @@
 
 namespace trundle {
 
-/// The right to read a file, change the text and put it back, in this process or another, as long as it lives: of two who do so at once
-/// the second sees what the first has written. Survives that the file is replaced by a new one. Where a file system knows no locks,
-/// everybody gets one.
+/// An advisory lock, held for its lifetime, for a read-modify-write of a file. Of two owners, in one process or in two, the
+/// second reads what the first has written. Stays valid if the file is replaced. On a file system without locks, locking always
+/// succeeds.
 class FileLock {
 public:
-    /// Locks of all these files that exist; links are followed. In one order for everybody, so that no two wait for each other.
-    /// Fails where another owner keeps one for longer than `atMost`.
+    /// Locks all of these files that exist; links are followed. Locks in a fixed order to avoid deadlocks. Fails if another owner
+    /// holds a lock for longer than `atMost`.
     [[nodiscard]] static Result<std::vector<FileLock>> takeAll(const std::vector<std::string>& paths,
                                                                std::chrono::milliseconds atMost);
 

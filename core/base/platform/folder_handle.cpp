@@ -14,13 +14,13 @@
 namespace trundle {
 namespace {
 
-// O_PATH: a folder that may be written and not read will do.
+// O_PATH: write permission is enough, read permission is not needed.
 constexpr int kFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
 
 Error refused(const std::string& why) { return Error{Code::FileUnwritable, why}; }
 Error refused(int why) { return refused(std::strerror(why)); }
 
-/// Why a name is not used that something else than a `wanted` (S_IFREG, S_IFDIR) has.
+/// Why a name is refused: it exists with another file type than `wanted` (S_IFREG, S_IFDIR).
 Error occupied(mode_t mode, mode_t wanted) {
     if (S_ISLNK(mode)) return refused("it is a symbolic link, which could lead to another place");
     if (wanted == S_IFDIR) return refused("it is not a folder");
@@ -89,7 +89,7 @@ Result<std::FILE*> FolderHandle::makeFile(const std::string& name) const {
         if (!S_ISREG(there.st_mode)) return occupied(there.st_mode, S_IFREG);
         if (::unlinkat(m_folder, name.c_str(), 0) != 0) return refused(errno);
     }
-    // What came there since is neither opened nor followed.
+    // If the name exists again by now, it is neither opened nor followed.
     const int file = ::openat(m_folder, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0) return refused(errno);
     if (std::FILE* stream = ::fdopen(file, "wb")) return stream;
@@ -100,7 +100,7 @@ Result<std::FILE*> FolderHandle::makeFile(const std::string& name) const {
 
 Result<std::string> FolderHandle::readFile(const std::string& name, std::uint64_t mostBytes) const {
     if (!isOnePart(name)) return refused(EINVAL);
-    // Looked at before opening, because opening a device can have effects; and after, because it may have been exchanged.
+    // Checked before opening, because opening a device can have side effects, and after, because the file may have been replaced.
     struct stat there {};
     if (::fstatat(m_folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) != 0) return refused(errno);
     if (!S_ISREG(there.st_mode)) return occupied(there.st_mode, S_IFREG);

@@ -9,32 +9,33 @@
 
 namespace trundle {
 
-/// A folder that is held open. What is done through it is done in that folder, whatever its path leads to meanwhile, and no symbolic
-/// link in it is followed: what is a link is refused, at the moment of use and not before it. Names are of one part, without a slash.
-/// An error's message is the reason alone ("it is a symbolic link"); the caller knows the path that people know.
+/// An open folder. Operations act on this folder even if its path leads elsewhere later, and refuse symbolic links in it at the
+/// moment of use. Names have one component, without a slash. Error messages are the reason alone ("it is a symbolic link"); the
+/// caller adds the path.
 class FolderHandle {
 public:
-    /// Opens the folder that a path leads to, through links too.
+    /// Opens the folder at a path, following links.
     [[nodiscard]] static Result<FolderHandle> open(const std::string& path);
-    /// The same; makes it, and those above it, where they are missing.
+    /// The same; creates it and its missing parents.
     [[nodiscard]] static Result<FolderHandle> make(const std::string& path);
 
     FolderHandle(FolderHandle&& other) noexcept;
     FolderHandle& operator=(FolderHandle&& other) noexcept;
     ~FolderHandle();
 
-    /// A folder in it.
+    /// Opens a subfolder.
     [[nodiscard]] Result<FolderHandle> openFolder(const std::string& name) const;
-    /// The same; makes it where it is missing.
+    /// The same; creates it if it is missing.
     [[nodiscard]] Result<FolderHandle> makeFolder(const std::string& name) const;
-    /// A new, empty file in place of a regular one, which is removed: a hard link to it elsewhere keeps its content.
+    /// Creates a new, empty file. An existing regular file is unlinked first, so that a hard link to it elsewhere keeps its
+    /// content.
     [[nodiscard]] Result<std::FILE*> makeFile(const std::string& name) const;
     /// The content of a regular file.
     [[nodiscard]] Result<std::string> readFile(const std::string& name, std::uint64_t mostBytes) const;
-    [[nodiscard]] bool hasFile(const std::string& name) const;    ///< a regular one
-    [[nodiscard]] bool hasOwnFile(const std::string& name) const; ///< a regular one of this user, that nobody else may write
-    bool removeFile(const std::string& name) const;               ///< a regular one; true where it is gone now
-    /// Renames within the folder, in place of what has the new name; of a link, of the link itself.
+    [[nodiscard]] bool hasFile(const std::string& name) const;    ///< regular files only
+    [[nodiscard]] bool hasOwnFile(const std::string& name) const; ///< a regular file of this user that no other user may write
+    bool removeFile(const std::string& name) const;               ///< regular files only; true if the file no longer exists
+    /// Renames within the folder and replaces an existing file; a link is renamed itself, not its target.
     [[nodiscard]] Status rename(const std::string& from, const std::string& to) const;
 
 private:

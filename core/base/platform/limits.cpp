@@ -14,7 +14,7 @@
 namespace trundle {
 namespace {
 
-// Never asks for more than the hard limit that we already have: that would be refused.
+// Never requests more than the current hard limit, which would be refused.
 bool lower(decltype(RLIMIT_AS) what, std::uint64_t value) noexcept {
     rlimit now{};
     if (::getrlimit(what, &now) != 0) return false;

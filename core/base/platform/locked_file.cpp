@@ -16,7 +16,7 @@ Error cannot(const std::string& path, int why) {
     return Error{Code::FileUnwritable, "cannot write " + path + ": " + std::strerror(why)};
 }
 
-/// False where another owner holds it. A file system without locks refuses with another error, and then there is none to respect.
+/// False if another owner holds the lock. A file system without locks reports another error, which counts as success.
 bool lock(int file) {
     int done = 0;
     do done = ::flock(file, LOCK_EX | LOCK_NB);
@@ -24,8 +24,8 @@ bool lock(int file) {
     return done == 0 || errno != EWOULDBLOCK;
 }
 
-/// False where the file was taken away, or another put in its place, between opening and locking.
-bool stillAt(int file, const std::string& path) {
+/// False if the file was removed or replaced between opening and locking.
+bool isAtPath(int file, const std::string& path) {
     struct stat held {
     }, there{};
     return ::fstat(file, &held) == 0 && ::lstat(path.c_str(), &there) == 0 && held.st_dev == there.st_dev &&
@@ -50,9 +50,9 @@ Result<std::optional<LockedFile>> LockedFile::take(const std::string& path) {
         if (opened.m_file < 0) return cannot(path, errno);
         struct stat kind {};
         if (::fstat(opened.m_file, &kind) != 0 || !S_ISREG(kind.st_mode)) return cannot(path, EINVAL);
-        if (kind.st_nlink > 1) return cannot(path, EMLINK); // what is written here would be in another file too
+        if (kind.st_nlink > 1) return cannot(path, EMLINK); // writing would change the content of another name too
         if (!lock(opened.m_file)) return std::optional<LockedFile>();
-        if (stillAt(opened.m_file, path)) return std::optional<LockedFile>(std::move(opened));
+        if (isAtPath(opened.m_file, path)) return std::optional<LockedFile>(std::move(opened));
     }
     return cannot(path, EBUSY);
 }
@@ -60,7 +60,7 @@ Result<std::optional<LockedFile>> LockedFile::take(const std::string& path) {
 Result<LockedFile> LockedFile::make(const std::string& path) {
     LockedFile made(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600), path);
     if (made.m_file < 0) return cannot(path, errno);
-    (void)lock(made.m_file); // nobody else knows it yet
+    (void)lock(made.m_file); // cannot fail: no other process has the name yet
     return made;
 }
 
@@ -111,7 +111,7 @@ void LockedFile::close() {
 }
 
 void LockedFile::unlink() {
-    if (m_file >= 0 && stillAt(m_file, m_path)) ::unlink(m_path.c_str());
+    if (m_file >= 0 && isAtPath(m_file, m_path)) ::unlink(m_path.c_str());
 }
 
 void LockedFile::remove() {

@@ -8,16 +8,16 @@
 
 namespace trundle {
 
-/// A file that one owner at a time holds, in this process or another. The system lets go of it when its process ends, however it
-/// ends. Where a file system knows no locks, everybody gets one.
+/// A file with an exclusive lock, in this process or another. The system releases the lock when the process ends for any reason.
+/// On a file system without locks, locking always succeeds.
 class LockedFile {
 public:
-    /// Opens the file, makes it where there is none (not the folders, not through a link), and locks it. Nothing where another
-    /// owner holds it; does not wait.
+    /// Opens the file, creating it if missing (but no folders, and not through a link), and locks it. Empty if another owner
+    /// holds it; does not wait.
     [[nodiscard]] static Result<std::optional<LockedFile>> take(const std::string& path);
-    /// A file of that name must not exist yet.
+    /// Creates and locks a new file; fails if the name exists.
     [[nodiscard]] static Result<LockedFile> make(const std::string& path);
-    /// Whether some owner holds the file now. False where there is no such file.
+    /// Whether any owner holds the file now. False if the file does not exist.
     [[nodiscard]] static bool isHeld(const std::string& path);
 
     LockedFile(LockedFile&& other) noexcept;
@@ -25,17 +25,17 @@ public:
     ~LockedFile() { close(); }
 
     [[nodiscard]] const std::string& path() const { return m_path; }
-    /// Puts bytes at the end. After a failure (a full disk) the end is where it was.
+    /// Appends bytes. After a failure (a full disk) the file has its old size.
     [[nodiscard]] Status append(std::string_view bytes);
-    /// Puts bytes in place of all.
+    /// Replaces the whole content.
     [[nodiscard]] Status rewrite(std::string_view bytes);
-    /// Waits until the disk has it.
+    /// Flushes the file to disk (fsync).
     [[nodiscard]] Status sync() const;
-    /// The file takes the place of `path`, and is locked there.
+    /// Renames the file over `path`, keeping the lock.
     [[nodiscard]] Status renameTo(const std::string& path);
-    void close();  ///< lets go; the file stays
-    void unlink(); ///< the file is gone, and stays held by who has it
-    void remove(); ///< lets go; the file is gone
+    void close();  ///< releases the lock; the file remains
+    void unlink(); ///< removes the name; the lock is kept
+    void remove(); ///< removes the file and releases the lock
 
 private:
     LockedFile(int file, std::string path) : m_file(file), m_path(std::move(path)) {}

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kLongestName = 4096, kLongestWords = 8u << 20, kShownOfName = 32;
 
-/// Asks the kernel, which copies or refuses; reading it ourselves would be a crash. Where it may not be asked the answer is yes.
+/// Asks the kernel whether a byte is readable, since reading it directly could crash. Returns true where the check is not
+/// permitted.
 bool isReadable(const char* byte) {
     char copy = 0;
     const iovec here{&copy, 1}, there{const_cast<char*>(byte), 1};
@@ -25,7 +26,7 @@ struct Span {
     bool terminated = false;
 };
 
-/// Page by page: within one page memory is there or not.
+/// Scans page by page: within one page all bytes are readable or none.
 Span spanOf(const char* text, std::size_t longest) {
     static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     Span span;
@@ -56,7 +57,7 @@ std::string moduleName(const char* name) {
     return std::string(name, std::min(span.length, kShownOfName)) + "… (a name without a terminating zero byte)";
 }
 
-std::string moduleWords(const char* text) {
+std::string moduleMessage(const char* text) {
     if (!text) return {};
     return {text, spanOf(text, kLongestWords).length};
 }

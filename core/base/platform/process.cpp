@@ -1,6 +1,7 @@
-// Needs: a program, limits. Assumes: Linux; between fork and exec only async-signal-safe calls, since other threads may hold locks.
-// Method: pipes for output, a socket pair for input (so that a closed reader is an error, not a SIGPIPE), one poll loop until both
-// outputs end or the time is over, then the child's whole process group is killed and our one child is waited for.
+// Runs a child process with limits. Needs: Linux. Assumes: between fork and exec only async-signal-safe calls, since other
+// threads may hold locks.
+// Method: pipes for output, a socket pair for input (a closed reader is then an error, not SIGPIPE), one poll loop until both
+// outputs are closed or the time limit passes; then the child's process group is killed and the child is waited for.
 #include "base/platform/process.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ bool openInput(Channel& channel, bool wanted) {
     return ::fcntl(ends[0], F_SETFL, O_NONBLOCK) == 0;
 }
 
-// Where our own standard streams are closed, a fresh descriptor may be one of 0..2, which the child is about to replace.
+// If our standard streams are closed, a new descriptor may be one of 0..2, which the child is about to replace.
 bool liftAboveStandard(Channel& channel) {
     if (channel.childs.file() > 2) return true;
     Descriptor lifted(::fcntl(channel.childs.file(), F_DUPFD_CLOEXEC, 3));
@@ -75,7 +76,7 @@ bool liftAboveStandard(Channel& channel) {
     return channel.childs.file() > 2;
 }
 
-/// Everything that the child needs, made before the fork.
+/// Everything the child needs, prepared before the fork.
 struct ChildPlan {
     const char* program;
     char* const* arguments;
@@ -89,7 +90,7 @@ struct ChildPlan {
     int fault = 0;
     ::setpgid(0, 0);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != plan.parent) ::_exit(127); // it died before the line above
+    if (::getppid() != plan.parent) ::_exit(127); // the parent died before prctl() above
     sigset_t none;
     sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -102,7 +103,7 @@ struct ChildPlan {
     ::_exit(127);
 }
 
-/// Reads what is there. False at the end of the stream.
+/// Reads the available bytes. False at the end of the stream.
 bool drain(const Descriptor& from, std::string& into, std::uint64_t most, bool& overflow) {
     char buffer[65536];
     for (;;) {
@@ -113,11 +114,11 @@ bool drain(const Descriptor& from, std::string& into, std::uint64_t most, bool& 
         const std::size_t room = most > into.size() ? static_cast<std::size_t>(most - into.size()) : 0;
         into.append(buffer, std::min(room, static_cast<std::size_t>(got)));
         overflow = overflow || static_cast<std::size_t>(got) > room;
-        if (overflow) return true; // let the caller decide before a fast writer keeps us here
+        if (overflow) return true; // return to the caller, since a fast writer could keep this loop running
     }
 }
 
-/// Sends what fits. False when all is sent or nobody listens any more.
+/// Writes what fits. False if all bytes are written or the reader has closed.
 bool feed(const Descriptor& to, std::string_view& rest) {
     while (!rest.empty()) {
         const ssize_t done = ::send(to.file(), rest.data(), rest.size(), MSG_NOSIGNAL);
@@ -133,8 +134,8 @@ int millisecondsUntil(Clock::time_point deadline) {
     return static_cast<int>(std::clamp<long long>(left, 0, 3'600'000));
 }
 
-/// Moves bytes until the child closed both outputs or a limit is passed.
-void converse(const ProcessRequest& request, Channel& in, Channel& out, Channel& err, Clock::time_point deadline,
+/// Transfers bytes until the child has closed both outputs or a limit is exceeded.
+void transfer(const ProcessRequest& request, Channel& in, Channel& out, Channel& err, Clock::time_point deadline,
               ProcessResult& result) {
     std::string_view rest = request.input;
     bool ignored = false, tooMuch = false;
@@ -156,7 +157,7 @@ void converse(const ProcessRequest& request, Channel& in, Channel& out, Channel&
     }
 }
 
-/// Its outputs are closed; it normally ends now, but it may linger.
+/// Waits for a child whose outputs are closed; it usually ends at once, but it may linger.
 bool waitUntil(pid_t child, Clock::time_point deadline, int& status) {
     for (auto pause = std::chrono::microseconds(50);; pause = std::min(pause * 2, std::chrono::microseconds(20'000))) {
         const pid_t got = ::waitpid(child, &status, WNOHANG);
@@ -167,7 +168,7 @@ bool waitUntil(pid_t child, Clock::time_point deadline, int& status) {
 }
 
 void killGroup(pid_t child) {
-    ::kill(child, SIGKILL); // in case it had not yet come to its setpgid
+    ::kill(child, SIGKILL); // in case it has not called setpgid yet
     ::kill(-child, SIGKILL);
 }
 
@@ -191,7 +192,7 @@ Error notStarted(const ProcessRequest& request, int why) {
     return Error{Code::Internal, "cannot run " + request.program + ": " + std::strerror(why)};
 }
 
-/// 0, or why the child never came to run its program.
+/// 0, or the errno of the child that could not execute its program.
 int reportFrom(const Descriptor& from) {
     int fault = 0;
     ssize_t got = 0;
@@ -233,7 +234,7 @@ Result<ProcessResult> runProcess(const ProcessRequest& request) {
         while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
         return notStarted(request, fault);
     }
-    converse(request, in, out, err, deadline, result);
+    transfer(request, in, out, err, deadline, result);
     finish(child, deadline, result);
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return result;

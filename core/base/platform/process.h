@@ -8,15 +8,15 @@
 
 namespace trundle {
 
-/// A child program to run to its end.
+/// A child process to run until it ends.
 struct ProcessRequest {
-    std::string program;                   ///< path with a slash; no search
+    std::string program;                   ///< path with a slash; no search path
     std::vector<std::string> arguments;    ///< without the program's own name
     std::string input;                     ///< its standard input; empty: /dev/null
-    std::string folder;                    ///< its working folder; empty: ours
-    double seconds = 10;                   ///< wall clock, then it is killed
-    std::uint64_t outputBytes = 64u << 20; ///< more on standard output: it is killed
-    std::uint64_t errorBytes = 64u << 10;  ///< more on standard error is dropped
+    std::string folder;                    ///< its working folder; empty: that of this process
+    double seconds = 10;                   ///< wall-clock limit, then it is killed
+    std::uint64_t outputBytes = 64u << 20; ///< limit of standard output, then it is killed
+    std::uint64_t errorBytes = 64u << 10;  ///< limit of standard error; the rest is dropped
     ResourceLimits limits{.coreDumps = false};
 };
 
@@ -24,17 +24,18 @@ enum class ProcessEnd { Exited, Signalled, TimedOut, TooMuchOutput };
 
 struct ProcessResult {
     ProcessEnd end = ProcessEnd::Exited;
-    int exitCode = 0;   ///< valid where Exited
-    int signal = 0;     ///< valid where Signalled
+    int exitCode = 0;   ///< valid if Exited
+    int signal = 0;     ///< valid if Signalled
     std::string output; ///< standard output, cut at outputBytes
     std::string errors; ///< standard error, cut at errorBytes
-    double seconds = 0; ///< wall clock it took
+    double seconds = 0; ///< wall-clock duration
 
     [[nodiscard]] bool succeeded() const { return end == ProcessEnd::Exited && exitCode == 0; }
 };
 
-/// Runs a program and waits for it. The child gets a process group of its own, which is killed as a whole where a limit is passed,
-/// and dies with us. Fails only where it could not be started. Blocks the calling thread for `seconds` at most.
+/// Runs a program and waits for it. The child has its own process group, which is killed as a whole when a limit is exceeded, and
+/// is killed when this process dies. Fails only if the program could not be started. Blocks the calling thread for at most
+/// `seconds`.
 [[nodiscard]] Result<ProcessResult> runProcess(const ProcessRequest& request);
 
 /// "exited with code 3", "killed by signal 11 (Segmentation fault)", "took longer than 10 s".

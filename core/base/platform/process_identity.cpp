@@ -11,7 +11,7 @@
 namespace trundle {
 namespace {
 
-// Fields 3 and 22 of /proc/PID/stat. The name of the program, field 2, stands in brackets and may hold blanks and brackets.
+// Fields 3 and 22 of /proc/PID/stat. Field 2, the program name, is in parentheses and may contain spaces and parentheses.
 struct Stat {
     char state = 0;
     std::uint64_t start = 0;
@@ -42,12 +42,12 @@ std::string hostName() {
 
 ProcessIdentity thisProcess() { return {::getpid(), statOf(::getpid()).start, hostName()}; }
 
-bool mayBeAlive(const ProcessIdentity& process) {
+bool isPossiblyAlive(const ProcessIdentity& process) {
     if (process.host != hostName()) return true;
     if (process.pid <= 0) return false;
     if (::kill(static_cast<pid_t>(process.pid), 0) != 0 && errno == ESRCH) return false;
     const Stat now = statOf(process.pid);
-    if (now.state == 'Z' || now.state == 'X') return false; // it has ended, and nobody has asked how
+    if (now.state == 'Z' || now.state == 'X') return false; // it has ended, but its parent has not waited for it
     return now.start == 0 || process.start == 0 || now.start == process.start;
 }
 

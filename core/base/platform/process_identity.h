@@ -4,17 +4,17 @@
 
 namespace trundle {
 
-/// Tells one process from every other, also from a later one that was given the same number.
+/// Identifies one process, also against a later one with the same process id.
 struct ProcessIdentity {
     std::int64_t pid = 0;
-    std::uint64_t start = 0; ///< when it began, in the system's own ticks; 0 where that cannot be known
+    std::uint64_t start = 0; ///< start time in the kernel's clock ticks; 0 if unknown
     std::string host;
 
     bool operator==(const ProcessIdentity&) const = default;
 };
 
 [[nodiscard]] ProcessIdentity thisProcess();
-/// Of another host nobody can say, so it counts as alive.
-[[nodiscard]] bool mayBeAlive(const ProcessIdentity& process);
+/// True if the process is alive, or runs on another host where it cannot be checked.
+[[nodiscard]] bool isPossiblyAlive(const ProcessIdentity& process);
 
 } // namespace trundle

@@ -3,9 +3,9 @@
 
 namespace trundle {
 
-/// Absolute path of the running executable, links resolved; empty if unknown.
+/// Absolute path of the running executable with links resolved; empty if unknown.
 [[nodiscard]] std::string programPath();
-/// Its folder, without a slash at the end.
+/// Its folder, without a trailing slash.
 [[nodiscard]] std::string programFolder();
 
 } // namespace trundle

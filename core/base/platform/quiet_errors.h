@@ -2,7 +2,7 @@
 
 namespace trundle {
 
-/// As long as it lives, what this process writes to standard error goes nowhere: libraries write there past everybody.
+/// Redirects standard error of this process to /dev/null for its lifetime, because some libraries write there directly.
 class QuietErrors {
 public:
     QuietErrors();
@@ -11,7 +11,7 @@ public:
     QuietErrors& operator=(const QuietErrors&) = delete;
 
 private:
-    int m_errors; // the real one
+    int m_errors; // the original descriptor
 };
 
 } // namespace trundle

@@ -48,7 +48,7 @@ Result<std::string> readAll(const FileDescriptor& open, std::uint64_t mostBytes)
     if (::fstat(open.file, &state) != 0) return failed(std::strerror(errno));
     if (static_cast<std::uint64_t>(state.st_size) > mostBytes) return failed(tooLarge(mostBytes));
 
-    // Files of /proc say size 0, and a file may grow while we read: the end is where read() says so.
+    // Files in /proc report size 0, and a file may grow while it is read: the end is where read() returns 0.
     std::string bytes;
     bytes.resize(static_cast<std::size_t>(state.st_size) + 1);
     std::size_t filled = 0;
@@ -74,7 +74,7 @@ Result<FileStamp> regularFileStamp(const std::string& path) {
 
 Result<std::string> readRegularFile(const std::string& path, std::uint64_t mostBytes) {
     if (path.find('\0') != std::string::npos) return failure(path, "its name holds a zero byte");
-    // Looked at before opening, because opening a device can have effects; and after, because it may have been exchanged.
+    // Checked before opening, because opening a device can have side effects, and after, because the file may have been replaced.
     if (const Result<FileStamp> before = regularFileStamp(path); !before) return before.error();
     const FileDescriptor open(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat state {};

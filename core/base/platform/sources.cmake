@@ -4,7 +4,7 @@ set(BASE_PLATFORM_SOURCES
   platform/buffered_file.cpp
   platform/dynamic_library.cpp
   platform/end_requests.cpp
-  platform/fed_process.cpp
+  platform/piped_process.cpp
   platform/file_lock.cpp
   platform/folder_handle.cpp
   platform/limits.cpp

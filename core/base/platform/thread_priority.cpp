@@ -4,9 +4,9 @@
 
 namespace trundle {
 
-void letOthersGoFirst() {
-    constexpr int kStep = 5; // a third of the time that another thread gets where both want all of it
-    // On Linux 0 means the calling thread, not the process.
+void lowerThreadPriority() {
+    constexpr int kStep = 5; // nice levels: about a third of the processor time of a thread at the normal level
+    // On Linux 0 is the calling thread, not the process.
     (void)setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kStep);
 }
 

@@ -2,7 +2,7 @@
 
 namespace trundle {
 
-/// From now on this thread, and those that it starts, leave the processors to the program's other threads first.
-void letOthersGoFirst();
+/// Lowers the priority of the calling thread, and of those it starts later, below the program's other threads.
+void lowerThreadPriority();
 
 } // namespace trundle

@@ -3,11 +3,11 @@
 
 namespace trundle {
 
-/// The home folder of this user: $HOME where it is an absolute path, else what the system says. "" where there is none.
+/// The home folder of this user: $HOME if it is an absolute path, otherwise from the system's user database. "" if there is none.
 [[nodiscard]] std::string homeFolder();
 
-/// A new folder for temporary files that only this user may look into; the same each time within a process. "" where none can be
-/// made. Its name cannot be known before, so nobody else can have put something there.
+/// A new folder for temporary files, accessible only to this user; the same for the whole process. "" if it cannot be created.
+/// Its name is unpredictable, so no other user can have created it before.
 [[nodiscard]] const std::string& privateTemporaryFolder();
 
 } // namespace trundle

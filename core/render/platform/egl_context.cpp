@@ -1,5 +1,5 @@
-// Measured on Mesa: a request for 3.1 or for a version below 3.2 with a profile mask may end in a core context, in which the
-// fixed names that OSG uses do nothing; so 3.3 compatibility is asked for, and what came is checked.
+// Measured on Mesa: requesting 3.1, or a version below 3.2 with a profile mask, may give a core context, in which the
+// fixed-function names that OSG uses have no effect. Therefore 3.3 compatibility is requested and the result is checked.
 
 #include "render/platform/egl_context.h"
 
@@ -52,7 +52,7 @@ struct Opened {
     EGLSurface surface = EGL_NO_SURFACE;
 };
 
-/// The reason, or empty when `opened` is current.
+/// Returns the reason of the failure, or an empty string when `opened` is current.
 std::string open(EGLDisplay display, Opened& opened) {
     EGLint major = 0, minor = 0;
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) return eglWords();
@@ -108,14 +108,14 @@ std::string open(EGLDisplay display, Opened& opened) {
 } // namespace
 
 Result<std::unique_ptr<EglContext>> EglContext::create() {
-    struct Way {
+    struct DisplayOption {
         const char* name;
         EGLDisplay (*display)();
     };
-    constexpr std::array<Way, 3> ways{
+    constexpr std::array<DisplayOption, 3> ways{
         {{"surfaceless", surfacelessDisplay}, {"device", deviceDisplay}, {"default display", defaultDisplay}}};
     std::string tried;
-    for (const Way& way : ways) {
+    for (const DisplayOption& way : ways) {
         Opened opened;
         const std::string why = open(way.display(), opened);
         if (why.empty()) {
@@ -133,7 +133,7 @@ Result<std::unique_ptr<EglContext>> EglContext::create() {
 }
 
 EglContext::~EglContext() {
-    // The display belongs to the whole process and stays.
+    // The display is shared by the whole process and stays open.
     eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (m_surface) eglDestroySurface(m_display, m_surface);
     eglDestroyContext(m_display, m_context);

@@ -1,5 +1,5 @@
 #pragma once
-// An OpenGL compatibility context with no window and no display.
+// An off-screen OpenGL compatibility context; needs no window and no display.
 
 #include <memory>
 #include <string>
@@ -10,10 +10,10 @@ namespace trundle {
 
 class EglContext {
 public:
-    /// Makes one and makes it current on this thread. Tries surfaceless, then a device, then the default display.
-    /// E510 with what each way said where no OpenGL is to be had.
+    /// Creates a context and makes it current on this thread. Tries surfaceless, then a device, then the default display. Fails
+    /// with E510 and the reason of each attempt if there is no OpenGL.
     [[nodiscard]] static Result<std::unique_ptr<EglContext>> create();
-    /// On the thread that made it.
+    /// Must run on the thread that created it.
     ~EglContext();
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;

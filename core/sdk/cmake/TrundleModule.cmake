@@ -3,10 +3,10 @@
 #
 #   trundle_module(wall_follower FOLDER controllers SOURCES wall_follower.cpp)
 #
-# makes ${TRUNDLE_MODULE_DIR}/controllers/libwall_follower.so, named in a text by `#loadModule controllers/wall_follower`, and
-# beside it libwall_follower.so.kinds.json, from which checking and completion know its kinds without running its code.
-#   FOLDER  below TRUNDLE_MODULE_DIR; none: directly in it
-#   OUTPUT  the library's name where it is not the target's
+# builds ${TRUNDLE_MODULE_DIR}/controllers/libwall_follower.so, which a text loads with `#loadModule controllers/wall_follower`,
+# and libwall_follower.so.kinds.json next to it, from which checks and completion read its kinds without running its code.
+#   FOLDER  subfolder of TRUNDLE_MODULE_DIR; default: that folder itself
+#   OUTPUT  library name if it differs from the target's name
 #   LINK    further libraries
 
 include(CheckCXXCompilerFlag)
@@ -31,12 +31,13 @@ function(trundle_module name)
     PREFIX lib OUTPUT_NAME ${MOD_OUTPUT} LIBRARY_OUTPUT_DIRECTORY ${TRUNDLE_MODULE_DIR}/${MOD_FOLDER}
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
 
-  # Unique symbols would tie two modules, or two versions of one, to each other and make unloading impossible.
+  # GNU unique symbols would be shared between two modules, or two versions of one, and prevent unloading.
   check_cxx_compiler_flag(-fno-gnu-unique TRUNDLE_HAS_NO_GNU_UNIQUE)
   if(TRUNDLE_HAS_NO_GNU_UNIQUE)
     target_compile_options(${target} PRIVATE -fno-gnu-unique)
   endif()
-  # What is missing is a fault of linking here, not one of loading at the user's. (A sanitizer's run time comes with the program.)
+  # Undefined symbols are link errors here instead of load errors for the user. (A sanitizer's runtime is provided by the
+  # program.)
   if(UNIX AND NOT APPLE AND NOT TRUNDLE_SANITIZE)
     target_link_options(${target} PRIVATE -Wl,-z,defs)
   endif()

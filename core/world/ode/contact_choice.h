@@ -9,10 +9,10 @@
 
 namespace trundle {
 
-inline constexpr int kMostFound = 32;
+inline constexpr int kMaxFound = 32;
 inline constexpr double kSideHit = 0.7; ///< cosine: what is turned farther away lies on another side
-using PointGroup = std::array<int, kMostFound>;
-using UsedPoints = std::array<bool, kMostFound>;
+using PointGroup = std::array<int, kMaxFound>;
+using UsedPoints = std::array<bool, kMaxFound>;
 
 /// Takes the first sound point that is not used yet and all that face its way into `group`, marks them as used and gives their number.
 [[nodiscard]] int takeDirection(const dContactGeom* found, int count, UsedPoints& used, PointGroup& group);

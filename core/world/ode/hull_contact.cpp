@@ -15,13 +15,13 @@ constexpr double kPreferSecond =
     1e-6;                           // m: of two faces as good the second body's is taken, so that it does not change every tick
 constexpr double kAsOpposed = 0.02; // cosine: triangles this much less opposed to the reference still touch it
 
-struct Reference {
+struct ReferenceFace {
     std::size_t face = 0;
     double above = -std::numeric_limits<double>::infinity(); ///< the other's lowest point over the face's plane
 };
 
-Reference bestFace(const FlatBody& body, const FlatBody& other) {
-    Reference best;
+ReferenceFace bestFace(const FlatBody& body, const FlatBody& other) {
+    ReferenceFace best;
     for (std::size_t f = 0; f < body.normals.size(); ++f) {
         double lowest = std::numeric_limits<double>::infinity();
         for (const Vec3& p : other.points) {
@@ -106,7 +106,7 @@ void clipPolygon(std::vector<Vec3>& polygon, const Vec3& normal, double offset, 
 
 FlatTouch flatContacts(const FlatBody& first, const FlatBody& second) {
     FlatTouch touch;
-    const Reference onSecond = bestFace(second, first), onFirst = bestFace(first, second);
+    const ReferenceFace onSecond = bestFace(second, first), onFirst = bestFace(first, second);
     touch.apart = onSecond.above > 0 || onFirst.above > 0;
     if (touch.apart) return touch;
     if (onSecond.above >= onFirst.above - kPreferSecond) {

@@ -1,5 +1,5 @@
 #pragma once
-// Contacts between convex bodies with flat faces. A general collider finds one deepest point, on which nothing can stand; here the
+// Contacts between convex bodies with flat faces. A general collider finds one deepest point, on which nothing can be; here the
 // touching faces are clipped against the other body, so that a body rests on the whole of what it covers.
 
 #include <array>

@@ -1,6 +1,7 @@
-// Needs: triangles near the body. Method: per triangle the direction of least overlap, its own normal or that of a face of the body;
-// the triangle's is preferred, and what lies in one plane with a preferred one follows it, so that the seams of a floor are no edges.
-// Then the faces of the one are clipped by the sides of the other. Data: everything in the world, made per pair.
+// Needs: triangles near the body. Method: for each triangle, the direction of least overlap is either its own normal or that of a
+//   face of the body. The triangle's normal is preferred, and coplanar neighbours of such a triangle use it too, so that the
+//   seams of a floor do not act as edges. Then the faces of one are clipped by the sides of the other. Data: everything in world
+//   coordinates, built per pair.
 #include "world/ode/hull_on_mesh.h"
 
 #include <algorithm>
@@ -10,16 +11,16 @@ namespace trundle {
 
 namespace {
 
-constexpr double kPreferSurface = 2e-3; // m: a face of the body must be so much better than the triangle's own normal
-constexpr double kSameNormal = 1e-6, kSameOffset = 1e-5; // 1 - cosine, m: in one plane
-constexpr double kFaceOpposed = 0.02;                    // cosine: faces this much less opposed to the triangle still lie on it
+constexpr double kPreferSurface = 2e-3; // m, by which a body's face must be better than the triangle's own normal
+constexpr double kSameNormal = 1e-6, kSameOffset = 1e-5; // 1 - cosine, m: limits for coplanar triangles
+constexpr double kFaceOpposed = 0.02;                    // cosine; faces less opposed to the triangle by up to this also touch it
 
-/// A triangle that the body overlaps.
+/// A triangle that the body penetrates.
 struct Overlap {
     const Triangle* triangle = nullptr;
-    Vec3 normal = Vec3::UnitZ(); ///< of the side where the body is
+    Vec3 normal = Vec3::UnitZ(); ///< on the side of the body
     double offset = 0, depth = 0;
-    std::size_t face = 0; ///< the body's that the triangle enters least
+    std::size_t face = 0; ///< the body's face with the least penetration
     bool onSurface = true;
 };
 
@@ -35,7 +36,7 @@ bool overlaps(const FlatBody& body, const Triangle& t, Overlap& o) {
     }
     if (low >= 0 || high <= 0) return false;
     o.depth = std::min(-low, high);
-    if (high < -low) { // it is behind
+    if (high < -low) { // the body is mostly on the back side
         o.normal = -o.normal;
         o.offset = -o.offset;
     }
@@ -56,8 +57,8 @@ bool inOnePlane(const Overlap& a, const Overlap& b) {
     return a.normal.dot(b.normal) > 1 - kSameNormal && std::abs(a.offset - b.offset) < kSameOffset;
 }
 
-/// The body's faces that look at the triangle, cut by its three sides.
-void lieOnTriangle(const FlatBody& body, const Overlap& o, std::vector<SurfaceContact>& contacts) {
+/// Contacts from the body's faces opposed to the triangle, clipped by its three sides.
+void contactsWithTriangle(const FlatBody& body, const Overlap& o, std::vector<SurfaceContact>& contacts) {
     double opposed = 1;
     for (const Vec3& n : body.normals) opposed = std::min(opposed, n.dot(o.normal));
     std::vector<Vec3> polygon, scratch;
@@ -76,8 +77,8 @@ void lieOnTriangle(const FlatBody& body, const Overlap& o, std::vector<SurfaceCo
     }
 }
 
-/// The triangle, cut by the whole body.
-void standOnBody(const FlatBody& body, const Overlap& o, std::vector<SurfaceContact>& contacts) {
+/// Contacts from the triangle, clipped by the whole body.
+void contactsWithBody(const FlatBody& body, const Overlap& o, std::vector<SurfaceContact>& contacts) {
     std::vector<Vec3> polygon(o.triangle->begin(), o.triangle->end()), scratch;
     for (std::size_t f = 0; f < body.normals.size() && !polygon.empty(); ++f)
         clipPolygon(polygon, body.normals[f], body.offsets[f], scratch);
@@ -92,7 +93,7 @@ std::vector<SurfaceContact> contactsOnSurface(const FlatBody& body, const std::v
     Overlap overlap;
     for (const Triangle& t : triangles)
         if (overlaps(body, t, overlap)) overlapping.push_back(overlap);
-    std::vector<const Overlap*> planes; // each once
+    std::vector<const Overlap*> planes; // one per plane
     for (const Overlap& o : overlapping) {
         const bool known = std::ranges::any_of(planes, [&](const Overlap* p) { return inOnePlane(*p, o); });
         if (o.onSurface && !known) planes.push_back(&o);
@@ -100,8 +101,8 @@ std::vector<SurfaceContact> contactsOnSurface(const FlatBody& body, const std::v
     std::vector<SurfaceContact> contacts;
     for (const Overlap& o : overlapping) {
         const bool lies = o.onSurface || std::ranges::any_of(planes, [&](const Overlap* p) { return inOnePlane(*p, o); });
-        if (lies) lieOnTriangle(body, o, contacts);
-        else standOnBody(body, o, contacts);
+        if (lies) contactsWithTriangle(body, o, contacts);
+        else contactsWithBody(body, o, contacts);
     }
     return contacts;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A convex body with flat faces on the triangles of a surface. Both sides of a triangle are ground; which one is told by where most
-// of the body is.
+// Contacts of a convex polyhedron with the triangles of a mesh. Both sides of a triangle are solid; the side that contains most
+// of the body is used.
 
 #include "world/ode/hull_contact.h"
 
@@ -13,7 +13,7 @@ struct SurfaceContact {
 
 using Triangle = std::array<Vec3, 3>;
 
-/// All contacts with these triangles, in their order.
+/// All contacts with these triangles, in the order of the triangles.
 [[nodiscard]] std::vector<SurfaceContact> contactsOnSurface(const FlatBody& body, const std::vector<Triangle>& triangles);
 
 } // namespace trundle

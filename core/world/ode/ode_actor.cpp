@@ -1,4 +1,4 @@
-// Bodies, geoms and statics of the ODE engine. ODE's bodies sit at the centre of mass, the specs' in their own frame.
+// Bodies, geoms and statics of the ODE engine. ODE places a body's origin at its centre of mass, the specs at their own frame.
 #include "world/ode/ode_engine.h"
 
 #include <algorithm>
@@ -10,9 +10,9 @@ namespace trundle {
 namespace {
 
 constexpr const char* kRefused = "its shape cannot be simulated; check its sizes, or build it from boxes, spheres and cylinders";
-constexpr double kFewestSupports = 3; // contacts that share an actor's weight, unless it is one ball
+constexpr double kFewestSupports = 3; // minimum number of contacts that share an actor's weight, unless it is a single ball
 
-/// Bound of a turned box: how far it reaches along each axis of the outer frame.
+/// Half the extent of a rotated box along each axis of the outer frame.
 Vec3 reach(const Mat3& axes, const Vec3& half) { return axes.cwiseAbs() * half; }
 
 } // namespace
@@ -50,7 +50,7 @@ void OdeEngine::buildActor(const ActorDef& def, ActorHandles& handles, std::stri
 
     const bool ball = actor.geoms.end - actor.geoms.begin == 1 && m_geoms[actor.geoms.begin].shape == GeomShape::Sphere;
     const double gravity = std::max(9.81, m_settings.gravity.norm());
-    actor.stiffness = std::max(kContactStiffness, actor.mass * gravity / ((ball ? 1 : kFewestSupports) * kMostSag));
+    actor.stiffness = std::max(kContactStiffness, actor.mass * gravity / ((ball ? 1 : kFewestSupports) * kMaxSag));
     actor.damping = kContactDamping * actor.stiffness / kContactStiffness;
     m_actorBoxes.emplace_back();
     for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) publishBody(i);
@@ -169,7 +169,7 @@ void OdeEngine::finishStatics() {
     m_staticsDone = true;
 }
 
-/// All pairs of geoms whose bodies are neither the same nor joined directly.
+/// Finds all pairs of geoms whose bodies differ and are not directly joined.
 void OdeEngine::findSelfPairs(Actor& actor) {
     for (std::uint32_t a = actor.geoms.begin; a < actor.geoms.end; ++a)
         for (std::uint32_t b = a + 1; b < actor.geoms.end; ++b) {

@@ -1,6 +1,6 @@
-// Pairs and contacts. Method: boxes round everything; per actor planes, then scenery, then partners, each in index order, so that
-// contacts come out sorted by (actor, partner, geom). What is known is computed: balls, boxes and wheels on planes, wheels on
-// boxes; the rest is dCollide, always (lower, higher), reduced to few well-spread points.
+// Pairs and contacts. Method: bounding boxes around everything; for each actor first planes, then statics, then partners, each in
+// index order, so that contacts are sorted by (actor, partner, geom). Balls, boxes and wheels on planes, and wheels on boxes, are
+// computed in closed form; all other pairs use dCollide, always as (lower, higher), reduced to a few well-spread points.
 #include "world/ode/ode_engine.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace trundle {
 
 namespace {
 
-constexpr int kMostKept = 4;     // per pair and direction
-constexpr int kMostOfRobots = 2; // per pair of jointed actors
-constexpr int kMostDirections = 3;
+constexpr int kMaxKept = 4;     // per pair and direction
+constexpr int kMaxOfRobots = 2; // per pair of jointed actors
+constexpr int kMaxDirections = 3;
 constexpr double kSurelyClear = 1e-6; // m
 
-/// Whether a box is above the plane beyond all rounding.
+/// Whether a box is above the plane by more than rounding errors.
 bool isClear(const Box3& box, const Vec3& normal, double distance) {
     double lowest = -distance;
     for (int k = 0; k < 3; ++k) lowest += normal[k] * (normal[k] > 0 ? box.lo[k] : box.hi[k]);
@@ -54,7 +54,7 @@ void OdeEngine::updateBoxes() {
                 all.cover(m_boxes[i]);
             }
         }
-        if (all.lo[0] > all.hi[0]) all = {{0, 0, -1e30}, {0, 0, -1e30}}; // collides with nothing: out of the way
+        if (all.lo[0] > all.hi[0]) all = {{0, 0, -1e30}, {0, 0, -1e30}}; // never collides: placed far away
         m_actorBoxes[a] = all;
     }
 }
@@ -119,12 +119,12 @@ void OdeEngine::geomOnPlane(std::uint32_t index, const GroundPlane& plane) {
     if (g.wheel) {
         const WheelPose wheel = wheelPose(g, index);
         GroundContact ground;
-        const WheelAnswer answer = wheelOnPlane(wheel, plane.normal, plane.distance, ground);
-        if (answer == WheelAnswer::Contact) {
+        const WheelContactResult answer = wheelOnPlane(wheel, plane.normal, plane.distance, ground);
+        if (answer == WheelContactResult::Contact) {
             Contact& c = addContact(index, plane.geom, ground.position.data(), ground.normal.data(), ground.depth);
             Vec3::Map(c.slide) = wheel.axle.cross(ground.normal);
         }
-        if (answer != WheelAnswer::Unknown) return;
+        if (answer != WheelContactResult::Unknown) return;
     }
     if (g.shape == GeomShape::Sphere) sphereOnPlane(index, plane);
     else if (g.shape == GeomShape::Box) boxOnPlane(index, plane);
@@ -158,7 +158,7 @@ void OdeEngine::boxOnPlane(std::uint32_t index, const GroundPlane& plane) {
         group[static_cast<std::size_t>(count)] = count;
         ++count;
     }
-    const int kept = spread(found, group, count, kMostKept);
+    const int kept = spread(found, group, count, kMaxKept);
     for (int i = 0; i < kept; ++i) {
         const dContactGeom& c = found[group[static_cast<std::size_t>(i)]];
         addContact(index, plane.geom, c.pos, plane.normal.data(), c.depth);
@@ -171,7 +171,7 @@ void OdeEngine::collideGeoms(std::uint32_t first, std::uint32_t second) {
     else genericContacts(first, second);
 }
 
-/// One contact per direction of ground: the wheel's radius exact, at the middle of its tread.
+/// One contact per ground direction: exactly at the wheel's radius, at the centre of its tread.
 void OdeEngine::wheelAgainst(std::uint32_t index, std::uint32_t other, bool wheelFirst) {
     const Geom &g = m_geoms[index], &o = m_geoms[other];
     const WheelPose wheel = wheelPose(g, index);
@@ -182,15 +182,15 @@ void OdeEngine::wheelAgainst(std::uint32_t index, std::uint32_t other, bool whee
     };
     if (o.shape == GeomShape::Box) {
         GroundContact ground;
-        const WheelAnswer answer = wheelOnBox(wheel, m_centres[other], axesOf(o), o.half, ground);
-        if (answer == WheelAnswer::Contact) emit(ground.position, ground.normal, ground.depth, true);
-        if (answer != WheelAnswer::Unknown) return;
+        const WheelContactResult answer = wheelOnBox(wheel, m_centres[other], axesOf(o), o.half, ground);
+        if (answer == WheelContactResult::Contact) emit(ground.position, ground.normal, ground.depth, true);
+        if (answer != WheelContactResult::Unknown) return;
     }
     const bool rough = o.shape == GeomShape::Mesh || o.shape == GeomShape::Heightfield;
-    dContactGeom found[kMostFound];
-    const int count = dCollide(rough && g.asSphere ? g.asSphere : g.id, o.id, kMostFound, found, sizeof(dContactGeom));
+    dContactGeom found[kMaxFound];
+    const int count = dCollide(rough && g.asSphere ? g.asSphere : g.id, o.id, kMaxFound, found, sizeof(dContactGeom));
     UsedPoints used{};
-    for (int round = 0; round < kMostDirections; ++round) {
+    for (int round = 0; round < kMaxDirections; ++round) {
         Vec3 normal;
         const int deepest = takeGround(found, count, used, normal);
         if (deepest < 0) return;
@@ -205,16 +205,16 @@ void OdeEngine::wheelAgainst(std::uint32_t index, std::uint32_t other, bool whee
 int OdeEngine::mostContacts(std::uint32_t first, std::uint32_t second) const {
     const bool robots =
         m_geoms[second].actor != kNoActor && m_actors[m_geoms[first].actor].jointed && m_actors[m_geoms[second].actor].jointed;
-    return robots ? kMostOfRobots : kMostKept;
+    return robots ? kMaxOfRobots : kMaxKept;
 }
 
 void OdeEngine::genericContacts(std::uint32_t first, std::uint32_t second) {
     if (hullContacts(first, second) || hullOnMesh(first, second)) return;
-    dContactGeom found[kMostFound];
-    const int count = dCollide(m_geoms[first].id, m_geoms[second].id, kMostFound, found, sizeof(dContactGeom));
+    dContactGeom found[kMaxFound];
+    const int count = dCollide(m_geoms[first].id, m_geoms[second].id, kMaxFound, found, sizeof(dContactGeom));
     if (count == 0) return;
     UsedPoints used{};
-    for (int round = 0; round < kMostDirections; ++round) {
+    for (int round = 0; round < kMaxDirections; ++round) {
         PointGroup group{};
         const int size = takeDirection(found, count, used, group);
         if (size == 0) return;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSlipSpeed = 1e-7; // m/s: below it friction's axes are ODE's own choice
 constexpr double kBounceErp = 0.2;
-constexpr double kLying = 0.7;      // cosine between an axis and the floor's normal
+constexpr double kRolling = 0.7;    // cosine between an axis and the floor's normal
 constexpr std::uint32_t kYoung = 2; // ticks
 constexpr double kQuiet = 0.4;      // share of the limit
 constexpr double kLevel = 0.8;      // square of the cosine between normal and gravity
@@ -42,7 +42,7 @@ std::size_t OdeEngine::largestCluster() {
     const auto largest = std::max_element(m_clusterSize.begin(), m_clusterSize.end());
     if (largest == m_clusterSize.end()) return 0;
     const Actor& actor = m_actors[static_cast<std::size_t>(largest - m_clusterSize.begin())];
-    if (m_settings.calls) m_settings.calls->noteCluster(*largest, actor.bodies.begin);
+    if (m_settings.calls) m_settings.calls->recordCluster(*largest, actor.bodies.begin);
     return *largest;
 }
 
@@ -177,7 +177,7 @@ void OdeEngine::keepContacts(double h) {
         const Geom& g = m_geoms[c.first];
         const bool rolls = g.wheel || g.shape == GeomShape::Sphere ||
                            ((g.shape == GeomShape::Cylinder || g.shape == GeomShape::Capsule) &&
-                            std::abs(axesOf(g).col(2).dot(vec(c.normal))) < kLying);
+                            std::abs(axesOf(g).col(2).dot(vec(c.normal))) < kRolling);
         const Vec3 moved = h * (rolls ? vec(m_bodies[g.body].v) : pointVelocity(g, vec(c.position)));
         m_memory.keep(c, vec(m_contactFeedbacks[i].f1), moved);
     }

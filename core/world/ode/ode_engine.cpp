@@ -11,7 +11,7 @@ namespace {
 
 /// Each interrupted step loses the memory that ODE had taken for it (some 10 kB to 1 MB); a world that needs more of them is left to
 /// the quick solver.
-constexpr std::uint32_t kMostInterruptedSteps = 300;
+constexpr std::uint32_t kMaxInterruptedSteps = 300;
 
 } // namespace
 
@@ -61,7 +61,7 @@ OdeEngine::~OdeEngine() {
     }
 }
 
-void OdeEngine::setMotor(JointHandle joint, const MotorRow& row) {
+void OdeEngine::setMotor(JointHandle joint, const MotorConstraint& row) {
     Joint& j = m_joints[joint.index];
     if (j.driven && j.motor.rate == row.rate && j.motor.softness == row.softness && j.motor.limit == row.limit) return;
     j.motor = row;
@@ -107,7 +107,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         applyWrites();
         updateBoxes();
         collide();
-        tendRows(h);
+        updateSpringConstraints(h);
         solve(h);
         ++m_tick;
         m_fault = findFault();
@@ -116,7 +116,7 @@ std::optional<EngineFault> OdeEngine::step(double h) {
         m_interrupted = true;
         m_fault = interruptedFault();
     }
-    m_complaints += odeMessages() - before;
+    m_solverWarnings += odeMessages() - before;
     return m_fault;
 }
 
@@ -157,7 +157,7 @@ void OdeEngine::applyMotion(const Motion& write) {
     }
 }
 
-/// One exact step. False where the solver met a singular row: it says so and leaves nonsense behind, or fails an assertion in the
+/// One exact step. False where the solver met a singular row: it reports it and leaves nonsense behind, or fails an assertion in the
 /// middle of its work.
 bool OdeEngine::tryExactStep(double h) {
     const std::uint64_t before = odeMessages();
@@ -175,7 +175,7 @@ bool OdeEngine::tryExactStep(double h) {
 /// In a rare tick the exact solver cannot do its work. The tick is then taken again from the same state with a little more give in
 /// every row. False where no give helped: the state is as before the tick.
 bool OdeEngine::stepExactly(double h) {
-    if (m_interruptedSteps >= kMostInterruptedSteps) return false;
+    if (m_interruptedSteps >= kMaxInterruptedSteps) return false;
     saveState();
     bool solved = false, rescued = false;
     for (const double give : {kWorldCfm, 1e2 * kWorldCfm, 1e4 * kWorldCfm}) {
@@ -200,7 +200,7 @@ void OdeEngine::stepQuickly(double h) {
 void OdeEngine::solve(double h) {
     m_quick = m_settings.solver == SolverChoice::Quick;
     if (m_settings.calls)
-        m_settings.calls->noteCluster(static_cast<std::uint32_t>(m_contacts.size()), 0xffffffffu); // all of them
+        m_settings.calls->recordCluster(static_cast<std::uint32_t>(m_contacts.size()), 0xffffffffu); // all of them
     if (!m_quick && m_contacts.size() > kExactClusterMax) {
         const std::size_t largest = largestCluster();
         if (m_settings.solver == SolverChoice::Auto) m_quick = largest > kExactClusterMax;

@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] Result<ActorHandles> addActor(const ActorDef& actor) override;
     [[nodiscard]] Result<GeomHandle> addStatic(const GeomSpec& geom, const Pose& pose) override;
-    void setMotor(JointHandle joint, const MotorRow& row) override;
+    void setMotor(JointHandle joint, const MotorConstraint& row) override;
     void addJointTorque(JointHandle joint, double torque) override;
     void addForce(BodyHandle body, const Vec3& force, const Vec3& point) override;
     void setSurfaceVelocity(GeomHandle geom, const Vec3& velocity) override;
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::uint64_t quickTicks() const override { return m_quickTicks; }
     [[nodiscard]] std::uint64_t rescuedTicks() const override { return m_rescuedTicks; }
     [[nodiscard]] std::size_t largestExactCluster() const override { return m_largestExactCluster; }
-    [[nodiscard]] std::uint64_t complaints() const override { return m_complaints; }
+    [[nodiscard]] std::uint64_t solverWarnings() const override { return m_solverWarnings; }
 
 private:
     using Body = OdeBody;
@@ -104,9 +104,9 @@ private:
     void restoreState();
 
     // joints in a step (ode_joint_rows.cpp)
-    void tendRows(double h);
-    void tendSpring(Joint& joint, double h);
-    void tendSuspension(Joint& joint, double h);
+    void updateSpringConstraints(double h);
+    void updateSpring(Joint& joint, double h);
+    void updateSuspension(Joint& joint, double h);
     void measureJoint(Joint& joint, double h);
     [[nodiscard]] double effortOf(const Joint& joint) const;
     [[nodiscard]] Vec3 anchorGap(const Joint& joint) const;
@@ -167,7 +167,7 @@ private:
     std::vector<Box3> m_boxes;   ///< of geoms
     std::vector<Box3> m_actorBoxes;
     std::vector<Joint> m_joints;
-    std::vector<std::uint32_t> m_tended;
+    std::vector<std::uint32_t> m_updated;
     std::vector<GroundPlane> m_planes;
     std::vector<std::uint32_t> m_statics; ///< static geoms other than planes
     std::vector<std::unique_ptr<dJointFeedback>> m_feedbacks;
@@ -189,7 +189,7 @@ private:
     mutable std::vector<std::uint32_t> m_geomContactBegin, m_geomContacts;
     mutable bool m_geomContactsReady = false;
 
-    std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0, m_complaints = 0;
+    std::uint64_t m_tick = 0, m_quickTicks = 0, m_rescuedTicks = 0, m_solverWarnings = 0;
     std::size_t m_largestExactCluster = 0;
     bool m_quick = false;
     bool m_interrupted = false;           ///< a fault was thrown out of the middle of ODE, and the world is dead

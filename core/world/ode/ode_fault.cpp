@@ -34,7 +34,7 @@ void prepareThread() {
 
 void abandon(void* threading) {
     static std::mutex lock;
-    static auto* const abandoned = new std::vector<void*>; // still known to someone, so that a leak checker sees the intention
+    static auto* const abandoned = new std::vector<void*>; // stays reachable, so that leak checkers do not report it
     const std::scoped_lock guard(lock);
     abandoned->push_back(threading);
 }

@@ -1,21 +1,23 @@
 #pragma once
-// ODE answers a broken promise by ending the process. Its three handlers are installed once for the whole process; ours throw,
-// and every entry of this folder catches. Never call ODE's space callbacks from here: a throw would leave a space locked.
+// ODE ends the process when an assertion fails. Its three handlers are replaced once per process; the replacements throw, and
+// every entry point of this folder catches. ODE's space callbacks must not be called from here: a throw would leave a space
+// locked.
 
 #include <cstdint>
 
 namespace trundle {
 
-/// ODE would have ended the process here. Its own words are about its source text and help no user: they are dropped.
+/// Thrown where ODE would have ended the process. ODE's message refers to its source code and does not help users, so it is
+/// dropped.
 struct OdeFault {};
 
-/// Starts ODE and takes over its handlers; any thread, any number of times.
+/// Initialises ODE and replaces its handlers; may be called repeatedly, from any thread.
 void startOde();
-/// Gives the calling thread the collision buffers that ODE keeps per thread.
+/// Allocates the collision buffers that ODE keeps per thread for the calling thread.
 void prepareThread();
-/// Keeps what a fault left half done inside ODE, for good: taking it apart would end the program.
+/// Leaks an ODE object that a fault left inconsistent: destroying it would end the process.
 void abandon(void* threading);
-/// Messages ODE has given on this thread so far ("LCP internal error"); each means a singular system.
+/// Number of messages ODE has issued on this thread ("LCP internal error"); each means a singular system.
 [[nodiscard]] std::uint64_t odeMessages();
 
 } // namespace trundle

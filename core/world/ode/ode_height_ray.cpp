@@ -7,14 +7,14 @@ namespace trundle {
 
 namespace {
 
-/// Möller-Trumbore, both sides.
+/// Möller-Trumbore intersection test, for both sides.
 std::optional<HeightHit> rayOnTriangle(const HeightRay& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a, p = ray.direction.cross(ac);
     const double det = ab.dot(p);
     if (std::abs(det) < 1e-14 * ab.norm() * ac.norm()) return {};
     const Vec3 s = ray.origin - a, q = s.cross(ab);
     const double u = s.dot(p) / det, v = ray.direction.dot(q) / det, t = ac.dot(q) / det;
-    constexpr double kSlack = 1e-9; // no gap between neighbours
+    constexpr double kSlack = 1e-9; // closes gaps between neighbours
     if (u < -kSlack || v < -kSlack || u + v > 1 + kSlack || t < 0 || t > ray.range) return {};
     Vec3 normal = ab.cross(ac).normalized();
     if (normal.y() < 0) normal = -normal;
@@ -26,7 +26,7 @@ std::optional<HeightHit> rayOnTriangle(const HeightRay& ray, const Vec3& a, cons
 std::optional<HeightHit> rayOnHeights(const HeightRay& ray, const HeightMap& map, double width, double depth, double height) {
     const int columns = static_cast<int>(map.columns) - 1, rows = static_cast<int>(map.rows) - 1;
     const double dx = width / columns, dz = depth / rows;
-    // The part of the ray over the map.
+    // The interval of the ray above the map.
     double from = 0, to = ray.range;
     const double start[2] = {ray.origin.x(), ray.origin.z()}, along[2] = {ray.direction.x(), ray.direction.z()},
                  half[2] = {width / 2, depth / 2};

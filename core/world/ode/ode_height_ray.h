@@ -1,5 +1,5 @@
 #pragma once
-// Rays on height maps, cell by cell: ODE's own test looks at every cell under the ray's bounding box.
+// Ray casts against height maps, cell by cell: ODE's own test visits every cell below the ray's bounding box.
 
 #include <optional>
 
@@ -9,7 +9,7 @@
 
 namespace trundle {
 
-/// In the field's own axes: x along columns, y up, z along rows. `direction` is a unit vector.
+/// In the height field's own axes: x along columns, y up, z along rows. `direction` is a unit vector.
 struct HeightRay {
     Vec3 origin, direction;
     double range = 0;
@@ -19,7 +19,7 @@ struct HeightHit {
     Vec3 normal = Vec3::UnitY();
 };
 
-/// The map spans `width` by `depth` about the origin; white is `height` up.
+/// The map spans `width` x `depth` around the origin (m); white is at `height`.
 [[nodiscard]] std::optional<HeightHit> rayOnHeights(const HeightRay& ray, const HeightMap& map, double width, double depth,
                                                     double height);
 

@@ -1,4 +1,4 @@
-// Convex hulls against what has flat faces: other hulls, boxes, the ends of cylinders, meshes.
+// Contacts of convex hulls with shapes that have flat faces: other hulls, boxes, ends of cylinders, meshes.
 #include "world/ode/ode_engine.h"
 
 #include <algorithm>
@@ -11,23 +11,24 @@ namespace trundle {
 
 namespace {
 
-constexpr double kOnEnd = 0.999;      // cosine between a contact's normal and a cylinder's axis: it is on the end
-constexpr double kOneDirection = 0.9; // cosine: contacts that push the same way
-constexpr double kSameDepth = 5e-5; // m: what differs less is chosen by its number, so that the choice does not change every tick
-constexpr int kMostDirections = 3;
+constexpr double kOnEnd = 0.999;      // cosine between contact normal and cylinder axis: the contact is on an end face
+constexpr double kOneDirection = 0.9; // cosine; contacts with the same direction
+constexpr double kSameDepth = 5e-5; // m; smaller differences are decided by index, so that the choice is stable between ticks
+constexpr int kMaxDirections = 3;
 
 double step(double depth) { return std::floor(depth / kSameDepth); }
 
-/// The deepest of them and others far apart: at most `most`. There may be more of them than fit into one choice.
+/// At most `most` contacts: the deepest one, and others far apart from it and each other. The input may exceed the capacity of
+/// one PointGroup.
 std::vector<SurfaceContact> wellSpread(const std::vector<SurfaceContact>& contacts, int most) {
-    dContactGeom found[kMostFound];
-    std::array<const SurfaceContact*, kMostFound> from{};
+    dContactGeom found[kMaxFound];
+    std::array<const SurfaceContact*, kMaxFound> from{};
     PointGroup group{};
     int count = 0;
     const auto choose = [&] {
         for (int i = 0; i < count; ++i) group[static_cast<std::size_t>(i)] = i;
         count = spread(found, group, count, most);
-        std::array<const SurfaceContact*, kMostFound> kept{};
+        std::array<const SurfaceContact*, kMaxFound> kept{};
         for (int i = 0; i < count; ++i)
             kept[static_cast<std::size_t>(i)] = from[static_cast<std::size_t>(group[static_cast<std::size_t>(i)])];
         return kept;
@@ -39,7 +40,7 @@ std::vector<SurfaceContact> wellSpread(const std::vector<SurfaceContact>& contac
         from[static_cast<std::size_t>(count++)] = c;
     };
     for (const SurfaceContact& c : contacts) {
-        if (count == kMostFound) {
+        if (count == kMaxFound) {
             const auto kept = choose();
             const int few = std::exchange(count, 0);
             for (int i = 0; i < few; ++i) take(kept[static_cast<std::size_t>(i)]);
@@ -74,8 +75,8 @@ FlatBody OdeEngine::flatBody(std::uint32_t index) const {
     return body;
 }
 
-/// False where these two are no hull with something that has flat faces, where only edges cross, or where a cylinder's round side
-/// touches: then ODE's one point has to do.
+/// False if the pair is not a hull and a shape with flat faces, if only edges cross, or if a cylinder's lateral surface touches;
+/// the single contact of ODE is used then.
 bool OdeEngine::hullContacts(std::uint32_t first, std::uint32_t second) {
     const GeomShape a = m_geoms[first].shape, b = m_geoms[second].shape;
     const auto flat = [](GeomShape s) { return s == GeomShape::Convex || s == GeomShape::Box || s == GeomShape::Cylinder; };
@@ -92,14 +93,14 @@ bool OdeEngine::hullContacts(std::uint32_t first, std::uint32_t second) {
     return true;
 }
 
-/// Contacts that all push the same way.
+/// Adds contacts that all have the same direction.
 void OdeEngine::addSpread(std::uint32_t first, std::uint32_t second, std::vector<SurfaceContact>& contacts) {
     sortByDepth(contacts);
     for (const SurfaceContact& c : wellSpread(contacts, mostContacts(first, second)))
         addContact(first, second, c.position.data(), c.normal.data(), c.depth);
 }
 
-/// The triangles of a mesh that a box round the hull touches, in the world.
+/// The mesh triangles that touch the hull's bounding box, in world coordinates.
 std::vector<Triangle> OdeEngine::trianglesNear(std::uint32_t mesh, std::uint32_t hull) {
     const Geom& m = m_geoms[mesh];
     const Mat3 axes = axesOf(m), across = axes.transpose() * axesOf(m_geoms[hull]);
@@ -115,7 +116,7 @@ std::vector<Triangle> OdeEngine::trianglesNear(std::uint32_t mesh, std::uint32_t
     return triangles;
 }
 
-/// False where these two are no hull and no mesh, or only edges cross.
+/// False if the pair is not a hull and a mesh, or if only edges cross.
 bool OdeEngine::hullOnMesh(std::uint32_t first, std::uint32_t second) {
     const bool hullFirst = m_geoms[first].shape == GeomShape::Convex;
     const std::uint32_t hull = hullFirst ? first : second, mesh = hullFirst ? second : first;
@@ -124,7 +125,7 @@ bool OdeEngine::hullOnMesh(std::uint32_t first, std::uint32_t second) {
     std::vector<SurfaceContact> contacts = contactsOnSurface(flatBody(hull), near);
     if (contacts.empty()) return near.empty();
     sortByDepth(contacts);
-    for (int round = 0; round < kMostDirections && !contacts.empty(); ++round) {
+    for (int round = 0; round < kMaxDirections && !contacts.empty(); ++round) {
         const Vec3 way = contacts[0].normal;
         std::vector<SurfaceContact> group, others;
         for (const SurfaceContact& c : contacts) (c.normal.dot(way) < kOneDirection ? others : group).push_back(c);

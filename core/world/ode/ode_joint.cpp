@@ -1,6 +1,6 @@
-// Joints of the ODE engine. Method: the child is ODE's first body wherever ODE leaves the choice, so that ODE's angles and rates
-// are the child's as seen from the parent. Stops of angles, springs and friction are rows of their own beside the joint, so that a
-// motor and all of them work at once.
+// Joints of the ODE engine. Method: the child is ODE's first body wherever ODE allows it, so that ODE's angles and rates are
+// those of the child relative to the parent. Angle stops, springs and friction are separate constraint rows beside the joint, so
+// that all of them and a motor can act at once.
 #include "world/ode/ode_engine.h"
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLeastGapLimit = 0.005; // m
 
-/// The axle of a wheel runs through the middle of a ball or along the middle of a cylinder.
+/// True if a wheel's axle passes through the centre of a sphere or along the axis of a cylinder.
 bool isCoaxial(GeomShape shape, const Vec3& centre, const Vec3& cylinderAxis, double radius, const Vec3& anchor,
                const Vec3& axle) {
     const Vec3 off = centre - anchor;
@@ -37,11 +37,11 @@ void OdeEngine::addJoint(const JointSpec& spec, const ActorDef& def, std::uint32
     makeJoint(joint, spec, frame);
     if (spec.type == JointType::Hinge || spec.type == JointType::Suspension) findWheels(joint, frame.anchor, main);
     addRows(joint, spec, main, frame.axis2);
-    if (joint.tended) m_tended.push_back(static_cast<std::uint32_t>(m_joints.size()));
+    if (joint.updated) m_updated.push_back(static_cast<std::uint32_t>(m_joints.size()));
     m_joints.push_back(joint);
 }
 
-/// Where the joint is as child and parent carry it.
+/// Stores the joint frame relative to child and parent.
 void OdeEngine::carryFrame(Joint& joint, const JointFrame& frame, const Vec3& main) const {
     const Body& child = m_bodies[joint.child];
     joint.childAnchor = turnBack(child.r, frame.anchor - vec(child.p));
@@ -78,14 +78,14 @@ void OdeEngine::makeJoint(Joint& joint, const JointSpec& spec, const JointFrame&
     }
 }
 
-/// The child first, then the parent or the world.
+/// Attaches the child as first body, then the parent or the world.
 dJointID OdeEngine::attached(dJointID id, const Joint& joint) const {
     dJointAttach(id, m_bodies[joint.child].id, joint.parent == kNone ? nullptr : m_bodies[joint.parent].id);
     return id;
 }
 
-/// I + J a a^T about the child's centre of mass, with the joint's axis a in the child's axes: seen about the axis the rotor adds its
-/// whole inertia, across it none.
+/// Adds J a a^T to the inertia tensor about the child's centre of mass, where a is the joint axis in the child's axes: about the
+/// axis the rotor contributes its whole inertia, across it none.
 Status OdeEngine::addAxialInertia(JointHandle id, double inertia) {
     const Joint& joint = m_joints[id.index];
     if (joint.type == JointType::Slider || !(inertia >= 0) || !std::isfinite(inertia))
@@ -116,7 +116,7 @@ void OdeEngine::makeSlider(Joint& joint, const JointSpec& spec, const Vec3& axis
     if (spec.highStop) dJointSetSliderParam(joint.id, dParamHiStop, *spec.highStop);
 }
 
-/// Axis stays with the parent, Axis2 with the child, which is ODE's first body.
+/// Axis is fixed to the parent; Axis2 to the child, which is ODE's first body.
 void OdeEngine::makeUniversal(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
     joint.id = attached(dJointCreateUniversal(m_world, nullptr), joint);
     dJointSetUniversalAnchor(joint.id, anchor.x(), anchor.y(), anchor.z());
@@ -124,7 +124,7 @@ void OdeEngine::makeUniversal(Joint& joint, const Vec3& anchor, const Vec3& axis
     dJointSetUniversalAxis2(joint.id, axis.x(), axis.y(), axis.z());
 }
 
-/// ODE's hinge-2 with its steering locked: the wheel turns about axis2 and moves along axis.
+/// ODE's hinge-2 with its steering locked: the wheel rotates about axis2 and slides along axis.
 void OdeEngine::makeSuspension(Joint& joint, const Vec3& anchor, const Vec3& axis, const Vec3& axis2) {
     joint.id = dJointCreateHinge2(m_world, nullptr);
     dJointAttach(joint.id, m_bodies[joint.parent].id, m_bodies[joint.child].id);
@@ -134,7 +134,7 @@ void OdeEngine::makeSuspension(Joint& joint, const Vec3& anchor, const Vec3& axi
     dJointSetHinge2Param(joint.id, dParamLoStop, 0);
     dJointSetHinge2Param(joint.id, dParamHiStop, 0);
     joint.drive = axisMotor(joint, std::array{axis2}, false);
-    joint.tended = true;
+    joint.updated = true;
 }
 
 dJointID OdeEngine::axisMotor(const Joint& joint, std::span<const Vec3> axes, bool parentFirst) {
@@ -142,7 +142,7 @@ dJointID OdeEngine::axisMotor(const Joint& joint, std::span<const Vec3> axes, bo
     const dJointID motor = attached(linear ? dJointCreateLMotor(m_world, nullptr) : dJointCreateAMotor(m_world, nullptr), joint);
     if (linear) dJointSetLMotorNumAxes(motor, static_cast<int>(axes.size()));
     else dJointSetAMotorNumAxes(motor, static_cast<int>(axes.size()));
-    const int withParent = joint.parent == kNone ? 0 : 2; // fixed to the parent, or to the world
+    const int withParent = joint.parent == kNone ? 0 : 2; // axis fixed to the parent, or to the world
     const int withChild = joint.type == JointType::Ball ? 0 : 1;
     for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
         const Vec3& a = axes[static_cast<std::size_t>(i)];
@@ -152,14 +152,14 @@ dJointID OdeEngine::axisMotor(const Joint& joint, std::span<const Vec3> axes, bo
     return motor;
 }
 
-/// A stop of its own, which knows the unwrapped angle: ODE's would see only half a turn each way.
+/// A separate stop that uses the unwrapped angle, since ODE's own is limited to half a turn in each direction.
 void OdeEngine::limitAngle(Joint& joint, const JointSpec& spec, const Vec3& axis) {
     if (!spec.lowStop && !spec.highStop) return;
     joint.stop = axisMotor(joint, std::array{axis}, spec.type == JointType::Universal);
     dJointSetAMotorAngle(joint.stop, 0, 0);
     dJointSetAMotorParam(joint.stop, dParamLoStop, spec.lowStop.value_or(-dInfinity));
     dJointSetAMotorParam(joint.stop, dParamHiStop, spec.highStop.value_or(dInfinity));
-    joint.tended = true;
+    joint.updated = true;
 }
 
 /// Spring with damper and Coulomb friction, as implicit rows.
@@ -183,11 +183,11 @@ void OdeEngine::addRows(Joint& joint, const JointSpec& spec, const Vec3& axis, c
     if (spec.type != JointType::Suspension && (spec.stiffness > 0 || spec.damping > 0)) {
         joint.spring = axisMotor(joint, axes, withParent);
         set(joint.spring, dParamFMax, dInfinity);
-        joint.tended = true;
+        joint.updated = true;
     }
 }
 
-/// Marks the geoms of the child that roll about the axle.
+/// Marks the geoms of the child that are wheels on the axle.
 void OdeEngine::findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle) {
     const Body& body = m_bodies[joint.child];
     bool any = false;
@@ -200,13 +200,13 @@ void OdeEngine::findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle) {
         g.wheel = any = true;
         g.axle = turnBack(body.r, axle);
         joint.gapLimit = g.radius / 10;
-        if (g.shape == GeomShape::Cylinder && !g.asSphere) { // two joints may turn one wheel
+        if (g.shape == GeomShape::Cylinder && !g.asSphere) { // two joints may share one wheel
             g.asSphere = dCreateSphere(nullptr, g.radius);
             dGeomSetBody(g.asSphere, body.id);
             dGeomSetOffsetPosition(g.asSphere, g.offset.x(), g.offset.y(), g.offset.z());
         }
     }
-    // Exact turning keeps the hinge's angle equal to the sum of its rate.
+    // Finite rotation keeps the hinge's angle equal to the integral of its rate.
     if (any) dBodySetFiniteRotationMode(body.id, 1);
 }
 

@@ -1,4 +1,4 @@
-// What joints do in each step: springs as implicit rows, stops that know the unwrapped angle, and what is read from them.
+// Joint constraint rows of each step (implicit springs, stops at the unwrapped angle), and joint measurements.
 #include "world/ode/ode_engine.h"
 
 #include <cmath>
@@ -8,14 +8,14 @@ namespace trundle {
 
 namespace {
 
-constexpr double kSoftEnough = 1e-6; // rad/s per N m: from here on the motor's law gives its torque to many digits
+constexpr double kSoftEnough = 1e-6; // rad/s per N m; above it the torque can be computed accurately from the motor's law
 
-/// The multiple of a turn that brings `angle` nearest to where the rate says it is.
+/// Adds the multiple of a full turn that brings `angle` closest to the angle expected from the rate.
 double unwrap(double angle, double expected) {
     return angle + 2 * std::numbers::pi * std::nearbyint((expected - angle) / (2 * std::numbers::pi));
 }
 
-/// Shortest rotation as axis times angle.
+/// The shortest rotation as axis times angle (rad).
 Vec3 rotationVector(Quat q) {
     if (q.w() < 0) q.coeffs() = -q.coeffs();
     const double s = q.vec().norm();
@@ -29,17 +29,17 @@ void setRow(dJointID motor, bool linear, int axis, int parameter, double value) 
 
 } // namespace
 
-void OdeEngine::tendRows(double h) {
-    for (const std::uint32_t index : m_tended) {
+void OdeEngine::updateSpringConstraints(double h) {
+    for (const std::uint32_t index : m_updated) {
         Joint& joint = m_joints[index];
-        if (joint.spring) tendSpring(joint, h);
+        if (joint.spring) updateSpring(joint, h);
         if (joint.stop) dJointSetAMotorAngle(joint.stop, 0, joint.position);
-        if (joint.type == JointType::Suspension) tendSuspension(joint, h);
+        if (joint.type == JointType::Suspension) updateSuspension(joint, h);
     }
 }
 
-/// Spring k and damper c as one row: rate target -k q / (h k + c), softness 1 / (h k + c). Stable at any h.
-void OdeEngine::tendSpring(Joint& joint, double h) {
+/// Spring k and damper c as one row: target rate -k q / (h k + c), softness 1 / (h k + c). Stable for any time step h.
+void OdeEngine::updateSpring(Joint& joint, double h) {
     const double give = h * joint.stiffness + joint.damping;
     const bool linear = joint.type == JointType::Slider;
     double away[3] = {joint.position, 0, 0};
@@ -54,7 +54,7 @@ void OdeEngine::tendSpring(Joint& joint, double h) {
             for (int k = 0; k < 3; ++k) away[k] = inWorld[k];
         } else {
             axes = 2;
-            away[1] = turned.dot(parent.conjugate() * (child * joint.slideAxis)); // about Axis2, which stays with the child
+            away[1] = turned.dot(parent.conjugate() * (child * joint.slideAxis)); // about Axis2, which is fixed to the child
         }
     }
     for (int k = 0; k < axes; ++k) {
@@ -63,8 +63,8 @@ void OdeEngine::tendSpring(Joint& joint, double h) {
     }
 }
 
-/// The wheel's anchor on its spring; past its travel the row turns hard.
-void OdeEngine::tendSuspension(Joint& joint, double h) {
+/// Suspension spring of a wheel; beyond its travel the constraint becomes stiff.
+void OdeEngine::updateSuspension(Joint& joint, double h) {
     const Vec3 gap = anchorGap(joint);
     const double slide = gap.dot(turn(m_bodies[joint.parent].r, joint.slideAxis));
     const double give = std::max(h * joint.stiffness + joint.damping, 1e-9);
@@ -98,7 +98,7 @@ void OdeEngine::applyMotor(Joint& joint) {
         set(dJointSetAMotorParam, joint.drive);
         break;
     case JointType::Ball:
-    case JointType::Fixed: return; // nothing to drive; refused where a device asks for it
+    case JointType::Fixed: return; // no motor; devices that request one are rejected earlier
     }
     if (joint.motor.softness < kSoftEnough && joint.feedback == kNone) {
         joint.feedback = static_cast<std::uint32_t>(m_feedbacks.size());
@@ -108,7 +108,7 @@ void OdeEngine::applyMotor(Joint& joint) {
     }
 }
 
-/// The child's anchor as seen from the parent's, world.
+/// Vector from the parent's anchor to the child's, in world coordinates.
 Vec3 OdeEngine::anchorGap(const Joint& joint) const {
     const Body& c = m_bodies[joint.child];
     Vec3 gap = vec(c.p) + turn(c.r, joint.childAnchor);
@@ -138,7 +138,7 @@ void OdeEngine::measureJoint(Joint& joint, double h) {
     if (joint.driven) joint.effort = effortOf(joint);
 }
 
-/// What the motor row gave in this step: from its own law where that is soft, from the joint's reaction where it is stiff.
+/// Torque or force of the motor row in this step: from the motor's law if it is soft, from the joint's reaction if it is stiff.
 double OdeEngine::effortOf(const Joint& joint) const {
     const double limit = std::max(0.0, joint.motor.limit);
     if (limit == 0) return 0;
@@ -149,7 +149,7 @@ double OdeEngine::effortOf(const Joint& joint) const {
     const Vec3 axis = turn(c.r, joint.childAxis), force = vec(f.f1);
     if (joint.type == JointType::Slider) return axis.dot(force);
     if (joint.drive) return axis.dot(vec(f.t1));
-    return axis.dot(vec(f.t1) - turn(c.r, joint.childAnchor).cross(force)); // the hinge's force acts at the anchor
+    return axis.dot(vec(f.t1) - turn(c.r, joint.childAnchor).cross(force)); // the hinge force acts at the anchor
 }
 
 } // namespace trundle

@@ -1,5 +1,5 @@
 #pragma once
-// Between ODE's arrays and our vectors.
+// Conversions between ODE's arrays and Eigen vectors.
 
 #include <ode/ode.h>
 
@@ -8,7 +8,7 @@
 namespace trundle {
 
 inline Vec3 vec(const dReal* v) { return {v[0], v[1], v[2]}; }
-/// R v and R^T v with ODE's 3x4 row-major rotation.
+/// R v and R^T v with ODE's row-major 3x4 rotation matrix.
 inline Vec3 turn(const dReal* r, const Vec3& v) {
     return {r[0] * v.x() + r[1] * v.y() + r[2] * v.z(), r[4] * v.x() + r[5] * v.y() + r[6] * v.z(),
             r[8] * v.x() + r[9] * v.y() + r[10] * v.z()};
@@ -22,7 +22,7 @@ inline Mat3 matrix(const dReal* r) {
     m << r[0], r[1], r[2], r[4], r[5], r[6], r[8], r[9], r[10];
     return m;
 }
-/// ODE quaternion, w x y z.
+/// ODE's quaternion order: w x y z.
 inline Quat quat(const dReal* q) { return {q[0], q[1], q[2], q[3]}; }
 inline void toOde(const Quat& q, dReal out[4]) {
     out[0] = q.w();

@@ -1,4 +1,4 @@
-// After the solver: states out, and a look at whether they can be true.
+// Publishes the states after a step and checks that they are plausible.
 #include "world/ode/ode_engine.h"
 
 #include <cmath>
@@ -47,7 +47,7 @@ void OdeEngine::saveState() {
     }
 }
 
-/// Writes through ODE's const pointers: no setter leaves the last bit alone.
+/// Writes through ODE's const pointers, because its setters change the last bits.
 void OdeEngine::restoreState() {
     for (std::uint32_t i = 0; i < m_bodies.size(); ++i) {
         const Body& b = m_bodies[i];
@@ -91,7 +91,7 @@ std::optional<EngineFault> OdeEngine::findFault() const {
             return EngineFault{id, text("it turns at %.3g rad/s", vec(b.w).norm()) + text(", more than %g rad/s", kFastestTurn)};
         return EngineFault{id, text("it is farther than %g m from the origin", kFarthest)};
     }
-    const double slack = m_quick ? 5 : 1; // the quick solver pulls joints together over several steps
+    const double slack = m_quick ? 5 : 1; // the quick solver closes joint gaps over several steps
     for (const Joint& joint : m_joints) {
         if (joint.type == JointType::Slider || joint.type == JointType::Fixed) continue;
         Vec3 gap = anchorGap(joint);
@@ -106,7 +106,8 @@ std::optional<EngineFault> OdeEngine::findFault() const {
     return {};
 }
 
-/// After a step that ODE could not finish: the body whose state is lost, else the lightest one, which mostly is the cause.
+/// The fault of a step that ODE could not finish: names the body with an invalid state, otherwise the lightest one, which is the
+/// usual cause.
 EngineFault OdeEngine::interruptedFault() const {
     std::uint32_t lightest = 0;
     dReal least = HUGE_VAL;
@@ -120,7 +121,7 @@ EngineFault OdeEngine::interruptedFault() const {
         least = mass.mass;
         lightest = i;
     }
-    return {{lightest, 0}, "the solver finds no forces that hold for it"};
+    return {{lightest, 0}, "the solver finds no valid forces for it"};
 }
 
 EngineContact OdeEngine::contact(std::size_t index) const {
@@ -131,7 +132,7 @@ EngineContact OdeEngine::contact(std::size_t index) const {
 }
 
 std::span<const std::uint32_t> OdeEngine::contactsOf(GeomHandle geom) const {
-    if (!m_geomContactsReady) { // made when first asked for: most worlds never do
+    if (!m_geomContactsReady) { // built on demand, since most worlds never need it
         m_geomContactBegin.assign(m_geoms.size() + 1, 0);
         for (const Contact& c : m_contacts) {
             ++m_geomContactBegin[c.first + 1];

@@ -1,4 +1,5 @@
-// Rays: actors and scenery whose box is hit, then the exact geom. Few thousand boxes at most: a plain look at each is fast enough.
+// Ray casts: candidates are the actors and statics whose box is hit, then their geoms exactly. With a few thousand boxes at most,
+// a linear search is fast enough.
 #include "world/ode/ode_engine.h"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace trundle {
 
 namespace {
 
-/// Whether the ray meets a box before `range` (slabs).
+/// Whether the ray hits a box before `range` (slab method).
 bool meets(const Box3& box, const Vec3& origin, const Vec3& direction, double range) {
     double from = 0, to = range;
     for (int k = 0; k < 3; ++k) {

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 inline constexpr double kWorldCfm = 1e-9;
 inline constexpr double kContactStiffness = 2e5;          ///< N/m
 inline constexpr double kContactDamping = 1100;           ///< N s/m
-inline constexpr double kMostSag = 1e-4;                  ///< m, under an actor's own weight
+inline constexpr double kMaxSag = 1e-4;                   ///< m, under an actor's own weight
 inline constexpr double kCorrectingSpeed = 0.1;           ///< m/s
 inline constexpr int kParamStep = dParamVel2 - dParamVel; ///< from one axis of a motor to its next
 inline constexpr double kBounceSpeed = 0.05;              ///< m/s: slower impacts do not bounce
@@ -55,7 +55,7 @@ struct OdeGeom {
     Vec3 axle = Vec3::UnitZ();    ///< of a wheel, in the body's axes
     Mat3 axes = Mat3::Identity(); ///< in the body's axes; of a static in the world's
     dGeomID id = nullptr;
-    dGeomID asSphere = nullptr; ///< a wheel's stand-in against meshes
+    dGeomID asSphere = nullptr; ///< a wheel's placeholder against meshes
     std::shared_ptr<ShapeData> data;
     Vec3 surfaceVelocity = Vec3::Zero();
 };
@@ -78,7 +78,7 @@ struct OdeActor {
 /// First what every tick looks at, then what only some joints have.
 struct OdeJoint {
     JointType type = JointType::Hinge;
-    bool motorChanged = false, driven = false, tended = false; ///< tended: its rows need a look each tick
+    bool motorChanged = false, driven = false, updated = false; ///< updated each tick: its rows need a look each tick
     std::uint32_t child = 0, parent = kNone;                   ///< bodies; kNone: the world
     std::uint32_t feedback = kNone;
     Vec3 childAnchor = Vec3::Zero(), parentAnchor = Vec3::Zero(); ///< in the axes of each, from its centre of mass
@@ -86,7 +86,7 @@ struct OdeJoint {
     Quat start = Quat::Identity();                                ///< child in parent at position 0
     double gapLimit = 0;
     double position = 0, rate = 0, effort = 0;
-    MotorRow motor;
+    MotorConstraint motor;
     dJointID id = nullptr, drive = nullptr;
     dJointID spring = nullptr, friction = nullptr, stop = nullptr;
     Vec3 slideAxis = Vec3::UnitZ(); ///< of a suspension, in the parent's axes
@@ -103,7 +103,7 @@ struct OdeContact {
     std::uint32_t ticks = 0;      ///< that it has lasted
     bool heir = false;            ///< has only what others left
     bool bounded = false;         ///< friction is bounded by `expected`
-    double load = 0, earlier = 0; ///< N along the normal in the last tick and in the one before
+    double load = 0, earlier = 0; ///< N along the normal in the last tick and in the previous one
     double expected = 0;          ///< N, the load smoothed
     double grip[3] = {};          ///< N across the normal on the first body
 };

@@ -26,17 +26,17 @@ template <class Points> Bounds boundsOf(const Points& points) {
     return b;
 }
 
-constexpr double kNeedle = 1e-6;            // height of a triangle by the size of its hull
-constexpr std::size_t kMostHullPoints = 96; // ODE looks at all of them for every pair
+constexpr double kNeedle = 1e-6;            // minimum height of a triangle, relative to the size of its hull
+constexpr std::size_t kMaxHullPoints = 96;  // ODE visits all of them for every pair
 
 OdeShape simple(dGeomID id, const Vec3& half, double bound) { return {id, {}, half, bound, nullptr}; }
 
 Error bad(const GeomSpec& spec, const std::string& why) { return {Code::BadGeometry, spec.name + " " + why}; }
 
-/// ODE wants every polygon counter-clockwise about an origin inside.
+/// ODE requires every polygon to be counter-clockwise around an origin inside the hull.
 Result<OdeShape> hullShape(const GeomSpec& spec) {
     const TriangleMesh* given = spec.hull ? spec.hull.get() : spec.mesh.get();
-    const auto hull = given ? convexHull(farthestPoints(given->points, kMostHullPoints)) : std::nullopt;
+    const auto hull = given ? convexHull(farthestPoints(given->points, kMaxHullPoints)) : std::nullopt;
     if (!hull) return bad(spec, "has no volume: a convex hull needs at least four points that are not in one plane");
     Vec3 centre = Vec3::Zero();
     for (const auto& p : hull->points) centre += Vec3(p[0], p[1], p[2]);
@@ -55,7 +55,7 @@ Result<OdeShape> hullShape(const GeomSpec& spec) {
     for (const auto& f : hull->triangles) {
         const Vec3 ab = at(f[1]) - at(f[0]), ac = at(f[2]) - at(f[0]), bc = at(f[2]) - at(f[1]), across = ab.cross(ac);
         const double longest = std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), bc.squaredNorm()}));
-        if (across.norm() <= kNeedle * shape.bound * longest) continue; // its normal would be noise, its neighbours cover it
+        if (across.norm() <= kNeedle * shape.bound * longest) continue; // no stable normal; its neighbours cover it
         const Vec3 normal = across.normalized();
         shape.data->planes.insert(shape.data->planes.end(), {normal.x(), normal.y(), normal.z(), normal.dot(at(f[0]))});
         shape.data->polygons.insert(shape.data->polygons.end(), {3u, f[0], f[1], f[2]});
@@ -96,7 +96,7 @@ Result<OdeShape> meshShape(const GeomSpec& spec) {
     const double smallest = 1e-14 * std::max(1e-12, shape.half.squaredNorm());
     for (const auto& t : mesh.triangles) {
         if (t[0] >= mesh.points.size() || t[1] >= mesh.points.size() || t[2] >= mesh.points.size()) continue;
-        if ((at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm() <= smallest) continue; // a needle: no normal
+        if ((at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm() <= smallest) continue; // degenerate: no normal
         shape.data->triangles.insert(shape.data->triangles.end(), t.begin(), t.end());
     }
     if (shape.data->triangles.empty()) return bad(spec, "has no triangle with an area");
@@ -110,7 +110,7 @@ Result<OdeShape> meshShape(const GeomSpec& spec) {
     return shape;
 }
 
-/// ODE's height fields rise along y; the first row lies at -z, which a quarter turn about x brings to +y.
+/// ODE's height fields rise along y with the first row at -z; a quarter turn about x moves that row to +y.
 Result<OdeShape> heightShape(const GeomSpec& spec) {
     if (!spec.heightMap || spec.heightMap->columns < 2 || spec.heightMap->rows < 2 ||
         spec.heightMap->heights.size() < static_cast<std::size_t>(spec.heightMap->columns) * spec.heightMap->rows)
@@ -120,7 +120,7 @@ Result<OdeShape> heightShape(const GeomSpec& spec) {
     shape.data = std::make_shared<ShapeData>();
     shape.data->heightMap = spec.heightMap;
     shape.data->heights = dGeomHeightfieldDataCreate();
-    const double skirt = std::max(spec.size.z(), 1.0); // ground goes on below black
+    const double skirt = std::max(spec.size.z(), 1.0); // solid ground below black
     dGeomHeightfieldDataBuildSingle(shape.data->heights, map.heights.data(), 0, spec.size.x(), spec.size.y(),
                                     static_cast<int>(map.columns), static_cast<int>(map.rows), spec.size.z(), 0, skirt, 0);
     dGeomHeightfieldDataSetBounds(shape.data->heights, 0, spec.size.z());

@@ -1,5 +1,5 @@
 #pragma once
-// Geoms as ODE holds them. A shape is centred: its `centre` says where in the spec's frame, so that bounds are symmetric.
+// ODE geoms of the specs' shapes. A shape is centred at `centre` in the spec's frame, so that its bounds are symmetric.
 
 #include <memory>
 #include <vector>
@@ -12,13 +12,13 @@
 
 namespace trundle {
 
-/// Memory that ODE reads but does not own; lives as long as its geom.
+/// Memory that ODE reads but does not own; must outlive its geom.
 struct ShapeData {
     std::vector<double> points, planes;
     std::vector<unsigned> polygons;
     std::vector<dTriIndex> triangles;
     std::shared_ptr<const HeightMap> heightMap;
-    StaticGrid triangleGrid; ///< of a mesh, in its own axes
+    StaticGrid triangleGrid; ///< for meshes, in the mesh's axes
     dTriMeshDataID mesh = nullptr;
     dHeightfieldDataID heights = nullptr;
 
@@ -30,13 +30,13 @@ struct ShapeData {
 
 struct OdeShape {
     dGeomID id = nullptr;
-    Pose centre;              ///< of the shape in the geom's frame
-    Vec3 half = Vec3::Zero(); ///< of a box around it, in the shape's axes
-    double bound = 0;         ///< radius of a sphere around it
+    Pose centre;              ///< pose of the shape in the geom's frame
+    Vec3 half = Vec3::Zero(); ///< half the extent of its bounding box, in the shape's axes
+    double bound = 0;         ///< radius of its bounding sphere
     std::shared_ptr<ShapeData> data;
 };
 
-/// Makes a geom in no space. Planes are made by the caller, who knows their place. May throw OdeFault.
+/// Creates a geom outside any space. Not for planes, whose pose only the caller has. May throw OdeFault.
 [[nodiscard]] Result<OdeShape> makeShape(const GeomSpec& spec);
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-// Drives along a circle and stops after an angle: commanded against driven angle.
+// Drives along a circle by a given angle and stops; compares commanded and driven angle.
 #include <cmath>
 #include <numbers>
 

@@ -1,4 +1,4 @@
-// Looks for a blob of one colour in its camera, turns towards it, drives to it and stops before it.
+// Finds a blob of one colour in the camera image, turns and drives towards it, and stops in front of it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,14 +8,14 @@
 
 namespace {
 
-/// Where the blob is in a picture.
+/// Position and size of the blob in an image.
 struct Blob {
     int pixels = 0;
-    double side = 0;  ///< of its middle: -1 at the left edge, 1 at the right one
-    double share = 0; ///< of the picture's width that it takes
+    double side = 0;  ///< of its centre: -1 at the left edge, 1 at the right edge
+    double share = 0; ///< fraction of the image width that it covers
 };
 
-/// rad around the colour circle; saturation and brightness 0..1.
+/// Hue in rad; saturation and brightness 0..1.
 struct Hue {
     double angle = 0, saturation = 0, brightness = 0;
 };
@@ -68,7 +68,7 @@ struct BlobFollow : trundle::Controller {
             print("there");
             return m_drive.stop();
         }
-        // Slower the farther it is to the side.
+        // The speed decreases with the distance from the centre of the image.
         m_drive.move(speed * std::max(0.0, 1 - 1.5 * std::abs(blob.side)), -turnRate * std::clamp(1.5 * blob.side, -1.0, 1.0));
     }
 
@@ -102,7 +102,7 @@ private:
         if (keepEvery == 0 || m_pictures++ % keepEvery != 0) return;
         char number[16];
         std::snprintf(number, sizeof number, "%05d", m_kept++);
-        if (!m_camera.save(m_name + "_" + number + ".jpg")) keepEvery = 0; // a run without logs
+        if (!m_camera.save(m_name + "_" + number + ".jpg")) keepEvery = 0; // the run has no logs
     }
 
     void goBlind(const std::string& why) {

@@ -1,4 +1,4 @@
-// Drives until something touches, backs off, turns by a random angle, drives on.
+// Drives until a contact, backs off, turns by a random angle and drives on.
 #include <numbers>
 
 #include <trundle/controller.h>

@@ -1,4 +1,4 @@
-// Drives a distance along a straight line and stops: commanded against driven distance.
+// Drives a given distance along a straight line and stops; compares commanded and driven distance.
 #include <cmath>
 
 #include <trundle/controller.h>

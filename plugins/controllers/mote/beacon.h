@@ -1,5 +1,5 @@
 #pragma once
-// What motes tell each other and a robot that passes: how far it is to the target, by hops and by the quality of the links.
+// The packet that motes send to each other and to passing robots: the distance to the target, in hops and by link quality.
 
 #include <algorithm>
 #include <array>
@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
-/// Numbers go in big-endian order.
+/// Numbers are sent in big-endian order.
 struct Beacon {
     static constexpr std::uint8_t kMark = 0xb1;
     static constexpr std::uint16_t kUnknown = 0xffff;
 
-    std::uint16_t flood = 0;       ///< number of the target's flood that the rest comes from
-    std::uint8_t hops = 0;         ///< to the target
-    std::uint16_t cost = kUnknown; ///< 10 for a good hop, more for a weak one; summed up
+    std::uint16_t flood = 0;       ///< number of the target's flood from which the other values come
+    std::uint8_t hops = 0;         ///< number of hops to the target
+    std::uint16_t cost = kUnknown; ///< 10 for a good hop, more for a weak one; summed over the hops
 
     [[nodiscard]] std::vector<std::uint8_t> bytes() const {
         const auto high = [](std::uint16_t v) { return static_cast<std::uint8_t>(v >> 8); };

@@ -1,12 +1,13 @@
-// A mote of a sensor network. The target floods its number; every mote keeps the best way to it that it heard of in the newest floods, and
-// tells those around it: a pseudo-gradient towards the target (after Deshpande, Grant and Henderson, IEEE Systems Journal 8(1), 2014).
+// A mote of a sensor network. The target floods the network with a number; every mote keeps its best route to the target from the
+// newest floods and broadcasts it to its neighbours: a pseudo-gradient towards the target (after Deshpande, Grant and Henderson,
+// IEEE Systems Journal 8(1), 2014).
 #include <trundle/controller.h>
 
 #include "beacon.h"
 
 namespace {
 
-constexpr int kPatience = 3; ///< floods without a word by its own way, then it takes a worse one
+constexpr int kTimeout = 3; ///< floods without an update of its route before it accepts a worse one
 
 struct Mote : trundle::Controller {
     double period = 0.1, floodPeriod = 2, power = 0, goodRssi = -75;
@@ -14,7 +15,7 @@ struct Mote : trundle::Controller {
     std::string radioName = "radio";
 
     static void describe(trundle::Describe<Mote>& d) {
-        d.help("Sends beacons that tell how far it is to the target mote, from hops and signal strengths.");
+        d.help("Sends beacons with the distance to the target mote, from hops and signal strengths.");
         d.field("Target", &Mote::target, trundle::flag(), "It is the target itself.");
         d.field("Period", &Mote::period, trundle::seconds().within(0.01, 1000), "Mean time between its beacons.");
         d.field("FloodPeriod", &Mote::floodPeriod, trundle::seconds().within(0.1, 1000), "Between two floods of the target.");
@@ -22,8 +23,8 @@ struct Mote : trundle::Controller {
         d.field("GoodRssi", &Mote::goodRssi, trundle::decibelMilliwatts().within(-150, 50),
                 "A hop with more costs no more than one hop.");
         d.field("Radio", &Mote::radioName, trundle::text(), "Its Transceiver.");
-        d.output("hops", "", "To the target; -1: it knows no way.", 1, TRUNDLE_INTEGER_SIGNAL);
-        d.output("cost", "", "Of its way to the target: 10 for a good hop, more for a weak one; -1: it knows no way.", 1,
+        d.output("hops", "", "To the target; -1: no route is known.", 1, TRUNDLE_INTEGER_SIGNAL);
+        d.output("cost", "", "Of its route to the target: 10 for a good hop, more for a weak one; -1: no route is known.", 1,
                  TRUNDLE_INTEGER_SIGNAL);
     }
 
@@ -43,21 +44,21 @@ struct Mote : trundle::Controller {
             learn({static_cast<std::uint16_t>(known.flood + 1), 0, 0});
         }
         if (time() < nextBeacon) return;
-        nextBeacon = time() + period * random(0.5, 1.5); // so that neighbours do not meet again and again
+        nextBeacon = time() + period * random(0.5, 1.5); // random, so that neighbours do not collide repeatedly
         radio.send(known.bytes(), power);
     }
 
 private:
-    /// A neighbour's way to the target, and the hop to the neighbour.
+    /// Handles a neighbour's route to the target and the RSSI of the hop to that neighbour.
     void heard(const Beacon& beacon, double rssi) {
         if (target || !beacon.knowsTarget()) return;
         const double hop = 10 + std::max(0.0, goodRssi - rssi);
         const double sum = beacon.cost + hop;
         if (sum >= Beacon::kUnknown || beacon.hops >= 254) return;
         if (known.knowsTarget()) {
-            const auto ahead = static_cast<std::int16_t>(beacon.flood - known.flood); // the number runs over
+            const auto ahead = static_cast<std::int16_t>(beacon.flood - known.flood); // the number wraps around
             if (ahead < 0 || (ahead == 0 && sum >= known.cost)) return;
-            if (ahead < kPatience && sum > known.cost) return;
+            if (ahead < kTimeout && sum > known.cost) return;
         }
         learn({beacon.flood, static_cast<std::uint8_t>(beacon.hops + 1), static_cast<std::uint16_t>(sum)});
     }

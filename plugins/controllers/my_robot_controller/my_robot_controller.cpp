@@ -1,4 +1,4 @@
-// The controller that the text of thesis fig. 3.4 names. What its one field means is ours: how long the robot drives.
+// The controller named in the text of thesis fig. 3.4. The meaning of its one field, how long the robot drives, is defined here.
 #include <trundle/controller.h>
 
 namespace {
@@ -12,7 +12,7 @@ struct MyRobotController : trundle::Controller {
     }
 
     void setup(trundle::RobotPorts& robot) override {
-        if (robot.has("base")) drive = robot.differentialDrive("base"); // else it stands, as the port ignores what it is told
+        if (robot.has("base")) drive = robot.differentialDrive("base"); // otherwise unbound: the robot does not move
     }
 
     void update(trundle::Seconds) override {

@@ -1,7 +1,7 @@
 #pragma once
 #include "listener.h"
 
-/// Turns once around and says from where it hears whom.
+/// Turns once around and prints the bearing of each sender it receives.
 struct BearingSweep : Listener {
     std::string samplesName = "samples.csv", fileName = "bearings.csv";
 

@@ -1,5 +1,5 @@
 #pragma once
-// A robot that turns on the spot with open ears.
+// Base of controllers that turn in place to measure the bearings of radios.
 #include <numbers>
 #include <string>
 
@@ -9,7 +9,7 @@
 
 inline constexpr double kDegree = std::numbers::pi / 180;
 
-/// A drive, a radio whose antenna looks ahead, and what it heard from where in its last turn.
+/// A drive, a radio with a forward-facing antenna, and the samples of the last sweep.
 struct Listener : trundle::Controller {
     double turnRate = 0.5;
     std::string radioName = "radio", driveName = "base";
@@ -25,12 +25,12 @@ protected:
         drive = robot.differentialDrive(driveName);
         radio = robot.radio(radioName);
     }
-    /// Once around, and a little more, so that no peak lies at a seam.
+    /// Turns a little more than once around, so that no peak is at the start or end of the sweep.
     void beginSweep() {
         sweep.clear();
         drive.turn(turnRate, 370 * kDegree);
     }
-    /// What came in belongs to the heading at which it was heard, a tick ago.
+    /// Received packets belong to the heading one tick ago, when they were received.
     template <class Hear> void listen(const Hear& hear) {
         while (const auto packet = radio.receive()) hear(*packet, lastHeading);
         lastHeading = drive.odometry().heading;

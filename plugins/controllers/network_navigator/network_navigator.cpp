@@ -1,6 +1,7 @@
-// A robot with a directional antenna finds its way through a network of motes by what it hears: it turns once around, fits the peak of each
-// mote's signal strength, drives a leg towards the mote that is nearest to the target, and repeats until the target is loud enough. It
-// knows packets, RSSI, its wheels and its bumper, and no positions (after Deshpande, Grant and Henderson, IEEE Systems Journal 8(1), 2014).
+// A robot with a directional antenna navigates through a network of motes by radio: it turns once around, fits the peak of each
+// mote's signal strength, drives a leg towards the mote nearest to the target, and repeats until the target's signal is strong
+// enough. It uses packets, RSSI, its wheels and its bumper, but no positions (after Deshpande, Grant and Henderson, IEEE Systems
+// Journal 8(1), 2014).
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,12 +11,12 @@
 
 namespace {
 
-constexpr double kStandOff = 0.7;    ///< m, that a leg ends before a mote on the way
-constexpr double kOfTheWay = 0.8;    ///< share of the way to the target that a leg takes
+constexpr double kStandOff = 0.7;    ///< m, distance before an intermediate mote at which a leg ends
+constexpr double kLegFraction = 0.8; ///< fraction of the estimated distance to the target covered by one leg
 constexpr double kShortestLeg = 0.2; ///< m
-constexpr double kAtRest = 1e-5;     ///< m, in one turn
+constexpr double kAtRest = 1e-5;     ///< m, largest motion per update that counts as rest
 constexpr double kTurnAway = 70 * kDegree;
-constexpr int kMostOnOneSide = 6; ///< bumps on one side, then it tries the other
+constexpr int kMaxOnOneSide = 6; ///< contacts evaded on one side before it tries the other
 
 struct NetworkNavigator : Listener {
     double speed = 0.3, leg = 3, rssiAtOneMetre = -30, arrivedRssi = -28, goodRssi = -75, backOff = 0.3, detour = 0.8;
@@ -49,7 +50,7 @@ struct NetworkNavigator : Listener {
         case Doing::Starting:
             log = openLog(fileName);
             log.write("time [s],mote,hops,cost,heading [deg],RSSI [dBm],leg [m]\n");
-            return lookAround();
+            return startSweep();
         case Doing::Sweeping:
             if (drive.done()) choose();
             return;
@@ -58,7 +59,7 @@ struct NetworkNavigator : Listener {
             return;
         case Doing::Driving:
             if (touch.pressed()) return evade();
-            if (drive.done()) lookAround();
+            if (drive.done()) startSweep();
             return;
         case Doing::BackingOff:
             if (drive.done()) turn(side * kTurnAway, detour);
@@ -87,7 +88,7 @@ private:
         write("arrived", {}, {drive.odometry().heading, packet.rssi}, 0);
     }
 
-    /// The run is over when the wheels have come to rest.
+    /// Ends the run when the wheels have come to rest.
     void standStill() {
         const auto now = drive.odometry();
         const double moved = std::hypot(now.x - restX, now.y - restY);
@@ -96,13 +97,13 @@ private:
         if (moved < kAtRest) finish("reached");
     }
 
-    void lookAround() {
+    void startSweep() {
         doing = Doing::Sweeping;
         beacons.clear();
         beginSweep();
     }
 
-    /// The mote with the least cost to the target; one that is hardly heard counts as farther.
+    /// Chooses the mote with the least cost to the target; a weak signal increases the cost.
     void choose() {
         double least = 1e9;
         Sweep::Bearing way;
@@ -116,23 +117,24 @@ private:
             way = *bearing;
             mote = sender;
         }
-        if (mote == 0) return stray(); // nobody is heard here
+        if (mote == 0) return driveRandomly(); // no mote was received here
         const Beacon& beacon = beacons[mote];
         if (least < leastSoFar) {
             leastSoFar = least;
             bumpsHere = 0;
         }
         const double distance = std::pow(10, (rssiAtOneMetre - way.rssi) / 20);
-        const double wanted = beacon.hops == 0 ? std::max(kShortestLeg, kOfTheWay * distance) : distance - kStandOff;
+        const double wanted = beacon.hops == 0 ? std::max(kShortestLeg, kLegFraction * distance) : distance - kStandOff;
         ++legs;
         write(std::to_string(mote), beacon, way, std::min(leg, wanted));
-        if (wanted < kShortestLeg) return stray(); // it stands before this one and hears none that is nearer
+        if (wanted < kShortestLeg)
+            return driveRandomly(); // it is already close to this mote and receives none nearer to the target
         turn(wrapAngle(way.heading - drive.odometry().heading), std::min(leg, wanted));
     }
 
-    void stray() { turn(random(-180, 180) * kDegree, leg / 2); }
+    void driveRandomly() { turn(random(-180, 180) * kDegree, leg / 2); }
 
-    /// By an angle, and then a leg straight on.
+    /// Turns by an angle (rad), then drives a straight leg of `next` m.
     void turn(double angle, double next) {
         length = next;
         if (std::abs(angle) < 0.2 * kDegree) return go(Doing::Driving, length);
@@ -144,11 +146,12 @@ private:
         drive.drive(std::copysign(speed, metres), 0, metres, 0);
     }
 
-    /// Along what it met, always to the same side, until it gets nearer to the target than it ever was or has tried often enough.
+    /// Evades an obstacle, always on the same side, until it is nearer to the target than ever before or the number of tries is
+    /// reached.
     void evade() {
         ++bumps;
         if (bumpsHere == 0) side = random() < 0.5 ? 1 : -1;
-        else if (bumpsHere % kMostOnOneSide == 0) side = -side;
+        else if (bumpsHere % kMaxOnOneSide == 0) side = -side;
         ++bumpsHere;
         go(Doing::BackingOff, -backOff);
     }
@@ -161,11 +164,11 @@ private:
 
     trundle::TouchPort touch;
     trundle::Log log;
-    std::map<std::uint32_t, Beacon> beacons; ///< of this sweep
+    std::map<std::uint32_t, Beacon> beacons; ///< of the current sweep
     Doing doing = Doing::Starting;
     double length = 0; ///< m, of the leg after the turn
     double leastSoFar = 1e9, side = 1;
-    double restX = 1e9, restY = 1e9; ///< m, by odometry in the turn before
+    double restX = 1e9, restY = 1e9; ///< m, odometry at the previous update
     int legs = 0, bumps = 0, bumpsHere = 0;
 };
 

@@ -1,6 +1,8 @@
-// Needs: RSSI over the antenna's heading. Assumptions: near its peak a lobe is even and, in dB, nearly a parabola; the sender stood still.
-// Method: start from the direction to which the loud half of the samples points, then fit a parabola by least squares to what lies within
-// half a window of the peak, and again from the peak so found. Rounded readings average out over the window.
+// Needs: RSSI over the antenna's heading. Assumptions: near its peak the main lobe is symmetric and, in dB, nearly a parabola;
+// the sender does not move.
+// Method: start from the mean direction of the samples weighted by signal strength, fit a parabola by least squares to the
+// samples within half a window of it, and fit again around the resulting peak. Rounding of the readings averages out over the
+// window.
 #include "sweep.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ constexpr double kHalfWindow = 50 * std::numbers::pi / 180;
 constexpr std::size_t kLeastSamples = 6;
 constexpr int kRounds = 6;
 
-/// a + b x + c x^2 by least squares; false where the samples give no peak.
+/// Fits a + b x + c x^2 by least squares; false if the samples have no peak.
 bool fitParabola(const std::vector<Sweep::Sample>& samples, double centre, double& peak, double& rssi) {
     double s[5] = {}, t[3] = {};
     for (const Sweep::Sample& sample : samples) {

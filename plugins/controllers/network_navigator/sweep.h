@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-/// What a robot that turns hears of each sender, and from where it is heard best.
+/// Collects RSSI samples of each sender while the robot turns, and finds the bearing of the strongest signal.
 class Sweep {
 public:
     struct Sample {
@@ -19,7 +19,7 @@ public:
     void clear() { m_samples.clear(); }
     void add(std::uint32_t sender, double heading, double rssi) { m_samples[sender].push_back({heading, rssi}); }
     [[nodiscard]] const std::map<std::uint32_t, std::vector<Sample>>& samples() const { return m_samples; }
-    /// Top of the parabola through the samples around the best of them. Nothing where there are too few.
+    /// Peak of the parabola through the samples around the strongest one; empty if there are too few.
     [[nodiscard]] std::optional<Bearing> bearing(std::uint32_t sender) const;
 
 private:

@@ -1,4 +1,4 @@
-// Wanders: every Period it takes another speed and turn rate. For swarms and for measuring speed.
+// Drives randomly: every Period it chooses a new speed and turn rate. For swarms and speed measurements.
 #include <trundle/controller.h>
 
 namespace {
@@ -30,7 +30,7 @@ struct RandomDrive : trundle::Controller {
 
 private:
     trundle::DifferentialDrivePort drive;
-    double nextChange = 0; // counted, so that periods do not drift
+    double nextChange = 0; // in periods; an integer count, so that it does not drift
 };
 
 } // namespace

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include "app/application.h"
 #include "bench/cameras/bare_view.h"
-#include "parts/parts.h"
-#include "render/frame_drawer.h"
+#include "render/camera_image_renderer.h"
 
 using namespace trundle;
 
@@ -47,16 +47,16 @@ int main(int argc, char** argv) {
     if (argc != 4) return failed("FILE ROBOT/CAMERA PICTURES");
     const std::string camera = argv[2];
     const int pictures = std::atoi(argv[3]);
-    const std::unique_ptr<Parts> parts = makeParts();
-    const auto loaded = parts->open(argv[1], {});
+    const std::unique_ptr<Application> application = makeApplication();
+    const auto loaded = application->open(argv[1], {});
     if (!loaded || !loaded.value()->experiment) return failed("the experiment cannot be read");
     const std::shared_ptr<const ExperimentSpec> experiment = loaded.value()->experiment;
     RunOptions options;
-    options.pictures = [&](const ExperimentSpec&, const SignalLayout& layout) -> Result<std::unique_ptr<FrameSource>> {
-        return std::unique_ptr<FrameSource>(std::make_unique<FrameDrawer>(experiment, layout));
+    options.pictures = [&](const ExperimentSpec&, const SignalLayout& layout) -> Result<std::unique_ptr<ImageSource>> {
+        return std::unique_ptr<ImageSource>(std::make_unique<CameraImageRenderer>(experiment, layout));
     };
     Diagnostics problems;
-    const std::unique_ptr<Runner> runner = parts->makeRunner(*loaded.value(), options, problems);
+    const std::unique_ptr<Runner> runner = application->makeRunner(*loaded.value(), options, problems);
     if (!runner) return failed("the experiment cannot be run");
     const auto bare = BareView::create(*experiment, runner->world().layout(), camera);
     if (!bare) return failed("no OpenGL");
@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
         if (!runner->tick()) return failed("the run ended early");
         const double tick = now() - begin;
         begin = now();
-        const Result<const Frame*> frame = runner->cameras().capture(camera);
+        const Result<const CameraImage*> frame = runner->cameras().capture(camera);
         const double taken = now() - begin;
         if (!frame) return failed(frame.error().message.c_str());
         begin = now();

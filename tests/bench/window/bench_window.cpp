@@ -26,7 +26,7 @@
 namespace trundle {
 namespace {
 
-constexpr double kPatienceMs = 60000;
+constexpr double kTimeoutMs = 60000;
 
 double readMs(clockid_t clock) {
     timespec time{};
@@ -121,7 +121,7 @@ double EventGaps::takeLongest() { return std::exchange(m_shared->longestMs, 0); 
 
 BenchWindow::BenchWindow() {
     applyTheme(*qApp, ThemeKind::Light);
-    window = std::make_unique<MainWindow>(*parts, render.get(), findLocations());
+    window = std::make_unique<MainWindow>(*application, render.get(), findLocations());
     window->resize(1600, 1000);
     window->show();
 }
@@ -133,7 +133,7 @@ void BenchWindow::until(const char* what, const std::function<bool()>& holds) {
     for (const double begin = nowMs(); !holds();) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        if (nowMs() - begin < kPatienceMs) continue;
+        if (nowMs() - begin < kTimeoutMs) continue;
         std::fprintf(stderr, "window_bench: not within a minute: %s\n", what);
         std::exit(1);
     }

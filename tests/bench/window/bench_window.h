@@ -10,8 +10,8 @@
 #include <QApplication>
 #include <QJsonObject>
 
+#include "app/application.h"
 #include "editor/shell/main_window.h"
-#include "parts/parts.h"
 #include "render/service.h"
 
 class QTreeView;
@@ -86,7 +86,7 @@ struct BenchWindow {
     /// Of the view; its window is made to fit.
     void sizeView(int width, int height);
 
-    std::unique_ptr<Parts> parts = makeParts();
+    std::unique_ptr<Application> application = makeApplication();
     std::unique_ptr<RenderService> render = RenderService::startInBackground();
     std::unique_ptr<MainWindow> window;
     EventGaps gaps;

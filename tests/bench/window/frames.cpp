@@ -7,9 +7,9 @@
 
 #include "base/platform/thread_priority.h"
 #include "bench/window/bench_window.h"
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/viewport_scene.h"
 #include "render/graphics_context.h"
 #include "render/platform/egl_context.h"
 #include "scene/scene.h"
@@ -136,7 +136,7 @@ QJsonObject measureFrames(const QString& file, double seconds) {
     still.samples = 4;
     Times bare, served, finer, painted;
     std::thread([&] {
-        letOthersGoFirst(); // as the service's own thread
+        lowerThreadPriority(); // as the service's own thread
         BareLoop loop(*w.window->document().loaded()->experiment, *request.view, size.width(), size.height());
         for (const double start = nowMs(); nowMs() - start < 3000 * seconds;) { // in turn, so that a busy moment hits all alike
             for (int i = 0; i < 20; ++i) {

@@ -4,7 +4,7 @@
 
 #include "bench/window/bench_window.h"
 #include "editor/text/code_edit.h"
-#include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/gizmo_tool.h"
 #include "editor/viewport/view.h"
 
 namespace trundle {

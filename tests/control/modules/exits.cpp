@@ -15,7 +15,7 @@ struct Exits : trundle::Controller {
     static int deeper(int n) {
         volatile char room[4096];
         room[n % 4096] = 1;
-        return n > 0 ? deeper(n + 1) + room[n % 4096] : 0; // the call stands before the sum: no loop can be made of it
+        return n > 0 ? deeper(n + 1) + room[n % 4096] : 0; // the call is before the sum: no loop can be made of it
     }
     void setup(trundle::RobotPorts&) override {
         if (early) std::exit(0);

@@ -50,7 +50,7 @@ struct Driver : trundle::Controller {
     bool hasRear = true;
 };
 
-/// Fails where it is told to.
+/// Fails where it is asked to.
 struct Failing : trundle::Controller {
     std::string where;
     static void describe(trundle::Describe<Failing>& d) { d.field("Where", &Failing::where, trundle::text(), "Where it fails."); }

@@ -1,4 +1,4 @@
-// A controller that publishes what it counts and ends the run when told to.
+// A controller that publishes what it counts and ends the run when asked to.
 #include <cstdint>
 
 #include <trundle/controller.h>

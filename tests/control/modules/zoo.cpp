@@ -1,5 +1,5 @@
-// A controller and a device that misbehave on demand: `Deed` in `Phase`, in turn number `At`. The environment's TRUNDLE_ZOO_LOAD and
-// TRUNDLE_ZOO_UNLOAD name deeds for when the library comes and goes.
+// A controller and a device that misbehave on demand: `Action` in `Phase`, in turn number `At`. The environment's TRUNDLE_ZOO_LOAD and
+// TRUNDLE_ZOO_UNLOAD name actions for when the library comes and goes.
 #include <cfenv>
 #include <clocale>
 #include <csignal>
@@ -32,7 +32,7 @@ volatile int g_zero = 0, g_number = 12345;
 int deeper(int n) {
     volatile char room[4096];
     room[n % 4096] = 1;
-    return n > g_zero ? deeper(n + 1) + room[n % 4096] : 0; // the call stands before the sum: no loop can be made of it
+    return n > g_zero ? deeper(n + 1) + room[n % 4096] : 0; // the call is before the sum: no loop can be made of it
 }
 
 /// For a test that waits until it has begun.
@@ -106,12 +106,12 @@ void allocateMuch() {
 
 struct NoException {};
 
-using Deed = std::function<void()>;
+using Action = std::function<void()>;
 
 void act(const std::string& name);
 
-const std::map<std::string, Deed>& deeds() {
-    static const std::map<std::string, Deed> all{
+const std::map<std::string, Action>& actions() {
+    static const std::map<std::string, Action> all{
         {"none", [] {}},
         {"say", say},
         {"loop", loop},
@@ -142,7 +142,7 @@ const std::map<std::string, Deed>& deeds() {
         {"leave thread", [] { pthread_exit(nullptr); }},
         {"thread crashes",
          [] {
-             std::thread([] { deeds().at("segv")(); }).detach();
+             std::thread([] { actions().at("segv")(); }).detach();
              usleep(300'000);
          }},
         {"thread throws",
@@ -157,7 +157,7 @@ const std::map<std::string, Deed>& deeds() {
          }},
         {"thread jumps",
          [] {
-             std::thread([] { deeds().at("jump")(); }).detach();
+             std::thread([] { actions().at("jump")(); }).detach();
              usleep(300'000);
          }},
         {"thread overflows",
@@ -165,7 +165,10 @@ const std::map<std::string, Deed>& deeds() {
              std::thread([] { g_zero = deeper(1); }).detach();
              usleep(300'000);
          }},
-        {"close standard", [] { for (const int file : {0, 1, 2}) close(file); }},
+        {"close standard",
+         [] {
+             for (const int file : {0, 1, 2}) close(file);
+         }},
         {"close all", [] { closeFrom(3); }},
         {"replace standard",
          [] {
@@ -240,9 +243,9 @@ const std::map<std::string, Deed>& deeds() {
 }
 
 void act(const std::string& name) {
-    const auto deed = deeds().find(name);
-    if (deed == deeds().end()) throw std::runtime_error("the zoo has no '" + name + "'");
-    deed->second();
+    const auto action = actions().find(name);
+    if (action == actions().end()) throw std::runtime_error("the zoo has no '" + name + "'");
+    action->second();
 }
 
 /// Where a library comes and goes nothing may be thrown.
@@ -256,12 +259,12 @@ struct ComesAndGoes {
 } g_comesAndGoes;
 
 struct Settings {
-    std::string deed = "none", phase = "update";
+    std::string action = "none", phase = "update";
     double at = 50;
 };
 
 template <class T> void describeSettings(trundle::Describe<T>& d) {
-    d.field("Deed", static_cast<std::string T::*>(&T::deed), trundle::text(), "What it does.");
+    d.field("Action", static_cast<std::string T::*>(&T::action), trundle::text(), "What it does.");
     d.field("Phase", static_cast<std::string T::*>(&T::phase), trundle::text(), "When: setup, update, act, sense or destructor.");
     d.field("At", static_cast<double T::*>(&T::at), trundle::number(), "In which turn.");
 }
@@ -276,41 +279,43 @@ struct Zoo : trundle::Controller, Settings {
         describeSettings(d);
     }
     ~Zoo() override {
-        if (phase == "destructor") act(deed);
+        if (phase == "destructor") act(action);
     }
     void setup(trundle::RobotPorts& robot) override {
         drive = robot.differentialDrive("base");
         odometry = robot.signal("base", "odometry");
-        if (phase == "setup" && !asksBadly(robot)) act(deed);
+        if (phase == "setup" && !asksBadly(robot)) act(action);
     }
     bool asksBadly(trundle::RobotPorts& robot) const {
-        if (deed == "unended port") (void)robot.motor(unended());
-        else if (deed == "filled port") (void)robot.motor(filled());
-        else if (deed == "port from nowhere") (void)robot.motor(nowhere());
-        else if (deed == "unended signal") (void)robot.signal("base", unended());
-        else if (deed == "unended publish") (void)robot.publish(unended());
-        else if (deed == "unended has") (void)robot.has(unended(), filled());
+        if (action == "unended port") (void)robot.motor(unended());
+        else if (action == "filled port") (void)robot.motor(filled());
+        else if (action == "port from nowhere") (void)robot.motor(nowhere());
+        else if (action == "unended signal") (void)robot.signal("base", unended());
+        else if (action == "unended publish") (void)robot.publish(unended());
+        else if (action == "unended has") (void)robot.has(unended(), filled());
         else return false;
         return true;
     }
     void update(trundle::Seconds) override {
         if (++turns != at || phase != "update") return;
-        if (!ofPorts()) act(deed);
+        if (!ofPorts()) act(action);
     }
-    /// Deeds that need the robot.
+    /// Actions that need the robot.
     bool ofPorts() {
         const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-        if (deed == "command nan") drive.move(nan, nan);
-        else if (deed == "command infinity") drive.move(infinity, -infinity);
-        else if (deed == "write outputs") odometry.set(1u << 30, 1), odometry.set(0, nan);
-        else if (deed == "print badly") print("\x1b[2J\x07 \xff\xfe \xc2\x9b""31m ok");
-        else if (deed == "print much") {
+        if (action == "command nan") drive.move(nan, nan);
+        else if (action == "command infinity") drive.move(infinity, -infinity);
+        else if (action == "write outputs") odometry.set(1u << 30, 1), odometry.set(0, nan);
+        else if (action == "print badly")
+            print("\x1b[2J\x07 \xff\xfe \xc2\x9b"
+                  "31m ok");
+        else if (action == "print much") {
             for (int i = 0; i < 100'000; ++i) print("line ", i);
-        } else if (deed == "print long") print(std::string(5'000'000, 'x'));
-        else if (deed == "log badly") {
+        } else if (action == "print long") print(std::string(5'000'000, 'x'));
+        else if (action == "log badly") {
             for (const char* name : {"../out.csv", "/out.csv", "path.csv", "", ".", "a\nb", ".trundle-logs"}) openLog(name).write("x");
             for (int i = 0; i < 1100; ++i) openLog("many/" + std::to_string(i)).write("x");
-        } else if (deed == "fail badly") fail("\x1b[2J gone\n\xff");
+        } else if (action == "fail badly") fail("\x1b[2J gone\n\xff");
         else return false;
         return true;
     }
@@ -323,20 +328,20 @@ struct ZooDevice : trundle::Device, Settings {
         d.output("beat", "", "Turns.");
     }
     ~ZooDevice() override {
-        if (phase == "destructor") ::act(deed);
+        if (phase == "destructor") ::act(action);
     }
     void setup(trundle::Mount& mount) override {
         beat = mount.signal("beat");
-        if (deed == "unended signal") (void)mount.signal(unended());
-        else if (deed == "filled signal") (void)mount.signal(filled());
-        else if (deed == "unended field") (void)mount.peerNumber("thing", unended(), 1);
-        else if (phase == "setup") ::act(deed);
+        if (action == "unended signal") (void)mount.signal(unended());
+        else if (action == "filled signal") (void)mount.signal(filled());
+        else if (action == "unended field") (void)mount.peerNumber("thing", unended(), 1);
+        else if (phase == "setup") ::act(action);
     }
     void act(trundle::Actuation&) override {
-        if (++turns == at && phase == "act") ::act(deed);
+        if (++turns == at && phase == "act") ::act(action);
     }
     void sense(trundle::Sensing&) override {
-        if (turns == at && phase == "sense") ::act(deed);
+        if (turns == at && phase == "sense") ::act(action);
     }
     trundle::Slot beat;
 };

@@ -11,10 +11,10 @@ struct CameraWindow : ViewWindow {
         cameras.resize(700, 300);
         cameras.show();
         (void)QTest::qWaitForWindowExposed(&cameras);
-        QObject::connect(&cameras, &CamerasPanel::said, [this](const QString& words) { said.push_back(words); });
+        QObject::connect(&cameras, &CamerasPanel::messageRequested, [this](const QString& words) { reportOf.push_back(words); });
     }
-    [[nodiscard]] const CameraWall::Tile* tile(const std::string& camera) {
-        for (const CameraWall::Tile& tile : cameras.wall().tiles())
+    [[nodiscard]] const CameraTiles::Tile* tile(const std::string& camera) {
+        for (const CameraTiles::Tile& tile : cameras.wall().tiles())
             if (tile.camera == camera) return &tile;
         return nullptr;
     }
@@ -30,14 +30,14 @@ struct CameraWindow : ViewWindow {
         Diagnostics problems;
         RunOptions options;
         options.logFolder = logs;
-        std::unique_ptr<Runner> runner = parts->makeRunner(*document.loaded(), std::move(options), problems);
+        std::unique_ptr<Runner> runner = application->makeRunner(*document.loaded(), std::move(options), problems);
         for (std::uint64_t i = 0; runner && i < ticks; ++i)
             if (!runner->tick().ok()) return nullptr;
         return runner;
     }
 
     CamerasPanel cameras;
-    std::vector<QString> said;
+    std::vector<QString> reportOf;
 };
 
 /// Two robots that see each other; one of them measures, with a noisy and bent lens.

@@ -80,7 +80,7 @@ private Q_SLOTS:
             MovieJob job = jobFor(QStringLiteral("a.mp4"));
             job.camera = "robot0/eye";
             job.framesPerSecond = 10;
-            MovieRecorder recorder(*m_window->parts, *m_render);
+            MovieRecorder recorder(*m_window->application, *m_render);
             QSignalSpy finished(&recorder, &MovieRecorder::finished);
             recorder.start(job);
             if (&each == &pixels[1]) m_window->view().lookThrough("robot1/eye");
@@ -95,7 +95,7 @@ private Q_SLOTS:
     }
 
     /// Of a camera with an UpdatePeriod: what its robot gets, here and in the program without a window.
-    void aStreamIsFilmedAsItComes() {
+    void recordsStreamAsRobotReceivesIt() {
         QByteArray text = kTwoEyes;
         text.replace("BlobFollow brain", "eye.UpdatePeriod=0.3 BlobFollow brain");
         QVERIFY(m_window->open(text));
@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(!pixelsOf(here).isEmpty());
     }
 
-    void whatWasDoneByHandIsInIt() {
+    void recordsManualCommands() {
         QVERIFY(m_window->runTicks(10));
         m_window->session.place("robot1", {Vec3(-0.6, 0, 0), rotationFromHpr({3, 0, 0})});
         m_window->session.runFor(0.1);
@@ -118,10 +118,10 @@ private Q_SLOTS:
         for (const bool byHand : {false, true}) {
             MovieJob job = jobFor(byHand ? QStringLiteral("hand.mp4") : QStringLiteral("alone.mp4"));
             job.loaded = m_window->session.built();
-            job.camera = "robot0/eye"; // the other robot stands right before it now
+            job.camera = "robot0/eye"; // the other robot is right before it now
             job.end = 0.2;
             if (byHand) job.commands = m_window->session.commands();
-            MovieRecorder recorder(*m_window->parts, *m_render);
+            MovieRecorder recorder(*m_window->application, *m_render);
             QSignalSpy finished(&recorder, &MovieRecorder::finished);
             recorder.start(job);
             QVERIFY(finished.wait(60000));
@@ -133,10 +133,10 @@ private Q_SLOTS:
         QVERIFY2(changed > 2000, qPrintable(QString::number(changed)));
     }
 
-    void aCancelledOneLeavesNothing() {
+    void cancelledRecordingLeavesNoFile() {
         MovieJob job = jobFor(QStringLiteral("a.mp4"));
         job.end = 1e5;
-        MovieRecorder recorder(*m_window->parts, *m_render);
+        MovieRecorder recorder(*m_window->application, *m_render);
         QSignalSpy finished(&recorder, &MovieRecorder::finished), progressed(&recorder, &MovieRecorder::progressed);
         recorder.start(job);
         QVERIFY(progressed.wait(60000));
@@ -149,11 +149,11 @@ private Q_SLOTS:
         QCOMPARE(hiddenFiles(), QStringList());
     }
 
-    void aRecorderThatGoesTakesItsMovieAlong() {
+    void destroyingRecorderRemovesMovie() {
         {
             MovieJob job = jobFor(QStringLiteral("a.mp4"));
             job.end = 1e5;
-            MovieRecorder recorder(*m_window->parts, *m_render);
+            MovieRecorder recorder(*m_window->application, *m_render);
             QSignalSpy progressed(&recorder, &MovieRecorder::progressed);
             recorder.start(job);
             QVERIFY(progressed.wait(60000));
@@ -161,9 +161,9 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(hiddenFiles(), QStringList(), 60000); // its thread ends with the picture in work
     }
 
-    void whatFailsIsSaid() {
+    void reportsFailures() {
         MovieJob job = jobFor(QStringLiteral("none/a.mp4"));
-        MovieRecorder recorder(*m_window->parts, *m_render);
+        MovieRecorder recorder(*m_window->application, *m_render);
         QSignalSpy finished(&recorder, &MovieRecorder::finished);
         recorder.start(job);
         QVERIFY(finished.wait(60000));
@@ -172,9 +172,9 @@ private Q_SLOTS:
                  qPrintable(finished.front().front().toString()));
     }
 
-    void theDialogAsksAndRecords() {
+    void dialogRecordsMovie() {
         QVERIFY(m_window->runTicks(30));
-        MovieOffer offer;
+        MovieDialogOptions offer;
         offer.text = m_window->document.loaded();
         offer.run = m_window->session.built();
         offer.commands = m_window->session.commands();
@@ -182,7 +182,7 @@ private Q_SLOTS:
         offer.view = [this](std::uint32_t width, std::uint32_t height) { return m_window->view().movingView(width, height); };
         offer.look = m_window->view().still(96, 64);
         offer.file = m_window->folder.filePath(QStringLiteral("run.avi"));
-        auto* dialog = new MovieDialog(*m_window->parts, *m_render, offer, m_window->panel.get());
+        auto* dialog = new MovieDialog(*m_window->application, *m_render, offer, m_window->panel.get());
         dialog->show();
         auto* record = dialog->findChild<QPushButton*>(QStringLiteral("movieRecord"));
         auto* sum = dialog->findChild<QLabel*>(QStringLiteral("movieSum"));
@@ -236,7 +236,7 @@ private Q_SLOTS:
 private:
     /// Why the movie was not made; empty when it was.
     QString recorded(const MovieJob& job) {
-        MovieRecorder recorder(*m_window->parts, *m_render);
+        MovieRecorder recorder(*m_window->application, *m_render);
         QSignalSpy finished(&recorder, &MovieRecorder::finished);
         recorder.start(job);
         return finished.wait(60000) ? finished.front().front().toString() : QStringLiteral("it does not end");

@@ -30,7 +30,7 @@ private Q_SLOTS:
     void init() { m_window = std::make_unique<CameraWindow>(m_render.get()); }
     void cleanup() { m_window.reset(); }
 
-    void withoutACameraItSaysWhatToDo() {
+    void showsHintWithoutCamera() {
         QVERIFY(m_window->open(kRoom));
         auto* words = m_window->cameras.findChild<QLabel*>(QStringLiteral("camerasEmpty"));
         QVERIFY(words->isVisible());
@@ -39,7 +39,7 @@ private Q_SLOTS:
         QVERIFY(!words->isVisible());
     }
 
-    void beforeARunItShowsTheSceneAsItStands() {
+    void showsStartSceneBeforeRun() {
         QVERIFY(m_window->open(kTwoEyes));
         EVENTUALLY(m_window->tile("robot0/eye") && m_window->tile("robot0/eye")->picture.frame);
         QCOMPARE(m_window->tile("robot0/eye")->picture.image.size(), QSize(160, 120));
@@ -59,9 +59,9 @@ private Q_SLOTS:
             const auto runner = m_window->headless(ticks);
             QVERIFY(runner);
             for (const char* camera : {"robot0/eye", "robot1/eye"}) {
-                const Result<const Frame*> expected = runner->cameras().capture(camera);
+                const Result<const CameraImage*> expected = runner->cameras().capture(camera);
                 QVERIFY2(expected.ok(), camera);
-                const std::shared_ptr<const Frame> shown = m_window->tile(camera)->picture.frame;
+                const std::shared_ptr<const CameraImage> shown = m_window->tile(camera)->picture.frame;
                 QVERIFY2(shown && shown->tick == ticks, camera);
                 QVERIFY2(shown->pixels == expected.value()->pixels, camera);
                 QVERIFY2(shown->depth == expected.value()->depth, camera);
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QCOMPARE(*m_window->session.snapshot()->hash, runner->world().stateHash());
     }
 
-    void onlyWhatIsSeenIsDrawn() {
+    void drawsOnlyVisibleTiles() {
         QVERIFY(m_window->openSample("camera_swarm.sim"));
         EVENTUALLY(m_window->cameras.isSettled());
         QCOMPARE(m_window->cameras.wall().tiles().size(), std::size_t(4)); // of twenty, until somebody chooses
@@ -92,7 +92,7 @@ private Q_SLOTS:
         const std::size_t seen = m_window->cameras.wall().visibleTiles().size();
         QVERIFY2(seen > 0 && seen < 12, qPrintable(QString::number(seen)));
         std::size_t drawn = 0;
-        for (const CameraWall::Tile& tile : m_window->cameras.wall().tiles()) drawn += tile.picture.frame != nullptr;
+        for (const CameraTiles::Tile& tile : m_window->cameras.wall().tiles()) drawn += tile.picture.frame != nullptr;
         QVERIFY2(drawn >= seen && drawn < 16, qPrintable(QString::number(drawn)));
         // Hidden, none at all.
         m_window->cameras.hide();
@@ -105,13 +105,13 @@ private Q_SLOTS:
         EVENTUALLY(m_window->cameras.drawnCount() > before);
     }
 
-    void aPictureAlsoTellsDistancesAndNames() {
+    void pictureReportsDistancesAndNames() {
         QVERIFY(m_window->open(kTwoEyes));
         EVENTUALLY(m_window->cameras.isSettled());
         auto* mode = m_window->cameras.findChild<QComboBox*>(QStringLiteral("cameraMode"));
         mode->setCurrentText(QStringLiteral("Segmentation"));
         EVENTUALLY(m_window->cameras.isSettled());
-        const CameraWall::Tile* tile = m_window->tile("robot0/eye");
+        const CameraTiles::Tile* tile = m_window->tile("robot0/eye");
         QCOMPARE(tile->picture.frame->objects.size(), std::size_t(160 * 120));
         mode->setCurrentText(QStringLiteral("Depth"));
         EVENTUALLY(m_window->cameras.isSettled() && !m_window->tile("robot0/eye")->picture.frame->depth.empty());
@@ -133,20 +133,20 @@ private Q_SLOTS:
         QVERIFY(m_window->cameras.findChild<QToolButton*>(QStringLiteral("cameraSave"))->isEnabled());
         const QString path = m_window->folder.filePath(name);
         m_window->cameras.savePicture(path);
-        EVENTUALLY(!m_window->said.empty());
-        QVERIFY2(m_window->said.front().startsWith(QStringLiteral("Wrote")), qPrintable(m_window->said.front()));
+        EVENTUALLY(!m_window->reportOf.empty());
+        QVERIFY2(m_window->reportOf.front().startsWith(QStringLiteral("Wrote")), qPrintable(m_window->reportOf.front()));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("camera = robot1/eye"));
         QCOMPARE(QImage(path).size(), QSize(160, 120));
-        // Where it cannot be written, it says so.
-        m_window->said.clear();
+        // Where it cannot be written, it reports it.
+        m_window->reportOf.clear();
         m_window->cameras.savePicture(m_window->folder.filePath(QStringLiteral("none/") + name));
-        EVENTUALLY(!m_window->said.empty());
-        QVERIFY(!m_window->said.front().startsWith(QStringLiteral("Wrote")));
+        EVENTUALLY(!m_window->reportOf.empty());
+        QVERIFY(!m_window->reportOf.front().startsWith(QStringLiteral("Wrote")));
     }
 
-    void whatIsTickedIsShown() {
+    void showsCheckedCameras() {
         QVERIFY(m_window->open(kTwoEyes));
         auto* list = m_window->cameras.findChild<QListWidget*>(QStringLiteral("cameraList"));
         QCOMPARE(list->count(), 2);
@@ -158,10 +158,10 @@ private Q_SLOTS:
         QCOMPARE(m_window->cameras.chosen(), std::vector<std::string>{"robot1/eye"});
         list->item(1)->setCheckState(Qt::Unchecked);
         auto* facts = m_window->cameras.findChild<QLabel*>(QStringLiteral("cameraFacts"));
-        QVERIFY(facts->text().contains(QStringLiteral("Tick")));
+        QVERIFY(facts->text().contains(QStringLiteral("Check a camera")));
     }
 
-    void withoutOpenGLItSaysSo() {
+    void reportsMissingOpenGl() {
         CameraWindow blind(nullptr);
         QVERIFY(blind.open(kTwoEyes));
         auto* words = blind.cameras.findChild<QLabel*>(QStringLiteral("camerasEmpty"));

@@ -25,38 +25,38 @@ Static thing { Config=Thing }
 class CompanionsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
     void init() {
-        m_desk = std::make_unique<Desk>();
-        m_desk->write("configs/things/parts/thing.obj", kTetrahedron);
-        m_desk->write("configs/common/other.obj", kTetrahedron);
-        m_thing = m_desk->write("configs/things/thing.sim", kThing);
-        fs::create_directory(m_desk->path("far"));
+        m_fixture = std::make_unique<DocumentFixture>();
+        m_fixture->write("configs/things/parts/thing.obj", kTetrahedron);
+        m_fixture->write("configs/common/other.obj", kTetrahedron);
+        m_thing = m_fixture->write("configs/things/thing.sim", kThing);
+        fs::create_directory(m_fixture->path("far"));
     }
 
-    void meshesGoAlong() {
-        Document d(*m_parts);
+    void copiesMeshes() {
+        Document d(*m_application);
         QVERIFY(d.open(m_thing).ok());
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
-        const std::string target = m_desk->path("far/thing.sim");
+        const std::string target = m_fixture->path("far/thing.sim");
         const Result<Companions> along = d.companionsAt(target);
         QVERIFY(along.ok());
         QCOMPARE(along.value().files,
-                 (std::vector{m_desk->path("configs/common/other.obj"), m_desk->path("configs/things/parts/thing.obj")}));
+                 (std::vector{m_fixture->path("configs/common/other.obj"), m_fixture->path("configs/things/parts/thing.obj")}));
         QVERIFY(along.value().modules.empty());
         QVERIFY(!fs::exists(target)); // asking writes nothing
 
         QSignalSpy notice(&d, &Document::notice);
         QCOMPARE(why(d.saveAs(target)), "");
-        QCOMPARE(bytesOf(m_desk->path("far/parts/thing.obj")), kTetrahedron);
-        QCOMPARE(bytesOf(m_desk->path("far/other.obj")), kTetrahedron);
+        QCOMPARE(bytesOf(m_fixture->path("far/parts/thing.obj")), kTetrahedron);
+        QCOMPARE(bytesOf(m_fixture->path("far/other.obj")), kTetrahedron);
         std::string expected = kThing; // only the words that led out of the folder are others
         expected.replace(expected.find("\"../common/other.obj\""), 21, "\"other.obj\"");
         QCOMPARE(bytesOf(target), expected);
         QVERIFY(!d.isModified());
-        QVERIFY(holds(said(notice), "parts/thing.obj"));
-        fs::remove_all(m_desk->path("configs"));
-        Document again(*m_parts);
+        QVERIFY(holds(reportOf(notice), "parts/thing.obj"));
+        fs::remove_all(m_fixture->path("configs"));
+        Document again(*m_application);
         QVERIFY(again.open(target).ok());
         QVERIFY2(messages(*again.loaded()).empty(), messages(*again.loaded()).c_str());
         d.undo(); // the other words are an edit like any other
@@ -65,49 +65,50 @@ private Q_SLOTS:
     }
 
     void inTheSameProjectTheyStay() {
-        Document d(*m_parts);
+        Document d(*m_application);
         QVERIFY(d.open(m_thing).ok());
-        const std::string target = m_desk->path("configs/copy.sim");
+        const std::string target = m_fixture->path("configs/copy.sim");
         QVERIFY(d.companionsAt(target).value().empty());
         QCOMPARE(why(d.saveAs(target)), "");
-        QVERIFY(!fs::exists(m_desk->path("configs/parts")));
+        QVERIFY(!fs::exists(m_fixture->path("configs/parts")));
         QVERIFY2(holds(bytesOf(target), "File=\"things/parts/thing.obj\""), bytesOf(target).c_str());
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
     }
 
-    void anImportedTextBringsItsMeshes() {
-        Document d(*m_parts);
-        const std::string main = m_desk->write("configs/main2.sim", "#import things/thing.sim\nTick = 0.01\n");
+    void copiesMeshesOfImportedText() {
+        Document d(*m_application);
+        const std::string main = m_fixture->write("configs/main2.sim", "#import things/thing.sim\nTick = 0.01\n");
         QVERIFY(d.open(main).ok());
-        QCOMPARE(why(d.saveAs(m_desk->path("far/main2.sim"))), "");
-        QVERIFY(fs::exists(m_desk->path("far/things/parts/thing.obj")));
+        QCOMPARE(why(d.saveAs(m_fixture->path("far/main2.sim"))), "");
+        QVERIFY(fs::exists(m_fixture->path("far/things/parts/thing.obj")));
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
     }
 
     void noOtherFileIsOverwritten() {
-        Document d(*m_parts);
+        Document d(*m_application);
         QVERIFY(d.open(m_thing).ok());
-        const std::string taken = m_desk->write("far/parts/thing.obj", "v 0 0 0\n");
-        const Status saved = d.saveAs(m_desk->path("far/thing.sim"));
+        const std::string taken = m_fixture->write("far/parts/thing.obj", "v 0 0 0\n");
+        const Status saved = d.saveAs(m_fixture->path("far/thing.sim"));
         QVERIFY(!saved.ok());
         QVERIFY2(holds(why(saved), "far/parts/thing.obj"), why(saved).c_str());
         QCOMPARE(bytesOf(taken), "v 0 0 0\n");
-        QVERIFY(!fs::exists(m_desk->path("far/thing.sim")) && !fs::exists(m_desk->path("far/other.obj")));
+        QVERIFY(!fs::exists(m_fixture->path("far/thing.sim")) && !fs::exists(m_fixture->path("far/other.obj")));
         QCOMPARE(d.path(), m_thing);
-        m_desk->write("far/parts/thing.obj", kTetrahedron); // the same bytes: there already
-        QCOMPARE(why(d.saveAs(m_desk->path("far/thing.sim"))), "");
+        m_fixture->write("far/parts/thing.obj", kTetrahedron); // the same bytes: there already
+        QCOMPARE(why(d.saveAs(m_fixture->path("far/thing.sim"))), "");
     }
 
-    void theBuffersOfAGltfGoAlong() {
-        Document d(*m_parts);
-        m_desk->write("configs/scan.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"uri":"bits/scan.bin","byteLength":4}]})");
-        m_desk->write("configs/bits/scan.bin", "1234");
-        QVERIFY(d.open(m_desk->write("configs/scan.sim", "StaticConfig S { Mesh m { File=scan.gltf } }\n")).ok());
-        QCOMPARE(why(d.saveAs(m_desk->path("far/scan.sim"))), "");
-        QVERIFY(fs::exists(m_desk->path("far/scan.gltf")));
-        QCOMPARE(bytesOf(m_desk->path("far/bits/scan.bin")), "1234");
+    void copiesGltfBuffers() {
+        Document d(*m_application);
+        m_fixture->write("configs/scan.gltf",
+                         R"({"asset":{"version":"2.0"},"buffers":[{"uri":"bits/scan.bin","byteLength":4}]})");
+        m_fixture->write("configs/bits/scan.bin", "1234");
+        QVERIFY(d.open(m_fixture->write("configs/scan.sim", "StaticConfig S { Mesh m { File=scan.gltf } }\n")).ok());
+        QCOMPARE(why(d.saveAs(m_fixture->path("far/scan.sim"))), "");
+        QVERIFY(fs::exists(m_fixture->path("far/scan.gltf")));
+        QCOMPARE(bytesOf(m_fixture->path("far/bits/scan.bin")), "1234");
     }
 
     void modulesAreCopiedOrNamed_data() {
@@ -117,39 +118,40 @@ private Q_SLOTS:
     }
     void modulesAreCopiedOrNamed() {
         QFETCH(bool, copied);
-        const std::string library = m_desk->path("configs/mine/libgood.so");
-        fs::create_directories(m_desk->path("configs/mine"));
+        const std::string library = m_fixture->path("configs/mine/libgood.so");
+        fs::create_directories(m_fixture->path("configs/mine"));
         for (const char* end : {"", ".kinds.json"})
             fs::copy_file(std::string(TRUNDLE_BINARY_DIR "/tests/modules/controllers/libgood.so") + end, library + end);
         const std::string text = "#loadModule mine/good // beside\n#loadModule controllers/linear_motion\n";
-        Document d(*m_parts);
-        QVERIFY(d.open(m_desk->write("configs/driven.sim", text)).ok()); // its folder is not trusted: it goes along all the same
-        const std::string target = m_desk->path("far/driven.sim");
+        Document d(*m_application);
+        QVERIFY(
+            d.open(m_fixture->write("configs/driven.sim", text)).ok()); // its folder is not trusted: it goes along all the same
+        const std::string target = m_fixture->path("far/driven.sim");
         QCOMPARE(d.companionsAt(target).value().modules, std::vector{library});
         QCOMPARE(why(d.saveAs(target, copied ? ModuleCopies::Make : ModuleCopies::Name)), "");
-        QCOMPARE(fs::exists(m_desk->path("far/mine/libgood.so")), copied);
-        QCOMPARE(fs::exists(m_desk->path("far/mine/libgood.so.kinds.json")), copied);
+        QCOMPARE(fs::exists(m_fixture->path("far/mine/libgood.so")), copied);
+        QCOMPARE(fs::exists(m_fixture->path("far/mine/libgood.so.kinds.json")), copied);
         std::string expected = text;
-        if (!copied) expected.replace(expected.find("mine/good"), 9, "\"" + m_desk->path("configs/mine/good") + "\"");
+        if (!copied) expected.replace(expected.find("mine/good"), 9, "\"" + m_fixture->path("configs/mine/good") + "\"");
         QCOMPARE(bytesOf(target), expected);
         OpenOptions trusted;
         trusted.trust = true;
-        const auto there = m_parts->open(target, trusted);
+        const auto there = m_application->open(target, trusted);
         QVERIFY(there.ok());
         QCOMPARE(there.value()->experiment->modules.size(), 2u);
         QVERIFY(there.value()->diagnostics.all().empty());
-        QCOMPARE(there.value()->experiment->modules[0].library, copied ? m_desk->path("far/mine/libgood.so") : library);
+        QCOMPARE(there.value()->experiment->modules[0].library, copied ? m_fixture->path("far/mine/libgood.so") : library);
     }
 
     void aSampleNeedsNothingOfItsFolder() {
-        Document d(*m_parts);
+        Document d(*m_application);
         QVERIFY(d.open(TRUNDLE_SOURCE_DIR "/configs/experiments/linear_motion.sim").ok());
-        QVERIFY(d.companionsAt(m_desk->path("far/mine.sim")).value().empty());
+        QVERIFY(d.companionsAt(m_fixture->path("far/mine.sim")).value().empty());
     }
 
 private:
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<Application> m_application;
+    std::unique_ptr<DocumentFixture> m_fixture;
     std::string m_thing;
 };
 

@@ -36,9 +36,9 @@ struct Heard {
 class CrashTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
 
-    void nothingIsTornAndLittleIsLost() {
+    void crashLosesLittle() {
         const int kills = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 200 : 20;
         std::mt19937 random(11);
         int offered = 0;
@@ -63,14 +63,14 @@ private Q_SLOTS:
 
 private:
     void killPieces(int seed, int afterMs, int& offered, int& removed) {
-        const Desk desk;
+        const DocumentFixture fixture;
         const std::string text = "StaticConfig Wall { Box b { Size=1,1,1 Pos=0,0,0.5 } }\n"
                                  "Static a { Config=Wall }\nStatic b { Config=Wall Pos=3,0,0 }\n",
-                          piece = desk.path("configs/objects/piece.sim");
-        desk.write("configs/main.sim", text);
+                          piece = fixture.path("configs/objects/piece.sim");
+        fixture.write("configs/main.sim", text);
         QProcess program;
         program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
-                      {QString::fromStdString(desk.main), QString::number(seed), u"pieces"_qs});
+                      {QString::fromStdString(fixture.main), QString::number(seed), u"pieces"_qs});
         QVERIFY(program.waitForStarted());
         while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
         QCOMPARE(program.readLine(), QByteArray("ready\n"));
@@ -82,8 +82,8 @@ private:
         QVERIFY(program.waitForFinished());
         QCOMPARE(program.exitStatus(), QProcess::CrashExit);
 
-        Document document(*m_parts);
-        QVERIFY(document.open(desk.main).ok());
+        Document document(*m_application);
+        QVERIFY(document.open(fixture.main).ok());
         const std::vector<Recovery> found = document.recoveries();
         QVERIFY(found.size() <= 1);
         offered += !found.empty();
@@ -91,7 +91,7 @@ private:
         if (!found.empty()) QCOMPARE(why(document.recover(found[0])), "");
         QVERIFY2(!document.loaded()->diagnostics.hasErrors(), messages(*document.loaded()).c_str());
         QCOMPARE(why(document.save()), "");
-        const bool isGrouped = bytesOf(desk.main) != text;
+        const bool isGrouped = bytesOf(fixture.main) != text;
         QVERIFY(!isGrouped || holds(bytesOf(piece), "StaticConfig Piece"));
         QVERIFY(!std::filesystem::exists(piece) || holds(bytesOf(piece), "StaticConfig Piece")); // never an empty one
         if (!found.empty()) QCOMPARE(std::filesystem::exists(piece), isGrouped);
@@ -99,11 +99,11 @@ private:
     }
 
     void kill(int seed, int afterMs, int& offered) {
-        const Desk desk;
-        desk.write("configs/main.sim", "Seed = 0\n// end 0\n");
+        const DocumentFixture fixture;
+        fixture.write("configs/main.sim", "Seed = 0\n// end 0\n");
         QProcess program;
         program.start(QString::fromUtf8(TRUNDLE_BINARY_DIR "/tests/edit_and_save"),
-                      {QString::fromStdString(desk.main), QString::number(seed & 0xffff)});
+                      {QString::fromStdString(fixture.main), QString::number(seed & 0xffff)});
         QVERIFY(program.waitForStarted());
         while (!program.canReadLine() && program.waitForReadyRead(10000)) continue;
         QCOMPARE(program.readLine(), QByteArray("ready\n"));
@@ -122,21 +122,21 @@ private:
         QCOMPARE(program.exitStatus(), QProcess::CrashExit);
         take(program, killedAt, edits, saved);
 
-        const int onDisk = numberOf(bytesOf(desk.main));
+        const int onDisk = numberOf(bytesOf(fixture.main));
         QVERIFY2(onDisk >= saved, "the file is torn, or a save is lost");
         int old = 0; // the newest edit that is two seconds old
         for (const Heard& edit : edits)
             if (edit.at + 2000 <= killedAt) old = edit.number;
 
-        Document document(*m_parts);
-        QVERIFY(document.open(desk.main).ok());
+        Document document(*m_application);
+        QVERIFY(document.open(fixture.main).ok());
         QVERIFY(!document.isReadOnly()); // the lock of a killed program is none
         const std::vector<Recovery> found = document.recoveries();
         QVERIFY(found.size() <= 1);
         int kept = onDisk;
         if (!found.empty()) {
             ++offered;
-            const std::string text = found[0].files.at(desk.main).text;
+            const std::string text = found[0].files.at(fixture.main).text;
             QVERIFY2(numberOf(text) >= 0, "the journal is torn");
             QVERIFY(document.recover(found[0]).ok());
             kept = std::max(kept, numberOf(text));
@@ -152,7 +152,7 @@ private:
         }
     }
 
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Application> m_application;
 };
 
 QTEST_GUILESS_MAIN(CrashTest)

@@ -9,10 +9,10 @@ using namespace sample;
 class DocumentTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
     void init() {
-        m_desk = std::make_unique<Desk>();
-        m_document = std::make_unique<Document>(*m_parts);
+        m_fixture = std::make_unique<DocumentFixture>();
+        m_document = std::make_unique<Document>(*m_application);
     }
     void cleanup() { m_document.reset(); }
 
@@ -20,18 +20,18 @@ private Q_SLOTS:
         Document& d = *m_document;
         QSignalSpy opened(&d, &Document::opened), changed(&d, &Document::changed);
         QVERIFY(!d.isOpen());
-        QCOMPARE(why(d.open(m_desk->main)), "");
+        QCOMPARE(why(d.open(m_fixture->main)), "");
         QVERIFY(d.isOpen());
         QCOMPARE(opened.count(), 1);
         QCOMPARE(changed.count(), 1);
-        QCOMPARE(d.files(), (std::vector<std::string>{m_desk->main, m_desk->robot}));
-        QCOMPARE(d.path(), m_desk->main);
-        QCOMPARE(*d.text(m_desk->robot), kRover);
+        QCOMPARE(d.files(), (std::vector<std::string>{m_fixture->main, m_fixture->robot}));
+        QCOMPARE(d.path(), m_fixture->main);
+        QCOMPARE(*d.text(m_fixture->robot), kRover);
         QVERIFY(!d.text("/nowhere.sim"));
         QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
-        QVERIFY(d.lastGood() == d.loaded());
+        QVERIFY(d.lastValid() == d.loaded());
         QVERIFY(!d.isModified());
-        QCOMPARE(d.shown(m_desk->robot), "robots/rover.sim");
+        QCOMPARE(d.shown(m_fixture->robot), "robots/rover.sim");
         d.close();
         QVERIFY(!d.isOpen());
         QVERIFY(!d.loaded());
@@ -39,51 +39,51 @@ private Q_SLOTS:
         QVERIFY(!d.edit(u"x"_qs, {{0, {{{0, {0, 0}}, "x"}}}}).ok());
     }
 
-    void whatCannotBeReadLeavesAllAsItWas() {
+    void failedOpenKeepsState() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         const auto loaded = d.loaded();
-        QVERIFY(!d.open(m_desk->path("none.sim")).ok());
-        QVERIFY(!d.open(m_desk->path("configs")).ok());
+        QVERIFY(!d.open(m_fixture->path("none.sim")).ok());
+        QVERIFY(!d.open(m_fixture->path("configs")).ok());
         QVERIFY(d.loaded() == loaded);
     }
 
-    void aTextWithErrorsOpensAndTheLastGoodStays() {
+    void opensTextWithErrorsAndKeepsLastValid() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         const auto good = d.loaded();
-        QCOMPARE(why(d.replaceText(u"Typing"_qs, m_desk->main, "Robot robot0 { Config=")), "");
+        QCOMPARE(why(d.replaceText(u"Typing"_qs, m_fixture->main, "Robot robot0 { Config=")), "");
         QVERIFY(d.loaded()->diagnostics.hasErrors());
-        QVERIFY(d.lastGood() == good);
+        QVERIFY(d.lastValid() == good);
         d.undo();
-        QVERIFY(d.lastGood() == d.loaded());
-        QCOMPARE(why(d.open(m_desk->write("configs/broken.sim", "}}} {"))), "");
-        QVERIFY(!d.lastGood());
+        QVERIFY(d.lastValid() == d.loaded());
+        QCOMPARE(why(d.open(m_fixture->write("configs/broken.sim", "}}} {"))), "");
+        QVERIFY(!d.lastValid());
     }
 
-    void aValueIsSetWhereItStands() {
+    void setsValueInPlace() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QCOMPARE(why(d.setValues(u"Set Pos"_qs, {{"robot0.Pos", "1,2,0"}})), "");
         std::string expected = kMain;
         expected.replace(expected.find("Pos=0,0,0"), 9, "Pos=1,2,0");
-        QCOMPARE(*d.text(m_desk->main), expected);
+        QCOMPARE(*d.text(m_fixture->main), expected);
         QCOMPARE(d.loaded()->parses, 1u);
         QCOMPARE(d.loaded()->experiment->robots[0].pose.position, Vec3(1, 2, 0));
         QVERIFY(d.isModified());
-        QVERIFY(d.isModified(m_desk->main));
-        QVERIFY(!d.isModified(m_desk->robot));
+        QVERIFY(d.isModified(m_fixture->main));
+        QVERIFY(!d.isModified(m_fixture->robot));
         QCOMPARE(d.history().entries().size(), 1u);
         d.undo();
-        QCOMPARE(*d.text(m_desk->main), kMain);
+        QCOMPARE(*d.text(m_fixture->main), kMain);
         QVERIFY(!d.isModified());
         d.redo();
-        QCOMPARE(*d.text(m_desk->main), expected);
+        QCOMPARE(*d.text(m_fixture->main), expected);
     }
 
-    void aWithdrawnEditLeavesNoTrace() {
+    void discardedMergeLeavesNoEntry() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QVERIFY(d.setValues(u"Set Tick"_qs, {{"Tick", "5 ms"}}).ok());
         d.undo();
         QSignalSpy modified(&d, &Document::modifiedChanged);
@@ -91,35 +91,35 @@ private Q_SLOTS:
             QVERIFY(d.setValues(u"Move"_qs, {{"robot0.Pos", x + std::string(",0,0")}}, "drag").ok());
         QVERIFY(!d.history().canRedo());
         QCOMPARE(modified.count(), 1);
-        d.withdraw("another");
+        d.discardMerge("another");
         QVERIFY(d.isModified());
-        d.withdraw("drag");
-        QCOMPARE(*d.text(m_desk->main), kMain);
+        d.discardMerge("drag");
+        QCOMPARE(*d.text(m_fixture->main), kMain);
         QCOMPARE(modified.count(), 2);
         QVERIFY(!d.isModified());
         QCOMPARE(d.loaded()->experiment->robots[0].pose.position, Vec3(0, 0, 0));
         QCOMPARE(d.history().entries().size(), 1u);
         QVERIFY(!d.history().canUndo());
-        d.redo(); // what was undone before can still be had
-        QVERIFY(holds(*d.text(m_desk->main), "Tick = 5 ms"));
-        d.withdraw("drag");
+        d.redo(); // what was undone before is still available
+        QVERIFY(holds(*d.text(m_fixture->main), "Tick = 5 ms"));
+        d.discardMerge("drag");
         QVERIFY(d.isModified());
     }
 
     void severalValuesAreOneEntryInTheirFiles() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QCOMPARE(why(d.setValues(
                      u"Set"_qs,
                      {{"Tick", "5 ms"}, {"RobotConfig.Rover.chassis.hull.Mass", "3 kg"}, {"robot1.chassis.hull.Mass", "4"}})),
                  "");
         QCOMPARE(d.history().entries().size(), 1u);
-        QVERIFY(d.text(m_desk->robot)->find("Mass=3 kg") != std::string::npos);
-        QVERIFY(d.text(m_desk->main)->find("Tick = 5 ms") != std::string::npos);
+        QVERIFY(d.text(m_fixture->robot)->find("Mass=3 kg") != std::string::npos);
+        QVERIFY(d.text(m_fixture->main)->find("Tick = 5 ms") != std::string::npos);
         QCOMPARE(d.loaded()->experiment->robots[1].config->bodies[0].mass.mass, 4.0);
         d.undo();
-        QCOMPARE(*d.text(m_desk->main), kMain);
-        QCOMPARE(*d.text(m_desk->robot), kRover);
+        QCOMPARE(*d.text(m_fixture->main), kMain);
+        QCOMPARE(*d.text(m_fixture->robot), kRover);
     }
 
     void aWrongValueIsRefusedWithTheReason_data() {
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QFETCH(QString, text);
         QFETCH(QString, reason);
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QSignalSpy refused(&d, &Document::refused), changed(&d, &Document::changed);
         const Status status =
             d.setValues(u"Set"_qs, {{"Duration", "20"}, {path.toStdString(), text.toStdString()}}); // all or none
@@ -155,53 +155,53 @@ private Q_SLOTS:
         QVERIFY2(status.error().message.find(reason.toStdString()) != std::string::npos, status.error().message.c_str());
         QVERIFY(!status.error().message.empty());
         QCOMPARE(refused.count(), 1);
-        QCOMPARE(said(refused), status.error().message);
+        QCOMPARE(reportOf(refused), status.error().message);
         QCOMPARE(changed.count(), 0);
-        QCOMPARE(*d.text(m_desk->main), kMain);
+        QCOMPARE(*d.text(m_fixture->main), kMain);
         QVERIFY(d.history().entries().empty());
     }
 
     void theSameValueIsNoEdit() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QSignalSpy changed(&d, &Document::changed);
         QCOMPARE(why(d.setValues(u"Set"_qs, {{"Tick", "0.01"}})), "");
-        QCOMPARE(why(d.replaceText(u"Type"_qs, m_desk->main, kMain)), "");
+        QCOMPARE(why(d.replaceText(u"Type"_qs, m_fixture->main, kMain)), "");
         QCOMPARE(changed.count(), 0);
         QVERIFY(d.history().entries().empty());
     }
 
     void editsThatDoNotFitChangeNothing() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QSignalSpy refused(&d, &Document::refused);
         QVERIFY(!d.edit(u"x"_qs, {{0, {{{0, {5, 100000}}, "x"}}}}).ok());
         QVERIFY(!d.edit(u"x"_qs, {{7, {{{7, {0, 0}}, "x"}}}}).ok());
         QVERIFY(!d.edit(u"x"_qs, {{0, {{{0, {0, 9}}, "x"}, {{0, {5, 12}}, "y"}}}}).ok());
         QVERIFY(!d.replaceText(u"x"_qs, "/etc/passwd", "x").ok());
-        QVERIFY(!d.replaceText(u"x"_qs, m_desk->main, std::string((64u << 20) + 1, ' ')).ok());
+        QVERIFY(!d.replaceText(u"x"_qs, m_fixture->main, std::string((64u << 20) + 1, ' ')).ok());
         QCOMPARE(refused.count(), 5);
-        QCOMPARE(*d.text(m_desk->main), kMain);
+        QCOMPARE(*d.text(m_fixture->main), kMain);
         QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
     }
 
     void aPlanSelectsWhatItMade() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
-        QSignalSpy wanted(&d, &Document::selectionWanted), refused(&d, &Document::refused);
+        QVERIFY(d.open(m_fixture->main).ok());
+        QSignalSpy wanted(&d, &Document::selectionRequested), refused(&d, &Document::refused);
         const std::string added = "Robot robot2 { Config=Rover Pos=2,0,0 }\n";
         const auto end = static_cast<std::uint32_t>(std::string_view(kMain).size());
-        QCOMPARE(why(d.carryOut(u"Insert"_qs, EditPlan{{{0, {{{0, {end, end}}, added}}}}, {"robot2"}})), "");
-        QCOMPARE(*d.text(m_desk->main), kMain + added);
+        QCOMPARE(why(d.apply(u"Insert"_qs, EditPlan{{{0, {{{0, {end, end}}, added}}}}, {"robot2"}})), "");
+        QCOMPARE(*d.text(m_fixture->main), kMain + added);
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted[0][0].value<std::vector<std::string>>(), std::vector<std::string>{"robot2"});
-        QVERIFY(!d.carryOut(u"Insert"_qs, Error{Code::NoSuchPath, "there is no robot7"}).ok());
-        QCOMPARE(said(refused), "there is no robot7");
+        QVERIFY(!d.apply(u"Insert"_qs, Error{Code::NoSuchPath, "there is no robot7"}).ok());
+        QCOMPARE(reportOf(refused), "there is no robot7");
     }
 
     void aDragIsOneEntry() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         for (int i = 1; i <= 5; ++i)
             QCOMPARE(why(d.setValues(u"Move robot0"_qs, {{"robot0.Pos", std::to_string(i) + ",0,0"}}, "drag")), "");
         QCOMPARE(d.history().entries().size(), 1u);
@@ -211,22 +211,22 @@ private Q_SLOTS:
         d.undo();
         QCOMPARE(d.loaded()->experiment->robots[0].pose.position, Vec3(5, 0, 0));
         d.undo();
-        QCOMPARE(*d.text(m_desk->main), kMain);
+        QCOMPARE(*d.text(m_fixture->main), kMain);
     }
 
     void anImportThatIsTypedIsOpened() {
         Document& d = *m_document;
-        m_desk->write("configs/arena.sim", "Surface floor { Friction=1 }\n");
-        QVERIFY(d.open(m_desk->main).ok());
-        QCOMPARE(why(d.replaceText(u"Type"_qs, m_desk->main, std::string("#import arena.sim\n") + kMain)), "");
+        m_fixture->write("configs/arena.sim", "Surface floor { Friction=1 }\n");
+        QVERIFY(d.open(m_fixture->main).ok());
+        QCOMPARE(why(d.replaceText(u"Type"_qs, m_fixture->main, std::string("#import arena.sim\n") + kMain)), "");
         QCOMPARE(d.files().size(), 3u);
-        QVERIFY(d.text(m_desk->path("configs/arena.sim")));
+        QVERIFY(d.text(m_fixture->path("configs/arena.sim")));
         QCOMPARE(why(d.setValues(u"Set"_qs, {{"Surface.floor.Friction", "0.5"}})), "");
         d.undo();
         d.undo();
         QCOMPARE(d.files().size(), 2u);
         d.moveTo(2);
-        QCOMPARE(*d.text(m_desk->path("configs/arena.sim")), "Surface floor { Friction=0.5 }\n");
+        QCOMPARE(*d.text(m_fixture->path("configs/arena.sim")), "Surface floor { Friction=0.5 }\n");
     }
 
     void aNewTextNeedsNoFile() {
@@ -243,10 +243,10 @@ private Q_SLOTS:
         QVERIFY(d.isModified());
         QVERIFY(!d.save().ok());
         QCOMPARE(why(d.replaceText(u"Type"_qs, "untitled.sim", "Tick = 3 ms\n")), "");
-        QCOMPARE(why(d.saveAs(m_desk->path("configs/mine.sim"))), "");
+        QCOMPARE(why(d.saveAs(m_fixture->path("configs/mine.sim"))), "");
         QVERIFY(!d.isNew());
         QVERIFY(!d.isModified());
-        QCOMPARE(d.path(), m_desk->path("configs/mine.sim"));
+        QCOMPARE(d.path(), m_fixture->path("configs/mine.sim"));
         QCOMPARE(bytesOf(d.path()), "Tick = 3 ms\n");
         QVERIFY(!d.openNew("a/b.sim", "").ok());
     }
@@ -254,63 +254,63 @@ private Q_SLOTS:
     void openingLaterDoesNotWait() {
         Document& d = *m_document;
         QSignalSpy opened(&d, &Document::opened), failed(&d, &Document::openFailed);
-        d.openLater(m_desk->main);
+        d.openLater(m_fixture->main);
         QVERIFY(d.isOpening());
         QVERIFY(!d.isOpen());
         EVENTUALLY_EQUAL(opened.count(), 1);
         QVERIFY(d.isOpen());
         QVERIFY(!d.isOpening());
 
-        d.openLater(m_desk->path("none.sim"));
+        d.openLater(m_fixture->path("none.sim"));
         QVERIFY(!d.setValues(u"Set"_qs, {{"Tick", "1 ms"}}).ok()); // it would be lost
         d.undo();
         EVENTUALLY_EQUAL(failed.count(), 1);
         QVERIFY(holds(failed[0][1].toString().toStdString(), "does not exist"));
-        QCOMPARE(d.path(), m_desk->main);
+        QCOMPARE(d.path(), m_fixture->main);
         QCOMPARE(why(d.setValues(u"Set"_qs, {{"Tick", "1 ms"}})), "");
     }
 
     void anOpeningThatIsCancelledLeavesWhatIsOpen() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "1 ms"}}).ok());
         QSignalSpy opened(&d, &Document::opened), failed(&d, &Document::openFailed);
-        d.openLater(m_desk->robot);
+        d.openLater(m_fixture->robot);
         d.cancelOpening();
         QVERIFY(!d.isOpening());
         d.undo(); // edits do not wait any more
         QVERIFY(!d.isModified());
-        d.openLater(m_desk->path("none.sim")); // read behind the first
+        d.openLater(m_fixture->path("none.sim")); // read behind the first
         EVENTUALLY_EQUAL(failed.count(), 1);
         QCOMPARE(opened.count(), 0);
-        QCOMPARE(d.path(), m_desk->main);
+        QCOMPARE(d.path(), m_fixture->main);
     }
 
     void theNewestOpeningWins() {
         Document& d = *m_document;
         QSignalSpy opened(&d, &Document::opened);
-        d.openLater(m_desk->main);
-        d.openLater(m_desk->robot);
+        d.openLater(m_fixture->main);
+        d.openLater(m_fixture->robot);
         EVENTUALLY(!d.isOpening());
-        QCOMPARE(d.path(), m_desk->robot);
-        d.openLater(m_desk->main);
-        QVERIFY(d.open(m_desk->robot).ok());
-        d.openLater(m_desk->main);
+        QCOMPARE(d.path(), m_fixture->robot);
+        d.openLater(m_fixture->main);
+        QVERIFY(d.open(m_fixture->robot).ok());
+        d.openLater(m_fixture->main);
         d.close();
         QTest::qWait(0);
         EVENTUALLY(!d.isOpening());
         QVERIFY(!d.isOpen());
-        d.openLater(m_desk->main);
+        d.openLater(m_fixture->main);
         m_document.reset(); // while the thread may still read
     }
 
     void trustedModulesAreReadAgain() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "1 ms"}}).ok());
         QSignalSpy changed(&d, &Document::changed);
         OpenOptions options;
-        options.includes = {m_desk->path("elsewhere")};
+        options.includes = {m_fixture->path("elsewhere")};
         d.setOptions(options);
         QCOMPARE(changed.count(), 1);
         QCOMPARE(d.loaded()->experiment->settings.tick, 0.001);
@@ -318,8 +318,8 @@ private Q_SLOTS:
     }
 
 private:
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<Application> m_application;
+    std::unique_ptr<DocumentFixture> m_fixture;
     std::unique_ptr<Document> m_document;
 };
 

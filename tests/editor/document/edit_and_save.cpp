@@ -45,8 +45,8 @@ int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);
     if (argc < 3) return 2;
     const bool pieces = argc > 3;
-    const std::unique_ptr<Parts> parts = makeParts();
-    Document document(*parts);
+    const std::unique_ptr<Application> trundleApplication = makeApplication();
+    Document document(*trundleApplication);
     if (!document.open(argv[1])) return 1;
     std::mt19937 random(static_cast<unsigned>(std::atoi(argv[2])));
     int number = 0;

@@ -11,11 +11,11 @@ using namespace sample;
 class HistoryPanelTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
 
-    void listsEditsAndGoesThere() {
-        const Desk desk;
-        Document d(*m_parts);
+    void listsEditsAndMovesToThem() {
+        const DocumentFixture fixture;
+        Document d(*m_application);
         HistoryPanel panel(d);
         panel.resize(240, 320);
         panel.show();
@@ -23,7 +23,7 @@ private Q_SLOTS:
         auto* list = panel.findChild<QListWidget*>(u"historyList"_qs);
         QVERIFY(list);
         QCOMPARE(list->count(), 0);
-        QVERIFY(d.open(desk.main).ok());
+        QVERIFY(d.open(fixture.main).ok());
         QCOMPARE(names(*list), "Opened");
         QVERIFY(d.setValues(u"Move robot0"_qs, {{"robot0.Pos", "1,0,0"}}).ok());
         QVERIFY(d.setValues(u"Set Tick"_qs, {{"Tick", "5 ms"}}).ok());
@@ -39,7 +39,7 @@ private Q_SLOTS:
         QTest::keyClick(list, Qt::Key_Down);
         QCOMPARE(d.history().position(), 2u);
         QTest::keyClick(list, Qt::Key_Home);
-        QCOMPARE(*d.text(desk.main), kMain);
+        QCOMPARE(*d.text(fixture.main), kMain);
 
         QVERIFY(d.setValues(u"Turn robot1"_qs, {{"robot1.HPR", "90,0,0"}}).ok());
         QCOMPARE(names(*list), "Opened, Turn robot1");
@@ -48,8 +48,8 @@ private Q_SLOTS:
     }
 
     void marksTheStateThatIsSaved() {
-        const Desk desk;
-        Document d(*m_parts);
+        const DocumentFixture fixture;
+        Document d(*m_application);
         HistoryPanel panel(d);
         auto* list = panel.findChild<QListWidget*>(u"historyList"_qs);
         const auto saved = [list] {
@@ -58,7 +58,7 @@ private Q_SLOTS:
                 if (list->item(row)->toolTip().contains(u"Saved"_qs)) rows += std::to_string(row);
             return rows;
         };
-        QVERIFY(d.open(desk.main).ok());
+        QVERIFY(d.open(fixture.main).ok());
         QCOMPARE(saved(), "0");
         QVERIFY(d.setValues(u"Tick"_qs, {{"Tick", "5 ms"}}).ok());
         QCOMPARE(saved(), "0");
@@ -75,16 +75,16 @@ private Q_SLOTS:
     }
 
     void staysWhereTheDocumentStays() {
-        const Desk desk;
-        Document d(*m_parts);
+        const DocumentFixture fixture;
+        Document d(*m_application);
         HistoryPanel panel(d);
         auto* list = panel.findChild<QListWidget*>(u"historyList"_qs);
-        QVERIFY(d.open(desk.main).ok());
+        QVERIFY(d.open(fixture.main).ok());
         QVERIFY(d.setValues(u"Set Tick"_qs, {{"Tick", "5 ms"}}).ok());
-        d.openLater(desk.robot); // edits have to wait, undoing too
+        d.openLater(fixture.robot); // edits have to wait, undoing too
         list->setCurrentRow(0);
         QCOMPARE(list->currentRow(), 1);
-        EVENTUALLY_EQUAL(d.path(), desk.robot);
+        EVENTUALLY_EQUAL(d.path(), fixture.robot);
         QCOMPARE(names(*list), "Opened");
     }
 
@@ -95,7 +95,7 @@ private:
         return all;
     }
 
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Application> m_application;
 };
 
 QTEST_MAIN(HistoryPanelTest)

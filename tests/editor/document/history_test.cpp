@@ -59,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(!t.history.canRedo());
     }
 
-    void anEditForgetsWhatWasUndone() {
+    void editDiscardsRedo() {
         Texts t = texts();
         t.edit("one", "a", "1");
         t.edit("two", "a", "2");
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(*t.now["b"], "beta");
     }
 
-    void whatADragMadeForgottenComesBackWithItsEnd() {
+    void cancelledDragRestoresRedo() {
         Texts t = texts();
         t.edit("one", "a", "alpha1");
         t.edit("two", "b", "beta2");
@@ -133,10 +133,10 @@ private Q_SLOTS:
         QCOMPARE(t.names(), "one two ");
         t.edit("move", "a", "alpha 4", "drag"); // and on
         QCOMPARE(t.names(), "one move ");
-        QVERIFY(t.history.canWithdraw("drag"));
-        QVERIFY(!t.history.canWithdraw("other") && !t.history.canWithdraw(""));
+        QVERIFY(t.history.canDiscardMerge("drag"));
+        QVERIFY(!t.history.canDiscardMerge("other") && !t.history.canDiscardMerge(""));
         t.go(1);
-        t.history.dropWithdrawn();
+        t.history.dropDiscarded();
         QCOMPARE(t.names(), "one two ");
         QCOMPARE(*t.now["a"], "alpha1");
         t.go(2);
@@ -146,19 +146,19 @@ private Q_SLOTS:
         QCOMPARE(*t.now["b"], "beta");
     }
 
-    void whatIsDoneIsNotWithdrawn() {
+    void finishedEditIsNotDiscarded() {
         Texts t = texts();
-        QVERIFY(!t.history.canWithdraw("drag"));
+        QVERIFY(!t.history.canDiscardMerge("drag"));
         t.edit("move", "a", "alpha 1", "drag");
         t.history.endMerge();
-        QVERIFY(!t.history.canWithdraw("drag"));
+        QVERIFY(!t.history.canDiscardMerge("drag"));
         t.edit("move", "a", "alpha 2", "drag");
         t.go(1);
         t.go(2);
-        QVERIFY(!t.history.canWithdraw("drag"));
+        QVERIFY(!t.history.canDiscardMerge("drag"));
     }
 
-    void aFileGoesOnUnderAnotherName() {
+    void historySurvivesRename() {
         Texts t = texts();
         t.edit("one", "a", "alpha1");
         t.history.renameFile("a", "c");

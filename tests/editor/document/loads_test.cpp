@@ -10,24 +10,24 @@ using namespace sample;
 
 namespace {
 
-/// The program's parts, counting.
-class CountingParts final : public Parts {
+/// The application, counting.
+class CountingApplication final : public Application {
 public:
-    std::shared_ptr<const Registry> builtIn() const override { return m_parts->builtIn(); }
-    std::vector<Kind> moduleKinds(const OpenOptions& options) const override { return m_parts->moduleKinds(options); }
-    const Locations& locations() const override { return m_parts->locations(); }
-    Result<std::shared_ptr<const Loaded>> open(const std::string& path, const OpenOptions& options) override {
+    std::shared_ptr<const Registry> builtIn() const override { return m_application->builtIn(); }
+    std::vector<Kind> moduleKinds(const OpenOptions& options) const override { return m_application->moduleKinds(options); }
+    const Locations& locations() const override { return m_application->locations(); }
+    Result<std::shared_ptr<const LoadedProject>> open(const std::string& path, const OpenOptions& options) override {
         ++loads;
-        return m_parts->open(path, options);
+        return m_application->open(path, options);
     }
-    std::unique_ptr<Runner> makeRunner(const Loaded& loaded, RunOptions options, Diagnostics& diagnostics) override {
-        return m_parts->makeRunner(loaded, std::move(options), diagnostics);
+    std::unique_ptr<Runner> makeRunner(const LoadedProject& loaded, RunOptions options, Diagnostics& diagnostics) override {
+        return m_application->makeRunner(loaded, std::move(options), diagnostics);
     }
 
     int loads = 0;
 
 private:
-    std::unique_ptr<Parts> m_parts = makeParts();
+    std::unique_ptr<Application> m_application = makeApplication();
 };
 
 } // namespace
@@ -46,28 +46,28 @@ private Q_SLOTS:
         for (int i = 0; i < robots; ++i)
             text += "Robot robot" + std::to_string(i) + " { Config=SimpleRobot Pos=" + std::to_string(i % 20) + "," +
                     std::to_string(i / 20) + ",0 }\n";
-        const Desk desk;
-        CountingParts parts;
-        Document d(parts);
-        QVERIFY(d.open(desk.write("configs/many.sim", text)).ok());
+        const DocumentFixture fixture;
+        CountingApplication application;
+        Document d(application);
+        QVERIFY(d.open(fixture.write("configs/many.sim", text)).ok());
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
-        parts.loads = 0;
+        application.loads = 0;
         QElapsedTimer clock;
         clock.start();
         constexpr int kSteps = 20;
         for (int i = 1; i <= kSteps; ++i) {
             QVERIFY(d.setValues(u"Move robot1"_qs, {{"robot1.Pos", "0." + std::to_string(i) + ",0,0"}}, "drag").ok());
-            QCOMPARE(parts.loads, i);
+            QCOMPARE(application.loads, i);
             QCOMPARE(d.loaded()->parses, 1u);
         }
         qInfo("%d robots: %.1f ms a step", robots, double(clock.nsecsElapsed()) / 1e6 / kSteps);
         QVERIFY(!d.setValues(u"Move robot1"_qs, {{"robot1.Pos", "0,0"}}, "drag").ok());
-        QCOMPARE(parts.loads, kSteps + 1); // to see that it does not fit
+        QCOMPARE(application.loads, kSteps + 1); // to see that it does not fit
         QVERIFY(!d.setValues(u"Move robot1"_qs, {{"robot1.Pos", "}"}}, "drag").ok());
         QVERIFY(!d.setValues(u"Move nobody"_qs, {{"nobody.Pos", "0,0,0"}}, "drag").ok());
-        QCOMPARE(parts.loads, kSteps + 1); // what cannot be read at all is not tried
-        d.withdraw("drag");
-        QCOMPARE(parts.loads, kSteps + 2);
+        QCOMPARE(application.loads, kSteps + 1); // what cannot be read at all is not tried
+        d.discardMerge("drag");
+        QCOMPARE(application.loads, kSteps + 2);
         QCOMPARE(*d.text(d.path()), text);
         QVERIFY(!d.isModified());
     }

@@ -11,13 +11,13 @@ class MadeFilesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void init() {
-        m_desk = std::make_unique<Desk>();
-        m_document = std::make_unique<Document>(*m_parts);
-        QVERIFY(m_document->open(m_desk->main).ok());
+        m_fixture = std::make_unique<DocumentFixture>();
+        m_document = std::make_unique<Document>(*m_application);
+        QVERIFY(m_document->open(m_fixture->main).ok());
     }
     void cleanup() { m_document.reset(); }
 
-    void aFileThatAnEditMakesComesAndGoesWithIt() {
+    void undoRemovesCreatedFile() {
         const std::string piece = this->piece(), text = kPiece;
         const auto make = [&] { return group(); };
         const auto onDisk = [&] { return std::filesystem::exists(piece); };
@@ -26,7 +26,7 @@ private Q_SLOTS:
         QCOMPARE(m_document->loaded()->experiment->statics.size(), std::size_t(1));
         QCOMPARE(m_document->history().entries().size(), std::size_t(1));
         QVERIFY(m_document->isModified(piece) && !onDisk());
-        m_document->lookAtDisk(); // it is not gone: it was never there
+        m_document->checkExternalChanges(); // it is not gone: it was never there
         m_document->undo();
         QVERIFY(!m_document->isModified());
         m_document->redo();
@@ -39,21 +39,21 @@ private Q_SLOTS:
         QCOMPARE(why(m_document->save()), "");
         QVERIFY(!onDisk());
         QVERIFY(!m_document->isModified());
-        QCOMPARE(bytesOf(m_desk->main), std::string(kMain));
-        m_document->lookAtDisk();
+        QCOMPARE(bytesOf(m_fixture->main), std::string(kMain));
+        m_document->checkExternalChanges();
         QVERIFY(!m_document->isModified());
         m_document->redo();
         QCOMPARE(why(m_document->save()), "");
         QCOMPARE(bytesOf(piece), text);
-        // One that stands there already is not written over, and nothing is made outside the project.
-        m_desk->write("configs/objects/other.sim", "// mine\n");
+        // One that is there already is not written over, and nothing is made outside the project.
+        m_fixture->write("configs/objects/other.sim", "// mine\n");
         for (const char* name : {"configs/objects/other.sim", "elsewhere.sim", "configs/../elsewhere.sim"})
-            QVERIFY(!m_document->replaceText(QStringLiteral("Group"), m_desk->path(name), "x").ok());
-        QCOMPARE(bytesOf(m_desk->path("configs/objects/other.sim")), std::string("// mine\n"));
-        QVERIFY(!std::filesystem::exists(m_desk->path("elsewhere.sim")));
+            QVERIFY(!m_document->replaceText(QStringLiteral("Group"), m_fixture->path(name), "x").ok());
+        QCOMPARE(bytesOf(m_fixture->path("configs/objects/other.sim")), std::string("// mine\n"));
+        QVERIFY(!std::filesystem::exists(m_fixture->path("elsewhere.sim")));
     }
 
-    void recoveryKnowsWhichFilesEditsCreated_data() {
+    void recoveryTracksCreatedFiles_data() {
         QTest::addColumn<QString>("steps"); // g: group, s: save, u: undo, r: redo, x: the other program removes the file
         QTest::addColumn<bool>("isThere");  // after recovery and a save
         QTest::newRow("never saved") << "g" << true;
@@ -62,7 +62,7 @@ private Q_SLOTS:
         QTest::newRow("removed, then redone") << "gsusr" << true;
         QTest::newRow("undone, and removed by another program") << "gsux" << false;
     }
-    void recoveryKnowsWhichFilesEditsCreated() {
+    void recoveryTracksCreatedFiles() {
         QFETCH(QString, steps);
         QFETCH(bool, isThere);
         for (const char step : steps.toStdString()) {
@@ -103,11 +103,11 @@ private Q_SLOTS:
         QVERIFY(m_document->recoveries().empty());
     }
 
-    void saveAsKeepsWhichFilesEditsCreated() {
+    void saveAsTracksCreatedFiles() {
         QVERIFY(group());
         QCOMPARE(why(m_document->save()), "");
-        const std::string copy = m_desk->path("elsewhere/main.sim"), moved = m_desk->path("elsewhere/objects/piece.sim");
-        std::filesystem::create_directories(m_desk->path("elsewhere"));
+        const std::string copy = m_fixture->path("elsewhere/main.sim"), moved = m_fixture->path("elsewhere/objects/piece.sim");
+        std::filesystem::create_directories(m_fixture->path("elsewhere"));
         QCOMPARE(why(m_document->saveAs(copy)), "");
         QCOMPARE(bytesOf(moved), std::string(kPiece));
         m_document->undo(); // of what the imports read there
@@ -119,12 +119,12 @@ private Q_SLOTS:
 
 private:
     static constexpr const char* kPiece = "StaticConfig Piece { Box b { Size=1,1,1 } }\n";
-    [[nodiscard]] std::string piece() const { return m_desk->path("configs/objects/piece.sim"); }
+    [[nodiscard]] std::string piece() const { return m_fixture->path("configs/objects/piece.sim"); }
     bool group() {
         EditPlan plan;
         plan.edits[0] = {{{0, {0, 0}}, "#import objects/piece.sim\nStatic piece { Config=Piece }\n"}};
         const bool made = m_document->replaceText(QStringLiteral("Group"), piece(), kPiece, "group").ok() &&
-                          m_document->carryOut(QStringLiteral("Group"), plan, "group").ok();
+                          m_document->apply(QStringLiteral("Group"), plan, "group").ok();
         m_document->endMerge();
         return made;
     }
@@ -134,22 +134,22 @@ private:
             QCoreApplication::instance(), [] { QCoreApplication::exit(0); }, Qt::QueuedConnection);
         QCoreApplication::exec(); // at its end what is not noted yet is noted
         std::error_code none;
-        const std::string folder = projectStateFolder(m_desk->path("configs")) + "/journal";
+        const std::string folder = projectStateFolder(m_fixture->path("configs")) + "/journal";
         for (std::filesystem::directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
             if (document.isModified()) return bytesOf(at->path().string());
         return {};
     }
     /// Another window after the first one was killed and left this journal.
     bool restart(const std::string& journal) {
-        m_document = std::make_unique<Document>(*m_parts);
-        const std::filesystem::path folder = projectStateFolder(m_desk->path("configs")) + "/journal";
+        m_document = std::make_unique<Document>(*m_application);
+        const std::filesystem::path folder = projectStateFolder(m_fixture->path("configs")) + "/journal";
         std::filesystem::create_directories(folder);
         if (!journal.empty()) std::ofstream(folder / "1.journal", std::ios::binary) << journal;
-        return m_document->open(m_desk->main).ok();
+        return m_document->open(m_fixture->main).ok();
     }
 
-    std::unique_ptr<Parts> m_parts = makeParts();
-    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<Application> m_application = makeApplication();
+    std::unique_ptr<DocumentFixture> m_fixture;
     std::unique_ptr<Document> m_document;
 };
 

@@ -36,13 +36,13 @@ std::string withMesh(const std::string& file) {
     return "StaticConfig Thing { Mesh shape { File=" + file + " } }\nStatic thing { Config=Thing }\n";
 }
 
-const TriangleMesh* meshOf(const Loaded& loaded) {
+const TriangleMesh* meshOf(const LoadedProject& loaded) {
     const auto& statics = loaded.experiment->statics;
     return statics.empty() || statics[0].geoms->empty() ? nullptr : (*statics[0].geoms)[0].mesh.get();
 }
 
 /// The largest z of the mesh; 0: none.
-double highest(const Loaded& loaded) {
+double highest(const LoadedProject& loaded) {
     const TriangleMesh* mesh = meshOf(loaded);
     double z = 0;
     if (mesh)
@@ -55,33 +55,33 @@ double highest(const Loaded& loaded) {
 class MeshesTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
     void init() {
-        m_desk = std::make_unique<Desk>();
-        m_desk->write("configs/cube.obj", kCube);
-        m_desk->write("configs/thing.sim", withMesh("cube.obj"));
+        m_fixture = std::make_unique<DocumentFixture>();
+        m_fixture->write("configs/cube.obj", kCube);
+        m_fixture->write("configs/thing.sim", withMesh("cube.obj"));
     }
 
     void laterIsNotNow() {
         OpenOptions later;
         later.meshesLater = true;
-        const std::string path = m_desk->path("configs/thing.sim");
-        const auto first = m_parts->open(path, later).value();
+        const std::string path = m_fixture->path("configs/thing.sim");
+        const auto first = m_application->open(path, later).value();
         QVERIFY(first->pending);
         QVERIFY(holds(messages(*first), "cube.obj is being read"));
-        const auto whole = m_parts->open(path, {}).value();
+        const auto whole = m_application->open(path, {}).value();
         QVERIFY(!whole->pending);
         QVERIFY2(messages(*whole).empty(), messages(*whole).c_str());
         QVERIFY(meshOf(*whole));
-        const auto again = m_parts->open(path, later).value();
+        const auto again = m_application->open(path, later).value();
         QVERIFY(!again->pending);
         QVERIFY2(messages(*again).empty(), messages(*again).c_str());
     }
 
-    void aMeshThatIsTypedComesByItself() {
-        Document d(*m_parts);
-        QVERIFY(d.open(m_desk->main).ok());
-        QCOMPARE(why(d.replaceText(u"Type"_qs, m_desk->main, withMesh("cube.obj"))), "");
+    void loadsTypedMesh() {
+        Document d(*m_application);
+        QVERIFY(d.open(m_fixture->main).ok());
+        QCOMPARE(why(d.replaceText(u"Type"_qs, m_fixture->main, withMesh("cube.obj"))), "");
         QVERIFY(d.loaded()->pending);
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
@@ -95,11 +95,11 @@ private Q_SLOTS:
         QCOMPARE(d.revision(), revision + 1);
     }
 
-    void whatIsWorkedOutFromAMeshIsKept() {
+    void cachesMeshResults() {
         const std::string file =
-            m_desk->write("configs/ball.sim", "Tick = 0.01\nRobotConfig Ball { Body b { Mesh shape { File=cube.obj Scale=2 "
-                                              "Density=1 } } }\nRobot r { Config=Ball }\n");
-        Document d(*m_parts);
+            m_fixture->write("configs/ball.sim", "Tick = 0.01\nRobotConfig Ball { Body b { Mesh shape { File=cube.obj Scale=2 "
+                                                 "Density=1 } } }\nRobot r { Config=Ball }\n");
+        Document d(*m_application);
         QVERIFY(d.open(file).ok());
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         const auto before = d.loaded();
@@ -116,10 +116,10 @@ private Q_SLOTS:
     }
 
     void aMeshIsChosenInARow() {
-        m_desk->write("configs/other.obj", kCube);
-        m_desk->write("configs/broken.obj", "this is no mesh");
-        Document d(*m_parts);
-        QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
+        m_fixture->write("configs/other.obj", kCube);
+        m_fixture->write("configs/broken.obj", "this is no mesh");
+        Document d(*m_application);
+        QVERIFY(d.open(m_fixture->path("configs/thing.sim")).ok());
         QCOMPARE(why(d.setValues(u"Set File"_qs, {{"StaticConfig.Thing.shape.File", "other.obj"}})), "");
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
@@ -130,41 +130,41 @@ private Q_SLOTS:
     }
 
     void aMeshThatChangesOnTheDiskIsReadAgain() {
-        Document d(*m_parts);
-        QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
+        Document d(*m_application);
+        QVERIFY(d.open(m_fixture->path("configs/thing.sim")).ok());
         QVERIFY(meshOf(*d.loaded()));
         QCOMPARE(highest(*d.loaded()), 1.0);
         std::string higher = kCube;
         for (std::size_t at = 0; (at = higher.find(" 1\nv", at)) != std::string::npos;) higher.replace(at, 2, " 3");
-        m_desk->write("configs/cube.obj", higher);
+        m_fixture->write("configs/cube.obj", higher);
         EVENTUALLY_EQUAL(highest(*d.loaded()), 3.0);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         QVERIFY(!d.isModified());
         QVERIFY(d.history().entries().empty());
         // replaced by rename, as most programs save
-        m_desk->write("configs/new.obj", kCube);
-        std::filesystem::rename(m_desk->path("configs/new.obj"), m_desk->path("configs/cube.obj"));
+        m_fixture->write("configs/new.obj", kCube);
+        std::filesystem::rename(m_fixture->path("configs/new.obj"), m_fixture->path("configs/cube.obj"));
         EVENTUALLY_EQUAL(highest(*d.loaded()), 1.0);
         QVERIFY(!d.isModified());
     }
 
-    void aMeshThatGoesAndComesIsSaid() {
-        Document d(*m_parts);
-        QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
-        std::filesystem::remove(m_desk->path("configs/cube.obj"));
+    void reportsMissingAndReturnedMesh() {
+        Document d(*m_application);
+        QVERIFY(d.open(m_fixture->path("configs/thing.sim")).ok());
+        std::filesystem::remove(m_fixture->path("configs/cube.obj"));
         EVENTUALLY(holds(messages(*d.loaded()), "cube.obj"));
-        m_desk->write("configs/cube.obj", kCube);
+        m_fixture->write("configs/cube.obj", kCube);
         EVENTUALLY(messages(*d.loaded()).empty());
         QVERIFY(meshOf(*d.loaded()));
     }
 
     void aPictureThatChangesOnTheDiskIsReadAgain() {
         const auto picture = [](const char* grey) { return std::string("P2\n2 2\n255\n0 0\n0 ") + grey + "\n"; };
-        m_desk->write("configs/hill.pgm", picture("255"));
-        const std::string file = m_desk->write(
+        m_fixture->write("configs/hill.pgm", picture("255"));
+        const std::string file = m_fixture->write(
             "configs/hills.sim",
             "StaticConfig Hills { Heightfield hill { File=hill.pgm Size=1,1,1 } }\nStatic hills { Config=Hills }\n");
-        Document d(*m_parts);
+        Document d(*m_application);
         QVERIFY(d.open(file).ok());
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         const auto top = [&] {
@@ -173,33 +173,33 @@ private Q_SLOTS:
             return map ? *std::ranges::max_element(map->heights) : -1;
         };
         const double before = top();
-        m_desk->write("configs/hill.pgm", picture("100"));
+        m_fixture->write("configs/hill.pgm", picture("100"));
         EVENTUALLY(top() > 0 && top() < before);
     }
 
-    void anImportThatComesIsReadIn() {
-        Document d(*m_parts);
-        QVERIFY(d.open(m_desk->write("configs/waits.sim", "#import later.sim\n")).ok());
+    void loadsAppearingImport() {
+        Document d(*m_application);
+        QVERIFY(d.open(m_fixture->write("configs/waits.sim", "#import later.sim\n")).ok());
         QVERIFY(holds(messages(*d.loaded()), "later.sim"));
-        m_desk->write("configs/later.sim", "Tick = 0.02\n");
+        m_fixture->write("configs/later.sim", "Tick = 0.02\n");
         EVENTUALLY_EQUAL(d.loaded()->experiment->settings.tick, 0.02);
         QVERIFY(messages(*d.loaded()).empty());
     }
 
-    void theProjectGoesWhileAMeshIsRead() {
-        Document d(*m_parts);
-        QVERIFY(d.open(m_desk->main).ok());
-        QVERIFY(d.replaceText(u"Type"_qs, m_desk->main, withMesh("cube.obj")).ok());
+    void survivesClosingWhileMeshLoads() {
+        Document d(*m_application);
+        QVERIFY(d.open(m_fixture->main).ok());
+        QVERIFY(d.replaceText(u"Type"_qs, m_fixture->main, withMesh("cube.obj")).ok());
         d.close();
-        QVERIFY(d.open(m_desk->path("configs/thing.sim")).ok());
+        QVERIFY(d.open(m_fixture->path("configs/thing.sim")).ok());
         QVERIFY(d.replaceText(u"Type"_qs, d.path(), withMesh("cube.obj") + "// more\n").ok());
         EVENTUALLY(!d.loaded()->pending);
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
     }
 
 private:
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<Application> m_application;
+    std::unique_ptr<DocumentFixture> m_fixture;
 };
 
 QTEST_GUILESS_MAIN(MeshesTest)

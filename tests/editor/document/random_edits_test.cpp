@@ -17,9 +17,9 @@ namespace {
 
 class RandomEdits {
 public:
-    RandomEdits(Document& document, const Desk& desk, unsigned seed)
-        : m_document(document), m_desk(desk), m_seed(seed), m_random(seed) {
-        document.structure().setAsker([this](const ShareQuestion&, const StructureEdits::Answer& answer) {
+    RandomEdits(Document& document, const DocumentFixture& fixture, unsigned seed)
+        : m_document(document), m_fixture(fixture), m_seed(seed), m_random(seed) {
+        document.structure().setShareQuestionHandler([this](const ShareQuestion&, const StructureEdits::ShareAnswer& answer) {
             static constexpr ShareChoice kChoices[] = {ShareChoice::Cancel, ShareChoice::MakeCopy, ShareChoice::Cancel,
                                                        ShareChoice::ChangeForAll};
             const ShareChoice choice = kChoices[(m_seed + m_asked++) % 4]; // each of them, whatever the length of the walk
@@ -53,7 +53,7 @@ public:
         if (m_document.loaded()->diagnostics.hasErrors()) return;
         const std::string name = "Piece" + std::to_string(created.size());
         GroupPlan group;
-        group.file = m_desk.path("configs/objects/" + name + ".sim");
+        group.file = m_fixture.path("configs/objects/" + name + ".sim");
         group.text = "StaticConfig " + name + " { Box b { Size=1,1,1 } }\n";
         group.plan.edits[0] = {{{0, {0, 0}}, "#import objects/" + name + ".sim\nStatic s" + name + " { Config=" + name + " }\n"}};
         if (applyGroup(m_document, u"Group"_qs, group)) created.push_back(group.file);
@@ -84,7 +84,7 @@ private:
 
     /// Through an instance, in the config, or in a copy of it that an earlier edit made.
     void changeStructure() {
-        const Loaded& before = *m_document.loaded();
+        const LoadedProject& before = *m_document.loaded();
         std::vector<std::string> objects{"robot0", "robot1"};
         for (const Part* config : before.outline->configs.all())
             if (config->kind) objects.push_back(config->kind->name + "." + config->name);
@@ -92,7 +92,7 @@ private:
         const std::size_t configs = before.outline->configs.all().size(), which = below(4);
         const std::string name = "part" + std::to_string(below(100));
         const Status done = m_document.structure().apply(
-            u"Structure"_qs, {object}, [&](const Loaded& loaded, const auto& renamed) -> Result<EditPlan> {
+            u"Structure"_qs, {object}, [&](const LoadedProject& loaded, const auto& renamed) -> Result<EditPlan> {
                 switch (which) {
                 case 0: return planInsert(loaded, renamed(object), "Body " + name + " { Sphere ball { Radius=0.1 Mass=1 } }");
                 case 1: return planDuplicate(loaded, {renamed(body)}, Vec3(0.1, 0, 0));
@@ -105,7 +105,7 @@ private:
     }
 
     void type() {
-        const std::string file = below(2) ? m_desk.main : m_desk.robot;
+        const std::string file = below(2) ? m_fixture.main : m_fixture.robot;
         std::string text = *m_document.text(file);
         const std::vector<std::string> bits{"x",    " ",  "{",  "}",          "\n", "// word", "Robot r { Config=Rover }\n",
                                             "\xff", "\r", "\"", "#import a\n"};
@@ -113,7 +113,7 @@ private:
         if (below(3) == 0) text.erase(at, below(5));
         else text.insert(at, bits[below(bits.size())]);
         (void)m_document.replaceText(u"Typing"_qs, file, std::move(text), below(2) ? "typing " + file : "");
-        // Broken texts end what the other edits can do, so most of them are mended at once, as people do.
+        // Broken texts end what the other edits can do, so most of them are fixed at once, as people do.
         if (m_document.loaded()->diagnostics.hasErrors() && below(4) != 0) m_document.undo();
     }
 
@@ -125,7 +125,7 @@ private:
             plan.edits[file].push_back({{file, {size, size}}, "// planned " + std::to_string(below(100)) + "\n"});
             if (below(2)) plan.edits[file].push_back({{file, {0, 0}}, "// first\n"});
         }
-        (void)m_document.carryOut(u"Plan"_qs, plan);
+        (void)m_document.apply(u"Plan"_qs, plan);
     }
 
     /// A few entries back or on: most edits are to be undone at the end.
@@ -137,7 +137,7 @@ private:
     void save() { (void)m_document.save(); }
 
     Document& m_document;
-    const Desk& m_desk;
+    const DocumentFixture& m_fixture;
     const unsigned m_seed;
     unsigned m_asked = 0;
     std::mt19937 m_random;
@@ -148,7 +148,7 @@ private:
 class RandomEditsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
 
     void undoAllRedoAll_data() {
         QTest::addColumn<unsigned>("seed");
@@ -157,10 +157,10 @@ private Q_SLOTS:
     void undoAllRedoAll() {
         QFETCH(unsigned, seed);
         const int edits = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 1000 : 100;
-        const Desk desk;
-        Document d(*m_parts);
-        QVERIFY(d.open(desk.main).ok());
-        RandomEdits random(d, desk, seed);
+        const DocumentFixture fixture;
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
+        RandomEdits random(d, fixture, seed);
         for (int i = 0; i < edits; ++i) {
             if (i % 10 == 0) random.undoErrors();
             if (i % 10 == 9) random.group();
@@ -170,10 +170,10 @@ private Q_SLOTS:
                 isModified = isModified || d.isModified(file);
                 QVERIFY(!std::filesystem::exists(file) || !bytesOf(file).empty());
             }
-            for (const std::string& file : {desk.main, desk.robot}) isModified = isModified || d.isModified(file);
+            for (const std::string& file : {fixture.main, fixture.robot}) isModified = isModified || d.isModified(file);
             QCOMPARE(d.isModified(), isModified);
             std::vector<std::string> files = random.created;
-            files.insert(files.end(), {desk.main, desk.robot});
+            files.insert(files.end(), {fixture.main, fixture.robot});
             for (const std::string& file : files) QCOMPARE(d.isModified(file), bytesOf(file) != *d.text(file));
         }
         QVERIFY(random.structures > 0);
@@ -184,23 +184,23 @@ private Q_SLOTS:
         m_copies += random.copies;
         d.moveTo(d.history().entries().size());
         QVERIFY(d.history().entries().size() > 5);
-        const std::string endMain = *d.text(desk.main), endRobot = *d.text(desk.robot);
+        const std::string endMain = *d.text(fixture.main), endRobot = *d.text(fixture.robot);
         while (d.history().canUndo()) d.undo();
-        QCOMPARE(*d.text(desk.main), kMain);
-        QCOMPARE(*d.text(desk.robot), kRover);
+        QCOMPARE(*d.text(fixture.main), kMain);
+        QCOMPARE(*d.text(fixture.robot), kRover);
         QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
         while (d.history().canRedo()) d.redo();
-        QCOMPARE(*d.text(desk.main), endMain);
-        QCOMPARE(*d.text(desk.robot), endRobot);
+        QCOMPARE(*d.text(fixture.main), endMain);
+        QCOMPARE(*d.text(fixture.robot), endRobot);
         QVERIFY(!random.created.empty());
         d.moveTo(random.below(d.history().entries().size()));
         std::map<std::string, std::string> texts;
-        random.created.insert(random.created.end(), {desk.main, desk.robot});
+        random.created.insert(random.created.end(), {fixture.main, fixture.robot});
         for (const std::string& file : random.created) texts[file] = *d.text(file);
-        recoversAll(d, desk, texts);
+        recoversAll(d, fixture, texts);
     }
 
-    void everyChoiceWasTaken() {
+    void everyActionRan() {
         QCOMPARE(m_answers.size(), 3u);
         QVERIFY(m_copies > 0);
         QVERIFY2(m_structures > m_edits / 50, qPrintable(QString::number(m_structures)));
@@ -208,11 +208,11 @@ private Q_SLOTS:
 
 private:
     /// What a window leaves that is killed now gives the same texts, and once they are saved the same files.
-    void recoversAll(Document& killed, const Desk& desk, const std::map<std::string, std::string>& texts) {
+    void recoversAll(Document& killed, const DocumentFixture& fixture, const std::map<std::string, std::string>& texts) {
         QMetaObject::invokeMethod(
             QCoreApplication::instance(), [] { QCoreApplication::exit(0); }, Qt::QueuedConnection);
         QCoreApplication::exec(); // at its end what is not noted yet is noted
-        const std::filesystem::path folder = projectStateFolder(desk.path("configs")) + "/journal";
+        const std::filesystem::path folder = projectStateFolder(fixture.path("configs")) + "/journal";
         std::map<std::string, std::string> journals;
         std::error_code none;
         for (std::filesystem::directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
@@ -221,17 +221,17 @@ private:
         killed.close();
         std::filesystem::create_directories(folder);
         for (const auto& [path, bytes] : journals) std::ofstream(path, std::ios::binary) << bytes;
-        Document d(*m_parts);
-        QVERIFY(d.open(desk.main).ok());
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
         for (const Recovery& recovery : d.recoveries()) QCOMPARE(why(d.recover(recovery)), "");
         QCOMPARE(why(d.save()), "");
         for (const auto& [path, text] : texts) {
             QCOMPARE(bytesOf(path), text);
-            if (path != desk.main) QCOMPARE(std::filesystem::exists(path), !text.empty() || path == desk.robot);
+            if (path != fixture.main) QCOMPARE(std::filesystem::exists(path), !text.empty() || path == fixture.robot);
         }
     }
 
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Application> m_application;
     std::map<ShareChoice, int> m_answers;
     int m_copies = 0, m_structures = 0, m_edits = 0; ///< of all walks
 };

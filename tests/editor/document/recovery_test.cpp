@@ -13,16 +13,16 @@ namespace fs = std::filesystem;
 class RecoveryTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
     void init() {
-        m_desk = std::make_unique<Desk>();
-        m_document = std::make_unique<Document>(*m_parts);
+        m_fixture = std::make_unique<DocumentFixture>();
+        m_document = std::make_unique<Document>(*m_application);
     }
     void cleanup() { m_document.reset(); }
 
-    void editsAreNotedWithinTwoSeconds() {
+    void journalsEditsWithinTwoSeconds() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QVERIFY(!fs::exists(journals()));
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         QTRY_VERIFY_WITH_TIMEOUT(fs::exists(journals()), 2000);
@@ -36,13 +36,13 @@ private Q_SLOTS:
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.04"}}).ok());
         EVENTUALLY(fs::exists(journals()));
         d.close(); // whoever closes has been asked
-        QVERIFY(!fs::exists(m_desk->path("configs/.trundle")));
+        QVERIFY(!fs::exists(m_fixture->path("configs/.trundle")));
     }
 
     /// By SIGTERM, say: nobody waits half a second then.
-    void editsAreNotedWhenTheProgramIsToldToEnd() {
+    void journalsEditsOnEndRequest() {
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         QVERIFY(!fs::exists(journals()));
         QMetaObject::invokeMethod(
@@ -52,79 +52,79 @@ private Q_SLOTS:
     }
 
     void recovers() {
-        leave({m_desk->main, {}},
-              {{m_desk->main, {kMain, std::string(kMain) + "Seed = 9\n"}}, {m_desk->robot, {kRover, "Seed=1\n"}}});
+        leave({m_fixture->main, {}},
+              {{m_fixture->main, {kMain, std::string(kMain) + "Seed = 9\n"}}, {m_fixture->robot, {kRover, "Seed=1\n"}}});
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         const auto found = d.recoveries();
         QCOMPARE(found.size(), 1u);
-        QCOMPARE(found[0].head.opened, m_desk->main);
+        QCOMPARE(found[0].head.opened, m_fixture->main);
         QCOMPARE(why(d.recover(found[0])), "");
-        QCOMPARE(*d.text(m_desk->main), std::string(kMain) + "Seed = 9\n");
-        QCOMPARE(*d.text(m_desk->robot), "Seed=1\n");
+        QCOMPARE(*d.text(m_fixture->main), std::string(kMain) + "Seed = 9\n");
+        QCOMPARE(*d.text(m_fixture->robot), "Seed=1\n");
         QVERIFY(d.isModified());
         QCOMPARE(d.history().entries().size(), 1u);
         QVERIFY(d.recoveries().empty());
         QVERIFY(fs::exists(journals())); // now in ours
         d.undo();
         QVERIFY(!d.isModified());
-        QCOMPARE(bytesOf(m_desk->main), kMain);
+        QCOMPARE(bytesOf(m_fixture->main), kMain);
     }
 
     void recoversFromTheWelcomePage() {
-        leave({m_desk->main, {}}, {{m_desk->main, {kMain, "Seed = 9\n"}}});
+        leave({m_fixture->main, {}}, {{m_fixture->main, {kMain, "Seed = 9\n"}}});
         Document& d = *m_document;
-        QCOMPARE(why(d.recover(findRecoveries(m_desk->path("configs")).at(0))), "");
-        QCOMPARE(d.path(), m_desk->main);
-        QCOMPARE(*d.text(m_desk->main), "Seed = 9\n");
+        QCOMPARE(why(d.recover(findRecoveries(m_fixture->path("configs")).at(0))), "");
+        QCOMPARE(d.path(), m_fixture->main);
+        QCOMPARE(*d.text(m_fixture->main), "Seed = 9\n");
     }
 
     void recoversOverAnotherText() {
-        leave({m_desk->main, {}}, {{m_desk->main, {kMain, std::string(kMain) + "Seed = 9\n"}}});
-        m_desk->write("configs/main.sim", std::string("Title=\"T\"\n") + kMain);
+        leave({m_fixture->main, {}}, {{m_fixture->main, {kMain, std::string(kMain) + "Seed = 9\n"}}});
+        m_fixture->write("configs/main.sim", std::string("Title=\"T\"\n") + kMain);
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         const std::string both = std::string("Title=\"T\"\n") + kMain + "Seed = 9\n";
-        QCOMPARE(Document::recoveredText(m_desk->main, d.recoveries().at(0).files.at(m_desk->main)), both); // said before
+        QCOMPARE(Document::recoveredText(m_fixture->main, d.recoveries().at(0).files.at(m_fixture->main)), both); // said before
         QCOMPARE(why(d.recover(d.recoveries().at(0))), "");
-        QCOMPARE(*d.text(m_desk->main), both);
+        QCOMPARE(*d.text(m_fixture->main), both);
         QVERIFY(d.diskChanges().empty());
     }
 
     void bothChangedTheSameLine() {
-        leave({m_desk->main, {}}, {{m_desk->main, {"Seed = 1\n", "Seed = 2\n"}}});
-        m_desk->write("configs/main.sim", "Seed = 3\n");
+        leave({m_fixture->main, {}}, {{m_fixture->main, {"Seed = 1\n", "Seed = 2\n"}}});
+        m_fixture->write("configs/main.sim", "Seed = 3\n");
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         QSignalSpy asked(&d, &Document::diskChanged);
         QCOMPARE(why(d.recover(d.recoveries().at(0))), "");
         QCOMPARE(asked.count(), 1);
-        QCOMPARE(*d.text(m_desk->main), "Seed = 2\n");
-        QCOMPARE(*d.diskChanges().at(m_desk->main), "Seed = 3\n");
+        QCOMPARE(*d.text(m_fixture->main), "Seed = 2\n");
+        QCOMPARE(*d.diskChanges().at(m_fixture->main), "Seed = 3\n");
         QVERIFY(!d.save().ok());
-        QVERIFY(d.resolveDiskChange(m_desk->main, Document::Keep::Mine).ok());
+        QVERIFY(d.resolveDiskChange(m_fixture->main, Document::Resolution::Mine).ok());
         QCOMPARE(why(d.save()), "");
-        QCOMPARE(bytesOf(m_desk->main), "Seed = 2\n");
+        QCOMPARE(bytesOf(m_fixture->main), "Seed = 2\n");
     }
 
-    void theFileIsGone() {
-        leave({m_desk->main, {}}, {{m_desk->main, {kMain, "Seed = 9\n"}}});
-        fs::remove(m_desk->main);
+    void restoresDeletedFile() {
+        leave({m_fixture->main, {}}, {{m_fixture->main, {kMain, "Seed = 9\n"}}});
+        fs::remove(m_fixture->main);
         Document& d = *m_document;
-        QVERIFY(!d.open(m_desk->main).ok());
-        QCOMPARE(why(d.recover(findRecoveries(m_desk->path("configs")).at(0))), "");
-        QCOMPARE(*d.text(m_desk->main), "Seed = 9\n");
+        QVERIFY(!d.open(m_fixture->main).ok());
+        QCOMPARE(why(d.recover(findRecoveries(m_fixture->path("configs")).at(0))), "");
+        QCOMPARE(*d.text(m_fixture->main), "Seed = 9\n");
         QVERIFY(d.isModified());
         QCOMPARE(why(d.save()), "");
-        QCOMPARE(bytesOf(m_desk->main), "Seed = 9\n");
+        QCOMPARE(bytesOf(m_fixture->main), "Seed = 9\n");
     }
 
-    void aNewTextComesBack() {
+    void restoresNewText() {
         {
-            Document lost(*m_parts);
+            Document lost(*m_application);
             QVERIFY(lost.openNew("untitled.sim", "Tick = 1 ms\n").ok());
             QVERIFY(lost.setValues(u"Set"_qs, {{"Tick", "2 ms"}}).ok());
-            const std::string state = m_desk->path("state");
+            const std::string state = m_fixture->path("state");
             EVENTUALLY(!journalsBelow(state).empty());
             const std::string journal = journalsBelow(state)[0];
             m_kept = bytesOf(journal);
@@ -144,54 +144,54 @@ private Q_SLOTS:
         QVERIFY(d.recoveries().empty());
     }
 
-    void theSecondWindowOnlyLooks() {
+    void secondWindowIsReadOnly() {
         Document& first = *m_document;
-        Document second(*m_parts);
-        QSignalSpy told(&second, &Document::readOnlyChanged), refused(&second, &Document::refused);
-        QVERIFY(first.open(m_desk->main).ok());
-        QCOMPARE(why(second.open(m_desk->robot)), "");
+        Document second(*m_application);
+        QSignalSpy reported(&second, &Document::readOnlyChanged), refused(&second, &Document::refused);
+        QVERIFY(first.open(m_fixture->main).ok());
+        QCOMPARE(why(second.open(m_fixture->robot)), "");
         QVERIFY(!first.isReadOnly());
         QVERIFY(second.isReadOnly());
-        QCOMPARE(told.count(), 1);
-        QVERIFY(holds(said(told), "another window"));
-        QVERIFY(!second.replaceText(u"Type"_qs, m_desk->robot, "x").ok());
+        QCOMPARE(reported.count(), 1);
+        QVERIFY(holds(reportOf(reported), "another window"));
+        QVERIFY(!second.replaceText(u"Type"_qs, m_fixture->robot, "x").ok());
         QCOMPARE(refused.count(), 1);
         // what the first one saves is shown
         QVERIFY(first.setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "7"}}).ok());
         QCOMPARE(why(first.save()), "");
-        EVENTUALLY_EQUAL(*second.text(m_desk->robot), *first.text(m_desk->robot));
+        EVENTUALLY_EQUAL(*second.text(m_fixture->robot), *first.text(m_fixture->robot));
         second.editAnyway();
         QVERIFY(!second.isReadOnly());
-        QCOMPARE(why(second.replaceText(u"Type"_qs, m_desk->robot, "x")), "");
+        QCOMPARE(why(second.replaceText(u"Type"_qs, m_fixture->robot, "x")), "");
         QCOMPARE(why(second.save()), "");
         first.close();
         second.close();
-        QVERIFY(second.open(m_desk->main).ok());
+        QVERIFY(second.open(m_fixture->main).ok());
         QVERIFY(!second.isReadOnly());
     }
 
-    void whoOnlyLookedMayEditOnceTheOtherIsGone() {
+    void readOnlyWindowEditsAfterOtherCloses() {
         Document& first = *m_document;
-        Document second(*m_parts);
+        Document second(*m_application);
         QSignalSpy noticed(&second, &Document::notice);
-        QVERIFY(first.open(m_desk->main).ok());
-        QCOMPARE(why(second.open(m_desk->robot)), "");
-        QVERIFY(!second.replaceText(u"Type"_qs, m_desk->robot, "x").ok());
+        QVERIFY(first.open(m_fixture->main).ok());
+        QCOMPARE(why(second.open(m_fixture->robot)), "");
+        QVERIFY(!second.replaceText(u"Type"_qs, m_fixture->robot, "x").ok());
         first.close();
-        QCOMPARE(why(second.replaceText(u"Type"_qs, m_desk->robot, "x")), "");
+        QCOMPARE(why(second.replaceText(u"Type"_qs, m_fixture->robot, "x")), "");
         QVERIFY(!second.isReadOnly());
         QCOMPARE(noticed.count(), 1);
         QCOMPARE(why(second.save()), "");
-        QVERIFY(first.open(m_desk->main).ok());
+        QVERIFY(first.open(m_fixture->main).ok());
         QVERIFY(first.isReadOnly()); // it is the second one's now
         second.close();
-        first.lookAtDisk(); // as its window does when one comes back to it
+        first.checkExternalChanges(); // as its window does when one returns to it
         QVERIFY(!first.isReadOnly());
     }
 
     void samplesAndNewTextsNeedNoLock() {
         const std::string sample = std::string(TRUNDLE_SOURCE_DIR) + "/configs/experiments/linear_motion.sim";
-        Document second(*m_parts);
+        Document second(*m_application);
         QVERIFY(m_document->open(sample).ok() && second.open(sample).ok());
         QVERIFY(!second.isReadOnly());
         QVERIFY(m_document->openNew("a.sim", "").ok() && second.openNew("a.sim", "").ok());
@@ -199,7 +199,7 @@ private Q_SLOTS:
     }
 
 private:
-    [[nodiscard]] std::string journals() const { return projectStateFolder(m_desk->path("configs")) + "/journal"; }
+    [[nodiscard]] std::string journals() const { return projectStateFolder(m_fixture->path("configs")) + "/journal"; }
     static std::vector<std::string> journalsBelow(const std::string& folder) {
         std::vector<std::string> found;
         std::error_code none;
@@ -210,12 +210,12 @@ private:
 
     /// As a window that crashed would.
     void leave(const JournalHead& head, const std::map<std::string, RecoveredText>& files) {
-        Journal journal(m_desk->path("configs"), head);
+        Journal journal(m_fixture->path("configs"), head);
         for (const auto& [path, text] : files) QVERIFY(journal.note(path, text.base, text.text).ok());
     }
 
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<Application> m_application;
+    std::unique_ptr<DocumentFixture> m_fixture;
     std::unique_ptr<Document> m_document;
     std::string m_kept, m_journal;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// A document over a project in a folder of its own, with the program's real parts.
+// A document over a project in a folder of its own, with the real application.
 
 #include <filesystem>
 #include <fstream>
@@ -43,9 +43,9 @@ Robot robot1 { Config=Rover Pos=1,0,0 }
 )";
 
 /// `configs/` makes it a project.
-class Desk {
+class DocumentFixture {
 public:
-    Desk() {
+    DocumentFixture() {
         m_root = std::filesystem::canonical(m_dir.path().toStdString()).string();
         qputenv("XDG_STATE_HOME", QByteArray::fromStdString(m_root + "/state"));
         robot = write("configs/robots/rover.sim", kRover);
@@ -70,7 +70,7 @@ private:
 inline std::string why(const Status& status) { return status.ok() ? std::string() : status.error().message; }
 
 /// Of the errors in what was read, one a line.
-inline std::string messages(const Loaded& loaded) {
+inline std::string messages(const LoadedProject& loaded) {
     std::string all;
     for (const Diagnostic& d : loaded.diagnostics.all())
         if (d.severity == Severity::Error) all += d.message + "\n";
@@ -78,7 +78,7 @@ inline std::string messages(const Loaded& loaded) {
 }
 
 /// The text that a signal came with.
-inline std::string said(const QSignalSpy& spy, int which = 0) { return spy.at(which).at(0).toString().toStdString(); }
+inline std::string reportOf(const QSignalSpy& spy, int which = 0) { return spy.at(which).at(0).toString().toStdString(); }
 inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 } // namespace sample

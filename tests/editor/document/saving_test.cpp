@@ -40,11 +40,11 @@ private:
 class SavingTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
     void init() {
-        m_desk = std::make_unique<Desk>();
-        m_document = std::make_unique<Document>(*m_parts);
-        QVERIFY(m_document->open(m_desk->main).ok());
+        m_fixture = std::make_unique<DocumentFixture>();
+        m_document = std::make_unique<Document>(*m_application);
+        QVERIFY(m_document->open(m_fixture->main).ok());
     }
     void cleanup() { m_document.reset(); }
 
@@ -56,71 +56,71 @@ private Q_SLOTS:
         QCOMPARE(modified.count(), 2);
         QCOMPARE(why(d.save()), "");
         QVERIFY(!d.isModified());
-        QCOMPARE(bytesOf(m_desk->main), *d.text(m_desk->main));
-        QCOMPARE(bytesOf(m_desk->robot), *d.text(m_desk->robot));
+        QCOMPARE(bytesOf(m_fixture->main), *d.text(m_fixture->main));
+        QCOMPARE(bytesOf(m_fixture->robot), *d.text(m_fixture->robot));
         QCOMPARE(modified.count(), 3);
         d.undo();
-        QVERIFY(d.isModified(m_desk->robot));
-        QVERIFY(!d.isModified(m_desk->main));
+        QVERIFY(d.isModified(m_fixture->robot));
+        QVERIFY(!d.isModified(m_fixture->main));
         d.redo();
         QVERIFY(!d.isModified());
     }
 
-    void whatWasNotEditedKeepsItsBytes() {
+    void keepsBytesOfUneditedFiles() {
         const std::string strange = "\xef\xbb\xbfTick = 0.01\r\n\r\n// \xff\xfe\rDuration=3 \t\n#import robots/rover.sim\n\n\n";
-        m_desk->write("configs/main.sim", strange);
+        m_fixture->write("configs/main.sim", strange);
         Document& d = *m_document;
-        QVERIFY(d.open(m_desk->main).ok());
+        QVERIFY(d.open(m_fixture->main).ok());
         set("Duration", "4");
         QCOMPARE(why(d.save()), "");
         std::string expected = strange;
         expected.replace(expected.find("Duration=3"), 10, "Duration=4");
-        QCOMPARE(bytesOf(m_desk->main), expected);
+        QCOMPARE(bytesOf(m_fixture->main), expected);
     }
 
     void aFileThatCannotBeWritten() {
         Document& d = *m_document;
         set("robot0.Pos", "1,0,0");
         set("RobotConfig.Rover.chassis.hull.Mass", "3");
-        fs::remove(m_desk->main);
-        fs::create_directory(m_desk->main); // also root cannot write a folder
+        fs::remove(m_fixture->main);
+        fs::create_directory(m_fixture->main); // also root cannot write a folder
         const Status saved = d.save();
         QVERIFY(!saved.ok());
         QVERIFY(saved.error().message.find("main.sim") != std::string::npos);
-        QVERIFY(d.isModified(m_desk->main));
-        QVERIFY(d.isModified(m_desk->robot)); // all or nothing
-        QCOMPARE(bytesOf(m_desk->robot), kRover);
+        QVERIFY(d.isModified(m_fixture->main));
+        QVERIFY(d.isModified(m_fixture->robot)); // all or nothing
+        QCOMPARE(bytesOf(m_fixture->robot), kRover);
     }
 
     /// The folder of one is gone, which only the writing itself finds out: what was written before it is as it was.
-    void whatFailsOnTheWayIsTakenBack() {
+    void rollsBackPartialWrites() {
         Document& d = *m_document;
         set("robot0.Pos", "1,0,0");
         set("RobotConfig.Rover.chassis.hull.Mass", "3");
-        fs::remove_all(fs::path(m_desk->robot).parent_path());
+        fs::remove_all(fs::path(m_fixture->robot).parent_path());
         QVERIFY(!d.save().ok());
-        QVERIFY(d.isModified(m_desk->main) && d.isModified(m_desk->robot));
-        QCOMPARE(bytesOf(m_desk->main), kMain);
-        fs::create_directories(fs::path(m_desk->robot).parent_path());
+        QVERIFY(d.isModified(m_fixture->main) && d.isModified(m_fixture->robot));
+        QCOMPARE(bytesOf(m_fixture->main), kMain);
+        fs::create_directories(fs::path(m_fixture->robot).parent_path());
         QCOMPARE(why(d.save()), "");
-        QCOMPARE(bytesOf(m_desk->robot), *d.text(m_desk->robot));
+        QCOMPARE(bytesOf(m_fixture->robot), *d.text(m_fixture->robot));
     }
 
     /// Backwards: on a full disk there is room for the older text of what was written last.
-    void theLastOneIsTakenBackFirst() {
+    void rollsBackInReverseOrder() {
         Document& d = *m_document;
-        const std::string third = m_desk->write("configs/z/third.sim", "Seed = 1\n");
-        m_desk->write("configs/main.sim", std::string("#import z/third.sim\n") + kMain);
-        QVERIFY(d.open(m_desk->main).ok());
+        const std::string third = m_fixture->write("configs/z/third.sim", "Seed = 1\n");
+        m_fixture->write("configs/main.sim", std::string("#import z/third.sim\n") + kMain);
+        QVERIFY(d.open(m_fixture->main).ok());
         set("robot0.Pos", "1,0,0");
         set("RobotConfig.Rover.chassis.hull.Mass", "3");
         set("Seed", "2");
         fs::remove_all(fs::path(third).parent_path());
-        const fs::file_time_type before = fs::last_write_time(m_desk->main);
+        const fs::file_time_type before = fs::last_write_time(m_fixture->main);
         QVERIFY(!d.save().ok());
-        QCOMPARE(bytesOf(m_desk->robot), kRover);
-        QVERIFY(fs::last_write_time(m_desk->main) > before); // was written, and back
-        QVERIFY(fs::last_write_time(m_desk->main) >= fs::last_write_time(m_desk->robot));
+        QCOMPARE(bytesOf(m_fixture->robot), kRover);
+        QVERIFY(fs::last_write_time(m_fixture->main) > before); // was written, and back
+        QVERIFY(fs::last_write_time(m_fixture->main) >= fs::last_write_time(m_fixture->robot));
     }
 
     /// A file that may be written is not enough: it is replaced by a new one in its folder. Root may write into any.
@@ -128,23 +128,23 @@ private Q_SLOTS:
         Document& d = *m_document;
         set("robot0.Pos", "1,0,0");
         set("RobotConfig.Rover.chassis.hull.Mass", "3");
-        const fs::path folder = fs::path(m_desk->robot).parent_path();
+        const fs::path folder = fs::path(m_fixture->robot).parent_path();
         fs::permissions(folder, fs::perms::owner_write, fs::perm_options::remove);
         const bool may = QFileInfo(QString::fromStdString(folder.string())).isWritable();
         const Status saved = d.save();
         fs::permissions(folder, fs::perms::owner_write, fs::perm_options::add);
         QCOMPARE(saved.ok(), may);
-        QCOMPARE(bytesOf(m_desk->main) == kMain, !may);
+        QCOMPARE(bytesOf(m_fixture->main) == kMain, !may);
         if (!may) QVERIFY2(holds(saved.error().message, "the folder of robots/rover.sim may not be written"), why(saved).c_str());
     }
 
-    void whatCannotBeTakenBackIsSaid() {
+    void reportsFailedRollback() {
         Document& d = *m_document;
         const std::string remark = "// " + std::string(40'000, 'x') + "\n";
-        m_desk->write("configs/main.sim", remark + kMain);
-        m_desk->write("configs/robots/rover.sim", remark + kRover);
-        QVERIFY(d.open(m_desk->main).ok());
-        QCOMPARE(why(d.carryOut(u"Shorten"_qs, EditPlan{{{0, {{{0, {0, std::uint32_t(remark.size())}}, ""}}}}, {}})), "");
+        m_fixture->write("configs/main.sim", remark + kMain);
+        m_fixture->write("configs/robots/rover.sim", remark + kRover);
+        QVERIFY(d.open(m_fixture->main).ok());
+        QCOMPARE(why(d.apply(u"Shorten"_qs, EditPlan{{{0, {{{0, {0, std::uint32_t(remark.size())}}, ""}}}}, {}})), "");
         set("RobotConfig.Rover.chassis.hull.Mass", "3");
         Status saved;
         {
@@ -152,10 +152,10 @@ private Q_SLOTS:
             saved = d.save();
         }
         QVERIFY(!saved.ok());
-        QVERIFY2(holds(saved.error().message, "rover.sim: File too large; what was written before it cannot be taken back: ") &&
+        QVERIFY2(holds(saved.error().message, "rover.sim: File too large; files already written cannot be restored: ") &&
                      holds(saved.error().message, "main.sim: File too large"),
                  why(saved).c_str());
-        QCOMPARE(bytesOf(m_desk->robot), remark + kRover);
+        QCOMPARE(bytesOf(m_fixture->robot), remark + kRover);
     }
 
     /// Under the same name the sample gets its copy and one's own files are written, or nothing is.
@@ -163,9 +163,9 @@ private Q_SLOTS:
         Document& d = *m_document;
         const std::string own = "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot }\n";
         const std::string remark = "// " + std::string(40'000, 'x') + "\n";
-        const std::string mine = m_desk->write("configs/mine.sim", own);
-        const std::string part = m_desk->write("configs/part.sim", "Seed = 1\n" + remark);
-        const std::string copy = m_desk->path("configs/robots/simple_robot.sim");
+        const auto mine = m_fixture->write("configs/mine.sim", own);
+        const std::string part = m_fixture->write("configs/part.sim", "Seed = 1\n" + remark);
+        const std::string copy = m_fixture->path("configs/robots/simple_robot.sim");
         QVERIFY(d.open(mine).ok());
         set("a.Pos", "1,0,0");
         typeResistance();
@@ -191,10 +191,10 @@ private Q_SLOTS:
         Document& d = *m_document;
         const std::string own = "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot "
                                 "leftMotor.Resistance=3 }\n";
-        const std::string mine = m_desk->write("configs/mine.sim", own), part = m_desk->write("configs/part.sim", "Seed = 1\n");
-        fs::remove_all(m_desk->path("configs/robots"));
+        const auto mine = m_fixture->write("configs/mine.sim", own), part = m_fixture->write("configs/part.sim", "Seed = 1\n");
+        fs::remove_all(m_fixture->path("configs/robots"));
         QVERIFY(d.open(mine).ok());
-        QVERIFY(!d.carryOut(u"Push"_qs, planPushOverride(*d.loaded(), "a.leftMotor.Resistance")).ok() && !d.isModified());
+        QVERIFY(!d.apply(u"Push"_qs, planPushOverride(*d.loaded(), "a.leftMotor.Resistance")).ok() && !d.isModified());
         typeResistance();
         QCOMPARE(why(d.replaceText(u"Typing"_qs, mine, "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot }\n")), "");
         set("Seed", "2");
@@ -207,16 +207,16 @@ private Q_SLOTS:
 
         QCOMPARE(why(d.saveAs(mine)), "");
         QVERIFY(!d.isModified());
-        QVERIFY(holds(bytesOf(m_desk->path("configs/robots/simple_robot.sim")), "Resistance=3"));
+        QVERIFY(holds(bytesOf(m_fixture->path("configs/robots/simple_robot.sim")), "Resistance=3"));
         QVERIFY(!holds(bytesOf(mine), "Resistance"));
         QCOMPARE(bytesOf(part), "Seed = 2\n");
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
-        QCOMPARE(d.loaded()->paths.at(1), m_desk->path("configs/robots/simple_robot.sim"));
+        QCOMPARE(d.loaded()->paths.at(1), m_fixture->path("configs/robots/simple_robot.sim"));
         for (int i = 0; i < 3; ++i) d.undo();
         QVERIFY(d.save().ok() && bytesOf(mine) == own);
     }
 
-    void samplesAreKeptAsTheyAre() {
+    void neverOverwritesSamples() {
         Document& d = *m_document;
         const std::string sample = std::string(TRUNDLE_SOURCE_DIR) + "/configs/experiments/linear_motion.sim";
         const std::string before = bytesOf(sample);
@@ -230,94 +230,94 @@ private Q_SLOTS:
         QVERIFY(!d.saveAs(fs::path(sample).replace_filename("mine.sim").string()).ok());
 
         QSignalSpy notice(&d, &Document::notice);
-        const std::string mine = m_desk->path("mine/mine.sim");
+        const std::string mine = m_fixture->path("mine/mine.sim");
         QVERIFY(!d.saveAs(mine).ok()); // there is no such folder
-        fs::create_directory(m_desk->path("mine"));
+        fs::create_directory(m_fixture->path("mine"));
         QCOMPARE(why(d.saveAs(mine)), "");
         QCOMPARE(d.path(), mine);
         QVERIFY(!d.isModified());
         // the robot that was edited lies beside it, the arena that was not stays a sample
         QCOMPARE(bytesOf(mine), *d.text(mine));
-        QVERIFY(bytesOf(m_desk->path("mine/robots/simple_robot.sim")).find("Resistance=3") != std::string::npos);
-        QVERIFY(!fs::exists(m_desk->path("mine/arenas")));
+        QVERIFY(bytesOf(m_fixture->path("mine/robots/simple_robot.sim")).find("Resistance=3") != std::string::npos);
+        QVERIFY(!fs::exists(m_fixture->path("mine/arenas")));
         QCOMPARE(notice.count(), 1);
-        QVERIFY(holds(said(notice), "robots/simple_robot.sim"));
+        QVERIFY(holds(reportOf(notice), "robots/simple_robot.sim"));
         QCOMPARE(bytesOf(sample), before);
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
 
         // history goes on
         d.undo();
-        QVERIFY(d.isModified(m_desk->path("mine/robots/simple_robot.sim")));
+        QVERIFY(d.isModified(m_fixture->path("mine/robots/simple_robot.sim")));
         d.undo();
         QCOMPARE(*d.text(mine), before);
         QCOMPARE(why(d.save()), "");
         QCOMPARE(bytesOf(mine), before);
 
-        Document again(*m_parts);
+        Document again(*m_application);
         QVERIFY(again.open(mine).ok());
         QVERIFY(!again.loaded()->diagnostics.hasErrors());
     }
 
-    void elsewhereWhatIsNotFoundGoesAlong() {
+    void saveAsCopiesUnreachableFiles() {
         Document& d = *m_document;
-        fs::create_directory(m_desk->path("other"));
-        const std::string target = m_desk->path("other/copy.sim");
+        fs::create_directory(m_fixture->path("other"));
+        const std::string target = m_fixture->path("other/copy.sim");
         set("robot0.Pos", "1,0,0");
         QCOMPARE(why(d.saveAs(target)), "");
-        QCOMPARE(bytesOf(m_desk->path("other/robots/rover.sim")), kRover);
-        QCOMPARE(bytesOf(m_desk->main), kMain); // the first one stays as it was
-        QCOMPARE(d.files(), (std::vector<std::string>{target, m_desk->path("other/robots/rover.sim")}));
+        QCOMPARE(bytesOf(m_fixture->path("other/robots/rover.sim")), kRover);
+        QCOMPARE(bytesOf(m_fixture->main), kMain); // the first one stays as it was
+        QCOMPARE(d.files(), (std::vector<std::string>{target, m_fixture->path("other/robots/rover.sim")}));
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
     }
 
-    void inTheSameProjectNothingGoesAlong() {
+    void saveAsInProjectCopiesNothing() {
         Document& d = *m_document;
-        fs::create_directory(m_desk->path("configs/deep"));
-        const std::string target = m_desk->path("configs/deep/copy.sim");
+        fs::create_directory(m_fixture->path("configs/deep"));
+        const std::string target = m_fixture->path("configs/deep/copy.sim");
         QCOMPARE(why(d.saveAs(target)), "");
-        QVERIFY(!fs::exists(m_desk->path("configs/deep/robots")));
-        QCOMPARE(d.files(), (std::vector<std::string>{target, m_desk->robot}));
+        QVERIFY(!fs::exists(m_fixture->path("configs/deep/robots")));
+        QCOMPARE(d.files(), (std::vector<std::string>{target, m_fixture->robot}));
     }
 
-    void importsThatWouldBreakAreWrittenAnew() {
+    void rewritesBrokenImports() {
         Document& d = *m_document;
-        m_desk->write("configs/deep/one.sim", "#import ../robots/rover.sim // up\nRobot robot0 { Config=Rover }\n");
-        QVERIFY(d.open(m_desk->path("configs/deep/one.sim")).ok());
-        fs::create_directory(m_desk->path("other"));
-        const std::string target = m_desk->path("other/copy.sim");
+        m_fixture->write("configs/deep/one.sim", "#import ../robots/rover.sim // up\nRobot robot0 { Config=Rover }\n");
+        QVERIFY(d.open(m_fixture->path("configs/deep/one.sim")).ok());
+        fs::create_directory(m_fixture->path("other"));
+        const std::string target = m_fixture->path("other/copy.sim");
         QCOMPARE(why(d.saveAs(target)), "");
         QCOMPARE(bytesOf(target), "#import \"rover.sim\" // up\nRobot robot0 { Config=Rover }\n");
-        QCOMPARE(bytesOf(m_desk->path("other/rover.sim")), kRover);
+        QCOMPARE(bytesOf(m_fixture->path("other/rover.sim")), kRover);
         QVERIFY(!d.isModified());
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
     }
 
     void noOtherFileIsOverwritten() {
         Document& d = *m_document;
-        const std::string taken = m_desk->write("other/robots/rover.sim", "Tick = 1\n");
-        const Status saved = d.saveAs(m_desk->path("other/copy.sim"));
+        const std::string taken = m_fixture->write("other/robots/rover.sim", "Tick = 1\n");
+        const Status saved = d.saveAs(m_fixture->path("other/copy.sim"));
         QVERIFY(!saved.ok());
         QVERIFY(saved.error().message.find("rover.sim") != std::string::npos);
         QCOMPARE(bytesOf(taken), "Tick = 1\n");
-        QVERIFY(!fs::exists(m_desk->path("other/copy.sim")));
-        QCOMPARE(d.path(), m_desk->main);
-        QVERIFY(!d.saveAs(m_desk->robot).ok()); // its own import
+        QVERIFY(!fs::exists(m_fixture->path("other/copy.sim")));
+        QCOMPARE(d.path(), m_fixture->main);
+        QVERIFY(!d.saveAs(m_fixture->robot).ok()); // its own import
     }
 
     // --- the disk ---
 
-    void aChangeOnDiskIsTakenIn() {
+    void loadsExternalChange() {
         Document& d = *m_document;
-        m_desk->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
+        m_fixture->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
         EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 5u);
         QVERIFY(!d.isModified());
         QCOMPARE(d.history().entries().size(), 1u);
         QCOMPARE(d.history().entries()[0].name, u"Changed on disk"_qs);
         // replaced by rename, as most programs save
-        m_desk->write("configs/new", std::string("Seed = 6\n") + kMain);
-        fs::rename(m_desk->path("configs/new"), m_desk->main);
+        m_fixture->write("configs/new", std::string("Seed = 6\n") + kMain);
+        fs::rename(m_fixture->path("configs/new"), m_fixture->main);
         EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 6u);
-        m_desk->write("configs/main.sim", std::string("Seed = 7\n") + kMain);
+        m_fixture->write("configs/main.sim", std::string("Seed = 7\n") + kMain);
         EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 7u);
         d.undo();
         QVERIFY(d.isModified());
@@ -326,107 +326,107 @@ private Q_SLOTS:
     void changesApartAreMerged() {
         Document& d = *m_document;
         set("robot1.Pos", "5,0,0");
-        m_desk->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
+        m_fixture->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
         EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 5u);
         QCOMPARE(d.loaded()->experiment->robots[1].pose.position, Vec3(5, 0, 0));
         QVERIFY(d.isModified());
         QCOMPARE(why(d.save()), "");
-        QVERIFY(bytesOf(m_desk->main).starts_with("Seed = 5\n"));
+        QVERIFY(bytesOf(m_fixture->main).starts_with("Seed = 5\n"));
         d.undo();
         d.undo();
         d.undo();
-        QCOMPARE(*d.text(m_desk->main), kMain);
+        QCOMPARE(*d.text(m_fixture->main), kMain);
     }
 
-    void changesOfTheSameLineAreAsked_data() {
+    void asksAboutConflictingLines_data() {
         QTest::addColumn<bool>("mine");
         QTest::newRow("mine") << true;
         QTest::newRow("theirs") << false;
     }
-    void changesOfTheSameLineAreAsked() {
+    void asksAboutConflictingLines() {
         QFETCH(bool, mine);
         Document& d = *m_document;
         QSignalSpy asked(&d, &Document::diskChanged);
         set("Tick", "0.02");
         std::string theirs = kMain;
         theirs.replace(theirs.find("0.01"), 4, "0.03");
-        m_desk->write("configs/main.sim", theirs);
+        m_fixture->write("configs/main.sim", theirs);
         EVENTUALLY_EQUAL(asked.count(), 1);
-        QCOMPARE(said(asked), m_desk->main);
+        QCOMPARE(reportOf(asked), m_fixture->main);
         QCOMPARE(d.loaded()->experiment->settings.tick, 0.02);
-        QCOMPARE(*d.diskChanges().at(m_desk->main), theirs);
+        QCOMPARE(*d.diskChanges().at(m_fixture->main), theirs);
         QVERIFY(!d.save().ok());
-        QCOMPARE(bytesOf(m_desk->main), theirs);
-        QCOMPARE(why(d.resolveDiskChange(m_desk->main, mine ? Document::Keep::Mine : Document::Keep::Theirs)), "");
+        QCOMPARE(bytesOf(m_fixture->main), theirs);
+        QCOMPARE(why(d.resolveDiskChange(m_fixture->main, mine ? Document::Resolution::Mine : Document::Resolution::Theirs)), "");
         QVERIFY(d.diskChanges().empty());
         QCOMPARE(d.isModified(), mine);
         QCOMPARE(d.loaded()->experiment->settings.tick, mine ? 0.02 : 0.03);
         QCOMPARE(why(d.save()), "");
-        QCOMPARE(bytesOf(m_desk->main), *d.text(m_desk->main));
+        QCOMPARE(bytesOf(m_fixture->main), *d.text(m_fixture->main));
         d.moveTo(0);
-        QCOMPARE(*d.text(m_desk->main), kMain);
+        QCOMPARE(*d.text(m_fixture->main), kMain);
     }
 
-    void theyTakeItBack() {
+    void rollsBackAfterFailure() {
         Document& d = *m_document;
         QSignalSpy asked(&d, &Document::diskChanged);
         set("Tick", "0.02");
-        m_desk->write("configs/main.sim", "Tick = 0.03\n");
+        m_fixture->write("configs/main.sim", "Tick = 0.03\n");
         EVENTUALLY_EQUAL(asked.count(), 1);
-        m_desk->write("configs/main.sim", kMain);
+        m_fixture->write("configs/main.sim", kMain);
         EVENTUALLY(d.diskChanges().empty());
         QCOMPARE(why(d.save()), "");
     }
 
     // The signal of the system may come late or never: the bytes decide.
-    void whatWasNotSeenIsNotOverwritten() {
+    void refusesToOverwriteUnseenChange() {
         Document& d = *m_document;
         set("Tick", "0.02");
         std::string theirs = kMain;
         theirs.replace(theirs.find("0.01"), 4, "0.03");
-        m_desk->write("configs/main.sim", theirs);
+        m_fixture->write("configs/main.sim", theirs);
         const Status saved = d.save();
         QVERIFY(!saved.ok());
-        QCOMPARE(bytesOf(m_desk->main), theirs);
+        QCOMPARE(bytesOf(m_fixture->main), theirs);
         QCOMPARE(d.diskChanges().size(), 1u);
     }
 
-    void aMergeIsLookedAtBeforeItIsSaved() {
+    void mergeIsShownBeforeSaving() {
         Document& d = *m_document;
         set("robot1.Pos", "5,0,0");
-        m_desk->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
+        m_fixture->write("configs/main.sim", std::string("Seed = 5\n") + kMain);
         QVERIFY(!d.save().ok());
-        QCOMPARE(bytesOf(m_desk->main), std::string("Seed = 5\n") + kMain);
+        QCOMPARE(bytesOf(m_fixture->main), std::string("Seed = 5\n") + kMain);
         QCOMPARE(why(d.save()), "");
-        QCOMPARE(bytesOf(m_desk->main), *d.text(m_desk->main));
-        QVERIFY(d.text(m_desk->main)->starts_with("Seed = 5\n"));
+        QCOMPARE(bytesOf(m_fixture->main), *d.text(m_fixture->main));
+        QVERIFY(d.text(m_fixture->main)->starts_with("Seed = 5\n"));
     }
 
-    void aFileThatGoesIsNotLost() {
+    void keepsTextOfDeletedFile() {
         Document& d = *m_document;
         QSignalSpy notice(&d, &Document::notice);
-        fs::remove(m_desk->robot);
+        fs::remove(m_fixture->robot);
         EVENTUALLY(d.isModified());
         QCOMPARE(notice.count(), 1);
         set("Tick", "0.02");
         QVERIFY(!d.loaded()->diagnostics.hasErrors()); // its text is still here
         QCOMPARE(why(d.save()), "");
-        QCOMPARE(bytesOf(m_desk->robot), kRover);
+        QCOMPARE(bytesOf(m_fixture->robot), kRover);
         QVERIFY(!d.isModified());
-        fs::remove(m_desk->robot);
+        fs::remove(m_fixture->robot);
         EVENTUALLY(d.isModified());
-        m_desk->write("configs/robots/rover.sim", kRover);
+        m_fixture->write("configs/robots/rover.sim", kRover);
         EVENTUALLY(!d.isModified());
     }
 
-    void ourOwnSavesAreNoNews() {
+    void ignoresOwnSaves() {
         Document& d = *m_document;
         QSignalSpy asked(&d, &Document::diskChanged);
         for (int i = 1; i <= 5; ++i) {
             set("Tick", "0.0" + std::to_string(i + 1));
             QCOMPARE(why(d.save()), "");
         }
-        d.lookAtDisk();
+        d.checkExternalChanges();
         QCOMPARE(d.history().entries().size(), 5u);
         QCOMPARE(asked.count(), 0);
     }
@@ -441,8 +441,8 @@ private:
         QCOMPARE(why(m_document->setValues(u"Set"_qs, {{path, text}})), "");
     }
 
-    std::unique_ptr<Parts> m_parts;
-    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<Application> m_application;
+    std::unique_ptr<DocumentFixture> m_fixture;
     std::unique_ptr<Document> m_document;
 };
 

@@ -20,17 +20,19 @@ const char* const kOther = "#import robots/rover.sim\nRobot other { Config=Rover
 class Asked {
 public:
     Asked(Document& document, ShareChoice choice) {
-        document.structure().setAsker([this, choice](const ShareQuestion& question, const StructureEdits::Answer& answer) {
-            questions.push_back(question);
-            answer(choice);
-        });
+        document.structure().setShareQuestionHandler(
+            [this, choice](const ShareQuestion& question, const StructureEdits::ShareAnswer& answer) {
+                questions.push_back(question);
+                answer(choice);
+            });
     }
     std::vector<ShareQuestion> questions;
 };
 
 Status insert(Document& d, const std::string& at, const std::string& block = kBall) {
-    return d.structure().apply(u"Insert"_qs, {at},
-                               [=](const Loaded& loaded, const auto& renamed) { return planInsert(loaded, renamed(at), block); });
+    return d.structure().apply(u"Insert"_qs, {at}, [=](const LoadedProject& loaded, const auto& renamed) {
+        return planInsert(loaded, renamed(at), block);
+    });
 }
 
 } // namespace
@@ -38,13 +40,13 @@ Status insert(Document& d, const std::string& at, const std::string& block = kBa
 class StructureEditsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts = makeParts(); }
+    void initTestCase() { m_application = makeApplication(); }
 
     void changesForAll() {
-        const Desk desk;
-        desk.write("configs/other.sim", kOther);
-        Document d(*m_parts);
-        QVERIFY(d.open(desk.main).ok());
+        const DocumentFixture fixture;
+        fixture.write("configs/other.sim", kOther);
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
         const Asked asked(d, ShareChoice::ChangeForAll);
         QVERIFY(insert(d, "robot0").ok());
         QCOMPARE(asked.questions.size(), 1u);
@@ -52,55 +54,55 @@ private Q_SLOTS:
         QCOMPARE(q.config, u"Rover"_qs);
         QCOMPARE(q.file, u"robots/rover.sim"_qs);
         QCOMPARE(q.users, (QStringList{u"main.sim"_qs, u"other.sim"_qs}));
-        QVERIFY(holds(*d.text(desk.robot), "Body arm"));
-        QCOMPARE(*d.text(desk.main), kMain);
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{desk.robot});
+        QVERIFY(holds(*d.text(fixture.robot), "Body arm"));
+        QCOMPARE(*d.text(fixture.main), kMain);
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.robot});
         QVERIFY(insert(d, "robot1").ok()); // once for each config
         QCOMPARE(asked.questions.size(), 1u);
     }
 
     void makesACopy() {
-        const Desk desk;
-        Document d(*m_parts);
-        QVERIFY(d.open(desk.main).ok());
+        const DocumentFixture fixture;
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
         const Asked asked(d, ShareChoice::MakeCopy);
-        QSignalSpy selected(&d, &Document::selectionWanted), notices(&d, &Document::notice);
+        QSignalSpy selected(&d, &Document::selectionRequested), notices(&d, &Document::notice);
         QVERIFY(insert(d, "robot0.chassis", "Sphere ball { Radius=0.1 Pos=0,0,0.2 }").ok());
         QCOMPARE(asked.questions.at(0).copyFor, (QStringList{u"robot0"_qs, u"robot1"_qs}));
-        QCOMPARE(*d.text(desk.robot), kRover);
-        const std::string main = *d.text(desk.main);
+        QCOMPARE(*d.text(fixture.robot), kRover);
+        const std::string main = *d.text(fixture.main);
         QVERIFY2(holds(main, "RobotConfig Rover2 {\n  Body chassis {"), main.c_str());
         QVERIFY2(holds(main, "// two kilograms"), main.c_str());
         QVERIFY2(holds(main, "Config=Rover2   Pos=0,0,0  // start"), main.c_str());
         QVERIFY(main.find("RobotConfig Rover2") < main.find("Robot robot0"));
         QCOMPARE(messages(*d.loaded()), "");
         QCOMPARE(selected.at(0).at(0).value<std::vector<std::string>>(), std::vector<std::string>{"robot0.chassis.ball"});
-        QVERIFY2(holds(said(notices), "Rover2"), said(notices).c_str());
+        QVERIFY2(holds(reportOf(notices), "Rover2"), reportOf(notices).c_str());
         QCOMPARE(d.history().entries().size(), 1u);
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{desk.main});
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
         d.undo();
-        QCOMPARE(*d.text(desk.main), kMain);
+        QCOMPARE(*d.text(fixture.main), kMain);
         QVERIFY(d.modifiedFiles().empty());
     }
 
     /// The path of the config itself leads into the copy as well.
     void aCopyOfTheConfigByItsOwnPath() {
-        const Desk desk;
-        Document d(*m_parts);
-        QVERIFY(d.open(desk.main).ok());
+        const DocumentFixture fixture;
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
         const Asked asked(d, ShareChoice::MakeCopy);
         QVERIFY(d.structure().rename(u"Rename"_qs, "RobotConfig.Rover.leftAxle", "axle").ok());
-        QCOMPARE(*d.text(desk.robot), kRover);
-        QVERIFY(holds(*d.text(desk.main), "Hinge axle { Parent=chassis"));
+        QCOMPARE(*d.text(fixture.robot), kRover);
+        QVERIFY(holds(*d.text(fixture.main), "Hinge axle { Parent=chassis"));
         QCOMPARE(messages(*d.loaded()), "");
     }
 
     /// In one file: the robot that was edited gets the copy, the other one keeps what it has.
     void aCopyForOneOfTwo() {
-        const Desk desk;
+        const DocumentFixture fixture;
         const std::string file =
-            desk.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\nRobot b { Config=Rover }\n");
-        Document d(*m_parts);
+            fixture.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\nRobot b { Config=Rover }\n");
+        Document d(*m_application);
         QVERIFY(d.open(file).ok());
         const Asked asked(d, ShareChoice::MakeCopy);
         QVERIFY(insert(d, "b").ok());
@@ -112,9 +114,9 @@ private Q_SLOTS:
     }
 
     void cancelChangesNothing() {
-        const Desk desk;
-        Document d(*m_parts);
-        QVERIFY(d.open(desk.main).ok());
+        const DocumentFixture fixture;
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
         const Asked asked(d, ShareChoice::Cancel);
         (void)insert(d, "robot0");
         (void)insert(d, "robot0");
@@ -125,39 +127,39 @@ private Q_SLOTS:
 
     /// The answer may come when the texts are other ones.
     void answeredLater() {
-        const Desk desk;
-        Document d(*m_parts);
-        QVERIFY(d.open(desk.main).ok());
-        StructureEdits::Answer answer;
-        d.structure().setAsker([&](const ShareQuestion&, const StructureEdits::Answer& a) { answer = a; });
+        const DocumentFixture fixture;
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
+        StructureEdits::ShareAnswer answer;
+        d.structure().setShareQuestionHandler([&](const ShareQuestion&, const StructureEdits::ShareAnswer& a) { answer = a; });
         QVERIFY(insert(d, "robot0").ok());
         QVERIFY(!d.isModified());
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         answer(ShareChoice::MakeCopy);
-        QVERIFY(holds(*d.text(desk.main), "Tick = 0.02"));
-        QVERIFY(holds(*d.text(desk.main), "RobotConfig Rover2"));
+        QVERIFY(holds(*d.text(fixture.main), "Tick = 0.02"));
+        QVERIFY(holds(*d.text(fixture.main), "RobotConfig Rover2"));
         QCOMPARE(d.history().entries().size(), 2u);
     }
 
-    void whatIsNotSharedIsNotAsked() {
-        const Desk desk;
-        const std::string file = desk.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
-        Document d(*m_parts);
+    void doesNotAskAboutUnsharedConfig() {
+        const DocumentFixture fixture;
+        const std::string file = fixture.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
+        Document d(*m_application);
         QVERIFY(d.open(file).ok());
         const Asked asked(d, ShareChoice::Cancel);
         QVERIFY(insert(d, "a").ok());
         QVERIFY(insert(d, "", "Light sun { Mode=sun }").ok());
-        QVERIFY(d.open(desk.robot).ok()); // others use it, but main.sim is not one of them here
+        QVERIFY(d.open(fixture.robot).ok()); // others use it, but main.sim is not one of them here
         QVERIFY(asked.questions.empty());
     }
 
     void shippedConfigsAreCopied() {
-        const Desk desk;
+        const DocumentFixture fixture;
         const std::string main =
-            desk.write("configs/mine.sim", "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n");
-        Document d(*m_parts);
+            fixture.write("configs/mine.sim", "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n");
+        Document d(*m_application);
         QVERIFY(d.open(main).ok());
-        const std::string shipped = m_parts->locations().configs + "/robots/simple_robot.sim", before = bytesOf(shipped);
+        const std::string shipped = m_application->locations().configs + "/robots/simple_robot.sim", before = bytesOf(shipped);
         QVERIFY(d.text(canonicalPath(shipped)));
         const Asked asked(d, ShareChoice::ChangeForAll);
         QVERIFY(insert(d, "r").ok());
@@ -185,28 +187,30 @@ private Q_SLOTS:
     /// A value on the only instance of a config in the same file goes into the config, by whatever gesture.
     /// A change inside what a config's block imports, for one experiment alone.
     void aCopyOfWhatABlockImports() {
-        const Desk desk;
-        desk.write("configs/robots/rover.sim", "RobotConfig Rover {\n  #import parts.sim\n}\n");
-        const std::string kept = "Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 } }\n", parts = desk.write("configs/robots/parts.sim", kept);
-        desk.write("configs/other.sim", kOther);
-        Document d(*m_parts);
-        QVERIFY(d.open(desk.main).ok());
+        const DocumentFixture fixture;
+        fixture.write("configs/robots/rover.sim", "RobotConfig Rover {\n  #import parts.sim\n}\n");
+        const std::string kept = "Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 } }\n",
+                          application = fixture.write("configs/robots/parts.sim", kept);
+        fixture.write("configs/other.sim", kOther);
+        Document d(*m_application);
+        QVERIFY(d.open(fixture.main).ok());
         QCOMPARE(messages(*d.loaded()), "");
         const Asked asked(d, ShareChoice::MakeCopy);
         QCOMPARE(why(insert(d, "robot0.chassis", "Sphere nose { Radius=0.1 Mass=1 }")), "");
         QCOMPARE(messages(*d.loaded()), "");
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{desk.main});
-        QCOMPARE(*d.text(parts), kept);
-        QVERIFY2(holds(*d.text(desk.main), "Sphere nose"), d.text(desk.main)->c_str());
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
+        QCOMPARE(*d.text(application), kept);
+        QVERIFY2(holds(*d.text(fixture.main), "Sphere nose"), d.text(fixture.main)->c_str());
         QCOMPARE(d.history().entries().size(), 1u);
         QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].geoms.size(), 2u);
     }
 
-    /// Materials, surfaces and whatever else an imported file of the program defines: nothing but typing changes it, and it is said why.
+    /// Materials, surfaces and whatever else an imported file of the program defines: nothing but typing changes it, and it is reported why.
     void shippedFilesAreReadOnly() {
-        const Desk desk;
-        const std::string main = desk.write("configs/mine.sim", "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n");
-        Document d(*m_parts);
+        const DocumentFixture fixture;
+        const std::string main =
+            fixture.write("configs/mine.sim", "#import robots/simple_robot.sim\n\nRobot r { Config=SimpleRobot }\n");
+        Document d(*m_application);
         QVERIFY(d.open(main).ok());
         QSignalSpy refused(&d, &Document::refused);
         int tried = 0;
@@ -222,8 +226,8 @@ private Q_SLOTS:
             QVERIFY(isRefused(d.setValues(u"Set"_qs, {{"Material." + part->name + ".ColorRGB", "1,0,1"}})));
             QVERIFY(isRefused(d.setValues(u"Drag"_qs, {{"Material." + part->name + ".ColorRGB", "1,0,1"}}, "drag")));
             QVERIFY(isRefused(d.structure().rename(u"Rename"_qs, "Material." + part->name, "Mine")));
-            QVERIFY(isRefused(d.carryOut(u"Remove"_qs, planRemove(*d.loaded(), {"Material." + part->name})))
-                    || !planRemove(*loaded, {"Material." + part->name}).ok()); // something uses it
+            QVERIFY(isRefused(d.apply(u"Remove"_qs, planRemove(*d.loaded(), {"Material." + part->name}))) ||
+                    !planRemove(*loaded, {"Material." + part->name}).ok()); // something uses it
         }
         for (const Part* part : loaded->outline->surfaces.all())
             if (isShippedFile(*loaded, part->file)) {
@@ -233,10 +237,10 @@ private Q_SLOTS:
         QVERIFY(tried > 2);
     }
 
-    void valuesGoWhereTheRuleSays() {
-        const Desk desk;
-        const std::string file = desk.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
-        Document d(*m_parts);
+    void valuesGoToTheirTarget() {
+        const DocumentFixture fixture;
+        const std::string file = fixture.write("configs/one.sim", std::string(kRover) + "Robot a { Config=Rover }\n");
+        Document d(*m_application);
         QVERIFY(d.open(file).ok());
         QVERIFY(d.setValues(u"Set"_qs, {{"a.chassis.hull.Mass", "3"}}).ok());
         QVERIFY(holds(*d.text(file), "Mass=3 } } // two kilograms"));
@@ -244,14 +248,14 @@ private Q_SLOTS:
         // While it is dragged the decision stays.
         for (const char* mass : {"4", "5"}) QVERIFY(d.setValues(u"Set"_qs, {{"a.chassis.hull.Mass", mass}}, "drag").ok());
         QVERIFY(holds(*d.text(file), "Mass=5 } } // two kilograms"));
-        QVERIFY(d.open(desk.main).ok());
+        QVERIFY(d.open(fixture.main).ok());
         QVERIFY(d.setValues(u"Set"_qs, {{"robot1.chassis.hull.Mass", "3"}}).ok());
-        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{desk.main});
-        QVERIFY(holds(*d.text(desk.main), "chassis.hull.Mass=3"));
+        QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.main});
+        QVERIFY(holds(*d.text(fixture.main), "chassis.hull.Mass=3"));
     }
 
 private:
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Application> m_application;
 };
 
 QTEST_GUILESS_MAIN(StructureEditsTest)

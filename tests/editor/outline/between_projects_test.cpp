@@ -5,24 +5,24 @@
 #include <QGuiApplication>
 #include <QMimeData>
 
-#include "outlined.h"
+#include "outline_fixture.h"
 
 using namespace trundle;
 
 class BetweenProjectsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void whatIsDraggedFromAnotherWindowIsCopied();
+    void dragFromOtherWindowCopies();
     void aPasteFromAnotherProjectImportsAsItsAuthorWould();
-    void aPasteFromAnotherProjectBringsWhatItNames();
-    void aPlanInAFileOfItsProjectComesAlong();
-    void aPasteBringsTheParamsItTakes();
-    void whatParamsAndOverridesNameComesAlong();
-    void piecesOfAPlanComeAlong();
+    void pasteCopiesReferencedObjects();
+    void copiesImportedPlan();
+    void pasteCopiesUsedParams();
+    void copiesReferencedObjects();
+    void copiesPiecesOfPlan();
 };
 
-void BetweenProjectsTest::whatIsDraggedFromAnotherWindowIsCopied() {
-    Outlined o, other; // both have a robot1
+void BetweenProjectsTest::dragFromOtherWindowCopies() {
+    OutlineFixture o, other; // both have a robot1
     QVERIFY(o.open(kRovers));
     QVERIFY(other.open(kRovers));
     const std::unique_ptr<QMimeData> mime(other.model().mimeData({other.at("robot1")}));
@@ -34,7 +34,7 @@ void BetweenProjectsTest::whatIsDraggedFromAnotherWindowIsCopied() {
 }
 
 void BetweenProjectsTest::aPasteFromAnotherProjectImportsAsItsAuthorWould() {
-    Outlined from, to;
+    OutlineFixture from, to;
     QVERIFY(from.open("#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot Pos=0,0,0 }\n"));
     QVERIFY(to.open("Tick = 0.01\n"));
     QVERIFY(from.edits.copy({"r"}).ok());
@@ -50,8 +50,8 @@ void BetweenProjectsTest::aPasteFromAnotherProjectImportsAsItsAuthorWould() {
     QCOMPARE(to.errors(), QString());
 }
 
-void BetweenProjectsTest::aPasteFromAnotherProjectBringsWhatItNames() {
-    Outlined from, to;
+void BetweenProjectsTest::pasteCopiesReferencedObjects() {
+    OutlineFixture from, to;
     QVERIFY(from.open(
         "#loadModule controllers/linear_motion\n" + kRovers +
         "Material brick { ColorRGB=1,0,0 }\nRobotConfig Sled { Body b { Box x { Size=1,1,1 Material=brick Mass=1 } } }\n"
@@ -79,9 +79,9 @@ void BetweenProjectsTest::aPasteFromAnotherProjectBringsWhatItNames() {
     QCOMPARE(to.errors(), QString());
 }
 
-/// Its plan stands in a file of a project that the other one cannot import from.
-void BetweenProjectsTest::aPlanInAFileOfItsProjectComesAlong() {
-    Outlined from, to;
+/// Its plan is in a file of a project that the other one cannot import from.
+void BetweenProjectsTest::copiesImportedPlan() {
+    OutlineFixture from, to;
     QVERIFY(from.write("rover.sim", "Param track = 0.2\nMaterial red { ColorRGB=1,0,0 }\n"
                                     "RobotConfig Rover { Body b { Box x { Size=$track,1,1 Material=red Mass=1 } } }\n"));
     QVERIFY(from.open("#import rover.sim\nRobot r { Config=Rover Pos=0,0,0 }\n"));
@@ -98,8 +98,8 @@ void BetweenProjectsTest::aPlanInAFileOfItsProjectComesAlong() {
     QCOMPARE(from.errors(), QString());
 }
 
-void BetweenProjectsTest::aPasteBringsTheParamsItTakes() {
-    Outlined from, bare, other;
+void BetweenProjectsTest::pasteCopiesUsedParams() {
+    OutlineFixture from, bare, other;
     QVERIFY(from.open("Param wall = 0.05   // of all\nParam side = $(40*wall)\nParam high = 9\nParam idle = 1\n"
                       "StaticConfig Yard {\n  Param high = 0.3\n  Box north { Size=$side,$wall,$high Pos=0,$(side/2),0.15 }\n}\n"
                       "Static yard { Config=Yard }\n"));
@@ -123,8 +123,8 @@ void BetweenProjectsTest::aPasteBringsTheParamsItTakes() {
     QCOMPARE(other.text(), QByteArray("Param wall = 0.1\n"));
     QVERIFY(other.open("StaticConfig Yard { }\n"));
     QVERIFY(!other.edits.paste({}).ok());
-    QCOMPARE(other.refusals.last(), QStringLiteral("StaticConfig Yard says something else here than where this comes from; "
-                                                   "rename one of the two first"));
+    QCOMPARE(other.refusals.last(),
+             QStringLiteral("StaticConfig Yard differs here from the source; rename one of the two first"));
     QVERIFY(other.open("Param wall =  0.05\n"));
     QVERIFY(other.edits.paste({}).ok());
     QCOMPARE(other.errors(), QString());
@@ -142,8 +142,8 @@ void BetweenProjectsTest::aPasteBringsTheParamsItTakes() {
     QCOMPARE(from.document.loaded()->experiment->statics.size(), std::size_t(2));
 }
 
-void BetweenProjectsTest::whatParamsAndOverridesNameComesAlong() {
-    Outlined from, to;
+void BetweenProjectsTest::copiesReferencedObjects() {
+    OutlineFixture from, to;
     QVERIFY(from.open(
         "Param Colour = paint\nParam tone = 0.5\nMaterial paint { ColorRGB=1,0,0 }\nMaterial base { ColorRGB=$tone,1,0 }\n"
         "Material look { ColorRGB=0,0,1 }\nMaterial idle { ColorRGB=1,1,1 }\n"
@@ -164,8 +164,8 @@ void BetweenProjectsTest::whatParamsAndOverridesNameComesAlong() {
 }
 
 /// Files that a plan imports inside of its block.
-void BetweenProjectsTest::piecesOfAPlanComeAlong() {
-    Outlined from, to;
+void BetweenProjectsTest::copiesPiecesOfPlan() {
+    OutlineFixture from, to;
     QVERIFY(
         from.write("pieces.sim", "Body chassis { Box hull { Size=$side,1,1 Mass=1 Material=red } } // of all\n#import more.sim"));
     QVERIFY(from.write("more.sim", "Body wheel { Pos=0,2,0 Sphere { Radius=0.1 Mass=1 } } // round"));

@@ -8,7 +8,7 @@
 #include <QMimeData>
 
 #include "eventually.h"
-#include "outlined.h"
+#include "outline_fixture.h"
 
 using namespace trundle;
 
@@ -16,29 +16,29 @@ class EditsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aNewNameReachesEveryReference();
-    void aNameThatIsTakenIsRefused();
+    void rejectsDuplicateName();
     void deletesWhatIsSelected();
-    void whatOthersNeedIsNotDeleted();
-    void whatNeedsItGoesAlongIfOneWantsSo();
-    void whoOnlyLooksIsNotAsked();
-    void aNameThatCannotBeIsSaidWhileItIsTyped();
+    void keepsReferencedObjects();
+    void deletesDependentsOnRequest();
+    void doesNotAskInReadOnlyWindow();
+    void reportsInvalidNameWhileTyping();
     void copyAndPasteGiveTheBlockBack();
     void pastesWhereItFits();
-    void whatIsNoBlockIsRefusedWithTheReason_data();
-    void whatIsNoBlockIsRefusedWithTheReason();
-    void duplicatesStandClearOfTheirOriginals();
+    void rejectsTextWithoutBlocks_data();
+    void rejectsTextWithoutBlocks();
+    void duplicatesDoNotOverlapOriginals();
     void aDropPutsRowsInAnotherOrder();
-    void aDropOnARowThatCannotHoldItGoesBesideIt();
+    void dropsBesideRowThatCannotContainIt();
     void aDropMovesAGeomToAnotherBody();
-    void aDropOnAFileGoesIntoIt();
-    void aDropThatDoesNotFitIsNotTaken();
+    void dropsIntoFile();
+    void rejectsMisfittingDrop();
     void theMenuOfAGridWritesItOut();
-    void theMenuLeadsToTextAndConfig();
+    void menuOpensTextAndConfig();
     void undoGivesTheSameBytes();
 };
 
 void EditsTest::aNewNameReachesEveryReference() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.rename(o.at("robot0"), "scout");
     QVERIFY2(o.text().contains("Robot scout { Config=Rover Pos=0,0,0 }   // the first"), o.text());
@@ -57,8 +57,8 @@ void EditsTest::aNewNameReachesEveryReference() {
     QCOMPARE(o.text(), kRovers);
 }
 
-void EditsTest::aNameThatIsTakenIsRefused() {
-    Outlined o;
+void EditsTest::rejectsDuplicateName() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.rename(o.at("robot0"), "robot1");
     QCOMPARE(o.text(), kRovers);
@@ -72,7 +72,7 @@ void EditsTest::aNameThatIsTakenIsRefused() {
 }
 
 void EditsTest::deletesWhatIsSelected() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.click(o.at("robot1"));
     QTest::keyClick(&o.tree(), Qt::Key_Delete);
@@ -89,8 +89,8 @@ void EditsTest::deletesWhatIsSelected() {
     QCOMPARE(o.text(), kRovers);
 }
 
-void EditsTest::whatOthersNeedIsNotDeleted() {
-    Outlined o;
+void EditsTest::keepsReferencedObjects() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     QVERIFY(!o.edits.remove({"robot0"}).ok());
     QCOMPARE(o.text(), kRovers);
@@ -101,8 +101,8 @@ void EditsTest::whatOthersNeedIsNotDeleted() {
     QCOMPARE(o.text(), kRovers);
 }
 
-void EditsTest::whatNeedsItGoesAlongIfOneWantsSo() {
-    Outlined o;
+void EditsTest::deletesDependentsOnRequest() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     const auto askFor = [&](const char* path) {
         o.click(o.at(path));
@@ -136,8 +136,8 @@ void EditsTest::whatNeedsItGoesAlongIfOneWantsSo() {
     QCOMPARE(o.errors(), QString());
 }
 
-void EditsTest::whoOnlyLooksIsNotAsked() {
-    Outlined first, o;
+void EditsTest::doesNotAskInReadOnlyWindow() {
+    OutlineFixture first, o;
     QVERIFY(first.open(kRovers));
     QVERIFY(o.document.open(first.document.path()).ok());
     QVERIFY(o.document.isReadOnly());
@@ -146,11 +146,11 @@ void EditsTest::whoOnlyLooksIsNotAsked() {
     o.edits.cutSelected();
     QVERIFY(!QApplication::activeModalWidget());
     QCOMPARE(o.refusals.size(), 2);
-    for (const QString& reason : o.refusals) QVERIFY2(reason.contains(QStringLiteral("only shows it")), qPrintable(reason));
+    for (const QString& reason : o.refusals) QVERIFY2(reason.contains(QStringLiteral("has it read-only")), qPrintable(reason));
 }
 
-void EditsTest::aNameThatCannotBeIsSaidWhileItIsTyped() {
-    Outlined o;
+void EditsTest::reportsInvalidNameWhileTyping() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.click(o.at("robot1"));
     QTest::keyClick(&o.tree(), Qt::Key_F2);
@@ -169,7 +169,7 @@ void EditsTest::aNameThatCannotBeIsSaidWhileItIsTyped() {
 }
 
 void EditsTest::copyAndPasteGiveTheBlockBack() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.selection.select("robot1");
     o.edits.copySelected();
@@ -190,7 +190,7 @@ void EditsTest::copyAndPasteGiveTheBlockBack() {
 }
 
 void EditsTest::pastesWhereItFits() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     QGuiApplication::clipboard()->setText(QStringLiteral("Sphere knob { Radius=0.01 Mass=0.01 }"));
     o.selection.select("robot0.chassis.bumper"); // a geom holds nothing: the body around it does
@@ -213,7 +213,7 @@ void EditsTest::pastesWhereItFits() {
     QCOMPARE(o.errors(), QString());
 }
 
-void EditsTest::whatIsNoBlockIsRefusedWithTheReason_data() {
+void EditsTest::rejectsTextWithoutBlocks_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("reason");
     QTest::newRow("prose") << "Dear all, the meeting is at ten."
@@ -230,10 +230,10 @@ void EditsTest::whatIsNoBlockIsRefusedWithTheReason_data() {
                               << "Tick";
 }
 
-void EditsTest::whatIsNoBlockIsRefusedWithTheReason() {
+void EditsTest::rejectsTextWithoutBlocks() {
     QFETCH(QString, text);
     QFETCH(QString, reason);
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     QGuiApplication::clipboard()->setText(text);
     o.selection.select("robot0");
@@ -246,8 +246,8 @@ void EditsTest::whatIsNoBlockIsRefusedWithTheReason() {
     QVERIFY2(o.refusals[0].contains(reason), qPrintable(o.refusals[0]));
 }
 
-void EditsTest::duplicatesStandClearOfTheirOriginals() {
-    Outlined o;
+void EditsTest::duplicatesDoNotOverlapOriginals() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.selection.set({"robot0", "robot1"});
     o.edits.duplicateSelected();
@@ -263,7 +263,7 @@ void EditsTest::duplicatesStandClearOfTheirOriginals() {
 }
 
 void EditsTest::aDropPutsRowsInAnotherOrder() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     const std::unique_ptr<QMimeData> mime(o.model().mimeData({o.at("robot1")}));
     QCOMPARE(mime->text().trimmed(), QStringLiteral("Robot robot1 { Config=Rover Pos=1,0,0 }"));
@@ -277,8 +277,8 @@ void EditsTest::aDropPutsRowsInAnotherOrder() {
     QCOMPARE(o.text(), kRovers);
 }
 
-void EditsTest::aDropOnARowThatCannotHoldItGoesBesideIt() {
-    Outlined o;
+void EditsTest::dropsBesideRowThatCannotContainIt() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.tree().reveal(o.at("robot0"));
     const QRect first = o.tree().visualRect(o.at("robot0"));
@@ -304,7 +304,7 @@ void EditsTest::aDropOnARowThatCannotHoldItGoesBesideIt() {
 }
 
 void EditsTest::aDropMovesAGeomToAnotherBody() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     const std::unique_ptr<QMimeData> mime(o.model().mimeData({o.at("RobotConfig.Rover.chassis.bumper")}));
     QVERIFY(o.model().dropMimeData(mime.get(), Qt::MoveAction, -1, -1, o.at("RobotConfig.Rover.leftWheel")));
@@ -318,8 +318,8 @@ void EditsTest::aDropMovesAGeomToAnotherBody() {
     QVERIFY((place - Vec3(0.16, 0, 0.07)).norm() < 1e-9);
 }
 
-void EditsTest::aDropOnAFileGoesIntoIt() {
-    Outlined o, other;
+void EditsTest::dropsIntoFile() {
+    OutlineFixture o, other;
     QVERIFY(o.write("paints.sim", "Material red { ColorRGB=1,0,0 }\n"));
     QVERIFY(o.open("#import paints.sim\nMaterial blue { ColorRGB=0,0,1 }\n"));
     const std::unique_ptr<QMimeData> red(o.model().mimeData({o.at("Material.red")}));
@@ -338,8 +338,8 @@ void EditsTest::aDropOnAFileGoesIntoIt() {
     QCOMPARE(o.errors(), QString());
 }
 
-void EditsTest::aDropThatDoesNotFitIsNotTaken() {
-    Outlined o;
+void EditsTest::rejectsMisfittingDrop() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     const std::unique_ptr<QMimeData> mime(o.model().mimeData({o.at("RobotConfig.Rover.leftAxle")}));
     QVERIFY(!o.model().canDropMimeData(mime.get(), Qt::MoveAction, -1, -1, o.at("RobotConfig.Rover.chassis")));
@@ -350,7 +350,7 @@ void EditsTest::aDropThatDoesNotFitIsNotTaken() {
 }
 
 void EditsTest::theMenuOfAGridWritesItOut() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers + "Grid swarm { Config=Rover Pos=5,5,0 Count=2,2 Spacing=1 }\n"));
     o.selection.select("swarm");
     const std::unique_ptr<QMenu> menu(o.panel->contextMenu());
@@ -365,8 +365,8 @@ void EditsTest::theMenuOfAGridWritesItOut() {
     QVERIFY(!robots->findChild<QAction*>(QStringLiteral("outline.singles")));
 }
 
-void EditsTest::theMenuLeadsToTextAndConfig() {
-    Outlined o;
+void EditsTest::menuOpensTextAndConfig() {
+    OutlineFixture o;
     QVERIFY(o.openSample("linear_motion.sim"));
     QSignalSpy jumps(o.panel.get(), &OutlinePanel::jumpTo);
     o.selection.select("robot0");
@@ -384,7 +384,7 @@ void EditsTest::theMenuLeadsToTextAndConfig() {
 }
 
 void EditsTest::undoGivesTheSameBytes() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     QVERIFY(o.edits.rename("robot0.chassis", "base").ok());
     QVERIFY(o.edits.duplicate({"robot1"}).ok());

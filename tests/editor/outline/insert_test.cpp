@@ -4,8 +4,8 @@
 
 #include "editor/outline/insert_menu.h"
 #include "eventually.h"
-#include "model/passive.h"
-#include "outlined.h"
+#include "model/passive_objects.h"
+#include "outline_fixture.h"
 
 using namespace trundle;
 
@@ -35,8 +35,8 @@ QAction* entry(QMenu& menu, const char* kind) {
 class InsertTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void everyKindGoesInWhereItFits_data();
-    void everyKindGoesInWhereItFits();
+    void insertsEveryKindWhereAllowed_data();
+    void insertsEveryKindWhereAllowed();
     void offersWhatFitsTheSelection();
     void aRobotHasOneController();
     void objectsAreMovable_data();
@@ -44,10 +44,10 @@ private Q_SLOTS:
     void aMenuFollowsTheSelection();
 };
 
-void InsertTest::everyKindGoesInWhereItFits_data() {
+void InsertTest::insertsEveryKindWhereAllowed_data() {
     QTest::addColumn<QByteArray>("kind");
-    const Outlined o;
-    Document document(*o.parts);
+    const OutlineFixture o;
+    Document document(*o.application);
     QVERIFY(o.write("kinds.sim", kWithController));
     QVERIFY(document.open(o.folder.filePath(QStringLiteral("kinds.sim")).toStdString()).ok());
     int controllers = 0;
@@ -59,9 +59,9 @@ void InsertTest::everyKindGoesInWhereItFits_data() {
     QCOMPARE(controllers, 1); // a kind of a module is there with the others
 }
 
-void InsertTest::everyKindGoesInWhereItFits() {
+void InsertTest::insertsEveryKindWhereAllowed() {
     QFETCH(QByteArray, kind);
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kWithController));
     QCOMPARE(o.errors(), QString());
     o.selection.select(placeFor(*o.document.loaded()->registry->find(kind.toStdString())));
@@ -86,7 +86,7 @@ void InsertTest::everyKindGoesInWhereItFits() {
 }
 
 void InsertTest::offersWhatFitsTheSelection() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     InsertMenu insert(o.document, o.selection, o.edits);
     const auto offers = [&](const char* path, const char* kind) {
@@ -112,10 +112,10 @@ void InsertTest::objectsAreMovable_data() {
     for (const char* shape : {"Box", "Sphere", "Cylinder", "Capsule"}) QTest::newRow(shape) << QString::fromLatin1(shape);
 }
 
-/// Whatever is selected: a config and a Robot that stands on the ground, shown as an object.
+/// Whatever is selected: a config and a Robot that rests on the ground, shown as an object.
 void InsertTest::objectsAreMovable() {
     QFETCH(QString, shape);
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     for (int count = 1; count <= 2; ++count) { // the second one under names of its own
         o.selection.select("robot0");
@@ -144,7 +144,7 @@ void InsertTest::objectsAreMovable() {
 }
 
 void InsertTest::aRobotHasOneController() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kWithController));
     InsertMenu insert(o.document, o.selection, o.edits);
     o.selection.select("robot0");
@@ -159,7 +159,7 @@ void InsertTest::aRobotHasOneController() {
 }
 
 void InsertTest::aMenuFollowsTheSelection() {
-    Outlined o;
+    OutlineFixture o;
     QMenu menu;
     InsertMenu insert(o.document, o.selection, o.edits);
     insert.attach(menu);

@@ -7,25 +7,26 @@
 #include <QJsonObject>
 #include <QMimeData>
 
+#include "app/locations.h"
 #include "editor/outline/block_mime.h"
 #include "editor/outline/library_items.h"
 #include "editor/outline/library_model.h"
 #include "editor/outline/library_panel.h"
 #include "editor/outline/library_view.h"
 #include "eventually.h"
-#include "outlined.h"
-#include "parts/locations.h"
-#include "project/described.h"
+#include "outline_fixture.h"
+#include "project/unplaced_configs.h"
 #include "render/service.h"
 
 using namespace trundle;
 
 namespace {
 
-struct Shelf : Outlined {
+struct LibraryFixture : OutlineFixture {
     LibraryPanel library;
 
-    explicit Shelf(RenderService* render = nullptr) : library(document, selection, *parts, render, parts->locations()) {
+    explicit LibraryFixture(RenderService* render = nullptr)
+        : library(document, selection, *application, render, application->locations()) {
         library.resize(300, 900);
         library.show();
         (void)QTest::qWaitForWindowExposed(&library);
@@ -54,24 +55,24 @@ struct Shelf : Outlined {
 class LibraryTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void holdsWhatComesWithTheProgram();
+    void listsShippedItems();
     void robotsAndArenasGoIn_data();
     void robotsAndArenasGoIn();
     void partsGoIntoTheSelectedRobot_data();
     void partsGoIntoTheSelectedRobot();
-    void aControllerBringsItsModule();
+    void insertsModuleWithController();
     void aDoubleClickPutsItAtTheOrigin();
     void aDragCarriesKindTextAndImports();
     void findsTheProjectsOwn();
     void aSearchLeavesWhatMatches();
     void drawsPictures();
-    void saysWhatToDoFirst();
-    void templatesLoadWithoutAWord_data();
-    void templatesLoadWithoutAWord();
+    void showsFirstSteps();
+    void templatesLoadWithoutDiagnostics_data();
+    void templatesLoadWithoutDiagnostics();
 };
 
-void LibraryTest::holdsWhatComesWithTheProgram() {
-    Shelf s;
+void LibraryTest::listsShippedItems() {
+    LibraryFixture s;
     QVERIFY(s.filled());
     for (const char* title : {"SimpleRobot", "EvBot", "MediumArena", "Wall", "Crate", "Driven wheel", "Box", "Hinge", "Encoder"})
         QVERIFY2(s.item(title), title);
@@ -83,7 +84,7 @@ void LibraryTest::holdsWhatComesWithTheProgram() {
 
 void LibraryTest::robotsAndArenasGoIn_data() {
     QTest::addColumn<QString>("title");
-    Shelf s;
+    LibraryFixture s;
     QVERIFY(s.filled());
     for (const LibraryItem& item : s.library.model().items())
         if (item.section <= LibrarySection::Objects) QTest::newRow(qPrintable(item.title)) << item.title;
@@ -91,7 +92,7 @@ void LibraryTest::robotsAndArenasGoIn_data() {
 
 void LibraryTest::robotsAndArenasGoIn() {
     QFETCH(QString, title);
-    Shelf s;
+    LibraryFixture s;
     QVERIFY(s.filled());
     QVERIFY(s.open("Tick = 0.01\n"));
     QVERIFY(s.filled());
@@ -110,7 +111,7 @@ void LibraryTest::robotsAndArenasGoIn() {
 
 void LibraryTest::partsGoIntoTheSelectedRobot_data() {
     QTest::addColumn<QString>("title");
-    Shelf s;
+    LibraryFixture s;
     QVERIFY(s.filled());
     for (const LibraryItem& item : s.library.model().items())
         if (item.section == LibrarySection::RobotParts) QTest::newRow(qPrintable(item.title)) << item.title;
@@ -118,7 +119,7 @@ void LibraryTest::partsGoIntoTheSelectedRobot_data() {
 
 void LibraryTest::partsGoIntoTheSelectedRobot() {
     QFETCH(QString, title);
-    Shelf s;
+    LibraryFixture s;
     // Its body has another name than the part's own text expects.
     const QByteArray text = "RobotConfig Cart { Body frame { Box b { Size=0.3,0.2,0.1 Mass=2 } } }\nRobot cart { Config=Cart }\n";
     QVERIFY(s.open(text));
@@ -134,8 +135,8 @@ void LibraryTest::partsGoIntoTheSelectedRobot() {
     QCOMPARE(s.text(), text);
 }
 
-void LibraryTest::aControllerBringsItsModule() {
-    Shelf s;
+void LibraryTest::insertsModuleWithController() {
+    LibraryFixture s;
     QVERIFY(s.open(kRovers));
     QVERIFY(s.filled());
     s.selection.select("robot0");
@@ -147,7 +148,7 @@ void LibraryTest::aControllerBringsItsModule() {
 }
 
 void LibraryTest::aDoubleClickPutsItAtTheOrigin() {
-    Shelf s;
+    LibraryFixture s;
     QVERIFY(s.open(kRovers));
     QVERIFY(s.filled());
     const QModelIndex wall = s.row(LibrarySection::Objects, "Wall");
@@ -170,7 +171,7 @@ void LibraryTest::aDoubleClickPutsItAtTheOrigin() {
 }
 
 void LibraryTest::aDragCarriesKindTextAndImports() {
-    Shelf s;
+    LibraryFixture s;
     QVERIFY(s.open(kRovers));
     QVERIFY(s.filled());
     const QModelIndex wall = s.row(LibrarySection::Objects, "Wall");
@@ -191,7 +192,7 @@ void LibraryTest::aDragCarriesKindTextAndImports() {
 }
 
 void LibraryTest::findsTheProjectsOwn() {
-    Shelf s;
+    LibraryFixture s;
     QVERIFY(QDir(s.folder.path()).mkpath(QStringLiteral("mine")));
     QVERIFY(QDir(s.folder.path()).mkpath(QStringLiteral("library")));
     QVERIFY(s.write("mine/sled.sim", "// Slides downhill.\nRobotConfig Sled { Body b { Box x { Size=1,1,1 Mass=1 } } }\n"));
@@ -216,7 +217,7 @@ void LibraryTest::findsTheProjectsOwn() {
 }
 
 void LibraryTest::aSearchLeavesWhatMatches() {
-    Shelf s;
+    LibraryFixture s;
     QVERIFY(s.filled());
     auto* search = s.library.findChild<QLineEdit*>(QStringLiteral("librarySearch"));
     QTest::keyClicks(search, QStringLiteral("wheel driven"));
@@ -236,7 +237,7 @@ void LibraryTest::aSearchLeavesWhatMatches() {
 void LibraryTest::drawsPictures() {
     const auto render = RenderService::start();
     QVERIFY2(render.ok(), render.ok() ? "" : render.error().message.c_str());
-    Shelf s(render.value().get());
+    LibraryFixture s(render.value().get());
     QVERIFY(s.filled());
     QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
     s.library.resize(280, 600); // as in the window: a picture fills its cell above the title, and nothing of it is cut off
@@ -250,7 +251,7 @@ void LibraryTest::drawsPictures() {
         const QPixmap picture = s.library.model().index(i).data(LibraryModel::PictureRole).value<QPixmap>();
         QVERIFY2(!picture.isNull(), qPrintable(item.title));
         QVERIFY2(std::abs(double(picture.width()) / picture.height() - room) < 0.2, qPrintable(item.title));
-        std::set<QRgb> colours; // something stands there
+        std::set<QRgb> colours; // something is there
         const QImage image = picture.toImage().scaled(64, 44);
         for (int y = 0; y < image.height(); ++y)
             for (int x = 0; x < image.width(); ++x) colours.insert(image.pixel(x, y));
@@ -259,7 +260,7 @@ void LibraryTest::drawsPictures() {
     QVERIFY(s.row(LibrarySection::Robots, "SimpleRobot").data(LibraryModel::PictureRole).isValid());
     QVERIFY(s.row(LibrarySection::RobotParts, "Driven wheel").data(LibraryModel::PictureRole).isValid());
 
-    // What is described in the opened file is shown in its own material, with its own values, and without what stands there.
+    // What is described in the opened file is shown in its own material, with its own values, and without what is there.
     QVERIFY(s.open("Param side = 0.4\nMaterial signal { ColorRGB=1,0,0 }\nRobot far { Config=Cube Pos=90,0,0 }\n"
                    "RobotConfig Cube { Body b { Box x { Size=$side,$side,$side Pos=0,0,0.2 Mass=1 Material=signal } } }\n"));
     QVERIFY(s.filled());
@@ -271,8 +272,8 @@ void LibraryTest::drawsPictures() {
     QVERIFY2(middle.red() > 2 * middle.blue(), qPrintable(middle.name()));
 }
 
-void LibraryTest::saysWhatToDoFirst() {
-    Shelf s;
+void LibraryTest::showsFirstSteps() {
+    LibraryFixture s;
     QVERIFY(s.filled());
     s.library.insert(*s.item("Wall"));
     QCOMPARE(s.refusals.size(), 1);
@@ -284,14 +285,14 @@ void LibraryTest::saysWhatToDoFirst() {
     QCOMPARE(s.text(), kRovers);
 }
 
-void LibraryTest::templatesLoadWithoutAWord_data() {
+void LibraryTest::templatesLoadWithoutDiagnostics_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"experiment", "robot", "arena"}) QTest::newRow(name) << QString::fromLatin1(name);
 }
 
-void LibraryTest::templatesLoadWithoutAWord() {
+void LibraryTest::templatesLoadWithoutDiagnostics() {
     QFETCH(QString, name);
-    Outlined o;
+    OutlineFixture o;
     QFile file(QStringLiteral(TRUNDLE_SOURCE_DIR "/resources/templates/%1.sim").arg(name));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(o.open(file.readAll()));
@@ -300,7 +301,7 @@ void LibraryTest::templatesLoadWithoutAWord() {
     const bool places = name == QStringLiteral("experiment"); // the others hold what they describe alone
     QCOMPARE(experiment.robots.empty(), !places);
     QCOMPARE(experiment.statics.empty(), !places);
-    QCOMPARE(describedAlone(*o.document.loaded()).size(), std::size_t(places ? 0 : 1));
+    QCOMPARE(configsWithoutInstances(*o.document.loaded()).size(), std::size_t(places ? 0 : 1));
 }
 
 QTEST_MAIN(LibraryTest)

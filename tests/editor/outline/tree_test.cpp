@@ -7,7 +7,7 @@
 
 #include "editor/running/session.h"
 #include "eventually.h"
-#include "outlined.h"
+#include "outline_fixture.h"
 
 using namespace trundle;
 
@@ -16,25 +16,25 @@ class TreeTest : public QObject {
 private Q_SLOTS:
     void showsTheExperimentByOwner();
     void showsFilesWithTheirBlocks();
-    void makesChildrenOnlyWhenTheyAreLookedAt();
+    void createsChildrenOnDemand();
     void aClickSelectsTheObject();
     void selectionElsewhereIsShownHere();
     void membersOfAGridAreReached();
     void tenThousandMembersMakeFewRows();
-    void whatNothingDrivesIsAnObject();
-    void whatIsUnfoldedStaysSoThroughEdits();
-    void fromTheFilterOneGoesToWhatIsFound();
-    void anUndoneDeletionComesBackUnfolded();
-    void onlyRowsThatDifferAreTold();
+    void passiveRobotIsAnObject();
+    void editsKeepExpandedRows();
+    void selectsFilterMatchFromKeyboard();
+    void undoneDeletionIsUnfolded();
+    void notifiesOnlyChangedRows();
     void aBrokenTextStillHasATree();
     void aRobotInItsOwnConfigHasAnEnd();
     void countsProblemsUpToTheGroups();
     void hidesAndLocksByTheIconsOfARow();
-    void aTooltipSaysWhatTheObjectMeasures();
+    void tooltipShowsMeasuredValues();
 };
 
 void TreeTest::showsTheExperimentByOwner() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     QCOMPARE(
         o.rows(),
@@ -51,7 +51,7 @@ void TreeTest::showsTheExperimentByOwner() {
 }
 
 void TreeTest::showsFilesWithTheirBlocks() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.openSample("linear_motion.sim"));
     auto* byFile = o.panel->findChild<QAbstractButton*>(QStringLiteral("outlineByFile"));
     QTest::mouseClick(byFile, Qt::LeftButton);
@@ -72,8 +72,8 @@ void TreeTest::showsFilesWithTheirBlocks() {
     QCOMPARE(o.at("RobotConfig.SimpleRobot").parent().data(OutlineModel::DetailRole).toString(), QStringLiteral("robots"));
 }
 
-void TreeTest::makesChildrenOnlyWhenTheyAreLookedAt() {
-    Outlined o;
+void TreeTest::createsChildrenOnDemand() {
+    OutlineFixture o;
     QByteArray text = kRovers;
     for (int i = 2; i < 500; ++i)
         text += "Robot robot" + QByteArray::number(i) + " { Config=Rover Pos=" + QByteArray::number(i) + ",0,0 }\n";
@@ -85,7 +85,7 @@ void TreeTest::makesChildrenOnlyWhenTheyAreLookedAt() {
 }
 
 void TreeTest::aClickSelectsTheObject() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.click(o.at("robot1"));
     QCOMPARE(o.selected(), QStringLiteral("robot1"));
@@ -105,7 +105,7 @@ void TreeTest::aClickSelectsTheObject() {
 }
 
 void TreeTest::selectionElsewhereIsShownHere() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.selection.set({"robot1.chassis.hull", "arena"});
     QCOMPARE(o.marked(), QStringLiteral("arena robot1.chassis.hull"));
@@ -121,7 +121,7 @@ void TreeTest::selectionElsewhereIsShownHere() {
 }
 
 void TreeTest::membersOfAGridAreReached() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers + "Grid swarm { Config=Rover Pos=5,5,0 Count=2,2 Spacing=1 }\n"));
     o.selection.select("swarm_3");
     QCOMPARE(o.marked(), QStringLiteral("swarm_3"));
@@ -144,7 +144,7 @@ void TreeTest::membersOfAGridAreReached() {
 }
 
 void TreeTest::tenThousandMembersMakeFewRows() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open("RobotConfig Pea { Body b { Sphere s { Radius=0.01 Mass=0.01 } } }\n"
                    "Grid peas { Config=Pea Count=100,100 Spacing=0.1 }\n"));
     const std::size_t before = o.model().made();
@@ -157,8 +157,8 @@ void TreeTest::tenThousandMembersMakeFewRows() {
     QVERIFY2(o.model().made() < 20, qPrintable(QString::number(o.model().made())));
 }
 
-void TreeTest::whatNothingDrivesIsAnObject() {
-    Outlined o;
+void TreeTest::passiveRobotIsAnObject() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers + "RobotConfig Ball { Body b { Sphere s { Radius=0.1 Mass=0.1 } } }\nRobot ball { Config=Ball Pos=3,3,0 }\n"
                              "Grid balls { Config=Ball Pos=5,5,0 Count=2,2 Spacing=1 }\n"));
     const auto groupOf = [&](const char* path) { return o.at(path).parent().data().toString(); };
@@ -174,8 +174,8 @@ void TreeTest::whatNothingDrivesIsAnObject() {
     QCOMPARE(groupOf("ball"), QStringLiteral("Robots"));
 }
 
-void TreeTest::whatIsUnfoldedStaysSoThroughEdits() {
-    Outlined o;
+void TreeTest::editsKeepExpandedRows() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.tree().expand(o.at("robot0"));
     o.tree().expand(o.at("robot0.chassis"));
@@ -197,16 +197,16 @@ void TreeTest::whatIsUnfoldedStaysSoThroughEdits() {
     QVERIFY(o.tree().isExpanded(o.at("robot0.chassis")));
 }
 
-void TreeTest::fromTheFilterOneGoesToWhatIsFound() {
-    Outlined o;
+void TreeTest::selectsFilterMatchFromKeyboard() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.filter().setText(QStringLiteral("bumper"));
     QTest::keyClick(&o.filter(), Qt::Key_Down);
     QCOMPARE(o.selection.current(), std::string("robot0.chassis.bumper"));
 }
 
-void TreeTest::anUndoneDeletionComesBackUnfolded() {
-    Outlined o;
+void TreeTest::undoneDeletionIsUnfolded() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.tree().expand(o.at("robot1"));
     o.tree().expand(o.at("robot1.chassis"));
@@ -217,16 +217,16 @@ void TreeTest::anUndoneDeletionComesBackUnfolded() {
     QVERIFY(o.tree().isExpanded(o.at("robot1.chassis")));
 }
 
-void TreeTest::onlyRowsThatDifferAreTold() {
-    Outlined o;
+void TreeTest::notifiesOnlyChangedRows() {
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.tree().expand(o.at("robot0"));
     QSignalSpy data(&o.model(), &QAbstractItemModel::dataChanged), in(&o.model(), &QAbstractItemModel::rowsInserted),
         out(&o.model(), &QAbstractItemModel::rowsRemoved), moved(&o.model(), &QAbstractItemModel::rowsMoved),
         reset(&o.model(), &QAbstractItemModel::modelReset);
-    const auto told = [&] { return data.count() + in.count() + out.count() + moved.count() + reset.count(); };
+    const auto reported = [&] { return data.count() + in.count() + out.count() + moved.count() + reset.count(); };
     QVERIFY(o.document.setValues(QStringLiteral("Move"), {{"robot0.Pos", "3,0,0"}}).ok());
-    QCOMPARE(told(), 0);
+    QCOMPARE(reported(), 0);
     QVERIFY(o.edits.rename("robot0", "scout").ok());
     QCOMPARE(in.count() + out.count() + moved.count() + reset.count(), 0);
     const std::string swapped = QByteArray(kRovers)
@@ -244,11 +244,11 @@ void TreeTest::onlyRowsThatDifferAreTold() {
 }
 
 void TreeTest::aBrokenTextStillHasATree() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(
         "Robot a { Config=Nothing }\nRobot a { }\nRobott b { }\nBody loose { }\nMaterial { }\nRobot { Config=X }\n}} ((\n"));
     QVERIFY(o.rows().startsWith(QStringLiteral("trial.sim\nRobots\n a\n")));
-    QVERIFY(o.rows().contains(QStringLiteral("Out of place\n")));
+    QVERIFY(o.rows().contains(QStringLiteral("Misplaced\n")));
     for (const QByteArray& text : {QByteArray(), QByteArray("{{{{{{"), QByteArray("\xff\xfe\x00", 3),
                                    QByteArray("RobotConfig R { Body b { Body b { Box { } Box { } } } }"), kRovers}) {
         QVERIFY(o.document.replaceText(QStringLiteral("Type"), o.document.path(), text.toStdString()).ok());
@@ -260,7 +260,7 @@ void TreeTest::aBrokenTextStillHasATree() {
 }
 
 void TreeTest::aRobotInItsOwnConfigHasAnEnd() {
-    Outlined w; // as a brace in the wrong place makes it
+    OutlineFixture w; // as a brace in the wrong place makes it
     QVERIFY(w.open("RobotConfig Rover { Body chassis { Box hull { Size=1,1,1 } }\nRobot robot0 { Config=Rover }\n}\n"
                    "Robot robot1 { Config=Rover }\n"));
     w.filter().setText(QStringLiteral("robot")); // unfolds all that leads to a match
@@ -274,7 +274,7 @@ void TreeTest::aRobotInItsOwnConfigHasAnEnd() {
 }
 
 void TreeTest::countsProblemsUpToTheGroups() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(QByteArray(kRovers).replace("Mass=0.05", "Mass=-1").replace("Config=Rover Pos=1", "Config=Rovr Pos=1")));
     const auto errors = [&](const QModelIndex& index) { return index.data(OutlineModel::ErrorsRole).toInt(); };
     QCOMPARE(errors(o.at("RobotConfig.Rover.chassis.bumper")), 1);
@@ -286,13 +286,13 @@ void TreeTest::countsProblemsUpToTheGroups() {
     QCOMPARE(errors(o.at("robot0")), 0);
     QCOMPARE(errors(o.at("robot1").parent()), 1);
     QVERIFY(o.at("robot1").data(Qt::ToolTipRole).toString().contains(QStringLiteral("1 error")));
-    QVERIFY(o.document.replaceText(QStringLiteral("Mend"), o.document.path(), kRovers.toStdString()).ok());
+    QVERIFY(o.document.replaceText(QStringLiteral("Fix"), o.document.path(), kRovers.toStdString()).ok());
     QCOMPARE(errors(o.at("robot1").parent()), 0);
     QCOMPARE(errors(o.at("RobotConfig.Rover")), 0);
 }
 
 void TreeTest::hidesAndLocksByTheIconsOfARow() {
-    Outlined o;
+    OutlineFixture o;
     QVERIFY(o.open(kRovers));
     o.selection.select("robot0.chassis");
     o.click(o.at("robot0"), {}, OutlineModel::VisibleColumn);
@@ -320,9 +320,9 @@ void TreeTest::hidesAndLocksByTheIconsOfARow() {
     QVERIFY(!o.marks.isHidden("scout"));
 }
 
-void TreeTest::aTooltipSaysWhatTheObjectMeasures() {
-    Outlined o;
-    RunSession session(o.document, *o.parts);
+void TreeTest::tooltipShowsMeasuredValues() {
+    OutlineFixture o;
+    RunSession session(o.document, *o.application);
     o.panel->showValuesOf(session);
     QVERIFY(o.open("RobotConfig Crate { Body box { Box hull { Size=0.2,0.2,0.2 Mass=1 } } }\n"
                    "Robot crate { Config=Crate Pos=0,0,20 }\n"));

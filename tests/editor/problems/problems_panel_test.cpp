@@ -21,14 +21,14 @@ using namespace trundle;
 
 namespace {
 
-struct ProblemsDesk {
+struct ProblemsFixture {
     QTemporaryDir folder;
-    std::unique_ptr<Parts> parts = makeParts();
-    Document document{*parts};
+    std::unique_ptr<Application> application = makeApplication();
+    Document document{*application};
     Selection selection;
     ProblemsPanel panel{document, selection};
 
-    ProblemsDesk() {
+    ProblemsFixture() {
         panel.resize(760, 220);
         panel.show();
     }
@@ -78,8 +78,8 @@ Robot crate { Config=Crate Pos=0.85,0,0.1 }
 )";
 
 /// How often the model check ended.
-void countChecks(ProblemsDesk& desk, int& count) {
-    QObject::connect(desk.panel.findChild<ModelChecker*>(), &ModelChecker::checked, &desk.panel, [&count] { ++count; });
+void countChecks(ProblemsFixture& fixture, int& count) {
+    QObject::connect(fixture.panel.findChild<ModelChecker*>(), &ModelChecker::checked, &fixture.panel, [&count] { ++count; });
 }
 
 } // namespace
@@ -90,60 +90,60 @@ private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, ThemeKind::Light); }
 
     void emptyStates() {
-        ProblemsDesk desk;
-        QVERIFY(desk.none().isVisible());
-        QVERIFY(desk.open(kGood));
-        QCOMPARE(desk.messages(), QStringList());
-        QCOMPARE(desk.none().text(), QStringLiteral("No problems"));
-        QVERIFY(desk.none().isVisible());
-        desk.picture("no_problems");
+        ProblemsFixture fixture;
+        QVERIFY(fixture.none().isVisible());
+        QVERIFY(fixture.open(kGood));
+        QCOMPARE(fixture.messages(), QStringList());
+        QCOMPARE(fixture.none().text(), QStringLiteral("No problems"));
+        QVERIFY(fixture.none().isVisible());
+        fixture.picture("no_problems");
     }
 
     void theListAndItsCounts() {
-        ProblemsDesk desk;
-        QSignalSpy counts(&desk.panel, &ProblemsPanel::countsChanged);
-        QVERIFY(desk.open(kBad));
-        QCOMPARE(counts.back().at(0).toInt(), desk.panel.errors());
-        QVERIFY(desk.panel.errors() >= 4);
-        QVERIFY(!desk.none().isVisible());
-        QVERIFY(desk.messages().at(0).contains(QStringLiteral("Tikc")));
-        QCOMPARE(desk.model().index(0, ProblemsModel::CodeColumn).data().toString(), QStringLiteral("E201"));
-        QCOMPARE(desk.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:1:1"));
-        desk.view().expandAll();
-        desk.picture("problems");
-        desk.button("showErrors").setChecked(false);
-        QCOMPARE(desk.model().rowCount(), desk.panel.warnings());
-        desk.button("showErrors").setChecked(true);
-        auto* filter = desk.panel.findChild<QLineEdit*>(QStringLiteral("problemFilter"));
+        ProblemsFixture fixture;
+        QSignalSpy counts(&fixture.panel, &ProblemsPanel::countsChanged);
+        QVERIFY(fixture.open(kBad));
+        QCOMPARE(counts.back().at(0).toInt(), fixture.panel.errors());
+        QVERIFY(fixture.panel.errors() >= 4);
+        QVERIFY(!fixture.none().isVisible());
+        QVERIFY(fixture.messages().at(0).contains(QStringLiteral("Tikc")));
+        QCOMPARE(fixture.model().index(0, ProblemsModel::CodeColumn).data().toString(), QStringLiteral("E201"));
+        QCOMPARE(fixture.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:1:1"));
+        fixture.view().expandAll();
+        fixture.picture("problems");
+        fixture.button("showErrors").setChecked(false);
+        QCOMPARE(fixture.model().rowCount(), fixture.panel.warnings());
+        fixture.button("showErrors").setChecked(true);
+        auto* filter = fixture.panel.findChild<QLineEdit*>(QStringLiteral("problemFilter"));
         filter->setText(QStringLiteral("tikc"));
-        QCOMPARE(desk.model().rowCount(), 1);
+        QCOMPARE(fixture.model().rowCount(), 1);
         filter->setText(QStringLiteral("no such words"));
-        QVERIFY(desk.none().isVisible());
-        QVERIFY(desk.none().text().contains(QStringLiteral("filter")));
+        QVERIFY(fixture.none().isVisible());
+        QVERIFY(fixture.none().text().contains(QStringLiteral("filter")));
     }
 
-    void aClickGoesToTextAndObject() {
-        ProblemsDesk desk;
-        QVERIFY(desk.open(kBad));
+    void clickRevealsTextAndObject() {
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open(kBad));
         std::vector<std::pair<std::string, SourceRange>> jumps;
-        connect(&desk.panel, &ProblemsPanel::jumpTo, &desk.panel,
+        connect(&fixture.panel, &ProblemsPanel::jumpTo, &fixture.panel,
                 [&](const std::string& file, const SourceRange& range) { jumps.emplace_back(file, range); });
-        for (int i = 0; i < desk.model().rowCount(); ++i) {
-            if (!desk.messages().at(i).contains(QStringLiteral("Crat,"))) continue;
-            desk.click(desk.model().index(i, 0));
+        for (int i = 0; i < fixture.model().rowCount(); ++i) {
+            if (!fixture.messages().at(i).contains(QStringLiteral("Crat,"))) continue;
+            fixture.click(fixture.model().index(i, 0));
         }
         QCOMPARE(jumps.size(), 1u);
-        QCOMPARE(jumps[0].first, desk.document.files()[0]);
-        QCOMPARE(desk.text().substr(jumps[0].second.range.begin, jumps[0].second.range.size()), std::string("Crat"));
-        QCOMPARE(desk.selection.current(), std::string("crate"));
+        QCOMPARE(jumps[0].first, fixture.document.files()[0]);
+        QCOMPARE(fixture.text().substr(jumps[0].second.range.begin, jumps[0].second.range.size()), std::string("Crat"));
+        QCOMPARE(fixture.selection.current(), std::string("crate"));
         // a note below goes to its own place
-        for (int i = 0; i < desk.model().rowCount(); ++i) {
-            const QModelIndex top = desk.model().index(i, 0);
-            if (desk.model().rowCount(top) == 0 ||
-                !desk.model().index(0, 2, top).data().toString().startsWith(QStringLiteral("main.sim:3")))
+        for (int i = 0; i < fixture.model().rowCount(); ++i) {
+            const QModelIndex top = fixture.model().index(i, 0);
+            if (fixture.model().rowCount(top) == 0 ||
+                !fixture.model().index(0, 2, top).data().toString().startsWith(QStringLiteral("main.sim:3")))
                 continue;
-            desk.view().expand(top);
-            desk.click(desk.model().index(0, 0, top));
+            fixture.view().expand(top);
+            fixture.click(fixture.model().index(0, 0, top));
             QCOMPARE(jumps.size(), 2u);
             QVERIFY(jumps[1].second != jumps[0].second);
             return;
@@ -152,140 +152,141 @@ private Q_SLOTS:
     }
 
     void fixesAreEdits() {
-        ProblemsDesk desk;
-        QVERIFY(desk.open(kBad));
-        const std::string before = desk.text();
-        desk.view().setCurrentIndex(desk.model().index(0, 0));
-        QVERIFY(desk.button("applyFix").isEnabled());
-        QTest::keyClick(&desk.view(), Qt::Key_Return, Qt::AltModifier);
-        QCOMPARE(desk.text(), "Tick" + before.substr(4));
-        QVERIFY(desk.document.history().entries().back().name.startsWith(QStringLiteral("Fix: ")));
-        QVERIFY(!desk.messages().at(0).contains(QStringLiteral("Tikc")));
-        QVERIFY(desk.view().currentIndex().isValid()); // the next one is at hand
-        desk.document.undo();
-        QCOMPARE(desk.text(), before);
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open(kBad));
+        const std::string before = fixture.text();
+        fixture.view().setCurrentIndex(fixture.model().index(0, 0));
+        QVERIFY(fixture.button("applyFix").isEnabled());
+        QTest::keyClick(&fixture.view(), Qt::Key_Return, Qt::AltModifier);
+        QCOMPARE(fixture.text(), "Tick" + before.substr(4));
+        QVERIFY(fixture.document.history().entries().back().name.startsWith(QStringLiteral("Fix: ")));
+        QVERIFY(!fixture.messages().at(0).contains(QStringLiteral("Tikc")));
+        QVERIFY(fixture.view().currentIndex().isValid()); // the next one is at hand
+        fixture.document.undo();
+        QCOMPARE(fixture.text(), before);
         // the same below the row
-        const QModelIndex top = desk.model().index(0, 0);
-        desk.view().expand(top);
+        const QModelIndex top = fixture.model().index(0, 0);
+        fixture.view().expand(top);
         QModelIndex fix;
-        for (int i = 0; i < desk.model().rowCount(top); ++i)
-            if (desk.model().index(i, 0, top).data().toString().startsWith(QStringLiteral("Fix")))
-                fix = desk.model().index(i, 0, top);
+        for (int i = 0; i < fixture.model().rowCount(top); ++i)
+            if (fixture.model().index(i, 0, top).data().toString().startsWith(QStringLiteral("Fix")))
+                fix = fixture.model().index(i, 0, top);
         QVERIFY(fix.isValid());
-        desk.view().setCurrentIndex(fix);
-        QTest::mouseClick(&desk.button("applyFix"), Qt::LeftButton);
-        QCOMPARE(desk.text(), "Tick" + before.substr(4));
+        fixture.view().setCurrentIndex(fix);
+        QTest::mouseClick(&fixture.button("applyFix"), Qt::LeftButton);
+        QCOMPARE(fixture.text(), "Tick" + before.substr(4));
     }
 
-    void typingElsewhereKeepsTheListAsItIs() {
-        ProblemsDesk desk;
-        QVERIFY(desk.open(kBad));
-        desk.view().expand(desk.model().index(1, 0));
-        QSignalSpy resets(&desk.model(), &QAbstractItemModel::modelReset);
-        QVERIFY(desk.document.replaceText(QStringLiteral("Typing"), desk.document.files()[0], "// one line more\n" + kBad).ok());
+    void typingKeepsProblemList() {
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open(kBad));
+        fixture.view().expand(fixture.model().index(1, 0));
+        QSignalSpy resets(&fixture.model(), &QAbstractItemModel::modelReset);
+        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), fixture.document.files()[0], "// one line more\n" + kBad)
+                    .ok());
         QCOMPARE(resets.size(), 0);
-        QVERIFY(desk.view().isExpanded(desk.model().index(1, 0)));
-        QCOMPARE(desk.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:2:1"));
-        QVERIFY(desk.document.replaceText(QStringLiteral("Typing"), desk.document.files()[0], kGood).ok());
+        QVERIFY(fixture.view().isExpanded(fixture.model().index(1, 0)));
+        QCOMPARE(fixture.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:2:1"));
+        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), fixture.document.files()[0], kGood).ok());
         QCOMPARE(resets.size(), 1);
-        QVERIFY(desk.none().isVisible());
+        QVERIFY(fixture.none().isVisible());
     }
 
     void aRunsFailureIsAProblem() {
-        ProblemsDesk desk;
-        QVERIFY(desk.open(kGood));
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open(kGood));
         Diagnostic blown;
         blown.code = Code::BlowUp;
         blown.message = "crate blew up at t = 3.2 s";
         blown.range = {0, {static_cast<std::uint32_t>(kGood.find("crate")), static_cast<std::uint32_t>(kGood.find("crate")) + 5}};
-        desk.panel.addRunProblem(blown);
-        QCOMPARE(desk.messages(), QStringList(QStringLiteral("crate blew up at t = 3.2 s")));
-        QCOMPARE(desk.panel.errors(), 1);
-        desk.click(desk.model().index(0, 0));
-        QCOMPARE(desk.selection.current(), std::string("crate"));
+        fixture.panel.addRunProblem(blown);
+        QCOMPARE(fixture.messages(), QStringList(QStringLiteral("crate blew up at t = 3.2 s")));
+        QCOMPARE(fixture.panel.errors(), 1);
+        fixture.click(fixture.model().index(0, 0));
+        QCOMPARE(fixture.selection.current(), std::string("crate"));
         Diagnostic nowhere;
         nowhere.message = "the log folder is gone";
-        desk.panel.addRunProblem(nowhere);
-        desk.click(desk.model().index(1, 0)); // of no place: nothing to go to, nothing to fear
-        QVERIFY(desk.document.replaceText(QStringLiteral("Typing"), desk.document.files()[0], "Tick = 0.01\n").ok());
-        QCOMPARE(desk.panel.errors(), 2);
-        desk.click(desk.model().index(0, 0)); // its place is in a text of the past
-        desk.panel.clearRunProblems();
-        QCOMPARE(desk.panel.errors(), 0);
+        fixture.panel.addRunProblem(nowhere);
+        fixture.click(fixture.model().index(1, 0)); // of no place: nothing to go to, nothing to fear
+        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), fixture.document.files()[0], "Tick = 0.01\n").ok());
+        QCOMPARE(fixture.panel.errors(), 2);
+        fixture.click(fixture.model().index(0, 0)); // its place is in a text of the past
+        fixture.panel.clearRunProblems();
+        QCOMPARE(fixture.panel.errors(), 0);
     }
 
-    void whatTheModelCheckFindsIsListed() {
-        ProblemsDesk desk;
-        QVERIFY(desk.open(kInWall));
-        QCOMPARE(desk.messages(), QStringList()); // opening does not wait for it
-        QTRY_COMPARE(desk.model().rowCount(), 1);
-        QVERIFY2(desk.messages().at(0).contains(QStringLiteral("starts inside wall")), qPrintable(desk.messages().at(0)));
-        QCOMPARE(desk.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:7:7"));
-        QCOMPARE(desk.panel.warnings(), 1);
-        desk.view().expandAll();
-        desk.picture("model_check");
-        desk.click(desk.model().index(0, 0));
-        QCOMPARE(desk.selection.current(), std::string("crate"));
+    void listsModelCheckProblems() {
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open(kInWall));
+        QCOMPARE(fixture.messages(), QStringList()); // opening does not wait for it
+        QTRY_COMPARE(fixture.model().rowCount(), 1);
+        QVERIFY2(fixture.messages().at(0).contains(QStringLiteral("starts inside wall")), qPrintable(fixture.messages().at(0)));
+        QCOMPARE(fixture.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:7:7"));
+        QCOMPARE(fixture.panel.warnings(), 1);
+        fixture.view().expandAll();
+        fixture.picture("model_check");
+        fixture.click(fixture.model().index(0, 0));
+        QCOMPARE(fixture.selection.current(), std::string("crate"));
 
         int checks = 0;
-        countChecks(desk, checks);
-        QVERIFY(desk.button("applyFix").isEnabled());
-        QTest::mouseClick(&desk.button("applyFix"), Qt::LeftButton);
-        QVERIFY(desk.text() != kInWall);
+        countChecks(fixture, checks);
+        QVERIFY(fixture.button("applyFix").isEnabled());
+        QTest::mouseClick(&fixture.button("applyFix"), Qt::LeftButton);
+        QVERIFY(fixture.text() != kInWall);
         QTRY_COMPARE(checks, 1);
-        QCOMPARE(desk.messages(), QStringList());
-        desk.document.undo();
-        QCOMPARE(desk.text(), kInWall);
-        QTRY_COMPARE(desk.model().rowCount(), 1);
+        QCOMPARE(fixture.messages(), QStringList());
+        fixture.document.undo();
+        QCOMPARE(fixture.text(), kInWall);
+        QTRY_COMPARE(fixture.model().rowCount(), 1);
     }
 
     /// A run that is refused for what the check has found adds nothing to it.
-    void aRefusedRunSaysNothingTwice() {
-        ProblemsDesk desk;
+    void reportsRefusedRunOnce() {
+        ProblemsFixture fixture;
         std::string text = kGood;
-        QVERIFY(desk.open(text));
+        QVERIFY(fixture.open(text));
         Diagnostic found;
         found.code = Code::DeviceSetup;
         found.message = "one motor";
-        auto* model = qobject_cast<ProblemsModel*>(&desk.model());
-        model->setModelProblems({found}, desk.document.loaded());
+        auto* model = qobject_cast<ProblemsModel*>(&fixture.model());
+        model->setModelProblems({found}, fixture.document.loaded());
         Diagnostic refused = found;
         refused.message = "the same motor";
-        desk.panel.addRunProblem(refused);
-        QCOMPARE(desk.messages(), QStringList{QStringLiteral("one motor")});
+        fixture.panel.addRunProblem(refused);
+        QCOMPARE(fixture.messages(), QStringList{QStringLiteral("one motor")});
         refused.code = Code::ControllerFailed; // another reason
-        desk.panel.addRunProblem(refused);
-        QCOMPARE(desk.model().rowCount(), 2);
+        fixture.panel.addRunProblem(refused);
+        QCOMPARE(fixture.model().rowCount(), 2);
     }
 
     void theModelCheckFollowsTheText() {
-        ProblemsDesk desk;
-        QVERIFY(desk.open(kInWall));
-        QTRY_COMPARE(desk.model().rowCount(), 1);
+        ProblemsFixture fixture;
+        QVERIFY(fixture.open(kInWall));
+        QTRY_COMPARE(fixture.model().rowCount(), 1);
         int checks = 0;
-        countChecks(desk, checks);
-        const std::string file = desk.document.files()[0];
-        QVERIFY(desk.document.replaceText(QStringLiteral("Typing"), file, kInWall + "// more\n").ok());
-        QCOMPARE(desk.messages(), QStringList()); // what was found in the old text is gone at once
+        countChecks(fixture, checks);
+        const std::string file = fixture.document.files()[0];
+        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), file, kInWall + "// more\n").ok());
+        QCOMPARE(fixture.messages(), QStringList()); // what was found in the old text is gone at once
         QTRY_COMPARE(checks, 1);
-        QCOMPARE(desk.model().rowCount(), 1);
-        QVERIFY(desk.document.replaceText(QStringLiteral("Typing"), file, kInWall + "Robot other { Config=Crat }\n").ok());
+        QCOMPARE(fixture.model().rowCount(), 1);
+        QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), file, kInWall + "Robot other { Config=Crat }\n").ok());
         QTRY_COMPARE(checks, 2);
-        QVERIFY(desk.panel.errors() > 0); // the errors first; a text that means nothing is not checked
-        for (const QString& message : desk.messages()) QVERIFY(!message.contains(QStringLiteral("starts inside")));
+        QVERIFY(fixture.panel.errors() > 0); // the errors first; a text that means nothing is not checked
+        for (const QString& message : fixture.messages()) QVERIFY(!message.contains(QStringLiteral("starts inside")));
     }
 
     void thePanelMayGoWhileItChecks() {
         for (int i = 0; i < 3; ++i) {
-            ProblemsDesk desk;
-            QVERIFY(desk.open(kInWall));
-            auto* checker = desk.panel.findChild<ModelChecker*>();
+            ProblemsFixture fixture;
+            QVERIFY(fixture.open(kInWall));
+            auto* checker = fixture.panel.findChild<ModelChecker*>();
             QVERIFY(QMetaObject::invokeMethod(checker->findChild<QTimer*>(), "timeout")); // starts at once
         }
     }
 
     void tenThousand() {
-        ProblemsDesk desk;
+        ProblemsFixture fixture;
         std::vector<Diagnostic> many;
         for (int i = 0; i < 10000; ++i) {
             Diagnostic d;
@@ -294,19 +295,19 @@ private Q_SLOTS:
             d.notes.push_back({"see here", {0, {0, 1}}});
             many.push_back(d);
         }
-        QVERIFY(desk.open(kGood));
-        desk.panel.setRunProblems(many, desk.document.loaded());
-        QCOMPARE(desk.model().rowCount(), 10000);
-        QCOMPARE(desk.panel.errors(), 6666);
-        desk.view().scrollToBottom();
-        desk.panel.findChild<QLineEdit*>(QStringLiteral("problemFilter"))->setText(QStringLiteral("problem 77"));
-        QCOMPARE(desk.model().rowCount(), 111);
-        desk.panel.goTo(1);
-        QCOMPARE(desk.view().currentIndex().row(), 0);
-        desk.panel.goTo(-1);
-        QCOMPARE(desk.view().currentIndex().row(), 110);
-        desk.panel.goTo(1);
-        QCOMPARE(desk.view().currentIndex().row(), 0);
+        QVERIFY(fixture.open(kGood));
+        fixture.panel.setRunProblems(many, fixture.document.loaded());
+        QCOMPARE(fixture.model().rowCount(), 10000);
+        QCOMPARE(fixture.panel.errors(), 6666);
+        fixture.view().scrollToBottom();
+        fixture.panel.findChild<QLineEdit*>(QStringLiteral("problemFilter"))->setText(QStringLiteral("problem 77"));
+        QCOMPARE(fixture.model().rowCount(), 111);
+        fixture.panel.goTo(1);
+        QCOMPARE(fixture.view().currentIndex().row(), 0);
+        fixture.panel.goTo(-1);
+        QCOMPARE(fixture.view().currentIndex().row(), 110);
+        fixture.panel.goTo(1);
+        QCOMPARE(fixture.view().currentIndex().row(), 0);
     }
 };
 

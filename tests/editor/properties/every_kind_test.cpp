@@ -1,5 +1,5 @@
 // Every kind of the registry is inserted as the Insert menu does it, and each of its rows is edited with keys and clicks.
-#include "panel_desk.h"
+#include "properties_fixture.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -60,38 +60,38 @@ class EveryKindTest : public QObject {
     Q_OBJECT
 
     /// Enters another value with the row's own widgets until the document takes one; what they were, for the message.
-    static QString edit(PanelDesk& desk, const QString& id) {
+    static QString edit(PropertiesFixture& fixture, const QString& id) {
         const auto bytes = [&] {
             std::string all;
-            for (std::size_t i = 0; i < desk.document.files().size(); ++i) all += desk.text(i);
+            for (std::size_t i = 0; i < fixture.document.files().size(); ++i) all += fixture.text(i);
             return all;
         };
         const std::string before = bytes();
         const auto changed = [&] { return bytes() != before; };
         QString tried;
-        const auto* row = qobject_cast<PropertyRow*>(desk.row(qPrintable(id)));
+        const auto* row = qobject_cast<PropertyRow*>(fixture.row(qPrintable(id)));
         const Property p = *row->row().property();
         const EditorKind kind = row->row().editor();
         if (kind == EditorKind::Choice) {
-            auto* box = desk.field<QComboBox>(qPrintable(id));
+            auto* box = fixture.field<QComboBox>(qPrintable(id));
             for (int i = 0; i < box->count() && !changed(); ++i) {
                 box->setFocus();
                 QTest::keyClick(box, i == 0 ? Qt::Key_Home : Qt::Key_Down);
                 tried += box->currentText() + QLatin1Char('|');
             }
         } else if (kind == EditorKind::Flag) {
-            QTest::keyClick(desk.field<QCheckBox>(qPrintable(id)), Qt::Key_Space);
+            QTest::keyClick(fixture.field<QCheckBox>(qPrintable(id)), Qt::Key_Space);
         } else if (kind == EditorKind::Numbers || kind == EditorKind::Colour) {
             const bool one = p.maxCount == 1;
-            const QString first = desk.shown(qPrintable(id), one ? "field" : "field0");
+            const QString first = fixture.shown(qPrintable(id), one ? "field" : "field0");
             for (double n : legalNumbers(p)) {
                 const QString text = QString::fromStdString(plainNumber(n));
                 if (changed() || text == first) continue;
                 tried += text + QLatin1Char('|');
-                desk.type(qPrintable(id), text, one ? "field" : "field0");
+                fixture.type(qPrintable(id), text, one ? "field" : "field0");
             }
         } else if (kind == EditorKind::Reference) {
-            auto* pick = desk.field<QToolButton>(qPrintable(id), "pick");
+            auto* pick = fixture.field<QToolButton>(qPrintable(id), "pick");
             Q_EMIT pick->menu()->aboutToShow();
             for (qsizetype i = 0; i < pick->menu()->actions().size() && !changed(); ++i) {
                 QAction* action = pick->menu()->actions().at(i);
@@ -101,21 +101,21 @@ class EveryKindTest : public QObject {
             }
         } else if (kind == EditorKind::File) {
             tried = QStringLiteral("other.") + QString::fromStdString(p.choices.empty() ? "txt" : p.choices.front());
-            desk.type(qPrintable(id), tried);
+            fixture.type(qPrintable(id), tried);
         } else {
             for (const char* text :
                  {"other", "1", "1,2", "1,1,1", "90,180", "1,1,1,1", "robot1", "robot1/pose", "1,2,3", "seer/eye"}) {
                 if (changed()) break;
                 tried += QLatin1String(text) + QLatin1Char('|');
-                desk.type(qPrintable(id), QLatin1String(text));
+                fixture.type(qPrintable(id), QLatin1String(text));
             }
         }
-        return changed() ? QString() : tried + desk.help();
+        return changed() ? QString() : tried + fixture.help();
     }
 
-    static QString faults(const PanelDesk& desk) {
+    static QString faults(const PropertiesFixture& fixture) {
         QStringList all;
-        for (const Diagnostic& d : desk.document.loaded()->diagnostics.all())
+        for (const Diagnostic& d : fixture.document.loaded()->diagnostics.all())
             if (d.severity == Severity::Error) all << QString::fromStdString(d.message);
         return all.join(QLatin1Char('\n'));
     }
@@ -133,58 +133,59 @@ private Q_SLOTS:
 
     void rows_data() {
         QTest::addColumn<QString>("name");
-        const OpenParts parts;
-        for (const Kind* kind : parts.builtIn()->all()) QTest::newRow(kind->name.c_str()) << QString::fromStdString(kind->name);
+        const FixtureApplication application;
+        for (const Kind* kind : application.builtIn()->all())
+            QTest::newRow(kind->name.c_str()) << QString::fromStdString(kind->name);
     }
     void rows() {
         QFETCH(QString, name);
-        PanelDesk desk;
-        for (const char* file : {"mesh.obj", "other.obj", "hills.png", "other.png", "other.jpg"}) desk.write(file, "x");
-        desk.write("other.csv", "azimuth,elevation,gain\n0,0,0\n");
-        QVERIFY(desk.open(kWorld));
-        QCOMPARE(desk.document.loaded()->diagnostics.errorCount(), 0u);
-        const Kind kind = *desk.parts.builtIn()->find(name.toStdString());
+        PropertiesFixture fixture;
+        for (const char* file : {"mesh.obj", "other.obj", "hills.png", "other.png", "other.jpg"}) fixture.write(file, "x");
+        fixture.write("other.csv", "azimuth,elevation,gain\n0,0,0\n");
+        QVERIFY(fixture.open(kWorld));
+        QCOMPARE(fixture.document.loaded()->diagnostics.errorCount(), 0u);
+        const Kind kind = *fixture.application.builtIn()->find(name.toStdString());
         if (kind.role != Role::Settings) {
             const std::string parent = parentOf(kind);
             const std::string text =
-                templateOf(*desk.document.loaded(), *desk.document.loaded()->registry->find(kind.name), parent);
-            const Result<EditPlan> plan = planInsert(*desk.document.loaded(), parent, text);
+                templateOf(*fixture.document.loaded(), *fixture.document.loaded()->registry->find(kind.name), parent);
+            const Result<EditPlan> plan = planInsert(*fixture.document.loaded(), parent, text);
             QVERIFY2(plan.ok(), plan ? "" : plan.error().message.c_str());
-            QVERIFY(desk.document.carryOut(QStringLiteral("Insert"), plan).ok());
-            QCOMPARE(faults(desk), QString());
-            QVERIFY(!desk.selection.empty());
-            const std::vector<std::string> made = desk.selection.paths();
+            QVERIFY(fixture.document.apply(QStringLiteral("Insert"), plan).ok());
+            QCOMPARE(faults(fixture), QString());
+            QVERIFY(!fixture.selection.empty());
+            const std::vector<std::string> made = fixture.selection.paths();
             for (const std::string& path : made) { // what it needs may have come with it
-                desk.selection.select(path);
-                if (desk.panel.findChild<QLabel*>(QStringLiteral("objectKind"))
+                fixture.selection.select(path);
+                if (fixture.panel.findChild<QLabel*>(QStringLiteral("objectKind"))
                         ->text()
                         .contains(QLatin1Char('>') + name + QLatin1Char('<')))
                     break;
             }
         }
-        desk.picture(qPrintable(name));
-        const std::string object = desk.selection.current();
+        fixture.picture(qPrintable(name));
+        const std::string object = fixture.selection.current();
         std::vector<std::string> files;
-        for (std::size_t i = 0; i < desk.document.files().size(); ++i) files.push_back(desk.text(i));
+        for (std::size_t i = 0; i < fixture.document.files().size(); ++i) files.push_back(fixture.text(i));
         for (const Property& p : kind.properties) {
             const QString id = QString::fromStdString(p.name);
-            QVERIFY2(desk.row(p.name.c_str()), p.name.c_str());
+            QVERIFY2(fixture.row(p.name.c_str()), p.name.c_str());
             const std::string path = object.empty() ? p.name : object + "." + p.name;
-            const auto provenance = provenanceOf(*desk.document.loaded()->outline, path);
+            const auto provenance = provenanceOf(*fixture.document.loaded()->outline, path);
             QVERIFY2(provenance, path.c_str());
-            const auto* row = qobject_cast<PropertyRow*>(desk.row(p.name.c_str()));
+            const auto* row = qobject_cast<PropertyRow*>(fixture.row(p.name.c_str()));
             QCOMPARE(row->row().given(), provenance->origin != Origin::Default);
-            const std::size_t done = desk.document.history().position();
-            const QString refused = edit(desk, id);
+            const std::size_t done = fixture.document.history().position();
+            const QString refused = edit(fixture, id);
             if (!refused.isEmpty() && needsCompany(kind, p.name)) {
                 QVERIFY2(refused.size() > 10, qPrintable(id)); // a reason was given
                 continue;
             }
             QVERIFY2(refused.isEmpty(), qPrintable(id + QStringLiteral(": ") + refused));
-            QCOMPARE(desk.document.history().position(), done + 1);
-            if (!needsCompany(kind, p.name)) QCOMPARE(faults(desk), QString());
-            desk.document.undo();
-            for (std::size_t i = 0; i < files.size(); ++i) QCOMPARE(desk.text(i), files[i]);
+            QCOMPARE(fixture.document.history().position(), done + 1);
+            if (!needsCompany(kind, p.name)) QCOMPARE(faults(fixture), QString());
+            fixture.document.undo();
+            for (std::size_t i = 0; i < files.size(); ++i) QCOMPARE(fixture.text(i), files[i]);
         }
     }
 
@@ -203,24 +204,24 @@ private Q_SLOTS:
                 d.field("Loud", &Sonar::loud, flag(), "Audible.");
             }
         };
-        PanelDesk desk;
-        desk.parts.add(kindOf<Sonar>("Sonar", Role::Device, {"RobotConfig"}));
-        QVERIFY(desk.open(kWorld));
-        const Result<EditPlan> plan = planInsert(*desk.document.loaded(), "RobotConfig.Rover", "Sonar front { Body=chassis }");
-        QVERIFY(plan.ok() && desk.document.carryOut(QStringLiteral("Insert"), plan).ok());
-        desk.selection.select("robot0.front");
-        const std::string before = desk.text();
-        desk.type("Range", QStringLiteral("150 cm"));
-        QVERIFY2(desk.text().find("front.Range=150 cm") != std::string::npos, desk.text().c_str());
-        QVERIFY(desk.help().startsWith(QStringLiteral("How far it hears.")));
-        QTest::keyClick(desk.field<QCheckBox>("Loud"), Qt::Key_Space);
-        QVERIFY(desk.text().find("front.Loud=true") != std::string::npos);
-        desk.type("Range", QStringLiteral("21"));
-        QVERIFY(desk.field("Range")->refused());
-        desk.picture("Sonar");
-        desk.document.undo();
-        desk.document.undo();
-        QCOMPARE(desk.text(), before);
+        PropertiesFixture fixture;
+        fixture.application.add(kindOf<Sonar>("Sonar", Role::Device, {"RobotConfig"}));
+        QVERIFY(fixture.open(kWorld));
+        const Result<EditPlan> plan = planInsert(*fixture.document.loaded(), "RobotConfig.Rover", "Sonar front { Body=chassis }");
+        QVERIFY(plan.ok() && fixture.document.apply(QStringLiteral("Insert"), plan).ok());
+        fixture.selection.select("robot0.front");
+        const std::string before = fixture.text();
+        fixture.type("Range", QStringLiteral("150 cm"));
+        QVERIFY2(fixture.text().find("front.Range=150 cm") != std::string::npos, fixture.text().c_str());
+        QVERIFY(fixture.help().startsWith(QStringLiteral("How far it hears.")));
+        QTest::keyClick(fixture.field<QCheckBox>("Loud"), Qt::Key_Space);
+        QVERIFY(fixture.text().find("front.Loud=true") != std::string::npos);
+        fixture.type("Range", QStringLiteral("21"));
+        QVERIFY(fixture.field("Range")->refused());
+        fixture.picture("Sonar");
+        fixture.document.undo();
+        fixture.document.undo();
+        QCOMPARE(fixture.text(), before);
     }
 };
 

@@ -1,4 +1,4 @@
-// Rows while an experiment runs: what waits for a reset says so, and a paused robot shows where it is.
+// Rows while an experiment runs: what waits for a reset reports it, and a paused robot shows where it is.
 #include <fstream>
 #include <set>
 
@@ -27,15 +27,15 @@ RobotConfig Crate { Body box { Box hull { Size=0.2,0.2,0.2 Mass=1 Material=defau
 Robot crate { Config=Crate Pos=0,0,20 }
 )";
 
-struct RunningDesk {
+struct RunningFixture {
     QTemporaryDir folder;
-    std::unique_ptr<Parts> parts = makeParts();
-    Document document{*parts};
+    std::unique_ptr<Application> application = makeApplication();
+    Document document{*application};
     Selection selection;
-    RunSession session{document, *parts};
+    RunSession session{document, *application};
     PropertiesPanel panel{document, selection, &session};
 
-    RunningDesk() {
+    RunningFixture() {
         const std::string path = folder.filePath(QStringLiteral("main.sim")).toStdString();
         std::ofstream(path, std::ios::binary) << kFalling;
         panel.resize(340, 600);
@@ -67,50 +67,51 @@ class RunningRowsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aRobotShowsWhereItIs() {
-        RunningDesk desk;
-        desk.selection.select("crate");
-        const auto now = [&desk](const char* row) { return desk.note(row, "now"); };
+        RunningFixture fixture;
+        fixture.selection.select("crate");
+        const auto now = [&fixture](const char* row) { return fixture.note(row, "now"); };
         QVERIFY(!now("Pos")->isVisible());
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
         EVENTUALLY(now("Pos")->isVisible());
         QCOMPARE(now("Pos")->text().simplified(), QStringLiteral("now 0.000 0.000 19.999"));
         QVERIFY(!now("Config")->isVisible());
-        desk.session.run(); // and so it does while it runs
-        EVENTUALLY(desk.session.state() == RunState::Running && now("Pos")->text().simplified() != QStringLiteral("now 0.000 0.000 19.999"));
+        fixture.session.run(); // and so it does while it runs
+        EVENTUALLY(fixture.session.state() == RunState::Running &&
+                   now("Pos")->text().simplified() != QStringLiteral("now 0.000 0.000 19.999"));
         QVERIFY(now("Pos")->isVisible());
-        desk.session.reset();
+        fixture.session.reset();
         EVENTUALLY(!now("Pos")->isVisible());
     }
 
-    void whatIsSelectedShowsWhatItDoes() {
-        RunningDesk desk;
-        desk.selection.select("crate");
-        QVERIFY(!desk.live()->isVisible());
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.value("speed"), QStringLiteral("0.098 m/s"));
-        QCOMPARE(desk.value("position"), QStringLiteral("0.000 0.000 19.999 m"));
-        QCOMPARE(desk.value("HPR"), QStringLiteral("0.000 0.000 0.000 °"));
-        desk.selection.select("crate.box.hull"); // a geom goes with its body
-        QCOMPARE(desk.value("velocity"), QStringLiteral("0.000 0.000 -0.098 m/s"));
-        desk.selection.clear(); // the run itself
-        QCOMPARE(desk.value("ticks"), QStringLiteral("1"));
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.value("ticks"), QStringLiteral("2"));
-        QVERIFY(desk.document.setValues(QStringLiteral("Rename"), {{"crate.Pos", "0,0,21"}}).ok());
-        desk.selection.select("crate");
-        QCOMPARE(desk.value("speed"), QStringLiteral("0.196 m/s")); // the run's, not the text's
-        desk.session.reset();
-        EVENTUALLY(!desk.live()->isVisible());
+    void showsLiveValuesOfSelection() {
+        RunningFixture fixture;
+        fixture.selection.select("crate");
+        QVERIFY(!fixture.live()->isVisible());
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.value("speed"), QStringLiteral("0.098 m/s"));
+        QCOMPARE(fixture.value("position"), QStringLiteral("0.000 0.000 19.999 m"));
+        QCOMPARE(fixture.value("HPR"), QStringLiteral("0.000 0.000 0.000 °"));
+        fixture.selection.select("crate.box.hull"); // a geom goes with its body
+        QCOMPARE(fixture.value("velocity"), QStringLiteral("0.000 0.000 -0.098 m/s"));
+        fixture.selection.clear(); // the run itself
+        QCOMPARE(fixture.value("ticks"), QStringLiteral("1"));
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.value("ticks"), QStringLiteral("2"));
+        QVERIFY(fixture.document.setValues(QStringLiteral("Rename"), {{"crate.Pos", "0,0,21"}}).ok());
+        fixture.selection.select("crate");
+        QCOMPARE(fixture.value("speed"), QStringLiteral("0.196 m/s")); // the run's, not the text's
+        fixture.session.reset();
+        EVENTUALLY(!fixture.live()->isVisible());
     }
 
     void namesAreWholeInANarrowPanel() {
-        RunningDesk desk;
-        desk.panel.resize(220, 600);
-        desk.selection.select("crate");
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
-        const QTreeWidget& table = *desk.live();
+        RunningFixture fixture;
+        fixture.panel.resize(220, 600);
+        fixture.selection.select("crate");
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
+        const QTreeWidget& table = *fixture.live();
         EVENTUALLY(table.isVisible() && table.topLevelItemCount() > 0);
         const auto lines = [&table] {
             QStringList all;
@@ -124,26 +125,26 @@ private Q_SLOTS:
             return all;
         };
         EVENTUALLY(lines().contains(QStringLiteral("angular rate")));
-        const QList<QTreeWidgetItem*> found = desk.live()->findItems(QStringLiteral("angular rate"), Qt::MatchExactly);
+        const QList<QTreeWidgetItem*> found = fixture.live()->findItems(QStringLiteral("angular rate"), Qt::MatchExactly);
         QVERIFY(found[0]->isFirstColumnSpanned() && found[0]->toolTip(0).startsWith(QStringLiteral("angular rate\n")));
         const QTreeWidgetItem* below = table.topLevelItem(table.indexOfTopLevelItem(found[0]) + 1);
         QCOMPARE(below->text(2), QStringLiteral("rad/s"));
         const QStringList narrow = lines();
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.session.time(), 0.02);
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.session.time(), 0.02);
         QCoreApplication::processEvents();
         QCOMPARE(lines(), narrow); // no line comes or goes with a value
-        desk.panel.resize(420, 600);
+        fixture.panel.resize(420, 600);
         EVENTUALLY(lines().size() < narrow.size());
-        QVERIFY(!desk.live()->findItems(QStringLiteral("angular rate"), Qt::MatchExactly)[0]->isFirstColumnSpanned());
+        QVERIFY(!fixture.live()->findItems(QStringLiteral("angular rate"), Qt::MatchExactly)[0]->isFirstColumnSpanned());
     }
 
     void aNameHasALineOfItsOwnOnlyWhereItMust() {
-        RunningDesk desk;
-        desk.selection.select("crate");
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
-        const QTreeWidget& table = *desk.live();
+        RunningFixture fixture;
+        fixture.selection.select("crate");
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
+        const QTreeWidget& table = *fixture.live();
         EVENTUALLY(table.isVisible() && table.topLevelItemCount() > 0);
         const int padding = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1);
         const auto wrong = [&] {
@@ -157,7 +158,7 @@ private Q_SLOTS:
         };
         std::set<int> counts;
         for (int width = 260; width <= 420; width += 4) {
-            desk.panel.resize(width, 600);
+            fixture.panel.resize(width, 600);
             EVENTUALLY_EQUAL(wrong(), QStringList());
             counts.insert(table.topLevelItemCount());
         }
@@ -165,41 +166,43 @@ private Q_SLOTS:
     }
 
     void severalSelectedObjectsShowTheirValuesEach() {
-        RunningDesk desk;
-        desk.selection.set({"crate", "crate.box.hull"});
-        desk.session.step();
-        EVENTUALLY(desk.live()->isVisible());
-        const auto count = [&desk](const char* text) { return desk.live()->findItems(QLatin1String(text), Qt::MatchExactly).size(); };
+        RunningFixture fixture;
+        fixture.selection.set({"crate", "crate.box.hull"});
+        fixture.session.step();
+        EVENTUALLY(fixture.live()->isVisible());
+        const auto count = [&fixture](const char* text) {
+            return fixture.live()->findItems(QLatin1String(text), Qt::MatchExactly).size();
+        };
         EVENTUALLY_EQUAL(count("speed"), 2);
         QCOMPARE(count("crate"), 1);
         QCOMPARE(count("crate.box.hull"), 1);
-        desk.selection.select("crate");
+        fixture.selection.select("crate");
         QCOMPARE(count("speed"), 1);
         QCOMPARE(count("crate"), 0); // the panel's own heading says whose they are
     }
 
     void aPlacedRobotShowsWhereItWasPut() {
-        RunningDesk desk;
-        desk.selection.select("crate");
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.value("speed"), QStringLiteral("0.098 m/s"));
-        QVERIFY(desk.session.place("crate", {{1, 2, 3}, Quat::Identity()}));
-        EVENTUALLY_EQUAL(desk.value("position"), QStringLiteral("1.000 2.000 3.000 m"));
-        QCOMPARE(desk.value("speed"), QStringLiteral("0.000 m/s"));
-        desk.selection.select("crate.box");
-        QCOMPARE(desk.value("position"), QStringLiteral("1.000 2.000 3.000 m"));
+        RunningFixture fixture;
+        fixture.selection.select("crate");
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.value("speed"), QStringLiteral("0.098 m/s"));
+        QVERIFY(fixture.session.place("crate", {{1, 2, 3}, Quat::Identity()}));
+        EVENTUALLY_EQUAL(fixture.value("position"), QStringLiteral("1.000 2.000 3.000 m"));
+        QCOMPARE(fixture.value("speed"), QStringLiteral("0.000 m/s"));
+        fixture.selection.select("crate.box");
+        QCOMPARE(fixture.value("position"), QStringLiteral("1.000 2.000 3.000 m"));
     }
 
     void newValuesMoveNothing() {
-        RunningDesk desk;
-        desk.selection.select("crate");
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.value("speed"), QStringLiteral("0.098 m/s"));
-        const auto places = [&desk] {
+        RunningFixture fixture;
+        fixture.selection.select("crate");
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.value("speed"), QStringLiteral("0.098 m/s"));
+        const auto places = [&fixture] {
             QList<QRect> all;
-            for (const QWidget* child : desk.panel.findChildren<QWidget*>())
-                if (child->isVisible()) all.append({child->mapTo(&desk.panel, QPoint()), child->size()});
-            for (int column = 0; column < 3; ++column) all.append(QRect(desk.live()->columnViewportPosition(column), 0, 1, 1));
+            for (const QWidget* child : fixture.panel.findChildren<QWidget*>())
+                if (child->isVisible()) all.append({child->mapTo(&fixture.panel, QPoint()), child->size()});
+            for (int column = 0; column < 3; ++column) all.append(QRect(fixture.live()->columnViewportPosition(column), 0, 1, 1));
             return all;
         };
         QList<QRect> before;
@@ -207,53 +210,53 @@ private Q_SLOTS:
             before = places();
             for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
         } while (places() != before);
-        QSignalSpy changes(&desk.session, &RunSession::valuesChanged), frames(&desk.session, &RunSession::advanced);
-        desk.session.setSpeed(5);
+        QSignalSpy changes(&fixture.session, &RunSession::valuesChanged), frames(&fixture.session, &RunSession::advanced);
+        fixture.session.setSpeed(5);
         QElapsedTimer clock;
         clock.start();
-        desk.session.run();
-        EVENTUALLY(frames.count() > 20 && desk.session.time() > 1);
+        fixture.session.run();
+        EVENTUALLY(frames.count() > 20 && fixture.session.time() > 1);
         QVERIFY2(changes.count() <= clock.elapsed() / 90 + 3, "ten times a second is enough");
-        desk.session.pause();
-        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
-        EVENTUALLY(desk.value("speed").section(u' ', 0, 0).toDouble() > 5);
+        fixture.session.pause();
+        EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
+        EVENTUALLY(fixture.value("speed").section(u' ', 0, 0).toDouble() > 5);
         QCoreApplication::processEvents();
         QCOMPARE(places(), before);
     }
 
     void aLongNoteMakesTheRowsNoWider() {
-        RunningDesk desk;
-        desk.panel.resize(300, 600);
-        desk.selection.select("crate");
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
-        QVERIFY(desk.document.setValues(QStringLiteral("Set Pos"), {{"crate.Pos", "-12.5,-12.5,20"}}).ok());
-        EVENTUALLY(desk.waits("Pos"));
-        const auto* area = desk.panel.findChild<QScrollArea*>();
+        RunningFixture fixture;
+        fixture.panel.resize(300, 600);
+        fixture.selection.select("crate");
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
+        QVERIFY(fixture.document.setValues(QStringLiteral("Set Pos"), {{"crate.Pos", "-12.5,-12.5,20"}}).ok());
+        EVENTUALLY(fixture.waits("Pos"));
+        const auto* area = fixture.panel.findChild<QScrollArea*>();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         QVERIFY(area->widget()->width() <= area->viewport()->width());
         QVERIFY(area->widget()->minimumSizeHint().width() <= area->viewport()->width());
     }
 
-    void whatWaitsForAResetSaysSo() {
-        RunningDesk desk;
-        desk.session.step();
-        EVENTUALLY_EQUAL(desk.session.state(), RunState::Paused);
-        QVERIFY(!desk.waits("Tick"));
-        const auto places = [&desk] {
+    void marksValuesWaitingForReset() {
+        RunningFixture fixture;
+        fixture.session.step();
+        EVENTUALLY_EQUAL(fixture.session.state(), RunState::Paused);
+        QVERIFY(!fixture.waits("Tick"));
+        const auto places = [&fixture] {
             QList<QRect> all;
-            for (const QWidget* row : desk.panel.findChildren<QWidget*>(QRegularExpression(QStringLiteral("^row\\."))))
-                all.append({row->mapTo(&desk.panel, QPoint()), row->size()});
+            for (const QWidget* row : fixture.panel.findChildren<QWidget*>(QRegularExpression(QStringLiteral("^row\\."))))
+                all.append({row->mapTo(&fixture.panel, QPoint()), row->size()});
             return all;
         };
         const QList<QRect> before = places();
-        QVERIFY(desk.document.setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
-        EVENTUALLY(desk.waits("Tick"));
-        QVERIFY(!desk.waits("Duration"));
+        QVERIFY(fixture.document.setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
+        EVENTUALLY(fixture.waits("Tick"));
+        QVERIFY(!fixture.waits("Duration"));
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         QCOMPARE(places(), before); // no row moves for it
-        desk.session.reset();
-        EVENTUALLY(!desk.waits("Tick"));
+        fixture.session.reset();
+        EVENTUALLY(!fixture.waits("Tick"));
     }
 };
 

@@ -65,18 +65,18 @@ private Q_SLOTS:
         QVERIFY(std::abs(report().link.distance - (m_window->headless(0).runner->world().medium()->link(3, 0).distance)) < 1e-9);
     }
 
-    void itIsWhatAFrameInTheRunFinds_data() {
+    void budgetMatchesPacketsOfRun_data() {
         QTest::addColumn<QByteArray>("medium");
         QTest::newRow("ideal") << QByteArray("Model=ideal");
         QTest::newRow("two rays") << QByteArray("Model=two_ray");
         QTest::newRow("all of it") << QByteArray(
             "Model=log_distance Exponent=2.7 Shadowing=4 WallLoss=6 Offsets=1.5 NoiseFloor=-90");
     }
-    void itIsWhatAFrameInTheRunFinds() {
+    void budgetMatchesPacketsOfRun() {
         QFETCH(QByteArray, medium);
         QVERIFY(m_window->open(QByteArray(kMotes).replace("Collisions=true", medium) + kWall));
         QVERIFY(m_window->runTo(100));
-        const FrameModel& model = m_window->model();
+        const PacketModel& model = m_window->model();
         QVERIFY(model.rowCount() > 100);
         QSet<QString> pairs;
         bool walled = false;
@@ -95,7 +95,7 @@ private Q_SLOTS:
                          (report().rssi == r.rssi || std::abs(std::remainder(report().link.power, 1)) > 0.48),
                      who);
             QVERIFY2(std::abs(report().link.wallLoss - r.link.wallLoss) < 1e-9, who);
-            QVERIFY2((report().margin < 0) == (r.fate == Fate::TooWeak), who);
+            QVERIFY2((report().margin < 0) == (r.outcome == ReceptionOutcome::TooWeak), who);
             walled = walled || r.link.wallLoss > 0;
             // and that is what is to be read
             const QString shown = m_window->find<QLabel>("budgetTerm6")->text();
@@ -127,7 +127,7 @@ private Q_SLOTS:
         EVENTUALLY(std::abs(report().link.distance - before) > 20);
     }
 
-    void itLivesWithTheRun() {
+    void budgetFollowsRun() {
         QVERIFY(m_window->open(R"(Tick = 0.01
 #import robots/radio_robot.sim
 #import robots/tmote_sky.sim
@@ -180,7 +180,7 @@ Robot mote { Config=TmoteSky Pos=3,0,0 }
         QVERIFY(report().packetLoss < many);
     }
 
-    void otherChannelsAreSaid() {
+    void reportsOtherChannels() {
         QVERIFY(m_window->open(
             QByteArray(kMotes).replace("Robot deaf { Config=TmoteSky", "Robot deaf { Config=TmoteSky radio.Channel=11")));
         QVERIFY(m_window->settled());
@@ -191,7 +191,7 @@ Robot mote { Config=TmoteSky Pos=3,0,0 }
         QVERIFY(words->isVisible() && words->text().contains(QStringLiteral("channel 26")));
         QVERIFY(m_window->open("Tick = 0.01\n#import robots/tmote_sky.sim\nRobot alone { Config=TmoteSky }\n"));
         QVERIFY(m_window->settled());
-        QVERIFY(words->text().contains(QStringLiteral("alone")) && !budget().report());
+        QVERIFY(words->text().contains(QStringLiteral("only one radio")) && !budget().report());
     }
 };
 

@@ -35,8 +35,8 @@ private Q_SLOTS:
                       pcap = window.folder.filePath(QStringLiteral("mine.pcap"));
         window.panel.packets().exportTo(csv);
         window.panel.packets().exportTo(pcap);
-        QCOMPARE(window.said.size(), std::size_t(2));
-        QVERIFY2(window.said.front().startsWith(QStringLiteral("Wrote")), qPrintable(window.said.front()));
+        QCOMPARE(window.reportOf.size(), std::size_t(2));
+        QVERIFY2(window.reportOf.front().startsWith(QStringLiteral("Wrote")), qPrintable(window.reportOf.front()));
         const QByteArray expected = window.content(QStringLiteral("alone/frames.csv"));
         QVERIFY(expected.size() > 50000);
         QCOMPARE(window.content(QStringLiteral("logs/trial/frames.csv")), expected);
@@ -46,7 +46,7 @@ private Q_SLOTS:
         QCOMPARE(window.content(QStringLiteral("mine.pcap")), frames);
     }
 
-    void aRunThatGoesOnIsReadAsItFlies() {
+    void readsPacketsDuringRun() {
         RadioWindow window;
         QVERIFY(window.open(kMotes));
         QVERIFY(window.runTo(70));
@@ -62,7 +62,7 @@ private Q_SLOTS:
         QCOMPARE(window.model().frameCount(), early);
     }
 
-    void closedItKeepsNothing() {
+    void closedPanelStoresNoPackets() {
         RadioWindow window;
         QVERIFY(window.open(kMotes));
         window.panel.hide();

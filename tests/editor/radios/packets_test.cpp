@@ -22,11 +22,11 @@ class RadioPacketsTest : public QObject {
 
     std::unique_ptr<RadioWindow> m_window;
 
-    QString cell(int row, FrameModel::Column column) { return m_window->model().index(row, column).data().toString(); }
+    QString cell(int row, PacketModel::Column column) { return m_window->model().index(row, column).data().toString(); }
     int rows() { return m_window->model().rowCount(); }
     /// Of all that is kept.
     template <class Is> int count(const Is& is) {
-        const FrameFilter before = m_window->model().filter();
+        const PacketFilter before = m_window->model().filter();
         m_window->model().setFilter({});
         int n = 0;
         for (int row = 0; row < rows(); ++row) n += is(m_window->model().record(row));
@@ -45,7 +45,7 @@ private Q_SLOTS:
     void init() { m_window = std::make_unique<RadioWindow>(); }
     void cleanup() { m_window.reset(); }
 
-    void withoutARadioItSaysWhatToDo() {
+    void showsHintWithoutRadio() {
         QVERIFY(m_window->open(kStandingRobot));
         QVERIFY(m_window->settled());
         auto* words = m_window->find<QLabel>("radiosEmpty");
@@ -76,7 +76,7 @@ private Q_SLOTS:
         QVERIFY(m_window->panel.budget().report().has_value());
     }
 
-    void aRowSaysAllOfAFrame() {
+    void rowShowsPacketDetails() {
         QVERIFY(m_window->open(kMotes));
         QVERIFY(m_window->runTo(100));
         const auto expected = m_window->headless(100).trace->records;
@@ -84,23 +84,23 @@ private Q_SLOTS:
         QSet<QString> reasons;
         for (int row = 0; row < rows(); ++row) {
             const FrameRecord& r = expected[std::size_t(row)];
-            QCOMPARE(cell(row, FrameModel::Time), QString::number(r.time, 'f', 6));
-            QCOMPARE(cell(row, FrameModel::From) + u'/' + QStringLiteral("radio"),
+            QCOMPARE(cell(row, PacketModel::Time), QString::number(r.time, 'f', 6));
+            QCOMPARE(cell(row, PacketModel::From) + u'/' + QStringLiteral("radio"),
                      QString::fromStdString(m_window->model().radios()[r.from].path));
-            QCOMPARE(cell(row, FrameModel::For), QStringLiteral("all"));
-            QCOMPARE(cell(row, FrameModel::Channel), QStringLiteral("26"));
-            QCOMPARE(cell(row, FrameModel::Rssi), QString::number(r.rssi));
-            QCOMPARE(cell(row, FrameModel::Lqi), QString::number(r.lqi));
-            QCOMPARE(cell(row, FrameModel::Margin), QString::number(r.link.power + 94, 'f', 1));
-            QCOMPARE(cell(row, FrameModel::Outcome), QString::fromUtf8(fateName(r.fate).data()));
-            QCOMPARE(cell(row, FrameModel::Reason).isEmpty(), r.fate == Fate::Delivered);
-            reasons << cell(row, FrameModel::Outcome);
+            QCOMPARE(cell(row, PacketModel::For), QStringLiteral("all"));
+            QCOMPARE(cell(row, PacketModel::Channel), QStringLiteral("26"));
+            QCOMPARE(cell(row, PacketModel::Rssi), QString::number(r.rssi));
+            QCOMPARE(cell(row, PacketModel::Lqi), QString::number(r.lqi));
+            QCOMPARE(cell(row, PacketModel::Margin), QString::number(r.link.power + 94, 'f', 1));
+            QCOMPARE(cell(row, PacketModel::Outcome), QString::fromUtf8(outcomeName(r.outcome).data()));
+            QCOMPARE(cell(row, PacketModel::Reason).isEmpty(), r.outcome == ReceptionOutcome::Delivered);
+            reasons << cell(row, PacketModel::Outcome);
         }
         QVERIFY(reasons.contains(QStringLiteral("too weak")) && reasons.contains(QStringLiteral("buffer full")));
         QCOMPARE(m_window->find<QLabel>("radioCounts")->text(), QStringLiteral("%L1 packets").arg(rows()));
     }
 
-    void theFatesAddUpAndFilter() {
+    void outcomesAddUpAndFilter() {
         QVERIFY(m_window->open(kMotes));
         QVERIFY(m_window->runTo(100));
         const auto numberIn = [](const QString& text) {
@@ -111,25 +111,29 @@ private Q_SLOTS:
         };
         int sum = numberIn(m_window->find<QLabel>("radioInTheAir")->isVisible() ? m_window->find<QLabel>("radioInTheAir")->text()
                                                                                 : QString());
-        for (std::size_t i = 0; i < kFates; ++i) {
-            auto* button = m_window->panel.findChild<QToolButton*>(QStringLiteral("radioFate%1").arg(i));
+        for (std::size_t i = 0; i < kReceptionOutcomes; ++i) {
+            auto* button = m_window->panel.findChild<QToolButton*>(QStringLiteral("radioOutcome%1").arg(i));
             if (button->isVisible()) sum += numberIn(button->text());
         }
         QVERIFY(sum > 0);
         QCOMPARE(sum, numberIn(m_window->find<QLabel>("radioSum")->text()));
 
-        const int all = rows(), weak = count([](const FrameRecord&r) { return r.fate == Fate::TooWeak; }),
-                  full = count([](const FrameRecord&r) { return r.fate == Fate::BufferFull; });
+        const int all = rows(), weak = count([](const FrameRecord&r) { return r.outcome == ReceptionOutcome::TooWeak; }),
+                  full = count([](const FrameRecord&r) { return r.outcome == ReceptionOutcome::BufferFull; });
         QVERIFY(weak > 0 && full > 0);
-        auto* tooWeak = m_window->panel.findChild<QToolButton*>(QStringLiteral("radioFate%1").arg(int(Fate::TooWeak)));
-        auto* bufferFull = m_window->panel.findChild<QToolButton*>(QStringLiteral("radioFate%1").arg(int(Fate::BufferFull)));
+        auto* tooWeak =
+            m_window->panel.findChild<QToolButton*>(QStringLiteral("radioOutcome%1").arg(int(ReceptionOutcome::TooWeak)));
+        auto* bufferFull =
+            m_window->panel.findChild<QToolButton*>(QStringLiteral("radioOutcome%1").arg(int(ReceptionOutcome::BufferFull)));
         QTest::mouseClick(tooWeak, Qt::LeftButton);
         QCOMPARE(rows(), weak);
         QTest::mouseClick(bufferFull, Qt::LeftButton);
         QCOMPARE(rows(), weak + full);
         QVERIFY(m_window->find<QLabel>("radioCounts")->text().contains(QStringLiteral(" of ")));
         QVERIFY(m_window->runTo(150)); // those that come are filtered too
-        QCOMPARE(rows(), count([](const FrameRecord& r) { return r.fate == Fate::TooWeak || r.fate == Fate::BufferFull; }));
+        QCOMPARE(rows(), count([](const FrameRecord& r) {
+                     return r.outcome == ReceptionOutcome::TooWeak || r.outcome == ReceptionOutcome::BufferFull;
+                 }));
         QTest::mouseClick(tooWeak, Qt::LeftButton);
         QTest::mouseClick(bufferFull, Qt::LeftButton);
         QVERIFY(rows() > all);
@@ -164,13 +168,13 @@ private Q_SLOTS:
         QVERIFY(rows() > 0 && rows() < all);
         search->clear();
         const auto payload = [&](const FrameRecord& r) {
-            const AirFrame* frame = m_window->model().airFrame(r);
+            const AirFrame* frame = m_window->model().capturedFrame(r);
             return frame ? QByteArray(reinterpret_cast<const char*>(frame->bytes.data()) + 9, qsizetype(r.bytes)) : QByteArray();
         };
-        const QByteArray told = payload(m_window->model().record(all - 1));
-        QVERIFY(told.startsWith('\xb1')); // a mote's beacon
-        QTest::keyClicks(search, QString::fromLatin1(told.toHex(' ')));
-        QCOMPARE(rows(), count([&](const FrameRecord& r) { return payload(r).contains(told); }));
+        const QByteArray reported = payload(m_window->model().record(all - 1));
+        QVERIFY(reported.startsWith('\xb1')); // a mote's beacon
+        QTest::keyClicks(search, QString::fromLatin1(reported.toHex(' ')));
+        QCOMPARE(rows(), count([&](const FrameRecord& r) { return payload(r).contains(reported); }));
         QVERIFY(rows() > 0 && rows() < all);
         search->clear();
         QTest::keyClicks(search, QStringLiteral("nobody"));
@@ -188,12 +192,12 @@ private Q_SLOTS:
         const int row = rows() / 2;
         clickRow(row);
         const FrameRecord& r = m_window->model().record(row);
-        const AirFrame* frame = m_window->model().airFrame(r);
+        const AirFrame* frame = m_window->model().capturedFrame(r);
         QVERIFY(frame);
         QVERIFY(bytes->isVisible());
         const QByteArray payload(reinterpret_cast<const char*>(frame->bytes.data()) + 9, qsizetype(r.bytes));
         QVERIFY2(bytes->toPlainText().contains(QString::fromLatin1(payload.toHex(' '))), qPrintable(bytes->toPlainText()));
-        QVERIFY(m_window->find<QLabel>("radioFacts")->text().contains(QString::fromUtf8(fateName(r.fate).data())));
+        QVERIFY(m_window->find<QLabel>("radioFacts")->text().contains(QString::fromUtf8(outcomeName(r.outcome).data())));
         // Copied, it is the row of the log.
         auto* view = m_window->find<QTableView>("radioFrames");
         QTest::keySequence(view, QKeySequence::Copy);
@@ -204,12 +208,12 @@ private Q_SLOTS:
         QVERIFY(!bytes->isVisible());
     }
 
-    void whatCannotBeWrittenIsSaid() {
+    void reportsUnwritableFile() {
         QVERIFY(m_window->open(kMotes));
         QVERIFY(m_window->runTo(20));
         m_window->panel.packets().exportTo(m_window->folder.filePath(QStringLiteral("nowhere/packets.csv")));
-        QCOMPARE(m_window->said.size(), std::size_t(1));
-        QVERIFY(m_window->said.front().contains(QStringLiteral("cannot write")));
+        QCOMPARE(m_window->reportOf.size(), std::size_t(1));
+        QVERIFY(m_window->reportOf.front().contains(QStringLiteral("cannot write")));
     }
 
     void aDoubleClickOpensItsLink() {
@@ -249,22 +253,22 @@ private Q_SLOTS:
         QCOMPARE(bar->value(), bar->maximum());
     }
 
-    void theOldestGoAndItSaysSo() {
+    void dropsOldestAndShowsIt() {
         QVERIFY(m_window->open(kMotes));
         QVERIFY(m_window->runTo(100));
-        FrameModel& model = m_window->model();
+        PacketModel& model = m_window->model();
         const std::size_t before = model.frameCount();
         const FrameRecord one = model.record(0);
         LiveRadio many;
-        many.records.assign(FrameModel::kMostFrames - 10, one);
+        many.records.assign(PacketModel::kMaxFrames - 10, one);
         for (std::size_t i = 0; i < many.records.size(); ++i) many.records[i].time = 10 + double(i);
         m_window->panel.packets().add(many);
-        QCOMPARE(model.frameCount(), FrameModel::kMostFrames);
-        QCOMPARE(model.forgotten(), std::uint64_t(before - 10));
-        QCOMPARE(rows(), int(FrameModel::kMostFrames));
+        QCOMPARE(model.frameCount(), PacketModel::kMaxFrames);
+        QCOMPARE(model.dropped(), std::uint64_t(before - 10));
+        QCOMPARE(rows(), int(PacketModel::kMaxFrames));
         auto* counts = m_window->find<QLabel>("radioCounts");
         QCOMPARE(counts->text(), QStringLiteral("newest 20,000 packets"));
-        QVERIFY(counts->toolTip().startsWith(QStringLiteral("%L1 others are gone").arg(before - 10)));
+        QVERIFY(counts->toolTip().startsWith(QStringLiteral("%L1 others were dropped").arg(before - 10)));
         QStringList seen;
         for (int width = 1000; width >= 300; width -= 10) { // whatever the room: nothing of it is cut off
             m_window->panel.resize(width, 320);
@@ -275,10 +279,10 @@ private Q_SLOTS:
         QVERIFY2(seen.contains(QStringLiteral("newest 20,000")), qPrintable(seen.join(u'|')));
         m_window->panel.resize(1000, 320);
         many.droppedRecords = 7; // nobody had fetched them in time
-        many.records.assign(2 * FrameModel::kMostFrames, one);
+        many.records.assign(2 * PacketModel::kMaxFrames, one);
         m_window->panel.packets().add(many);
-        QCOMPARE(model.frameCount(), FrameModel::kMostFrames);
-        QCOMPARE(model.forgotten(), std::uint64_t(before - 10 + 7 + 2 * FrameModel::kMostFrames));
+        QCOMPARE(model.frameCount(), PacketModel::kMaxFrames);
+        QCOMPARE(model.dropped(), std::uint64_t(before - 10 + 7 + 2 * PacketModel::kMaxFrames));
         QTest::mouseClick(m_window->find<QToolButton>("radioClear"), Qt::LeftButton);
         QCOMPARE(rows(), 0);
     }

@@ -7,17 +7,17 @@
 #include "editor/radios/budget_page.h"
 #include "editor/radios/packets_page.h"
 #include "editor/radios/radios_panel.h"
-#include "editor/running/opened_session.h"
+#include "editor/running/session_fixture.h"
 #include "radio/medium.h"
 
 namespace trundle {
 
-struct RadioWindow : OpenedSession {
+struct RadioWindow : SessionFixture {
     RadioWindow() {
         panel.resize(1000, 320);
         panel.show();
         (void)QTest::qWaitForWindowExposed(&panel);
-        QObject::connect(&panel, &RadiosPanel::said, [this](const QString& words) { said.push_back(words); });
+        QObject::connect(&panel, &RadiosPanel::messageRequested, [this](const QString& words) { reportOf.push_back(words); });
     }
     /// Runs until it has so many ticks and stands; everything is shown then.
     [[nodiscard]] bool runTo(std::uint64_t ticks) {
@@ -29,7 +29,7 @@ struct RadioWindow : OpenedSession {
     [[nodiscard]] bool settled() {
         return QTest::qWaitFor([&] { return panel.isSettled(); }, 10000);
     }
-    [[nodiscard]] FrameModel& model() { return panel.packets().model(); }
+    [[nodiscard]] PacketModel& model() { return panel.packets().model(); }
     template <class T> [[nodiscard]] T* find(const char* name) { return panel.findChild<T*>(QLatin1String(name)); }
     /// The same run without a window, with all that flew.
     struct Headless {
@@ -41,7 +41,7 @@ struct RadioWindow : OpenedSession {
         RunOptions options;
         options.logFolder = logs;
         Headless run;
-        run.runner = parts->makeRunner(*document.loaded(), std::move(options), problems);
+        run.runner = application->makeRunner(*document.loaded(), std::move(options), problems);
         if (run.runner) run.trace = run.runner->world().medium()->trace();
         for (std::uint64_t i = 0; run.runner && i < ticks; ++i)
             if (!run.runner->tick().ok()) run.runner.reset();
@@ -54,10 +54,10 @@ struct RadioWindow : OpenedSession {
 
     Selection selection;
     RadiosPanel panel{document, selection, session};
-    std::vector<QString> said;
+    std::vector<QString> reportOf;
 };
 
-/// Six motes in two rows and a target that they tell of, a deaf one and one far away.
+/// Six motes in two rows and a target that they report, a deaf one and one far away.
 inline const QByteArray kMotes = R"(Tick = 0.01  Duration = 2
 #import robots/tmote_sky.sim
 #import arenas/open_floor.sim

@@ -10,8 +10,8 @@
 
 #include "editor/running/console_model.h"
 #include "editor/running/console_panel.h"
-#include "editor/running/opened_session.h"
 #include "editor/running/run_status.h"
+#include "editor/running/session_fixture.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -51,8 +51,8 @@ private Q_SLOTS:
     }
 
     /// Words of a module: no markup, no line of its own.
-    void whoFinishedTheRunIsSaid() {
-        OpenedSession o;
+    void showsWhoFinishedTheRun() {
+        SessionFixture o;
         OpenOptions options = o.document.options();
         options.modules.push_back(TRUNDLE_BINARY_DIR "/tests/modules");
         o.document.setOptions(options);
@@ -66,10 +66,10 @@ private Q_SLOTS:
         o.session.setSpeed(0);
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
-        const QString said = QStringLiteral("finished by robot0/brain at t = 0.03 s: <b>there now");
-        QCOMPARE(o.session.finishText(), said);
-        QVERIFY2(console.contains(said), qPrintable(console));
-        QVERIFY2(status.text().contains(said), qPrintable(status.text()));
+        const QString reportOf = QStringLiteral("finished by robot0/brain at t = 0.03 s: <b>there now");
+        QCOMPARE(o.session.finishText(), reportOf);
+        QVERIFY2(console.contains(reportOf), qPrintable(console));
+        QVERIFY2(status.text().contains(reportOf), qPrintable(status.text()));
         QFile log(o.folder.filePath(QStringLiteral("logs/trial/counts.csv")));
         QVERIFY(log.open(QIODevice::ReadOnly));
         QCOMPARE(log.readAll().split('\n')[4], QByteArray("0.03,3,0,5"));
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), 14);
     }
 
-    void theOldestGoFromAFilteredListToo() {
+    void dropsOldestFromFilteredList() {
         ConsoleModel model;
         model.append(lines("robot0", 10), 0);
         model.append(lines("robot1", 99'995), 0);
@@ -132,7 +132,7 @@ private Q_SLOTS:
     }
 
     void followsTheEndUntilOneScrollsUp() {
-        OpenedSession o;
+        SessionFixture o;
         ConsolePanel panel(o.session);
         panel.resize(600, 200);
         panel.show();
@@ -156,8 +156,8 @@ private Q_SLOTS:
         QCOMPARE(bar->value(), bar->maximum());
     }
 
-    void whatOneReadsStaysWhenTheOldestGo() {
-        OpenedSession o;
+    void keepsScrollPositionWhenOldestAreDropped() {
+        SessionFixture o;
         ConsolePanel panel(o.session);
         panel.resize(600, 200);
         panel.show();
@@ -171,7 +171,7 @@ private Q_SLOTS:
     }
 
     void copiesAndFiltersByItsWidgets() {
-        OpenedSession o;
+        SessionFixture o;
         ConsolePanel panel(o.session);
         panel.show();
         panel.model().append(lines("robot0", 3), 0);
@@ -190,8 +190,8 @@ private Q_SLOTS:
         QCOMPARE(robots->currentText(), QStringLiteral("robot1")); // the choice stays
     }
 
-    void showsWhatControllersSay() {
-        OpenedSession o;
+    void showsControllerOutput() {
+        SessionFixture o;
         QVERIFY(o.openSample("linear_motion.sim"));
         ConsolePanel panel(o.session);
         o.session.setSpeed(0);

@@ -7,7 +7,7 @@
 #include "editor/document/selection.h"
 #include "editor/running/controller_commands.h"
 #include "editor/running/controllers_panel.h"
-#include "editor/running/opened_session.h"
+#include "editor/running/session_fixture.h"
 #include "editor/running/trust.h"
 #include "editor/widgets/actions.h"
 #include "eventually.h"
@@ -47,16 +47,16 @@ class ControllersTest : public QObject {
             if (c.kind.name == name) return c;
         return {};
     }
-    static std::string textOf(const OpenedSession& o) { return *o.document.text(o.document.path()); }
+    static std::string textOf(const SessionFixture& o) { return *o.document.text(o.document.path()); }
     /// A module of the program, copied where it is not trusted.
-    static QString copiedModule(const OpenedSession& o, const char* name, const char* as) {
+    static QString copiedModule(const SessionFixture& o, const char* name, const char* as) {
         return copied(o, QStringLiteral("lib/trundle/controllers/lib") + QLatin1String(name), as);
     }
     /// The test's module as it was before or after a change, written over the one that is there.
-    static QString builtModule(const OpenedSession& o, const char* version) {
+    static QString builtModule(const SessionFixture& o, const char* version) {
         return copied(o, QStringLiteral("tests/modules/rebuilt/lib") + QLatin1String(version), "mind");
     }
-    static QString copied(const OpenedSession& o, const QString& from, const char* as) {
+    static QString copied(const SessionFixture& o, const QString& from, const char* as) {
         QDir(o.folder.path()).mkpath(QStringLiteral("mine"));
         const QString to = o.path("mine/lib") + QLatin1String(as) + QStringLiteral(".so");
         for (const char* ending : {".so", ".so.kinds.json"}) {
@@ -82,7 +82,7 @@ private Q_SLOTS:
     void cleanup() { QSettings().clear(); }
 
     void listsModulesAndRobots() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kTeam));
         ControllerCommands commands(o.document, o.session);
         const auto modules = commands.modules();
@@ -102,7 +102,7 @@ private Q_SLOTS:
     }
 
     void assignsToOneAndReplaces() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kTeam));
         ControllerCommands commands(o.document, o.session);
         QVERIFY(commands.assign({"leader", "idle", "swarm"}, choice(commands, "RandomDrive")));
@@ -127,7 +127,7 @@ private Q_SLOTS:
     }
 
     void removesAndUnloads() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kTeam));
         ControllerCommands commands(o.document, o.session);
         QVERIFY(!commands.unload(commands.modules()[0])); // leader needs it
@@ -142,8 +142,8 @@ private Q_SLOTS:
         QCOMPARE(textOf(o), kTeam.toStdString());
     }
 
-    void aModuleOfAnUntrustedFolderAsksFirst() {
-        OpenedSession o;
+    void asksBeforeTrustingModule() {
+        SessionFixture o;
         QVERIFY(o.open(kTeam));
         const QString library = copiedModule(o, "random_drive", "wander");
         QVERIFY(!library.isEmpty());
@@ -172,7 +172,7 @@ private Q_SLOTS:
     }
 
     void aModuleOfAnotherFolderOfTheProjectIsWrittenRelative() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(QDir(o.folder.path()).mkpath(QStringLiteral(".trundle")) && QDir(o.folder.path()).mkpath(QStringLiteral("trials/one")));
         QVERIFY(o.open(kTeam, "trials/one/trial.sim"));
         const QString library = copiedModule(o, "random_drive", "wander");
@@ -188,21 +188,21 @@ private Q_SLOTS:
     }
 
     void aModuleBelowAFolderOfTheCommandLineIsWrittenFromThere() {
-        OpenedSession o;
-        QTemporaryDir shelf;
+        SessionFixture o;
+        QTemporaryDir libraries;
         QVERIFY(o.open(kTeam));
-        const std::string library = shelf.filePath(QStringLiteral("drives/libwander.so")).toStdString();
-        const Locations& places = o.session.parts().locations();
-        QCOMPARE(writtenFor(library, *o.document.loaded(), places, {shelf.path().toStdString()}), std::string("drives/wander"));
-        QCOMPARE(writtenFor(library, *o.document.loaded(), places), shelf.filePath(QStringLiteral("drives/wander")).toStdString());
+        const std::string library = libraries.filePath(QStringLiteral("drives/libwander.so")).toStdString();
+        const Locations& places = o.session.application().locations();
+        QCOMPARE(writtenFor(library, *o.document.loaded(), places, {libraries.path().toStdString()}), std::string("drives/wander"));
+        QCOMPARE(writtenFor(library, *o.document.loaded(), places), libraries.filePath(QStringLiteral("drives/wander")).toStdString());
         // The project was opened through a link: the folder is the same.
-        QVERIFY(QFile::link(o.folder.path(), shelf.filePath(QStringLiteral("link"))));
-        QCOMPARE(writtenFor(shelf.filePath(QStringLiteral("link/mine/libwander.so")).toStdString(), *o.document.loaded(), places),
+        QVERIFY(QFile::link(o.folder.path(), libraries.filePath(QStringLiteral("link"))));
+        QCOMPARE(writtenFor(libraries.filePath(QStringLiteral("link/mine/libwander.so")).toStdString(), *o.document.loaded(), places),
                  std::string("mine/wander"));
     }
 
     void anOpenedExperimentWithAnUntrustedModuleDoesNotRunUntilItIsTrusted() {
-        OpenedSession o;
+        SessionFixture o;
         const QString library = copiedModule(o, "random_drive", "wander");
         QVERIFY(o.open(QByteArray(kTeam)
                            .replace("controllers/linear_motion", "mine/wander")
@@ -240,7 +240,7 @@ private Q_SLOTS:
     }
     void filesThatAreNoModulesAreRefused() {
         QFETCH(QByteArray, bytes);
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kTeam));
         QFile file(o.path("libbad.so"));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -256,8 +256,8 @@ private Q_SLOTS:
         QVERIFY(!o.document.isModified());
     }
 
-    void reloadTakesTheLibraryThatIsThereNow() {
-        OpenedSession o;
+    void reloadUsesCurrentLibrary() {
+        SessionFixture o;
         const QString library = copiedModule(o, "random_drive", "mind");
         TrustedFolders::add(QFileInfo(library).absolutePath());
         QVERIFY(o.open(QByteArray(kTeam)
@@ -284,14 +284,14 @@ private Q_SLOTS:
         QVERIFY(!o.session.end());
     }
 
-    void aRunTakesAModuleThatWasBuiltAnewWithoutReload() {
-        OpenedSession o;
+    void runUsesRebuiltModuleWithoutReload() {
+        SessionFixture o;
         TrustedFolders::add(QFileInfo(builtModule(o, "before")).absolutePath());
         QVERIFY(o.open(minded("Pace=1")));
         ControllerCommands commands(o.document, o.session);
-        QStringList said;
+        QStringList reportOf;
         connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
-            for (const LiveLine& line : lines) said.append(QString::fromStdString(line.text));
+            for (const LiveLine& line : lines) reportOf.append(QString::fromStdString(line.text));
         });
         o.session.setSpeed(0);
         o.session.run();
@@ -307,41 +307,41 @@ private Q_SLOTS:
         QCOMPARE(o.session.state(), RunState::Start);
         QVERIFY(o.document.setValues(QStringLiteral("Pace"), {{"leader.brain.Pace", "0.25"}}).ok());
         o.session.run();
-        EVENTUALLY(said.contains(QStringLiteral("after life 1 pace 0.25")));
-        QVERIFY(said.contains(QStringLiteral("before life 1 pace 1")));
+        EVENTUALLY(reportOf.contains(QStringLiteral("after life 1 pace 0.25")));
+        QVERIFY(reportOf.contains(QStringLiteral("before life 1 pace 1")));
     }
 
     /// Its thread and its code are still there, under the same name.
-    void aModuleBuiltAnewRunsBesideOneThatDoesNotComeBack() {
-        OpenedSession o;
+    void rebuiltModuleRunsBesideUnresponsiveOne() {
+        SessionFixture o;
         TrustedFolders::add(QFileInfo(builtModule(o, "before")).absolutePath());
         QFile hold(o.path("hold"));
         QVERIFY(hold.open(QIODevice::WriteOnly));
         QVERIFY(o.open(minded("Hold=\"" + hold.fileName().toUtf8() + "\"")));
         ControllerCommands commands(o.document, o.session);
         o.session.run();
-        EVENTUALLY(!o.session.heldUpBy().isEmpty());
+        EVENTUALLY(!o.session.unresponsiveController().isEmpty());
         o.session.reset();
         QVERIFY(!builtModule(o, "after").isEmpty());
         QVERIFY(o.document.replaceText(QStringLiteral("Hold"), o.document.path(), minded("").toStdString()).ok());
-        QStringList said;
+        QStringList reportOf;
         connect(&o.session, &RunSession::consoleLines, this, [&](const std::vector<LiveLine>& lines) {
-            for (const LiveLine& line : lines) said.append(QString::fromStdString(line.text));
+            for (const LiveLine& line : lines) reportOf.append(QString::fromStdString(line.text));
         });
         o.session.run();
-        EVENTUALLY(said.contains(QStringLiteral("after life 1 pace 0.2")));
+        EVENTUALLY(reportOf.contains(QStringLiteral("after life 1 pace 0.2")));
         QVERIFY(hold.remove());
         QVERIFY(o.session.endRuns());
     }
 
-    void whatIsSelectedStaysSoWhenAModuleIsLoaded() {
-        OpenedSession o;
+    void loadingModuleKeepsSelection() {
+        SessionFixture o;
         QVERIFY(o.open(kTeam));
         const QString library = copiedModule(o, "random_drive", "wander");
         ControllerCommands commands(o.document, o.session);
         commands.setAsk([](const QString&, const QString&) { return true; });
         Selection selection;
-        connect(&o.document, &Document::selectionWanted, &selection, [&](const auto& paths) { selection.set(paths); });
+        connect(&o.document, &Document::selectionRequested, &selection, [&](const auto& paths) { selection.set(paths); });
         selection.select("idle");
         QVERIFY(commands.load(library));
         QCOMPARE(selection.current(), std::string("idle"));
@@ -353,7 +353,7 @@ private Q_SLOTS:
     }
 
     void thePanelFollowsSelectionAndRun() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kTeam));
         Actions actions(kRows);
         Selection selection;
@@ -384,8 +384,8 @@ private Q_SLOTS:
         QVERIFY(o.session.waitsForReset("leader.brain"));
     }
 
-    void rowsThatNobodySeesAreNotMade() {
-        OpenedSession o;
+    void createsOnlyVisibleRows() {
+        SessionFixture o;
         QVERIFY(o.open(kTeam));
         Actions actions(kRows);
         Selection selection;

@@ -3,7 +3,7 @@
 #include <QStandardPaths>
 #include <QtTest>
 
-#include "editor/running/opened_session.h"
+#include "editor/running/session_fixture.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -11,23 +11,23 @@ using namespace trundle;
 class PastDurationTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void goesOnPastItsDuration() {
-        OpenedSession o;
+    void resumesPastDuration() {
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n"));
-        QStringList said;
+        QStringList reportOf;
         connect(&o.session, &RunSession::consoleLines, &o.session, [&](const std::vector<LiveLine>& lines) {
-            for (const LiveLine& line : lines) said.append(QString::fromStdString(line.text));
+            for (const LiveLine& line : lines) reportOf.append(QString::fromStdString(line.text));
         });
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
-        QVERIFY(o.session.canGoOn());
+        QVERIFY(o.session.canResume());
         QCOMPARE(o.tick(), 5u);
         QCOMPARE(o.session.logsAt(), o.folder.filePath(QStringLiteral("logs/trial")));
         o.session.step();
         EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 6);
-        QVERIFY(!o.session.end() && !o.session.canGoOn());
-        QVERIFY2(said.join(u'\n').contains(QStringLiteral("goes on past its end at t = 0.05 s, and so do its logs")),
-                 qPrintable(said.join(u'\n')));
+        QVERIFY(!o.session.end() && !o.session.canResume());
+        QVERIFY2(reportOf.join(u'\n').contains(QStringLiteral("continues past its end at t = 0.05 s, and so do its logs")),
+                 qPrintable(reportOf.join(u'\n')));
         o.session.run();
         EVENTUALLY(o.tick() > 20);
         o.session.pause();
@@ -43,15 +43,15 @@ private Q_SLOTS:
     }
 
     void withEditsThatWaitItBeginsAgain() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot + "Duration = 0.05\n"));
         QStringList notices;
         connect(&o.document, &Document::notice, &o.session, [&](const QString& text) { notices.append(text); });
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.08"}}).ok());
-        QVERIFY(o.session.canGoOn() && o.session.needsReset());
-        o.session.step(); // goes on with the old world, and says so
+        QVERIFY(o.session.canResume() && o.session.needsReset());
+        o.session.step(); // goes on with the old world, and reports it
         EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 6);
         QCOMPARE(notices.size(), 1);
         QVERIFY2(notices[0].contains(QStringLiteral("without the edits of Duration")), qPrintable(notices[0]));
@@ -76,9 +76,9 @@ private Q_SLOTS:
         QStandardPaths::setTestModeEnabled(true);
         const auto normal = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
         const std::string text = (kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n").toStdString();
-        OpenedSession one, other;
+        SessionFixture one, other;
         QStringList folders;
-        for (OpenedSession* o : {&one, &other, &one}) {
+        for (SessionFixture* o : {&one, &other, &one}) {
             if (o->document.path().empty() || !o->document.isNew()) QVERIFY(o->document.openNew("untitled.sim", text).ok());
             if (o->session.isActive()) o->session.reset();
             o->session.run();
@@ -93,14 +93,14 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(one.session.state(), RunState::Ended);
         QVERIFY(!folders.contains(one.session.logsAt()));
         folders += one.session.logsAt();
-        for (OpenedSession* o : {&one, &other}) QVERIFY(o->session.endRuns());
+        for (SessionFixture* o : {&one, &other}) QVERIFY(o->session.endRuns());
         for (const QString& folder : folders) QDir(folder).removeRecursively();
     }
 
     void logsOfWhatIsNotSavedGoIntoTheUsersFolder() {
         QStandardPaths::setTestModeEnabled(true);
         const auto normal = qScopeGuard([] { QStandardPaths::setTestModeEnabled(false); });
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.document
                     .openNew("untitled.sim", (kStandingRobot + "Duration = 0.05\nPoseLog path { Robot=robot0 Interval=0.01 }\n")
                                                  .toStdString())

@@ -1,10 +1,10 @@
-// A run whose cameras are drawn less well than they should be says so, once. A program of its own: Mesa looks at these variables
+// A run whose cameras are drawn less well than they should be reports it, once. A program of its own: Mesa looks at these variables
 // when it starts, and gives out an OpenGL without smooth edges under the name of a graphics card.
 #include <QtTest>
 
 #include <trundle/abi.h>
 
-#include "editor/running/opened_session.h"
+#include "editor/running/session_fixture.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -18,8 +18,8 @@ private Q_SLOTS:
         qputenv("force_gl_renderer", "A card");
     }
 
-    void aPoorerLookIsToldInTheConsole() {
-        OpenedSession o;
+    void reportsFallbackStyleInConsole() {
+        SessionFixture o;
         QVERIFY(o.open(R"(Tick = 0.01   Duration = 0.3
 #import robots/camera_robot.sim
 #import arenas/medium_arena.sim
@@ -38,7 +38,7 @@ FrameLog film { View=inside Size=64,48 Interval=0.1 }
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QVERIFY(!o.session.end()->failure);
-        QCOMPARE(warnings, QStringList(QStringLiteral("the rich look is not to be had here, so pictures have the fast one: "
+        QCOMPARE(warnings, QStringList(QStringLiteral("the rich look is not available, so pictures have the fast one: "
                                                       "OpenGL has no 4 samples for a pixel")));
         // What could not be drawn at all is a problem.
         QCOMPARE(o.session.problems().size(), 1u);

@@ -4,7 +4,7 @@
 
 #include <trundle/abi.h>
 
-#include "editor/running/opened_session.h"
+#include "editor/running/session_fixture.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -24,7 +24,7 @@ private Q_SLOTS:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
     void goesThroughItsStates() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
         RunSession& s = o.session;
         s.setSpeed(0);
@@ -64,7 +64,7 @@ private Q_SLOTS:
     void isTheSameRunAsThatOfTheCommandLine() {
         QFETCH(QString, name);
         QFETCH(double, speed);
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.openSample(name.toLatin1().constData()));
         QVERIFY(o.document.setValues(QStringLiteral("Shorten"), {{"Duration", "2"}}).ok());
         QVERIFY(o.document.save().ok());
@@ -75,14 +75,14 @@ private Q_SLOTS:
                    QStringLiteral("--hash"), QStringLiteral("--log-dir"), o.folder.filePath(QStringLiteral("cli"))});
         QVERIFY(cli.waitForFinished(60000));
         QCOMPARE(cli.exitCode(), 0);
-        const QString said = QString::fromUtf8(cli.readAllStandardOutput()).trimmed();
+        const QString reportOf = QString::fromUtf8(cli.readAllStandardOutput()).trimmed();
 
         o.session.setSpeed(speed);
         o.session.run();
         QTRY_COMPARE_WITH_TIMEOUT(o.session.state(), RunState::Ended, 60000);
         QVERIFY(!o.session.end()->failure);
         const auto shot = o.session.snapshot();
-        QCOMPARE(QStringLiteral("state-hash %1 tick %2").arg(*shot->hash, 16, 16, QLatin1Char('0')).arg(shot->tick), said);
+        QCOMPARE(QStringLiteral("state-hash %1 tick %2").arg(*shot->hash, 16, 16, QLatin1Char('0')).arg(shot->tick), reportOf);
 
         // And the logs are the same, where the command line puts them by default.
         const QDir here(o.folder.filePath(QStringLiteral("logs/") + QFileInfo(name).completeBaseName()));
@@ -98,14 +98,14 @@ private Q_SLOTS:
     }
 
     void theStampedCommandsGiveTheSameRunAgain() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.openSample("obstacle_detection.sim"));
-        const std::shared_ptr<const Loaded> loaded = o.document.loaded();
+        const std::shared_ptr<const LoadedProject> loaded = o.document.loaded();
         const auto maker = [&](RunOptions options, Diagnostics& problems) {
-            return o.parts->makeRunner(*loaded, std::move(options), problems);
+            return o.application->makeRunner(*loaded, std::move(options), problems);
         };
         LiveRun::Options options;
-        options.speed = 10; // fast, and yet not at its end before all is said
+        options.speed = 10; // fast, and yet not at its end before all is reported
         LiveRun run(maker, options);
         const auto tick = [&] { return run.snapshot() ? run.snapshot()->tick : 0; };
         run.run();
@@ -142,7 +142,7 @@ private Q_SLOTS:
     }
 
     void isRefusedWhileTheTextHasErrors() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.session.refusal().contains(QStringLiteral("open"))); // nothing is
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("SimpleRobot", "SimpleRobt")));
         QSignalSpy refused(&o.session, &RunSession::refused);
@@ -152,14 +152,14 @@ private Q_SLOTS:
         o.session.step();
         QCOMPARE(refused.size(), 2);
         QCOMPARE(o.session.state(), RunState::Start);
-        QVERIFY(o.document.replaceText(QStringLiteral("Mend"), o.document.path(), kStandingRobot.toStdString()).ok());
+        QVERIFY(o.document.replaceText(QStringLiteral("Fix"), o.document.path(), kStandingRobot.toStdString()).ok());
         QVERIFY(o.session.refusal().isEmpty());
         o.session.step();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
     }
 
     void aModuleThatIsNotDescribedIsNoErrorOfTheText() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(
             QFile::copy(QStringLiteral(TRUNDLE_BINARY_DIR "/lib/trundle/controllers/librandom_drive.so"), o.path("libalone.so")));
         QVERIFY(o.open("#loadModule alone\n" + kStandingRobot));
@@ -170,8 +170,8 @@ private Q_SLOTS:
         QVERIFY2(why.contains(QStringLiteral("no description file")) && !why.contains(QStringLiteral("error")), qPrintable(why));
     }
 
-    void aRobotThatBlowsUpStopsTheRunAndSaysWhere() {
-        OpenedSession o;
+    void blowUpStopsRunAndReportsWhere() {
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
         QSignalSpy ended(&o.session, &RunSession::ended);
         o.session.step();
@@ -191,8 +191,8 @@ private Q_SLOTS:
         QVERIFY(o.session.state() == RunState::Start && o.session.problems().empty());
     }
 
-    void theWindowGoesOnWhileASwarmRuns() {
-        OpenedSession o;
+    void windowStaysResponsiveDuringRun() {
+        SessionFixture o;
         QVERIFY(o.openSample("swarm.sim"));
         o.session.setSpeed(0);
         o.session.run();
@@ -206,7 +206,7 @@ private Q_SLOTS:
     }
 
     void theDocumentStaysAsItIs() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.openSample("obstacle_detection.sim"));
         o.session.setSpeed(0);
         o.session.run();
@@ -217,7 +217,7 @@ private Q_SLOTS:
     }
 
     void anotherProjectEndsTheRun() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
@@ -231,7 +231,7 @@ private Q_SLOTS:
     }
 
     void keepsPosesAsStart() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("Robot robot0", "// the one\nRobot robot0")));
         QVERIFY(!o.session.keepRefusal().isEmpty()); // nothing ran
         o.session.step();
@@ -260,14 +260,14 @@ private Q_SLOTS:
         QVERIFY2(plain.find("Pos=1.25,-0.5,-0.000039 HPR=0,0,0 }") != std::string::npos, plain.c_str()); // as it was written
     }
 
-    void aRobotThatTookANameKeepsNoPose() {
-        OpenedSession o;
+    void skipsPoseOfRobotWithReusedName() {
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
-        o.session.wantContacts(true);
+        o.session.setContactsEnabled(true);
         o.session.step();
         EVENTUALLY(o.session.state() == RunState::Paused && o.session.snapshot()->contacts);
         QVERIFY(o.session.place("robot0", {{1.25, -0.5, 0}, Quat::Identity()}));
-        QVERIFY(!o.session.snapshot()->contacts); // they were where it stood before
+        QVERIFY(!o.session.snapshot()->contacts); // they were where it was before
         const std::string path = o.document.path();
         const auto put = [&](const QByteArray& robot) {
             const QByteArray text =
@@ -283,15 +283,15 @@ private Q_SLOTS:
         o.document.undo();
         QVERIFY(o.session.isOfRun("robot0"));
         QVERIFY(put("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }\nRobot other { Config=SimpleRobot Pos=3,0,0 }"));
-        QSignalSpy said(&o.document, &Document::notice);
+        QSignalSpy reportOf(&o.document, &Document::notice);
         o.session.keepPoses();
-        QCOMPARE(said.size(), 1);
-        QVERIFY(said[0][0].toString().contains(QStringLiteral("not of other")));
+        QCOMPARE(reportOf.size(), 1);
+        QVERIFY(reportOf[0][0].toString().contains(QStringLiteral("except of other")));
         QVERIFY(o.document.text(path)->find("Pos=1.25,-0.5") != std::string::npos);
     }
 
     void membersOfAGridHaveNoStartOfTheirOwn() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(QByteArray(kStandingRobot)
                            .replace("Robot robot0 { Config=SimpleRobot Pos=0,0,0 HPR=0,0,0 }",
                                     "Grid swarm { Config=SimpleRobot Count=2 Spacing=1 }")));
@@ -306,7 +306,7 @@ private Q_SLOTS:
     }
 
     void aRobotIsDrivenWhileItsControllerWaits() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(QByteArray(kStandingRobot)
                            .replace("#import arenas", "#loadModule controllers/random_drive\n#import arenas")
                            .replace("HPR=0,0,0 }", "HPR=0,0,0 RandomDrive brain { Speed=1 Period=0.05 } }")));
@@ -332,7 +332,7 @@ private Q_SLOTS:
     }
 
     void liveValuesReachTheRunAtOnceAndOthersWait() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
         RunSession& s = o.session;
         s.step();
@@ -364,7 +364,7 @@ private Q_SLOTS:
     }
 
     void aNewObjectWaitsAsAWhole() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
         RunSession& s = o.session;
         s.step();
@@ -375,7 +375,7 @@ private Q_SLOTS:
         QVERIFY(s.waitsForReset("robot1.Pos"));
     }
 
-    void aSlipperySurfaceIsFeltInTheSameRun() {
+    void slipperySurfaceTakesEffectInRun() {
         // Pushed with less than the rubber holds, it stands; on ice it goes.
         const QByteArray text = R"(Tick = 0.01
 Surface skin { Friction = 0.9 }
@@ -384,7 +384,7 @@ RobotConfig Block { Body block { Box box { Size=0.2,0.2,0.2 Pos=0,0,0.1 Mass=1 S
 Static floor { Config=Floor Pos=0,0,0 }
 Robot crate { Config=Block Pos=0,0,0 }
 )";
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(text));
         QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
         o.session.step();
@@ -403,8 +403,8 @@ Robot crate { Config=Block Pos=0,0,0 }
         QVERIFY(pushed() > held + 0.1);
     }
 
-    void cannotBuildIsSaidAndLeavesTheStart() {
-        OpenedSession o;
+    void reportsBuildFailureAndKeepsStart() {
+        SessionFixture o;
         // Two motors of one joint's drive: only building finds that.
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("HPR=0,0,0 }", "HPR=0,0,0 base.RightMotor=leftMotor }")));
         QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
@@ -423,12 +423,12 @@ Robot crate { Config=Block Pos=0,0,0 }
         QVERIFY(o.session.problems().empty());
     }
 
-    void openRunCloseLeavesNothingBehind() {
+    void openRunCloseLeaksNothing() {
         const int rounds = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 200 : 20;
         int threads = 0, descriptors = 0;
         for (int i = 0; i < rounds; ++i) {
             {
-                OpenedSession o;
+                SessionFixture o;
                 QVERIFY(o.openSample("linear_motion.sim"));
                 o.session.setSpeed(0);
                 o.session.run();

@@ -7,8 +7,8 @@
 
 #include "editor/document/selection.h"
 #include "editor/running/keyboard_drive.h"
-#include "editor/running/opened_session.h"
 #include "editor/running/run_status.h"
+#include "editor/running/session_fixture.h"
 #include "editor/running/speeds.h"
 #include "editor/running/transport_bar.h"
 #include "editor/widgets/actions.h"
@@ -37,8 +37,8 @@ class TransportTest : public QObject {
     static QString label(const QWidget& bar, const char* name) { return bar.findChild<QLabel*>(QLatin1String(name))->text(); }
 
 private Q_SLOTS:
-    void itsButtonsRunPauseStepAndReset() {
-        OpenedSession o;
+    void buttonsRunPauseStepAndReset() {
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
         Actions actions(kRows);
         TransportBar bar(o.session, actions);
@@ -63,8 +63,8 @@ private Q_SLOTS:
         QCOMPARE(label(bar, "transportTime"), QStringLiteral("t = 0.00 s"));
     }
 
-    void saysWhyItCannotRun() {
-        OpenedSession o;
+    void reportsWhyItCannotRun() {
+        SessionFixture o;
         Actions actions(kRows);
         TransportBar bar(o.session, actions);
         QVERIFY(!actions.at("sim.run").isEnabled()); // nothing is open
@@ -75,12 +75,12 @@ private Q_SLOTS:
         QSignalSpy refused(&o.session, &RunSession::refused);
         actions.at("sim.run").trigger();
         QCOMPARE(refused.size(), 1);
-        QVERIFY(o.document.replaceText(QStringLiteral("Mend"), o.document.path(), kStandingRobot.toStdString()).ok());
+        QVERIFY(o.document.replaceText(QStringLiteral("Fix"), o.document.path(), kStandingRobot.toStdString()).ok());
         QCOMPARE(label(bar, "transportState"), QStringLiteral("At start"));
     }
 
     void aTextThatOnlyDescribesIsNoMistake() {
-        OpenedSession o;
+        SessionFixture o;
         Actions actions(kRows);
         TransportBar bar(o.session, actions);
         QVERIFY(o.open("Surface rubber { Friction=1 }\nMaterial grey { }\n"
@@ -90,8 +90,8 @@ private Q_SLOTS:
         QVERIFY(!o.session.isActive());
     }
 
-    void speedGoesInSteps() {
-        OpenedSession o;
+    void changesSpeedInSteps() {
+        SessionFixture o;
         Actions actions(kRows);
         TransportBar bar(o.session, actions);
         auto* speed = bar.findChild<QComboBox*>(QStringLiteral("transportSpeed"));
@@ -109,7 +109,7 @@ private Q_SLOTS:
         QVERIFY(!actions.at("sim.slower").isEnabled());
     }
 
-    void timesAndFactorsReadWell() {
+    void formatsTimesAndFactors() {
         QCOMPARE(timeText(12.3456), QStringLiteral("t = 12.35 s"));
         QCOMPARE(timeText(3725.5), QStringLiteral("t = 1:02:05.5"));
         QCOMPARE(factorText(0.5), QStringLiteral("0.50×"));
@@ -118,7 +118,7 @@ private Q_SLOTS:
     }
 
     void theStatusNamesRobotsAndContacts() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
         RunStatus status(o.session);
         QVERIFY(status.text().isEmpty());
@@ -133,7 +133,7 @@ private Q_SLOTS:
     }
 
     void arrowKeysDriveTheSelectedRobot() {
-        OpenedSession o;
+        SessionFixture o;
         QVERIFY(o.open(kStandingRobot));
         Actions actions(kRows);
         Selection selection;

@@ -65,7 +65,7 @@ private Q_SLOTS:
         }
     }
 
-    void preferencesWorkAtOnceAndAreKept() {
+    void appliesAndStoresPreferences() {
         Actions actions(actionTable());
         PreferencesDialog dialog(actions, nullptr);
         QSignalSpy changed(&dialog, &PreferencesDialog::changed);
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(button(dialog, QStringLiteral("Set")).isEnabled());
     }
 
-    void defaultKeysAreTakenFromWhoHasThem() {
+    void defaultKeysMoveFromOtherAction() {
         Actions actions(actionTable());
         const QKeySequence keys = actions.at("file.save").shortcut();
         actions.setShortcut("file.save", {});
@@ -179,7 +179,7 @@ private Q_SLOTS:
         QVERIFY(actions.at("view.frame").shortcut().isEmpty());
     }
 
-    void aShortcutIsKeptAndGivenBack() {
+    void storesAndRestoresShortcut() {
         {
             Actions actions(actionTable());
             actions.setShortcut("sim.run", QKeySequence(QStringLiteral("Ctrl+R")));

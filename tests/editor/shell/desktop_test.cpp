@@ -19,7 +19,7 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/outline/outline_view.h"
 #include "editor/properties/value_field.h"
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
@@ -45,13 +45,13 @@ Static arena { Config=Floor }
 Robot robot0 { Config=Rover Pos=0,0,0 }   // the first
 )";
 
-constexpr int kLookMs = 20; // how often a condition is looked at that no signal tells of
+constexpr int kLookMs = 20; // how often a condition is looked at that no signal reports
 
 /// One call of xdotool: "mousemove 10 20 click 1".
 bool act(const QString& words) {
     QProcess tool;
     tool.setStandardOutputFile(QProcess::nullDevice());
-    tool.setStandardErrorFile(QProcess::nullDevice()); // it also tells of a window manager that is not there yet
+    tool.setStandardErrorFile(QProcess::nullDevice()); // it also reports a window manager that is not there yet
     tool.start(QStringLiteral("xdotool"), words.split(QLatin1Char(' ')));
     return tool.waitForFinished() && tool.exitStatus() == QProcess::NormalExit && tool.exitCode() == 0;
 }
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(m_manager.waitForStarted());
         // A window manager that is there answers; one that ran before leaves no place for ours, and does as well.
         EVENTUALLY(act(QStringLiteral("get_desktop")));
-        m_parts.start();
+        m_fixture.start();
     }
     void cleanupTestCase() {
         m_manager.terminate();
@@ -168,9 +168,9 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(kExperiment);
         file.close();
-        if (!m_window) m_window = m_parts.window();
+        if (!m_window) m_window = m_fixture.window();
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kPatienceMs));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kTimeoutMs));
         EVENTUALLY(m_window->frameGeometry().top() < m_window->geometry().top()); // it has its frame, and stays where it is
         QVERIFY(m_window->open(path()));
         EVENTUALLY(m_window->document().isOpen());
@@ -224,7 +224,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(text(), before);
     }
 
-    void whatIsDroppedFromTheLibraryStandsUnderTheCursor() {
+    void libraryDropPlacesUnderCursor() {
         EVENTUALLY(!m_window->findChild<LibraryPanel*>()->isReading());
         auto* search = m_window->findChild<QLineEdit*>(QStringLiteral("librarySearch"));
         click(*search, search->rect().center());
@@ -250,7 +250,7 @@ private Q_SLOTS:
         QCOMPARE(text(), kExperiment);
     }
 
-    void aShapeDraggedInTheTreeGoesToAnotherBody() {
+    void movesDraggedShapeToAnotherBody() {
         for (const char* above : {"RobotConfig.Rover", "RobotConfig.Rover.chassis"}) tree().expand(model().indexOf(above));
         const QPoint from = placeOf("RobotConfig.Rover.chassis.bumper"), to = placeOf("RobotConfig.Rover.wheel");
         carry(*tree().viewport(), from, *tree().viewport(), to);
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QCOMPARE(text(), kExperiment);
     }
 
-    void closingAsksAndTheKeyboardAnswers() {
+    void closingQuestionAcceptsKeyboard() {
         const QByteArray moved = QByteArray(kExperiment).replace("Pos=0,0,0 }   //", "Pos=1,0,0 }   //");
         QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         close(QMessageBox::Cancel);
@@ -276,14 +276,14 @@ private Q_SLOTS:
         QCOMPARE(onDisk(), moved);
     }
 
-    void whatIsDiscardedIsNotWritten() {
+    void discardWritesNothing() {
         QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         close(QMessageBox::Discard);
         EVENTUALLY(!m_window->isVisible());
         QCOMPARE(onDisk(), kExperiment);
     }
 
-    void anUnchangedWindowClosesWithoutAWord() {
+    void unchangedWindowClosesWithoutQuestion() {
         QVERIFY(keys(QStringLiteral("alt+F4")));
         EVENTUALLY(!m_window->isVisible());
     }
@@ -354,7 +354,7 @@ private:
 
     QTemporaryDir m_folder;
     QProcess m_manager;
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
 };
 

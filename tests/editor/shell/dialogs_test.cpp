@@ -23,7 +23,7 @@
 #include "editor/cameras/movie_dialog.h"
 #include "editor/running/controller_dialogs.h"
 #include "editor/shell/share_dialog.h"
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "eventually.h"
 #include "project/journal.h"
 #include "project/project_lock.h"
@@ -55,16 +55,16 @@ constexpr Question kQuestions[] = {
     {"shell/file_commands.cpp", "fileMessage", "OK"},
     {"shell/file_commands.cpp", "unsavedQuestion", "Save"},
     {"shell/group_dialog.cpp", "groupDialog", "Group"},
-    {"shell/main_window_commands.cpp", "movieQuestion", "Go On"},
+    {"shell/main_window_commands.cpp", "movieQuestion", "Continue"},
     {"shell/main_window_commands.cpp", "journalsNotRead", "OK"},
-    {"shell/main_window_commands.cpp", "lockQuestion", "Only Look"},
-    {"shell/main_window_commands.cpp", "diskQuestion", "Keep Mine"},
+    {"shell/main_window_commands.cpp", "lockQuestion", "Open Read-Only"},
+    {"shell/main_window_commands.cpp", "diskQuestion", "Keep My Version"},
     {"shell/main_window_commands.cpp", "about", "OK"},
     {"shell/preferences_dialog.h", "preferences", ""},
     {"shell/preferences_dialog.cpp", "Keys in use", "No"},
-    {"shell/recovery_dialog.h", "recovery", "Bring Back"},
-    {"shell/recovery_dialog.cpp", "Not brought back", "OK"},
-    {"shell/recovery_dialog.cpp", "throwAwayQuestion", "Cancel"},
+    {"shell/recovery_dialog.h", "recovery", "Restore"},
+    {"shell/recovery_dialog.cpp", "Not restored", "OK"},
+    {"shell/recovery_dialog.cpp", "discardQuestion", "Cancel"},
     {"shell/share_dialog.cpp", "shareQuestion", "Make a copy for this experiment"},
     {"viewport/array_dialog.h", "arrayDialog", "Copy"},
 };
@@ -115,7 +115,7 @@ class DialogsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        m_parts.start();
+        m_fixture.start();
         fillOpeners();
     }
     void init() { QSettings().clear(); }
@@ -204,8 +204,8 @@ private Q_SLOTS:
             useTheme(changes % 2 ? ThemeKind::Dark : ThemeKind::Light, kSmallestFont + changes % 7);
             QApplication::processEvents();
         };
-        const std::set<QByteArray> ofOtherWindows{"journalsNotRead", "lockQuestion",      "diskQuestion",
-                                                  "recovery",        "throwAwayQuestion", "Not brought back"};
+        const std::set<QByteArray> ofOtherWindows{"journalsNotRead", "lockQuestion",    "diskQuestion",
+                                                  "recovery",        "discardQuestion", "Not restored"};
         for (const Question& question : kQuestions) {
             if (ofOtherWindows.contains(question.name)) continue;
             openAndClose(QLatin1String(question.name), [](QDialog&) {});
@@ -230,7 +230,7 @@ private Q_SLOTS:
             m_window->resize(1600, 1000);
             QTRY_VERIFY2_WITH_TIMEOUT(
                 cutOff(*m_window).isEmpty(),
-                qPrintable(QStringLiteral("%1 px: %2").arg(font).arg(cutOff(*m_window).join(QStringLiteral("; ")))), kPatienceMs);
+                qPrintable(QStringLiteral("%1 px: %2").arg(font).arg(cutOff(*m_window).join(QStringLiteral("; ")))), kTimeoutMs);
             const auto* corner = m_window->findChild<QToolButton*>(QStringLiteral("viewKind"));
             QVERIFY(corner && corner->width() >= corner->fontMetrics().horizontalAdvance(corner->text()) + 28); // and its arrow
             QVERIFY(corner->parentWidget()->rect().contains(corner->geometry()));
@@ -274,7 +274,7 @@ private:
     void openWindow() {
         if (m_window) return;
         if (!m_ownFolder) makeFolder();
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         QVERIFY(m_window->open(path("main.sim")));
         EVENTUALLY(m_window->document().isOpen());
@@ -329,14 +329,14 @@ private:
         });
         trigger("edit.preferences");
     }
-    void bringBackWhatCannotBe() {
+    void failToRestore() {
         makeOwnFolder();
         write("other.sim", kMain);
         leaveJournal("other.sim");
         openWindow();
         EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
         QVERIFY(QFile::remove(path("other.sim")) && QDir().mkdir(path("other.sim")));
-        press("recovery", "bringBack");
+        press("recovery", "restoreEdits");
     }
 
     void fillOpeners() {
@@ -350,7 +350,7 @@ private:
         m_openers[QStringLiteral("arrayDialog")] = [this] { trigger("tool.array", {"robot0"}); };
         m_openers[QStringLiteral("Keys in use")] = [this] { askForUsedKeys(); };
         m_openers[QStringLiteral("movieQuestion")] = [this] { recordAndClose(); };
-        m_openers[QStringLiteral("Not brought back")] = [this] { bringBackWhatCannotBe(); };
+        m_openers[QStringLiteral("Not restored")] = [this] { failToRestore(); };
         m_openers[QStringLiteral("trustQuestion")] = [] {
             (void)askForTrust(QStringLiteral("/opt/robots/modules/libwander.so"),
                               QStringLiteral("/opt/robots/modules"), nullptr);
@@ -358,13 +358,14 @@ private:
         m_openers[QStringLiteral("chooseController")] = [this] {
             openWindow();
             (void)chooseController(
-                controllerChoices(*m_window->document().loaded(), m_parts.parts->moduleKinds({}), findLocations()), {"robot0"},
-                m_window.get());
+                controllerChoices(*m_window->document().loaded(), m_fixture.application->moduleKinds({}), findLocations()),
+                {"robot0"}, m_window.get());
         };
         m_openers[QStringLiteral("shareQuestion")] = [this] {
             openWindow();
             (void)m_window->document().structure().apply(
-                QStringLiteral("Insert"), {"robot0"}, [](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+                QStringLiteral("Insert"), {"robot0"},
+                [](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
                     return planInsert(loaded, renamed("robot0"), "Body arm { Sphere ball { Radius=0.1 Mass=1 } }");
                 });
         };
@@ -395,22 +396,22 @@ private:
             openWindow();
             edit();
             write("main.sim", QByteArray(kMain).replace("robot0 { Config=Rover", "robot0 { Config=Rover Pos=7,0,0"));
-            m_window->document().lookAtDisk();
+            m_window->document().checkExternalChanges();
         };
         m_openers[QStringLiteral("recovery")] = [this] {
             makeOwnFolder();
             leaveJournal("main.sim");
             openWindow();
         };
-        m_openers[QStringLiteral("throwAwayQuestion")] = [this] {
+        m_openers[QStringLiteral("discardQuestion")] = [this] {
             makeOwnFolder();
             leaveJournal("main.sim");
             openWindow();
-            press("recovery", "throwAway");
+            press("recovery", "discardEdits");
         };
     }
 
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<MainWindow> m_window;
     std::unique_ptr<ProjectLock> m_lock;

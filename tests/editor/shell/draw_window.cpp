@@ -11,16 +11,16 @@
 #include <QElapsedTimer>
 #include <QTabBar>
 
+#include "app/application.h"
 #include "editor/shell/main_window.h"
 #include "editor/widgets/theme.h"
-#include "parts/parts.h"
 #include "render/service.h"
 
 using namespace trundle;
 
 namespace {
 
-constexpr int kLeastMs = 400, kMostMs = 30'000;
+constexpr int kLeastMs = 400, kMaxMs = 30'000;
 
 bool choose(MainWindow& window, const QString& name, int index) {
     if (auto* choice = window.findChild<QComboBox*>(name)) choice->setCurrentIndex(index);
@@ -52,16 +52,16 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     if (argc < 6) return std::fprintf(stderr, "draw_window FILE OUT.png light|dark SECONDS DOCK [WORD]...\n"), 2;
     applyTheme(application, argv[3] == std::string("dark") ? ThemeKind::Dark : ThemeKind::Light);
-    const auto parts = makeParts();
+    const auto trundleApplication = makeApplication();
     const auto render = RenderService::startInBackground();
-    MainWindow window(*parts, render.get(), findLocations());
+    MainWindow window(*trundleApplication, render.get(), findLocations());
     window.resize(1600, 1000);
     window.show();
     const auto settle = [&window](auto done) {
         QElapsedTimer time;
         time.start();
         do QApplication::processEvents(QEventLoop::AllEvents, 20);
-        while (time.elapsed() < kMostMs && (time.elapsed() < kLeastMs || !window.isSettled() || !done()));
+        while (time.elapsed() < kMaxMs && (time.elapsed() < kLeastMs || !window.isSettled() || !done()));
     };
     window.setLayout(Layout::Run);
     if (!window.document().open(argv[1]).ok()) return std::fprintf(stderr, "no %s\n", argv[1]), 1;

@@ -17,11 +17,11 @@
 #include <QSettings>
 #include <QtTest>
 
+#include "app/application.h"
 #include "editor/shell/main_window.h"
 #include "editor/text/code_edit.h"
 #include "editor/widgets/theme.h"
 #include "eventually.h"
-#include "parts/parts.h"
 #include "render/service.h"
 
 using namespace trundle;
@@ -69,7 +69,7 @@ qsizetype difference(const QImage& kept, const QImage& actual, QImage& shown) {
 }
 
 /// Empty where the picture is as the kept one.
-QString complaint(const QImage& kept, const QImage& actual, const QString& name) {
+QString mismatch(const QImage& kept, const QImage& actual, const QString& name) {
     QString why;
     if (kept.isNull()) why = QStringLiteral("there is no %1%2").arg(kKept, name);
     else if (kept.size() != actual.size()) why = QStringLiteral("%1 has another size").arg(name);
@@ -91,12 +91,12 @@ class GoldenTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        m_parts = makeParts();
+        m_fixture = makeApplication();
         m_render = RenderService::startInBackground();
     }
     void init() {
         QSettings().clear();
-        QDir(kHome + QStringLiteral("/desk")).removeRecursively();
+        QDir(kHome + QStringLiteral("/project")).removeRecursively();
         write(QStringLiteral("rover.sim"), kRover);
         write(QStringLiteral("broken.sim"), QByteArray(kRover)
                                                 .replace("SimpleRobot", "SimpelRobot")
@@ -105,7 +105,7 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
-    void aDifferenceIsSeen() {
+    void detectsImageDifference() {
         QImage kept(100, 100, QImage::Format_RGB32), shown;
         kept.fill(qRgb(100, 100, 100));
         QImage actual = kept;
@@ -116,21 +116,21 @@ private Q_SLOTS:
         QCOMPARE(shown.pixel(50, 7), qRgb(220, 0, 0));
     }
 
-    void theWindowLooksAsItDid_data() {
+    void windowMatchesGoldenImages_data() {
         QTest::addColumn<QString>("moment");
         QTest::addColumn<bool>("dark");
         for (const char* moment : {"welcome", "edited", "running", "broken"})
             for (const bool dark : {false, true})
                 QTest::addRow("%s %s", moment, dark ? "dark" : "light") << QString::fromLatin1(moment) << dark;
     }
-    void theWindowLooksAsItDid() {
+    void windowMatchesGoldenImages() {
         QFETCH(QString, moment);
         QFETCH(bool, dark);
         applyTheme(*qApp, dark ? ThemeKind::Dark : ThemeKind::Light);
         if (moment == QLatin1String("welcome"))
             QSettings().setValue(QStringLiteral("recentFiles"),
                                  QStringList{path(QStringLiteral("rover.sim")), path(QStringLiteral("broken.sim"))});
-        m_window = std::make_unique<MainWindow>(*m_parts, m_render.get(), findLocations());
+        m_window = std::make_unique<MainWindow>(*m_fixture, m_render.get(), findLocations());
         m_window->setAnimated(false);
         m_window->resize(kWindow);
         m_window->show();
@@ -148,7 +148,7 @@ private Q_SLOTS:
             QVERIFY(QDir().mkpath(kKept));
             QVERIFY(actual.save(kKept + name, "PNG", 0)); // 0: as small as can be
         } else {
-            const QString why = complaint(QImage(kKept + name), actual, name);
+            const QString why = mismatch(QImage(kKept + name), actual, name);
             QVERIFY2(why.isEmpty(), qPrintable(why));
         }
     }
@@ -201,14 +201,14 @@ private:
         return m_window->grab().toImage().convertToFormat(QImage::Format_RGB888);
     }
 
-    static QString path(const QString& file) { return kHome + QStringLiteral("/desk/") + file; }
+    static QString path(const QString& file) { return kHome + QStringLiteral("/project/") + file; }
     static void write(const QString& file, const QByteArray& text) {
-        QVERIFY(QDir().mkpath(kHome + QStringLiteral("/desk")));
+        QVERIFY(QDir().mkpath(kHome + QStringLiteral("/project")));
         QFile written(path(file));
         QVERIFY(written.open(QIODevice::WriteOnly) && written.write(text) == text.size());
     }
 
-    std::unique_ptr<Parts> m_parts;
+    std::unique_ptr<Application> m_fixture;
     std::unique_ptr<RenderService> m_render;
     std::unique_ptr<MainWindow> m_window;
 };
@@ -230,8 +230,8 @@ void leaveTheMachineOut() {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
     qputenv("LC_ALL", "C.UTF-8");
-    for (const char* wish : {"QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME", "QT_FONT_DPI", "QT_SCREEN_SCALE_FACTORS"})
-        qunsetenv(wish);
+    for (const char* variable : {"QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME", "QT_FONT_DPI", "QT_SCREEN_SCALE_FACTORS"})
+        qunsetenv(variable);
 }
 
 } // namespace

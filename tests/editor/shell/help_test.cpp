@@ -11,7 +11,7 @@
 
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
@@ -34,14 +34,14 @@ const QByteArray kExperiment = "#import robots/simple_robot.sim\n"
 class HelpTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts.start(); }
+    void initTestCase() { m_fixture.start(); }
     void init() {
         QSettings().clear();
         const QString path = m_folder.filePath(QStringLiteral("trial.sim"));
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(kExperiment) > 0);
         file.close();
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         QVERIFY(m_window->open(path));
@@ -105,14 +105,14 @@ private Q_SLOTS:
         };
         for (QAction* menu : m_window->menuBar()->actions())
             walk(walk, *menu->menu(), menu->text().remove(QLatin1Char('&')) + QStringLiteral(" ▸ "));
-        static const QRegularExpression said(QStringLiteral("\\*([A-Z][^*\n]* ▸ [^*]*)\\*"));
+        static const QRegularExpression reportOf(QStringLiteral("\\*([A-Z][^*\n]* ▸ [^*]*)\\*"));
         int count = 0;
         const QDir guide(QStringLiteral(TRUNDLE_SOURCE_DIR "/resources/guide"));
         for (const QString& page : guide.entryList({QStringLiteral("*.md")})) {
             QFile file(guide.filePath(page));
             QVERIFY(file.open(QIODevice::ReadOnly));
             const QString text = QString::fromUtf8(file.readAll());
-            for (auto at = said.globalMatch(text); at.hasNext(); ++count) {
+            for (auto at = reportOf.globalMatch(text); at.hasNext(); ++count) {
                 const QString way = at.next().captured(1).simplified();
                 const bool there = std::ranges::any_of(
                     paths, [&](const QString& p) { return p == way || p.endsWith(QStringLiteral(" ▸ ") + way); });
@@ -124,7 +124,7 @@ private Q_SLOTS:
 
 private:
     QTemporaryDir m_folder;
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
 };
 

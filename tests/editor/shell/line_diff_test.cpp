@@ -9,7 +9,7 @@ using namespace trundle;
 class LineDiffTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void whatChangedIsShownWithItsNeighbours() {
+    void diffShowsContextLines() {
         const auto lines = diffLines("a\nb\nc\nd\ne\nf\ng\n", "a\nb\nc\nX\ne\nf\ng\n", 1);
         QStringList shown;
         for (const DiffLine& line : lines) {

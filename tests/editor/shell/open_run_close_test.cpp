@@ -14,7 +14,7 @@
 #include <QtTest>
 
 #include "editor/outline/library_panel.h"
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "editor/viewport/viewport_panel.h"
 #include "eventually.h"
 
@@ -28,7 +28,7 @@ int countIn(const char* folder) {
     return int(QDir(QLatin1String(folder)).entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot).size());
 }
 
-/// Bytes that the program holds from malloc, in all its arenas. Always 0 under a sanitizer, which tells of leaks itself.
+/// Bytes that the program holds from malloc, in all its arenas. Always 0 under a sanitizer, which reports leaks itself.
 double bytesInUse() {
     const struct mallinfo2 now = mallinfo2();
     return double(now.uordblks) + double(now.hblkhd);
@@ -54,7 +54,7 @@ private Q_SLOTS:
     void initTestCase() {
         QSettings().clear();
         QPixmapCache::setCacheLimit(0); // it holds 10 MB at most, but clear() leaves the names of what it held behind
-        m_parts.start();
+        m_fixture.start();
         QFile sample(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/obstacle_detection.sim"));
         QVERIFY(sample.open(QIODevice::ReadOnly));
         QFile file(path());
@@ -67,20 +67,20 @@ private Q_SLOTS:
         m_bytes.clear();
     }
 
-    void aLeakIsToldFromACache() {
+    void distinguishesLeakFromCache() {
         std::vector<double> cache, leak;
         for (int round = 0; round < 200; ++round) {
             const double noise = (round * 7919) % 20000, full = 5e6 * (1 - std::exp(-round / 15.0));
             cache.push_back(full + noise + (round == 150 ? 1e6 : 0));
             leak.push_back(full + noise + 10e3 * round);
         }
-        QVERIFY2(std::abs(growth(cache)) < kMostInOneWindow, qPrintable(QString::number(growth(cache))));
-        QVERIFY2(growth(leak) > kMostInOneWindow, qPrintable(QString::number(growth(leak))));
+        QVERIFY2(std::abs(growth(cache)) < kMaxInOneWindow, qPrintable(QString::number(growth(cache))));
+        QVERIFY2(growth(leak) > kMaxInOneWindow, qPrintable(QString::number(growth(leak))));
     }
 
     /// As it is in daily use.
     void inOneWindow() {
-        const auto held = m_parts.window();
+        const auto held = m_fixture.window();
         MainWindow& window = *held;
         show(window);
         EVENTUALLY(window.isSettled());
@@ -91,13 +91,13 @@ private Q_SLOTS:
             enter(window);
             if (failed(round)) return;
         }
-        check(kMostInOneWindow);
+        check(kMaxInOneWindow);
     }
 
     void inNewWindows() {
         for (int round = 0; round < m_rounds; ++round) {
             {
-                const auto held = m_parts.window();
+                const auto held = m_fixture.window();
                 MainWindow& window = *held;
                 show(window);
                 openAndRun(window, round);
@@ -107,13 +107,13 @@ private Q_SLOTS:
             if (failed(round)) return;
             EVENTUALLY(QApplication::topLevelWidgets().isEmpty());
         }
-        check(kMostInNewWindows);
+        check(kMaxInNewWindows);
     }
 
 private:
     /// Bytes a round. One button of a tab left behind is more than 8 kB with its style; a text or a world hundreds of kB, a window
     /// millions. Measured are 1 kB and 12 kB: what Qt keeps of styles, and what malloc keeps for threads moves.
-    static constexpr double kMostInOneWindow = 3e3, kMostInNewWindows = 20e3;
+    static constexpr double kMaxInOneWindow = 3e3, kMaxInNewWindows = 20e3;
 
     [[nodiscard]] QString path() const { return m_folder.filePath(QStringLiteral("obstacles.sim")); }
 
@@ -166,8 +166,8 @@ private:
     const bool m_isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");
     const int m_rounds = m_isLong ? 200 : 8;
     QTemporaryDir m_folder;
-    WindowParts m_parts;
-    std::vector<std::weak_ptr<const Loaded>> m_texts;
+    WindowFixture m_fixture;
+    std::vector<std::weak_ptr<const LoadedProject>> m_texts;
     std::vector<std::weak_ptr<const LiveSnapshot>> m_worlds;
     std::vector<double> m_bytes;
     int m_threads = 0, m_descriptors = 0;

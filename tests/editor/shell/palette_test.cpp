@@ -6,7 +6,7 @@
 #include <QSettings>
 #include <QtTest>
 
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -14,10 +14,10 @@ using namespace trundle;
 class PaletteTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts.start(); }
+    void initTestCase() { m_fixture.start(); }
     void init() {
         QSettings().clear();
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         QVERIFY(m_window->open(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/linear_motion.sim")));
@@ -25,7 +25,7 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
-    void whatTheInsertMenuHoldsIsFoundOnce() {
+    void findsInsertActionsOnce() {
         m_window->selection().select("robot0");
         QCOMPARE(found("Insert BumpAndTurn"), QStringList()); // its module is not loaded
         QCOMPARE(found("Insert PoseLog"), QStringList{QStringLiteral("Insert PoseLog")});
@@ -40,7 +40,7 @@ private Q_SLOTS:
         QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("dock.radios"))->isVisible());
     }
 
-    void whatIsChosenIsInserted() {
+    void insertsChosenKind() {
         m_window->selection().clear();
         QLineEdit& search = open();
         QTest::keyClicks(&search, QStringLiteral("Insert PoseLog"));
@@ -67,7 +67,7 @@ private:
         return names;
     }
 
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -28,12 +28,12 @@
 namespace trundle {
 namespace {
 
-constexpr std::size_t kMostRows = 400;
+constexpr std::size_t kMaxRows = 400;
 
 /// Every row, also those that nobody has unfolded.
 void listRows(OutlineModel& model, const QModelIndex& parent, std::vector<QModelIndex>& out) {
     if (model.canFetchMore(parent)) model.fetchMore(parent);
-    for (int row = 0; row < model.rowCount(parent) && out.size() < kMostRows; ++row) {
+    for (int row = 0; row < model.rowCount(parent) && out.size() < kMaxRows; ++row) {
         const QModelIndex index = model.index(row, 0, parent);
         const OutlineRow* at = model.rowAt(index);
         if (at && at->selectable && !at->path.empty()) out.push_back(index);
@@ -62,7 +62,7 @@ void drop(QWidget& on, const QPointF& at, const QMimeData& mime, Qt::DropAction 
 
 RandomUser::RandomUser(MainWindow& window, unsigned seed) : m_window(window), m_seed(seed), m_random(seed) {}
 
-const std::vector<RandomUser::Deed> RandomUser::kDeeds{
+const std::vector<RandomUser::UserAction> RandomUser::kActions{
     {3, "rename", &RandomUser::rename},
     {2, "remove an object", &RandomUser::removeObject},
     {3, "duplicate", &RandomUser::duplicateObject},
@@ -75,10 +75,10 @@ const std::vector<RandomUser::Deed> RandomUser::kDeeds{
     {3, "drop from the Library", &RandomUser::dropFromLibrary},
     {9, "type into a row", &RandomUser::typeValue},
     {5, "use a row's menu", &RandomUser::openRowMenu},
-    {2, "turn a choice", &RandomUser::turnChoice},
+    {2, "turn a choice", &RandomUser::rotateChoice},
     {4, "scrub a row", &RandomUser::scrubRow},
     {6, "move by the gizmo", &RandomUser::moveByGizmo},
-    {3, "turn by the gizmo", &RandomUser::turnByGizmo},
+    {3, "turn by the gizmo", &RandomUser::rotateByGizmo},
     {2, "size by the gizmo", &RandomUser::sizeByGizmo},
     {2, "nudge", &RandomUser::nudge},
     {1, "drop to the floor", &RandomUser::dropToFloor},
@@ -100,15 +100,15 @@ const std::vector<RandomUser::Deed> RandomUser::kDeeds{
 
 void RandomUser::step() {
     std::size_t all = 0;
-    for (const Deed& deed : kDeeds) all += std::size_t(deed.share);
+    for (const UserAction& userAction : kActions) all += std::size_t(userAction.share);
     std::size_t at = below(all);
-    for (const Deed& deed : kDeeds) {
-        if (at < std::size_t(deed.share)) {
-            m_doing = deed.name;
-            (this->*deed.go)();
+    for (const UserAction& userAction : kActions) {
+        if (at < std::size_t(userAction.share)) {
+            m_doing = userAction.name;
+            (this->*userAction.go)();
             return answerQuestion();
         }
-        at -= std::size_t(deed.share);
+        at -= std::size_t(userAction.share);
     }
 }
 
@@ -166,7 +166,7 @@ bool RandomUser::selectObject(const std::function<bool(const std::string&)>& fit
 }
 
 bool RandomUser::selectRobot() {
-    const Loaded& loaded = *m_window.document().loaded();
+    const LoadedProject& loaded = *m_window.document().loaded();
     return selectObject([&](const std::string& path) {
         const auto& robots = loaded.experiment->robots;
         return std::any_of(robots.begin(), robots.end(), [&](const RobotSpec& robot) { return robot.name == path; });
@@ -298,15 +298,16 @@ void RandomUser::openRowMenu() {
     QTest::mouseClick(oneOf(all)->findChild<QWidget*>(QStringLiteral("mark")), Qt::LeftButton);
     auto* menu = panel->findChild<QMenu*>(QStringLiteral("rowMenu"));
     if (!menu) return;
-    static const std::vector<QString> deeds{QStringLiteral("rowReset"), QStringLiteral("rowPush"), QStringLiteral("rowPull")};
-    QAction* wanted = menu->findChild<QAction*>(oneOf(deeds));
+    static const std::vector<QString> actionNames{QStringLiteral("rowReset"), QStringLiteral("rowPush"),
+                                                  QStringLiteral("rowPull")};
+    QAction* wanted = menu->findChild<QAction*>(oneOf(actionNames));
     const bool can = wanted && wanted->isEnabled();
     if (can) wanted->trigger();
     else choose(*menu, false);
     delete menu;
 }
 
-void RandomUser::turnChoice() {
+void RandomUser::rotateChoice() {
     if (!selectObject()) return;
     const std::vector<QComboBox*> boxes = shown<QComboBox>(*m_window.findChild<PropertiesPanel*>());
     if (!boxes.empty()) QTest::keyClick(oneOf(boxes), below(2) ? Qt::Key_Down : Qt::Key_Up);

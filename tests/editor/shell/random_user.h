@@ -35,12 +35,12 @@ public:
     [[nodiscard]] const std::map<std::string, int>& answers() const { return m_answers; }
 
 private:
-    struct Deed {
+    struct UserAction {
         int share; ///< how often, against the others
         const char* name;
         void (RandomUser::*go)();
     };
-    static const std::vector<Deed> kDeeds;
+    static const std::vector<UserAction> kActions;
 
     // in the tree
     void rename();
@@ -56,11 +56,11 @@ private:
     // in the rows
     void typeValue();
     void openRowMenu();
-    void turnChoice();
+    void rotateChoice();
     void scrubRow();
     // in the 3D view
     void moveByGizmo();
-    void turnByGizmo();
+    void rotateByGizmo();
     void sizeByGizmo();
     void nudge();
     void dropToFloor();
@@ -95,7 +95,7 @@ private:
     void mouse(QWidget& on, int type, const QPointF& at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = {});
     void choose(QMenu& menu, bool deep);
     void caretSomewhere();
-    void mendText();
+    void fixText();
     void waitForRun();
     void answerQuestion();
     [[nodiscard]] std::string number();

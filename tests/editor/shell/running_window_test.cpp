@@ -7,7 +7,7 @@
 #include <QtTest>
 #include <QtWidgets>
 
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/pinned_values.h"
 #include "editor/viewport/viewport_panel.h"
@@ -36,17 +36,17 @@ public Q_SLOTS:
 class RunningWindowTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts.start(); }
+    void initTestCase() { m_fixture.start(); }
     void init() {
         QSettings().clear();
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         open("mine.sim", kRobot);
     }
     void cleanup() { m_window.reset(); }
 
-    void problemsComeForwardWithAFileThatHasErrors() {
+    void raisesProblemsForBrokenFile() {
         const auto* problems = m_window->findChild<QDockWidget*>(QStringLiteral("dock.problems"));
         auto* console = m_window->findChild<QDockWidget*>(QStringLiteral("dock.console"));
         console->raise();
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(problems->visibleRegion().isEmpty());
     }
 
-    void pinnedValuesComeBackWithTheirExperiment() {
+    void restoresPinnedValuesWithExperiment() {
         m_window->rememberViews();
         open("pinned.sim", kRobot);
         PinnedValues* pinned = &m_window->viewport().pinned();
@@ -72,13 +72,13 @@ private Q_SLOTS:
         open("pinned.sim", kRobot);
         QVERIFY(pinned->pins() == pins);
         QVERIFY(m_window->close());
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->rememberViews();
         open("pinned.sim", kRobot);
         QVERIFY(m_window->viewport().pinned().pins() == pins);
     }
 
-    void theWindowSaysWhereTheLogsAreAndOpensThem() {
+    void windowShowsAndOpensLogFolder() {
         QAction& show = m_window->actions().at("sim.openLogs");
         auto* label = m_window->findChild<QLabel*>(QStringLiteral("status.logs"));
         QVERIFY(!show.isEnabled() && label->text().isEmpty());
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QVERIFY(show.isEnabled());
     }
 
-    void forRunningTheViewTakesTheCentre() {
+    void runLayoutCentresView() {
         QVERIFY(m_window->text().isVisible());
         m_window->actions().at("view.layoutRun").trigger();
         QVERIFY(m_window->viewport().isVisible() && !m_window->text().isVisible());
@@ -116,7 +116,7 @@ private Q_SLOTS:
         m_window->resize(1500, 900);
         EVENTUALLY(m_window->isSettled());
         QVERIFY(m_window->close());
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->resize(790, 460);
         m_window->show();
         open("mine.sim", kRobot);
@@ -136,7 +136,7 @@ private:
     }
 
     QTemporaryDir m_folder;
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
 };
 

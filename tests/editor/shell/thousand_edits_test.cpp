@@ -14,7 +14,7 @@
 
 #include "editor/outline/library_panel.h"
 #include "editor/shell/random_user.h"
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
@@ -45,8 +45,8 @@ class ThousandEditsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        m_parts.start();
-        // Whoever is told something reads it and goes on.
+        m_fixture.start();
+        // Whoever is reported something reads it and goes on.
         connect(&m_reader, &QTimer::timeout, this, [] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (box && box->objectName() != QStringLiteral("shareQuestion")) box->buttons().first()->click();
@@ -62,7 +62,7 @@ private Q_SLOTS:
             QVERIFY(sample.open(QIODevice::ReadOnly));
             write(name, sample.readAll());
         }
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
@@ -75,7 +75,7 @@ private Q_SLOTS:
     }
     void cleanup() {
         if (QTest::currentTestFailed()) {
-            qWarning("TRUNDLE_SEED=%u, step %d: %s", m_seed, m_step, qPrintable(m_deed));
+            qWarning("TRUNDLE_SEED=%u, step %d: %s", m_seed, m_step, qPrintable(m_action));
             const auto& entries = document().history().entries();
             for (std::size_t i = entries.size() < 5 ? 0 : entries.size() - 5; i < entries.size(); ++i)
                 qWarning("  entry %zu: %s", i + 1, qPrintable(entries[i].name));
@@ -101,7 +101,7 @@ private Q_SLOTS:
             if (qEnvironmentVariableIsSet("TRUNDLE_VERBOSE"))
                 qInfo("step %d: %s; %zu of %zu", m_step, user.doing(), document().history().position(),
                       document().history().entries().size());
-            m_deed = QLatin1String(user.doing());
+            m_action = QLatin1String(user.doing());
             QVERIFY2(user.trouble().isEmpty(), qPrintable(user.trouble()));
             check();
             if (QTest::currentTestFailed()) return;
@@ -110,13 +110,13 @@ private Q_SLOTS:
         m_answers.insert(user.answers().begin(), user.answers().end());
         if (edits == 1000) QVERIFY2(!user.answers().empty(), "nothing was ever asked about a shared config");
 
-        m_deed = QStringLiteral("redo all");
+        m_action = QStringLiteral("redo all");
         goThrough("edit.redo");
         const Texts end = texts();
-        m_deed = QStringLiteral("undo all");
+        m_action = QStringLiteral("undo all");
         goThrough("edit.undo");
         compare(start);
-        m_deed = QStringLiteral("redo all again");
+        m_action = QStringLiteral("redo all again");
         goThrough("edit.redo");
         compare(end);
     }
@@ -186,14 +186,14 @@ private:
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
     QTimer m_reader;
     std::set<std::string> m_known; // files that were ever part of the project
     std::map<std::string, int> m_answers; // of all walks
     unsigned m_seed = 0;
     int m_step = 0;
-    QString m_deed;
+    QString m_action;
 };
 
 QTEST_MAIN(ThousandEditsTest)

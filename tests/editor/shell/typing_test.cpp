@@ -8,7 +8,7 @@
 #include <QTreeView>
 #include <QtTest>
 
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
@@ -31,7 +31,7 @@ const QByteArray kText = "Tick = 0.01\n"
 class TypingTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts.start(); }
+    void initTestCase() { m_fixture.start(); }
     void init() {
         QSettings().clear();
         const QString path = m_folder.filePath(QStringLiteral("mine.sim"));
@@ -39,7 +39,7 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(kText);
         file.close();
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->resize(1200, 800);
         m_window->show();
         m_window->activateWindow();
@@ -66,7 +66,7 @@ private Q_SLOTS:
     }
 
     void aKey_data() {
-        QTest::addColumn<QByteArray>("behind"); // where the caret stands
+        QTest::addColumn<QByteArray>("behind"); // where the caret is
         QTest::addColumn<char>("letter");
         QTest::addColumn<std::string>("selected");
         QTest::addColumn<int>("selections");
@@ -108,7 +108,7 @@ private Q_SLOTS:
 
 private:
     QTemporaryDir m_folder;
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -8,7 +8,7 @@
 
 #include "editor/document/structure_edits.h"
 #include "editor/shell/unsaved_files.h"
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -25,7 +25,7 @@ const QByteArray kLooks = "Material red { ColorRGB=1,0,0 }\n";
 class UnsavedTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts.start(); }
+    void initTestCase() { m_fixture.start(); }
     void init() {
         QSettings().clear();
         m_folder = std::make_unique<QTemporaryDir>();
@@ -33,7 +33,7 @@ private Q_SLOTS:
         write("main.sim", kMain);
         write("rover.sim", kRover);
         write("looks.sim", kLooks);
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         QVERIFY(m_window->open(path("main.sim")));
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QCOMPARE(listed(names, 2), QStringLiteral("a, b and 2 more"));
     }
 
-    void aSharedConfigIsAskedAbout() {
+    void asksAboutSharedConfig() {
         insert();
         auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
         QVERIFY(box && box->isVisible());
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("main.sim")});
     }
 
-    void escapeIsNoAnswer() {
+    void escapeCancelsQuestion() {
         insert();
         auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion"));
         QVERIFY(box);
@@ -126,7 +126,7 @@ private:
         QVERIFY(document()
                     .structure()
                     .apply(QStringLiteral("Insert"), {"robot0"},
-                           [](const Loaded& loaded, const StructureEdits::Renamed& renamed) {
+                           [](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
                                return planInsert(loaded, renamed("robot0"), "Body arm { Sphere ball { Radius=0.1 Mass=1 } }");
                            })
                     .ok());
@@ -152,7 +152,7 @@ private:
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
 };
 

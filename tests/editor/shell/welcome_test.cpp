@@ -1,4 +1,4 @@
-// The Welcome page: what a crash has left is said where one comes back to it.
+// The Welcome page: what a crash has left is reported where one returns to it.
 
 #include <atomic>
 
@@ -13,7 +13,7 @@
 #include <QtTest>
 
 #include "editor/shell/recent_files.h"
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "eventually.h"
 #include "project/journal.h"
 #include "project/search.h"
@@ -25,26 +25,26 @@ namespace {
 const char* const kText = "Tick = 0.01\n";
 
 /// Reads a text when it is let go on.
-class SlowParts final : public Parts {
+class SlowApplication final : public Application {
 public:
-    explicit SlowParts(Parts& parts) : m_parts(parts) {}
-    std::shared_ptr<const Registry> builtIn() const override { return m_parts.builtIn(); }
-    std::vector<Kind> moduleKinds(const OpenOptions& options) const override { return m_parts.moduleKinds(options); }
-    const Locations& locations() const override { return m_parts.locations(); }
-    Result<std::shared_ptr<const Loaded>> open(const std::string& path, const OpenOptions& options) override {
+    explicit SlowApplication(Application& application) : m_fixture(application) {}
+    std::shared_ptr<const Registry> builtIn() const override { return m_fixture.builtIn(); }
+    std::vector<Kind> moduleKinds(const OpenOptions& options) const override { return m_fixture.moduleKinds(options); }
+    const Locations& locations() const override { return m_fixture.locations(); }
+    Result<std::shared_ptr<const LoadedProject>> open(const std::string& path, const OpenOptions& options) override {
         hold.wait(true);
-        auto loaded = m_parts.open(path, options);
+        auto loaded = m_fixture.open(path, options);
         if (path.ends_with("mine.sim")) ++opened;
         return loaded;
     }
-    std::unique_ptr<Runner> makeRunner(const Loaded& loaded, RunOptions options, Diagnostics& diagnostics) override {
-        return m_parts.makeRunner(loaded, std::move(options), diagnostics);
+    std::unique_ptr<Runner> makeRunner(const LoadedProject& loaded, RunOptions options, Diagnostics& diagnostics) override {
+        return m_fixture.makeRunner(loaded, std::move(options), diagnostics);
     }
     std::atomic<bool> hold = false;
     std::atomic<int> opened = 0;
 
 private:
-    Parts& m_parts;
+    Application& m_fixture;
 };
 
 } // namespace
@@ -52,11 +52,11 @@ private:
 class WelcomeTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts.start(); }
+    void initTestCase() { m_fixture.start(); }
     void init() { QSettings().clear(); }
     void cleanup() { m_window.reset(); }
 
-    void unsavedWorkIsSaidUntilItIsBroughtBack() {
+    void showsUnsavedWorkUntilRestored() {
         QTemporaryDir folder;
         const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
         write(path, kText);
@@ -65,14 +65,14 @@ private Q_SLOTS:
             Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}}); // by a window that was killed
             QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
         }
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         const auto recent = [this] { return m_window->findChild<QAbstractButton*>(QStringLiteral("recent.mine.sim")); };
         QVERIFY(recent());
         QCOMPARE(recent()->text(), QStringLiteral("mine.sim – unsaved work"));
         QTest::mouseClick(recent(), Qt::LeftButton);
         EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
-        QTest::mouseClick(m_window->findChild<QAbstractButton*>(QStringLiteral("bringBack")), Qt::LeftButton);
+        QTest::mouseClick(m_window->findChild<QAbstractButton*>(QStringLiteral("restoreEdits")), Qt::LeftButton);
         QCOMPARE(QByteArray::fromStdString(*m_window->document().text(path.toStdString())), QByteArray(kText) + "Duration = 3\n");
         m_window->actions().at("file.save").trigger();
         m_window->actions().at("file.close").trigger();
@@ -84,38 +84,38 @@ private Q_SLOTS:
         QTemporaryDir folder, outside;
         const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
         const QString part = QDir(folder.path()).canonicalPath() + QStringLiteral("/<b>part<b>.sim");
-        const QString evil = QDir(outside.path()).canonicalPath() + QStringLiteral("/.bashrc\x1b[2J\n");
+        const QString hostile = QDir(outside.path()).canonicalPath() + QStringLiteral("/.bashrc\x1b[2J\n");
         write(path, kText);
         write(part, kText);
         {
             Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}});
             for (const QString& file : {path, part}) QVERIFY(left.note(file.toStdString(), kText, "Duration = 3\n").ok());
-            QVERIFY(left.note(evil.toStdString(), {}, "curl evil.example\n").ok());
+            QVERIFY(left.note(hostile.toStdString(), {}, "curl evil.example\n").ok());
         }
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         QVERIFY(m_window->open(path));
         EVENTUALLY(m_window->findChild<QDialog*>(QStringLiteral("recovery")));
-        const QString said = m_window->findChild<QTextBrowser*>(QStringLiteral("recoveryPreview"))->toPlainText();
-        const QStringList lines = said.split(u'\n');
+        const QString reportOf = m_window->findChild<QTextBrowser*>(QStringLiteral("recoveryPreview"))->toPlainText();
+        const QStringList lines = reportOf.split(u'\n');
         const QString marked = QDir(outside.path()).canonicalPath() + QStringLiteral("/.bashrc\uFFFD[2J");
-        QVERIFY2(lines.size() > 6, qPrintable(said));
+        QVERIFY2(lines.size() > 6, qPrintable(reportOf));
         QCOMPARE(lines[0], QStringLiteral("These files change:"));
-        QVERIFY2(lines.mid(1, 3).contains(path) && lines.mid(1, 3).contains(part), qPrintable(said));
+        QVERIFY2(lines.mid(1, 3).contains(path) && lines.mid(1, 3).contains(part), qPrintable(reportOf));
         QCOMPARE(lines.mid(1, 3).filter(marked).size(), 1);
         QVERIFY(lines.mid(1, 3).filter(marked).front().contains(QStringLiteral("not restored")));
-        QTest::mouseClick(m_window->findChild<QAbstractButton*>(QStringLiteral("bringBack")), Qt::LeftButton);
+        QTest::mouseClick(m_window->findChild<QAbstractButton*>(QStringLiteral("restoreEdits")), Qt::LeftButton);
         m_window->actions().at("file.save").trigger();
         QVERIFY(QDir(outside.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
     }
 
-    void journalsInTheProjectAreSaidOnce() {
+    void reportsProjectJournalsOnce() {
         QTemporaryDir folder;
         const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
         write(path, kText);
         QVERIFY(QDir(folder.path()).mkpath(QStringLiteral(".trundle/journal")));
         write(folder.filePath(QStringLiteral(".trundle/journal/1.journal")), "from yesterday");
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         const auto message = [this] { return m_window->findChild<QMessageBox*>(QStringLiteral("journalsNotRead")); };
         QVERIFY(m_window->open(path));
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QVERIFY(!message());
     }
 
-    void whatIsBroughtBackDoesNotCostWhatWasBroughtBackBefore() {
+    void restoringKeepsEarlierRestoredEdits() {
         QTemporaryDir folder;
         const QString first = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
         const QString second = QDir(folder.path()).canonicalPath() + QStringLiteral("/other.sim");
@@ -139,23 +139,23 @@ private Q_SLOTS:
             Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}});
             QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
         }
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         Document& document = m_window->document();
         const auto dialog = [this] { return m_window->findChild<QDialog*>(QStringLiteral("recovery")); };
-        const auto bringBack = [&](const QString& name) {
+        const auto restore = [&](const QString& name) {
             auto* list = dialog()->findChild<QListWidget*>(QStringLiteral("recoveries"));
             const auto found = list->findItems(name, Qt::MatchContains);
             QCOMPARE(found.size(), 1);
             list->setCurrentItem(found.front());
-            dialog()->findChild<QAbstractButton*>(QStringLiteral("bringBack"))->click();
+            dialog()->findChild<QAbstractButton*>(QStringLiteral("restoreEdits"))->click();
         };
         QVERIFY(m_window->open(first));
         EVENTUALLY(dialog());
         const auto* both = dialog()->findChild<QListWidget*>(QStringLiteral("recoveries"));
         QCOMPARE(both->count(), 2);
         QVERIFY(!both->visualItemRect(both->item(0)).intersects(both->visualItemRect(both->item(1))));
-        bringBack(QStringLiteral("mine.sim"));
+        restore(QStringLiteral("mine.sim"));
         QVERIFY(document.isModified());
         EVENTUALLY(!dialog());
         QMetaObject::invokeMethod(&document, &Document::opened); // whatever offers the rest
@@ -166,36 +166,36 @@ private Q_SLOTS:
             asked = question;
             if (question) question->button(QMessageBox::Cancel)->click();
         });
-        bringBack(QStringLiteral("other.sim"));
+        restore(QStringLiteral("other.sim"));
         QVERIFY(asked);
         QVERIFY(document.path().ends_with("mine.sim") && document.isModified());
         QCOMPARE(document.recoveries().size(), 1u);
     }
 
     void whyAFileIsNotOpenedIsNotHidden() {
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
-        QString said;
+        QString reportOf;
         bool covered = true;
         QTimer look;
         connect(&look, &QTimer::timeout, this, [&] {
             auto* message = m_window->findChild<QMessageBox*>(QStringLiteral("fileMessage"));
             if (!message) return;
-            said = message->text();
+            reportOf = message->text();
             covered = m_window->findChild<QDialog*>(QStringLiteral("opening"));
             message->accept();
         });
         look.start(1);
         QVERIFY(m_window->open(QStringLiteral("/nowhere/none.sim")));
-        EVENTUALLY(!said.isEmpty());
-        QVERIFY2(said.contains(QStringLiteral("none.sim")), qPrintable(said));
+        EVENTUALLY(!reportOf.isEmpty());
+        QVERIFY2(reportOf.contains(QStringLiteral("none.sim")), qPrintable(reportOf));
         QVERIFY(!covered);
     }
 
     /// Of a plan alone nothing is seen and nothing runs.
-    void robotsAndArenasStandInAnExperiment() {
+    void opensRobotsAndArenasInExperiment() {
         const QString configs = QString::fromStdString(findLocations().configs);
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         for (const Sample& sample : sampleParts(configs)) {
             const QString card = QStringLiteral("sample.") + QFileInfo(sample.path).completeBaseName();
             m_window->findChild<QAbstractButton*>(card)->click();
@@ -209,7 +209,7 @@ private Q_SLOTS:
     }
 
     void theKeysReachAllThatIsSeen() {
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
@@ -230,7 +230,7 @@ private Q_SLOTS:
     /// All words of a card can be read, at every size of the font.
     void wordsOfCardsFit() {
         QFETCH(int, size);
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         const QString configs = QString::fromStdString(findLocations().configs);
         const QList<Sample> samples = sampleExperiments(configs) + sampleParts(configs);
@@ -256,23 +256,23 @@ private Q_SLOTS:
             write(path, kText);
             addRecentFile(path);
         }
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("welcome"))->minimumSizeHint().height() < 400);
         const int most = m_window->screen()->availableSize().height() - 30; // there is a title bar too
         QVERIFY(m_window->height() <= most);
         m_window->setGeometry(50, 50, 3000, 2000); // on a larger screen
         QSettings().setValue(QStringLiteral("windowGeometry"), m_window->saveGeometry());
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         QVERIFY(m_window->height() <= most);
     }
 
-    void whatTakesLongToOpenSaysSoAndCanBeLeft() {
+    void slowOpeningShowsProgressAndCancels() {
         QTemporaryDir folder;
         const QString text = folder.filePath(QStringLiteral("mine.sim")), other = folder.filePath(QStringLiteral("other.sim"));
         write(text, kText);
         write(other, kText);
-        SlowParts slow(*m_parts.parts);
-        m_window = std::make_unique<MainWindow>(slow, m_parts.render.get(), findLocations());
+        SlowApplication slow(*m_fixture.application);
+        m_window = std::make_unique<MainWindow>(slow, m_fixture.render.get(), findLocations());
         m_window->show();
         QVERIFY(m_window->open(other));
         EVENTUALLY(m_window->document().isOpen());
@@ -302,7 +302,7 @@ private:
         QCOMPARE(file.write(text), text.size());
     }
 
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
 };
 

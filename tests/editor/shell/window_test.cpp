@@ -9,7 +9,7 @@
 #include <QtWidgets>
 
 #include "editor/shell/recent_files.h"
-#include "editor/shell/window_parts.h"
+#include "editor/shell/window_fixture.h"
 #include "editor/text/text_panel.h"
 #include "editor/viewport/viewport_panel.h"
 #include "eventually.h"
@@ -33,7 +33,7 @@ const QByteArray kExperiment = "// mine\n"
 class WindowTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { m_parts.start(); }
+    void initTestCase() { m_fixture.start(); }
     void init() {
         QSettings().clear();
         QVERIFY(m_folder.isValid());
@@ -41,7 +41,7 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(kExperiment);
         file.close();
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     }
@@ -58,7 +58,7 @@ private Q_SLOTS:
             QVERIFY2(m_window->findChild<QWidget*>(QLatin1String(subject)), subject);
     }
 
-    void onTheWelcomePageEveryCommandDoesNoHarm() {
+    void commandsAreHarmlessOnWelcomePage() {
         const QStringList asking{QStringLiteral("file.open"),        QStringLiteral("file.quit"),  QStringLiteral("edit.palette"),
                                  QStringLiteral("edit.preferences"), QStringLiteral("help.about"), QStringLiteral("view.theme")};
         for (const ActionRow& row : m_window->actions().table()) {
@@ -70,12 +70,12 @@ private Q_SLOTS:
         }
     }
 
-    void theGuideIsReadOnTheWelcomePageAndGoesAlong() {
+    void guideStaysOpenAcrossPages() {
         auto* guide = m_window->findChild<QDockWidget*>(QStringLiteral("dock.guide"));
         m_window->actions().at("help.guide").trigger();
         QVERIFY(guide->isVisible());
         QVERIFY(!m_window->findChild<QDockWidget*>(QStringLiteral("dock.scene"))->isVisible());
-        openMine();
+        openExperiment();
         EVENTUALLY(guide->isVisible());
         QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("dock.scene"))->isVisible());
         m_window->actions().at("file.openSample").trigger();
@@ -83,8 +83,8 @@ private Q_SLOTS:
         QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("welcome"))->isVisible());
     }
 
-    void aMessageInTheStatusBarStandsAlone() {
-        openMine();
+    void statusMessageHidesOthers() {
+        openExperiment();
         m_window->statusBar()->showMessage(QStringLiteral("a hint"));
         const auto* file = m_window->findChild<QLabel*>(QStringLiteral("status.file"));
         QVERIFY(!file->isVisible());
@@ -94,23 +94,23 @@ private Q_SLOTS:
         QVERIFY(file->isVisible());
     }
 
-    void whatWasRefusedIsForgottenWithTheNextEdit() {
-        openMine();
+    void nextEditClearsRejection() {
+        openExperiment();
         Q_EMIT m_window->document().refused(QStringLiteral("no"));
         QCOMPARE(m_window->statusBar()->currentMessage(), QStringLiteral("no"));
         QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         QVERIFY(m_window->statusBar()->currentMessage().isEmpty());
     }
 
-    void theWindowComesBackAsLargeAsItWas() {
+    void restoresWindowSize() {
         m_window->resize(701, 633); // smaller than the screen of a test
         QVERIFY(m_window->close());
-        m_window = m_parts.window();
+        m_window = m_fixture.window();
         QCOMPARE(m_window->size(), QSize(701, 633));
     }
 
-    void aSmallScreenHoldsTheWindow() {
-        openMine();
+    void windowFitsSmallScreen() {
+        openExperiment();
         QVERIFY2(
             m_window->minimumSizeHint().width() <= 1024 && m_window->minimumSizeHint().height() <= 700,
             qPrintable(
@@ -119,7 +119,7 @@ private Q_SLOTS:
 
     void aSmallScreenMayHaveItAll() {
         m_window->resize(1024, 700);
-        openMine();
+        openExperiment();
         EVENTUALLY(m_window->isSettled());
         QCOMPARE(m_window->size(), QSize(1024, 700));
     }
@@ -132,7 +132,7 @@ private Q_SLOTS:
     void aSmallScreenIsEnough() {
         QFETCH(QString, layout);
         m_window->resize(1100, 700);
-        openMine();
+        openExperiment();
         m_window->actions().at(qPrintable(layout)).trigger();
         m_window->selection().select("robot0");
         EVENTUALLY(m_window->isSettled());
@@ -141,8 +141,8 @@ private Q_SLOTS:
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QLatin1Char('\n'))));
     }
 
-    void aDockAmongTabsHasNoTitleOfItsOwn() {
-        openMine();
+    void tabbedDockHasNoTitle() {
+        openExperiment();
         const auto dock = [this](const char* name) {
             return m_window->findChild<QDockWidget*>(QStringLiteral("dock.") + QLatin1String(name));
         };
@@ -179,7 +179,7 @@ private Q_SLOTS:
     }
 
     void movedUndoneRedone() {
-        openMine();
+        openExperiment();
         QVERIFY(m_window->document().setValues(QStringLiteral("Move robot0"), {{"robot0.Pos", "-1.5,0,0"}}).ok());
         const QByteArray moved = QByteArray(kExperiment).replace("Pos=-1,0,0", "Pos=-1.5,0,0");
         QCOMPARE(text(), moved);
@@ -197,8 +197,8 @@ private Q_SLOTS:
         QVERIFY(!m_window->isWindowModified());
     }
 
-    void aRunLeavesTheTextsAlone() {
-        openMine();
+    void runKeepsTexts() {
+        openExperiment();
         m_window->actions().at("sim.run").trigger();
         EVENTUALLY(m_window->session().time() > 0.05);
         m_window->actions().at("sim.pause").trigger();
@@ -210,8 +210,8 @@ private Q_SLOTS:
     }
 
     /// After a value was typed the arrow keys would change that value.
-    void whoRunsToDriveHasTheKeyboardInTheView() {
-        openMine();
+    void viewHasKeyboardWhileDriving() {
+        openExperiment();
         m_window->actions().at("sim.drive").trigger();
         m_window->selection().select("robot0");
         auto* row = m_window->findChild<QDockWidget*>(QStringLiteral("dock.properties"))->findChild<QLineEdit*>();
@@ -223,7 +223,7 @@ private Q_SLOTS:
     }
 
     void aTextWithErrorsOpensAndIsNotRun() {
-        openMine();
+        openExperiment();
         QVERIFY(m_window->document()
                     .replaceText(QStringLiteral("Typing"), path().toStdString(),
                                  QByteArray(kExperiment).replace("Config=SimpleRobot", "Config=SimpelRobot").toStdString())
@@ -231,15 +231,15 @@ private Q_SLOTS:
         QVERIFY(m_window->document().loaded()->diagnostics.hasErrors());
         m_window->actions().at("sim.run").trigger();
         QCOMPARE(m_window->session().state(), RunState::Start);
-        QVERIFY(m_window->document().lastGood() != nullptr);
+        QVERIFY(m_window->document().lastValid() != nullptr);
         m_window->actions().at("edit.undo").trigger();
         QCOMPARE(text(), kExperiment);
         m_window->actions().at("sim.step").trigger();
         EVENTUALLY(m_window->session().time() > 0);
     }
 
-    void deleteTakesObjectsAwayWhereObjectsAreSeen() {
-        openMine();
+    void deleteRemovesObjectsInScene() {
+        openExperiment();
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         const auto pressIn = [this](QWidget* place) {
@@ -266,7 +266,7 @@ private Q_SLOTS:
 
     void scaleFactorTwoIsEnough() {
         m_window->resize(792, 460); // 1600 x 1000 at scale factor 2, less the frame
-        openMine();
+        openExperiment();
         EVENTUALLY(m_window->text().isVisible() && m_window->viewport().isVisible());
         const QSize least = m_window->minimumSizeHint();
         QVERIFY2(least.width() <= 792 && least.height() <= 460,
@@ -276,14 +276,14 @@ private Q_SLOTS:
         QVERIFY(m_window->minimumSizeHint().width() <= 792);
     }
 
-    void whatAnotherProgramWroteIsShownBeforeOneChooses() {
-        openMine();
+    void showsExternalChangeBeforeChoice() {
+        openExperiment();
         QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok());
         QFile file(path());
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(QByteArray(kExperiment).replace("Pos=-1,0,0", "Pos=7,0,0"));
         file.close();
-        m_window->document().lookAtDisk();
+        m_window->document().checkExternalChanges();
         auto* question = m_window->findChild<QMessageBox*>(QStringLiteral("diskQuestion"));
         QVERIFY(question && question->isVisible());
         for (const char* line : {"- ", "Pos=1,0,0", "+ ", "Pos=7,0,0"})
@@ -323,8 +323,8 @@ private Q_SLOTS:
         m_window->document().close();
     }
 
-    void whoPushesARobotCanPauseTheRun() {
-        openMine();
+    void canPauseWhilePushing() {
+        openExperiment();
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
         EVENTUALLY(m_window->isSettled());
@@ -338,18 +338,18 @@ private Q_SLOTS:
         QMouseEvent move(QEvent::MouseMove, at + QPointF(30, 0), view.mapToGlobal(at + QPointF(30, 0)), Qt::NoButton,
                          Qt::LeftButton, Qt::ControlModifier);
         QCoreApplication::sendEvent(&view, &move);
-        QVERIFY(view.mouseIsBusy());
+        QVERIFY(view.isMouseBusy());
         QTest::keyClick(&view, Qt::Key_F6);
         EVENTUALLY_EQUAL(session.state(), RunState::Paused);
-        QVERIFY(view.mouseIsBusy());
+        QVERIFY(view.isMouseBusy());
         QTest::keyClick(&view, Qt::Key_F5);
         EVENTUALLY_EQUAL(session.state(), RunState::Running);
         QTest::mouseRelease(&view, Qt::LeftButton, Qt::ControlModifier, at + QPoint(30, 0));
-        QVERIFY(!view.mouseIsBusy());
+        QVERIFY(!view.isMouseBusy());
     }
 
     void theFindBarMovesNothing() {
-        openMine();
+        openExperiment();
         m_window->resize(1100, 700);
         EVENTUALLY(m_window->isSettled());
         auto* work = m_window->findChild<QSplitter*>(QStringLiteral("work"));
@@ -362,7 +362,7 @@ private Q_SLOTS:
         QCOMPARE(cutOff(*m_window->findChild<QWidget*>(QStringLiteral("findBar"))), QStringList());
     }
 
-    void buttonsOfDialogsHaveWordsAlone() {
+    void dialogButtonsHaveNoIcons() {
         QDialogButtonBox box(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::Discard);
         box.show();
         for (const QAbstractButton* button : box.buttons()) QVERIFY2(button->icon().isNull(), qPrintable(button->text()));
@@ -372,7 +372,7 @@ private Q_SLOTS:
     }
 
     void bothThemesAndBothLayouts() {
-        openMine();
+        openExperiment();
         m_window->actions().at("view.theme").trigger();
         QCOMPARE(currentTheme(), ThemeKind::Dark);
         m_window->actions().at("view.layoutRun").trigger();
@@ -384,7 +384,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// What does not show all of itself: what reaches out of where it stands, words in too little room, buttons of the window's own
+    /// What does not show all of itself: what reaches out of where it is, words in too little room, buttons of the window's own
     /// bars that are folded away. What lies behind a tab is not looked at.
     static QStringList cutOff(QWidget& window) {
         QStringList found;
@@ -428,14 +428,14 @@ private:
         m_window->text().flush();
         return QByteArray::fromStdString(*m_window->document().text(m_window->document().path()));
     }
-    void openMine() {
+    void openExperiment() {
         QVERIFY(m_window->open(path()));
         EVENTUALLY(m_window->document().isOpen());
         QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
     }
 
     QTemporaryDir m_folder;
-    WindowParts m_parts;
+    WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -5,8 +5,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/application.h"
 #include "editor/text/completion.h"
-#include "parts/parts.h"
 
 using namespace trundle;
 
@@ -49,7 +49,7 @@ public:
         if (!file.open(QIODevice::WriteOnly)) qFatal("cannot write");
         file.write(text.toUtf8());
         file.close();
-        const auto loaded = m_parts->open(path.toStdString(), {});
+        const auto loaded = m_application->open(path.toStdString(), {});
         if (!loaded) qFatal("%s", loaded.error().message.c_str());
         Listed listed;
         listed.text = text;
@@ -85,7 +85,7 @@ private:
         file.write(text);
     }
     QTemporaryDir m_folder;
-    std::unique_ptr<Parts> m_parts = makeParts();
+    std::unique_ptr<Application> m_application = makeApplication();
 };
 
 } // namespace
@@ -98,7 +98,7 @@ private Q_SLOTS:
     void inserts_data();
     void inserts();
     void bestFirst();
-    void itsOwnUnitFirst();
+    void offersOwnUnitFirst();
     void everyPlaceOfABrokenTextIsSafe();
 
 private:
@@ -244,7 +244,7 @@ void CompletionTest::bestFirst() {
     QCOMPARE(labels("xyz"), QString());
 }
 
-void CompletionTest::itsOwnUnitFirst() {
+void CompletionTest::offersOwnUnitFirst() {
     QCOMPARE(m_texts.at(QStringLiteral("StaticConfig A { Box s { HPR=0,0,0.5|")).labels.first(), QStringLiteral("deg"));
     QCOMPARE(m_texts.at(QStringLiteral("StaticConfig A { Sphere s { Radius=3|")).labels.first(), QStringLiteral("m"));
 }

@@ -6,7 +6,7 @@
 #include <QTreeWidget>
 
 #include "editor/text/hover.h"
-#include "editor/text/navigation.h"
+#include "editor/text/text_navigation.h"
 #include "editor/text/two_balls.h"
 #include "eventually.h"
 
@@ -18,12 +18,12 @@ class HelpTest final : public QObject {
 private Q_SLOTS:
     void completesWhileTyping();
     void completionIsOneEntry();
-    void aSignThatTheChoiceBroughtIsNotDoubled();
-    void behindItsNameABlockIsGoneOnWith();
-    void enterAfterAWholeWordIsANewLine();
+    void doesNotRepeatInsertedSign();
+    void completesBlockAfterName();
+    void enterAfterWholeWordInsertsNewLine();
     void enterBehindANumberIsANewLine();
     void escapeClosesTheList();
-    void theListGoesWithWhatItWasFor();
+    void completionClosesWithItsContext();
     void valuesFollowAKey();
     void fixesByAltEnter();
     void problemsAreMarked();
@@ -70,7 +70,7 @@ void HelpTest::completionIsOneEntry() {
     QCOMPARE(w.shown(), QByteArray(kTwoBalls));
 }
 
-void HelpTest::aSignThatTheChoiceBroughtIsNotDoubled() {
+void HelpTest::doesNotRepeatInsertedSign() {
     TwoBalls w;
     w.caretAt("Robot one");
     w.keys("Dur");
@@ -91,7 +91,7 @@ void HelpTest::aSignThatTheChoiceBroughtIsNotDoubled() {
     QVERIFY2(w.text().contains("body..size=0.2"), w.text());
 }
 
-void HelpTest::behindItsNameABlockIsGoneOnWith() {
+void HelpTest::completesBlockAfterName() {
     TwoBalls w;
     w.key(Qt::Key_End, Qt::ControlModifier);
     w.keys("Rob");
@@ -116,7 +116,7 @@ void HelpTest::behindItsNameABlockIsGoneOnWith() {
     QVERIFY2(w.text().contains("StaticConfig staticConfig {\n  Box\n}"), w.text());
 }
 
-void HelpTest::enterAfterAWholeWordIsANewLine() {
+void HelpTest::enterAfterWholeWordInsertsNewLine() {
     TwoBalls w;
     w.caretAt("Config=Ball body", 11);
     w.key(Qt::Key_Backspace);
@@ -128,7 +128,7 @@ void HelpTest::enterAfterAWholeWordIsANewLine() {
     QVERIFY(w.text().contains("Config=Ball\n"));
 }
 
-void HelpTest::theListGoesWithWhatItWasFor() {
+void HelpTest::completionClosesWithItsContext() {
     TwoBalls w;
     w.caretAt("Robot one");
     w.keys("Mat");
@@ -301,7 +301,7 @@ void HelpTest::listsUses() {
 }
 
 void HelpTest::aMissingImportIsAFix() {
-    TextWindow w;
+    TextFixture w;
     (void)w.write("parts.sim", kBallConfig);
     w.open(w.write("drive.sim", "Tick = 0.01\nRobot one { Config=Ball }\n"));
     w.caretAt("Ball", 1);
@@ -316,7 +316,7 @@ void HelpTest::aMissingImportIsAFix() {
 }
 
 void HelpTest::formatsAsOneEntry() {
-    TextWindow w;
+    TextFixture w;
     w.open(w.write("a.sim", "StaticConfig A {\n      Box b { Size=1,1,1 }   \n}\n\n\nTick = 0.01"));
     w.caretAt("Size");
     w.key(Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
@@ -327,7 +327,7 @@ void HelpTest::formatsAsOneEntry() {
 }
 
 void HelpTest::aBrokenTextIsNotFormatted() {
-    TextWindow w;
+    TextFixture w;
     w.open(w.write("a.sim", "StaticConfig A {\n      Box b { \n"));
     w.key(Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(w.text(), QByteArray("StaticConfig A {\n      Box b { \n"));

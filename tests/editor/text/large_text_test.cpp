@@ -4,7 +4,7 @@
 #include <QPushButton>
 
 #include "editor/text/large_text.h"
-#include "editor/text/text_window.h"
+#include "editor/text/text_fixture.h"
 
 using namespace trundle;
 using namespace trundle::test;
@@ -12,17 +12,17 @@ using namespace trundle::test;
 class LargeTextTest final : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void largeTextsAreShownWhenAskedFor();
+    void showsLargeTextsOnRequest();
     void longLinesAreNotShown();
     void aTextThatShrinksIsShown();
-    void whatTheModelCheckFindsIsMarked();
+    void marksModelDiagnostics();
 };
 
 /// More text than is shown at once, of `line`s.
 static QByteArray largeText(const QByteArray& line) { return line.repeated(int(kLargestFullText) / int(line.size()) + 1); }
 
-void LargeTextTest::largeTextsAreShownWhenAskedFor() {
-    TextWindow window;
+void LargeTextTest::showsLargeTextsOnRequest() {
+    TextFixture window;
     const QByteArray large = "#import other.sim\n" + largeText("// what was written here once\n") + "Param p = 1\n";
     window.write("other.sim", "Param q = 1\n");
     window.open(window.write("main.sim", large));
@@ -54,7 +54,7 @@ void LargeTextTest::largeTextsAreShownWhenAskedFor() {
 }
 
 void LargeTextTest::longLinesAreNotShown() {
-    TextWindow window;
+    TextFixture window;
     const QByteArray line(int(kLongestShownLine) + 1, 'a');
     window.open(window.write("main.sim", "Param p = 1\n//" + line + "\n"));
     QVERIFY(!window.page().isTextShown());
@@ -63,7 +63,7 @@ void LargeTextTest::longLinesAreNotShown() {
 }
 
 void LargeTextTest::aTextThatShrinksIsShown() {
-    TextWindow window;
+    TextFixture window;
     const QByteArray large = largeText("// what was written here once\n");
     const std::string file = window.write("main.sim", large);
     window.open(file);
@@ -76,9 +76,9 @@ void LargeTextTest::aTextThatShrinksIsShown() {
     QVERIFY(window.text() == large);
 }
 
-void LargeTextTest::whatTheModelCheckFindsIsMarked() {
+void LargeTextTest::marksModelDiagnostics() {
     constexpr unsigned long kWarningMark = 9; // the indicator of warnings
-    TextWindow window;
+    TextFixture window;
     window.open(window.write("main.sim", "Tick = 0.01\nDuration = 1\n"));
     Diagnostic warning;
     warning.severity = Severity::Warning;

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QSettings>
 
-#include "editor/text/text_window.h"
+#include "editor/text/text_fixture.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -18,11 +18,11 @@ class PanelTest final : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void showsTheOpenedFile();
-    void aWordTypedIsOneEntry();
+    void typedWordIsOneEntry();
     void aBurstIsReadOnce();
     void undoGivesTheSameBytes_data();
     void undoGivesTheSameBytes();
-    void undoLeadsBackToThePlace();
+    void undoRestoresCaretPosition();
     void othersFindWhatIsTyped();
     void editsElsewhereKeepTheCaret();
     void editsElsewhereKeepWhatIsTyped();
@@ -33,15 +33,15 @@ private Q_SLOTS:
     void lettersAreNoShortcuts();
     void commandsTypeNothing();
     void linesWrapInNarrowPanes();
-    void anythingTypedComesBack_data();
-    void anythingTypedComesBack();
+    void undoRestoresTypedText_data();
+    void undoRestoresTypedText();
     void inputMethods();
-    void deleteTakesWhatIsSelected();
-    void whatIsRefusedDoesNotStay();
+    void deleteRemovesSelection();
+    void rejectedTypingIsReverted();
 };
 
 void PanelTest::showsTheOpenedFile() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     QCOMPARE(w.shown(), QByteArray(kDrive));
     QCOMPARE(w.panel.pages().size(), std::size_t{1});
@@ -51,8 +51,8 @@ void PanelTest::showsTheOpenedFile() {
     QVERIFY(!w.document.history().canUndo());
 }
 
-void PanelTest::aWordTypedIsOneEntry() {
-    TextWindow w;
+void PanelTest::typedWordIsOneEntry() {
+    TextFixture w;
     openDrive(w);
     w.caretAt("Material red");
     w.keys("Duration = 12 ");
@@ -68,7 +68,7 @@ void PanelTest::aWordTypedIsOneEntry() {
 }
 
 void PanelTest::aBurstIsReadOnce() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     const QSignalSpy changed(&w.document, &Document::changed);
     w.caretAt("One ball");
@@ -104,7 +104,7 @@ void PanelTest::undoGivesTheSameBytes_data() {
 
 void PanelTest::undoGivesTheSameBytes() {
     QFETCH(QByteArray, bytes);
-    TextWindow w;
+    TextFixture w;
     w.open(w.write("drive.sim", bytes));
     QCOMPARE(w.shown(), bytes);
     w.key(Qt::Key_End, Qt::ControlModifier);
@@ -126,8 +126,8 @@ void PanelTest::undoGivesTheSameBytes() {
     QCOMPARE(w.shown(), typed);
 }
 
-void PanelTest::undoLeadsBackToThePlace() {
-    TextWindow w;
+void PanelTest::undoRestoresCaretPosition() {
+    TextFixture w;
     openDrive(w);
     w.caretAt("ColorRGB");
     w.keys("Opacity=1 ");
@@ -138,7 +138,7 @@ void PanelTest::undoLeadsBackToThePlace() {
 }
 
 void PanelTest::othersFindWhatIsTyped() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     QPushButton other(QStringLiteral("Save"));
     QByteArray seen;
@@ -152,7 +152,7 @@ void PanelTest::othersFindWhatIsTyped() {
 }
 
 void PanelTest::editsElsewhereKeepTheCaret() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     w.caretAt("Config=Ball", 7);
     const QByteArray behind = w.shown().mid(w.edit().caret());
@@ -166,7 +166,7 @@ void PanelTest::editsElsewhereKeepTheCaret() {
 }
 
 void PanelTest::editsElsewhereKeepWhatIsTyped() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     w.caretAt("Pos=0,0,1", 9);
     w.keys("  HPR=5,0,0");
@@ -184,7 +184,7 @@ void PanelTest::editsElsewhereKeepWhatIsTyped() {
 }
 
 void PanelTest::editsElsewhereKeepFolds() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     w.edit().foldEverything(true);
     const auto visible = [&](int line) {
@@ -198,7 +198,7 @@ void PanelTest::editsElsewhereKeepFolds() {
 }
 
 void PanelTest::lineCommandsAreOneEntry() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     w.caretAt("Material red");
     w.key(Qt::Key_D, Qt::ControlModifier);
@@ -216,7 +216,7 @@ void PanelTest::lineCommandsAreOneEntry() {
 }
 
 void PanelTest::enterIndents() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     w.caretAt("Config=Ball", 11);
     w.key(Qt::Key_Return);
@@ -233,7 +233,7 @@ void PanelTest::enterIndents() {
 }
 
 void PanelTest::pasteKeepsLineEnds() {
-    TextWindow w;
+    TextFixture w;
     w.open(w.write("drive.sim", "Tick = 0.01\r\nSeed = 1\r\n"));
     QGuiApplication::clipboard()->setText(QStringLiteral("Duration = 1\nTitle = x\n"));
     w.key(Qt::Key_V, Qt::ControlModifier);
@@ -243,7 +243,7 @@ void PanelTest::pasteKeepsLineEnds() {
 }
 
 void PanelTest::lettersAreNoShortcuts() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     int triggered = 0;
     for (const char* keys : {"F", "Shift+F", "5", "End", "Del", "Ctrl+D", "Ctrl+Z", "Ctrl+X"}) {
@@ -263,7 +263,7 @@ void PanelTest::lettersAreNoShortcuts() {
 }
 
 void PanelTest::commandsTypeNothing() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     w.caretAt("Tick");
     for (const Qt::KeyboardModifiers held : {Qt::KeyboardModifiers(Qt::ControlModifier), Qt::ControlModifier | Qt::ShiftModifier,
@@ -283,7 +283,7 @@ void PanelTest::commandsTypeNothing() {
 void PanelTest::linesWrapInNarrowPanes() {
     QSettings().clear();
     const QByteArray text = "// " + QByteArray("word ").repeated(40) + "\nTick = 0.01\n";
-    TextWindow w;
+    TextFixture w;
     w.open(w.write("long.sim", text));
     const auto rows = [&w] { return w.edit().SendScintilla(QsciScintillaBase::SCI_WRAPCOUNT, 0UL); };
     QAction& wrap = w.actions.at("text.wrap");
@@ -307,7 +307,7 @@ void PanelTest::linesWrapInNarrowPanes() {
     QSettings().clear();
 }
 
-void PanelTest::anythingTypedComesBack_data() {
+void PanelTest::undoRestoresTypedText_data() {
     QTest::addColumn<QByteArray>("lineEnd");
     QTest::newRow("LF") << QByteArray("\n");
     QTest::newRow("CR LF") << QByteArray("\r\n");
@@ -315,9 +315,9 @@ void PanelTest::anythingTypedComesBack_data() {
 
 /// Keys, commands, edits from elsewhere and steps through the history in any order: the document always gets what is shown, and all
 /// undone gives the first bytes, all redone the last.
-void PanelTest::anythingTypedComesBack() {
+void PanelTest::undoRestoresTypedText() {
     QFETCH(QByteArray, lineEnd);
-    TextWindow w;
+    TextFixture w;
     (void)w.write("parts.sim", kParts);
     const QByteArray start = QByteArray(kDrive).replace("\n", lineEnd);
     w.open(w.write("drive.sim", start));
@@ -364,7 +364,7 @@ void PanelTest::anythingTypedComesBack() {
 }
 
 void PanelTest::inputMethods() {
-    TextWindow w;
+    TextFixture w;
     w.open(w.write("drive.sim", "Tick = 1\n"));
     const auto compose = [&](const char* shown, const char* done) {
         QInputMethodEvent event(QString::fromUtf8(shown), {});
@@ -382,20 +382,20 @@ void PanelTest::inputMethods() {
     QCOMPARE(w.shown(), w.text());
 }
 
-void PanelTest::deleteTakesWhatIsSelected() {
-    TextWindow w;
+void PanelTest::deleteRemovesSelection() {
+    TextFixture w;
     w.open(w.write("drive.sim", "Tick = 1\n"));
     w.edit().select({0, 7});
     QVERIFY(w.panel.hasKeyboard());
-    QVERIFY(w.panel.carryOut("edit.delete"));
+    QVERIFY(w.panel.apply("edit.delete"));
     w.key(Qt::Key_Delete);
     w.panel.flush();
     QCOMPARE(w.text(), QByteArray("\n"));
-    QVERIFY(!w.panel.carryOut("tool.move"));
+    QVERIFY(!w.panel.apply("tool.move"));
 }
 
-void PanelTest::whatIsRefusedDoesNotStay() {
-    TextWindow first, w; // another window has the project
+void PanelTest::rejectedTypingIsReverted() {
+    TextFixture first, w; // another window has the project
     const std::string path = openDrive(first);
     w.open(path);
     QVERIFY(w.document.isReadOnly());
@@ -409,7 +409,7 @@ void PanelTest::whatIsRefusedDoesNotStay() {
     EVENTUALLY(!w.page().pending());
     QCOMPARE(w.shown(), QByteArray(kDrive));
     QVERIFY(!refused.isEmpty());
-    QVERIFY(refused[0][0].toString().contains(QStringLiteral("this window only shows it")));
+    QVERIFY(refused[0][0].toString().contains(QStringLiteral("this window has it read-only")));
     w.document.editAnyway();
     w.caretAt("Tick");
     w.keys("Seed=1 ");

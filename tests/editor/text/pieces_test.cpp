@@ -9,7 +9,7 @@
 #include "editor/text/splice.h"
 #include "editor/text/text_search.h"
 #include "editor/text/token_styles.h"
-#include "editor/text/typing.h"
+#include "editor/text/typing_merger.h"
 #include "lang/lexer.h"
 
 using namespace trundle;
@@ -26,7 +26,7 @@ private Q_SLOTS:
     void foldsBlocks();
     void lineCommands_data();
     void lineCommands();
-    void aWordIsAnEntry();
+    void mergesTypedWordIntoOneEntry();
     void searches_data();
     void searches();
     void replacesGroups();
@@ -47,11 +47,11 @@ void PiecesTest::splicesAreSmall_data() {
 void PiecesTest::splicesAreSmall() {
     QFETCH(QByteArray, from);
     QFETCH(QByteArray, to);
-    QByteArrayList said;
+    QByteArrayList reportOf;
     for (const Splice& s : splicesBetween(from.toStdString(), to.toStdString()))
-        said << QByteArray::number(qulonglong(s.at)) + '-' + QByteArray::number(qulonglong(s.removed)) + '+' +
-                    QByteArray::fromStdString(s.text);
-    QTEST(said.join(' '), "splices");
+        reportOf << QByteArray::number(qulonglong(s.at)) + '-' + QByteArray::number(qulonglong(s.removed)) + '+' +
+                        QByteArray::fromStdString(s.text);
+    QTEST(reportOf.join(' '), "splices");
 }
 
 void PiecesTest::splicesGiveTheOtherText() {
@@ -127,10 +127,10 @@ void PiecesTest::stylesOfWords() {
 
 void PiecesTest::foldsBlocks() {
     const std::string text = "Robot a {\n  Body b { Box c { } }\n  Body d {\n    x\n  }\n}\n/* two\nlines */\nopen {\n x";
-    QByteArray said;
+    QByteArray reportOf;
     for (const FoldLine& line : foldLinesOf(text, Lexer(text).lex()))
-        said += QByteArray::number(line.level) + (line.opens ? "+ " : " ");
-    QCOMPARE(said, QByteArray("0+ 1 1+ 2 2 1 0+ 1 0+ 1 "));
+        reportOf += QByteArray::number(line.level) + (line.opens ? "+ " : " ");
+    QCOMPARE(reportOf, QByteArray("0+ 1 1+ 2 2 1 0+ 1 0+ 1 "));
 }
 
 void PiecesTest::lineCommands_data() {
@@ -195,8 +195,8 @@ void PiecesTest::lineCommands() {
     QTEST(QByteArray::fromStdString(text), "after");
 }
 
-void PiecesTest::aWordIsAnEntry() {
-    Typing typing("f");
+void PiecesTest::mergesTypedWordIntoOneEntry() {
+    TypingMerger typing("f");
     std::string text;
     const auto type = [&](std::size_t at, std::size_t removed, const std::string& inserted) {
         typing.beginAction();
@@ -209,13 +209,13 @@ void PiecesTest::aWordIsAnEntry() {
     type(5, 1, "");
     type(5, 0, "pasted text");
     const auto entries = typing.take(text);
-    QByteArrayList said;
+    QByteArrayList reportOf;
     std::set<std::string> keys;
-    for (const Typing::Entry& e : entries) {
-        said << QByteArray::fromStdString(e.bytes);
+    for (const TypingMerger::Entry& e : entries) {
+        reportOf << QByteArray::fromStdString(e.bytes);
         keys.insert(e.mergeKey);
     }
-    QCOMPARE(said.join('|'), QByteArray("one |one two|one t|one tpasted text"));
+    QCOMPARE(reportOf.join('|'), QByteArray("one |one two|one t|one tpasted text"));
     QCOMPARE(keys.size(), entries.size());
     QVERIFY(!typing.pending());
     // What follows a word that has been given already goes on under its key.
@@ -230,14 +230,14 @@ void PiecesTest::aWordIsAnEntry() {
 
 void PiecesTest::searches_data() {
     QTest::addColumn<QString>("words");
-    QTest::addColumn<QString>("how"); // c: capitals count, w: whole words, r: regular expression
+    QTest::addColumn<QString>("how"); // c: match case, w: whole words, r: regular expression
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QByteArray>("found"); // begin-end
     const auto row = [](const char* name, const char* words, const char* how, const QByteArray& text, const char* found) {
         QTest::newRow(name) << QString::fromUtf8(words) << QString::fromLatin1(how) << text << QByteArray(found);
     };
     row("any case", "mass", "", "Mass mass", "0-4 5-9");
-    row("capitals count", "mass", "c", "Mass mass", "5-9");
+    row("match case", "mass", "c", "Mass mass", "5-9");
     row("whole words", "mass", "w", "mass masses _mass", "0-4");
     row("signs are signs", "a.b", "", "axb a.b", "4-7");
     row("behind umlauts", "x", "", "\xC3\xA4x", "2-3");
@@ -256,10 +256,10 @@ void PiecesTest::searches() {
     QFETCH(QByteArray, text);
     const TextSearch search(
         {words, how.contains(QLatin1Char('c')), how.contains(QLatin1Char('w')), how.contains(QLatin1Char('r'))});
-    QByteArrayList said;
+    QByteArrayList reportOf;
     for (const TextMatch& m : search.in(text.toStdString()))
-        said << QByteArray::number(m.range.begin) + '-' + QByteArray::number(m.range.end);
-    QTEST(said.join(' '), "found");
+        reportOf << QByteArray::number(m.range.begin) + '-' + QByteArray::number(m.range.end);
+    QTEST(reportOf.join(' '), "found");
 }
 
 void PiecesTest::replacesGroups() {

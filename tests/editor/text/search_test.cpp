@@ -16,13 +16,13 @@ class SearchTest final : public QObject {
 private Q_SLOTS:
     void renamesWhatIsNamedAtTheCaret_data();
     void renamesWhatIsNamedAtTheCaret();
-    void aNameThatCannotBeHadIsRefusedInPlace();
-    void whatHasNoNameIsNotRenamed();
+    void rejectsUnavailableNameInPlace();
+    void rejectsRenameWithoutName();
     void listsWhatIsFoundInFiles();
     void findsInAllFiles();
     void replacesAllAsOneEntry();
     void replacesOneByOne();
-    void aWrongExpressionIsSaid();
+    void reportsInvalidExpression();
 };
 
 void SearchTest::renamesWhatIsNamedAtTheCaret_data() {
@@ -82,7 +82,7 @@ void SearchTest::renamesWhatIsNamedAtTheCaret() {
     QCOMPARE(w.text(w.parts), QByteArray(kBallConfig));
 }
 
-void SearchTest::aNameThatCannotBeHadIsRefusedInPlace() {
+void SearchTest::rejectsUnavailableNameInPlace() {
     TwoBalls w;
     w.caretAt("one {", 1);
     w.key(Qt::Key_F2);
@@ -104,15 +104,15 @@ void SearchTest::aNameThatCannotBeHadIsRefusedInPlace() {
     QVERIFY(!w.document.history().canUndo());
 }
 
-void SearchTest::whatHasNoNameIsNotRenamed() {
+void SearchTest::rejectsRenameWithoutName() {
     TwoBalls w;
-    QSignalSpy said(&w.panel, &TextPanel::said);
+    QSignalSpy reportOf(&w.panel, &TextPanel::messageRequested);
     int times = 0;
     for (const char* word : {"Tick", "0.01", "Robot one", "Mass=2", "parts.sim", "100 ms"}) {
         w.caretAt(word, 1);
         w.key(Qt::Key_F2);
         QVERIFY2(!w.child("renameField"), word);
-        QCOMPARE(said.count(), ++times);
+        QCOMPARE(reportOf.count(), ++times);
     }
 }
 
@@ -190,7 +190,7 @@ void SearchTest::replacesAllAsOneEntry() {
     w.document.undo();
     QCOMPARE(w.text(), QByteArray(kTwoBalls));
     QCOMPARE(w.text(w.parts), QByteArray(kBallConfig));
-    // What was found is marked where it stands again.
+    // What was found is marked where it is again.
     const auto marked = [&w](qsizetype at) {
         return w.edit().SendScintilla(QsciScintillaBase::SCI_INDICATORVALUEAT, 11UL, static_cast<long>(at)) != 0;
     };
@@ -212,7 +212,7 @@ void SearchTest::replacesOneByOne() {
     QCOMPARE(w.shown(), w.text());
 }
 
-void SearchTest::aWrongExpressionIsSaid() {
+void SearchTest::reportsInvalidExpression() {
     TwoBalls w;
     w.key(Qt::Key_F, Qt::ControlModifier);
     w.child<QAbstractButton>("findRegex")->click();

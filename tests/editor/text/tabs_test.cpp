@@ -5,7 +5,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "editor/text/text_window.h"
+#include "editor/text/text_fixture.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -16,19 +16,19 @@ class TabsTest final : public QObject {
 private Q_SLOTS:
     void tabsFollowTheDocument();
     void namesOfFilesAreShownAsTheyAre();
-    void filesThatGoAwayCloseTheirTabs();
+    void closesTabsOfRemovedFiles();
     void cursorSelects();
     void selectionIsMarked();
     void closedDocumentIsEmpty();
     void ctrlClickFollows();
-    void revealTakesNoKeyboard();
+    void revealKeepsKeyboardFocus();
     void themesChange();
     void namesOfFilesAreWhole();
 };
 
 /// In a pane that is too narrow for them the tabs scroll.
 void TabsTest::namesOfFilesAreWhole() {
-    TextWindow w;
+    TextFixture w;
     QByteArray imports;
     const QStringList names{QStringLiteral("obstacle_detection.sim"), QStringLiteral("linear_motion.sim"), QStringLiteral("arc_motion.sim")};
     for (const QString& name : names) {
@@ -45,7 +45,7 @@ void TabsTest::namesOfFilesAreWhole() {
 }
 
 void TabsTest::tabsFollowTheDocument() {
-    TextWindow w;
+    TextFixture w;
     const std::string drive = openDrive(w);
     const std::string parts = w.document.files().at(1);
     auto* tabs = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"));
@@ -78,7 +78,7 @@ void TabsTest::tabsFollowTheDocument() {
 
 /// `&` marks no letter for the keyboard.
 void TabsTest::namesOfFilesAreShownAsTheyAre() {
-    TextWindow w;
+    TextFixture w;
     const std::string drive = openDrive(w);
     const auto* tabs = w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"));
     const auto shown = [tabs] { return tabs->tabText(0); };
@@ -92,8 +92,8 @@ void TabsTest::namesOfFilesAreShownAsTheyAre() {
     QVERIFY2(typed.find("a&b %1 <b>.sim:") != std::string::npos, typed.c_str()); // the line is not put into the name
 }
 
-void TabsTest::filesThatGoAwayCloseTheirTabs() {
-    TextWindow w;
+void TabsTest::closesTabsOfRemovedFiles() {
+    TextFixture w;
     openDrive(w);
     const std::string parts = w.document.files().at(1);
     QVERIFY(w.panel.openFile(parts));
@@ -110,7 +110,7 @@ void TabsTest::filesThatGoAwayCloseTheirTabs() {
 }
 
 void TabsTest::cursorSelects() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     w.caretAt("Config=Ball");
     QVERIFY(w.selection.empty()); // only by hand
@@ -128,7 +128,7 @@ void TabsTest::cursorSelects() {
 }
 
 void TabsTest::selectionIsMarked() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     const auto marked = [&](const char* words) {
         const auto at = static_cast<unsigned long>(w.shown().indexOf(words));
@@ -138,7 +138,7 @@ void TabsTest::selectionIsMarked() {
     w.selection.select("floor");
     QVERIFY(marked("Static floor"));
     QVERIFY(!marked("Robot ball"));
-    w.selection.select("ball.body"); // its config is in a file without a tab: the robot stands for it
+    w.selection.select("ball.body"); // its config is in a file without a tab: the robot represents it
     QVERIFY(marked("Robot ball"));
     QCOMPARE(w.edit().caret(), caret);
     w.selection.clear();
@@ -146,7 +146,7 @@ void TabsTest::selectionIsMarked() {
 }
 
 void TabsTest::closedDocumentIsEmpty() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     w.document.close();
     QVERIFY(!w.panel.page());
@@ -158,7 +158,7 @@ void TabsTest::closedDocumentIsEmpty() {
 }
 
 void TabsTest::ctrlClickFollows() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     const auto at = static_cast<std::uint32_t>(w.shown().indexOf("parts.sim") + 2);
     const QPoint place = w.edit().placeOf(at) - QPoint(-2, w.edit().lineHeight() / 2);
@@ -167,8 +167,8 @@ void TabsTest::ctrlClickFollows() {
     QCOMPARE(w.shown(), QByteArray(kParts));
 }
 
-void TabsTest::revealTakesNoKeyboard() {
-    TextWindow w;
+void TabsTest::revealKeepsKeyboardFocus() {
+    TextFixture w;
     openDrive(w);
     w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"))->setFocusPolicy(Qt::StrongFocus);
     w.panel.findChild<QTabWidget*>(QStringLiteral("textTabs"))->setFocus();
@@ -182,7 +182,7 @@ void TabsTest::revealTakesNoKeyboard() {
 }
 
 void TabsTest::themesChange() {
-    TextWindow w;
+    TextFixture w;
     openDrive(w);
     const auto back = [&] {
         return w.edit().SendScintilla(QsciScintillaBase::SCI_STYLEGETBACK, static_cast<unsigned long>(TextStyle::Kind));

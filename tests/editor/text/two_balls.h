@@ -1,7 +1,7 @@
 #pragma once
 #include <QTreeWidget>
 
-#include "editor/text/text_window.h"
+#include "editor/text/text_fixture.h"
 
 namespace trundle::test {
 
@@ -21,7 +21,7 @@ RobotConfig Ball {
 )";
 
 /// Two balls whose config is in another file.
-struct TwoBalls : TextWindow {
+struct TwoBalls : TextFixture {
     std::string parts;
     TwoBalls() {
         parts = write("parts.sim", kBallConfig);

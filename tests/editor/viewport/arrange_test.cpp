@@ -19,7 +19,7 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
-    void droppedThingsStandOnWhatIsBelow() {
+    void dropsOntoSupport() {
         QVERIFY(m_window->open(
             QByteArray(kRoom).replace("Pos=-0.5,0,0", "Pos=-0.5,0,0.3").replace("Pos=0.5,0.3,0", "Pos=0.5,0.3,-0.2")));
         m_window->selection.set({"robot0", "robot1"});
@@ -34,11 +34,11 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=-0.5,0,0.14"), m_window->text().constData());
     }
 
-    void aligningGoesByTheLastSelected() {
+    void alignsToLastSelected() {
         m_window->selection.set({"robot0", "robot1"});
-        alignSelected(viewParts(), 1, AlignTo::Middle);
+        alignSelected(viewContext(), 1, AlignTo::Middle);
         QVERIFY2(m_window->text().contains("Pos=-0.5,0.3,0"), m_window->text().constData());
-        alignSelected(viewParts(), 0, AlignTo::Low);
+        alignSelected(viewContext(), 0, AlignTo::Low);
         QVERIFY2(m_window->text().contains("Pos=0.5,0.3,0 HPR=0,0,0 } // the first"), m_window->text().constData());
         m_window->document.undo();
         m_window->document.undo();
@@ -47,17 +47,17 @@ private Q_SLOTS:
 
     void distributingNeedsThree() {
         m_window->selection.set({"robot0", "robot1"});
-        distributeSelected(viewParts(), 0);
+        distributeSelected(viewContext(), 0);
         QCOMPARE(m_window->refusals.back(), QStringLiteral("Select three or more objects."));
         QVERIFY(m_window->open(QByteArray(kRoom) + "Robot robot2 { Config=SimpleRobot Pos=-0.3,1,0 }\n"));
         m_window->selection.set({"robot2", "robot0", "robot1"});
-        distributeSelected(viewParts(), 0);
+        distributeSelected(viewContext(), 0);
         QVERIFY2(m_window->text().contains("robot2 { Config=SimpleRobot Pos=0,1,0 }"), m_window->text().constData());
     }
 
     void rowsOfCopiesAreOneEdit() {
         m_window->selection.select("robot0");
-        copyInRows(viewParts(), {{2, 2, 1}, {0.4, 0.5, 1}, false});
+        copyInRows(viewContext(), {{2, 2, 1}, {0.4, 0.5, 1}, false});
         for (const char* pos : {"Pos=-0.5,0,0", "Pos=-0.1,0,0", "Pos=-0.5,0.5,0", "Pos=-0.1,0.5,0"})
             QVERIFY2(m_window->text().contains(pos), m_window->text().constData());
         QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(5));
@@ -68,9 +68,9 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kRoom);
     }
 
-    void aRobotBecomesAGridThatBeginsWhereItStood() {
+    void gridStartsAtRobot() {
         m_window->selection.select("robot0");
-        copyInRows(viewParts(), {{3, 2, 1}, {0.5, 0.6, 1}, true});
+        copyInRows(viewContext(), {{3, 2, 1}, {0.5, 0.6, 1}, true});
         const auto& robots = m_window->document.loaded()->experiment->robots;
         QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
         QCOMPARE(robots.size(), std::size_t(7));
@@ -82,16 +82,16 @@ private Q_SLOTS:
         m_window->document.undo();
         QCOMPARE(m_window->text(), kRoom);
         m_window->selection.select("robot0");
-        copyInRows(viewParts(), {{3, 1, 1}, {-0.5, 0.6, 1}, true}); // to the other side: a Grid's Spacing has no sign
+        copyInRows(viewContext(), {{3, 1, 1}, {-0.5, 0.6, 1}, true}); // to the other side: a Grid's Spacing has no sign
         QVERIFY2(m_window->text().contains("Pos=-1,0,0 Count=3,1 Spacing=0.5,0.6"), m_window->text().constData());
     }
 
-    void theRowsOfATurnedRobotsGridAreSaidToBeTurned() {
+    void announcesRotatedGrid() {
         m_window->selection.select("robot0");
-        QVERIFY(!gridIsTurned(viewParts()));
+        QVERIFY(!gridIsTurned(viewContext()));
         QVERIFY(m_window->open(QByteArray(kRoom).replace("Pos=-0.5,0,0 HPR=0,0,0", "Pos=-0.5,0,0 HPR=30,0,0")));
         m_window->selection.select("robot0");
-        QVERIFY(gridIsTurned(viewParts()));
+        QVERIFY(gridIsTurned(viewContext()));
         ArrayDialog dialog({0.5, 0.5, 0.3}, 1, {}, true);
         const auto* summary = dialog.findChild<QLabel*>(QStringLiteral("summary"));
         QCOMPARE(summary->text(), QStringLiteral("3 in all, with the original"));
@@ -101,7 +101,7 @@ private Q_SLOTS:
 
     void tooManyCopiesAreRefused() {
         m_window->selection.select("robot0");
-        copyInRows(viewParts(), {{200, 200, 1}, {1, 1, 1}, false});
+        copyInRows(viewContext(), {{200, 200, 1}, {1, 1, 1}, false});
         QCOMPARE(m_window->text(), kRoom);
         QCOMPARE(m_window->refusals.size(), std::size_t(1));
     }
@@ -110,13 +110,13 @@ private Q_SLOTS:
         QVERIFY(m_window->open(
             "StaticConfig Yard {\n  Box crate { Size=0.4,0.4,0.4 Pos=0,0,0.2 }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n"));
         m_window->selection.select("yard.crate");
-        copyInRows(viewParts(), {{3, 1, 1}, {1, 0, 0}, false});
+        copyInRows(viewContext(), {{3, 1, 1}, {1, 0, 0}, false});
         QVERIFY2(m_window->text().contains("Pos=1,0,0.2") && m_window->text().contains("Pos=2,0,0.2"),
                  m_window->text().constData());
         QCOMPARE(m_window->document.loaded()->experiment->statics[0].geoms->size(), std::size_t(3));
     }
 
-    void theDialogSaysWhatItWillDo() {
+    void dialogShowsSummary() {
         ArrayDialog dialog({0.5, 0.5, 0.3}, 3, {});
         dialog.findChild<QSpinBox*>(QStringLiteral("countX"))->setValue(4);
         dialog.findChild<QSpinBox*>(QStringLiteral("countY"))->setValue(2);
@@ -127,7 +127,7 @@ private Q_SLOTS:
     }
 
 private:
-    const ViewParts& viewParts() { return m_window->view().parts(); }
+    const ViewContext& viewContext() { return m_window->view().context(); }
     std::unique_ptr<RenderService> m_render;
     std::unique_ptr<ViewWindow> m_window;
 };

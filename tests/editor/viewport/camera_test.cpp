@@ -111,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(isUsable(camera.view()));
     }
 
-    void followingKeepsTheRobotInItsPlace() {
+    void followKeepsRobotPositionInView() {
         ViewCamera camera;
         camera.setKind(ViewKind::Follow);
         camera.follow({Vec3(1, 2, 0), Quat::Identity()});
@@ -130,7 +130,7 @@ private Q_SLOTS:
         }
     }
 
-    void buttonsDoWhatTheStyleSays_data() {
+    void navigationStyleMapsButtons_data() {
         QTest::addColumn<int>("style");
         QTest::addColumn<int>("button");
         QTest::addColumn<int>("held");
@@ -153,7 +153,7 @@ private Q_SLOTS:
         row("CAD right", cad, Qt::RightButton, {}, CameraDrag::Orbit);
         row("CAD left selects", cad, Qt::LeftButton, Qt::ShiftModifier, CameraDrag::None);
     }
-    void buttonsDoWhatTheStyleSays() {
+    void navigationStyleMapsButtons() {
         QFETCH(int, style);
         QFETCH(int, button);
         QFETCH(int, held);
@@ -161,7 +161,7 @@ private Q_SLOTS:
         QCOMPARE(int(cameraDrag(NavigationStyle(style), Qt::MouseButton(button), Qt::KeyboardModifiers(held))), drag);
     }
 
-    void aViewTakenOverIsTheSameView() {
+    void adoptedViewIsUnchanged() {
         CameraView view;
         view.eye = {3, -2, 1.5};
         view.target = {0.5, 0.5, 0.2};

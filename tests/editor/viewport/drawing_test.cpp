@@ -1,7 +1,7 @@
 #include <QtTest>
 
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -37,7 +37,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->view().redraws(), before + 1);
     }
 
-    void whenAllStandsStillOneFinerPictureIsTheLast() {
+    void refinesPictureWhenIdle() {
         EVENTUALLY_EQUAL(m_window->view().refinements(), 1);
         EVENTUALLY(m_window->panel->isUpToDate());
         const int redraws = m_window->view().redraws();
@@ -47,7 +47,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->view().refinements(), 1);
     }
 
-    void aFinerPictureKeepsNoNewOneWaiting() {
+    void refinementDoesNotDelayNewImages() {
         m_window->panel->resize(1800, 1400); // so that it takes long
         EVENTUALLY(m_window->panel->isUpToDate());
         const int finer = m_window->view().refinements();
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(shown.size(), 2); // the one that gave way was not
     }
 
-    void aHiddenPanelAsksForNothing() {
+    void hiddenPanelRequestsNothing() {
         m_window->panel->hide();
         const int before = m_window->view().redraws();
         QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"robot0.Pos", "0,0,0"}}).ok());
@@ -88,7 +88,7 @@ private Q_SLOTS:
         EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
     }
 
-    void hiddenThingsAreNotInThePicture() {
+    void omitsHiddenObjects() {
         m_window->selection.select("robot0");
         EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
         m_window->panel->setHidden({"robot0"});
@@ -124,7 +124,7 @@ private Q_SLOTS:
     }
 
     void inTheCadStyleTheMiddleButtonPansAndCtrlZooms() {
-        ViewSettings& settings = m_window->view().parts().settings;
+        ViewSettings& settings = m_window->view().context().settings;
         settings.setNavigation(NavigationStyle::Cad);
         const QPointF cursor(500, 420), to(620, 380);
         Vec3 under = m_window->view().pointUnder(cursor);
@@ -138,7 +138,7 @@ private Q_SLOTS:
         settings.setNavigation(NavigationStyle::Trundle);
     }
 
-    void whoTurnsTheViewIsToldOfFlying() {
+    void hintsAtFlyingWhileOrbiting() {
         m_window->press({500, 420}, Qt::RightButton);
         m_window->move({520, 420}, {}, Qt::RightButton);
         QVERIFY2(m_window->view().hint().contains(QStringLiteral("W A S D")), qPrintable(m_window->view().hint()));
@@ -179,7 +179,7 @@ private Q_SLOTS:
         EVENTUALLY(m_window->view().camera().distance() > 3);
     }
 
-    void aBrokenThingStaysAsAGhost() {
+    void showsBrokenObjectAsGhost() {
         const QPointF hull = m_window->at({0.5, 0.3, 0.1});
         EVENTUALLY_EQUAL(m_window->view().refinements(), 1);
         EVENTUALLY(m_window->panel->isUpToDate());
@@ -218,7 +218,7 @@ private Q_SLOTS:
         }
     }
 
-    void anotherLookIsTakenUpAtOnce() {
+    void appliesRenderStyleAtOnce() {
         const auto chosen = [this](const char* id) { return m_window->actions.at(id).isChecked(); };
         EVENTUALLY(m_window->panel->isSettled());
         const QImage fast = m_window->view().picture();

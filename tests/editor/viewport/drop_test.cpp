@@ -22,7 +22,7 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
-    void aRobotStandsWhereItWasDropped() {
+    void placesRobotAtDropPoint() {
         drop("Robot", "Robot robot { Config=SimpleRobot }", {}, {0.2, -0.7, 0});
         QVERIFY2(m_window->text().contains("Pos=0.2,-0.7,0"), m_window->text().constData());
         QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(3));
@@ -31,13 +31,13 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kRoom);
     }
 
-    void aRobotOfAnotherFileBringsItsImport() {
+    void insertsImportWithRobot() {
         drop("Robot", "Robot amr { Config=Amr Pos=0,0,0 }", {QStringLiteral("robots/amr.sim")}, {0.2, -0.7, 0});
         QVERIFY2(m_window->text().contains("#import robots/amr.sim"), m_window->text().constData());
         QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
     }
 
-    void aShapeGoesIntoTheArenaItFallsOn() {
+    void addsShapeToArenaBelow() {
         QVERIFY(m_window->open("StaticConfig Yard {\n  Plane floor { }\n}\nStatic yard { Config=Yard Pos=0,0,0 }\n"));
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
         drop("Box", "Box crate { Size=0.4,0.4,0.6 }", {}, {0.5, 0.5, 0});
@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->selection.paths().size(), std::size_t(1));
     }
 
-    void aShapeOnNothingIsRefusedInWords() {
+    void rejectsShapeDroppedOnNothing() {
         QVERIFY(m_window->open("Tick = 0.01\n"));
         drop("Box", "Box crate { Size=0.4,0.4,0.6 }", {}, {0.5, 0.5, 0});
         QCOMPARE(m_window->refusals.size(), std::size_t(1));
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
     }
 
-    void whatFallsOnASideFaceStandsBesideIt() {
+    void dropOnSideFacePlacesBeside() {
         QVERIFY(m_window->open("#import arenas/open_floor.sim\n#import objects/wall.sim\nStatic ground { Config=OpenFloor }\n"
                                "Static wall { Config=Wall Pos=0,0,0 HPR=30,0,0 }\n"));
         m_window->look({1.2, -2.5, 1.5}, {0, 0, 0.2});
@@ -73,12 +73,12 @@ private Q_SLOTS:
         QCOMPARE(at.z(), 0.0);
         const double reach = 0.125 * (std::abs(normal.x()) + std::abs(normal.y())); // of its corner towards the wall
         QVERIFY2(std::abs(normal.dot(at) - 0.05 - reach) < 1e-4, m_window->text().constData());
-        // On top of the wall it stands on top.
+        // On top of the wall it rests on top.
         drop("Robot", "Robot crate { Config=Crate Pos=0,0,0 }", {QStringLiteral("objects/crate.sim")}, {0, 0, 0.5});
         QVERIFY(std::abs(m_window->document.loaded()->experiment->robots.at(1).pose.position.z() - 0.5) < 1e-5);
     }
 
-    void whatIsDraggedIsSeenWhereItWillStand() {
+    void previewsDropPose() {
         QVERIFY(m_window->open("#import arenas/open_floor.sim\nStatic ground { Config=OpenFloor }\n"));
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
         m_window->trigger("view.overlayShadows");
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
     }
 
-    void whatCannotBeMovedIsSaid() {
+    void reportsUnmovableObjects() {
         QVERIFY(m_window->open(QByteArray(kRoom).replace("Robot robot1 {", "Grid robot1 { Count=2,1 Spacing=1,1")));
         const QByteArray before = m_window->text();
         m_window->selection.select("robot1_0");
@@ -160,13 +160,13 @@ private Q_SLOTS:
         QCOMPARE(m_window->refusals.size(), std::size_t(1));
     }
 
-    void rowsOfAnotherProgramAreCopies() {
+    void dropFromOtherWindowCopies() {
         m_window->selection.select("robot0");
         QCOMPARE(dropRows({"robot0"}, {0.2, -0.7, 0}, {}, "1 "), Qt::CopyAction);
         QCOMPARE(m_window->document.loaded()->experiment->robots.size(), std::size_t(3));
     }
 
-    void rubbishIsNotTaken_data() {
+    void rejectsUnknownMimeData_data() {
         QTest::addColumn<QByteArray>("json");
         QTest::newRow("empty") << QByteArray();
         QTest::newRow("no JSON") << QByteArray("Robot x {");
@@ -176,7 +176,7 @@ private Q_SLOTS:
         QTest::newRow("a list") << QByteArray("[1,2,3]");
         QTest::newRow("numbers for words") << QByteArray("{\"kind\":3,\"text\":7,\"imports\":9}");
     }
-    void rubbishIsNotTaken() {
+    void rejectsUnknownMimeData() {
         QFETCH(const QByteArray, json);
         QMimeData data;
         data.setData(QStringLiteral("application/x-trundle-library"), json);

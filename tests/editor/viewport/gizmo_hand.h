@@ -1,5 +1,5 @@
 #pragma once
-#include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/gizmo_tool.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/view_window.h"
 

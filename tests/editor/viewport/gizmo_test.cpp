@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Move 2 objects"));
     }
 
-    void whatMovesAlongWithItsOwnerIsNotMovedTwice() {
+    void movesNestedSelectionOnce() {
         m_window->selection.set({"robot0.chassis.hull", "robot0"});
         m_window->trigger("tool.move");
         dragBy(kMoveX, {0.1, 0, 0}, Qt::NoModifier);
@@ -167,7 +167,7 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos = 30 cm, $(high * 2), $high }"), m_window->text().constData());
     }
 
-    void aPartOfAnInstanceIsOverridden() {
+    void overridesPartOfInstance() {
         m_window->look({-1.6, -2.2, 1.2}, {-0.3, 0, 0});
         take("robot0.chassis.bumper", "tool.move");
         dragBy(kMoveZ, {0, 0, 0.1}, Qt::NoModifier, {-0.34, 0, 0.07});
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QCOMPARE(wide.pose.position, after.pose.position);
     }
 
-    void anArrowIsTakenByItsTip() {
+    void arrowIsGrabbedByItsTip() {
         take("robot0", "tool.move");
         const QPointF middle = *m_window->view().pixelOf({-0.5, 0, 0}), spot = *m_window->view().gizmo().spot(kMoveX);
         const QPointF along = (spot - middle) / QLineF(middle, spot).length();
@@ -264,7 +264,7 @@ private Q_SLOTS:
         }
     }
 
-    void aRobotSaysThatItHasNoSize() {
+    void reportsThatRobotHasNoSize() {
         take("robot0", "tool.scale");
         const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
         QVERIFY(banner->isVisible());
@@ -317,7 +317,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), before);
     }
 
-    void theMouseTakenAwayInADragEndsWell() {
+    void losingMouseEndsDrag() {
         take("robot0", "tool.move");
         const QPointF from = *m_window->view().gizmo().spot(kMoveX);
         m_window->press(from);

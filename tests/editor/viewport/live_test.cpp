@@ -1,10 +1,10 @@
 #include <QtTest>
 
 #include "editor/viewport/contact_arrows.h"
-#include "editor/viewport/gizmo_work.h"
+#include "editor/viewport/gizmo_tool.h"
 #include "editor/viewport/pinned_values.h"
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 #include "project/plans.h"
 
@@ -40,8 +40,8 @@ private Q_SLOTS:
         QCOMPARE(m_window->panel->pinned().paths(), std::vector<std::string>{"robot0.leftMotor"});
         QVERIFY(pin.isChecked());
         const QImage atStart = shown();
-        const int floor = qGray(plain.pixel(4, 12)), plate = qGray(atStart.pixel(4, 12));
-        QVERIFY2(plate < floor - 40, qPrintable(QStringLiteral("%1 %2").arg(floor).arg(plate))); // dark over a lighter floor
+        const int floor = qGray(plain.pixel(4, 12)), label = qGray(atStart.pixel(4, 12));
+        QVERIFY2(label < floor - 40, qPrintable(QStringLiteral("%1 %2").arg(floor).arg(label))); // dark over a lighter floor
         step();
         EVENTUALLY(shown() != atStart);
         m_window->selection.select("robot1");
@@ -50,7 +50,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->panel->pinned().paths().size(), 2u);
         // What has gone is pinned no longer; the same action unpins.
         m_window->selection.clear();
-        QVERIFY(m_window->document.carryOut(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"robot1"})).ok());
+        QVERIFY(m_window->document.apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"robot1"})).ok());
         QCOMPARE(m_window->panel->pinned().paths(), std::vector<std::string>{"robot0.leftMotor"});
         m_window->selection.select("robot0.leftMotor");
         QVERIFY(pin.isChecked());
@@ -58,36 +58,36 @@ private Q_SLOTS:
         QVERIFY(m_window->panel->pinned().paths().empty() && !pin.isChecked());
     }
 
-    void pinnedPlatesAreDraggedAndClosed() {
+    void pinnedLabelsAreDraggedAndClosed() {
         PinnedValues& pinned = m_window->panel->pinned();
         pinned.set({"robot0", "robot0.leftMotor"}, true);
         EVENTUALLY(m_window->panel->isUpToDate());
-        const auto plate = [this](const char* path) {
-            for (const PinnedPlate& each : pinnedPlates(m_window->view()))
+        const auto label = [this](const char* path) {
+            for (const PinnedLabel& each : pinnedLabels(m_window->view()))
                 if (each.path == path) return each;
-            return PinnedPlate();
+            return PinnedLabel();
         };
-        const QRectF robot = plate("robot0").rect, motor = plate("robot0.leftMotor").rect;
+        const QRectF robot = label("robot0").rect, motor = label("robot0.leftMotor").rect;
         QVERIFY(motor.top() > robot.bottom()); // in a column
         const QPointF from = motor.center(), to = from + QPointF(400, 150);
         m_window->drag(from, to);
-        QVERIFY2((plate("robot0.leftMotor").rect.center() - to).manhattanLength() < 2, "it goes with the mouse");
+        QVERIFY2((label("robot0.leftMotor").rect.center() - to).manhattanLength() < 2, "it goes with the mouse");
         QVERIFY(m_window->selection.empty()); // what is behind it was not clicked
-        QCOMPARE(plate("robot0").rect, robot);
+        QCOMPARE(label("robot0").rect, robot);
         m_window->panel->resize(700, 600); // it keeps its share of the view
-        const QRectF moved = plate("robot0.leftMotor").rect;
+        const QRectF moved = label("robot0.leftMotor").rect;
         QVERIFY(QRectF(m_window->view().rect()).contains(moved));
         m_window->click(moved.center());
         QCOMPARE(m_window->selection.current(), std::string("robot0.leftMotor"));
         m_window->drag(moved.center(), QPointF(-500, -500)); // never out of the view
-        QVERIFY(QRectF(m_window->view().rect()).contains(plate("robot0.leftMotor").rect));
-        const QPointF back = plate("robot0.leftMotor").rect.center();
+        QVERIFY(QRectF(m_window->view().rect()).contains(label("robot0.leftMotor").rect));
+        const QPointF back = label("robot0.leftMotor").rect.center();
         m_window->press(back);
         m_window->move(back + QPointF(200, 200), {}, Qt::LeftButton);
         m_window->key(Qt::Key_Escape);
-        QVERIFY((plate("robot0.leftMotor").rect.center() - back).manhattanLength() < 2);
+        QVERIFY((label("robot0.leftMotor").rect.center() - back).manhattanLength() < 2);
         m_window->release(back);
-        m_window->click(plate("robot0.leftMotor").close.center());
+        m_window->click(label("robot0.leftMotor").close.center());
         QCOMPARE(pinned.paths(), std::vector<std::string>{"robot0"});
         QVERIFY(m_window->open(kRoom)); // pins are of the experiment that is open
         QVERIFY(pinned.paths().empty());
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kRoom);
     }
 
-    void followKeepsTheRobotWhereItWasInThePicture() {
+    void followKeepsRobotInImage() {
         step();
         m_window->selection.select("robot1");
         m_window->trigger("view.follow");
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective);
     }
 
-    void whatIsOpenedDuringARunIsFramed() {
+    void framesExperimentOpenedDuringRun() {
         step();
         m_window->look({50, 50, 50}, {60, 60, 60});
         QVERIFY(m_window->open(kRoom));
@@ -191,14 +191,14 @@ private Q_SLOTS:
         contacts[1600].force = 5;
         contacts[1700].force = 1e6;
         const auto arrows = contactArrows(contacts, unit);
-        QCOMPARE(arrows.size(), kMostContacts);
+        QCOMPARE(arrows.size(), kMaxContacts);
         const auto of = [&](double force) {
             return *std::ranges::find_if(arrows, [&](const ContactArrow& a) { return a.contact->force == force; });
         };
         QCOMPARE(of(20).pixels, kForcePixels);
         QCOMPARE(of(5).pixels, kForcePixels / 4);
         QVERIFY(!of(20).isCut && of(1e6).isCut);
-        QCOMPARE(of(1e6).pixels, kMostForcePixels);
+        QCOMPARE(of(1e6).pixels, kMaxForcePixels);
         QVERIFY(std::ranges::all_of(arrows, [](const ContactArrow& a) { return a.contact->force > 0.3; })); // the strongest
     }
 

@@ -18,7 +18,7 @@ private Q_SLOTS:
         QCOMPARE(steppedNumber(1e300, 1e-6).size(), std::size_t(301));
     }
 
-    void onlyWhatChangedIsWrittenAnew_data() {
+    void rewritesOnlyChangedNumbers_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("expected");
         // From 0.1, 0.2, 0.3 to 0.1, 0.25, 0.3.
@@ -41,7 +41,7 @@ private Q_SLOTS:
         QTest::newRow("no value at all") << "} what {"
                                          << "0.1,0.25,0.3";
     }
-    void onlyWhatChangedIsWrittenAnew() {
+    void rewritesOnlyChangedNumbers() {
         QFETCH(const QString, text);
         QFETCH(const QString, expected);
         const double before[] = {0.1, 0.2, 0.3}, after[] = {0.1, 0.25, 0.3};

@@ -2,9 +2,9 @@
 // text has.
 #include <QtTest>
 
-#include "editor/viewport/gizmo_work.h"
-#include "editor/viewport/shown_world.h"
+#include "editor/viewport/gizmo_tool.h"
 #include "editor/viewport/view_window.h"
+#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 #include "project/plans.h"
 
@@ -38,7 +38,7 @@ private Q_SLOTS:
         QVERIFY(!m_window->document.isModified());
     }
 
-    void whatIsDraggedChangesInTheConfig() {
+    void draggingEditsConfig() {
         open(kRover);
         m_window->selection.select("RobotConfig.Rover.chassis.mast");
         m_window->trigger("tool.move");
@@ -53,9 +53,9 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), kRover);
     }
 
-    void aMistakeTakesAwayOnlyWhatItIsIn() {
+    void errorHidesOnlyItsBlock() {
         open(kRover);
-        const ShownWorld& world = m_window->view().parts().world;
+        const ViewportScene& world = m_window->view().context().world;
         QVERIFY(world.find("RobotConfig.Rover.chassis.hull"));
         const QByteArray wrong = QByteArray(kRover).replace("Box hull", "Bxo hull");
         QVERIFY(m_window->document.replaceText({}, m_window->document.files()[0], wrong.toStdString()).ok());
@@ -64,22 +64,21 @@ private Q_SLOTS:
         QVERIFY(world.find("RobotConfig.Rover.chassis.hull"));
     }
 
-    void severalStandSideBySide() {
+    void arrangesConfigsSideBySide() {
         open(kRover + kYard);
         QCOMPARE(selectedAt({0, 0, 0.5}), std::string("RobotConfig.Rover"));
-        const auto yard = m_window->view().parts().world.find("StaticConfig.Yard");
+        const auto yard = m_window->view().context().world.find("StaticConfig.Yard");
         QVERIFY(yard);
-        const Bounds bounds = m_window->view().parts().world.boundsOf(*yard);
+        const Bounds bounds = m_window->view().context().world.boundsOf(*yard);
         QVERIFY2(bounds.high.y() < -0.2 && bounds.high.y() > -1, QByteArray::number(bounds.high.y()));
         QCOMPARE(selectedAt(bounds.centre()), std::string("StaticConfig.Yard"));
     }
 
-    void whatIsPlacedIsShownAlone() {
+    void showsOnlyPlacedObjects() {
         open(kRover);
-        QVERIFY(
-            m_window->document.carryOut({}, planInsert(*m_window->document.loaded(), {}, "Robot one { Config=Rover Pos=0,1,0 }"))
-                .ok());
-        const ShownWorld& world = m_window->view().parts().world;
+        QVERIFY(m_window->document.apply({}, planInsert(*m_window->document.loaded(), {}, "Robot one { Config=Rover Pos=0,1,0 }"))
+                    .ok());
+        const ViewportScene& world = m_window->view().context().world;
         QCOMPARE(world.objects()->instances().size(), std::size_t(1));
         QCOMPARE(world.objectsOf("RobotConfig.Rover.chassis").size(), std::size_t(1)); // in the robot
         QVERIFY(m_window->session.refusal().isEmpty());
@@ -91,7 +90,7 @@ private Q_SLOTS:
     void aRobotRunsOnAFloor() {
         const QByteArray high = QByteArray(kRover).replace("Pos=0,0,0.1", "Pos=0,0,0.3");
         open(high);
-        const ShownWorld& world = m_window->view().parts().world;
+        const ViewportScene& world = m_window->view().context().world;
         QCOMPARE(world.objects()->instances().size(), std::size_t(2));
         QCOMPARE(selectedAt({2, 0, 0}), std::string());
         RunSession& session = m_window->session;
@@ -113,19 +112,19 @@ private Q_SLOTS:
     /// What reaches below its own frame is lifted onto the floor.
     void noRobotStartsInTheFloor() {
         open(QByteArray(kRover).replace("Pos=0,0,0.1", "Pos=0,0,0"));
-        const ShownWorld& world = m_window->view().parts().world;
+        const ViewportScene& world = m_window->view().context().world;
         const auto rover = world.find("RobotConfig.Rover");
         QVERIFY(rover && std::abs(world.boundsOf(*rover).low.z()) < 1e-9);
     }
 
-    void theTemplateHoldsItsRobotAlone() {
+    void previewContainsRobotOnly() {
         QFile file(QStringLiteral(TRUNDLE_SOURCE_DIR "/resources/templates/robot.sim"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray text = file.readAll();
         QVERIFY(m_window->document.openNew("robot.sim", text.toStdString()).ok());
         QVERIFY(!m_window->document.loaded()->diagnostics.hasErrors());
         QVERIFY(m_window->document.loaded()->experiment->robots.empty());
-        const ShownWorld& world = m_window->view().parts().world;
+        const ViewportScene& world = m_window->view().context().world;
         QVERIFY(world.find("RobotConfig.NewRobot"));
         RunSession& session = m_window->session;
         session.setSpeed(0);
@@ -138,7 +137,7 @@ private Q_SLOTS:
         session.reset();
     }
 
-    void runSaysWhyThereIsNothingToRun() {
+    void reportsWhyNothingRuns() {
         open(kYard);
         QSignalSpy refused(&m_window->session, &RunSession::refused);
         m_window->session.run();
@@ -149,9 +148,9 @@ private Q_SLOTS:
         QVERIFY(m_window->session.refusal().isEmpty());
     }
 
-    void importsAloneAreNoDescription() {
+    void showsNothingForImportsAlone() {
         open("#import robots/simple_robot.sim\n");
-        QVERIFY(m_window->view().parts().world.objects()->instances().empty());
+        QVERIFY(m_window->view().context().world.objects()->instances().empty());
     }
 
     /// Each of those that come with the program is seen when it is opened.
@@ -160,7 +159,7 @@ private Q_SLOTS:
             for (const QFileInfo& file : QDir(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/") + QLatin1String(folder))
                                              .entryInfoList({QStringLiteral("*.sim")})) {
                 QVERIFY(m_window->document.open(file.filePath().toStdString()).ok());
-                const ObjectIndex& objects = *m_window->view().parts().world.objects();
+                const ObjectIndex& objects = *m_window->view().context().world.objects();
                 QVERIFY2(!objects.instances().empty(), qPrintable(file.fileName()));
             }
     }

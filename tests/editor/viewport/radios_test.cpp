@@ -10,8 +10,8 @@
 #include "editor/viewport/antenna_lobes.h"
 #include "editor/viewport/radio_colours.h"
 #include "editor/viewport/radio_overlays.h"
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -32,7 +32,7 @@ RobotConfig Mote {
 double friis(double distance) { return -20 * std::log10(4 * std::numbers::pi * distance * 2.45e9 / 299792458.0); }
 
 /// What the window shows, as the pure parts take it.
-RadioPlaces placesOf(ViewWindow& window) {
+RadioPoses placesOf(ViewWindow& window) {
     const auto& objects = window.panel->world().objects();
     return {objects, window.panel->world().poses(),
             std::make_shared<const std::vector<RadioNode>>(radioNodesOf(objects->experiment()))};
@@ -88,7 +88,7 @@ private Q_SLOTS:
         }
     }
 
-    void itsUnitIsARoundLength() {
+    void roundsUnitLength() {
         QCOMPARE(lobeUnitBeside(0.04), 0.05);
         QCOMPARE(lobeUnitBeside(0.22), 0.2);
         QCOMPARE(lobeUnitBeside(0.45), 0.5);
@@ -119,7 +119,7 @@ private Q_SLOTS:
         QVERIFY(!differs(bare, {-ahead, 0, 0.1}));
     }
 
-    void aLobeOnAHingedBodyStandsInThatBody() {
+    void lobeFollowsHingedBody() {
         QVERIFY(m_window->open(kMote + R"(RobotConfig Turret {
   Body foot { Box b { Size=0.1,0.1,0.1 Pos=0,0,0.05 Mass=1 Material=green Surface=plastic } }
   Body head { Pos=0,0,0.15 HPR=90,0,0 Box b { Size=0.1,0.02,0.02 Mass=0.1 Material=green Surface=plastic } }
@@ -168,7 +168,7 @@ Robot a { Config=Turret }
         add("f", -far(14), 0, "radio.MinReceivePower=-30");
         add("d", 50, 50);
         QVERIFY(m_window->open(text));
-        const RadioPlaces places = placesOf(*m_window);
+        const RadioPoses places = placesOf(*m_window);
         const RadioLinks all = linksOf(places, {});
         const auto of = [&](std::size_t from, std::size_t to) {
             const auto it = std::ranges::find_if(all.links, [&](const RadioLink& l) { return l.from == from && l.to == to; });
@@ -194,13 +194,13 @@ Robot a { Config=Turret }
     void ofManyTheStrongestAreDrawn() {
         QVERIFY(m_window->open(kMote + "Grid g { Config=Mote Count=8,5 Spacing=0.1 }\n"));
         const RadioLinks links = linksOf(placesOf(*m_window), {});
-        QCOMPARE(links.links.size(), kMostLinks);
+        QCOMPARE(links.links.size(), kMaxLinks);
         QCOMPARE(links.reaching, std::size_t(40 * 39 / 2));
         QCOMPARE(links.nearest, std::size_t(0));
         QVERIFY(m_window->open(kMote + "Grid g { Config=Mote Count=20,20 Spacing=0.1 }\n"));
         const RadioLinks many = linksOf(placesOf(*m_window), {});
         QCOMPARE(many.nearest, std::size_t(100));
-        QVERIFY(many.reaching >= 400 * 100 / 2 && many.reaching <= 2 * kMostLinkPairs);
+        QVERIFY(many.reaching >= 400 * 100 / 2 && many.reaching <= 2 * kMaxLinkPairs);
         QVERIFY(std::abs(many.links.front().margin - (friis(0.1) + 50)) < 0.01);
     }
 
@@ -233,11 +233,11 @@ Robot a { Config=Turret }
 
     void coverageIsFriis() {
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote Pos=0.3,-0.2,0 }\nRobot b { Config=Mote Pos=2,2,0 }\n"));
-        CoverageWish wish{placesOf(*m_window), 0, {}, {-2, -2, 5, 4}, 100};
-        wish.receiver = typicalReceiver(wish.places, 0);
-        QCOMPARE(wish.receiver.height, 0.1);
-        QCOMPARE(wish.receiver.sensitivity, -50.0);
-        const auto coverage = coverageOf(wish, [] { return true; });
+        CoverageRequest request{placesOf(*m_window), 0, {}, {-2, -2, 5, 4}, 100};
+        request.receiver = typicalReceiver(request.places, 0);
+        QCOMPARE(request.receiver.height, 0.1);
+        QCOMPARE(request.receiver.sensitivity, -50.0);
+        const auto coverage = coverageOf(request, [] { return true; });
         QVERIFY(coverage);
         QCOMPARE(coverage->columns, 100u);
         QCOMPARE(coverage->rows, 80u);
@@ -254,7 +254,7 @@ Robot a { Config=Turret }
             else QCOMPARE(shown, heatColour((stepped - scale.low) / (scale.high - scale.low)));
         }
         QVERIFY(std::isnan(coverage->at(-2.1, 0)) && std::isnan(coverage->at(0, 2.1)));
-        QVERIFY(!coverageOf(wish, [rows = 0]() mutable { return rows++ < 3; })); // it was told to stop
+        QVERIFY(!coverageOf(request, [rows = 0]() mutable { return rows++ < 3; })); // it was asked to stop
     }
 
     void coverageIsThatOfTheMedium_data() {
@@ -273,18 +273,18 @@ Robot a { Config=Mote HPR=20,10,0 radio.Antenna=beam }
 Robot open { Config=Mote Pos=0.5,0.5,0 }
 Robot behind { Config=Mote Pos=2,0.3,0 }
 )"));
-        CoverageWish wish{placesOf(*m_window), 0, {0.1, -94}, {}, 1};
-        const RadioNodes radios = radiosAt(wish.places);
+        CoverageRequest request{placesOf(*m_window), 0, {0.1, -94}, {}, 1};
+        const RadioNodes radios = radiosAt(request.places);
         for (const RadioId to : {1u, 2u}) {
             const Vec3 at = radios.antenna(to).pose.position;
-            wish.ground = {at.x() - 0.01, at.y() - 0.01, 0.02, 0.02}; // one cell with the mote in the middle
-            const auto coverage = coverageOf(wish, [] { return true; });
+            request.ground = {at.x() - 0.01, at.y() - 0.01, 0.02, 0.02}; // one cell with the mote in the middle
+            const auto coverage = coverageOf(request, [] { return true; });
             QVERIFY(std::abs(coverage->power[0] - radios.link(0, to, 0).link.power) < 1e-4);
         }
         QCOMPARE(radios.link(0, 2, 0).link.wallLoss, medium.contains("Wall") ? 7.0 : 0.0);
     }
 
-    void theGroundStaysWhileThingsMoveOnIt() {
+    void reusesGroundWhileObjectsMove() {
         Bounds bounds;
         bounds.add(Vec3(-3.2, -1, 0));
         bounds.add(Vec3(4.1, 2, 0.5));
@@ -326,27 +326,27 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         QVERIFY(!differs(bare, {0.6, 0.3, 0}));
     }
 
-    void whatStandsStillIsNotReckonedAgain() {
+    void skipsComputationWithoutMotion() {
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote }\nRobot b { Config=Mote Pos=2,0,0 }\n"));
         m_window->trigger("view.overlayCoverage");
         m_window->trigger("view.overlayLinks");
         step();
-        EVENTUALLY(!m_window->panel->radios().isReckoning());
-        const int before = m_window->panel->radios().wishes();
+        EVENTUALLY(!m_window->panel->radios().isComputing());
+        const int before = m_window->panel->radios().requests();
         m_window->session.runFor(0.3);
         EVENTUALLY(m_window->session.time() > 0.29 && m_window->session.state() == RunState::Paused);
-        QCOMPARE(m_window->panel->radios().wishes(), before);
+        QCOMPARE(m_window->panel->radios().requests(), before);
         QVERIFY(m_window->session.place("b", {Vec3(1, 0, 0), Quat::Identity()})); // not the one that sends
-        EVENTUALLY_EQUAL(m_window->panel->radios().wishes(), before + 1);
+        EVENTUALLY_EQUAL(m_window->panel->radios().requests(), before + 1);
     }
 
-    void theThreadGivesUpWhatIsForgotten() {
+    void workerSkipsObsoleteRequests() {
         QVERIFY(m_window->open(kMote + "RadioMedium air { WallLoss=4 }\nRobot a { Config=Mote }\n"));
-        CoverageWish wish{placesOf(*m_window), 0, {}, {-2, -2, 4, 4}, 192};
+        CoverageRequest request{placesOf(*m_window), 0, {}, {-2, -2, 4, 4}, 192};
         std::atomic<int> coarse = 0, fine = 0, givenUp = 0;
-        RadioReckoner* forgetful = nullptr;
+        RadioWorker* forgetful = nullptr;
         QThread* caller = nullptr;
-        RadioReckoner::Answers answers;
+        RadioWorker::Answers answers;
         answers.links = [](std::uint64_t, const RadioLinks&) {};
         answers.coverage = [&](std::uint64_t, const CoverageMap& map, bool last) {
             caller = QThread::currentThread();
@@ -354,9 +354,9 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
             if (!last && map.coverage.columns < 192) forgetful->forget();
         };
         answers.coverageGivenUp = [&](std::uint64_t) { ++givenUp; };
-        RadioReckoner reckoner(answers);
-        forgetful = &reckoner;
-        reckoner.wantCoverage(1, wish);
+        RadioWorker worker(answers);
+        forgetful = &worker;
+        worker.requestCoverage(1, request);
         EVENTUALLY_EQUAL(givenUp.load(), 1);
         QCOMPARE(coarse.load(), 1);
         QCOMPARE(fine.load(), 0);
@@ -371,14 +371,14 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         bool edited = false;
         connect(&radios, &RadioOverlays::sceneChanged, m_window->panel.get(), [&] {
             // The coarse one is here, the fine one is in work.
-            if (edited || !radios.isReckoning() || !radios.coverage()) return;
+            if (edited || !radios.isComputing() || !radios.coverage()) return;
             edited = true;
             QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"a.Pos", "1,0,0"}}).ok());
         });
         m_window->trigger("view.overlayCoverage");
         EVENTUALLY(edited);
         EVENTUALLY_EQUAL(radios.coveragesGivenUp(), 1);
-        EVENTUALLY(!radios.isReckoning());
+        EVENTUALLY(!radios.isComputing());
         const Coverage& now = radios.coverage()->coverage;
         QVERIFY(std::max(now.columns, now.rows) == 192u);
         // About the place where it is now the power is highest.
@@ -387,13 +387,13 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
 
     // --- all of them ---
 
-    void offDrawsAndReckonsNothing() {
+    void disabledOverlayComputesNothing() {
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote }\nRobot b { Config=Mote Pos=1,0,0 }\n"));
         m_window->look({0.5, -2, 2}, {0.5, 0, 0});
         EVENTUALLY(m_window->panel->isSettled());
         const RadioOverlays& radios = m_window->panel->radios();
         const QImage before = m_window->view().grab().toImage();
-        QCOMPARE(radios.wishes(), 0);
+        QCOMPARE(radios.requests(), 0);
         QVERIFY(radios.nodes().empty() && !radios.inScene().shapes && !radios.inScene().floor);
         for (const char* id : {"view.overlayLobes", "view.overlayLinks", "view.overlayCoverage"}) {
             m_window->trigger(id);
@@ -405,7 +405,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         }
     }
 
-    void aRunIsTheSameWhoeverLooks() {
+    void runIsUnaffectedByViews() {
         const QByteArray text =
             kMote + "RadioMedium air { Model=log_distance Shadowing=4 }\nRobot a { Config=Mote Pos=0,0,0.3 HPR=0,20,0 "
                     "}\nRobot b { Config=Mote Pos=1,0,0 }\n";

@@ -118,7 +118,7 @@ private Q_SLOTS:
         if (own.isEmpty()) QVERIFY(std::abs(grown - (config.contains("Sphere") ? 0.4 : 0.2)) < 1e-9);
     }
 
-    void whatNoOneParamSizesIsSaid() {
+    void reportsMissingSizeParam() {
         open("StaticConfig Pair {\nParam a = 0.5\nParam b = 0.3\nParam high = 0.4\n"
              "Box box { Size=$(a+b),0.2,$high Pos=0,0,$(high/2) }\n}\nStatic pair { Config=Pair }\n");
         take("pair", "tool.scale");
@@ -127,12 +127,12 @@ private Q_SLOTS:
         QVERIFY(m_window->view().gizmo().spot({Handle::Kind::Size, 2}));
         const auto* banner = m_window->panel->findChild<QWidget*>(QStringLiteral("viewportBanner"));
         QVERIFY(banner->isVisible());
-        const QString said = banner->findChild<QLabel*>()->text();
+        const QString reportOf = banner->findChild<QLabel*>()->text();
         for (const char* word : {"pair", "along x it depends on a and b", "along y no Param sets it", "a, b, high"})
-            QVERIFY2(said.contains(QLatin1String(word)), qPrintable(said));
+            QVERIFY2(reportOf.contains(QLatin1String(word)), qPrintable(reportOf));
     }
 
-    void aThingWithOneShapeAndNoParamIsSizedByItsShape() {
+    void resizesSingleShapeWithoutParam() {
         open("StaticConfig Lump {\nBox lump { Size=0.4,0.4,0.4 Pos=0,0,0.2 }\n}\nStatic lump { Config=Lump }\n");
         take("lump", "tool.scale");
         dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {0, 0, 0.2});

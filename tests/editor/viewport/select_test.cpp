@@ -1,7 +1,7 @@
 #include <QtTest>
 
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -57,7 +57,7 @@ private Q_SLOTS:
         QCOMPARE(seen, (Paths{"", "arena", "arena.floor", ""}));
     }
 
-    void ctrlAddsAndTakesAway() {
+    void ctrlTogglesSelection() {
         m_window->click(m_window->at({-0.5, 0, 0.14}));
         m_window->click(m_window->at({0.5, 0.3, 0.14}), Qt::ControlModifier);
         QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
@@ -65,7 +65,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->selection.paths(), Paths{"robot1"});
     }
 
-    void aBoxTakesTheRobotsInIt() {
+    void boxSelectsRobotsInside() {
         m_window->drag({5, 100}, {890, 690});
         QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
         const QPointF left = m_window->at({-0.5, 0, 0.07});
@@ -89,16 +89,16 @@ private Q_SLOTS:
         QVERIFY(m_window->selection.empty());
     }
 
-    void aReleaseThatSomebodyElseGotEndsABox() {
+    void releaseElsewhereEndsBoxSelection() {
         m_window->press({5, 60});
         m_window->move({30, 80}, {}, Qt::LeftButton);
-        QVERIFY(m_window->view().mouseIsBusy());
+        QVERIFY(m_window->view().isMouseBusy());
         m_window->move({890, 690}); // no button is down any more
-        QVERIFY(!m_window->view().mouseIsBusy());
+        QVERIFY(!m_window->view().isMouseBusy());
         QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
     }
 
-    void whatIsHiddenOrLockedIsNotTaken() {
+    void ignoresHiddenAndLockedObjects() {
         m_window->panel->setHidden({"robot0"});
         m_window->click(m_window->at({-0.5, 0, 0.14}));
         QVERIFY(m_window->selection.empty());

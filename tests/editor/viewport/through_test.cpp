@@ -7,8 +7,8 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "editor/viewport/shown_world.h"
 #include "editor/viewport/view_window.h"
+#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -36,7 +36,7 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
-    void theViewTakesThePlaceOfTheCamera() {
+    void viewMovesToCamera() {
         View& view = m_window->view();
         view.lookThrough("robot0/eye");
         QVERIFY(view.throughCamera());
@@ -52,7 +52,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(at.x() - 0.5 * (view.width() - high / 0.75)) < 0.5);
     }
 
-    /// The view is drawn straight, and says so.
+    /// The view is drawn straight, and reports it.
     void aBentLensIsNamed() {
         View& view = m_window->view();
         const auto seen = [&](const QByteArray& text) {
@@ -120,7 +120,7 @@ private Q_SLOTS:
         EVENTUALLY((view.cameraView().eye - Vec3(-0.5, 0.5, 0.5)).norm() < 1e-6);
     }
 
-    void itGoesAlongWithTheRobot() {
+    void viewFollowsRobot() {
         View& view = m_window->view();
         view.lookThrough("robot0/eye");
         m_window->session.step();
@@ -131,7 +131,7 @@ private Q_SLOTS:
         EVENTUALLY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1e-6);
     }
 
-    void escapeGoesBack() {
+    void escapeRestoresView() {
         View& view = m_window->view();
         const CameraView before = view.cameraView();
         view.lookThrough("robot0/eye");
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QVERIFY((view.cameraView().eye - before.eye).norm() < 1e-9 && (view.cameraView().target - before.target).norm() < 1e-9);
     }
 
-    void orbitGoesOnFromThere() {
+    void orbitContinuesFromCamera() {
         View& view = m_window->view();
         view.lookThrough("robot0/eye");
         EVENTUALLY(view.isUpToDate());
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QVERIFY((view.cameraView().eye - Vec3(-0.47, 0, 0.275)).norm() < 1.5);
     }
 
-    void aCameraThatGoesLetsGo() {
+    void removedCameraReleasesView() {
         View& view = m_window->view();
         const Vec3 before = view.cameraView().eye;
         view.lookThrough("other_0/eye");
@@ -163,7 +163,7 @@ private Q_SLOTS:
         Q_UNUSED(before);
     }
 
-    void theCommandTakesTheCamerasInTurn() {
+    void commandCyclesThroughCameras() {
         m_window->selection.select("other");
         m_window->trigger("view.through");
         QCOMPARE(m_window->view().throughCamera()->path, std::string("other_0/eye"));

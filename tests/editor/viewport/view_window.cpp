@@ -11,7 +11,7 @@ namespace trundle {
 ViewWindow::ViewWindow(RenderService* render) : actions(actionTable()) {
     panel = std::make_unique<ViewportPanel>(document, selection, session, render, actions);
     QObject::connect(&document, &Document::refused, [this](const QString& why) { refusals.push_back(why); });
-    QObject::connect(&document, &Document::selectionWanted, &selection, &Selection::set);
+    QObject::connect(&document, &Document::selectionRequested, &selection, &Selection::set);
     panel->resize(900, 740);
     panel->show();
     (void)QTest::qWaitForWindowExposed(panel.get());

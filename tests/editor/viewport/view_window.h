@@ -11,8 +11,8 @@
 #include "editor/running/session.h"
 #include "editor/viewport/gizmo.h"
 #include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/actions.h"
-#include "editor/viewport/shown_world.h"
 #include "render/service.h"
 
 namespace trundle {
@@ -44,10 +44,10 @@ struct ViewWindow {
     void type(const QString& text);
 
     QTemporaryDir folder;
-    std::unique_ptr<Parts> parts = makeParts();
-    Document document{*parts};
+    std::unique_ptr<Application> application = makeApplication();
+    Document document{*application};
     Selection selection;
-    RunSession session{document, *parts};
+    RunSession session{document, *application};
     Actions actions;
     std::unique_ptr<ViewportPanel> panel;
     std::vector<QString> refusals;

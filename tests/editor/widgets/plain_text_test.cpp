@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(labels, 3);
     }
 
-    void aMessageMayHaveHtmlWhereThatIsSaid() {
+    void htmlMessagesAreExplicit() {
         QMessageBox box(QMessageBox::Question, {}, kName);
         setHtmlInformation(box, QStringLiteral("<pre>+ %1</pre>").arg(kName.toHtmlEscaped()));
         box.show();

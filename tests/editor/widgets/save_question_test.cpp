@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(name, path("fresh.sim"));
     }
 
-    void aNameOfSomebodyElseIsCleaned() {
+    void cleansForeignName() {
         QString name;
         QCOMPARE(
             asked(path("evil\x1b[2J\n\xe2\x80\xae.sim"), [&](QFileDialog& dialog) { name = dialog.selectedFiles().value(0); }),
@@ -57,7 +57,7 @@ private Q_SLOTS:
                  path("other.txt"));
     }
 
-    void whatIsThereIsNotWrittenOverWithoutAQuestion() {
+    void asksBeforeOverwriting() {
         bool wasAsked = false;
         const QString chosen = asked(path("a.sim"), [&](QFileDialog& dialog) {
             QTimer::singleShot(0, [&] {

@@ -65,7 +65,7 @@ private Q_SLOTS:
         }
     }
 
-    void iconsTakeTheColourOfTheTheme() {
+    void iconsUseThemeColour() {
         QVERIFY(themedIcon(QStringLiteral("no such icon")).isNull());
         for (const ThemeKind kind : {ThemeKind::Light, ThemeKind::Dark}) {
             applyTheme(*qApp, kind);

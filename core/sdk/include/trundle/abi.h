@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-2-Clause
- * The border between Trundle and a module: only fixed-width integers, doubles, C strings and tables of functions cross it.
- * A module exports one symbol, trundle_module. Authors include controller.h or device.h and never see this file.
- * Within one major version structs only grow at their end; `size` fields say how much of them the other side knows. */
+ * The C ABI between Trundle and a module: only fixed-width integers, doubles, C strings and function tables cross it.
+ * A module exports one symbol, trundle_module. Module authors include controller.h or device.h instead of this file.
+ * Within one major version structs only grow at their end; a `size` field gives the size that the other side was built with. */
 #ifndef TRUNDLE_ABI_H
 #define TRUNDLE_ABI_H
 
@@ -20,25 +20,25 @@
 extern "C" {
 #endif
 
-/* clang-format off */ /* What a field holds. NUMBER, INTEGER and BOOLEAN use `numbers`, the others `texts`. */
+/* clang-format off */ /* Type of a field. NUMBER, INTEGER and BOOLEAN use `numbers`, the others `texts`. */
 enum {
     TRUNDLE_NUMBER = 1, TRUNDLE_INTEGER = 2, TRUNDLE_BOOLEAN = 3,
     TRUNDLE_CHOICE = 4,    /* one of `choices` */
     TRUNDLE_TEXT = 5,
-    TRUNDLE_FILE = 6,      /* `choices`: the endings that fit, "png|jpg" */
-    TRUNDLE_REFERENCE = 7  /* `choices`: the kinds or roles that fit, "RotaryMotor" or "Hinge|Slider" or "Geom" */
+    TRUNDLE_FILE = 6,      /* `choices`: the accepted extensions, "png|jpg" */
+    TRUNDLE_REFERENCE = 7  /* `choices`: the accepted kinds or roles, "RotaryMotor" or "Hinge|Slider" or "Geom" */
 };
 
 typedef struct TrundleValue {
-    const double* numbers; /* SI units: a field given in degrees arrives in radians */
+    const double* numbers; /* SI units: degrees in the text are converted to radians */
     const char* const* texts;
     uint32_t count;
 } TrundleValue;
 
 enum {
-    TRUNDLE_REQUIRED = 1, /* must stand in the text */
-    TRUNDLE_OPTIONAL = 2, /* no default: absent means "not given" */
-    TRUNDLE_LIVE = 4,     /* may change during a run, at once */
+    TRUNDLE_REQUIRED = 1, /* must be in the text */
+    TRUNDLE_OPTIONAL = 2, /* no default: a missing value means "not given" */
+    TRUNDLE_LIVE = 4,     /* may change during a run, with immediate effect */
     TRUNDLE_MIN_EXCLUSIVE = 8, TRUNDLE_MAX_EXCLUSIVE = 16
 };
 
@@ -47,7 +47,7 @@ typedef struct TrundleField {
     const char* unit;    /* unit of a plain number in the text: "m", "deg", "" */
     const char* help;    /* one line */
     const char* choices; /* separated by '|' */
-    double scale;        /* text unit to SI: pi/180 for "deg" */
+    double scale;        /* factor from text unit to SI: pi/180 for "deg" */
     double minimum, maximum; /* in text units; -inf, +inf: none */
     uint32_t type, minCount, maxCount; /* elements: 1..1 for a scalar, 3..3 for a vector */
     uint32_t flags;
@@ -55,10 +55,10 @@ typedef struct TrundleField {
 } TrundleField;
 
 enum { TRUNDLE_REAL_SIGNAL = 1, TRUNDLE_INTEGER_SIGNAL = 2, TRUNDLE_BOOLEAN_SIGNAL = 3 };
-/* TRUTH: what a real robot could not know; controllers reach it through the port groundTruth alone. */
+/* TRUTH: ground truth, which a real robot cannot measure; controllers read it only through groundTruth ports. */
 enum { TRUNDLE_OUTPUT = 1, TRUNDLE_COMMAND = 2, TRUNDLE_TRUTH = 3 };
 
-/* A signal of a device, or since 1.3 of a controller (TRUNDLE_OUTPUT alone): `count` slots of 8-byte doubles in its robot's image.
+/* A signal of a device, or since 1.3 of a controller (only TRUNDLE_OUTPUT): `count` slots of 8-byte doubles in its robot's image.
  * Integers and booleans are stored as doubles. */
 typedef struct TrundleSignal {
     const char* name;
@@ -71,27 +71,27 @@ typedef struct TrundleSignal {
 
 enum { TRUNDLE_INFO = 1, TRUNDLE_WARNING = 2, TRUNDLE_ERROR = 3 };
 
-/* What a controller asks of its robot. Pointers stay good until the controller is destroyed. */
+/* Access of a controller to its robot. Pointers are valid until the controller is destroyed. */
 typedef struct TrundleRobot {
     uint32_t size, reserved;
     void* context;
     const char* name; /* the robot's name */
     double tick;      /* s */
-    /* First slot of a signal of a component, or NULL; the host then has noted which names exist. */
+    /* First slot of a signal of a component, or NULL; the host then reports the available names. */
     double* (*bind)(void* context, const char* kind, const char* component, const char* signal);
-    double (*time)(void* context); /* simulated s of the last completed tick */
+    double (*time)(void* context); /* simulated time of the last completed tick, s */
     void (*print)(void* context, int32_t severity, const char* text);
-    void (*fail)(void* context, const char* text); /* the controller cannot go on */
+    void (*fail)(void* context, const char* text); /* the controller cannot continue */
     uint64_t (*random)(void* context);             /* a function of (seed, robot, tick, index of the call in this tick) */
     int32_t (*openLog)(void* context, const char* fileName); /* in the log folder; -1: refused */
     void (*writeLog)(void* context, int32_t log, const char* bytes, uint64_t count);
-    /* Asks without noting a failure; component "" and signal "" answer for the component or robot alone. 0: it is there. */
+    /* Query that reports no failure; an empty signal or component queries the component or the robot itself. 0: it exists. */
     int32_t (*signalInfo)(void* context, const char* component, const char* signal, uint32_t* count, uint32_t* direction);
     const TrundleCameras* cameras; /* since 1.2 */
     const TrundleRobotRadio* radio; /* since 1.2 */
-    /* Since 1.3. First slot of a signal that the controller's kind describes, and how many; NULL: the host has noted which exist. */
+    /* Since 1.3. First slot and slot count of a signal of the controller's kind; NULL: unknown, reported by the host. */
     double* (*publish)(void* context, const char* signal, uint32_t* count);
-    /* Since 1.3. The run ends in order after the tick under way; the first call of a run counts. */
+    /* Since 1.3. Ends the run normally after the current tick; the first call of a run counts. */
     void (*finish)(void* context, const char* reason);
 } TrundleRobot;
 
@@ -103,27 +103,27 @@ typedef struct TrundleMount {
     const char* path; /* "robot0/leftMotor" */
     double tick;      /* s */
     double* (*signal)(void* context, const char* name);                 /* own slot */
-    int32_t (*joint)(void* context, const char* name, uint32_t* joint); /* 0: found; else the host has noted the failure */
+    int32_t (*joint)(void* context, const char* name, uint32_t* joint); /* 0: found; otherwise the host reports the failure */
     int32_t (*body)(void* context, const char* name, uint32_t* body);
     int32_t (*geom)(void* context, const char* path, uint32_t* geom);   /* "body.geom" */
-    /* A slot of another device of the robot. This device then acts before that one and senses after it. */
+    /* A slot of another device of the robot. This device then acts before the other one and senses after it. */
     double* (*peerSignal)(void* context, const char* kind, const char* device, const char* signal);
-    /* A field of another device as the text resolved it, SI units. 0: found. */
+    /* The resolved value of another device's field, SI units. 0: found. */
     int32_t (*peerNumber)(void* context, const char* device, const char* field, double* value);
     const char* (*peerText)(void* context, const char* device, const char* field);
     void (*fail)(void* context, const char* text);
-    /* Adds kg m^2 to the joint's child about the joint's axis (a geared rotor turning with it). 0: done. */
+    /* Adds kg m^2 to the joint's child about the joint's axis (a geared rotor that turns with it). 0: success. */
     int32_t (*addAxialInertia)(void* context, uint32_t joint, double inertia);
     void (*print)(void* context, int32_t severity, const char* text);
     const TrundleMountRadio* radio; /* since 1.2 */
 } TrundleMount;
 
-/* What a device may do to and ask of the world, in act and in sense. Actuation is ignored outside act. */
+/* Access of a device to the world in act and sense. Actuation is ignored outside act. */
 typedef struct TrundleServices {
     uint32_t size, reserved;
     void* context;
     double tick; /* s */
-    double time; /* s, of the last completed tick in act, of the one just stepped in sense */
+    double time; /* s; of the last completed tick in act, of the tick just stepped in sense */
     /* actuation */
     void (*motorRow)(void* context, uint32_t joint, double rate, double softness, double limit);
     void (*jointTorque)(void* context, uint32_t joint, double torque);
@@ -132,14 +132,14 @@ typedef struct TrundleServices {
     /* joints: rad and rad/s (m and m/s for a slider); the angle is unwrapped */
     double (*jointPosition)(void* context, uint32_t joint);
     double (*jointRate)(void* context, uint32_t joint);
-    double (*jointMotorEffort)(void* context, uint32_t joint); /* what the motor row gave in the last step, N m or N */
+    double (*jointMotorEffort)(void* context, uint32_t joint); /* of the motor in the last step, N m or N */
     void (*bodyState)(void* context, uint32_t body, TrundleBodyState* state);
-    uint32_t (*contacts)(void* context, uint32_t geom, TrundleContact* out, uint32_t capacity); /* how many there are */
-    /* Nearest hit along a unit direction within `range`; geoms of the asking robot are left out unless `own`. 0: none. */
+    uint32_t (*contacts)(void* context, uint32_t geom, TrundleContact* out, uint32_t capacity); /* returns their number */
+    /* Nearest hit along a unit direction within `range`; geoms of the device's robot are ignored unless `own`. 0: none. */
     int32_t (*ray)(void* context, const double origin[3], const double direction[3], double range, int32_t own, TrundleHit* hit);
     uint64_t (*random)(void* context, uint64_t index); /* a function of (seed, device path, tick, index) */
-    void (*jointAnchor)(void* context, uint32_t joint, double anchor[3], double axis[3]); /* world, as the parent carries them */
-    void (*print)(void* context, int32_t severity, const char* text); /* to the console, under the device's path */
+    void (*jointAnchor)(void* context, uint32_t joint, double anchor[3], double axis[3]); /* world frame, fixed to the parent */
+    void (*print)(void* context, int32_t severity, const char* text); /* to the console, with the device's path */
     const TrundleServicesRadio* radio; /* since 1.2 */
 } TrundleServices;
 
@@ -147,13 +147,13 @@ typedef struct TrundleServices {
 
 enum { TRUNDLE_CONTROLLER = 1, TRUNDLE_DEVICE = 2 };
 
-/* Fields of which exactly one stands in the text; each is TRUNDLE_OPTIONAL. */
+/* Fields of which exactly one must be given; each is TRUNDLE_OPTIONAL. */
 typedef struct TrundleAlternatives {
     const char* names;  /* "SpeedConstant|BackEmfConstant" */
-    const char* likely; /* where all are missing, the last of them most likely has the value of this field; "" : nobody knows */
+    const char* likely; /* if all are missing, the value of this field is suggested for the last one; "": none */
 } TrundleAlternatives;
 
-/* Every function returns 0 on success; after another value the caller asks lastError. */
+/* Every function returns 0 on success; after any other value lastError gives the reason. */
 typedef struct TrundleKind {
     uint32_t size, role;
     const char *name, *help;

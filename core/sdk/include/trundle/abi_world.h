@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-2-Clause
- * What devices read of the world. Included by abi.h. */
+ * The part of the ABI through which devices read the world. Included by abi.h. */
 #ifndef TRUNDLE_ABI_WORLD_H
 #define TRUNDLE_ABI_WORLD_H
 
@@ -10,11 +10,11 @@ extern "C" {
 #endif
 
 typedef struct TrundleContact {
-    double position[3]; /* world, m */
-    double normal[3];   /* world, towards the geom that asked */
+    double position[3]; /* world frame, m */
+    double normal[3];   /* world frame, towards the queried geom */
     double depth;       /* m */
     double force;       /* N along the normal, of the last step */
-    uint32_t other; /* geom; 0xffffffff where unknown */
+    uint32_t other; /* geom; 0xffffffff: unknown */
     uint32_t reserved;
 } TrundleContact;
 
@@ -25,10 +25,10 @@ typedef struct TrundleHit {
 } TrundleHit;
 
 typedef struct TrundleBodyState {
-    double position[3];   /* of the body's frame, world, m */
+    double position[3];   /* of the body's frame in the world, m */
     double quaternion[4]; /* w x y z */
-    double linear[3];     /* m/s, of the body frame's origin */
-    double angular[3];    /* rad/s, world */
+    double linear[3];     /* m/s, of the body frame's origin, world frame */
+    double angular[3];    /* rad/s, world frame */
 } TrundleBodyState;
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// What a robot's camera gives. A picture costs nothing before it is asked for.
+// Access to a robot's cameras. An image is rendered only when it is requested.
 
 #include <limits>
 #include <string>
@@ -18,33 +18,33 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// What a camera saw at one moment. A value: it stays as it is whatever the camera does next. Rows count from the top.
+/// The image of a camera at one time. A value type, independent of later images. Rows count from the top.
 class Picture {
 public:
     Picture() = default;
 
-    /// False where no picture could be taken, as on a machine without OpenGL; error() says why.
+    /// False if no image is available, for example on a machine without OpenGL; error() gives the reason.
     [[nodiscard]] explicit operator bool() const { return m_width > 0; }
     [[nodiscard]] const std::string& error() const { return m_error; }
 
     [[nodiscard]] int width() const { return m_width; }
     [[nodiscard]] int height() const { return m_height; }
-    /// Simulated s at which it was taken.
+    /// Simulated time of the image, s.
     [[nodiscard]] Seconds time() const { return {m_time}; }
 
-    /// Black outside the picture.
+    /// Black outside the image.
     [[nodiscard]] Colour at(int x, int y) const {
         if (!holds(x, y)) return {};
         const std::uint8_t* p = m_pixels.data() + 3 * place(x, y);
         return {p[0], p[1], p[2]};
     }
-    /// Red, green, blue, row by row.
+    /// RGB, row-major.
     [[nodiscard]] const std::vector<std::uint8_t>& pixels() const { return m_pixels; }
-    /// m along the way the camera looks (its axis), infinite where nothing is seen. Of cameras with Mode=depth and Mode=segmentation.
+    /// Distance in m along the camera's axis; infinite where there is no object. Only with Mode=depth and Mode=segmentation.
     [[nodiscard]] double depth(int x, int y) const {
         return holds(x, y) && !m_depth.empty() ? m_depth[place(x, y)] : std::numeric_limits<double>::infinity();
     }
-    /// Which object is seen, 0 for none; CameraPort::objectName tells its name. Of cameras with Mode=segmentation.
+    /// Number of the object at this pixel, 0 for none; CameraPort::objectName gives its name. Only with Mode=segmentation.
     [[nodiscard]] std::uint32_t object(int x, int y) const {
         return holds(x, y) && !m_objects.empty() ? m_objects[place(x, y)] : 0;
     }
@@ -66,7 +66,7 @@ private:
 
 class CameraPort {
 public:
-    /// What it sees now. Of a camera with an UpdatePeriod, the newest picture of its stream.
+    /// Renders the current image. For a camera with an UpdatePeriod, returns the newest image of its stream.
     [[nodiscard]] Picture capture() {
         Picture picture;
         if (!cameras()) {
@@ -91,8 +91,8 @@ public:
         return picture;
     }
 
-    /// Writes what capture() would give into the run's log folder, as .png or .jpg by the ending of the name, with where and
-    /// when it was taken. False where that is refused: error() says why.
+    /// Saves the image that capture() would return to the run's log folder, as .png or .jpg according to the file name's
+    /// extension, with the camera's pose and the time as metadata. On failure returns false; error() gives the reason.
     bool save(const std::string& fileName) {
         m_error = noCameras();
         if (!cameras()) return false;
@@ -105,10 +105,10 @@ public:
     }
     [[nodiscard]] const std::string& error() const { return m_error; } ///< of the last save
 
-    /// Of a camera with an UpdatePeriod: its stream has a picture that capture() has not given yet. Else always true.
+    /// For a camera with an UpdatePeriod: its stream has an image that capture() has not returned yet. Otherwise always true.
     [[nodiscard]] bool fresh() const { return m_frame.get() != m_seen; }
 
-    /// "robot1/chassis/hull" for a number of Picture::object; empty where there is none.
+    /// "robot1/chassis/hull" for an object number of Picture::object; empty if there is no such object.
     [[nodiscard]] std::string objectName(std::uint32_t object) const {
         const char* name = cameras() ? cameras()->objectName(cameras()->context, object) : nullptr;
         return name ? name : "";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// Everything a controller needs: derive from Controller, describe its fields, bind ports in setup, act in update, and name it in
-// TRUNDLE_MODULE. README.md of the SDK shows a whole one.
+// Everything a controller needs: derive from Controller, describe its fields, bind ports in setup, act in update, and register it
+// in TRUNDLE_MODULE. The README.md of the SDK has a complete example.
 
 #include <sstream>
 #include <string>
@@ -30,45 +30,46 @@ private:
     std::int32_t m_number = -1;
 };
 
-/// The mind of one robot. Made before the run, given its fields, then setup once and update in each of its turns, all on one
-/// thread. An exception that leaves either stops the run with its text.
+/// Controls one robot. Created before the run, then its fields are set, setup is called once and update periodically, all on one
+/// thread. An exception thrown by setup or update ends the run with its message.
 class Controller {
 public:
     virtual ~Controller() = default;
-    /// Binds the ports.
+    /// Binds the ports. Called once before the run.
     virtual void setup(RobotPorts& robot) = 0;
-    /// One turn, before the world's tick. `sinceLast`: simulated s since the last turn, 0 in the first.
+    /// Called before a tick of the world. `sinceLast`: simulated seconds since the last call, 0 in the first.
     virtual void update(Seconds sinceLast) = 0;
 
-    /// Called by the module's border before setup.
+    /// Called by the SDK before setup.
     void attach(const TrundleRobot* robot) { m_robot = robot; }
 
 protected:
-    /// Simulated s; 0 in the first turn.
+    /// Simulated time, s; 0 in the first update.
     [[nodiscard]] Seconds time() const { return {m_robot ? m_robot->time(m_robot->context) : 0.0}; }
 
-    /// One line on the console, with the robot's name and the time in front: print("drove ", x, " m").
+    /// Prints one line on the console, prefixed with the robot's name and the time: print("drove ", x, " m").
     template <class... Parts> void print(const Parts&... parts) const { say(TRUNDLE_INFO, parts...); }
     template <class... Parts> void warn(const Parts&... parts) const { say(TRUNDLE_WARNING, parts...); }
 
-    /// The controller cannot go on: the run ends with this text after this turn.
+    /// Reports an error from which the controller cannot continue: the run ends with this text after this update.
     void fail(const std::string& text) const {
         if (m_robot) m_robot->fail(m_robot->context, text.c_str());
     }
 
-    /// The experiment is over: the run ends after this tick, logs complete, exit code 0, and its summary says the reason.
-    /// The first call of a run counts, whichever robot makes it.
+    /// Ends the experiment: the run ends after this tick with complete logs and exit code 0, and its summary contains the reason.
+    /// The first call in a run counts, whichever robot makes it.
     void finish(const std::string& reason) const {
         if (m_robot) m_robot->finish(m_robot->context, reason.c_str());
     }
 
-    /// Numbers that depend on the experiment's seed, the robot and the tick alone: the same in every run.
+    /// Random numbers that depend only on the experiment's seed, the robot, the tick and the number of calls in this tick: the
+    /// same in every run.
     [[nodiscard]] std::uint64_t randomBits() const { return m_robot ? m_robot->random(m_robot->context) : 0; }
     [[nodiscard]] double random() const { return static_cast<double>(randomBits() >> 11) * 0x1p-53; } ///< [0, 1)
     [[nodiscard]] double random(double low, double high) const { return low + (high - low) * random(); }
 
-    /// A file of one's own in the run's log folder. The name may hold folders. Not open() where that is
-    /// refused: a name that leads out of the log folder, one that is written already, a run without logs.
+    /// Opens a log file of this controller in the run's log folder. The name may contain subfolders. The returned Log is not
+    /// open() if the path is outside the log folder, the file is already in use, or the run has no logs.
     [[nodiscard]] Log openLog(const std::string& fileName) const {
         return m_robot ? Log(m_robot, m_robot->openLog(m_robot->context, fileName.c_str())) : Log();
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// One description of a kind: its fields and signals are named here once. Reader, range check, property row, completion,
-// hover and manual all come from it. A default is what the member holds in a default-constructed object.
+// The single description of a kind: its fields and signals. Parser, range checks, property rows, completion, hover texts and the
+// manual are generated from it. The default of a field is the member's value in a default-constructed object.
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace trundle {
 
-/// A field as described, with the closure that writes it into an object.
+/// A described field, with the closure that sets it in an object.
 struct FieldInfo {
     std::string name, unit, help, choices;
     double scale = 1, minimum = 0, maximum = 0;
@@ -31,7 +31,7 @@ struct SignalInfo {
     std::uint32_t type = TRUNDLE_REAL_SIGNAL, count = 1, direction = TRUNDLE_OUTPUT;
 };
 
-/// Fields of which exactly one stands in the text. Where all are missing, the last most likely has the value of the field `likely`.
+/// Fields of which exactly one must be given. If all are missing, the value of field `likely` is suggested for the last one.
 struct AlternativesInfo {
     std::string names; ///< separated by '|'
     std::string likely;
@@ -41,7 +41,7 @@ namespace detail {
 
 inline constexpr std::uint32_t kManyElements = 100000;
 
-/// How a member type reads from and shows itself as a TrundleValue.
+/// Conversion between a member type and TrundleValue.
 template <class M> struct Member;
 
 template <> struct Member<double> {
@@ -82,7 +82,7 @@ template <> struct Member<std::vector<std::string>> {
     static void get(const std::vector<std::string>& m, FieldInfo& f) { f.defaultTexts = m; }
     static void set(std::vector<std::string>& m, const TrundleValue& v) { m.assign(v.texts, v.texts + v.count); }
 };
-/// Absent in the text: stays empty.
+/// Stays empty if missing in the text.
 template <class M> struct Member<std::optional<M>> {
     static constexpr std::uint32_t type = Member<M>::type, low = Member<M>::low, high = Member<M>::high;
     static void get(const std::optional<M>& m, FieldInfo& f) {
@@ -101,7 +101,7 @@ template <class M> struct Member<std::optional<M>> {
 /// Collects the description of a class T; see FieldInfo.
 template <class T> class Describe {
 public:
-    /// One line that says what the kind is.
+    /// Description of the kind in one line.
     Describe& help(std::string text) {
         m_help = std::move(text);
         return *this;
@@ -129,24 +129,25 @@ public:
         return *this;
     }
 
-    /// Exactly one of these fields ("A|B", all std::optional) stands in the text.
+    /// Requires exactly one of these fields ("A|B", all std::optional) in the text.
     Describe& exactlyOneOf(std::string names, std::string likely = {}) {
         m_alternatives.push_back({std::move(names), std::move(likely)});
         return *this;
     }
 
-    /// A value that the device or controller publishes: 0 until it is set.
+    /// A signal published by the device or controller: 0 until it is set.
     Describe& output(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
                      std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
         m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_OUTPUT});
         return *this;
     }
-    /// A value only the simulator knows, for logs and plots; controllers reach it through the port groundTruth alone.
+    /// A signal available only in simulation (ground truth), for logs and plots; controllers read it only through groundTruth
+    /// ports.
     Describe& truth(std::string name, std::string unit, std::string help, std::uint32_t count = 1) {
         m_signals.push_back({std::move(name), std::move(unit), std::move(help), TRUNDLE_REAL_SIGNAL, count, TRUNDLE_TRUTH});
         return *this;
     }
-    /// A value controllers and other devices write.
+    /// A signal written by controllers and other devices.
     Describe& command(std::string name, std::string unit, std::string help, std::uint32_t count = 1,
                       std::uint32_t type = TRUNDLE_REAL_SIGNAL) {
         m_signals.push_back({std::move(name), std::move(unit), std::move(help), type, count, TRUNDLE_COMMAND});
@@ -166,7 +167,7 @@ private:
     std::vector<AlternativesInfo> m_alternatives;
 };
 
-/// The description of T, made once.
+/// The description of T, created once.
 template <class T> const Describe<T>& descriptionOf() {
     static const Describe<T> description = [] {
         Describe<T> d;

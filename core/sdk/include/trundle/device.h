@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// Everything a sensor or an actuator needs. A device lives on its robot, acts on and asks the world through these services alone,
-// and publishes signals. It never sets a pose or a velocity.
+// Everything a sensor or an actuator needs. A device belongs to a robot, accesses the world only through these services and
+// publishes signals. It never sets a pose or a velocity directly.
 
 #include <string>
 #include <utility>
@@ -15,7 +15,7 @@
 namespace trundle {
 inline namespace sdk1 {
 
-/// Something of the world as its services know it; good for as long as the world lives.
+/// Id of an object of the world; valid as long as the world exists.
 template <class Tag> struct WorldId {
     std::uint32_t index = 0xffffffffu;
     [[nodiscard]] explicit operator bool() const { return index != 0xffffffffu; }
@@ -26,8 +26,8 @@ using BodyId = WorldId<struct BodyTag>;
 using GeomId = WorldId<struct GeomTag>;
 using RadioId = WorldId<struct RadioTag>;
 
-/// What a device finds when it is put on its robot. Whatever is not there ends the setup with a message of the host that names
-/// what is; the call gives an empty value in the meantime.
+/// Access to the robot and the world during setup of a device. If a requested object is missing, setup fails with a message that
+/// lists the available names; until then the call returns an empty value.
 class Mount {
 public:
     explicit Mount(const TrundleMount& mount) : m_mount(mount) {}
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] std::string path() const { return m_mount.path; } ///< "robot0/leftMotor"
     [[nodiscard]] Seconds tick() const { return {m_mount.tick}; }
 
-    /// A signal of its own, as described.
+    /// A described signal of this device.
     [[nodiscard]] Slot signal(const char* name, std::uint32_t count = 1) {
         return Slot(m_mount.signal(m_mount.context, name), count);
     }
@@ -43,13 +43,13 @@ public:
     [[nodiscard]] BodyId body(const std::string& name) { return find<BodyId>(m_mount.body, "body", name); }
     [[nodiscard]] GeomId geom(const std::string& path) { return find<GeomId>(m_mount.geom, "geom", path); } ///< "body.geom"
 
-    /// A signal of another device of the robot. This device then acts before that one and senses after it.
+    /// A signal of another device of the robot. As a consequence this device acts before the other one and senses after it.
     [[nodiscard]] Slot peer(const char* kind, const std::string& device, const char* signal, std::uint32_t count = 1) {
         double* first = m_mount.peerSignal(m_mount.context, kind, device.c_str(), signal);
         if (!first) note("there is no " + std::string(kind) + " '" + device + "' with a signal '" + signal + "'");
         return Slot(first, count);
     }
-    /// A number that another device was given, SI units; `otherwise` where it was not.
+    /// A numeric field of another device, in SI units; `otherwise` if it is not set.
     [[nodiscard]] double peerNumber(const std::string& device, const char* field, double otherwise) const {
         double value = otherwise;
         return m_mount.peerNumber(m_mount.context, device.c_str(), field, &value) == 0 ? value : otherwise;
@@ -58,12 +58,12 @@ public:
         const char* text = m_mount.peerText(m_mount.context, device.c_str(), field);
         return text ? text : "";
     }
-    /// Adds kg m^2 about the joint's axis to its child: a geared rotor that turns with it.
+    /// Adds inertia (kg m^2) about the joint's axis to its child, for example a geared rotor that turns with it.
     void addAxialInertia(JointId joint, double inertia) {
         const bool done = m_mount.addAxialInertia && m_mount.addAxialInertia(m_mount.context, joint.index, inertia) == 0;
         if (!done) fail("this joint can take no additional inertia");
     }
-    /// Opens the device's radio: its antenna and what it can.
+    /// Opens the device's radio with the given antenna and limits.
     [[nodiscard]] RadioId radio(const TrundleRadioSettings& settings) {
         RadioId id;
         if (m_mount.radio && m_mount.radio->open(m_mount.context, &settings, &id.index) == 0) return id;
@@ -73,12 +73,12 @@ public:
     void warn(const std::string& text) const {
         if (m_mount.print) m_mount.print(m_mount.context, TRUNDLE_WARNING, text.c_str());
     }
-    /// The device cannot be set up, and why.
+    /// Reports why the device cannot be set up.
     void fail(const std::string& text) {
         note(text);
         m_mount.fail(m_mount.context, text.c_str());
     }
-    [[nodiscard]] const std::string& failure() const { return m_failure; } ///< the first one; empty: none
+    [[nodiscard]] const std::string& failure() const { return m_failure; } ///< the first failure; empty: none
 
 private:
     void note(std::string text) {
@@ -96,22 +96,22 @@ private:
     std::string m_failure;
 };
 
-/// What a device may ask at any time of a tick.
+/// Read access to the world for a device at any time of a tick.
 class Services {
 public:
     explicit Services(const TrundleServices& services) : m_services(services) {}
 
     [[nodiscard]] Seconds tick() const { return {m_services.tick}; }
-    /// Of the last completed tick in act, of the one just stepped in sense.
+    /// Simulated time: of the last completed tick in act, of the tick just stepped in sense.
     [[nodiscard]] Seconds time() const { return {m_services.time}; }
-    /// rad or m, unwrapped, 0 at the start pose.
+    /// In rad or m, unwrapped, 0 at the start pose.
     [[nodiscard]] double jointPosition(JointId joint) const { return m_services.jointPosition(m_services.context, joint.index); }
     [[nodiscard]] double jointRate(JointId joint) const { return m_services.jointRate(m_services.context, joint.index); }
-    /// What the motor row gave in the last step, N m or N.
+    /// Effort of the joint's motor in the last step, N m or N.
     [[nodiscard]] double jointMotorEffort(JointId joint) const {
         return m_services.jointMotorEffort(m_services.context, joint.index);
     }
-    /// The joint's anchor and axis in the world, as its parent carries them. False where the world cannot tell.
+    /// Anchor (m) and unit axis of the joint in the world frame, moving with its parent body. False if not available.
     bool jointAnchor(JointId joint, Vec3& anchor, Vec3& axis) const {
         if (!m_services.jointAnchor) return false;
         m_services.jointAnchor(m_services.context, joint.index, anchor.data(), axis.data());
@@ -128,9 +128,9 @@ public:
         if (m_services.radio) m_services.radio->state(m_services.context, radio.index, &state);
         return state;
     }
-    /// Of the last step; `out` is filled anew.
+    /// Contacts of the geom in the last step; `out` is overwritten.
     void contacts(GeomId geom, std::vector<TrundleContact>& out) const;
-    /// Nearest hit along a unit direction within `range`; geoms of the own robot are left out unless `own`.
+    /// Nearest hit along a unit direction within `range` (m); geoms of the own robot are ignored unless `own`.
     bool ray(const Vec3& origin, const Vec3& direction, double range, TrundleHit& hit, bool own = false) const {
         return m_services.ray(m_services.context, origin.data(), direction.data(), range, own ? 1 : 0, &hit) != 0;
     }
@@ -147,17 +147,17 @@ protected:
     const TrundleServices& m_services;
 };
 
-/// sense: after the step.
+/// Services in sense, after the step.
 class Sensing : public Services {
     using Services::Services;
 };
 
-/// act: before it.
+/// Services in act, before the step.
 class Actuation : public Services {
 public:
     using Services::Services;
-    /// Drives the joint towards `rate` with an effort of (rate - new rate) / softness, never above `limit`. Solved with the step, so
-    /// it is stable at any tick. Softness 0: as stiff as the world is.
+    /// Drives the joint towards `rate` with an effort of (rate - new rate) / softness, at most `limit`. Solved as a constraint
+    /// within the step, so it is stable at any tick length. Softness 0: as stiff as the solver allows.
     void motorRow(JointId joint, double rate, double softness, double limit) {
         m_services.motorRow(m_services.context, joint.index, rate, softness, limit);
     }
@@ -165,13 +165,13 @@ public:
     void bodyForce(BodyId body, const Vec3& force, const Vec3& point) {
         m_services.bodyForce(m_services.context, body.index, force.data(), point.data());
     }
-    /// m/s in the geom's frame: its surface moves as a conveyor belt does.
+    /// Surface velocity in m/s in the geom's frame, as of a conveyor belt.
     void surfaceVelocity(GeomId geom, const Vec3& velocity) {
         m_services.surfaceVelocity(m_services.context, geom.index, velocity.data());
     }
 };
 
-/// A sensor or an actuator. Override act or sense or both; a phase that is not overridden costs nothing.
+/// A sensor or an actuator. Override act, sense or both; a phase that is not overridden has no cost.
 class Device {
 public:
     virtual ~Device() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// Points, rotations and poses. Metres, radians; right-handed, z up; a robot's forward is +x, left +y.
+// Points, rotations and poses. Metres, radians; right-handed, z up; in a robot's frame +x is forward, +y left.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@ namespace trundle {
 
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
-/// w x y z in all texts and signals, whatever Eigen's storage order.
+/// Written as w x y z in all texts and signals, whatever Eigen's storage order.
 using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 
 struct Pose {
@@ -26,7 +26,7 @@ struct Pose {
     }
 };
 
-/// R = Rz(heading) Ry(pitch) Rx(roll), radians. Multiples of a quarter turn are exact.
+/// R = Rz(heading) Ry(pitch) Rx(roll), in radians. Exact at multiples of a quarter turn.
 [[nodiscard]] Quat rotationFromHpr(const Vec3& hpr);
 /// Heading and roll in (-pi, pi], pitch in [-pi/2, pi/2].
 [[nodiscard]] Vec3 hprFromRotation(const Quat& rotation);

@@ -6,7 +6,7 @@
 namespace trundle {
 
 namespace detail {
-/// sin and cos of angle/2 are exact where the angle is a multiple of a half turn, and as good as sqrt(1/2) at quarter turns.
+/// sin and cos of angle/2: exact at multiples of a half turn, at quarter turns as exact as sqrt(1/2).
 inline void halfSinCos(double angle, double& s, double& c) {
     const double quarters = angle * 2 / std::numbers::pi;
     const double whole = std::nearbyint(quarters);
@@ -34,7 +34,7 @@ inline Quat rotationFromHpr(const Vec3& hpr) {
 inline Vec3 hprFromRotation(const Quat& q) {
     const Mat3 r = q.toRotationMatrix();
     const double sinPitch = -r(2, 0);
-    if (std::abs(sinPitch) > 1 - 1e-12) { // heading and roll turn about one axis: all of it is given to heading
+    if (std::abs(sinPitch) > 1 - 1e-12) { // gimbal lock: heading and roll share one axis; heading gets the whole angle
         return {std::atan2(-r(0, 1), r(1, 1)), std::copysign(std::numbers::pi / 2, sinPitch), 0};
     }
     return {std::atan2(r(1, 0), r(0, 0)), std::asin(sinPitch), std::atan2(r(2, 1), r(2, 2))};

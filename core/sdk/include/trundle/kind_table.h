@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// Turns a class with a describe() into the table of functions that crosses the border. No exception passes: each is caught here
-// and kept as the text that lastError gives.
+// Builds the C function table of a class with a describe(). Exceptions do not cross the ABI: each is caught here, and its text is
+// returned by lastError.
 
 #include <exception>
 #include <memory>
@@ -21,7 +21,7 @@ class Mount;
 class Actuation;
 class Sensing;
 
-/// A TrundleKind with the memory its pointers point into. Never moves.
+/// A TrundleKind and the memory that its pointers refer to. Never moves.
 struct KindTable {
     TrundleKind kind{};
     std::string name;
@@ -33,14 +33,14 @@ struct KindTable {
 
 namespace border {
 
-/// The object behind a handle, and why its last call failed.
+/// The object behind a handle, and the error text of its last call.
 template <class T> struct Instance {
     T object{};
     std::string error;
 };
 
 inline constexpr std::size_t kNoteBytes = 256;
-/// Why an object could not be made, for lastError(NULL): there is no object yet to keep it.
+/// Why an object could not be created, for lastError(NULL), since no object exists to store it.
 inline char (&creationError())[kNoteBytes] {
     static thread_local char text[kNoteBytes] = "";
     return text;
@@ -93,7 +93,7 @@ inline TrundleField fieldTable(const FieldInfo& f, const std::vector<const char*
     return t;
 }
 
-/// All of a table but the functions of its role.
+/// Everything of a table except the functions specific to its role.
 template <class T> std::unique_ptr<KindTable> commonTable(const char* name, std::uint32_t role) {
     const Describe<T>& d = descriptionOf<T>();
     auto table = std::make_unique<KindTable>();
@@ -169,7 +169,7 @@ template <class T, class Asking> std::int32_t senseDevice(void* handle, const Tr
 
 struct Seconds;
 
-// The wrappers are template arguments with the real classes as defaults, so that this header needs neither controller.h nor device.h.
+// The real classes are default template arguments, so that this header includes neither controller.h nor device.h.
 template <class T, class Base = Controller, class Ports = RobotPorts, class Span = Seconds>
 std::unique_ptr<KindTable> controllerTable(const char* name) {
     static_assert(std::is_base_of_v<Base, T>, "a controller derives from trundle::Controller");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// What makes a shared library a module:
+// Turns a shared library into a module:
 //
 //     TRUNDLE_MODULE(registry) { registry.controller<WallFollower>("WallFollower"); }
 //
-// once in one source file. It defines the entry symbol, which answers with the tables of the kinds named.
+// once in one source file. It defines the entry symbol, which returns the tables of the registered kinds.
 
 #include <memory>
 #include <string>
@@ -18,12 +18,12 @@ inline namespace sdk1 {
 /// The kinds of one module.
 class ModuleRegistry {
 public:
-    /// T derives from Controller, has a static describe() and can be made without arguments.
+    /// T derives from Controller, has a static describe() and is default-constructible.
     template <class T> void controller(const char* name) { m_tables.push_back(controllerTable<T>(name)); }
     /// T derives from Device.
     template <class T> void device(const char* name) { m_tables.push_back(deviceTable<T>(name)); }
 
-    /// Good as long as the registry lives.
+    /// Valid as long as the registry exists.
     [[nodiscard]] const TrundleModule* module() {
         m_kinds.clear();
         for (const auto& table : m_tables) m_kinds.push_back(&table->kind);
@@ -45,7 +45,7 @@ private:
     TrundleModule m_module{};
 };
 
-/// Runs `fill` once; nullptr when it throws (no exception leaves a module).
+/// Runs `fill` once; nullptr if it throws, since no exception may leave a module.
 inline const TrundleModule* makeModule(ModuleRegistry& registry, void (*fill)(ModuleRegistry&)) {
     try {
         fill(registry);

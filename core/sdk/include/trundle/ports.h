@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// Ports: how a controller reaches the devices of its robot. A port is bound once, in Controller::setup, by type and name, and is
-// then as cheap as a variable. A port that was never bound reads 0 and ignores writes. SI units and radians throughout.
-// What a port reads is what the devices published at the end of the last tick; what it writes acts in this tick.
+// Ports: a controller's access to the devices of its robot. A port is bound once, in Controller::setup, by type and name; after
+// that, access costs as much as a variable. An unbound port reads 0 and ignores writes. SI units and radians throughout.
+// A port reads what the devices published at the end of the last tick; what it writes takes effect in this tick.
 
 #include <string>
 
@@ -15,30 +15,30 @@
 namespace trundle {
 inline namespace sdk1 {
 
-/// A place on the floor.
+/// A pose on the floor.
 struct Pose2 {
     double x = 0, y = 0; ///< m
-    double heading = 0;  ///< rad, + turns left
+    double heading = 0;  ///< rad, positive to the left
 };
 
 /// A two-wheeled base.
 class DifferentialDrivePort {
 public:
-    /// Until told otherwise: forward at `linear` m/s, turning left at `angular` rad/s. Ends an amount that is under way.
+    /// Drives at `linear` m/s and turns left at `angular` rad/s until the next command. Cancels a running drive().
     void move(double linear, double angular) { command(linear, angular, 0, 0); }
     void stop() { move(0, 0); }
-    /// Until `linearAmount` m are driven and `angularAmount` rad turned, at no more than these speeds. An amount of 0 sets no
-    /// limit: drive(0.3, 1, 0, pi) is a half circle of radius 0.3 m. Speeds and amounts must have the same sign.
+    /// Drives `linearAmount` m and turns `angularAmount` rad, at most at the given speeds (m/s, rad/s). An amount of 0 means no
+    /// limit: drive(0.3, 1, 0, pi) is a half circle of radius 0.3 m. Each amount must have the sign of its speed.
     void drive(double linear, double angular, double linearAmount, double angularAmount) {
         command(linear, angular, linearAmount, angularAmount);
         m_number = m_sequence.get() + 1;
         m_sequence.set(m_number);
     }
-    /// Turns on the spot by `angle` rad at `speed` rad/s (its sign is that of the angle).
+    /// Turns in place by `angle` rad at `speed` rad/s; the sign is that of the angle.
     void turn(double speed, double angle) { drive(0, std::copysign(speed, angle), 0, angle); }
-    /// True once the amount that this port commanded last has ended or was refused.
+    /// True once the last drive() or turn() of this port has finished or was refused.
     [[nodiscard]] bool done() const { return m_finished.get() >= m_number; }
-    /// Where the wheel angles say the middle of the axle is, counted from the start; m and rad.
+    /// Pose of the axle's centre from wheel odometry, relative to the start; m and rad.
     [[nodiscard]] Pose2 odometry() const { return {m_odometry.get(0), m_odometry.get(1), m_odometry.get(2)}; }
 
 private:
@@ -71,8 +71,8 @@ private:
 class EncoderPort {
 public:
     [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(m_count.get()); }
-    [[nodiscard]] double angle() const { return m_angle.get(); } ///< rad, as counted
-    [[nodiscard]] double rate() const { return m_rate.get(); }   ///< rad/s, as counted over the last tick
+    [[nodiscard]] double angle() const { return m_angle.get(); } ///< rad, from encoder counts
+    [[nodiscard]] double rate() const { return m_rate.get(); }   ///< rad/s, from encoder counts over the last tick
     [[nodiscard]] bool index() const { return m_index.get() != 0; }
 
 private:
@@ -91,10 +91,10 @@ private:
     Slot m_pressed, m_force, m_count;
 };
 
-/// What a real robot could not know. Honest controllers do without; experiments that measure them need it.
+/// Exact state that a real robot cannot measure; for experiments that evaluate a controller, not for control.
 class GroundTruthPort {
 public:
-    /// Of the robot's config frame in the world.
+    /// Pose of the robot's config frame in the world.
     [[nodiscard]] Pose pose() const {
         return {{m_pose.get(0), m_pose.get(1), m_pose.get(2)}, {m_pose.get(3), m_pose.get(4), m_pose.get(5), m_pose.get(6)}};
     }
@@ -106,7 +106,7 @@ private:
     Slot m_pose, m_velocity;
 };
 
-/// Any signal of any device, by its name. Writes reach commands only.
+/// Any signal of any device, by name. Only commands can be written.
 class SignalPort {
 public:
     [[nodiscard]] std::uint32_t count() const { return m_slot.count(); }
@@ -122,15 +122,15 @@ private:
     bool m_writable = false;
 };
 
-/// Given to Controller::setup: hands out the ports. A name that is not there ends the setup with a message that lists the names
-/// that are; the port returned in the meantime is unbound.
+/// Passed to Controller::setup to bind ports. If a name is unknown, setup fails with a message that lists the available names;
+/// until then the returned port is unbound.
 class RobotPorts {
 public:
     explicit RobotPorts(const TrundleRobot& robot) : m_robot(robot) {}
 
     [[nodiscard]] std::string name() const { return m_robot.name; }
     [[nodiscard]] Seconds tick() const { return {m_robot.tick}; }
-    /// Whether the robot has a device of this name (and, where given, the device a signal of that name).
+    /// Whether the robot has a device with this name (and, if given, the device a signal with that name).
     [[nodiscard]] bool has(const char* device, const char* signal = "") const;
 
     [[nodiscard]] DifferentialDrivePort differentialDrive(const char* name);
@@ -141,13 +141,13 @@ public:
     [[nodiscard]] RadioPort radio(const char* name);
     [[nodiscard]] SignalPort signal(const char* device, const char* signal);
     [[nodiscard]] GroundTruthPort groundTruth();
-    /// A value that this controller publishes, described as output() in describe(): logs, summaries and the window show it as
-    /// robot0/brain/<name>. Set it in setup and in update; it keeps its value in between.
+    /// A signal published by this controller and described as output() in describe(): logs, summaries and the window show it as
+    /// robot0/brain/<name>. Set it in setup and update; it keeps its value in between.
     [[nodiscard]] Slot publish(const char* name);
-    /// A device's truth, "base/pose"; read only.
+    /// A ground truth signal of a device, for example "base/pose"; read only.
     [[nodiscard]] SignalPort groundTruth(const char* path);
 
-    // For std::string names, as fields hold them.
+    // Overloads for std::string names, as stored in fields.
     template <class Name> [[nodiscard]] DifferentialDrivePort differentialDrive(const Name& n) {
         return differentialDrive(n.c_str());
     }
@@ -157,7 +157,7 @@ public:
     template <class Name> [[nodiscard]] RadioPort radio(const Name& n) { return radio(n.c_str()); }
     template <class Name> [[nodiscard]] CameraPort camera(const Name& n) { return camera(n.c_str()); }
 
-    [[nodiscard]] bool complete() const { return !m_missing; } ///< no name was missing so far
+    [[nodiscard]] bool complete() const { return !m_missing; } ///< all names were found so far
 
 private:
     Slot bind(const char* kind, const char* device, const char* signal, std::uint32_t count = 1);

@@ -6,7 +6,7 @@ namespace trundle {
 inline namespace sdk1 {
 
 inline Slot RobotPorts::bind(const char* kind, const char* device, const char* signal, std::uint32_t count) {
-    if (m_missing) return {}; // one missing name is told once, not again for each signal of its port
+    if (m_missing) return {}; // a missing name is reported once, not for each signal of its port
     double* first = m_robot.bind(m_robot.context, kind, device, signal);
     if (!first) m_missing = true;
     return Slot(first, count);
@@ -64,7 +64,7 @@ inline CameraPort RobotPorts::camera(const char* name) {
     CameraPort port;
     port.m_name = name;
     port.m_frame = bind("Camera", name, "frame");
-    // An older program's table ends before.
+    // The table of an older program is shorter.
     if (m_robot.size >= offsetof(TrundleRobot, cameras) + sizeof m_robot.cameras) port.m_cameras = m_robot.cameras;
     return port;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// What a number in the text means: its unit, its range, whether it must be there.
+// The unit, limits and flags of a field.
 
 #include <limits>
 #include <numbers>
@@ -9,7 +9,7 @@
 
 namespace trundle {
 
-/// Unit and limits of a field. Numbers reach the class in SI units; limits are given in the text's own unit.
+/// Unit and limits of a field. The class receives numbers in SI units; limits are given in the text's unit.
 struct Quantity {
     const char* unit = "";
     double scale = 1;
@@ -51,7 +51,7 @@ struct Quantity {
         q.flags |= TRUNDLE_REQUIRED;
         return q;
     }
-    /// May change during a run, at once.
+    /// May be changed during a run, with immediate effect.
     [[nodiscard]] constexpr Quantity live() const {
         Quantity q = *this;
         q.flags |= TRUNDLE_LIVE;
@@ -93,21 +93,21 @@ constexpr Quantity decibelMilliwatts() { return unitOf("dBm"); }
 
 constexpr Quantity flag() { return {}; }
 constexpr Quantity text() { return {}; }
-/// One word of "servo|pi|voltage".
+/// One of the words in "servo|pi|voltage".
 constexpr Quantity oneOf(const char* choices) {
     Quantity q;
     q.choices = choices;
     q.type = TRUNDLE_CHOICE;
     return q;
 }
-/// A file with one of the endings "png|jpg".
+/// A file with one of the extensions "png|jpg".
 constexpr Quantity file(const char* endings) {
     Quantity q;
     q.choices = endings;
     q.type = TRUNDLE_FILE;
     return q;
 }
-/// The name of something of the kinds or roles "Hinge|Slider".
+/// The name of an object of one of the kinds or roles "Hinge|Slider".
 constexpr Quantity reference(const char* kinds) {
     Quantity q;
     q.choices = kinds;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 #pragma once
-// Packets by radio.
+// Sending and receiving radio packets.
 
 #include <cstdint>
 #include <optional>
@@ -13,28 +13,28 @@
 namespace trundle {
 inline namespace sdk1 {
 
-/// What a radio received.
+/// A received packet.
 struct Packet {
     std::vector<std::uint8_t> bytes;
-    double rssi = 0; ///< dBm, as the radio reads it
-    int lqi = 0;     ///< 110 at best, 50 where it can hardly be decoded
-    double time = 0; ///< s, of its last bit, by the radio's own clock
+    double rssi = 0; ///< dBm, as measured by the radio
+    int lqi = 0;     ///< link quality: 110 at best, 50 where it can hardly be decoded
+    double time = 0; ///< s, time of its last bit on the radio's own clock
     std::uint32_t from = 0, to = 0;
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 };
 
-/// A Transceiver. A packet holds up to 116 bytes.
+/// A Transceiver. A packet contains up to 116 bytes.
 class RadioPort {
 public:
     static constexpr std::uint32_t kEverybody = 0xffff;
-    static constexpr double kFullPower = 1000; ///< dBm: as much as it can
+    static constexpr double kFullPower = 1000; ///< dBm: the radio's maximum
 
     [[nodiscard]] bool bound() const { return m_border != nullptr; }
-    /// 1 ... 65534, different for each radio.
+    /// 1 ... 65534, unique for each radio.
     [[nodiscard]] std::uint32_t address() const { return m_border ? m_border->address(m_context, m_radio) : 0; }
 
-    /// To all who hear it, or to one address. It goes out in this tick, or when those before it are out. False: too long, or too many
-    /// wait already.
+    /// Sends to one address, or broadcasts by default. Transmitted in this tick or after the packets queued before. False if the
+    /// packet is too long or the queue is full.
     bool send(const void* bytes, std::size_t count, double powerDbm = kFullPower, std::uint32_t to = kEverybody) {
         return m_border && count <= TRUNDLE_MOST_PAYLOAD &&
                m_border->send(m_context, m_radio, static_cast<const std::uint8_t*>(bytes), static_cast<std::uint32_t>(count), to,
@@ -47,7 +47,7 @@ public:
         return send(text.data(), text.size(), powerDbm, to);
     }
 
-    /// The oldest packet that waits; nothing where none does.
+    /// The oldest packet in the queue; empty if there is none.
     [[nodiscard]] std::optional<Packet> receive() {
         TrundlePacket raw{};
         raw.size = sizeof raw;

@@ -4,17 +4,17 @@
 #include <cstdint>
 
 namespace trundle {
-// What only modules and devices see has a name space of its own, so that the program may have a class of the same name. Written
-// trundle::Slot all the same; the number is the interface's major version.
+// Types used only by modules and devices are in an inline namespace of their own, so that the program may have classes with the
+// same names. Code still writes trundle::Slot; the number is the ABI's major version.
 inline namespace sdk1 {
 
-/// A span of time or a moment, s.
+/// A duration or a point in time, s.
 struct Seconds {
     double value = 0;
     constexpr operator double() const { return value; }
 };
 
-/// One signal of one robot: `count` doubles in its image. Unbound it reads 0 and ignores writes.
+/// One signal of one robot: `count` doubles in the robot's signal image. An unbound slot reads 0 and ignores writes.
 class Slot {
 public:
     Slot() = default;
@@ -27,7 +27,7 @@ public:
     void set(std::uint32_t element, double value) {
         if (element < m_count) m_first[element] = value;
     }
-    /// For commands: what a controller wrote, or 0 where that is infinite or no number at all.
+    /// For commands: the value written by a controller, or 0 if it is infinite or NaN.
     [[nodiscard]] double finite() const {
         const double v = get();
         return std::isfinite(v) ? v : 0.0;

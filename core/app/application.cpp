@@ -1,0 +1,158 @@
+#include "app/application.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include <trundle/abi.h>
+
+#include "app/render_library.h"
+#include "assets/asset_reader.h"
+#include "base/platform/read_file.h"
+#include "control/directory_catalog.h"
+#include "control/in_process_backend.h"
+#include "control/kinds_json.h"
+#include "control/module_kinds.h"
+#include "control/module_store.h"
+#include "devices/builtin.h"
+#include "model/model_kinds.h"
+#include "run/log_kinds.h"
+
+namespace trundle {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Connects asset reading to project loading: the two libraries do not depend on each other.
+class AssetMeshes final : public MeshSource {
+public:
+    explicit AssetMeshes(AssetReader& reader) : m_reader(reader) {}
+    Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) override { return m_reader.mesh(path); }
+    Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) override { return m_reader.heightMap(path); }
+    Result<std::shared_ptr<const Raster>> picture(const std::string& path) override { return m_reader.picture(path); }
+
+private:
+    AssetReader& m_reader;
+};
+
+/// Returns only meshes and pictures that the cache already holds; everything else is reported as pending.
+class CachedMeshes final : public MeshSource {
+public:
+    explicit CachedMeshes(AssetReader& reader) : m_reader(reader) {}
+    Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) override {
+        return orLater(m_reader.cachedMesh(path), path);
+    }
+    Result<std::shared_ptr<const HeightMap>> heightMap(const std::string& path) override {
+        return orLater(m_reader.cachedHeightMap(path), path);
+    }
+    Result<std::shared_ptr<const Raster>> picture(const std::string& path) override {
+        return orLater(m_reader.cachedPicture(path), path);
+    }
+    bool pending() const override { return m_pending; }
+
+private:
+    template <class Asset> Result<Asset> orLater(std::optional<Result<Asset>> kept, const std::string& path) {
+        if (kept) return std::move(*kept);
+        m_pending = true;
+        return Error{Code::MeshUnreadable, path + " is being read"};
+    }
+
+    AssetReader& m_reader;
+    bool m_pending = false;
+};
+
+void mustHold(const Status& status) {
+    if (!status) throw std::logic_error(status.error().message); // two built-in kinds with the same name: a programming error
+}
+
+std::shared_ptr<const Registry> builtInKinds() {
+    auto registry = std::make_shared<Registry>();
+    addModelKinds(*registry);
+    mustHold(addDeviceKinds(*registry));
+    mustHold(addLogKinds(*registry));
+    return registry;
+}
+
+class TrundleApplication final : public Application {
+public:
+    TrundleApplication() : m_locations(findLocations()), m_builtIn(builtInKinds()), m_assets(m_locations.meshReader) {}
+
+    std::shared_ptr<const Registry> builtIn() const override { return m_builtIn; }
+    const Locations& locations() const override { return m_locations; }
+    std::vector<Kind> moduleKinds(const OpenOptions& options) const override;
+    Result<std::shared_ptr<const LoadedProject>> open(const std::string& path, const OpenOptions& options) override;
+    std::unique_ptr<Runner> makeRunner(const LoadedProject& loaded, RunOptions options, Diagnostics& diagnostics) override;
+
+private:
+    Locations m_locations;
+    std::shared_ptr<const Registry> m_builtIn;
+    AssetReader m_assets;
+};
+
+std::vector<Kind> TrundleApplication::moduleKinds(const OpenOptions& options) const {
+    std::vector<std::string> descriptions;
+    std::vector<std::string> folders = options.modules;
+    folders.push_back(m_locations.modules);
+    for (const std::string& folder : folders) {
+        std::error_code none;
+        for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
+            if (at->path().string().ends_with(".kinds.json")) descriptions.push_back(at->path().string());
+    }
+    std::ranges::sort(descriptions);
+    std::vector<Kind> kinds;
+    for (const std::string& path : descriptions) {
+        const Result<std::string> text = readRegularFile(path);
+        if (!text) continue;
+        Result<std::vector<Kind>> read =
+            kindsFromJson(text.value(), path.substr(0, path.size() - std::string_view(".kinds.json").size()));
+        if (!read) continue;
+        for (Kind& kind : std::move(read).value()) kinds.push_back(std::move(kind));
+    }
+    return kinds;
+}
+
+Result<std::shared_ptr<const LoadedProject>> TrundleApplication::open(const std::string& path, const OpenOptions& options) {
+    DirectoryCatalog catalog({options.modules, m_locations.modules, {}, options.trust});
+    AssetMeshes all(m_assets);
+    CachedMeshes kept(m_assets);
+    MeshSource& meshes = options.meshesLater ? static_cast<MeshSource&>(kept) : all;
+    Project project(m_builtIn, catalog, meshes,
+                    {options.includes, m_locations.configs, m_locations.resources, options.sets, options.texts, options.previous,
+                     options.shownFromProject});
+    return project.open(path);
+}
+
+std::unique_ptr<Runner> TrundleApplication::makeRunner(const LoadedProject& loaded, RunOptions options,
+                                                       Diagnostics& diagnostics) {
+    if (!options.calls) options.calls = std::make_shared<CallMonitor>();
+    const auto keeper = std::make_shared<ModuleStore>(options.calls); // per run: the next one loads rebuilt libraries
+    ModuleStore& store = *keeper;
+    options.keeps = keeper;
+    loadModules(*loaded.experiment, *loaded.registry, store, diagnostics);
+    if (diagnostics.hasErrors()) return nullptr;
+    const DeviceCode devices = [&store](const std::string& kind) {
+        const TrundleKind* builtIn = findBuiltInDevice(kind);
+        return builtIn ? builtIn : store.find(kind, TRUNDLE_DEVICE);
+    };
+    const BackendFactory backends = [&store](const RobotSpec& robot, const SettingsSpec& settings) {
+        return makeInProcessBackend(robot, settings, store);
+    };
+    const auto world = std::make_shared<const World*>(nullptr); // set once the world exists
+    if (!options.pictures) {
+        const auto warn = [world, console = options.console](const std::string& line) {
+            if (console) console(*world ? (*world)->time() : 0, {}, TRUNDLE_WARNING, line);
+        };
+        options.pictures = [folder = m_locations.modules, warn](const ExperimentSpec& experiment, const SignalLayout& layout) {
+            return openImageSource(folder, experiment, layout, {LookChoice::Automatic, warn});
+        };
+    }
+    std::unique_ptr<Runner> runner = Runner::create(loaded.experiment, devices, backends, std::move(options), diagnostics);
+    if (runner) *world = &runner->world();
+    return runner;
+}
+
+} // namespace
+
+std::unique_ptr<Application> makeApplication() { return std::make_unique<TrundleApplication>(); }
+
+} // namespace trundle

@@ -1,0 +1,37 @@
+#pragma once
+// The composition root, built once by main: all commands of the programs use it.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/locations.h"
+#include "app/open_options.h"
+#include "base/result.h"
+#include "project/project.h"
+#include "run/runner.h"
+
+namespace trundle {
+
+class Application {
+public:
+    virtual ~Application() = default;
+
+    /// The built-in kinds of model, devices and logs.
+    [[nodiscard]] virtual std::shared_ptr<const Registry> builtIn() const = 0;
+    /// Kinds declared by the manifests of the modules in the program's and the given folders. Runs no module code.
+    [[nodiscard]] virtual std::vector<Kind> moduleKinds(const OpenOptions& options) const = 0;
+    /// Paths of the program's own files.
+    [[nodiscard]] virtual const Locations& locations() const = 0;
+    /// Loads an experiment and everything it imports. Thread-safe. Fails only if the experiment file itself cannot be read.
+    [[nodiscard]] virtual Result<std::shared_ptr<const LoadedProject>> open(const std::string& path,
+                                                                            const OpenOptions& options) = 0;
+    /// Builds the world, controllers and logs of a loaded experiment. Returns nullptr and adds diagnostics on failure. The runner
+    /// must be destroyed before the application.
+    [[nodiscard]] virtual std::unique_ptr<Runner> makeRunner(const LoadedProject& loaded, RunOptions options,
+                                                             Diagnostics& diagnostics) = 0;
+};
+
+[[nodiscard]] std::unique_ptr<Application> makeApplication();
+
+} // namespace trundle

@@ -1,0 +1,24 @@
+#pragma once
+// The individual model checks. Private to core/check.
+
+#include <stop_token>
+
+#include "base/diagnostic.h"
+#include "check/start_scene.h"
+#include "project/project.h"
+
+namespace trundle {
+
+void checkMasses(const ExperimentSpec& experiment, Diagnostics& diagnostics);
+void checkDrives(const LoadedProject& loaded, Diagnostics& diagnostics);
+/// Reports robots that start inside something else or below a floor.
+void checkStart(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics);
+/// Reports robots that start unsupported in the air.
+void checkSupport(const LoadedProject& loaded, const StartScene& scene, Diagnostics& diagnostics, const std::stop_token& stop);
+
+/// A length (m) with three significant digits and a suitable unit: "3.5 m", "12 mm".
+[[nodiscard]] std::string lengthText(double metres);
+/// A number with three significant digits.
+[[nodiscard]] std::string figureText(double value);
+
+} // namespace trundle

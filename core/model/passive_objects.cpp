@@ -1,0 +1,25 @@
+#include "model/passive_objects.h"
+
+#include <algorithm>
+
+namespace trundle {
+
+bool isPassive(const RobotSpec& robot) {
+    return robot.config && robot.config->joints.empty() && robot.config->devices.empty() && !robot.controller;
+}
+
+bool isPassive(const Part& instance, const Part* config) {
+    if (!config || !config->kind || config->kind->name != "RobotConfig" || !instance.kind) return false;
+    if (instance.kind->name == "Static" || !(instance.is(Role::Instance) || instance.is(Role::Layout))) return false;
+    // Blocks of modules that are not loaded count as active.
+    const auto isBody = [](const Part& part) { return part.is(Role::Body) || part.is(Role::Geom); };
+    return std::all_of(config->parts.begin(), config->parts.end(), isBody) && instance.parts.empty();
+}
+
+RobotCounts countRobots(const ExperimentSpec& experiment) {
+    RobotCounts counts;
+    for (const RobotSpec& robot : experiment.robots) ++(isPassive(robot) ? counts.objects : counts.robots);
+    return counts;
+}
+
+} // namespace trundle

@@ -1,0 +1,17 @@
+#pragma once
+// Decides whether a large file, of which only the beginning was read, has so many errors that the rest need not be read.
+
+#include "base/diagnostic.h"
+#include "lang/tree.h"
+
+namespace trundle {
+
+/// True if at least 500 errors would remain whatever the unread rest of `tree` contains: names that it does not define, values
+/// that it does not override, kinds that none of its modules provides. The rest is scanned once, and only if there are that many
+/// errors.
+[[nodiscard]] bool hasTooManyErrors(const Tree& tree, const Diagnostics& diagnostics);
+
+/// A diagnostic that states how much of the file was not read.
+[[nodiscard]] Diagnostic restUnread(const Tree& tree);
+
+} // namespace trundle

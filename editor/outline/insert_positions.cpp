@@ -1,0 +1,87 @@
+#include "editor/outline/insert_positions.h"
+
+#include <algorithm>
+
+#include "schema/value_words.h"
+
+namespace trundle {
+namespace {
+
+/// Devices, controllers and logs are placed by role, whichever module defines them.
+std::vector<std::string> places(const Kind& kind) {
+    switch (kind.role) {
+    case Role::Device: return {"RobotConfig"};
+    case Role::Controller: return {"Robot", "Grid", "Scatter"};
+    case Role::Log: return {""};
+    default: return kind.parents;
+    }
+}
+
+} // namespace
+
+bool isAllowedInside(const Kind& kind, std::string_view parent) {
+    const std::vector<std::string> all = places(kind);
+    return std::find(all.begin(), all.end(), parent) != all.end();
+}
+
+std::string placesOf(const Kind& kind) {
+    std::vector<std::string> all = places(kind);
+    for (std::string& place : all) place = place.empty() ? "the top level" : withArticle(place);
+    return listText(all);
+}
+
+std::string definedAt(const LoadedProject& loaded, const std::string& path) {
+    std::optional<ObjectLocation> place = placeOf(loaded, path);
+    if (!place || !place->part) return path;
+    place->above.push_back(place->part);
+    return pathOf(loaded, place->above);
+}
+
+const Kind* kindAt(const LoadedProject& loaded, const std::string& path) {
+    const std::optional<ObjectLocation> place = placeOf(loaded, path);
+    return place && place->part ? place->part->kind : nullptr;
+}
+
+std::string parentOf(const LoadedProject& loaded, const std::string& path) {
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string::npos) return {};
+    std::string above = path.substr(0, dot);
+    const Kind* kind = loaded.registry->find(above); // "Material" in "Material.red" is not an object
+    const bool space = kind && (kind->role == Role::Material || kind->role == Role::Surface || kind->role == Role::Pattern ||
+                                kind->role == Role::Config);
+    return space ? std::string() : above;
+}
+
+std::vector<std::string> placesAround(const LoadedProject& loaded, const std::string& selected) {
+    std::vector<std::string> places;
+    const std::optional<ObjectLocation> place = selected.empty() ? std::nullopt : placeOf(loaded, selected);
+    if (place && place->part) {
+        for (std::string path = definedAt(loaded, selected); !path.empty(); path = parentOf(loaded, path)) places.push_back(path);
+        if (const Part* instance = place->instance) {
+            if (std::find(places.begin(), places.end(), instance->name) == places.end()) places.push_back(instance->name);
+            else if (const Part* config = configOf(loaded, *instance)) places.push_back(config->kind->name + "." + config->name);
+        }
+    }
+    places.emplace_back();
+    return places;
+}
+
+std::optional<std::string> placeFor(const LoadedProject& loaded, const std::string& selected,
+                                    std::span<const Kind* const> kinds) {
+    for (const std::string& path : placesAround(loaded, selected)) {
+        const Kind* here = kindAt(loaded, path);
+        const std::string_view parent = here ? std::string_view(here->name) : std::string_view();
+        if (!here && !path.empty()) continue;
+        if (std::all_of(kinds.begin(), kinds.end(), [&](const Kind* kind) { return isAllowedInside(*kind, parent); }))
+            return path;
+    }
+    return std::nullopt;
+}
+
+const Part* controllerOf(const Part& instance) {
+    const auto it =
+        std::find_if(instance.parts.begin(), instance.parts.end(), [](const Part& p) { return p.is(Role::Controller); });
+    return it == instance.parts.end() ? nullptr : &*it;
+}
+
+} // namespace trundle

@@ -1,0 +1,77 @@
+#include "editor/properties/origin_text.h"
+
+#include <algorithm>
+
+#include <QObject>
+
+#include "editor/document/document.h"
+#include "editor/document/structure_edits.h"
+#include "project/edit_target.h"
+#include "project/search.h"
+
+namespace trundle {
+
+QString placeWords(const LoadedProject& loaded, const SourceRange& place) {
+    if (!place.known() || place.file >= loaded.sources.size()) return {};
+    const SourceText& source = *loaded.sources[place.file].text;
+    const std::string& file = place.file < loaded.paths.size() ? loaded.paths[place.file] : source.path();
+    const QString name = QString::fromStdString(shownInProject(file, loaded.projectFolder));
+    return QStringLiteral("%1:%2").arg(name, QString::number(source.position(place.range.begin).line));
+}
+
+QString overrideWords(const FieldValue& value) {
+    constexpr qsizetype kMost = 40;
+    const QString config = QString::fromStdString(value.config);
+    QString inherited = QString::fromStdString(value.inherited).simplified();
+    if (inherited.size() > kMost) inherited = inherited.left(kMost - 1) + QStringLiteral("…");
+    if (config.isEmpty()) return QObject::tr("override here");
+    return inherited.isEmpty() ? QObject::tr("override here; %1 has no value").arg(config)
+                               : QObject::tr("override here; %1 has %2").arg(config, inherited);
+}
+
+QString targetWords(const ObjectValues& object, const Document& document) {
+    const Part *config = object.config(), *instance = object.instance();
+    if (!config || !object.kind()) return {};
+    const QString name = QString::fromStdString(config->name);
+    const LoadedProject& loaded = object.loaded();
+    const auto fileOf = [&](FileId file) { return QString::fromStdString(document.shown(loaded.paths.at(file))); };
+    if (isShippedFile(loaded, config->file) && !instance)
+        return QObject::tr("%1 came with Trundle and is read-only: a change makes a copy of it in %2.").arg(name, fileOf(0));
+    if (!instance) {
+        const std::size_t instances = instancesOf(loaded, *config).size();
+        return instances < 2 ? QString() : QObject::tr("A change here is for all %1 instances of %2.").arg(instances).arg(name);
+    }
+    if (!object.inConfig() && !object.isInstance()) return {};
+    const std::string below = object.inConfig() ? object.path().substr(instance->name.size() + 1) + "." : std::string();
+    std::vector<std::string> keys; // of values set in the config
+    if (object.inConfig())
+        for (const Property& p : object.kind()->properties) keys.push_back(p.name);
+    for (const SourceParam& p : object.isInstance() ? config->params : std::vector<SourceParam>()) keys.push_back(p.name->text);
+    if (object.isInstance() && config->kind)
+        for (const Property& p : config->kind->properties)
+            if (!instance->kind->find(p.name)) keys.push_back(p.name);
+    const auto key = std::ranges::find_if(keys, [&](const std::string& k) { return !instance->assignments.find(below + k); });
+    if (key == keys.end()) return {};
+    const EditTarget target = document.structure().targetOf(object.path() + "." + *key);
+    const QString owner = QString::fromStdString(instance->name);
+    if (target.isOverride)
+        return QObject::tr("Values of %1 that are changed here become overrides of %2 in %3.")
+            .arg(name, owner, fileOf(target.file));
+    if (target.config)
+        return QObject::tr("Values of %1 that are changed here go into %1 in %2: only %3 is created from it.")
+            .arg(name, fileOf(target.file), owner);
+    return {};
+}
+
+QString originWords(const FieldValue& value) {
+    switch (value.origin) {
+    case ValueOrigin::Default: return value.text.empty() ? QObject::tr("not set") : QObject::tr("the default");
+    case ValueOrigin::Own: return QObject::tr("set here");
+    case ValueOrigin::Override: return overrideWords(value);
+    case ValueOrigin::Config: return QObject::tr("set in the config");
+    case ValueOrigin::CommandLine: return QObject::tr("set on the command line");
+    }
+    return {};
+}
+
+} // namespace trundle

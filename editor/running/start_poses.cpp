@@ -1,0 +1,73 @@
+#include "editor/running/start_poses.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QCoreApplication>
+
+#include "lang/number_text.h"
+#include "model/outline.h"
+#include "model/provenance.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kPosStep = 1e-6, kAngleStep = 1e-4; // m, degrees
+
+/// The value as written in the text; empty if it is not set.
+std::string textOf(const LoadedProject& loaded, const std::string& property) {
+    const auto from = provenanceOf(*loaded.outline, property);
+    return from && from->value.known() ? std::string(loaded.sources.slice(from->value)) : std::string();
+}
+
+/// The text with new numbers, formatted as by the Move tool. Components that change by less than half a step keep their text.
+std::string kept(const std::string& text, const Vec3& before, Vec3 now, const char* unit, double step) {
+    for (int k = 0; k < 3; ++k)
+        if (std::abs(now[k] - before[k]) < step / 2) now[k] = before[k];
+    return withNumbers(text, {before.data(), 3}, {now.data(), 3}, unit, step);
+}
+
+Vec3 degreesOf(const Pose& pose) { return hprFromRotation(pose.rotation) * (180 / std::numbers::pi); }
+
+bool isElsewhere(const Pose& a, const Pose& b) {
+    if ((a.position - b.position).cwiseAbs().maxCoeff() > kPosStep / 2) return true;
+    return a.rotation.angularDistance(b.rotation) > kAngleStep / 2 * std::numbers::pi / 180;
+}
+
+QString trPoses(const char* text) { return QCoreApplication::translate("RunSession", text); }
+
+} // namespace
+
+StartPoses startPoses(const LoadedProject& loaded, const std::function<std::optional<Pose>(const std::string&)>& poseNow) {
+    StartPoses all;
+    QStringList leftOut;
+    for (const RobotSpec& robot : loaded.experiment->robots) {
+        const std::optional<Pose> now = poseNow(robot.name);
+        if (now && !isElsewhere(*now, robot.pose)) continue;
+        const Part* layout = loaded.outline->world.find(robot.name) ? nullptr : layoutOfMember(*loaded.outline, robot.name);
+        const QString name = QString::fromStdString(layout ? layout->name : robot.name);
+        if (!now) {
+            if (leftOut.empty() || leftOut.back() != name) leftOut.append(name);
+            continue;
+        }
+        if (layout) {
+            all.refusal = trPoses("%1 moved: members of a Grid or Scatter have no start pose of their own. Replace %2 by single "
+                                  "instances first.")
+                              .arg(QString::fromStdString(robot.name), name);
+            all.values.clear();
+            return all;
+        }
+        const std::string pos = robot.name + ".Pos", hpr = robot.name + ".HPR";
+        all.values.push_back({pos, kept(textOf(loaded, pos), robot.pose.position, now->position, "m", kPosStep)});
+        all.values.push_back({hpr, kept(textOf(loaded, hpr), degreesOf(robot.pose), degreesOf(*now), "deg", kAngleStep)});
+    }
+    all.leftOut = leftOut.join(QStringLiteral(", "));
+    if (!all.values.empty()) return all;
+    all.refusal =
+        leftOut.empty()
+            ? trPoses("Every robot is at its start pose.")
+            : trPoses("%1: new or renamed since the run started. Every other robot is at its start pose.").arg(all.leftOut);
+    return all;
+}
+
+} // namespace trundle

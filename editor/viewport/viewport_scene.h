@@ -1,0 +1,103 @@
+#pragma once
+// The scene shown in all views: the document's experiment at its start, or the current run. A text without placed objects is
+// shown as a preview of what it defines.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "render/service.h"
+#include "scene/camera_model.h"
+#include "scene/object_index.h"
+#include "scene/ray_cast.h"
+
+namespace trundle {
+
+class Document;
+class RunSession;
+
+class ViewportScene final : public QObject {
+    Q_OBJECT
+public:
+    /// `render` may be null: then nothing is drawn, everything else works. All arguments must outlive this object.
+    ViewportScene(Document& document, RunSession& session, RenderService* render, QObject* parent = nullptr);
+    ~ViewportScene() override;
+
+    [[nodiscard]] const std::shared_ptr<const ObjectIndex>& objects() const { return m_objects; } ///< never null
+    [[nodiscard]] const std::shared_ptr<const BodyPoses>& poses() const { return m_poses; }       ///< never null
+    [[nodiscard]] SceneId scene() const { return m_scene; }
+    [[nodiscard]] bool isRunning() const { return m_running; } ///< shows a run instead of the text
+
+    [[nodiscard]] std::optional<ObjectRef> find(const std::string& path) const { return m_objects->find(path); }
+    [[nodiscard]] Pose poseOf(const ObjectRef& object) const { return m_objects->poseOf(object, *m_poses); }
+    [[nodiscard]] Bounds boundsOf(const ObjectRef& object) const { return m_objects->boundsOf(object, *m_poses); }
+    /// The objects that a path of the selection refers to: the object itself, the members of a Grid or Scatter, or the matching
+    /// object in each instance of a config.
+    [[nodiscard]] std::vector<ObjectRef> objectsOf(const std::string& path) const;
+    /// Cameras of its robots, in text order.
+    [[nodiscard]] const std::vector<CameraModel>& cameras() const { return m_cameras; }
+    [[nodiscard]] const CameraModel* camera(const std::string& path) const; ///< "robot0/eye"; null if there is none
+    /// The cameras that a path of the selection refers to, directly or as parts of the named object.
+    [[nodiscard]] std::vector<const CameraModel*> camerasOf(const std::string& path) const;
+    /// True if `path` refers to the component "robot0/radio" of that robot and body (index in BodyPoses), or to an object that
+    /// contains it.
+    [[nodiscard]] bool isPartOf(const std::string& path, const std::string& robot, std::size_t body,
+                                const std::string& component) const;
+    /// Bounds of the visible robots and statics, without infinite floors.
+    [[nodiscard]] const Bounds& bounds() const;
+    /// Visible objects along a ray, nearest first; locked ones only if `alsoLocked`.
+    [[nodiscard]] std::vector<RayHit> hitsAlong(const ViewRay& ray, bool alsoLocked = false) const;
+
+    /// Draws a dragged object in addition to the scene, at the pose of moveDragged(). It cannot be picked or measured. Null:
+    /// removes it.
+    void showDragged(std::shared_ptr<const ExperimentSpec> thing);
+    /// World pose of its origin; nullopt: hidden.
+    void moveDragged(const std::optional<Pose>& pose);
+    [[nodiscard]] const std::optional<Pose>& dragged() const { return m_draggedPose; }
+    /// Scene for image requests: scene() or the one with the dragged object; poses accordingly.
+    [[nodiscard]] SceneId drawnScene() const { return m_draggedPose && isDragging() ? m_draggedScene : m_scene; }
+    [[nodiscard]] std::shared_ptr<const BodyPoses> drawnPoses() const;
+
+    /// Paths of hidden objects; their parts are hidden too.
+    void setHidden(std::vector<std::string> paths);
+    void setLocked(std::vector<std::string> paths);
+    /// The same as paths of the render service.
+    [[nodiscard]] const std::vector<std::string>& hiddenInScene() const { return m_hiddenInScene; }
+    [[nodiscard]] bool isHidden(const ObjectRef& object) const { return holds(m_hidden, object); }
+    [[nodiscard]] bool isLocked(const ObjectRef& object) const;
+
+Q_SIGNALS:
+    void replaced(); ///< another experiment, with new poses
+    void posed();    ///< same experiment, new poses
+    void marked();   ///< hidden or locked objects changed
+    void draggedMoved();
+
+private:
+    void updateScene();
+    void updatePoses();
+    void listHidden();
+    [[nodiscard]] bool isDragging() const { return m_draggedScene != SceneId::None; }
+    void addDraggedScene();
+    void removeDraggedScene();
+    [[nodiscard]] std::shared_ptr<const ExperimentSpec> ghosts() const;
+    [[nodiscard]] bool holds(const std::vector<std::string>& marks, const ObjectRef& object) const;
+
+    Document& m_document;
+    RunSession& m_session;
+    RenderService* m_render;
+    std::shared_ptr<const ExperimentSpec> m_experiment;
+    std::shared_ptr<const ObjectIndex> m_objects;
+    std::shared_ptr<const BodyPoses> m_poses;
+    std::vector<CameraModel> m_cameras;
+    SceneId m_scene = SceneId::None, m_draggedScene = SceneId::None;
+    std::shared_ptr<const ExperimentSpec> m_dragged;
+    std::vector<Pose> m_draggedBodies; // relative to its origin
+    std::optional<Pose> m_draggedPose;
+    mutable std::optional<Bounds> m_bounds; // computed on demand
+    bool m_running = false;
+    std::vector<std::string> m_hidden, m_locked, m_hiddenInScene;
+};
+
+} // namespace trundle

@@ -1,0 +1,30 @@
+#pragma once
+// The real parts of the program and windows of them, for tests of the whole window.
+
+#include <QtTest>
+
+#include "app/application.h"
+#include "editor/shell/main_window.h"
+#include "editor/widgets/theme.h"
+#include "render/service.h"
+
+namespace trundle {
+
+/// Made once for all tests of a program: initTestCase() calls start().
+struct WindowFixture {
+    void start() {
+        applyTheme(*qApp, ThemeKind::Light);
+        application = makeApplication();
+        auto started = RenderService::start();
+        QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());
+        render = std::move(started).value();
+    }
+    [[nodiscard]] std::unique_ptr<MainWindow> window() const {
+        return std::make_unique<MainWindow>(*application, render.get(), findLocations());
+    }
+
+    std::unique_ptr<Application> application;
+    std::unique_ptr<RenderService> render;
+};
+
+} // namespace trundle
