@@ -1,5 +1,5 @@
-// What code of a module may do to the program, and what `run` promises then: an end, the right exit code, a sentence that names robot and
-// module, complete logs and an object of --json.
+// Faults in a module's code, and what `run` guarantees then: it ends, with the right exit code, a message that names robot and
+// module, complete logs and the --json object.
 #include <csignal>
 #include <future>
 
@@ -8,9 +8,9 @@
 namespace {
 
 constexpr int kTicks = 100, kAt = 50;
-constexpr int kRowsWhole = 1 + 1 + kTicks, kRowsCut = 1 + kAt; // a header, the start, a row for each tick
+constexpr int kRowsWhole = 1 + 1 + kTicks, kRowsCut = 1 + kAt; // a header, the start, one row per tick
 
-/// A sanitizer's runtime answers crashes in our place, unless it is reported not to.
+/// A sanitizer's runtime handles crashes before the program does, unless these options are set.
 const QString kOwnHandlers = QStringLiteral("handle_segv=0:handle_abort=0:handle_sigill=0:handle_sigbus=0:handle_sigfpe=0:"
                                             "use_sigaltstack=0:detect_leaks=0:allocator_may_return_null=1");
 
@@ -20,7 +20,7 @@ class BadModulesTest : public QObject {
     Q_OBJECT
 
     QTemporaryDir m_folder;
-    QByteArray m_hash; ///< of a run in which all is well
+    QByteArray m_hash; ///< of a run without faults
 
     QString experiment(const QByteArray& controller, const QByteArray& device, const QByteArray& settings = {}) {
         const QString path = m_folder.filePath("zoo.sim");
@@ -49,7 +49,7 @@ class BadModulesTest : public QObject {
         words += programPath();
         return callProgram("/usr/bin/env", words + arguments(path), m_folder.path(), 60);
     }
-    /// Sends the signal once the module says that it loops. Gives how it ended.
+    /// Sends the signal once the module reports that it loops. Returns the outcome of the process.
     Outcome interruptZoo(const QString& path, int signal, const QStringList& environment = {}) {
         const QString pid = m_folder.filePath("pid"), err = m_folder.filePath("err");
         QFile::remove(pid);
@@ -66,7 +66,7 @@ class BadModulesTest : public QObject {
         outcome.err = contentOf(err);
         return outcome;
     }
-    /// A module made it so, and the program has not yet seen that.
+    /// True if a module has set the signal to be ignored and the program has not restored its handler yet.
     static bool ignores(const QByteArray& pid, int signal) {
         const QByteArray status = contentOf("/proc/" + pid + "/status");
         const qsizetype at = status.indexOf("SigIgn:\t");
@@ -104,8 +104,8 @@ void BadModulesTest::reportsEveryModuleFault_data() {
     QTest::addColumn<QByteArray>("controller");
     QTest::addColumn<QByteArray>("device");
     QTest::addColumn<int>("code");
-    QTest::addColumn<QByteArray>("said"); ///< in the sentence
-    QTest::addColumn<QByteArray>("robot"); ///< in "crashed"; "": not there, "?": nobody can say
+    QTest::addColumn<QByteArray>("said"); ///< expected in the message
+    QTest::addColumn<QByteArray>("robot"); ///< in "crashed"; "": absent, "?": unknown
     QTest::addColumn<int>("rows");
     const QByteArray brain = "the controller Zoo of bad ", thing = "the device ZooDevice cart/thing ";
     const auto row = [](const char* name, const QByteArray& controller, const QByteArray& device, int code, const QByteArray& said,
@@ -149,7 +149,7 @@ void BadModulesTest::reportsEveryModuleFault_data() {
     // An exception stops the controller, and the run with it.
     for (const char* thrown : {"throw", "throw int", "throw other", "throw much", "allocate"})
         row(thrown, action(thrown), {}, 4, "E410", "", kRowsCut);
-    // Names without an end are the names of nothing.
+    // Names without a terminating zero byte are rejected.
     for (const char* name : {"unended port", "filled port", "port from nowhere", "unended signal", "unended publish"})
         row(name, action(name, "setup"), {}, 4, "a name without a terminating zero byte", "", 0);
     row("unended has", action("unended has", "setup"), {}, 0, {}, "", kRowsWhole);
@@ -158,7 +158,7 @@ void BadModulesTest::reportsEveryModuleFault_data() {
             "", 0);
     row("a device: unended field", {}, action("unended field", "setup"), 0, {}, "", kRowsWhole);
     row("fail badly", action("fail badly"), {}, 4, "E410", "", kRowsCut);
-    // All else harms nobody.
+    // All other faults have no effect on the run.
     const auto harmless = [&](const char* name, const QByteArray& said = {}) {
         row(name, action(name), {}, 0, said, "", kRowsWhole);
     };
@@ -189,7 +189,7 @@ void BadModulesTest::reportsEveryModuleFault_data() {
     harmless("log badly", "cannot be called");
     row("write outputs", action("write outputs"), {}, 0, {}, "", kRowsWhole);
     row("terminate itself", action("terminate itself"), {}, 130, {}, "", kRowsCut + 1);
-    // Without its descriptors there is nowhere to write to, and a file that took their place is left alone.
+    // Without its descriptors the program cannot report; a file that has taken their numbers is not written to.
     for (const char* name : {"close all", "replace all"}) row(name, action(name), {}, 1, "E503", "", 0);
 }
 
@@ -206,7 +206,7 @@ void BadModulesTest::reportsEveryModuleFault() {
     QVERIFY2(run.err.contains(said), shown(run).left(4000));
     QVERIFY2(!run.err.contains('\x1b') && !run.err.contains('\x07'), shown(run).left(4000));
     if (rows > 0) QCOMPARE(this->rows(), rows);
-    if (code == 1 && !controller.isEmpty()) { // nothing is left to print to
+    if (code == 1 && !controller.isEmpty()) { // standard output is closed
         QVERIFY2(run.err.contains("cannot write to standard output"), shown(run));
         return;
     }
@@ -214,7 +214,7 @@ void BadModulesTest::reportsEveryModuleFault() {
     const QJsonObject json = QJsonDocument::fromJson(run.out, &error).object();
     QVERIFY2(error.error == QJsonParseError::NoError, shown(run).left(4000));
     QCOMPARE(json.contains("crashed"), !robot.isEmpty());
-    if (!robot.isEmpty() && rows > 0 && rows < kRowsWhole) { // where they were a second ago at most
+    if (!robot.isEmpty() && rows > 0 && rows < kRowsWhole) { // the positions are at most a second old
         const QJsonObject robots = json["robots"].toObject();
         QVERIFY2(robots.keys() == (QStringList{"bad", "cart", "good"}) && robots["bad"]["pos"].toArray().size() == 3, shown(run));
         QVERIFY2(json["robots_time_s"].isDouble() && qAbs(robots["cart"]["pos"][1].toDouble() + 2) < 0.1, shown(run));
@@ -284,12 +284,12 @@ void BadModulesTest::aLongStepOfTheSolverEndsWithWordsOfItsCluster() {
     const QJsonObject where = json["not_responding"].toObject();
     QVERIFY2(where["during"] == "solver" && where["contacts"].toInt() > 500 && where["body"].toString().startsWith("wall_"),
              shown(run));
-    QCOMPARE(rows(), 2); // the start is in the log
+    QCOMPARE(rows(), 2); // the log contains the start
 }
 
 void BadModulesTest::reportsFaultsOnLoadAndUnload_data() {
     QTest::addColumn<QString>("environment");
-    QTest::addColumn<int>("signal"); ///< 0: it ends by itself
+    QTest::addColumn<int>("signal"); ///< 0: it ends without a signal
     QTest::addColumn<int>("code");
     QTest::addColumn<QByteArray>("said");
     QTest::newRow("crash when loaded") << "TRUNDLE_ZOO_LOAD=segv" << 0 << 4 << QByteArray("crashed while it was loaded");
@@ -319,7 +319,7 @@ void BadModulesTest::reportsFaultsOnLoadAndUnload() {
     else QVERIFY2(json[signal ? "not_responding" : "crashed"].toObject()["module"].toString().endsWith("/libzoo.so"), shown(run));
 }
 
-/// Its thread has no other stack for a handler: the kernel ends the program at once.
+/// The thread has no alternate signal stack for a handler, so the kernel kills the process at once.
 void BadModulesTest::reportsNothingFalseAfterStackOverflow() {
     QDir(m_folder.filePath("logs")).removeRecursively();
     const QString said = m_folder.filePath("said"), printed = m_folder.filePath("printed");
@@ -343,7 +343,7 @@ void BadModulesTest::describingWhatLoopsEndsWithASignal() {
     ::kill(contentOf(pid).trimmed().toInt(), begun ? SIGTERM : SIGKILL);
     const Outcome run = running.get();
     const QByteArray said = contentOf(err);
-    QVERIFY2(run.code == 130, said); // nothing could be lost, so there is no patience
+    QVERIFY2(run.code == 130, said); // no data can be lost, so there is no timeout
     QVERIFY2(said.contains("trundle-cli: interrupted: ended at once, while waiting for the module " + library.toUtf8() + "\n"), said);
     QVERIFY(!QFile::exists(out));
 }
@@ -367,14 +367,14 @@ void BadModulesTest::reportsCrashWhileDescribing() {
                                                      library, "--output", out});
     QVERIFY2(run.code == 4, shown(run));
     QVERIFY2(run.err.contains("the module " + library.toUtf8() + " ") && run.err.contains(said), shown(run));
-    QCOMPARE(QFile::exists(out), environment.contains("UNLOAD")); // by then it was written
+    QCOMPARE(QFile::exists(out), environment.contains("UNLOAD")); // written before the module was unloaded
 }
 
 void BadModulesTest::closedDescriptorsCorruptNoFile_data() {
     QTest::addColumn<QString>("closing");
     QTest::addColumn<int>("code");
     QTest::newRow("standard input") << "<&-" << 0;
-    QTest::newRow("standard output") << ">&-" << 1; // where the object should have gone
+    QTest::newRow("standard output") << ">&-" << 1; // the JSON object cannot be written
     QTest::newRow("standard error") << "2>&-" << 0;
     QTest::newRow("all") << "<&- >&- 2>&-" << 1;
 }
@@ -395,7 +395,7 @@ void BadModulesTest::aKilledRunLosesASecondAtMost() {
     auto running = std::async(std::launch::async, [&] {
         return runZoo(path, {}, "echo $$ > '" + pid + "'; exec \"$0\" \"$@\" --realtime --duration 50");
     });
-    // Far less than a buffer: these rows were written out by the clock.
+    // Far less than a buffer: these rows were flushed by the timer.
     const bool flushed = QTest::qWaitFor([&] { return rows() > 150; }, 60'000);
     ::kill(contentOf(pid).trimmed().toInt(), SIGKILL);
     (void)running.get();

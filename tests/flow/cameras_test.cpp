@@ -1,4 +1,4 @@
-// Robots that see: the shipped experiments with cameras, as a user runs them.
+// The shipped experiments with cameras, run by the CLI: images, movies and controllers that use them.
 
 #include "flow/cli.h"
 
@@ -7,14 +7,14 @@ namespace {
 const QString kExperiment = configPath("experiments/blob_follow.sim");
 constexpr double kTargetX = 1.9, kTargetY = 0.3;
 
-/// The last row of a pose log: x and y.
+/// x and y of the last row of a pose log.
 QPair<double, double> lastPlace(const QString& path) {
     const QList<QByteArray> rows = contentOf(path).trimmed().split('\n');
     const QList<QByteArray> cells = rows.last().split(',');
     return cells.size() > 3 ? qMakePair(cells[2].toDouble(), cells[3].toDouble()) : qMakePair(1e9, 1e9);
 }
 
-/// A line for each picture of a movie, with what its pixels come to.
+/// One line per frame of a movie, with the checksum of its pixels.
 QList<QByteArray> picturesOf(const QString& movie) {
     const Outcome reader = callProgram("ffmpeg", {"-v", "error", "-i", movie, "-map", "0:v", "-f", "framemd5", "-"});
     QList<QByteArray> pictures;
@@ -23,7 +23,7 @@ QList<QByteArray> picturesOf(const QString& movie) {
     return pictures;
 }
 
-/// `environment`: as env takes it, "-u NAME" or "NAME=value".
+/// `environment`: arguments of env, "-u NAME" or "NAME=value".
 Outcome cliWith(const QStringList& environment, const QStringList& arguments) {
     return callProgram("/usr/bin/env", environment + QStringList{programPath()} + arguments);
 }
@@ -83,7 +83,7 @@ private Q_SLOTS:
         };
         QVERIFY2(draw("overview", "0").startsWith("\x89PNG"), draw("overview", "0"));
         QVERIFY2(draw("behind", "0").startsWith("\x89PNG"), draw("behind", "0"));
-        QVERIFY(draw("behind", "0") != draw("behind", "12")); // it is carried along
+        QVERIFY(draw("behind", "0") != draw("behind", "12")); // the view moves with the robot
         QVERIFY2(draw("below", "0").contains("there is no view below; there is overview, behind"), draw("below", "0"));
     }
 
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QVERIFY(contentOf(folder.filePath("film_000001.png")) != contentOf(folder.filePath("film_000002.png")));
     }
 
-    /// Reported by a check, before anything runs.
+    /// A check reports these errors, before a run starts.
     void frameLogListsExistingFiles() {
         QTemporaryDir folder;
         const auto check = [&](const char* log) {
@@ -172,7 +172,7 @@ private Q_SLOTS:
                  QByteArray("time [s],picture\n0,film_000000.png\n0.01,\n0.02,film_000002.png\n"));
     }
 
-    /// A shell that may write small files only represents a full disk.
+    /// A shell with a small file size limit stands in for a full disk.
     void fullDiskLeavesNoPartialPictures() {
         QTemporaryDir folder;
         const QString logs = folder.filePath("logs");
@@ -201,7 +201,7 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(folder.filePath("blob_follow.csv")));
     }
 
-    /// A program that takes a little and dies.
+    /// An encoder that reads some input and then fails.
     void aMovieThatFailsLeavesTheOldOne() {
         QTemporaryDir folder;
         const QString ffmpeg = folder.filePath("ffmpeg"), movie = folder.filePath("a.mp4");
@@ -217,7 +217,7 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), (QStringList{"a.mp4", "ffmpeg"}));
     }
 
-    /// What a movie grows in is a link that came with the folder: it leads nowhere.
+    /// The temporary file of the movie exists already, as a link that came with the project: it is not followed.
     void aMovieIsWrittenThroughNoLink() {
         QTemporaryDir folder, outside;
         const QString movie = folder.filePath("a.mp4"), precious = outside.filePath("precious");
@@ -227,7 +227,7 @@ private Q_SLOTS:
                                  "--log-dir", folder.filePath("logs")});
         QVERIFY2(run.code == 1 && run.err.contains("symbolic link"), shown(run));
         QCOMPARE(contentOf(precious), QByteArray("precious"));
-        // The movie itself a link: it is replaced, not followed.
+        // The movie file is a link: it is replaced, not followed.
         QVERIFY(QFile::remove(folder.filePath(".a.mp4.part")) && QFile::link(precious, movie));
         const Outcome again = cli({"run", kExperiment, "--duration", "0.2", "--movie", movie, "--camera", "seeker_0/eye",
                                    "--log-dir", folder.filePath("logs")});
@@ -272,10 +272,10 @@ private Q_SLOTS:
             callProgram("ffprobe", {"-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
                                     "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", movie});
         QVERIFY2(probe.code == 0, shown(probe));
-        QCOMPARE(probe.out.trimmed(), QByteArray("160,120,24/1,25")); // t = 0 and t = 1 too
+        QCOMPARE(probe.out.trimmed(), QByteArray("160,120,24/1,25")); // including t = 0 and t = 1
     }
 
-    /// The limit on the size of files is met where a full disk would be.
+    /// The file size limit stands in for a full disk.
     void aMovieThatDoesNotFitIsNoMovie() {
         QTemporaryDir folder;
         const QString movie = folder.filePath("a.mp4");
@@ -301,7 +301,7 @@ private Q_SLOTS:
             QVERIFY2(run.code == 0, shown(run));
             each = picturesOf(movie);
             QCOMPARE(each.size(), 11);
-            QVERIFY(each.first().split(',').last() != each.last().split(',').last()); // it drove
+            QVERIFY(each.first().split(',').last() != each.last().split(',').last()); // the robot moved
         }
         QCOMPARE(pictures[0], pictures[1]);
     }

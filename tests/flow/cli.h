@@ -1,5 +1,5 @@
 #pragma once
-// trundle-cli as a test calls it.
+// Helpers that run trundle-cli and collect its exit code and output.
 
 #include <QStringDecoder>
 #include <QtTest>
@@ -7,15 +7,15 @@
 #include "base/platform/process.h"
 
 struct Outcome {
-    int code = -1; ///< -2: it crashed or did not end
+    int code = -1; ///< -2: it crashed or timed out
     QByteArray out, err;
 };
 
 inline QString programPath() { return QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle-cli"); }
 inline QString configPath(const QString& name) { return QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/") + name; }
 
-/// Runs `program` (a path, or a name to be found like a shell's) to its end, in `folder` where one is given. Not by QProcess: it
-/// begins a program by clone(), which ThreadSanitizer of clang 14 does not survive.
+/// Runs `program` (a path, or a name searched in PATH) until it ends, in `folder` if given. Does not use QProcess: that starts
+/// programs with clone(), which crashes ThreadSanitizer of clang 14.
 inline Outcome callProgram(const QString& program, const QStringList& arguments, const QString& folder = {},
                            double seconds = 120) {
     trundle::ProcessRequest request;
@@ -47,7 +47,7 @@ inline bool writeFile(const QString& path, const QByteArray& bytes) {
     return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
 }
 
-/// Every text under configs/.
+/// Every text file under configs/.
 inline QStringList allConfigs() {
     QStringList files;
     QDirIterator at(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs"), {"*.sim", "*.txt"}, QDir::Files, QDirIterator::Subdirectories);
@@ -56,17 +56,17 @@ inline QStringList allConfigs() {
     return files;
 }
 
-/// What a failed comparison should show.
+/// Exit code and output, as the message of a failed comparison.
 inline QByteArray shown(const Outcome& outcome) {
     return "exit code " + QByteArray::number(outcome.code) + "\n--- stdout\n" + outcome.out + "\n--- stderr\n" + outcome.err;
 }
 
-/// A name of a file with commands for a terminal in it.
+/// A file name that contains terminal control sequences.
 inline const QByteArray kHostileName = "\x1b]0;mine\x07\xc2\x9b"
                                        "2J\xe2\x80\xae"
                                        "mis.sim";
 
-/// What is wrong with bytes for a terminal; empty where nothing is.
+/// The first control character that a terminal would obey, described; empty if there is none.
 inline QByteArray controlCharacters(const QByteArray& bytes) {
     QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
     const QString text = decoder(bytes);

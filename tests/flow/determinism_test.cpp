@@ -1,4 +1,4 @@
-// Same input, same bits: twenty worlds, each run several times as whole programs, one hash each.
+// Same input, same bits: twenty worlds, each run several times in separate processes; all runs of a world have one hash.
 
 #include "flow/cli.h"
 
@@ -56,7 +56,7 @@ const World kWorlds[] = {
                 "Grid g { Config=Chain Count=2,3 Spacing=0.8,0.4 Pos=0,0,0.5 HPR=20,30,0 }"},
 };
 
-/// A closed wedge, 0.8 m long, 0.6 m wide, 0.1 m high.
+/// A closed wedge mesh: 0.8 m long, 0.6 m wide, 0.1 m high.
 const char* const kRamp = "v 0 -0.3 0\nv 0.8 -0.3 0\nv 0.8 0.3 0\nv 0 0.3 0\nv 0.8 -0.3 0.1\nv 0.8 0.3 0.1\n"
                           "f 1 3 2\nf 1 4 3\nf 1 2 5\nf 2 3 6\nf 2 6 5\nf 3 4 6\nf 1 5 6\nf 1 6 4\n";
 
@@ -103,7 +103,7 @@ private Q_SLOTS:
         }
     }
 
-    // What a robot does is its own: another one far away changes neither its numbers nor its bits.
+    // Robots are independent: another robot far away changes no bit of this robot's results.
     void distantRobotChangesNothing() {
         const World alone{"alone", "Robot robot0 { Config=SimpleRobot BumpAndTurn b { Speed=0.4 } }"};
         const World both{"both", "Robot robot0 { Config=SimpleRobot BumpAndTurn b { Speed=0.4 } }\nRobot other { Config=EvBot "

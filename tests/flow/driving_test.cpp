@@ -1,4 +1,4 @@
-// How well a commanded motion becomes a driven one, through the whole chain: text, controller, drive, motors, wheels on the floor.
+// How accurately a commanded motion is driven, through text, controller, drive, motors and the contacts of wheels and floor.
 // Measured at the middle of the axle, for the reference robot of tests/data/r0.sim.
 
 #include "flow/cli.h"
@@ -12,7 +12,7 @@ struct AxlePose {
 constexpr double kPi = 3.14159265358979323846; // moc cannot read <numbers>
 constexpr double kDegree = kPi / 180;
 
-/// Smallest difference of two headings.
+/// Smallest difference of two headings, in radians.
 double turned(double a, double b) { return std::remainder(a - b, 2 * kPi); }
 
 } // namespace
@@ -22,7 +22,7 @@ class DrivingFlowTest : public QObject {
 
     QTemporaryDir m_folder;
 
-    /// Runs the reference robot with a controller block; `sets` are `--set`s.
+    /// Runs the reference robot with a controller block; `sets` are the arguments of --set.
     Outcome drive(const QString& controller, double seconds, const QStringList& sets = {},
                   const QString& ground = "Static floor { Config=Floor }") {
         const QString file = m_folder.filePath("drive.sim");
@@ -45,7 +45,7 @@ class DrivingFlowTest : public QObject {
     static AxlePose axle(const Outcome& run) {
         const QJsonObject robot = QJsonDocument::fromJson(run.out).object()["robots"].toObject()["robot0"].toObject();
         const QJsonArray pose = robot["signals"].toObject()["base/pose"].toArray();
-        return {pose[0].toDouble(), pose[1].toDouble(), pose[2].toDouble() * kDegree}; // angles are written in degrees
+        return {pose[0].toDouble(), pose[1].toDouble(), pose[2].toDouble() * kDegree}; // the JSON has degrees
     }
 
 private Q_SLOTS:
@@ -84,7 +84,7 @@ void DrivingFlowTest::servoDrivesStraight() {
 void DrivingFlowTest::servoDrivesArcs_data() {
     QTest::addColumn<double>("speed");
     QTest::addColumn<double>("rate");
-    QTest::addColumn<double>("angle"); // degrees
+    QTest::addColumn<double>("angle"); // in degrees
     QTest::newRow("the reference: 0.3 m/s, 1 rad/s, a full turn") << 0.3 << 1.0 << 360.0;
     for (const double radius : {0.2, 0.5, 1.0})
         for (const double angle : {90.0, -180.0, 360.0})
@@ -103,7 +103,7 @@ void DrivingFlowTest::servoDrivesArcs() {
                QString("RobotConfig.R0.base.MaxAngularAcceleration=%1").arg(2 * rate)}); // ramps of 0.5 s
     QVERIFY2(run.code == 0, shown(run));
     const AxlePose end = axle(run);
-    // Speed forwards whichever way it turns: a circle of radius v / W about a point to the left or to the right.
+    // The speed is positive for either turning direction: a circle of radius v / W about a point to the left or to the right.
     const double radius = std::copysign(speed / rate, angle), theta = angle * kDegree;
     QVERIFY2(std::hypot(end.x - radius * std::sin(theta), end.y - radius * (1 - std::cos(theta))) < 1e-4, shown(run));
     QVERIFY2(std::abs(turned(end.heading, theta)) < 0.02 * kDegree, shown(run));
@@ -114,8 +114,8 @@ void DrivingFlowTest::voltageLagsByItsTimeConstant_data() {
     for (const double tick : {0.001, 0.01, 0.03}) QTest::addRow("tick %g s", tick) << tick;
 }
 
-// What a voltage commands is followed with tau = (M r^2 / 2 + I) / b, so the robot stays v tau = 7.099 mm behind. A ramp of 0.5 s,
-// so that the wheels do not slip, costs another 0.125 m.
+// The wheels follow a voltage with the time constant tau = (M r^2 / 2 + I) / b, so the robot lags by v tau = 7.099 mm. A ramp of
+// 0.5 s, so that the wheels do not slip, costs another 0.125 m.
 void DrivingFlowTest::voltageLagsByItsTimeConstant() {
     QFETCH(double, tick);
     const Outcome run = drive("LinearMotion brain { Distance=10 Speed=0.5 }", 3,
@@ -130,7 +130,7 @@ void DrivingFlowTest::theMotorIsStableAtEveryTick_data() {
     QTest::addColumn<QString>("ground");
     for (const double tick : {0.001, 0.005, 0.01, 0.02, 0.025, 0.03, 0.04, 0.05}) {
         QTest::addRow("on the floor, tick %g s", tick) << tick << QString("Static floor { Config=Floor }");
-        // A post under the hull carries the robot, the wheels turn in the air.
+        // A post under the hull carries the robot, so that the wheels turn freely.
         QTest::addRow("lifted, tick %g s", tick)
             << tick
             << QString("StaticConfig Post { Box top { Size=0.2,0.1,0.2 Pos=-0.03,0,-0.05 Material=grey Surface=rubber } }\n"
@@ -148,7 +148,7 @@ void DrivingFlowTest::theMotorIsStableAtEveryTick() {
     const QJsonObject robot = QJsonDocument::fromJson(run.out).object()["robots"].toObject()["robot0"].toObject();
     for (const char* motor : {"leftMotor/rate", "rightMotor/rate"}) {
         const double rate = robot["signals"].toObject()[motor].toDouble();
-        QVERIFY2(std::abs(rate - 10) < (lifted ? 1e-3 : 0.05), shown(run)); // 0.5 m/s on a wheel of 5 cm
+        QVERIFY2(std::abs(rate - 10) < (lifted ? 1e-3 : 0.05), shown(run)); // 0.5 m/s on a wheel of radius 5 cm
     }
     if (!lifted) QVERIFY2(std::abs(axle(run).x - (3 - 0.125 - 7.1e-3)) < 5e-4, shown(run));
 }
@@ -161,8 +161,8 @@ void DrivingFlowTest::pressedAgainstAWallItStays_data() {
             QTest::addRow("tick %g s, %g m", tick, distance) << tick << distance;
 }
 
-// Wheels held by the motors, held by the floor, the hull held by the wall: rows that nearly say the same thing may make the exact
-// solver stumble now and then. Nobody should notice.
+// Motors and floor hold the wheels while the wall holds the hull: nearly redundant constraints, for which the exact solver
+// occasionally fails. The robot must still not move.
 void DrivingFlowTest::pressedAgainstAWallItStays() {
     QFETCH(double, tick);
     QFETCH(double, distance);
@@ -172,7 +172,7 @@ void DrivingFlowTest::pressedAgainstAWallItStays() {
     QVERIFY2(run.code == 0, shown(run));
     const QJsonObject json = QJsonDocument::fromJson(run.out).object();
     const QJsonObject robot = json["robots"].toObject()["robot0"].toObject();
-    const double hull = distance < 0 ? -2 + 0.15 : 2 - 0.17; // the walls are at 2 m; behind reaches the hull, in front the bumper
+    const double hull = distance < 0 ? -2 + 0.15 : 2 - 0.17; // walls at 2 m; the hull touches behind, the bumper in front
     QVERIFY2(std::abs(robot["pos"].toArray()[0].toDouble() - hull) < 1e-3, shown(run));
     QVERIFY2(std::abs(robot["pos"].toArray()[1].toDouble()) < 2e-3, shown(run));
 }

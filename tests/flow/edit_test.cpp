@@ -6,7 +6,7 @@ class EditTest : public QObject {
     Q_OBJECT
 
     QTemporaryDir m_folder;
-    /// Copies of the configs, so that an edit that writes touches nothing of ours.
+    /// Works on copies of the configs, so that edits do not write to the source tree.
     QString copied(const QString& name) {
         for (const QString& path : allConfigs()) {
             const QString to = m_folder.filePath("configs/" + QDir(TRUNDLE_SOURCE_DIR "/configs").relativeFilePath(path));
@@ -26,7 +26,7 @@ private Q_SLOTS:
     void concurrentEditsAllSurvive();
 };
 
-/// Sixty times two at once, of one file and of one that both import.
+/// Two concurrent edits, sixty times: of the same file, and of a file that both import.
 void EditTest::concurrentEditsAllSurvive() {
     const QString path = copied("experiments/linear_motion.sim"), owner = m_folder.filePath("configs/robots/simple_robot.sim");
     for (int i = 0; i < 60; ++i) {

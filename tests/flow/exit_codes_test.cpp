@@ -4,7 +4,7 @@ namespace {
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define TRUNDLE_SANITIZED // their shadow memory fits into no limit
+#define TRUNDLE_SANITIZED // the shadow memory of sanitizers exceeds any limit
 #endif
 #endif
 #ifdef TRUNDLE_SANITIZED
@@ -188,7 +188,7 @@ void ExitCodesTest::everyMisuseIsNamed_data() {
     row({"describe", "--modules", m_folder.filePath("none")}, "none");
 }
 
-/// With --json at any place too; and nothing is written.
+/// --json is accepted at any position; nothing is written.
 void ExitCodesTest::everyMisuseIsNamed() {
     QFETCH(QStringList, arguments);
     QFETCH(QByteArray, said);
@@ -206,7 +206,7 @@ void ExitCodesTest::everyMisuseIsNamed() {
         QVERIFY2(json.code == 2 && error.error == QJsonParseError::NoError, shown(json));
         const QJsonArray list = document.isArray() ? document.array() : document.object()["diagnostics"].toArray();
         QVERIFY2(list.size() == 1 && !list[0].toObject()["message"].toString().isEmpty(), shown(json));
-        const bool known = place > 0; // else the command is not where it belongs
+        const bool known = place > 0; // false: the command is at the wrong position
         if (known && arguments.value(0) == "run") QVERIFY2(document.object().contains("ticks"), shown(json));
         QCOMPARE(document.isArray(), known && arguments.value(0) == "check");
     }
@@ -234,7 +234,7 @@ void ExitCodesTest::theVersionIsOneLine() {
 }
 
 void ExitCodesTest::missingModuleListsSearchedFolders() {
-    // The same program in a place with no lib/trundle beside it.
+    // The same program in a folder without lib/trundle beside it.
     QVERIFY(QDir(m_folder.path()).mkpath("elsewhere/bin"));
     const QString program = m_folder.filePath("elsewhere/bin/trundle-cli");
     QVERIFY(QFile::copy(programPath(), program));
@@ -268,7 +268,7 @@ void ExitCodesTest::aModuleThatIsNotTrustedDoesNotRun() {
 
 void ExitCodesTest::aFullDiskEndsTheRunHonestly() {
     const QString path = experiment("much.sim", "", "Duration = 60\nSignalLog all { Signals=\"*\" }");
-    // A shell that may write files of 100 blocks only represents a full disk.
+    // A shell with a file size limit of 100 blocks stands in for a full disk.
     const Outcome run = callProgram("/bin/sh", {"-c", "ulimit -f 100; exec \"$0\" run \"$1\" --json", programPath(), path});
     QVERIFY2(run.code == 1, shown(run));
     QVERIFY2(run.err.contains("E503") && run.err.contains("all.csv"), shown(run));
@@ -300,7 +300,7 @@ void ExitCodesTest::reportsCrashInModule() {
     QVERIFY(writeFile(path, "Duration = 1\n#import robots/simple_robot.sim\n#loadModule exits\nRobot r { Config=SimpleRobot "
                             "Exits brain { Recurse=true } }\n"));
     const Outcome run = cli({"run", path, "--modules", QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules")});
-    const bool sanitizer = run.err.contains("Sanitizer"); // it answers the signal in our place, with an exit code of its own
+    const bool sanitizer = run.err.contains("Sanitizer"); // the sanitizer handles the signal first and exits with its own code
     QVERIFY2(sanitizer || run.err.contains("the controller Exits of r "), shown(run));
     if (!sanitizer) QCOMPARE(run.code, 4);
 }
@@ -365,7 +365,7 @@ void ExitCodesTest::sixtyFourMebibytesOfMistakesFitIntoLittleMemory_data() {
     QTest::newRow("lines of blanks") << QByteArray("Foo { }\n") << QByteArray("  \r\n");
 }
 
-/// 64 MiB are the text itself; the program with its libraries takes another 100.
+/// The text itself takes 64 MiB; the program with its libraries takes another 100 MiB.
 void ExitCodesTest::sixtyFourMebibytesOfMistakesFitIntoLittleMemory() {
     QFETCH(QByteArray, head);
     QFETCH(QByteArray, piece);
@@ -389,12 +389,12 @@ void ExitCodesTest::checkReportsRunErrors() {
                                   robot);
         return path;
     };
-    // A port that the robot does not have is reported without a run.
+    // A port that the robot does not have is reported before the run starts.
     const QString lacking = text("lacking.sim", "Robot r { Config=Crate Pos=0,0,0.1 LinearMotion brain { } }\n");
     const Outcome refused = cli({"check", lacking});
     QVERIFY2(refused.code == 1 && refused.err.contains("E411"), shown(refused));
     QCOMPARE(cli({"run", lacking}).code, 4);
-    // What starts in the floor is a warning, with its fix, in all three forms; it keeps nothing from running.
+    // A robot that starts inside the floor is reported as a warning with a fix, in all three formats; it does not prevent a run.
     const QString deep = text("deep.sim", "Robot r { Config=Crate Pos=0,0,0.03 }\n");
     const Outcome warned = cli({"check", deep});
     QVERIFY2(warned.code == 0 && warned.err.contains("warning E325") && warned.err.contains("fix: Pos=0,0,0.1"), shown(warned));
@@ -404,7 +404,7 @@ void ExitCodesTest::checkReportsRunErrors() {
     }));
     const Outcome ran = cli({"run", deep, "--quiet"});
     QVERIFY2(ran.code == 0 && ran.err.contains("warning E325"), shown(ran));
-    // What hangs in the air is a hint, of a run too, each once.
+    // A robot that starts above the floor is reported as a hint, in a run too, once each.
     const QString high = text("high.sim", "Robot r { Config=Crate Pos=0,0,2 }\nGrid g { Config=Crate Count=20,20 Spacing=1 Pos=9,9,3 }\n");
     const Outcome fell = cli({"run", high, "--json"});
     QVERIFY2(fell.code == 0 && fell.err.count("hint E327") == cli({"check", high}).err.count("hint E327"), shown(fell));
@@ -414,7 +414,7 @@ void ExitCodesTest::checkReportsRunErrors() {
     QVERIFY(fell.err.contains("hint E327"));
 }
 
-/// One finding with one place and one fix, whoever is asked.
+/// The diagnostic has the same source range and the same fix from check and from run.
 void ExitCodesTest::checkAndRunReportMotorAlike() {
     const QString path = m_folder.filePath("one_motor.sim");
     writeFile(path, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\nDuration = 0.1\nStatic floor { Config=OpenFloor }\n"

@@ -1,5 +1,4 @@
-// The guide is true: its texts load and run, its command lines do what they say, its links lead somewhere, and every kind and option
-// has its place in it.
+// The guide is correct: its texts load and run, its commands work, its links resolve, and every kind and option is documented.
 
 #include "flow/cli.h"
 
@@ -35,7 +34,7 @@ QList<Fence> fencesOf(const QString& page) {
     return fences;
 }
 
-/// The texts of a page: one that says `more` goes on from the previous one.
+/// The texts of a page; one marked `more` continues the previous one.
 QList<Fence> textsOf(const QString& page) {
     QList<Fence> texts;
     QString before;
@@ -48,7 +47,7 @@ QList<Fence> textsOf(const QString& page) {
     return texts;
 }
 
-/// Names in all comments `<!-- kinds: ... -->`.
+/// The names in all comments `<!-- kinds: ... -->`.
 QStringList placedKinds() {
     QStringList kinds;
     static const QRegularExpression comment(QStringLiteral("<!-- kinds: ([^>]*) -->"));
@@ -99,7 +98,7 @@ private Q_SLOTS:
         QVERIFY2(run.code == 0, shown(run));
     }
 
-    /// In the order of the page, in one folder, where the page's first text is my.sim.
+    /// The commands of a page in order, in one folder, where the page's first text is my.sim.
     void documentedCommandsWork_data() {
         QTest::addColumn<QString>("page");
         for (const QString& page : pages())
@@ -149,7 +148,7 @@ private Q_SLOTS:
         const QStringList keys = QJsonDocument::fromJson(run.out).object().keys();
         QVERIFY2(keys.size() > 10, shown(run));
         for (const QString& key : keys) QVERIFY2(chapter.contains("`" + key + "`"), qPrintable(key));
-        // And it speaks of none that is not there.
+        // The guide names no option that does not exist.
         static const QRegularExpression named(QStringLiteral("`trundle-cli [^`]*|\\| `(--[\\w-]+)"));
         for (auto found = named.globalMatch(chapter); found.hasNext();) {
             const QString said = found.next().captured(1);
@@ -161,7 +160,7 @@ private Q_SLOTS:
         const QJsonArray all = QJsonDocument::fromJson(cli({"describe", "--json"}).out).array();
         QVERIFY(all.size() > 40);
         const QStringList placed = placedKinds();
-        QStringList names{"controller", "device"}; // what modules bring goes by its role
+        QStringList names{"controller", "device"}; // kinds of modules are listed by role
         for (const QJsonValue& kind : all) {
             names << kind["name"].toString();
             if (kind["module"].toString().isEmpty())

@@ -1,4 +1,4 @@
-// A project, a module and names of somebody else: no file of the user changes, and no terminal gets what it would obey.
+// Untrusted projects, modules and names: no file of the user is changed, and no control sequence reaches the terminal.
 
 #include "flow/cli.h"
 
@@ -40,7 +40,7 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains("--log-dir"), shown(run));
         QCOMPARE(contentOf(path("outside/authorized_keys")), QByteArray("mine"));
         QCOMPARE(QDir(path("outside")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 1);
-        // Who names the folder means it.
+        // A folder given by the user is used, even through a link.
         const Outcome named = cli({"run", file, "--log-dir", path("project/" + link)});
         QVERIFY2(named.code == 0, shown(named));
         QVERIFY(contentOf(path("outside/authorized_keys")).startsWith("time"));
@@ -60,8 +60,8 @@ private Q_SLOTS:
                 cli(QStringList{"run", file, "--modules", kModules} + (json ? QStringList{"--json"} : QStringList{}));
             QVERIFY2(run.code == (fails ? 4 : 0), shown(run));
             QVERIFY2(run.err.contains("mis.exe"), shown(run));
-            QVERIFY2(run.err.contains("cannot be called"), shown(run));          // the log it asked for
-            QVERIFY2(!run.err.contains("\n[0 robot1] all is well"), shown(run)); // a line has the name of who said it
+            QVERIFY2(run.err.contains("cannot be called"), shown(run));          // the log that it names
+            QVERIFY2(!run.err.contains("\n[0 robot1] all is well"), shown(run)); // each line has a prefix with its origin
             QCOMPARE(controlCharacters(run), QByteArray());
         }
     }

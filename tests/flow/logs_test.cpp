@@ -25,7 +25,7 @@ private Q_SLOTS:
         const QList<QByteArray> rows = lines("path.csv");
         QCOMPARE(rows[0], QByteArray("time [s],robot,x [m],y [m],z [m],heading [deg],pitch [deg],roll [deg]"));
         QCOMPARE(rows[1], QByteArray("0,robot1,2,0,0,90,0,0"));
-        QCOMPARE(rows.size(), 1 + 5 + 1); // 0, 0.25 .. 1 and what follows the last LF
+        QCOMPARE(rows.size(), 1 + 5 + 1); // 0, 0.25 .. 1, and the empty part after the last LF
         QVERIFY(rows[2].startsWith("0.25,robot1,"));
         QVERIFY(rows[5].startsWith("1,robot1,"));
         QVERIFY(!contentOf(m_folder.filePath("out/path.csv")).contains('\r'));
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QVERIFY2(done.err.contains("x.sim:7:"), shown(done));
         QVERIFY2(done.err.contains(said), shown(done));
         QVERIFY(!QFileInfo::exists(m_folder.filePath("p.csv")));
-        const Outcome checked = cli({"check", m_folder.filePath("x.sim")}); // and knows it without a world
+        const Outcome checked = cli({"check", m_folder.filePath("x.sim")}); // the check reports the same without building a world
         QVERIFY2(checked.code == 1 && checked.err == done.err.left(checked.err.size()), shown(checked) + shown(done));
     }
 };

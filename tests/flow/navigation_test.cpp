@@ -1,10 +1,10 @@
-// The radio experiments as a user runs them: is the bearing right, does the robot get there.
+// The radio navigation experiments, run by the CLI: the bearing is correct and the robot reaches its target.
 
 #include "flow/cli.h"
 
 namespace {
 
-/// Cells of a log by line, the head left out.
+/// Cells of a log by row, without the header.
 QList<QByteArrayList> linesOf(const QString& path) {
     QList<QByteArrayList> lines;
     for (const QByteArray& line : contentOf(path).trimmed().split('\n')) lines << line.split(',');
@@ -43,7 +43,7 @@ private Q_SLOTS:
     }
 
     void robotUsesRadioWheelsAndTouchOnly() {
-        // what the controllers bind is all they can know
+        // A controller can only read the signals that it binds.
         for (const char* source :
              {"network_navigator/network_navigator.cpp", "network_navigator/bearing_sweep.h", "network_navigator/listener.h",
               "network_navigator/sweep.cpp", "mote/mote.cpp", "mote/beacon.h"}) {
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY2(legs.size() > 3, "it heard the target from the start");
     }
 
-    /// Thesis 4.2.2. The target of the square is heard by the mote in its corner, and the number of hops grows away from it.
+    /// Thesis 4.2.2. The mote in the target's corner of the square hears it; the hop count grows with the distance.
     void eachMotesHopsAndCostAreLogged() {
         QTemporaryDir logs;
         const Outcome run = cli({"run", configPath("experiments/network_navigation.sim"), "--seed", "20261122", "--duration",
@@ -92,7 +92,7 @@ private Q_SLOTS:
         QCOMPARE(rows[0].size(), 1 + 16 * 2);
         const QByteArray head = contentOf(logs.filePath("gradient.csv")).split('\n')[0];
         QVERIFY2(head.startsWith("time [s],motes_0/brain/hops,motes_0/brain/cost,motes_1/brain/hops,"), head.constData());
-        for (int i = 1; i < rows[0].size(); ++i) QCOMPARE(rows[0][i], QByteArray("-1")); // nobody knows a way yet
+        for (int i = 1; i < rows[0].size(); ++i) QCOMPARE(rows[0][i], QByteArray("-1")); // no mote has a route yet
         const QByteArrayList& last = rows.last();
         for (int mote = 0; mote < 16; ++mote) {
             const int hops = last[1 + 2 * mote].toInt(), cost = last[2 + 2 * mote].toInt();
@@ -104,7 +104,7 @@ private Q_SLOTS:
         QCOMPARE(robots["target_0"].toObject()["signals"].toObject()["brain/hops"].toInt(-5), 0);
     }
 
-    /// A carrier of 30 kg runs into both with a wheel and a slider.
+    /// A robot of 30 kg drives into both with a wheel and a slider.
     void motesStayWhereTheyArePlaced() {
         QTemporaryDir folder;
         QFile text(folder.filePath("push.sim"));
@@ -118,7 +118,7 @@ private Q_SLOTS:
         const Outcome run = cli({"run", text.fileName(), "--json"});
         QVERIFY2(run.code == 0, shown(run));
         const QJsonObject robots = QJsonDocument::fromJson(run.out).object()["robots"].toObject();
-        QVERIFY(robots["robot0"].toObject()["pos"].toArray()[0].toDouble() > 1); // it came by
+        QVERIFY(robots["robot0"].toObject()["pos"].toArray()[0].toDouble() > 1); // it drove past them
         for (const char* mote : {"mote0", "mote1"}) {
             const QJsonArray pos = robots[mote].toObject()["pos"].toArray();
             QVERIFY2(std::abs(pos[0].toDouble()) < 0.001 && std::abs(pos[2].toDouble()) < 0.001, shown(run));
@@ -139,9 +139,9 @@ private Q_SLOTS:
         }
     }
 
-    /// 100 networks of each layout with seeds that nobody has seen; the script fails where too few arrive.
+    /// 100 networks of each layout with new seeds; the script fails where too few robots arrive.
     void aHundredRunsOfEach() {
-        if (!isLong()) return; // by hand: tests/bench/radio_series.py
+        if (!isLong()) return; // to run it by hand: tests/bench/radio_series.py
         const Outcome series =
             callProgram("python3",
                         {QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/bench/radio_series.py"), "--build",

@@ -1,4 +1,4 @@
-// What RadioLog, LinkMatrix and the capture file report a network, and that nothing in it is lost or made up.
+// RadioLog, LinkMatrix and the capture file agree with each other and with the run: no frame is missing, none is invented.
 
 #include "flow/cli.h"
 
@@ -29,7 +29,7 @@ double number(const Row& row, const char* name) {
     return good ? value : std::nan("");
 }
 
-/// A frame of a capture file.
+/// One frame of a capture file.
 struct Captured {
     double time = 0;
     QByteArray bytes;
@@ -38,7 +38,7 @@ struct Captured {
     [[nodiscard]] bool isAck() const { return (bytes[0] & 7) == 2; }
 };
 
-/// Frames of a capture of link type 195; empty where the file is none.
+/// Frames of a capture file of link type 195; empty if it is not one.
 QList<Captured> capture(const QByteArray& file) {
     const auto word = [&](qsizetype at) { return qFromLittleEndian<quint32>(file.constData() + at); };
     QList<Captured> frames;
@@ -52,7 +52,7 @@ QList<Captured> capture(const QByteArray& file) {
     return frames;
 }
 
-/// ITU-T CRC-16 over all, the check sequence included: 0 for a sound frame.
+/// ITU-T CRC-16 over all bytes including the check sequence: 0 for an intact frame.
 quint16 checked(const QByteArray& bytes) {
     quint16 crc = 0;
     for (const char byte : bytes)
@@ -71,8 +71,8 @@ const QByteArray kHead =
 const QByteArray kMotes =
     "Robot target { Config=TmoteSky  Mote brain { Target=true Period=0.02 } }\n"
     "Grid motes { Config=TmoteSky Pos=4,0,0 Count=3,2 Spacing=2,1.5  Mote brain { Period=0.02 } }\n"
-    "Robot deaf { Config=TmoteSky Pos=0,3,0 radio.BufferLimit=2 }\n"                    // nobody reads
-    "Robot far { Config=TmoteSky Pos=720,0,0 HPR=90,0,0  Mote brain { Power=-25 } }\n"; // all too weak, both ways
+    "Robot deaf { Config=TmoteSky Pos=0,3,0 radio.BufferLimit=2 }\n"                    // no controller reads from it
+    "Robot far { Config=TmoteSky Pos=720,0,0 HPR=90,0,0  Mote brain { Power=-25 } }\n"; // all links too weak, in both directions
 
 } // namespace
 
@@ -90,7 +90,7 @@ class RadioLogsTest : public QObject {
         m_robots = QJsonDocument::fromJson(done.out).object()["robots"].toObject();
         return done;
     }
-    /// Of a robot's radio, at the end.
+    /// A counter of the robot's radio, at the end of the run.
     double counted(const QString& robot, const char* signal) const {
         return m_robots[robot].toObject()["signals"].toObject()[QString("radio/") + signal].toDouble(-1);
     }
@@ -98,7 +98,7 @@ class RadioLogsTest : public QObject {
 private Q_SLOTS:
     void accountsForEveryPacket_data() {
         QTest::addColumn<QByteArray>("medium");
-        QTest::addColumn<QByteArrayList>("outcomes"); // that must occur
+        QTest::addColumn<QByteArrayList>("outcomes"); // all must occur
         QTest::newRow("ideal") << QByteArray("RadioMedium air { }\n")
                                << QByteArrayList{"delivered", "was sending", "too weak", "buffer full"};
         QTest::newRow("collisions") << QByteArray("RadioMedium air { Collisions=true }\n")
@@ -117,7 +117,7 @@ private Q_SLOTS:
         const QStringList robots = m_robots.keys();
         QCOMPARE(robots.size(), 9);
 
-        QMap<QByteArray, QMap<QByteArray, int>> outcomeAt; // by receiver
+        QMap<QByteArray, QMap<QByteArray, int>> outcomeAt; // counts by receiver
         QMap<QByteArray, int> of;
         QMap<QByteArray, int> rowsFrom;
         for (const Row& row : rowsOf(file("frames.csv"))) {
@@ -128,15 +128,15 @@ private Q_SLOTS:
         }
         for (const QByteArray& outcome : outcomes) QVERIFY2(of.value(outcome) > 0, outcome);
 
-        // a row for each frame at each other radio; frames in the air at the end have none yet
+        // One row for each frame and each other radio; frames still being sent at the end have no row yet.
         const QList<Captured> frames = capture(contentOf(file("frames.pcap")));
         double allSent = 0;
         for (const QString& robot : robots) allSent += counted(robot, "sent");
         QVERIFY(allSent > 400);
         QCOMPARE(double(frames.size()), allSent);
-        QMap<double, int> ended; // by address
+        QMap<double, int> ended; // finished frames, by sender address
         for (const Captured& frame : frames) ended[frame.sender()] += frame.end() <= 2;
-        const int receivers = outcomeAt.contains("far/radio") ? 8 : 7; // who is out of range of all has no rows
+        const int receivers = outcomeAt.contains("far/radio") ? 8 : 7; // a receiver out of range of all senders has no rows
         for (const QString& robot : robots) {
             const int rows = rowsFrom.value(robot.toUtf8() + "/radio"), sent = ended.value(counted(robot, "address"));
             QVERIFY2(rows == receivers * sent || (robot == "far" && rows == 0),
@@ -148,7 +148,7 @@ private Q_SLOTS:
             QCOMPARE(double(outcomeAt[radio].value("delivered")), counted(robot, "received"));
             QCOMPARE(double(outcomeAt[radio].value("buffer full")), counted(robot, "dropped"));
         }
-        QCOMPARE(counted("deaf", "received"), 2.); // the newest are dropped, not the oldest
+        QCOMPARE(counted("deaf", "received"), 2.); // a full buffer drops the newest frames, not the oldest
         QCOMPARE(counted("deaf", "pending"), 2.);
         QVERIFY(counted("deaf", "dropped") > 10);
         QCOMPARE(counted("far", "received"), 0.);
@@ -182,15 +182,15 @@ private Q_SLOTS:
             QVERIFY(frame.time >= last);
             last = frame.time;
             QCOMPARE(checked(frame.bytes), quint16(0));
-            QVERIFY(!frame.isAck()); // beacons are for everybody
+            QVERIFY(!frame.isAck()); // beacons are broadcast
             QCOMPARE(frame.bytes.size(), qsizetype(17));
             QCOMPARE(qFromLittleEndian<quint16>(frame.bytes.constData()), quint16(0x8841)); // data, short addresses
             QCOMPARE(qFromLittleEndian<quint16>(frame.bytes.constData() + 5), quint16(0xffff));
-            QCOMPARE(quint8(frame.bytes[9]), quint8(0xb1)); // a mote's beacon
+            QCOMPARE(quint8(frame.bytes[9]), quint8(0xb1)); // beacon of a mote
             sequences[qFromLittleEndian<quint16>(frame.bytes.constData() + 7)] << quint8(frame.bytes[2]);
         }
-        QCOMPARE(sequences.size(), 8);               // all but the deaf one
-        for (const QList<quint8>& ofOne : sequences) // some were given up: the channel was never clear
+        QCOMPARE(sequences.size(), 8);               // all but deaf: it sends nothing
+        for (const QList<quint8>& ofOne : sequences) // gaps: frames not sent because the channel was never clear
             for (qsizetype i = 1; i < ofOne.size(); ++i) QVERIFY(quint8(ofOne[i] - ofOne[i - 1]) - 1u < 9u);
     }
 
@@ -211,7 +211,8 @@ private Q_SLOTS:
             const QByteArrayList ends = it.key().split('>');
             QCOMPARE(powers.value(ends[1] + ">" + ends[0]), it.value());
         }
-        // inverted Fs: one is seen from ahead, 10 log10(1.5), the other from its side, where 0.3 of its power is missing
+        // Inverted F antennas: one is seen from the front, 10 log10(1.5), the other from the side, where 0.3 of the power
+        // is missing.
         const double ahead =
             -(20 * std::log10(4 * M_PI * 720 * 2.45e9 / 299792458.)) + 10 * std::log10(1.5) + 10 * std::log10(1.5 * 0.7);
         QVERIFY(std::abs(powers["target/radio>far/radio"] - ahead) < 0.01);

@@ -1,10 +1,10 @@
-// Pictures from the command line, with no display.
+// trundle-cli render: PNG images from the command line, without a display.
 
 #include "flow/cli.h"
 
 namespace {
 
-/// Width and height of a PNG, from its header.
+/// Width and height of a PNG, read from its header.
 QPair<int, int> pngSize(const QByteArray& png) {
     const auto number = [&](int at) {
         return (quint8(png[at]) << 24) | (quint8(png[at + 1]) << 16) | (quint8(png[at + 2]) << 8) | quint8(png[at + 3]);
@@ -20,7 +20,7 @@ class RenderFlowTest : public QObject {
     QTemporaryDir m_folder;
 
     Outcome render(const QString& picture, const QStringList& more, const QString& experiment = "experiments/linear_motion.sim") {
-        const QStringList size = more.contains("--camera") ? QStringList{} : QStringList{"--size", "320x200"}; // that has its own
+        const QStringList size = more.contains("--camera") ? QStringList{} : QStringList{"--size", "320x200"}; // it has its own
         return cli(QStringList{"render", configPath(experiment), "-o", m_folder.filePath(picture)} + size + more);
     }
 
@@ -76,7 +76,7 @@ private Q_SLOTS:
         QVERIFY2(!refused.err.contains("4294967"), shown(refused));
         QVERIFY(!QFile::exists(m_folder.filePath("never.png")));
     }
-    /// The run would take for ever.
+    /// A run of these experiments would never end.
     void reportsErrorsBeforeRun_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("reason");

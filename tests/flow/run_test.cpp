@@ -44,7 +44,7 @@ void RunFlowTest::summaryShowsFinalPoseAndDriveError() {
     QVERIFY2(drove.hasMatch(), shown(run));
     QVERIFY(qAbs(drove.captured(1).toDouble() - 1) < 5e-5);
     QVERIFY2(run.out.contains("linear_motion.csv"), shown(run));
-    QVERIFY2(run.err.contains("[") && run.err.contains(" robot0] done"), shown(run)); // the controller's own words
+    QVERIFY2(run.err.contains("[") && run.err.contains(" robot0] done"), shown(run)); // printed by the controller
 }
 
 void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
@@ -70,7 +70,7 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     QCOMPARE(robot["pos"].toArray().size(), 3);
     QCOMPARE(robot["hpr"].toArray().size(), 3);
     const QJsonObject signalsOf = robot["signals"].toObject();
-    // One metre on a wheel of 5 cm is 20 rad: 1629 counts of 512 a turn, less what the slack of a contact takes.
+    // One metre on a wheel of radius 5 cm is 20 rad: 1629 counts at 512 a turn, less a small amount for contact slip.
     QVERIFY2(qAbs(signalsOf["leftEncoder/count"].toInt() - 1629) <= 2, shown(run));
     QCOMPARE(signalsOf["frontTouch/pressed"].toBool(true), false);
     QVERIFY2(signalsOf.contains("base/odometry"), shown(run));
@@ -98,7 +98,7 @@ void RunFlowTest::logsChangeNothing() {
     const Outcome with = cli({"run", m_folder.filePath("with.sim"), "--hash"});
     QVERIFY2(without.code == 0 && with.code == 0, shown(without) + shown(with));
     QCOMPARE(hashLine(with), hashLine(without));
-    QVERIFY(QFileInfo::exists(m_folder.filePath("logs/with/e.csv"))); // the default folder
+    QVERIFY(QFileInfo::exists(m_folder.filePath("logs/with/e.csv"))); // the default log folder
     QVERIFY(!QFileInfo::exists(m_folder.filePath("logs/without")));
 }
 
@@ -109,7 +109,7 @@ void RunFlowTest::ctrlCEndsWithEverythingComplete() {
                            {"-c", "echo $$ > \"$1\"; exec \"$0\" run \"$2\" --duration 1e7 --json --log-dir \"$3\" 2> \"$4\"",
                             programPath(), pid, configPath("experiments/linear_motion.sim"), m_folder.filePath("ctrlc"), err});
     });
-    QTRY_VERIFY_WITH_TIMEOUT(contentOf(err).contains("simulated"), 60'000); // the first line of progress: it is running
+    QTRY_VERIFY_WITH_TIMEOUT(contentOf(err).contains("simulated"), 60'000); // the first progress line: it is running
     QCOMPARE(::kill(contentOf(pid).trimmed().toInt(), SIGINT), 0);
     const Outcome ended = running.get();
     QCOMPARE(ended.code, 130);
@@ -152,7 +152,7 @@ void RunFlowTest::seedAndSetReachTheExperiment() {
     };
     const Outcome first = walk({"--seed", "1"});
     QVERIFY2(first.code == 0, shown(first));
-    QCOMPARE(walk({}).out, first.out); // the text's own seed is 1
+    QCOMPARE(walk({}).out, first.out); // the text sets seed 1
     QVERIFY(walk({"--seed", "2"}).out != first.out);
     QVERIFY(walk({"--set", "robot0.brain.Speed=0.25"}).out != first.out);
     const Outcome wrong = walk({"--set", "robot0.brain.Sped=0.25"});
@@ -204,12 +204,12 @@ void RunFlowTest::aControllerEndsTheRun() {
     const QJsonObject json = QJsonDocument::fromJson(run.out).object(), finished = json["finished"].toObject();
     QCOMPARE(json["ticks"].toInt(), ticks);
     QCOMPARE(finished["robot"].toString(), who);
-    QCOMPARE(contentOf(logs + "/counts.csv").count('\n'), ticks + 2); // heading and start
+    QCOMPARE(contentOf(logs + "/counts.csv").count('\n'), ticks + 2); // header and start
     const Outcome reported = cli(words);
     QCOMPARE(reported.code, 0);
     QCOMPARE(reported.out.contains("finished    by "), !who.isEmpty());
     QVERIFY2(!reported.out.contains('\x1b') && !reported.out.contains("\xc2\x9b"),
-             shown(reported)); // no word of a module commands the terminal
+             shown(reported)); // no terminal control sequence from a module
     if (who.isEmpty()) return;
     QCOMPARE(finished["time"].toDouble(), ticks * 0.01);
     QCOMPARE(finished["controller"].toString(), QString("brain"));
@@ -217,13 +217,13 @@ void RunFlowTest::aControllerEndsTheRun() {
 }
 
 void RunFlowTest::theThesisExperimentRuns() {
-    // Every line and value of figure 3.4 that is known; robot, arena, materials and surfaces are files of our own.
+    // Every line and value known from figure 3.4; robot, arena, materials and surfaces are our own files.
     const QByteArray text = contentOf(configPath("experiments/thesis_figure_3_4.txt"));
     for (const char* line : {"Tick = 0.03", "#import Surfaces.txt", "#import Materials.txt", "#import Robots/MyRobot.txt",
                              "#import Statics/MyRobotArena.txt", "#loadModule Controllers/MyRobotController.dll",
                              "MyRobotController controller { RobotControllerVar=5 }", "Pos = 0,0,0", "Pos = 0,0,0.3"})
         QVERIFY2(text.contains(line), line);
-    QVERIFY(!text.contains("//")); // nothing of ours between them
+    QVERIFY(!text.contains("//")); // no comments of ours among them
     const Outcome run = cli({"run", configPath("experiments/thesis_figure_3_4.txt"), "--duration", "9", "--json", "--log-dir",
                              m_folder.filePath("t")});
     QVERIFY2(run.code == 0, shown(run));
@@ -251,7 +251,7 @@ void RunFlowTest::aWalkTouchesEveryWallAndNeverStays() {
             high[i] = std::max(high[i], cells[2 + i].toDouble());
         }
     }
-    // The bumper is 17 cm in front: a wall 2 m from the middle is touched from 1.83 m at most, a slanted one from less far away.
+    // The bumper is 17 cm in front: a wall 2 m from the origin is touched at 1.83 m at most, a slanted one earlier.
     for (int i = 0; i < 2; ++i) QVERIFY2(low[i] < -1.6 && high[i] > 1.6, qPrintable(QString("%1 %2").arg(low[i]).arg(high[i])));
     int held = 0, longest = 0;
     for (const QByteArray& line : contentOf(logs + "/touch.csv").split('\n').mid(1)) {

@@ -1,4 +1,4 @@
-// Misspelt keys and kinds of the shipped texts: the right word is the first suggestion.
+// Misspelt property names and kinds in the shipped texts: the correct word is the first suggestion.
 
 #include <set>
 
@@ -26,7 +26,7 @@ void collect(const std::vector<Item>& items, const std::string& inside, std::vec
     }
 }
 
-/// All words one edit away: a letter left out, doubled, swapped with the next, another one, one too many, in the other case.
+/// All words at edit distance one: a letter removed, doubled, swapped with the next, replaced or added, and the other case.
 std::vector<std::string> typosOf(const std::string& word) {
     static const std::string letters = "aeinorstxk";
     std::set<std::string> all;

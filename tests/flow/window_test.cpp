@@ -1,4 +1,4 @@
-// The window's program as documentation and checks call it: with options, without a screen.
+// The program trundle called with options and without a screen, as documentation and checks call it.
 
 #include <csignal>
 #include <future>
@@ -13,7 +13,7 @@
 class WindowProgramTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase() { qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8()); } // Qt reports it where there is none
+    void initTestCase() { qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8()); } // Qt warns if it is not set
 
     void takesAPicture() {
         const QString picture = m_folder.filePath(QStringLiteral("driven.png"));
@@ -28,7 +28,7 @@ private Q_SLOTS:
         QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
     }
 
-    /// The window says that there are none.
+    /// Without EGL the window reports that images are unavailable, and its picture is still saved.
     void takesAPictureWhereThereAreNone() {
         const QString picture = m_folder.filePath(QStringLiteral("blind.png"));
         qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere/none.json");
@@ -38,7 +38,7 @@ private Q_SLOTS:
         QVERIFY(contentOf(picture).startsWith("\x89PNG"));
     }
 
-    /// Else the first of them would be the display's socket or a file, and a module that prints would write into it.
+    /// Otherwise the display's socket or a file would get descriptor 1 or 2, and a module that prints would write into it.
     void toleratesClosedDescriptor() {
         const QString experiment = m_folder.filePath(QStringLiteral("closed.sim")), pid = m_folder.filePath(QStringLiteral("closed.pid"));
         QVERIFY(writeFile(experiment, "#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n"
@@ -96,7 +96,7 @@ private Q_SLOTS:
         QCOMPARE(refused.err.count('\n'), 1);
     }
 
-    /// Who makes pictures for a manual finds neither their files among those opened last nor the window as large as they were.
+    /// Making images for a manual changes neither the list of recent files nor the saved window size.
     void screenshotChangesNoSettings() {
         const QString home = m_folder.filePath(QStringLiteral("home"));
         qputenv("XDG_CONFIG_HOME", home.toUtf8());
@@ -114,7 +114,7 @@ private Q_SLOTS:
 
     void keepsSizeAfterMaximizedWindow() {
         const QString home = m_folder.filePath(QStringLiteral("maximized"));
-        QByteArray geometry; // as QWidget::saveGeometry() writes it
+        QByteArray geometry; // in the format of QWidget::saveGeometry()
         QDataStream stream(&geometry, QIODevice::WriteOnly);
         stream.setVersion(QDataStream::Qt_4_0);
         const QRect plain(20, 40, 640, 480), whole(0, 0, 800, 800);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QCOMPARE(qFromBigEndian<quint32>(png.constData() + 20), 700u);
     }
 
-    /// Names of files, words of modules, what was typed: a terminal gets nothing of it that it would obey.
+    /// File names, messages of modules and arguments are printed without terminal control sequences.
     void cleansItsOutput_data() {
         QTest::addColumn<QStringList>("arguments");
         const QString name = QString::fromUtf8(kHostileName);
@@ -176,7 +176,7 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(picture));
     }
 
-    /// The picture is taken, and does not pass for one of the run.
+    /// The image is written, and the exit code shows that it is not of a run.
     void reportsMissingRun_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<int>("code");
