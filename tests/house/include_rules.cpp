@@ -11,7 +11,7 @@ QStringList words(const QString& cell) {
     return all;
 }
 
-/// "core/world/ode/x.cpp" is in the library "world".
+/// Returns the library of a file: "core/world/ode/x.cpp" is in "world".
 QString coreFolder(const QString& path) { return path.startsWith("core/") ? path.section('/', 1, 1) : QString(); }
 
 } // namespace
@@ -44,7 +44,7 @@ QString IncludeRules::violation(const QString& file, const QString& included, bo
         if (from.isEmpty()) return "<" + included + "> is of no library that the table knows";
         return rule.foreign.contains(from) ? QString() : folder + " must not use " + from;
     }
-    // An include without a folder is a neighbour in the same folder.
+    // An include without a folder refers to a file in the same folder.
     if (!inAngles && !included.contains('/')) return {};
     const bool ofEditor = included.startsWith("editor/");
     const QString target = inAngles ? "sdk" : included.section('/', 0, ofEditor ? 1 : 0);
@@ -57,7 +57,7 @@ QString IncludeRules::violation(const QString& file, const QString& included, bo
 
 QString IncludeRules::linkViolation(const QString& folder, const QString& library) const {
     for (auto rule = m_rules.begin(); rule != m_rules.end(); ++rule) {
-        // A library holds all folders below its own, so it may link what any of them may include.
+        // A library contains all folders below its own, so it may link what any of them may include.
         if (rule.key() != "core/" + folder && !rule.key().startsWith("core/" + folder + '/')) continue;
         for (const QString& allowed : rule.value().mayInclude)
             if (allowed.section('/', 0, 0) == library) return {};

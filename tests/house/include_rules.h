@@ -6,13 +6,13 @@
 
 namespace trundle {
 
-/// What one row of the table in core/README.md allows.
+/// The includes that one row of the table in core/README.md allows.
 struct FolderRule {
     QStringList mayInclude; ///< folders of core, or single headers "project/sources.h"
     QSet<QString> foreign;  ///< "std", "qt", ...
 };
 
-/// The table "Who may include whom", by folder.
+/// The table "Who may include whom" of core/README.md, by folder.
 class IncludeRules {
 public:
     /// Reads the rows whose first cell begins with core/, app/ or plugins.
@@ -20,18 +20,18 @@ public:
 
     [[nodiscard]] bool isEmpty() const { return m_rules.isEmpty(); }
     [[nodiscard]] QStringList folders() const { return m_rules.keys(); }
-    /// The longest folder that holds the file; empty where no row does.
+    /// The longest folder of the table that contains the file; empty if there is none.
     [[nodiscard]] QString folderOf(const QString& path) const;
-    /// Why `file` must not have this #include line, or nothing.
+    /// Why `file` must not have this #include line; empty if it may.
     [[nodiscard]] QString violation(const QString& file, const QString& included, bool inAngles) const;
-    /// Why the library of core/<folder> must not link trundle::<library>, or nothing.
+    /// Why the library of core/<folder> must not link trundle::<library>; empty if it may.
     [[nodiscard]] QString linkViolation(const QString& folder, const QString& library) const;
 
 private:
     QMap<QString, FolderRule> m_rules;
 };
 
-/// "std", "posix", "qt" ... for an #include of something that is not ours; "sdk" for <trundle/...>; empty where it is unknown.
+/// "std", "posix", "qt" ... for an #include from outside the project; "sdk" for <trundle/...>; empty if unknown.
 [[nodiscard]] QString libraryOf(const QString& header);
 
 struct IncludeLine {

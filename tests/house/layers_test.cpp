@@ -1,4 +1,4 @@
-// The arrows of core/README.md, held against the sources.
+// Checks the includes and links of the sources against the dependency table in core/README.md.
 
 #include <QtTest>
 
@@ -17,7 +17,7 @@ private Q_SLOTS:
         QVERIFY(m_rules.folders().size() >= 15);
     }
 
-    // A rule that lets everything pass would make the rest of this file worthless.
+    // The rules themselves reject wrong includes; without this the tests below could pass on an empty rule set.
     void detectsForbiddenIncludes_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("header");

@@ -1,4 +1,4 @@
-// What must hold of the source tree as a whole: codes, lists of sources, sizes, and words that do not belong in it.
+// Rules for the source tree as a whole: diagnostic codes, source lists, file sizes and forbidden text.
 
 #include <QRegularExpression>
 #include <QtTest>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMaxSourceLines = 450;
 constexpr int kMaxHeaderLines = 200;
-/// Files that may be longer, each with its reason. Going over is a question about the design; keep this short.
+/// Files that may exceed the limit, each with its reason. Prefer to split a file; keep this list short.
 const QStringList kTolerated = {};
 
 const QStringList kCode = {".h", ".cpp", ".hpp", ".inl", ".c", ".cc"};
@@ -43,8 +43,8 @@ private Q_SLOTS:
         }
     }
 
-    // A code of texts (E1xx to E3xx) has a broken file with its expected message, or, where that would be huge or need many files, a
-    // test that names it.
+    // Each code of texts (E1xx to E3xx) has a broken file with its expected message or, where that would be huge or need many
+    // files, a test that names it.
     void everyCodeOfATextIsShown() {
         QString all;
         for (const SourceFile& file : sourceFiles({"tests/data/broken"}, {".expected"})) all += file.text;
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QStringList forgotten;
         for (const SourceFile& file : sourceFiles({"core", "editor", "app", "plugins", "tests"}, {".cpp"})) {
             if (file.path.startsWith("tests/data/")) continue;
-            // Named with its ending, or without where a foreach adds that.
+            // Listed with its ending, or without where a foreach adds the ending.
             QString stem = file.path.section('/', -1).chopped(4);
             if (stem.endsWith("_test")) stem.chop(5);
             const QString name = QRegularExpression::escape(stem);
@@ -86,7 +86,7 @@ private Q_SLOTS:
     void filesStaySmall() {
         QStringList large;
         for (const SourceFile& file : sourceFiles({"core", "editor", "app", "plugins", "tests"}, kCode)) {
-            // Fixtures of tests are sources that happen to end in .h.
+            // Headers of tests are fixtures and count as sources.
             const bool header = (file.path.endsWith(".h") || file.path.endsWith(".hpp")) && !file.path.startsWith("tests/");
             const qsizetype lines = file.text.count('\n'), most = header ? kMaxHeaderLines : kMaxSourceLines;
             if (lines > most && !kTolerated.contains(file.path))
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QVERIFY2(large.isEmpty(), qPrintable("\n" + large.join('\n')));
     }
 
-    // Paths of one machine, and leftovers. Put together from parts, so that this file may name them.
+    // Paths of one machine, and leftovers. Assembled from pieces, so that this file does not match itself.
     void nothingInTheTreeBelongsToOneMachine() {
         const QList<QRegularExpression> foreign = {
             QRegularExpression(QString("/ho") + "me/\\w"),
@@ -121,14 +121,14 @@ private Q_SLOTS:
         QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
     }
 
-    // Qt guesses whether a text is HTML; a name of somebody else's file must not be. See editor/widgets/plain_text.h.
+    // Qt guesses whether a text is HTML; a name from an untrusted file must not be. See editor/widgets/plain_text.h.
     void textOfOthersIsShownPlainly() {
         const QRegularExpression guessing(
             "Qt::AutoText|QToolTip::showText|mightBeRichText|QWhatsThis|setWhatsThis|QErrorMessage|QStaticText");
         const QRegularExpression html(
             "RichText|MarkdownText|[sS]etHtml|insertHtml|appendHtml|setMarkdown|HtmlToolTip|HtmlInformation");
-        // Where HTML is made, and all in it that is not ours goes through toHtmlEscaped(), or escaped() of hover.cpp. A new one is
-        // looked at for that, then listed.
+        // The places that build HTML. All foreign text in them must be escaped by toHtmlEscaped(), or by escaped() in hover.cpp.
+        // Review a new place for that, then list it here.
         const QStringList made = {"editor/outline/outline_view.cpp",       "editor/properties/help_strip.cpp",
                                   "editor/properties/object_header.cpp",   "editor/properties/property_row.cpp",
                                   "editor/shell/main_window_commands.cpp", "editor/shell/recovery_dialog.cpp",
@@ -143,8 +143,8 @@ private Q_SLOTS:
         QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
     }
 
-    // `.arg(name).arg(line)` puts the line into a file called `%2.sim`. Several arguments go into one arg(), which fills all places at once;
-    // in a chain only numbers are before the last one. A new one is looked at for that, then listed.
+    // `.arg(name).arg(line)` substitutes the line into a file called `%2.sim`. Pass several arguments to one arg(), which
+    // substitutes all at once; in a chain only the last argument may be other than a number. Review a new chain for that, then list it here.
     void namesOfOthersAreNoPatterns() {
         const QStringList numbers = {"wanted.frameCount()",
                                      "pictures",
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QVERIFY2(found.isEmpty(), qPrintable("\n" + found.join('\n')));
     }
 
-    // What a program says goes through few places, each of which takes out what a terminal would obey (base/clean_text.h).
+    // All program output goes through few functions, each of which removes terminal control sequences (base/clean_text.h).
     void terminalOutputIsCleaned() {
         const QStringList cleaned = {"app/cli/main.cpp",        "app/cli/messages.cpp", "app/cli/progress.cpp",
                                      "app/cli/run_command.cpp", "app/cli/standard_streams.cpp", "app/trundle/main.cpp", "app/trundle/problem.cpp",
@@ -211,7 +211,7 @@ private Q_SLOTS:
 
     void headersAreGuardedAndLiveInTheNamespace() {
         for (const SourceFile& file : sourceFiles({"core", "editor", "app"}, {".h"})) {
-            if (file.path.section('/', -1).startsWith("abi")) continue; // read by C too
+            if (file.path.section('/', -1).startsWith("abi")) continue; // C includes it too
             QVERIFY2(file.text.contains("#pragma once"), qPrintable(file.path));
             QVERIFY2(!file.text.contains(QRegularExpression("^using namespace ", QRegularExpression::MultilineOption)),
                      qPrintable(file.path));

@@ -8,7 +8,7 @@ WordRule word(const char* words, const char* instead, WordScope scope = WordScop
 }
 WordRule name(const char* pattern, const char* instead) { return {QRegularExpression(pattern), instead, WordScope::Everywhere}; }
 
-/// What one file is made of. Line breaks stay where they are, so that a position has the same line in each.
+/// The parts of one file. Line breaks are kept, so that a position has the same line number in each.
 struct Parts {
     QString code;  ///< without comments
     QString texts; ///< string literals only
@@ -35,9 +35,9 @@ Parts partsOf(const QString& text) {
     return parts;
 }
 
-/// Uses that are right, each with its reason. Keep this short.
+/// Allowed uses, each with its reason. Keep this short.
 bool isAllowed(const QString& path, const QString& found) {
-    // A column of the radio log: its bytes are read by programs of users.
+    // A column of the radio log: users' programs read its name.
     if (found == "fate") return path == "core/run/radio_rows.cpp" || path == "tests/flow/radio_logs_test.cpp";
     // A function of Assimp's IOStream.
     if (found == "Tell") return path == "app/meshreader/restricted_io_system.cpp";

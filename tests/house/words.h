@@ -7,14 +7,14 @@
 
 namespace trundle {
 
-/// Where a word may not be used.
+/// Where a word is forbidden.
 enum class WordScope {
     Everywhere, ///< names, texts and comments
     Code,       ///< names and texts
     Texts,      ///< texts that a user reads: string literals of the product, and the guide
 };
 
-/// A word that is not used any more, and what to say instead.
+/// A forbidden word and its replacement.
 struct WordRule {
     QRegularExpression pattern;
     QString instead;
@@ -27,7 +27,7 @@ struct WordHit {
     QString word, instead;
 };
 
-/// The words of core/README.md#words that may not come back.
+/// The forbidden words of core/README.md#words.
 [[nodiscard]] const QList<WordRule>& wordRules();
 /// Matches whole words of prose and of camelCase and snake_case names, with any first letter: "held up" finds "Held up", heldUp and
 /// m_held_up, but not "withheld up". Each word begins with a letter; what follows may be a regular expression.

@@ -1,4 +1,4 @@
-// The words of core/README.md#words: those that were replaced do not come back.
+// No source and no page of the guide uses a word that core/README.md#words replaces.
 
 #include <QtTest>
 
@@ -20,11 +20,11 @@ QStringList shown(const QList<WordHit>& hits) {
 class WordsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    // A list that finds nothing would make the next test worthless.
+    // The word list finds what it should; without this the next test could pass on an empty list.
     void findsWordInNamesTextsAndComments_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("found"); // the words, in order
+        QTest::addColumn<QString>("found"); // the matches, in order
         QTest::newRow("a comment") << "core/x.cpp"
                                    << "int a; // the fate of a frame\n"
                                    << "fate";
