@@ -144,7 +144,7 @@ private Q_SLOTS:
     }
 
     // `.arg(name).arg(line)` substitutes the line into a file called `%2.sim`. Pass several arguments to one arg(), which
-    // substitutes all at once; in a chain only the last argument may be other than a number. Review a new chain for that, then list it here.
+    // substitutes all at once; in a chain all arguments but the last must be numbers. Review a new chain, then list it here.
     void namesOfOthersAreNoPatterns() {
         const QStringList numbers = {"wanted.frameCount()",
                                      "pictures",

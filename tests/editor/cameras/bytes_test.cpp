@@ -1,4 +1,4 @@
-// Cameras give the same bytes in a window, with views and dock drawing beside the run, and without one.
+// Camera images are byte-identical with the window (views and dock draw beside the run) and without it.
 
 #include <QtTest>
 
@@ -37,7 +37,7 @@ private Q_SLOTS:
         window.view().lookThrough("robot0/eye");
         EVENTUALLY(window.cameras.isSettled());
         const int before = window.cameras.drawnCount();
-        window.session.setSpeed(0.1); // slow until pictures of it were drawn
+        window.session.setSpeed(0.1); // slow until camera images were drawn
         window.session.run();
         EVENTUALLY(window.cameras.drawnCount() > before && window.view().redraws() > 2);
         QCOMPARE(window.session.state(), RunState::Running);
@@ -53,7 +53,7 @@ private Q_SLOTS:
         QCOMPARE(expected.size(), 11 + 6);
         QCOMPARE(seen.keys(), expected.keys());
         for (auto it = expected.begin(); it != expected.end(); ++it) QVERIFY2(seen[it.key()] == it.value(), qPrintable(it.key()));
-        QVERIFY(expected.first() != expected[QStringLiteral("film_000010.png")]); // it drove
+        QVERIFY(expected.first() != expected[QStringLiteral("film_000010.png")]); // the robot moved
     }
 };
 

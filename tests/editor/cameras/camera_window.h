@@ -1,5 +1,5 @@
 #pragma once
-// The 3D views and the Cameras dock of one document and its run, as a window has them.
+// Fixture: the 3D views and the Cameras dock over one document and its run, connected as in the main window.
 
 #include "editor/cameras/cameras_panel.h"
 #include "editor/viewport/view_window.h"
@@ -18,7 +18,7 @@ struct CameraWindow : ViewWindow {
             if (tile.camera == camera) return &tile;
         return nullptr;
     }
-    /// Runs so many ticks and stands; everything is drawn then.
+    /// Runs for the given number of ticks, pauses and waits until everything is drawn.
     [[nodiscard]] bool runTicks(std::uint64_t ticks) {
         session.setSpeed(0);
         session.runFor(double(ticks) * document.loaded()->experiment->settings.tick);
@@ -40,7 +40,7 @@ struct CameraWindow : ViewWindow {
     std::vector<QString> reportOf;
 };
 
-/// Two robots that see each other; one of them measures, with a noisy and bent lens.
+/// Two robots that see each other; one has a logging camera with noise and lens distortion.
 inline const QByteArray kTwoEyes = R"(Tick = 0.01   Seed = 5
 #import robots/camera_robot.sim
 #import arenas/colour_yard.sim

@@ -1,4 +1,4 @@
-// Movies and large pictures, as the window makes them.
+// Movies and large images that the window exports.
 
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -18,7 +18,7 @@ using namespace trundle;
 
 namespace {
 
-/// "width,height,rate,pictures"
+/// "width,height,rate,images"
 QByteArray factsOf(const QString& movie) {
     QProcess probe;
     probe.start(QStringLiteral("ffprobe"),
@@ -29,9 +29,9 @@ QByteArray factsOf(const QString& movie) {
     return probe.waitForFinished(60000) ? probe.readAllStandardOutput().trimmed() : QByteArray();
 }
 
-constexpr int kEyeBytes = 160 * 120 * 3; // of a picture that robot0/eye takes
+constexpr int kEyeBytes = 160 * 120 * 3; // bytes of one image of robot0/eye
 
-/// Of all its pictures.
+/// The pixels of all images of the movie.
 QByteArray pixelsOf(const QString& movie) {
     QProcess reader;
     reader.start(QStringLiteral("ffmpeg"),
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QCOMPARE(hiddenFiles(), QStringList());
     }
 
-    /// Whatever else is drawn beside it, and in the program without a window too.
+    /// The same with and without other drawing, and in the CLI.
     void allRecordingsHaveTheSamePixels() {
         QByteArray pixels[2];
         for (QByteArray& each : pixels) {
@@ -88,13 +88,13 @@ private Q_SLOTS:
             QCOMPARE(finished.front().front().toString(), QString());
             each = pixelsOf(m_window->folder.filePath(QStringLiteral("a.mp4")));
             QCOMPARE(each.size(), 6 * kEyeBytes);
-            QVERIFY(each.left(kEyeBytes) != each.right(kEyeBytes)); // it drove
+            QVERIFY(each.left(kEyeBytes) != each.right(kEyeBytes)); // the robot moved
         }
         QVERIFY(pixels[0] == pixels[1]);
         QVERIFY(pixels[0] == pixelsOf(filmedWithoutAWindow("robot0/eye")));
     }
 
-    /// Of a camera with an UpdatePeriod: what its robot gets, here and in the program without a window.
+    /// A camera with an UpdatePeriod: the movie has the images that the robot receives, in the window and in the CLI.
     void recordsStreamAsRobotReceivesIt() {
         QByteArray text = kTwoEyes;
         text.replace("BlobFollow brain", "eye.UpdatePeriod=0.3 BlobFollow brain");
@@ -118,7 +118,7 @@ private Q_SLOTS:
         for (const bool byHand : {false, true}) {
             MovieJob job = jobFor(byHand ? QStringLiteral("hand.mp4") : QStringLiteral("alone.mp4"));
             job.loaded = m_window->session.built();
-            job.camera = "robot0/eye"; // the other robot is right before it now
+            job.camera = "robot0/eye"; // the other robot is directly in front of it now
             job.end = 0.2;
             if (byHand) job.commands = m_window->session.commands();
             MovieRecorder recorder(*m_window->application, *m_render);
@@ -158,7 +158,7 @@ private Q_SLOTS:
             recorder.start(job);
             QVERIFY(progressed.wait(60000));
         }
-        QTRY_COMPARE_WITH_TIMEOUT(hiddenFiles(), QStringList(), 60000); // its thread ends with the picture in work
+        QTRY_COMPARE_WITH_TIMEOUT(hiddenFiles(), QStringList(), 60000); // its thread ends after the current image
     }
 
     void reportsFailures() {
@@ -193,7 +193,7 @@ private Q_SLOTS:
         QVERIFY(sum->text().contains(QStringLiteral(".webm")));
         dialog->findChild<QLineEdit*>(QStringLiteral("movieFile"))->setText(m_window->folder.filePath(QStringLiteral("run.mp4")));
         QVERIFY(record->isEnabled());
-        QCOMPARE(dialog->job().end, 0.3); // the run so far
+        QCOMPARE(dialog->job().end, 0.3); // the simulated time so far
         QCOMPARE(dialog->job().loaded, m_window->session.built());
         dialog->findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->setValue(96);
         dialog->findChild<QSpinBox*>(QStringLiteral("pictureHeight"))->setValue(64);
@@ -234,7 +234,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// Why the movie was not made; empty when it was.
+    /// Why the movie was not made; empty on success.
     QString recorded(const MovieJob& job) {
         MovieRecorder recorder(*m_window->application, *m_render);
         QSignalSpy finished(&recorder, &MovieRecorder::finished);
@@ -252,7 +252,7 @@ private:
         job.path = m_window->folder.filePath(name).toStdString();
         return job;
     }
-    /// Half a second of the open text by the program without a window.
+    /// A movie of half a second of the open text, made by the CLI.
     QString filmedWithoutAWindow(const char* camera) {
         const QString movie = m_window->folder.filePath(QStringLiteral("headless.mp4"));
         const QString file = QString::fromStdString(m_window->document.path());
@@ -262,7 +262,7 @@ private:
                                             QStringLiteral("--camera"), QString::fromLatin1(camera), QStringLiteral("--fps=10")});
         return code == 0 ? movie : QString();
     }
-    /// What is left of movies that did not come to their end.
+    /// Temporary files of movies that were not finished.
     QStringList hiddenFiles() {
         return QDir(m_window->folder.path()).entryList({QStringLiteral(".*.part.*")}, QDir::Files | QDir::Hidden);
     }

@@ -1,4 +1,4 @@
-// The Cameras dock, looked at and worked with.
+// The Cameras dock: tiles, display modes and saved images.
 
 #include <QComboBox>
 #include <QLabel>
@@ -13,7 +13,7 @@ using namespace trundle;
 
 namespace {
 
-/// Which colours there are in a picture, more or less.
+/// The approximate number of colours in an image.
 int coloursIn(const QImage& image) {
     QSet<QRgb> seen;
     for (int y = 0; y < image.height(); y += 2)
@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->tile("robot0/eye")->picture.image.size(), QSize(160, 120));
         QVERIFY(coloursIn(m_window->tile("robot0/eye")->picture.image) > 8);
         const QImage before = m_window->tile("robot0/eye")->picture.image;
-        // An edit is seen without a run.
+        // An edit changes the image without a run.
         QVERIFY(m_window->document.setValues(QStringLiteral("Turn"), {{"robot0.HPR", "40, 0, 0"}}).ok());
         EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.image != before);
         m_window->document.undo();
@@ -83,7 +83,7 @@ private Q_SLOTS:
     void drawsOnlyVisibleTiles() {
         QVERIFY(m_window->openSample("camera_swarm.sim"));
         EVENTUALLY(m_window->cameras.isSettled());
-        QCOMPARE(m_window->cameras.wall().tiles().size(), std::size_t(4)); // of twenty, until somebody chooses
+        QCOMPARE(m_window->cameras.wall().tiles().size(), std::size_t(4)); // of twenty, until the user chooses
         std::vector<std::string> all;
         for (int i = 0; i < 20; ++i) all.push_back("swarm_" + std::to_string(i) + "/eye");
         m_window->cameras.resize(340, 200);
@@ -94,7 +94,7 @@ private Q_SLOTS:
         std::size_t drawn = 0;
         for (const CameraTiles::Tile& tile : m_window->cameras.wall().tiles()) drawn += tile.picture.frame != nullptr;
         QVERIFY2(drawn >= seen && drawn < 16, qPrintable(QString::number(drawn)));
-        // Hidden, none at all.
+        // A hidden dock draws no images.
         m_window->cameras.hide();
         const int before = m_window->cameras.drawnCount();
         m_window->session.setSpeed(0);
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QCOMPARE(tile->picture.frame->objects.size(), std::size_t(160 * 120));
         mode->setCurrentText(QStringLiteral("Depth"));
         EVENTUALLY(m_window->cameras.isSettled() && !m_window->tile("robot0/eye")->picture.frame->depth.empty());
-        mode->setCurrentIndex(0); // as each camera sees
+        mode->setCurrentIndex(0); // each camera's own mode
         EVENTUALLY(m_window->cameras.isSettled() && m_window->tile("robot0/eye")->picture.frame->depth.empty());
         QVERIFY(!m_window->tile("robot1/eye")->picture.frame->depth.empty());
     }
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("camera = robot1/eye"));
         QCOMPARE(QImage(path).size(), QSize(160, 120));
-        // Where it cannot be written, it reports it.
+        // A failed save is reported.
         m_window->reportOf.clear();
         m_window->cameras.savePicture(m_window->folder.filePath(QStringLiteral("none/") + name));
         EVENTUALLY(!m_window->reportOf.empty());
@@ -153,7 +153,7 @@ private Q_SLOTS:
         list->item(0)->setCheckState(Qt::Unchecked);
         QCOMPARE(m_window->cameras.chosen(), std::vector<std::string>{"robot1/eye"});
         QVERIFY(!m_window->tile("robot0/eye"));
-        // The choice outlives an edit.
+        // The chosen cameras stay after an edit.
         QVERIFY(m_window->document.setValues(QStringLiteral("Move"), {{"robot0.Pos", "-1.2, 0, 0"}}).ok());
         QCOMPARE(m_window->cameras.chosen(), std::vector<std::string>{"robot1/eye"});
         list->item(1)->setCheckState(Qt::Unchecked);

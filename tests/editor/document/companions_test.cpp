@@ -1,4 +1,4 @@
-// Save As takes along what lies beside the texts: meshes, pictures, modules.
+// Save As copies the files that the texts refer to: meshes, images and modules.
 
 #include <QTest>
 
@@ -44,13 +44,13 @@ private Q_SLOTS:
         QCOMPARE(along.value().files,
                  (std::vector{m_fixture->path("configs/common/other.obj"), m_fixture->path("configs/things/parts/thing.obj")}));
         QVERIFY(along.value().modules.empty());
-        QVERIFY(!fs::exists(target)); // asking writes nothing
+        QVERIFY(!fs::exists(target)); // companionsAt() writes nothing
 
         QSignalSpy notice(&d, &Document::notice);
         QCOMPARE(why(d.saveAs(target)), "");
         QCOMPARE(bytesOf(m_fixture->path("far/parts/thing.obj")), kTetrahedron);
         QCOMPARE(bytesOf(m_fixture->path("far/other.obj")), kTetrahedron);
-        std::string expected = kThing; // only the words that led out of the folder are others
+        std::string expected = kThing; // only paths that led out of the folder change
         expected.replace(expected.find("\"../common/other.obj\""), 21, "\"other.obj\"");
         QCOMPARE(bytesOf(target), expected);
         QVERIFY(!d.isModified());
@@ -59,7 +59,7 @@ private Q_SLOTS:
         Document again(*m_application);
         QVERIFY(again.open(target).ok());
         QVERIFY2(messages(*again.loaded()).empty(), messages(*again.loaded()).c_str());
-        d.undo(); // the other words are an edit like any other
+        d.undo(); // the changed paths are an ordinary edit
         QVERIFY(d.isModified());
         QCOMPARE(*d.text(target), kThing);
     }
@@ -96,7 +96,7 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(taken), "v 0 0 0\n");
         QVERIFY(!fs::exists(m_fixture->path("far/thing.sim")) && !fs::exists(m_fixture->path("far/other.obj")));
         QCOMPARE(d.path(), m_thing);
-        m_fixture->write("far/parts/thing.obj", kTetrahedron); // the same bytes: there already
+        m_fixture->write("far/parts/thing.obj", kTetrahedron); // the same bytes, so it is not copied
         QCOMPARE(why(d.saveAs(m_fixture->path("far/thing.sim"))), "");
     }
 
@@ -125,7 +125,7 @@ private Q_SLOTS:
         const std::string text = "#loadModule mine/good // beside\n#loadModule controllers/linear_motion\n";
         Document d(*m_application);
         QVERIFY(
-            d.open(m_fixture->write("configs/driven.sim", text)).ok()); // its folder is not trusted: it goes along all the same
+            d.open(m_fixture->write("configs/driven.sim", text)).ok()); // its folder is not trusted; it is copied anyway
         const std::string target = m_fixture->path("far/driven.sim");
         QCOMPARE(d.companionsAt(target).value().modules, std::vector{library});
         QCOMPARE(why(d.saveAs(target, copied ? ModuleCopies::Make : ModuleCopies::Name)), "");

@@ -1,4 +1,4 @@
-// A program that edits and saves is killed at any moment.
+// Kills a program that edits and saves at random moments: recovery never loses more than the unsaved journal interval.
 
 #include <QTest>
 
@@ -14,7 +14,9 @@ using namespace sample;
 
 namespace {
 
-/// The number in "Seed = 12\n...// end 12\n"; -1 where the text is not whole.
+/// The number in "Seed = 12
+/// ...// end 12
+/// "; -1 if the text is incomplete.
 int numberOf(const std::string& text) {
     if (!text.starts_with("Seed = ")) return -1;
     const int number = std::atoi(text.c_str() + 7);
@@ -28,7 +30,7 @@ int numberOf(const std::string& text) {
 
 struct Heard {
     int number = 0;
-    qint64 at = 0; ///< ms since the program was ready
+    qint64 at = 0; ///< ms after the program was ready
 };
 
 } // namespace
@@ -46,10 +48,10 @@ private Q_SLOTS:
             kill(static_cast<int>(random()), static_cast<int>(random() % 2500), offered);
             if (QTest::currentTestFailed()) return;
         }
-        QVERIFY2(offered >= kills / 4, qPrintable(QString::number(offered))); // it was unsaved work that was killed, often
+        QVERIFY2(offered >= kills / 4, qPrintable(QString::number(offered))); // many kills hit unsaved work
     }
 
-    /// Group into Piece, saved, undone, redone: the experiment and the file that it creates come and go together.
+    /// Group into Piece, saved, undone, redone: the experiment and the file that it creates appear and disappear together.
     void aPieceIsThereWithItsExperimentOrNotAtAll() {
         const int kills = qEnvironmentVariableIsSet("TRUNDLE_LONG") ? 100 : 10;
         std::mt19937 random(5);
@@ -93,7 +95,7 @@ private:
         QCOMPARE(why(document.save()), "");
         const bool isGrouped = bytesOf(fixture.main) != text;
         QVERIFY(!isGrouped || holds(bytesOf(piece), "StaticConfig Piece"));
-        QVERIFY(!std::filesystem::exists(piece) || holds(bytesOf(piece), "StaticConfig Piece")); // never an empty one
+        QVERIFY(!std::filesystem::exists(piece) || holds(bytesOf(piece), "StaticConfig Piece")); // never an empty file
         if (!found.empty()) QCOMPARE(std::filesystem::exists(piece), isGrouped);
         removed += wasThere && !std::filesystem::exists(piece);
     }
@@ -124,13 +126,13 @@ private:
 
         const int onDisk = numberOf(bytesOf(fixture.main));
         QVERIFY2(onDisk >= saved, "the file is torn, or a save is lost");
-        int old = 0; // the newest edit that is two seconds old
+        int old = 0; // the newest edit that is at least two seconds old
         for (const Heard& edit : edits)
             if (edit.at + 2000 <= killedAt) old = edit.number;
 
         Document document(*m_application);
         QVERIFY(document.open(fixture.main).ok());
-        QVERIFY(!document.isReadOnly()); // the lock of a killed program is none
+        QVERIFY(!document.isReadOnly()); // the lock of a killed process is not valid
         const std::vector<Recovery> found = document.recoveries();
         QVERIFY(found.size() <= 1);
         int kept = onDisk;

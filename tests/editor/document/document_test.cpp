@@ -100,7 +100,7 @@ private Q_SLOTS:
         QCOMPARE(d.loaded()->experiment->robots[0].pose.position, Vec3(0, 0, 0));
         QCOMPARE(d.history().entries().size(), 1u);
         QVERIFY(!d.history().canUndo());
-        d.redo(); // what was undone before is still available
+        d.redo(); // the drag has not removed the redo entry yet
         QVERIFY(holds(*d.text(m_fixture->main), "Tick = 5 ms"));
         d.discardMerge("drag");
         QVERIFY(d.isModified());
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QVERIFY(d.open(m_fixture->main).ok());
         QSignalSpy refused(&d, &Document::refused), changed(&d, &Document::changed);
         const Status status =
-            d.setValues(u"Set"_qs, {{"Duration", "20"}, {path.toStdString(), text.toStdString()}}); // all or none
+            d.setValues(u"Set"_qs, {{"Duration", "20"}, {path.toStdString(), text.toStdString()}}); // all values or none
         QVERIFY(!status.ok());
         QVERIFY2(status.error().message.find(reason.toStdString()) != std::string::npos, status.error().message.c_str());
         QVERIFY(!status.error().message.empty());
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(!d.isOpening());
 
         d.openLater(m_fixture->path("none.sim"));
-        QVERIFY(!d.setValues(u"Set"_qs, {{"Tick", "1 ms"}}).ok()); // it would be lost
+        QVERIFY(!d.setValues(u"Set"_qs, {{"Tick", "1 ms"}}).ok()); // an edit while a file loads would be lost
         d.undo();
         EVENTUALLY_EQUAL(failed.count(), 1);
         QVERIFY(holds(failed[0][1].toString().toStdString(), "does not exist"));
@@ -278,9 +278,9 @@ private Q_SLOTS:
         d.openLater(m_fixture->robot);
         d.cancelOpening();
         QVERIFY(!d.isOpening());
-        d.undo(); // edits do not wait any more
+        d.undo(); // loading ended, so edits are accepted again
         QVERIFY(!d.isModified());
-        d.openLater(m_fixture->path("none.sim")); // read behind the first
+        d.openLater(m_fixture->path("none.sim")); // queued behind the first
         EVENTUALLY_EQUAL(failed.count(), 1);
         QCOMPARE(opened.count(), 0);
         QCOMPARE(d.path(), m_fixture->main);
@@ -301,7 +301,7 @@ private Q_SLOTS:
         EVENTUALLY(!d.isOpening());
         QVERIFY(!d.isOpen());
         d.openLater(m_fixture->main);
-        m_document.reset(); // while the thread may still read
+        m_document.reset(); // the worker thread may still be reading
     }
 
     void trustedModulesAreReadAgain() {

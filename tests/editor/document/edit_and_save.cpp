@@ -1,7 +1,7 @@
-// Not a test: edits and saves a file until somebody kills it. Says before each edit which one it is, and after each note of the
-// journal and each save what they hold, so that whoever kills it knows what must have been kept.
+// Not a test: edits and saves a file until the crash test kills it. Prints each edit before it is made, and after each journal
+// write and each save what they contain, so that the test can compare it with what is restored.
 //   edit_and_save FILE SEED
-// With a third word it groups into a piece and undoes and redoes that instead, and saves now and then:
+// With a third argument it groups objects into a piece, undoes and redoes that instead, and saves now and then:
 //   edit_and_save FILE SEED pieces
 
 #include <cstdio>
@@ -19,7 +19,7 @@ using namespace trundle;
 
 namespace {
 
-/// Small edits and large ones, so that some writes are torn.
+/// Small and large texts, so that some writes are interrupted half-way.
 std::string textOf(int number, std::mt19937& random) {
     std::string text = "Seed = " + std::to_string(number) + "\n";
     for (std::uint32_t lines = random() % 3 == 0 ? random() % 20000 : random() % 20; lines > 0; --lines)
@@ -27,7 +27,7 @@ std::string textOf(int number, std::mt19937& random) {
     return text + "// end " + std::to_string(number) + "\n";
 }
 
-/// A piece in a file of its own, which the edit creates.
+/// Groups objects into a piece: an edit that creates a file.
 bool group(Document& document) {
     const auto plan = planGroup(*document.loaded(), {"a", "b"}, "Piece");
     return plan.ok() && applyGroup(document, u"Group"_qs, plan.value()).ok();
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
             std::printf("edit %d\n", number);
         }
         std::fflush(stdout);
-        edits.start(static_cast<int>(random() % (pieces ? 700 : 40))); // the journal waits half a second
+        edits.start(static_cast<int>(random() % (pieces ? 700 : 40))); // the journal is written after half a second
     });
     edits.setSingleShot(true);
     edits.start(0);

@@ -35,7 +35,7 @@ private Q_SLOTS:
         QCOMPARE(d.history().position(), 1u);
         QCOMPARE(list->currentRow(), 1);
         QCOMPARE(d.loaded()->experiment->settings.tick, 0.01);
-        QVERIFY(list->item(3)->foreground().color() != list->item(1)->foreground().color()); // undone
+        QVERIFY(list->item(3)->foreground().color() != list->item(1)->foreground().color()); // undone entries have another colour
         QTest::keyClick(list, Qt::Key_Down);
         QCOMPARE(d.history().position(), 2u);
         QTest::keyClick(list, Qt::Key_Home);
@@ -67,7 +67,7 @@ private Q_SLOTS:
         QVERIFY(d.setValues(u"Seed"_qs, {{"Seed", "5"}}).ok());
         d.moveTo(0);
         QCOMPARE(saved(), "1");
-        QVERIFY(d.setValues(u"Seed"_qs, {{"Seed", "6"}}).ok()); // what was saved cannot be gone back to
+        QVERIFY(d.setValues(u"Seed"_qs, {{"Seed", "6"}}).ok()); // the new edit removes the saved state from the history
         QCOMPARE(saved(), "");
         QVERIFY(d.save().ok());
         QCOMPARE(saved(), "1");
@@ -81,7 +81,7 @@ private Q_SLOTS:
         auto* list = panel.findChild<QListWidget*>(u"historyList"_qs);
         QVERIFY(d.open(fixture.main).ok());
         QVERIFY(d.setValues(u"Set Tick"_qs, {{"Tick", "5 ms"}}).ok());
-        d.openLater(fixture.robot); // edits have to wait, undoing too
+        d.openLater(fixture.robot); // while a file is loading neither edits nor undo are possible
         list->setCurrentRow(0);
         QCOMPARE(list->currentRow(), 1);
         EVENTUALLY_EQUAL(d.path(), fixture.robot);

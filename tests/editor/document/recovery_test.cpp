@@ -1,4 +1,4 @@
-// What a window that ended badly left, and two windows on one project.
+// Recovery after a crash, and two windows with the same project.
 
 #include <QTest>
 
@@ -26,20 +26,20 @@ private Q_SLOTS:
         QVERIFY(!fs::exists(journals()));
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.02"}}).ok());
         QTRY_VERIFY_WITH_TIMEOUT(fs::exists(journals()), 2000);
-        QVERIFY(d.recoveries().empty()); // ours
+        QVERIFY(d.recoveries().empty()); // its own journal is not offered
         QCOMPARE(why(d.save()), "");
         QVERIFY(!fs::exists(journals()));
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.03"}}).ok());
         EVENTUALLY(fs::exists(journals()));
         d.undo();
-        EVENTUALLY(!fs::exists(journals())); // nothing is unsaved
+        EVENTUALLY(!fs::exists(journals())); // no unsaved changes
         QVERIFY(d.setValues(u"Set"_qs, {{"Tick", "0.04"}}).ok());
         EVENTUALLY(fs::exists(journals()));
-        d.close(); // whoever closes has been asked
+        d.close(); // the user was asked before close()
         QVERIFY(!fs::exists(m_fixture->path("configs/.trundle")));
     }
 
-    /// By SIGTERM, say: nobody waits half a second then.
+    /// An end request (such as SIGTERM) writes the journal at once, without its delay of half a second.
     void journalsEditsOnEndRequest() {
         Document& d = *m_document;
         QVERIFY(d.open(m_fixture->main).ok());
@@ -65,7 +65,7 @@ private Q_SLOTS:
         QVERIFY(d.isModified());
         QCOMPARE(d.history().entries().size(), 1u);
         QVERIFY(d.recoveries().empty());
-        QVERIFY(fs::exists(journals())); // now in ours
+        QVERIFY(fs::exists(journals())); // now in this document's own journal
         d.undo();
         QVERIFY(!d.isModified());
         QCOMPARE(bytesOf(m_fixture->main), kMain);
@@ -85,7 +85,7 @@ private Q_SLOTS:
         Document& d = *m_document;
         QVERIFY(d.open(m_fixture->main).ok());
         const std::string both = std::string("Title=\"T\"\n") + kMain + "Seed = 9\n";
-        QCOMPARE(Document::recoveredText(m_fixture->main, d.recoveries().at(0).files.at(m_fixture->main)), both); // said before
+        QCOMPARE(Document::recoveredText(m_fixture->main, d.recoveries().at(0).files.at(m_fixture->main)), both); // preview
         QCOMPARE(why(d.recover(d.recoveries().at(0))), "");
         QCOMPARE(*d.text(m_fixture->main), both);
         QVERIFY(d.diskChanges().empty());
@@ -132,7 +132,7 @@ private Q_SLOTS:
         }
         QVERIFY(!fs::exists(m_journal));
         fs::create_directories(fs::path(m_journal).parent_path());
-        std::ofstream(m_journal, std::ios::binary) << m_kept; // as if it had crashed
+        std::ofstream(m_journal, std::ios::binary) << m_kept; // as after a crash
         Document& d = *m_document;
         const auto found = d.recoveries();
         QCOMPARE(found.size(), 1u);
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(holds(reportOf(reported), "another window"));
         QVERIFY(!second.replaceText(u"Type"_qs, m_fixture->robot, "x").ok());
         QCOMPARE(refused.count(), 1);
-        // what the first one saves is shown
+        // What the first document saves is shown in the second.
         QVERIFY(first.setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "7"}}).ok());
         QCOMPARE(why(first.save()), "");
         EVENTUALLY_EQUAL(*second.text(m_fixture->robot), *first.text(m_fixture->robot));
@@ -183,9 +183,9 @@ private Q_SLOTS:
         QCOMPARE(noticed.count(), 1);
         QCOMPARE(why(second.save()), "");
         QVERIFY(first.open(m_fixture->main).ok());
-        QVERIFY(first.isReadOnly()); // it is the second one's now
+        QVERIFY(first.isReadOnly()); // the second document has the lock now
         second.close();
-        first.checkExternalChanges(); // as its window does when one returns to it
+        first.checkExternalChanges(); // the window does this when it is activated
         QVERIFY(!first.isReadOnly());
     }
 
@@ -208,7 +208,7 @@ private:
         return found;
     }
 
-    /// As a window that crashed would.
+    /// Leaves a journal as a crashed window does.
     void leave(const JournalHead& head, const std::map<std::string, RecoveredText>& files) {
         Journal journal(m_fixture->path("configs"), head);
         for (const auto& [path, text] : files) QVERIFY(journal.note(path, text.base, text.text).ok());

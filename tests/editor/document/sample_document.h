@@ -1,5 +1,5 @@
 #pragma once
-// A document over a project in a folder of its own, with the real application.
+// Fixture: a document over a project in a temporary folder, with the real application.
 
 #include <filesystem>
 #include <fstream>
@@ -42,7 +42,7 @@ Robot robot0 {
 Robot robot1 { Config=Rover Pos=1,0,0 }
 )";
 
-/// `configs/` makes it a project.
+/// The folder `configs/` makes it a project.
 class DocumentFixture {
 public:
     DocumentFixture() {
@@ -66,10 +66,10 @@ private:
     std::string m_root;
 };
 
-/// The message, "" where all went well.
+/// The message of a failed status, "" on success.
 inline std::string why(const Status& status) { return status.ok() ? std::string() : status.error().message; }
 
-/// Of the errors in what was read, one a line.
+/// The messages of all errors found while loading, one per line.
 inline std::string messages(const LoadedProject& loaded) {
     std::string all;
     for (const Diagnostic& d : loaded.diagnostics.all())
@@ -77,7 +77,7 @@ inline std::string messages(const LoadedProject& loaded) {
     return all;
 }
 
-/// The text that a signal came with.
+/// The text argument of a recorded signal.
 inline std::string reportOf(const QSignalSpy& spy, int which = 0) { return spy.at(which).at(0).toString().toStdString(); }
 inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 

@@ -1,4 +1,4 @@
-// Saving, saving elsewhere, and what other programs do to the files meanwhile.
+// Save, Save As, and changes that other programs make to the files meanwhile.
 
 #include <csignal>
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// As long as it lives no file can have more bytes: some writes fail, and others do not.
+/// Limits the file size of the process while it exists: large writes fail, small ones do not.
 class FileLimit {
 public:
     explicit FileLimit(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -83,16 +83,16 @@ private Q_SLOTS:
         set("robot0.Pos", "1,0,0");
         set("RobotConfig.Rover.chassis.hull.Mass", "3");
         fs::remove(m_fixture->main);
-        fs::create_directory(m_fixture->main); // also root cannot write a folder
+        fs::create_directory(m_fixture->main); // fails for root as well: a folder cannot be written as a file
         const Status saved = d.save();
         QVERIFY(!saved.ok());
         QVERIFY(saved.error().message.find("main.sim") != std::string::npos);
         QVERIFY(d.isModified(m_fixture->main));
-        QVERIFY(d.isModified(m_fixture->robot)); // all or nothing
+        QVERIFY(d.isModified(m_fixture->robot)); // all files or none
         QCOMPARE(bytesOf(m_fixture->robot), kRover);
     }
 
-    /// The folder of one is gone, which only the writing itself finds out: what was written before it is as it was.
+    /// The folder of one file is missing, which only its write detects: files written before it are restored.
     void rollsBackPartialWrites() {
         Document& d = *m_document;
         set("robot0.Pos", "1,0,0");
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(m_fixture->robot), *d.text(m_fixture->robot));
     }
 
-    /// Backwards: on a full disk there is room for the older text of what was written last.
+    /// In reverse order: on a full disk there is room for the older text of the file written last.
     void rollsBackInReverseOrder() {
         Document& d = *m_document;
         const std::string third = m_fixture->write("configs/z/third.sim", "Seed = 1\n");
@@ -119,11 +119,11 @@ private Q_SLOTS:
         const fs::file_time_type before = fs::last_write_time(m_fixture->main);
         QVERIFY(!d.save().ok());
         QCOMPARE(bytesOf(m_fixture->robot), kRover);
-        QVERIFY(fs::last_write_time(m_fixture->main) > before); // was written, and back
+        QVERIFY(fs::last_write_time(m_fixture->main) > before); // written, then restored
         QVERIFY(fs::last_write_time(m_fixture->main) >= fs::last_write_time(m_fixture->robot));
     }
 
-    /// A file that may be written is not enough: it is replaced by a new one in its folder. Root may write into any.
+    /// Permission to write the file is not enough: it is replaced by a new file in its folder. Root may write to any folder.
     void aFolderThatMayNotBeWritten() {
         Document& d = *m_document;
         set("robot0.Pos", "1,0,0");
@@ -158,7 +158,7 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(m_fixture->robot), remark + kRover);
     }
 
-    /// Under the same name the sample gets its copy and one's own files are written, or nothing is.
+    /// Save As under the same name copies the sample and writes the user's own files, or writes nothing.
     void saveAsInPlaceIsAllOrNothing() {
         Document& d = *m_document;
         const std::string own = "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot }\n";
@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(holds(bytesOf(copy), "Resistance=3"));
     }
 
-    /// An edit that is half in one's own experiment and half in a robot that came with the program.
+    /// An edit that changes both the user's experiment and a robot that is shipped with the program.
     void halfAnEditIsNotSaved() {
         Document& d = *m_document;
         const std::string own = "#import robots/simple_robot.sim\n#import part.sim\nRobot a { Config=SimpleRobot "
@@ -231,12 +231,12 @@ private Q_SLOTS:
 
         QSignalSpy notice(&d, &Document::notice);
         const std::string mine = m_fixture->path("mine/mine.sim");
-        QVERIFY(!d.saveAs(mine).ok()); // there is no such folder
+        QVERIFY(!d.saveAs(mine).ok()); // the folder does not exist
         fs::create_directory(m_fixture->path("mine"));
         QCOMPARE(why(d.saveAs(mine)), "");
         QCOMPARE(d.path(), mine);
         QVERIFY(!d.isModified());
-        // the robot that was edited lies beside it, the arena that was not stays a sample
+        // The edited robot is copied beside it; the unedited arena stays a sample.
         QCOMPARE(bytesOf(mine), *d.text(mine));
         QVERIFY(bytesOf(m_fixture->path("mine/robots/simple_robot.sim")).find("Resistance=3") != std::string::npos);
         QVERIFY(!fs::exists(m_fixture->path("mine/arenas")));
@@ -245,7 +245,7 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(sample), before);
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
 
-        // history goes on
+        // The history is kept.
         d.undo();
         QVERIFY(d.isModified(m_fixture->path("mine/robots/simple_robot.sim")));
         d.undo();
@@ -265,7 +265,7 @@ private Q_SLOTS:
         set("robot0.Pos", "1,0,0");
         QCOMPARE(why(d.saveAs(target)), "");
         QCOMPARE(bytesOf(m_fixture->path("other/robots/rover.sim")), kRover);
-        QCOMPARE(bytesOf(m_fixture->main), kMain); // the first one stays as it was
+        QCOMPARE(bytesOf(m_fixture->main), kMain); // the first file is unchanged
         QCOMPARE(d.files(), (std::vector<std::string>{target, m_fixture->path("other/robots/rover.sim")}));
         QVERIFY(!d.loaded()->diagnostics.hasErrors());
     }
@@ -301,10 +301,10 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(taken), "Tick = 1\n");
         QVERIFY(!fs::exists(m_fixture->path("other/copy.sim")));
         QCOMPARE(d.path(), m_fixture->main);
-        QVERIFY(!d.saveAs(m_fixture->robot).ok()); // its own import
+        QVERIFY(!d.saveAs(m_fixture->robot).ok()); // one of its own imports
     }
 
-    // --- the disk ---
+    // --- changes on disk ---
 
     void loadsExternalChange() {
         Document& d = *m_document;
@@ -313,7 +313,7 @@ private Q_SLOTS:
         QVERIFY(!d.isModified());
         QCOMPARE(d.history().entries().size(), 1u);
         QCOMPARE(d.history().entries()[0].name, u"Changed on disk"_qs);
-        // replaced by rename, as most programs save
+        // Replaced by rename, as most programs save.
         m_fixture->write("configs/new", std::string("Seed = 6\n") + kMain);
         fs::rename(m_fixture->path("configs/new"), m_fixture->main);
         EVENTUALLY_EQUAL(d.loaded()->experiment->settings.seed, 6u);
@@ -378,7 +378,7 @@ private Q_SLOTS:
         QCOMPARE(why(d.save()), "");
     }
 
-    // The signal of the system may come late or never: the bytes decide.
+    // The file watcher may report late or never, so the bytes are compared.
     void refusesToOverwriteUnseenChange() {
         Document& d = *m_document;
         set("Tick", "0.02");
@@ -409,7 +409,7 @@ private Q_SLOTS:
         EVENTUALLY(d.isModified());
         QCOMPARE(notice.count(), 1);
         set("Tick", "0.02");
-        QVERIFY(!d.loaded()->diagnostics.hasErrors()); // its text is still here
+        QVERIFY(!d.loaded()->diagnostics.hasErrors()); // its text is still in memory
         QCOMPARE(why(d.save()), "");
         QCOMPARE(bytesOf(m_fixture->robot), kRover);
         QVERIFY(!d.isModified());

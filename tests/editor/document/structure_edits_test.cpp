@@ -1,4 +1,4 @@
-// Edits of what a config holds: for all that use it, or in a copy; and values where the rule puts them.
+// Structural edits of a config: for all its instances, or in a copy; and where a value is written.
 
 #include <QTest>
 
@@ -14,7 +14,7 @@ namespace {
 
 const char* const kBall = "Body arm { Sphere ball { Radius=0.1 Mass=1 } }";
 
-/// A second experiment beside the first one, which uses the same robot.
+/// A second experiment that uses the same robot as the first one.
 const char* const kOther = "#import robots/rover.sim\nRobot other { Config=Rover }\n";
 
 class Asked {
@@ -57,7 +57,7 @@ private Q_SLOTS:
         QVERIFY(holds(*d.text(fixture.robot), "Body arm"));
         QCOMPARE(*d.text(fixture.main), kMain);
         QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.robot});
-        QVERIFY(insert(d, "robot1").ok()); // once for each config
+        QVERIFY(insert(d, "robot1").ok()); // once per config
         QCOMPARE(asked.questions.size(), 1u);
     }
 
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(d.modifiedFiles().empty());
     }
 
-    /// The path of the config itself leads into the copy as well.
+    /// A path that starts with the config's own name is mapped to the copy as well.
     void aCopyOfTheConfigByItsOwnPath() {
         const DocumentFixture fixture;
         Document d(*m_application);
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QCOMPARE(messages(*d.loaded()), "");
     }
 
-    /// In one file: the robot that was edited gets the copy, the other one keeps what it has.
+    /// Two instances in one file: the edited robot gets the copy, the other one keeps the config.
     void aCopyForOneOfTwo() {
         const DocumentFixture fixture;
         const std::string file =
@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(asked.questions.at(0).copyFor, QStringList{u"b"_qs});
         QVERIFY(holds(*d.text(file), "Robot a { Config=Rover }\n"));
         QVERIFY(holds(*d.text(file), "Robot b { Config=Rover2 }\n"));
-        QVERIFY(insert(d, "b").ok()); // nobody else has that one
+        QVERIFY(insert(d, "b").ok()); // no other instance uses it, so there is no question
         QCOMPARE(asked.questions.size(), 1u);
     }
 
@@ -120,12 +120,12 @@ private Q_SLOTS:
         const Asked asked(d, ShareChoice::Cancel);
         (void)insert(d, "robot0");
         (void)insert(d, "robot0");
-        QCOMPARE(asked.questions.size(), 2u); // no answer is no answer
+        QCOMPARE(asked.questions.size(), 2u); // closing the question cancels the edit
         QVERIFY(!d.isModified());
         QVERIFY(d.history().entries().empty());
     }
 
-    /// The answer may come when the texts are other ones.
+    /// The texts may have changed before the question is answered.
     void answeredLater() {
         const DocumentFixture fixture;
         Document d(*m_application);
@@ -149,7 +149,7 @@ private Q_SLOTS:
         const Asked asked(d, ShareChoice::Cancel);
         QVERIFY(insert(d, "a").ok());
         QVERIFY(insert(d, "", "Light sun { Mode=sun }").ok());
-        QVERIFY(d.open(fixture.robot).ok()); // others use it, but main.sim is not one of them here
+        QVERIFY(d.open(fixture.robot).ok()); // other files use it, but main.sim is not loaded here
         QVERIFY(asked.questions.empty());
     }
 
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(holds(*d.text(main), "Robot r { Config=SimpleRobot2 }"));
         QVERIFY(d.save().ok());
         QCOMPARE(bytesOf(shipped), before);
-        // A value of the config itself goes the same way.
+        // A value of the config itself is handled in the same way.
         QVERIFY(d.structure().rename(u"Rename"_qs, "RobotConfig.SimpleRobot2", "Mine").ok());
         QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", "0.06"}}).ok());
         QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
@@ -177,15 +177,14 @@ private Q_SLOTS:
         const std::size_t entries = d.history().entries().size();
         QVERIFY(!d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", "-6"}}).ok());
         QCOMPARE(d.history().entries().size(), entries);
-        // A drag makes one copy and one entry.
+        // A drag makes one copy and one history entry.
         for (const char* radius : {"0.07", "0.08", "0.09"})
             QVERIFY(d.setValues(u"Set"_qs, {{"RobotConfig.SimpleRobot.wheelRadius", radius}}, "drag").ok());
         QCOMPARE(d.history().entries().size(), entries + 1);
         QCOMPARE(d.modifiedFiles(), std::vector<std::string>{main});
     }
 
-    /// A value on the only instance of a config in the same file goes into the config, by whatever gesture.
-    /// A change inside what a config's block imports, for one experiment alone.
+    /// A change inside what a config's block imports, for one experiment only.
     void aCopyOfWhatABlockImports() {
         const DocumentFixture fixture;
         fixture.write("configs/robots/rover.sim", "RobotConfig Rover {\n  #import parts.sim\n}\n");
@@ -205,7 +204,7 @@ private Q_SLOTS:
         QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].geoms.size(), 2u);
     }
 
-    /// Materials, surfaces and whatever else an imported file of the program defines: nothing but typing changes it, and it is reported why.
+    /// Materials, surfaces and other definitions of shipped imported files can only be changed as text; the message says why.
     void shippedFilesAreReadOnly() {
         const DocumentFixture fixture;
         const std::string main =
@@ -227,7 +226,7 @@ private Q_SLOTS:
             QVERIFY(isRefused(d.setValues(u"Drag"_qs, {{"Material." + part->name + ".ColorRGB", "1,0,1"}}, "drag")));
             QVERIFY(isRefused(d.structure().rename(u"Rename"_qs, "Material." + part->name, "Mine")));
             QVERIFY(isRefused(d.apply(u"Remove"_qs, planRemove(*d.loaded(), {"Material." + part->name}))) ||
-                    !planRemove(*loaded, {"Material." + part->name}).ok()); // something uses it
+                    !planRemove(*loaded, {"Material." + part->name}).ok()); // something refers to it
         }
         for (const Part* part : loaded->outline->surfaces.all())
             if (isShippedFile(*loaded, part->file)) {
@@ -245,7 +244,7 @@ private Q_SLOTS:
         QVERIFY(d.setValues(u"Set"_qs, {{"a.chassis.hull.Mass", "3"}}).ok());
         QVERIFY(holds(*d.text(file), "Mass=3 } } // two kilograms"));
         QVERIFY(holds(*d.text(file), "Robot a { Config=Rover }\n"));
-        // While it is dragged the decision stays.
+        // The choice holds for the whole drag.
         for (const char* mass : {"4", "5"}) QVERIFY(d.setValues(u"Set"_qs, {{"a.chassis.hull.Mass", mass}}, "drag").ok());
         QVERIFY(holds(*d.text(file), "Mass=5 } } // two kilograms"));
         QVERIFY(d.open(fixture.main).ok());

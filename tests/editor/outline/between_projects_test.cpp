@@ -1,4 +1,4 @@
-// What is copied or dragged in the window of one project and put into that of another.
+// Copying and dragging objects from the window of one project to that of another.
 
 #include <QClipboard>
 #include <QDir>
@@ -42,7 +42,7 @@ void BetweenProjectsTest::aPasteFromAnotherProjectImportsAsItsAuthorWould() {
     QVERIFY2(to.text().contains("#import robots/simple_robot.sim\n"), to.text());
     QCOMPARE(to.errors(), QString());
     to.document.undo();
-    // Here that path means another file.
+    // In the other project the path refers to a different file.
     QVERIFY(QDir(to.folder.path()).mkpath(QStringLiteral("robots")));
     QVERIFY(to.write("robots/simple_robot.sim", "RobotConfig Other { }\n"));
     QVERIFY(to.edits.paste({}).ok());
@@ -59,7 +59,7 @@ void BetweenProjectsTest::pasteCopiesReferencedObjects() {
         "Robot sled { Config=Sled Pos=3,0,0 LinearMotion brain { Distance=1 Speed=0.1 } }\n"));
     QVERIFY(to.open("Tick = 0.01\n"));
     QVERIFY(from.edits.copy({"sled"}).ok());
-    QVERIFY(!QGuiApplication::clipboard()->text().contains(QStringLiteral("RobotConfig"))); // another editor gets what was copied
+    QVERIFY(!QGuiApplication::clipboard()->text().contains(QStringLiteral("RobotConfig"))); // other text editors can paste it
     QVERIFY(to.edits.paste({}).ok());
     QCOMPARE(to.errors(), QString());
     QCOMPARE(to.document.loaded()->experiment->robots.size(), std::size_t(1));
@@ -72,14 +72,14 @@ void BetweenProjectsTest::pasteCopiesReferencedObjects() {
     to.document.undo();
     to.document.undo();
     QCOMPARE(to.text(), QByteArray("Tick = 0.01\n"));
-    QVERIFY(from.edits.copy({"StaticConfig.Yard.wall"}).ok()); // where no module has to be found first
+    QVERIFY(from.edits.copy({"StaticConfig.Yard.wall"}).ok()); // from a config, so that no module has to be found first
     QVERIFY(to.edits.insertKind(*to.document.loaded()->registry->find("StaticConfig"), {}).ok());
     QVERIFY(to.edits.paste(to.selection.current()).ok());
     QVERIFY2(to.text().contains("Material brick"), to.text());
     QCOMPARE(to.errors(), QString());
 }
 
-/// Its plan is in a file of a project that the other one cannot import from.
+/// The config is in a file that the other project cannot import.
 void BetweenProjectsTest::copiesImportedPlan() {
     OutlineFixture from, to;
     QVERIFY(from.write("rover.sim", "Param track = 0.2\nMaterial red { ColorRGB=1,0,0 }\n"
@@ -93,7 +93,7 @@ void BetweenProjectsTest::copiesImportedPlan() {
     QVERIFY2(!to.text().contains("#import") && to.text().contains("RobotConfig Rover"), to.text());
     QCOMPARE(to.document.loaded()->experiment->robots.size(), std::size_t(1));
     QCOMPARE(to.selected(), QStringLiteral("r"));
-    QVERIFY(from.edits.paste({}).ok()); // at home the file is there
+    QVERIFY(from.edits.paste({}).ok()); // in its own project the file exists
     QVERIFY2(!from.text().contains("RobotConfig") && from.text().count("#import") == 1, from.text());
     QCOMPARE(from.errors(), QString());
 }
@@ -114,7 +114,7 @@ void BetweenProjectsTest::pasteCopiesUsedParams() {
     bare.document.undo();
     QCOMPARE(bare.text(), QByteArray("Tick = 0.01\n"));
 
-    // One of the name that is there serves where it says the same. What is named on the way brings its Params too.
+    // An existing block with the same name and the same content is reused. Params of referenced blocks are copied too.
     QVERIFY(from.edits.copy({"yard"}).ok());
     QVERIFY(other.open("Param wall = 0.1\n"));
     QVERIFY(!other.edits.paste({}).ok());
@@ -129,11 +129,11 @@ void BetweenProjectsTest::pasteCopiesUsedParams() {
     QVERIFY(other.edits.paste({}).ok());
     QCOMPARE(other.errors(), QString());
     QVERIFY2(other.text().startsWith("Param wall =  0.05\n") && other.text().count("Param wall") == 1, other.text());
-    QVERIFY(other.edits.paste({}).ok()); // once is enough
+    QVERIFY(other.edits.paste({}).ok()); // one copy is enough
     QCOMPARE(other.text().count("Param side"), 1);
     QCOMPARE(other.errors(), QString());
 
-    // At home what it names is meant as it is now.
+    // In its own project, references keep their current meaning.
     QVERIFY(
         from.document.replaceText(QStringLiteral("Type"), from.document.path(), from.text().replace("0.05", "0.07").toStdString())
             .ok());
@@ -163,7 +163,7 @@ void BetweenProjectsTest::copiesReferencedObjects() {
     QCOMPARE(to.selected(), QStringLiteral("r"));
 }
 
-/// Files that a plan imports inside of its block.
+/// Files that a config imports inside its block.
 void BetweenProjectsTest::copiesPiecesOfPlan() {
     OutlineFixture from, to;
     QVERIFY(
@@ -180,7 +180,7 @@ void BetweenProjectsTest::copiesPiecesOfPlan() {
     QVERIFY2(!to.text().contains("#import") && to.text().contains("Body wheel") && to.text().contains("Param side = 2"),
              to.text());
     QVERIFY(from.edits.copy({"RobotConfig.Cart"}).ok());
-    QVERIFY(from.edits.paste({}).ok()); // at home its file is there
+    QVERIFY(from.edits.paste({}).ok()); // in its own project the file exists
     QCOMPARE(from.errors(), QString());
     QCOMPARE(from.text().count("#import pieces.sim"), 2);
 }

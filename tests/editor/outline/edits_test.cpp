@@ -1,4 +1,4 @@
-// Editing in the scene tree: names, deletion, clipboard, order.
+// Editing in the Scene tree: rename, delete, clipboard and order.
 
 #include <QClipboard>
 #include <QDropEvent>
@@ -46,7 +46,7 @@ void EditsTest::aNewNameReachesEveryReference() {
     QCOMPARE(o.selected(), QStringLiteral("scout"));
     QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Rename robot0 to scout"));
 
-    o.selection.select("scout.leftAxle"); // through the robot: it is the config's
+    o.selection.select("scout.leftAxle"); // selected through the robot, but the axle belongs to the config
     o.rename(o.at("scout.leftAxle"), "port");
     QVERIFY2(o.text().contains("Hinge port  {"), o.text() + qPrintable(o.refusals.join(QLatin1Char(' '))));
     QVERIFY(o.text().contains("Encoder count   { Joint=port }"));
@@ -64,7 +64,7 @@ void EditsTest::rejectsDuplicateName() {
     QCOMPARE(o.text(), kRovers);
     QCOMPARE(o.refusals.size(), 1);
     QVERIFY2(o.refusals[0].contains(QStringLiteral("robot1")), qPrintable(o.refusals[0]));
-    o.rename(o.at("robot0"), "robot0"); // the same again is no edit
+    o.rename(o.at("robot0"), "robot0"); // an unchanged name makes no edit
     QVERIFY(o.document.history().entries().empty());
     QVERIFY(!o.edits.rename("robot0", "9 lives").ok());
     QVERIFY(!o.edits.rename("robot0", "").ok());
@@ -124,7 +124,7 @@ void EditsTest::deletesDependentsOnRequest() {
     o.document.undo();
     QCOMPARE(o.text(), kRovers);
 
-    // Cut asks the same, and has both on the clipboard.
+    // Cut asks the same question, and puts both on the clipboard.
     o.selection.select("robot0");
     o.edits.cutSelected();
     question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -193,7 +193,7 @@ void EditsTest::pastesWhereItFits() {
     OutlineFixture o;
     QVERIFY(o.open(kRovers));
     QGuiApplication::clipboard()->setText(QStringLiteral("Sphere knob { Radius=0.01 Mass=0.01 }"));
-    o.selection.select("robot0.chassis.bumper"); // a geom holds nothing: the body around it does
+    o.selection.select("robot0.chassis.bumper"); // a geom has no children: the body around it is the parent
     o.edits.pasteAtSelected();
     QCOMPARE(o.selected(), QStringLiteral("robot0.chassis.knob"));
     QVERIFY(o.at("RobotConfig.Rover.chassis.knob").isValid());
@@ -238,7 +238,7 @@ void EditsTest::rejectsTextWithoutBlocks() {
     QGuiApplication::clipboard()->setText(text);
     o.selection.select("robot0");
     o.edits.pasteAtSelected();
-    if (o.refusals.isEmpty()) { // taken as a block of a kind that nobody knows: said as a problem of the text
+    if (o.refusals.isEmpty()) { // accepted as a block of an unknown kind, which is a problem of the text
         QVERIFY2(o.errors().contains(reason), qPrintable(o.errors()));
         return;
     }
@@ -312,7 +312,7 @@ void EditsTest::aDropMovesAGeomToAnotherBody() {
     QVERIFY(!o.at("RobotConfig.Rover.chassis.bumper").isValid());
     QCOMPARE(o.errors(), QString());
     QCOMPARE(o.document.history().entries().back().name, QStringLiteral("Move bumper to leftWheel"));
-    // It stays where it was in the world: leftWheel is at 0,0.1,0.05.
+    // Its pose in the world is unchanged: leftWheel is at 0,0.1,0.05.
     const auto& wheel = o.document.loaded()->experiment->robots[0].config->bodies[1];
     const Vec3 place = wheel.pose.position + wheel.geoms[1].pose.position;
     QVERIFY((place - Vec3(0.16, 0, 0.07)).norm() < 1e-9);

@@ -1,4 +1,4 @@
-// The Insert menu: kinds from the registry, where they fit.
+// The Insert menu: offers the registered kinds where they are allowed.
 
 #include <QMenu>
 
@@ -13,7 +13,7 @@ namespace {
 
 const QByteArray kWithController = "#loadModule controllers/linear_motion\n" + kRovers;
 
-/// What somebody selects to put a block of a kind in.
+/// The selection under which a block of the kind can be inserted.
 const char* placeFor(const Kind& kind) {
     switch (kind.role) {
     case Role::Body:
@@ -56,7 +56,7 @@ void InsertTest::insertsEveryKindWhereAllowed_data() {
         controllers += kind->role == Role::Controller;
         QTest::newRow(kind->name.c_str()) << QByteArray::fromStdString(kind->name);
     }
-    QCOMPARE(controllers, 1); // a kind of a module is there with the others
+    QCOMPARE(controllers, 1); // kinds of modules are listed with the others
 }
 
 void InsertTest::insertsEveryKindWhereAllowed() {
@@ -80,7 +80,7 @@ void InsertTest::insertsEveryKindWhereAllowed() {
     QVERIFY(row.isValid());
     QCOMPARE(QByteArray::fromStdString(o.model().rowAt(row)->part->block->type.text), kind);
     QVERIFY(o.document.history().entries().back().name.startsWith(QStringLiteral("Add ") + QLatin1String(kind)));
-    EVENTUALLY_EQUAL(o.errors(), QString()); // meshes are read beside the GUI
+    EVENTUALLY_EQUAL(o.errors(), QString()); // meshes are read by a worker thread
     o.document.undo();
     QCOMPARE(o.text(), kWithController);
 }
@@ -100,11 +100,11 @@ void InsertTest::offersWhatFitsTheSelection() {
     QVERIFY(!offers("", "Hinge"));
     QVERIFY(offers("RobotConfig.Rover.chassis", "Box"));
     QVERIFY(!offers("RobotConfig.Rover.chassis", "Plane"));
-    QVERIFY(offers("RobotConfig.Rover.chassis.hull", "Box")); // beside it
-    QVERIFY(offers("RobotConfig.Rover.chassis", "Hinge"));    // in what is round it
-    QVERIFY(offers("robot0", "Body"));                        // in its config
+    QVERIFY(offers("RobotConfig.Rover.chassis.hull", "Box")); // as a sibling
+    QVERIFY(offers("RobotConfig.Rover.chassis", "Hinge"));    // into its parent
+    QVERIFY(offers("robot0", "Body"));                        // into its config
     QVERIFY(offers("arena", "Plane"));
-    QVERIFY(!offers("robot0", "LinearMotion")); // nobody loaded that
+    QVERIFY(!offers("robot0", "LinearMotion")); // its module is not loaded
 }
 
 void InsertTest::objectsAreMovable_data() {
@@ -112,12 +112,12 @@ void InsertTest::objectsAreMovable_data() {
     for (const char* shape : {"Box", "Sphere", "Cylinder", "Capsule"}) QTest::newRow(shape) << QString::fromLatin1(shape);
 }
 
-/// Whatever is selected: a config and a Robot that rests on the ground, shown as an object.
+/// For any selection: inserts a config and a Robot that rests on the ground, shown as one object.
 void InsertTest::objectsAreMovable() {
     QFETCH(QString, shape);
     OutlineFixture o;
     QVERIFY(o.open(kRovers));
-    for (int count = 1; count <= 2; ++count) { // the second one under names of its own
+    for (int count = 1; count <= 2; ++count) { // the second one gets unique names
         o.selection.select("robot0");
         InsertMenu insert(o.document, o.selection, o.edits);
         QMenu menu;
@@ -163,7 +163,7 @@ void InsertTest::aMenuFollowsTheSelection() {
     QMenu menu;
     InsertMenu insert(o.document, o.selection, o.edits);
     insert.attach(menu);
-    QVERIFY(!menu.isEmpty()); // says what to do first
+    QVERIFY(!menu.isEmpty()); // a disabled entry explains what to do first
     QVERIFY(!entry(menu, "Robot"));
     QVERIFY(o.open(kRovers));
     menu.popup({});

@@ -1,4 +1,4 @@
-// The Library: what it holds, its pictures, and how things come out of it.
+// The Library: its items, their preview images, and inserting them.
 
 #include <QAbstractButton>
 #include <QDir>
@@ -98,9 +98,9 @@ void LibraryTest::robotsAndArenasGoIn() {
     QVERIFY(s.filled());
     const LibraryItem item = *s.item(qPrintable(title));
     s.library.insert(item);
-    s.library.insert(item); // another one under another name
+    s.library.insert(item); // again, under another name
     QCOMPARE(s.refusals, QStringList());
-    EVENTUALLY_EQUAL(s.errors(), QString()); // once the pictures on it are read
+    EVENTUALLY_EQUAL(s.errors(), QString()); // after the images that it uses are read
     const ExperimentSpec& experiment = *s.document.loaded()->experiment;
     QCOMPARE(experiment.robots.size() + experiment.statics.size(), std::size_t(2));
     QCOMPARE(s.text().count("#import"), 1);
@@ -120,7 +120,7 @@ void LibraryTest::partsGoIntoTheSelectedRobot_data() {
 void LibraryTest::partsGoIntoTheSelectedRobot() {
     QFETCH(QString, title);
     LibraryFixture s;
-    // Its body has another name than the part's own text expects.
+    // The robot's body has another name than the text of the part uses.
     const QByteArray text = "RobotConfig Cart { Body frame { Box b { Size=0.3,0.2,0.1 Mass=2 } } }\nRobot cart { Config=Cart }\n";
     QVERIFY(s.open(text));
     QVERIFY(s.filled());
@@ -180,7 +180,7 @@ void LibraryTest::aDragCarriesKindTextAndImports() {
     QCOMPARE(json.value(QStringLiteral("kind")).toString(), QStringLiteral("Static"));
     QVERIFY(json.value(QStringLiteral("text")).toString().startsWith(QStringLiteral("Static wall {")));
     QCOMPARE(json.value(QStringLiteral("imports")).toArray().at(0).toString(), QStringLiteral("objects/wall.sim"));
-    // The tree takes what it carries.
+    // The tree accepts the drag data.
     QVERIFY(s.model().dropMimeData(mime.get(), Qt::CopyAction, -1, -1, {}));
     QCOMPARE(s.selected(), QStringLiteral("wall"));
     QCOMPARE(s.errors(), QString());
@@ -205,11 +205,11 @@ void LibraryTest::findsTheProjectsOwn() {
     QVERIFY(s.item("Sled"));
     QCOMPARE(s.item("Sled")->help, QStringLiteral("Slides downhill."));
     QVERIFY(s.item("Lamp post"));
-    QVERIFY(s.item("Rover")); // of the opened file itself
+    QVERIFY(s.item("Rover")); // from the opened file itself
     s.library.insert(*s.item("Sled"));
     QVERIFY(s.text().contains("#import mine/sled.sim"));
     s.library.insert(*s.item("Rover"));
-    s.library.insert(*s.item("Mixed")); // without the robot that its file places
+    s.library.insert(*s.item("Mixed")); // only the config, not the robot that its file places
     QCOMPARE(s.refusals, QStringList());
     QCOMPARE(s.errors(), QString());
     for (const RobotSpec& robot : s.document.loaded()->experiment->robots) QVERIFY(robot.name != "placed");
@@ -226,7 +226,7 @@ void LibraryTest::aSearchLeavesWhatMatches() {
     QVERIFY(!s.list(LibrarySection::Arenas).isVisible());
     search->setText(QStringLiteral("hinge"));
     QVERIFY(s.row(LibrarySection::Joints, "Hinge").isValid());
-    QVERIFY(s.list(LibrarySection::Joints).isVisible()); // folded, but found
+    QVERIFY(s.list(LibrarySection::Joints).isVisible()); // in a collapsed section, shown because it matches the filter
     search->clear();
     QVERIFY(!s.list(LibrarySection::Joints).isVisible());
     QTest::mouseClick(s.library.findChild<QAbstractButton*>(QStringLiteral("librarySection.%1").arg(int(LibrarySection::Joints))),
@@ -240,7 +240,7 @@ void LibraryTest::drawsPictures() {
     LibraryFixture s(render.value().get());
     QVERIFY(s.filled());
     QTRY_VERIFY_WITH_TIMEOUT(s.library.isSettled(), 60000);
-    s.library.resize(280, 600); // as in the window: a picture fills its cell above the title, and nothing of it is cut off
+    s.library.resize(280, 600); // As in the window: the image fills its cell above the title, and nothing is clipped.
     const LibraryList& robots = s.list(LibrarySection::Robots);
     QTRY_COMPARE(robots.gridSize().width(), (robots.viewport()->width() - 1) / 2);
     const double room =
@@ -251,7 +251,7 @@ void LibraryTest::drawsPictures() {
         const QPixmap picture = s.library.model().index(i).data(LibraryModel::PictureRole).value<QPixmap>();
         QVERIFY2(!picture.isNull(), qPrintable(item.title));
         QVERIFY2(std::abs(double(picture.width()) / picture.height() - room) < 0.2, qPrintable(item.title));
-        std::set<QRgb> colours; // something is there
+        std::set<QRgb> colours; // more than one colour: something is drawn
         const QImage image = picture.toImage().scaled(64, 44);
         for (int y = 0; y < image.height(); ++y)
             for (int x = 0; x < image.width(); ++x) colours.insert(image.pixel(x, y));
@@ -260,7 +260,7 @@ void LibraryTest::drawsPictures() {
     QVERIFY(s.row(LibrarySection::Robots, "SimpleRobot").data(LibraryModel::PictureRole).isValid());
     QVERIFY(s.row(LibrarySection::RobotParts, "Driven wheel").data(LibraryModel::PictureRole).isValid());
 
-    // What is described in the opened file is shown in its own material, with its own values, and without what is there.
+    // A config of the opened file is drawn with its own materials and values, and without the objects of the experiment.
     QVERIFY(s.open("Param side = 0.4\nMaterial signal { ColorRGB=1,0,0 }\nRobot far { Config=Cube Pos=90,0,0 }\n"
                    "RobotConfig Cube { Body b { Box x { Size=$side,$side,$side Pos=0,0,0.2 Mass=1 Material=signal } } }\n"));
     QVERIFY(s.filled());
@@ -298,7 +298,7 @@ void LibraryTest::templatesLoadWithoutDiagnostics() {
     QVERIFY(o.open(file.readAll()));
     for (const Diagnostic& d : o.document.loaded()->diagnostics.all()) QFAIL(d.message.c_str());
     const ExperimentSpec& experiment = *o.document.loaded()->experiment;
-    const bool places = name == QStringLiteral("experiment"); // the others hold what they describe alone
+    const bool places = name == QStringLiteral("experiment"); // the other files only define configs
     QCOMPARE(experiment.robots.empty(), !places);
     QCOMPARE(experiment.statics.empty(), !places);
     QCOMPARE(configsWithoutInstances(*o.document.loaded()).size(), std::size_t(places ? 0 : 1));

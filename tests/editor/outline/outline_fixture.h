@@ -1,5 +1,5 @@
 #pragma once
-// A scene tree over a document in a folder of its own, shown, with the real application.
+// Fixture: a visible Scene tree over a document in a temporary folder, with the real application.
 
 #include <QFile>
 #include <QLineEdit>
@@ -51,7 +51,7 @@ struct OutlineFixture {
     OutlineView& tree() { return panel->tree(); }
     QLineEdit& filter() { return *panel->findChild<QLineEdit*>(QStringLiteral("outlineFilter")); }
     QModelIndex at(const char* path) { return model().indexOf(path); }
-    /// The text of the opened file, or of the n-th.
+    /// The text of the opened file, or of the n-th file.
     QByteArray text(std::size_t file = 0) const { return QByteArray::fromStdString(*document.text(document.files().at(file))); }
     QString errors() const {
         QStringList all;
@@ -64,7 +64,7 @@ struct OutlineFixture {
         for (const std::string& path : selection.paths()) all.append(QString::fromStdString(path));
         return all.join(QLatin1Char(' '));
     }
-    /// What is selected in the tree itself.
+    /// The rows selected in the tree widget.
     QString marked() {
         QStringList all;
         for (const QModelIndex& index : tree().selectionModel()->selectedRows())
@@ -72,7 +72,9 @@ struct OutlineFixture {
         all.sort();
         return all.join(QLatin1Char(' '));
     }
-    /// The rows that can be seen, indented: "Robots\n robot0\n".
+    /// The visible rows, indented: "Robots
+    ///  robot0
+    /// ".
     QString rows(const QModelIndex& parent = {}, int depth = 0) {
         QString text;
         for (int row = 0; row < model().rowCount(parent); ++row) {
@@ -86,7 +88,7 @@ struct OutlineFixture {
         tree().scrollTo(index);
         QTest::mouseClick(tree().viewport(), Qt::LeftButton, keys, tree().visualRect(index.siblingAtColumn(column)).center());
     }
-    /// F2, the new name, Return.
+    /// Presses F2, types the new name and presses Return.
     void rename(const QModelIndex& index, const char* name) {
         click(index);
         QTest::keyClick(&tree(), Qt::Key_F2);
@@ -95,12 +97,12 @@ struct OutlineFixture {
         line->selectAll();
         QTest::keyClicks(line, QLatin1String(name));
         QTest::keyClick(line, Qt::Key_Return);
-        QCoreApplication::processEvents(); // the editor hands its text over later
+        QCoreApplication::processEvents(); // the delegate commits its text through the event loop
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
 };
 
-/// A rover with its names used by joints and devices, and two of it.
+/// A rover whose names are used by joints and devices, and two instances of it.
 inline const QByteArray kRovers = R"(Tick = 0.01
 RobotConfig Rover {
   Body chassis {

@@ -1,4 +1,4 @@
-// The scene tree: what it shows, what stays through edits, and selection both ways.
+// The Scene tree: its rows, what stays after edits, and selection in both directions.
 
 #include <QAbstractButton>
 
@@ -64,10 +64,10 @@ void TreeTest::showsFilesWithTheirBlocks() {
     const QModelIndex imported = o.at("RobotConfig.SimpleRobot").parent();
     QCOMPARE(imported.data().toString(), QStringLiteral("simple_robot.sim"));
     QCOMPARE(imported.data(OutlineModel::DetailRole).toString(), QStringLiteral("robots"));
-    o.selection.select("robot0.chassis.hull"); // a robot is made of what its config's file says
+    o.selection.select("robot0.chassis.hull"); // a part of an instance: the row of its config is selected
     QCOMPARE(o.marked(), QStringLiteral("RobotConfig.SimpleRobot.chassis.hull"));
     QCOMPARE(o.selected(), QStringLiteral("robot0.chassis.hull"));
-    // A project of one's own, too, says what is imported from the program as the import says it.
+    // In a user's project too, a file shipped with the program is named as the import names it.
     QVERIFY(o.open("#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot }\n"));
     QCOMPARE(o.at("RobotConfig.SimpleRobot").parent().data(OutlineModel::DetailRole).toString(), QStringLiteral("robots"));
 }
@@ -92,9 +92,9 @@ void TreeTest::aClickSelectsTheObject() {
     o.click(o.at("arena"), Qt::ControlModifier);
     QCOMPARE(o.selected(), QStringLiteral("robot1 arena"));
     o.click(o.at("robot0"));
-    o.click(o.at("path"), Qt::ShiftModifier); // the groups between are no objects
+    o.click(o.at("path"), Qt::ShiftModifier); // group rows between them are not objects
     QCOMPARE(o.selected(), QStringLiteral("robot0 robot1 arena path"));
-    o.click(o.at("robot1"), Qt::ControlModifier); // out again
+    o.click(o.at("robot1"), Qt::ControlModifier); // deselected again
     QCOMPARE(o.selected(), QStringLiteral("robot0 arena path"));
     o.click(o.at(""));
     QCOMPARE(o.selection.paths(), std::vector<std::string>{""});
@@ -117,7 +117,7 @@ void TreeTest::selectionElsewhereIsShownHere() {
     QCOMPARE(o.marked(), QString());
     o.selection.select("nobody");
     QCOMPARE(o.marked(), QString());
-    QCOMPARE(o.selected(), QStringLiteral("nobody")); // not the tree's to change
+    QCOMPARE(o.selected(), QStringLiteral("nobody")); // the tree does not change a selection it cannot show
 }
 
 void TreeTest::membersOfAGridAreReached() {
@@ -133,12 +133,12 @@ void TreeTest::membersOfAGridAreReached() {
     QCOMPARE(members.data().toString(), QStringLiteral("Members"));
     QCOMPARE(members.data(OutlineModel::DetailRole).toString(), QStringLiteral("4"));
     QCOMPARE(members.model()->rowCount(members), 4);
-    QVERIFY(!(members.flags() & Qt::ItemIsSelectable)); // no object
-    // It has no text of its own: no other name, and nowhere to be dragged to.
+    QVERIFY(!(members.flags() & Qt::ItemIsSelectable)); // not an object
+    // A Grid's member has no text of its own: it can be neither renamed nor dragged.
     QVERIFY(!(o.at("swarm_3").flags() & (Qt::ItemIsEditable | Qt::ItemIsDragEnabled)));
     o.click(o.at("swarm_1"));
     QCOMPARE(o.selected(), QStringLiteral("swarm_1"));
-    // Another count: the rows follow.
+    // The rows follow a changed Count.
     QVERIFY(o.document.setValues(QStringLiteral("Set Count"), {{"swarm.Count", "1,2"}}).ok());
     QCOMPARE(members.model()->rowCount(o.at("swarm_1").parent()), 2);
 }
@@ -167,7 +167,7 @@ void TreeTest::passiveRobotIsAnObject() {
     QCOMPARE(o.at("ball").parent().data(OutlineModel::DetailRole).toString(), QStringLiteral("2"));
     QCOMPARE(o.at("ball").data(OutlineModel::IconRole).toString(), QStringLiteral("kind-object"));
     QCOMPARE(o.at("balls_2").data(OutlineModel::IconRole).toString(), QStringLiteral("kind-object"));
-    // With something that senses it is a robot.
+    // A body with a sensor is a robot.
     QByteArray text = o.text();
     text.replace("Mass=0.1 } } }\nRobot ball", "Mass=0.1 } } Camera eye { Body=b } }\nRobot ball");
     QVERIFY(o.document.replaceText(QStringLiteral("camera"), o.document.path(), text.toStdString()).ok());
@@ -260,10 +260,10 @@ void TreeTest::aBrokenTextStillHasATree() {
 }
 
 void TreeTest::aRobotInItsOwnConfigHasAnEnd() {
-    OutlineFixture w; // as a brace in the wrong place makes it
+    OutlineFixture w; // as after a misplaced brace
     QVERIFY(w.open("RobotConfig Rover { Body chassis { Box hull { Size=1,1,1 } }\nRobot robot0 { Config=Rover }\n}\n"
                    "Robot robot1 { Config=Rover }\n"));
-    w.filter().setText(QStringLiteral("robot")); // unfolds all that leads to a match
+    w.filter().setText(QStringLiteral("robot")); // expands all rows that lead to a match
     std::size_t rows = 0;
     const std::function<void(const QModelIndex&)> count = [&](const QModelIndex& parent) {
         if (w.model().canFetchMore(parent)) w.model().fetchMore(parent);
@@ -299,14 +299,14 @@ void TreeTest::hidesAndLocksByTheIconsOfARow() {
     QVERIFY(o.marks.isHidden("robot0"));
     QVERIFY(o.marks.isHidden("robot0.chassis.hull"));
     QVERIFY(!o.marks.isHidden("robot01"));
-    QCOMPARE(o.selected(), QStringLiteral("robot0.chassis")); // the eye selects nothing
+    QCOMPARE(o.selected(), QStringLiteral("robot0.chassis")); // the visibility icon does not select
     QCOMPARE(o.at("robot0.chassis").siblingAtColumn(OutlineModel::VisibleColumn).data(OutlineModel::MarkRole).toInt(),
              int(OutlineModel::MarkedAbove));
     o.click(o.at("robot0"), {}, OutlineModel::VisibleColumn);
     QVERIFY(!o.marks.isHidden("robot0"));
 
     o.selection.set({"robot0", "robot1"});
-    o.click(o.at("robot1"), {}, OutlineModel::LockedColumn); // one of several selected: all of them
+    o.click(o.at("robot1"), {}, OutlineModel::LockedColumn); // one of several selected rows: applies to all of them
     QVERIFY(o.marks.isLocked("robot0") && o.marks.isLocked("robot1"));
     const QByteArray before = o.text();
     QTest::keyClick(&o.tree(), Qt::Key_Delete);
@@ -316,7 +316,7 @@ void TreeTest::hidesAndLocksByTheIconsOfARow() {
     QVERIFY(o.edits.rename("robot1", "scout").ok());
     o.marks.setHidden({"scout"}, true);
     QVERIFY(o.edits.rename("scout", "rover9").ok());
-    QVERIFY(o.marks.isHidden("rover9")); // the mark goes with the object
+    QVERIFY(o.marks.isHidden("rover9")); // the mark is renamed with the object
     QVERIFY(!o.marks.isHidden("scout"));
 }
 
@@ -338,8 +338,8 @@ void TreeTest::tooltipShowsMeasuredValues() {
     EVENTUALLY_EQUAL(session.state(), RunState::Paused);
     const QString now = ask();
     QVERIFY2(now.contains(QStringLiteral("speed")) && now.contains(QStringLiteral("0.098")), qPrintable(now));
-    QVERIFY(before.isEmpty() || now.contains(before.section(u'\n', 0, 0).toHtmlEscaped())); // what it said always
-    session.step(); // and while it is shown it goes along
+    QVERIFY(before.isEmpty() || now.contains(before.section(u'\n', 0, 0).toHtmlEscaped())); // the same text as before
+    session.step(); // updated while it is shown
     EVENTUALLY(QToolTip::text().contains(QStringLiteral("0.196")));
     session.reset();
     EVENTUALLY(!ask().contains(QStringLiteral("speed")));

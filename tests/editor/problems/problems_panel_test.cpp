@@ -77,7 +77,7 @@ RobotConfig Crate { Body b { Box hull { Size=0.2,0.2,0.2 Mass=1 Material=default
 Robot crate { Config=Crate Pos=0.85,0,0.1 }
 )";
 
-/// How often the model check ended.
+/// Counts finished model checks.
 void countChecks(ProblemsFixture& fixture, int& count) {
     QObject::connect(fixture.panel.findChild<ModelChecker*>(), &ModelChecker::checked, &fixture.panel, [&count] { ++count; });
 }
@@ -136,7 +136,7 @@ private Q_SLOTS:
         QCOMPARE(jumps[0].first, fixture.document.files()[0]);
         QCOMPARE(fixture.text().substr(jumps[0].second.range.begin, jumps[0].second.range.size()), std::string("Crat"));
         QCOMPARE(fixture.selection.current(), std::string("crate"));
-        // a note below goes to its own place
+        // A note below a problem goes to its own source range.
         for (int i = 0; i < fixture.model().rowCount(); ++i) {
             const QModelIndex top = fixture.model().index(i, 0);
             if (fixture.model().rowCount(top) == 0 ||
@@ -161,10 +161,10 @@ private Q_SLOTS:
         QCOMPARE(fixture.text(), "Tick" + before.substr(4));
         QVERIFY(fixture.document.history().entries().back().name.startsWith(QStringLiteral("Fix: ")));
         QVERIFY(!fixture.messages().at(0).contains(QStringLiteral("Tikc")));
-        QVERIFY(fixture.view().currentIndex().isValid()); // the next one is at hand
+        QVERIFY(fixture.view().currentIndex().isValid()); // the next problem is selected
         fixture.document.undo();
         QCOMPARE(fixture.text(), before);
-        // the same below the row
+        // The same for the rows below.
         const QModelIndex top = fixture.model().index(0, 0);
         fixture.view().expand(top);
         QModelIndex fix;
@@ -207,10 +207,10 @@ private Q_SLOTS:
         Diagnostic nowhere;
         nowhere.message = "the log folder is gone";
         fixture.panel.addRunProblem(nowhere);
-        fixture.click(fixture.model().index(1, 0)); // of no place: nothing to go to, nothing to fear
+        fixture.click(fixture.model().index(1, 0)); // without a source range: nothing happens
         QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), fixture.document.files()[0], "Tick = 0.01\n").ok());
         QCOMPARE(fixture.panel.errors(), 2);
-        fixture.click(fixture.model().index(0, 0)); // its place is in a text of the past
+        fixture.click(fixture.model().index(0, 0)); // its source range belongs to an older text
         fixture.panel.clearRunProblems();
         QCOMPARE(fixture.panel.errors(), 0);
     }
@@ -218,7 +218,7 @@ private Q_SLOTS:
     void listsModelCheckProblems() {
         ProblemsFixture fixture;
         QVERIFY(fixture.open(kInWall));
-        QCOMPARE(fixture.messages(), QStringList()); // opening does not wait for it
+        QCOMPARE(fixture.messages(), QStringList()); // opening does not wait for the check
         QTRY_COMPARE(fixture.model().rowCount(), 1);
         QVERIFY2(fixture.messages().at(0).contains(QStringLiteral("starts inside wall")), qPrintable(fixture.messages().at(0)));
         QCOMPARE(fixture.model().index(0, ProblemsModel::Place).data().toString(), QStringLiteral("main.sim:7:7"));
@@ -240,7 +240,7 @@ private Q_SLOTS:
         QTRY_COMPARE(fixture.model().rowCount(), 1);
     }
 
-    /// A run that is refused for what the check has found adds nothing to it.
+    /// A run that is refused because of problems that the check has reported adds no problem.
     void reportsRefusedRunOnce() {
         ProblemsFixture fixture;
         std::string text = kGood;
@@ -267,12 +267,12 @@ private Q_SLOTS:
         countChecks(fixture, checks);
         const std::string file = fixture.document.files()[0];
         QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), file, kInWall + "// more\n").ok());
-        QCOMPARE(fixture.messages(), QStringList()); // what was found in the old text is gone at once
+        QCOMPARE(fixture.messages(), QStringList()); // problems of the old text are removed at once
         QTRY_COMPARE(checks, 1);
         QCOMPARE(fixture.model().rowCount(), 1);
         QVERIFY(fixture.document.replaceText(QStringLiteral("Typing"), file, kInWall + "Robot other { Config=Crat }\n").ok());
         QTRY_COMPARE(checks, 2);
-        QVERIFY(fixture.panel.errors() > 0); // the errors first; a text that means nothing is not checked
+        QVERIFY(fixture.panel.errors() > 0); // errors come first; a text with errors is not checked further
         for (const QString& message : fixture.messages()) QVERIFY(!message.contains(QStringLiteral("starts inside")));
     }
 
@@ -281,7 +281,7 @@ private Q_SLOTS:
             ProblemsFixture fixture;
             QVERIFY(fixture.open(kInWall));
             auto* checker = fixture.panel.findChild<ModelChecker*>();
-            QVERIFY(QMetaObject::invokeMethod(checker->findChild<QTimer*>(), "timeout")); // starts at once
+            QVERIFY(QMetaObject::invokeMethod(checker->findChild<QTimer*>(), "timeout")); // starts the check at once
         }
     }
 

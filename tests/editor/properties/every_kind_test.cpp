@@ -1,4 +1,4 @@
-// Every kind of the registry is inserted as the Insert menu does it, and each of its rows is edited with keys and clicks.
+// Inserts every registered kind as the Insert menu does, and edits each of its property rows with keys and clicks.
 #include "properties_fixture.h"
 
 #include <QCheckBox>
@@ -32,7 +32,7 @@ Robot seer { Config=Seer Pos=0,-1,0 }
 View other { }
 )";
 
-/// Where an object of the kind is put.
+/// The path of a parent in which the kind is allowed.
 std::string parentOf(const Kind& kind) {
     const auto in = [&](const char* parent) { return std::count(kind.parents.begin(), kind.parents.end(), parent) > 0; };
     if (in("")) return "";
@@ -42,7 +42,7 @@ std::string parentOf(const Kind& kind) {
     return in("Robot") ? "robot0" : "";
 }
 
-/// Numbers that a property may have, the likely ones first.
+/// Valid numbers of a property, the most likely first.
 std::vector<double> legalNumbers(const Property& p) {
     std::vector<double> numbers;
     for (double n : {1.0, 2.0, 0.5, 0.25, 3.0, 0.05, 0.02, 10.0, 0.0, -1.0, 2e6}) {
@@ -59,7 +59,7 @@ std::vector<double> legalNumbers(const Property& p) {
 class EveryKindTest : public QObject {
     Q_OBJECT
 
-    /// Enters another value with the row's own widgets until the document takes one; what they were, for the message.
+    /// Enters other values with the row's own widgets until the document accepts one. Returns the values, for the message.
     static QString edit(PropertiesFixture& fixture, const QString& id) {
         const auto bytes = [&] {
             std::string all;
@@ -120,12 +120,12 @@ class EveryKindTest : public QObject {
         return all.join(QLatin1Char('\n'));
     }
 
-    /// Rows whose property stands against others that the object has.
+    /// True if the property is only valid together with another value of the object.
     static bool needsCompany(const Kind& kind, const std::string& property) {
         for (const Alternatives& choice : kind.alternatives)
             if (std::count(choice.names.begin(), choice.names.end(), property)) return true;
-        if (kind.name == "Universal" && property.starts_with("Axis")) return true;      // a right angle between them
-        return property == "Density" || (property == "Mass" && kind.role != Role::Log); // not both
+        if (kind.name == "Universal" && property.starts_with("Axis")) return true;      // the axes must be perpendicular
+        return property == "Density" || (property == "Mass" && kind.role != Role::Log); // mutually exclusive
     }
 
 private Q_SLOTS:
@@ -155,7 +155,7 @@ private Q_SLOTS:
             QCOMPARE(faults(fixture), QString());
             QVERIFY(!fixture.selection.empty());
             const std::vector<std::string> made = fixture.selection.paths();
-            for (const std::string& path : made) { // what it needs may have come with it
+            for (const std::string& path : made) { // objects that it requires may have been inserted too
                 fixture.selection.select(path);
                 if (fixture.panel.findChild<QLabel*>(QStringLiteral("objectKind"))
                         ->text()
@@ -178,7 +178,7 @@ private Q_SLOTS:
             const std::size_t done = fixture.document.history().position();
             const QString refused = edit(fixture, id);
             if (!refused.isEmpty() && needsCompany(kind, p.name)) {
-                QVERIFY2(refused.size() > 10, qPrintable(id)); // a reason was given
+                QVERIFY2(refused.size() > 10, qPrintable(id)); // the message gives a reason
                 continue;
             }
             QVERIFY2(refused.isEmpty(), qPrintable(id + QStringLiteral(": ") + refused));

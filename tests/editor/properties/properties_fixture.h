@@ -1,5 +1,5 @@
 #pragma once
-// A property panel over a document in a folder of its own, shown, with the program's real kinds and any that a test adds.
+// Fixture: a visible property panel over a document in a temporary folder, with the program's real kinds and optional test kinds.
 
 #include <filesystem>
 #include <fstream>
@@ -20,7 +20,7 @@
 
 namespace trundle {
 
-/// The shape of a mesh does not matter here.
+/// Returns a cube for every mesh: the shape does not matter here.
 class CubeMeshes final : public MeshSource {
 public:
     Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string&) override {
@@ -35,7 +35,7 @@ public:
     }
 };
 
-/// The application, but every module's kinds are there without a #loadModule, and so are those of `extra`.
+/// The application with the kinds of all modules, without #loadModule, and those of `extra`.
 class FixtureApplication final : public Application {
 public:
     FixtureApplication() : m_application(makeApplication()), m_registry(std::make_shared<Registry>(*m_application->builtIn())) {
@@ -95,7 +95,7 @@ struct PropertiesFixture {
         panel.resize(340, 900);
         panel.show();
         if (!QTest::qWaitForWindowActive(&panel)) qFatal("the panel has no focus");
-        // what the window does
+        // As the window does.
         QObject::connect(&document, &Document::selectionRequested, &selection, [this](const std::vector<std::string>& paths) {
             if (!paths.empty()) selection.set(paths);
         });
@@ -107,7 +107,7 @@ struct PropertiesFixture {
         std::ofstream(path, std::ios::binary) << text;
         return path.string();
     }
-    /// The rover in a file of its own, and this text as the experiment.
+    /// Writes the rover to a file of its own and opens this text as the experiment.
     bool open(const std::string& text) {
         write("rover.sim", kRoverFile);
         return document.open(write("main.sim", "#import rover.sim\n" + text)).ok() &&
@@ -125,7 +125,7 @@ struct PropertiesFixture {
         const auto* f = field<QLineEdit>(id, name);
         return f ? f->text() : QStringLiteral("(no field)");
     }
-    /// Types into a row as a person does.
+    /// Types into a row and commits.
     void type(const char* id, const QString& text, const char* name = "field") const {
         auto* f = field<QLineEdit>(id, name);
         QVERIFY2(f, id);
@@ -134,10 +134,10 @@ struct PropertiesFixture {
         QTest::keyClick(f, Qt::Key_Delete);
         const bool keys = std::all_of(text.begin(), text.end(), [](QChar c) { return c.unicode() < 128; });
         if (keys) QTest::keyClicks(f, text);
-        else f->insert(text); // as a paste does
+        else f->insert(text); // as by pasting
         QTest::keyClick(f, Qt::Key_Return);
     }
-    /// The row's menu, opened by its mark.
+    /// Opens the row's menu by its button.
     QMenu* menu(const char* id) const {
         QWidget* found = row(id);
         if (!found) return nullptr;
@@ -153,7 +153,7 @@ struct PropertiesFixture {
         return possible;
     }
     QString help(const char* label = "helpText") const { return panel.findChild<QLabel*>(QLatin1String(label))->text(); }
-    /// A picture of it, where TRUNDLE_PICTURES names a folder.
+    /// Saves an image of the panel if TRUNDLE_PICTURES names a folder.
     void picture(const char* name) {
         const QString to = qEnvironmentVariable("TRUNDLE_PICTURES");
         QApplication::processEvents();
@@ -161,7 +161,7 @@ struct PropertiesFixture {
     }
 };
 
-/// QCOMPARE of what a text holds in place of `from`.
+/// A copy of the text with `from` replaced, for QCOMPARE.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     return at == std::string::npos ? "no " + from : text.replace(at, from.size(), to);

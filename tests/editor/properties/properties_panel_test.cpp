@@ -65,7 +65,7 @@ private Q_SLOTS:
         QVERIFY(!fixture.row("Pos"));
         QVERIFY(!fixture.panel.findChild<QLabel*>(QStringLiteral("nothing"))->isVisible());
         QCOMPARE(fixture.panel.findChild<QLineEdit*>(QStringLiteral("objectName"))->text(), QStringLiteral("Experiment"));
-        fixture.document.redo(); // it is selected still
+        fixture.document.redo(); // it is still selected
         QTRY_VERIFY(fixture.row("Pos"));
     }
 
@@ -78,7 +78,7 @@ private Q_SLOTS:
         fixture.type("Pos", QStringLiteral("12 cm"), "field1");
         QCOMPARE(fixture.text(), replaced(before, "Pos=0, 0, 0.5", "Pos=0, 12 cm, 0.5"));
         fixture.picture("robot");
-        fixture.type("HPR", QStringLiteral("90"), "field0"); // a default becomes a value, written as the file writes lists
+        fixture.type("HPR", QStringLiteral("90"), "field0"); // the default becomes a value, written in the list style of the file
         QVERIFY2(fixture.text().find("HPR=90, 0, 0") != std::string::npos, fixture.text().c_str());
         fixture.document.undo();
         fixture.document.undo();
@@ -91,7 +91,7 @@ private Q_SLOTS:
         fixture.selection.select("robot0.leftWheel");
         QCOMPARE(fixture.shown("Pos", "field1"), QStringLiteral("$(track/2)"));
         fixture.picture("formula");
-        fixture.type("Pos", QStringLiteral("$(track/4)"), "field1"); // through the instance: its own value from now on
+        fixture.type("Pos", QStringLiteral("$(track/4)"), "field1"); // through the instance: it has its own value from now on
         QVERIFY2(fixture.text().find("leftWheel.Pos") != std::string::npos || fixture.help().contains(QStringLiteral("Param")),
                  fixture.text().c_str());
         fixture.selection.select("RobotConfig.Rover.leftWheel.tyre");
@@ -99,10 +99,10 @@ private Q_SLOTS:
         const std::string before = fixture.rover();
         fixture.type("Radius", QStringLiteral("$(wheelRadius*2)"));
         QCOMPARE(fixture.rover(), replaced(before, "Radius=$wheelRadius", "Radius=$(wheelRadius*2)"));
-        fixture.type("Radius", QStringLiteral(" wheelRadius/2 ")); // nobody types the brackets
+        fixture.type("Radius", QStringLiteral(" wheelRadius/2 ")); // the formula brackets are added
         QCOMPARE(fixture.rover(), replaced(before, "Radius=$wheelRadius", "Radius=$(wheelRadius/2)"));
         fixture.selection.select("robot1");
-        fixture.type("param.wheelRadius", QStringLiteral("0.04+0.02")); // of a Param too
+        fixture.type("param.wheelRadius", QStringLiteral("0.04+0.02")); // a Param accepts a formula too
         QVERIFY2(fixture.text().find("wheelRadius=$(0.04+0.02)") != std::string::npos, fixture.text().c_str());
     }
 
@@ -225,7 +225,7 @@ private Q_SLOTS:
         QVERIFY(fixture.open(kRobots));
         const std::string before = fixture.text(), rover = fixture.rover();
         fixture.selection.select("robot0.leftMotor");
-        QVERIFY(!fixture.choose("GearRatio", "rowReset")); // nothing to take back
+        QVERIFY(!fixture.choose("GearRatio", "rowReset")); // nothing to reset
         QVERIFY(!fixture.choose("MaxVoltage", "rowReset"));
         QVERIFY(fixture.choose("Resistance", "rowReset"));
         QCOMPARE(fixture.text(), replaced(before, "  leftMotor.Resistance=3", ""));
@@ -268,7 +268,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.document.history().entries().size(), 1u);
         fixture.document.undo();
         QCOMPARE(fixture.text(), before);
-        // kinds that differ show what they share
+        // Objects of different kinds show their common properties.
         fixture.selection.set({"robot0.leftMotor", "robot0.chassis.hull"});
         QVERIFY(!fixture.row("Resistance"));
         fixture.selection.set({"robot0.chassis.hull", "robot0.leftWheel.tyre"});
@@ -288,15 +288,15 @@ private Q_SLOTS:
         const std::string before = fixture.rover();
         fixture.type("param.track", QStringLiteral("0.3"));
         QCOMPARE(fixture.rover(), replaced(before, "track = 0.25", "track = 0.3"));
-        fixture.type("param.track", QStringLiteral("wheelRadius/2")); // no word with a slash where a number stands
+        fixture.type("param.track", QStringLiteral("wheelRadius/2")); // written as a formula, although the value was a number
         QCOMPARE(fixture.rover(), replaced(before, "track = 0.25", "track = $(wheelRadius/2)"));
-        fixture.type("param.track", QStringLiteral("wheelRadius/10")); // nor where it was a formula
+        fixture.type("param.track", QStringLiteral("wheelRadius/10")); // also if it was a formula
         QCOMPARE(fixture.rover(), replaced(before, "track = 0.25", "track = $(wheelRadius/10)"));
         fixture.type("param.track", QStringLiteral("0.3"));
         fixture.picture("config");
     }
 
-    /// Each row is some widgets: ten thousand of them would take a gigabyte.
+    /// Each row has several widgets: ten thousand rows would take a gigabyte.
     void ofManyParamsTheFirstAreShown() {
         PropertiesFixture fixture;
         std::string text;
@@ -330,11 +330,11 @@ private Q_SLOTS:
         field->setFocus();
         field->selectAll();
         QTest::keyClicks(field, QStringLiteral("7"));
-        fixture.selection.select("robot1"); // by a shortcut: the field never lost the focus before
+        fixture.selection.select("robot1"); // by a shortcut: the field still has the focus
         QVERIFY2(fixture.text().find("leftMotor.Resistance=7") != std::string::npos, fixture.text().c_str());
         QCOMPARE(fixture.shown("Pos", "field0"), QStringLiteral("1"));
         QCOMPARE(fixture.panel.findChildren<QWidget*>(QStringLiteral("row.Pos")).size(), 1);
-        // one that is refused is given up with its row
+        // An invalid entry is discarded with its row.
         fixture.selection.select("robot0.leftMotor");
         fixture.type("Resistance", QStringLiteral("nonsense"));
         fixture.selection.select("robot1");
@@ -396,7 +396,7 @@ private Q_SLOTS:
     void showsUnknownKind() {
         PropertiesFixture fixture;
         QVERIFY(fixture.open("#loadModule nowhere\nRobot robot0 { Config=Rover Mystery brain { Speed=3 } }\n"));
-        fixture.selection.select("robot0.brain"); // nothing is known of it: nothing to edit but its text
+        fixture.selection.select("robot0.brain"); // its kind is unknown: only the text can be edited
         QVERIFY(!fixture.row("Tick"));
         QVERIFY(fixture.help().contains(QStringLiteral("Unknown kind")));
         fixture.selection.select("robot0");
@@ -416,7 +416,7 @@ private Q_SLOTS:
         fixture.selection.select("r");
         QVERIFY(fixture.row("Config"));
         fixture.selection.select("robot0.nobody.at.all");
-        QVERIFY(fixture.row("Tick")); // as where nothing is selected, and reports it
+        QVERIFY(fixture.row("Tick")); // the panel shows the experiment, as without a selection, and reports it
         QCOMPARE(fixture.panel.findChild<QLineEdit*>(QStringLiteral("objectName"))->text(), QStringLiteral("Experiment"));
     }
 

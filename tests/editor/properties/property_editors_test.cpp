@@ -35,7 +35,7 @@ private Q_SLOTS:
         const auto tip = [&fixture](const char* id) {
             return fixture.row(id)->findChild<QLabel*>(QStringLiteral("label"))->toolTip();
         };
-        for (const char* path : {"robot0", "RobotConfig.Rover"}) { // where it is set and where it is declared
+        for (const char* path : {"robot0", "RobotConfig.Rover"}) { // at the instance and at the config
             fixture.selection.select(path);
             QVERIFY2(tip("param.wheelRadius").endsWith(QStringLiteral("\nof both")), qPrintable(tip("param.wheelRadius")));
             QCOMPARE(tip("param.track"), QStringLiteral("track"));
@@ -73,7 +73,7 @@ private Q_SLOTS:
         fixture.document.undo();
         fixture.document.undo();
         QCOMPARE(fixture.text(), before);
-        // one axis of a vector, the unit stays
+        // One axis of a vector is edited; the unit is kept.
         fixture.type("Resistance", QStringLiteral("3"));
         fixture.selection.select("robot0");
         fixture.type("Pos", QStringLiteral("12 cm"), "field0");
@@ -114,7 +114,7 @@ private Q_SLOTS:
         fixture.selection.select("RobotConfig.Rover.chassis");
         fixture.type("Inertia", QStringLiteral("0.5"), "field0");
         QVERIFY2(fixture.rover().find("Inertia=0.5,0.5,0.5") != std::string::npos, fixture.rover().c_str());
-        fixture.type("Inertia", QStringLiteral("0.01"), "field3"); // of the products one brings the others
+        fixture.type("Inertia", QStringLiteral("0.01"), "field3"); // one product of inertia adds the other two
         fixture.type("Inertia", QString(), "field5");
         QVERIFY(fixture.field("Inertia", "field0"));
     }
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(fixture.text().find("Resistance=2.1") != std::string::npos);
         fixture.selection.select("Surface.rubber");
         for (int i = 0; i < 30; ++i)
-            QTest::keyClick(fixture.field("Restitution"), Qt::Key_PageDown); // down to the limit and no further
+            QTest::keyClick(fixture.field("Restitution"), Qt::Key_PageDown); // stops at the limit
         QCOMPARE(fixture.shown("Restitution"), QStringLiteral("0"));
         QVERIFY(!fixture.field("Restitution")->refused());
     }
@@ -165,7 +165,7 @@ private Q_SLOTS:
         QVERIFY(fixture.open(kRobots));
         auto* solver = fixture.field<QComboBox>("Solver");
         QVERIFY(solver);
-        // A default is faint in its row; in the list one has to read the words, also on the accent colour.
+        // A default is faint in its row; in the popup list its text must be readable, also on the accent colour.
         solver->showPopup();
         EVENTUALLY(solver->view()->isVisible());
         const QAbstractItemView& list = *solver->view();
@@ -191,7 +191,7 @@ private Q_SLOTS:
         pick->menu()->actions().at(2)->trigger();
         QVERIFY(fixture.rover().find("Mass=2 Material=red") != std::string::npos);
         fixture.selection.select("RobotConfig.Rover.touch");
-        pick = fixture.field<QToolButton>("Geom", "pick"); // a list: picking adds and takes out
+        pick = fixture.field<QToolButton>("Geom", "pick"); // a list property: picking toggles an entry
         Q_EMIT pick->menu()->aboutToShow();
         pick->menu()->actions().at(1)->trigger();
         QVERIFY2(fixture.rover().find("Geom=chassis.hull,leftWheel.tyre") != std::string::npos, fixture.rover().c_str());
@@ -270,7 +270,7 @@ private Q_SLOTS:
             return label && label->isVisible() ? label->text() : QString();
         };
         QVERIFY2(words("Resistance").contains(QStringLiteral("override here; Rover has 2 ohm")), qPrintable(words("Resistance")));
-        QVERIFY(words("MaxVoltage").isEmpty()); // the config's own
+        QVERIFY(words("MaxVoltage").isEmpty()); // the config's own value
         Q_EMIT fixture.field<QLabel>("Resistance", "override")->linkActivated(QStringLiteral("push"));
         QVERIFY(fixture.rover().find("leftAxle TorqueConstant=0.02 SpeedConstant=50 Resistance=3") != std::string::npos);
         QVERIFY(fixture.text().find("Resistance") == std::string::npos);
@@ -287,7 +287,7 @@ private Q_SLOTS:
         QVERIFY2(words("param.track").contains(QStringLiteral("Rover has 0.25")), qPrintable(words("param.track")));
     }
 
-    /// Before anything is changed the header says where it goes.
+    /// Before a change the header shows where it will be written.
     void headerShowsTargetOfChange() {
         PropertiesFixture fixture;
         QVERIFY(fixture.open(kRobots));

@@ -1,4 +1,4 @@
-// Rows while an experiment runs: what waits for a reset reports it, and a paused robot shows where it is.
+// Property rows during a run: values that need a reset are marked, and a paused robot shows its current pose.
 #include <fstream>
 #include <set>
 
@@ -46,14 +46,14 @@ struct RunningFixture {
         const auto* found = panel.findChild<QWidget*>(QStringLiteral("row.") + QLatin1String(row));
         return found ? found->findChild<QLabel*>(QLatin1String(which)) : nullptr;
     }
-    /// Whether the row's sign says that its value is there after a reset.
+    /// True if the row is marked as applied at the next reset.
     bool waits(const char* row) const {
         const auto* found = panel.findChild<QWidget*>(QStringLiteral("row.") + QLatin1String(row));
         const auto* mark = found ? found->findChild<QToolButton*>(QStringLiteral("mark")) : nullptr;
         return mark && mark->toolTip().contains(QStringLiteral("after a reset"));
     }
     QTreeWidget* live() const { return panel.findChild<QTreeWidget*>(QStringLiteral("liveValues")); }
-    /// "0.098 m/s"; "(none)" where no such value is shown.
+    /// "0.098 m/s"; "(none)" if no such value is shown.
     QString value(const char* name) const {
         const QList<QTreeWidgetItem*> found = live()->findItems(QLatin1String(name), Qt::MatchExactly);
         return found.isEmpty() || !live()->isVisible() ? QStringLiteral("(none)")
@@ -76,7 +76,7 @@ private Q_SLOTS:
         EVENTUALLY(now("Pos")->isVisible());
         QCOMPARE(now("Pos")->text().simplified(), QStringLiteral("now 0.000 0.000 19.999"));
         QVERIFY(!now("Config")->isVisible());
-        fixture.session.run(); // and so it does while it runs
+        fixture.session.run(); // also while it runs
         EVENTUALLY(fixture.session.state() == RunState::Running &&
                    now("Pos")->text().simplified() != QStringLiteral("now 0.000 0.000 19.999"));
         QVERIFY(now("Pos")->isVisible());
@@ -92,15 +92,15 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(fixture.value("speed"), QStringLiteral("0.098 m/s"));
         QCOMPARE(fixture.value("position"), QStringLiteral("0.000 0.000 19.999 m"));
         QCOMPARE(fixture.value("HPR"), QStringLiteral("0.000 0.000 0.000 °"));
-        fixture.selection.select("crate.box.hull"); // a geom goes with its body
+        fixture.selection.select("crate.box.hull"); // the rows of a geom show its body
         QCOMPARE(fixture.value("velocity"), QStringLiteral("0.000 0.000 -0.098 m/s"));
-        fixture.selection.clear(); // the run itself
+        fixture.selection.clear(); // no selection: the rows of the run
         QCOMPARE(fixture.value("ticks"), QStringLiteral("1"));
         fixture.session.step();
         EVENTUALLY_EQUAL(fixture.value("ticks"), QStringLiteral("2"));
         QVERIFY(fixture.document.setValues(QStringLiteral("Rename"), {{"crate.Pos", "0,0,21"}}).ok());
         fixture.selection.select("crate");
-        QCOMPARE(fixture.value("speed"), QStringLiteral("0.196 m/s")); // the run's, not the text's
+        QCOMPARE(fixture.value("speed"), QStringLiteral("0.196 m/s")); // of the run, not of the text
         fixture.session.reset();
         EVENTUALLY(!fixture.live()->isVisible());
     }
@@ -133,7 +133,7 @@ private Q_SLOTS:
         fixture.session.step();
         EVENTUALLY_EQUAL(fixture.session.time(), 0.02);
         QCoreApplication::processEvents();
-        QCOMPARE(lines(), narrow); // no line comes or goes with a value
+        QCOMPARE(lines(), narrow); // no line appears or disappears when a value changes
         fixture.panel.resize(420, 600);
         EVENTUALLY(lines().size() < narrow.size());
         QVERIFY(!fixture.live()->findItems(QStringLiteral("angular rate"), Qt::MatchExactly)[0]->isFirstColumnSpanned());
@@ -178,7 +178,7 @@ private Q_SLOTS:
         QCOMPARE(count("crate.box.hull"), 1);
         fixture.selection.select("crate");
         QCOMPARE(count("speed"), 1);
-        QCOMPARE(count("crate"), 0); // the panel's own heading says whose they are
+        QCOMPARE(count("crate"), 0); // the panel's own heading names the object
     }
 
     void aPlacedRobotShowsWhereItWasPut() {
@@ -206,7 +206,7 @@ private Q_SLOTS:
             return all;
         };
         QList<QRect> before;
-        do { // until it is laid out: a scroll bar may come and go
+        do { // waits for the layout: a scroll bar may appear or disappear
             before = places();
             for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
         } while (places() != before);
@@ -254,7 +254,7 @@ private Q_SLOTS:
         EVENTUALLY(fixture.waits("Tick"));
         QVERIFY(!fixture.waits("Duration"));
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-        QCOMPARE(places(), before); // no row moves for it
+        QCOMPARE(places(), before); // no row moves
         fixture.session.reset();
         EVENTUALLY(!fixture.waits("Tick"));
     }

@@ -155,7 +155,7 @@ private Q_SLOTS:
         count.minimum = 1;
         count.maximum = 10;
         QCOMPARE(Scrub::of("3", &count)->after(4), std::string("7"));
-        Property loss; // its range ends at 0
+        Property loss; // its upper limit is 0
         loss.minimum = -200;
         loss.maximum = 0;
         QCOMPARE(Scrub::of("0", &loss)->after(-50), std::string("-0.5"));
