@@ -1,4 +1,4 @@
-// The link budget of the Radio dock against frames of the run, the run's own links, and what theory says.
+// The link budget of the Radio dock agrees with received frames, with the links of the run, and with theory.
 
 #include <QComboBox>
 #include <QLabel>
@@ -50,9 +50,9 @@ private Q_SLOTS:
         choose({"motes_2", "target.board.batteries"});
         QCOMPARE(budget().from(), QStringLiteral("motes_2/radio"));
         QCOMPARE(budget().to(), QStringLiteral("target/radio"));
-        choose({"floor"}); // no radio: nothing changes
+        choose({"floor"}); // not a radio: the choice stays
         QCOMPARE(budget().from(), QStringLiteral("motes_2/radio"));
-        // What is chosen by hand stays through edits, until two others are selected.
+        // A choice made by hand stays after edits, until two other radios are selected.
         auto* to = m_window->find<QComboBox>("budgetTo");
         to->setFocus();
         QTest::keyClicks(to, QStringLiteral("deaf"));
@@ -89,7 +89,7 @@ private Q_SLOTS:
             budget().choose(from, to, r.outputPower);
             const QByteArray who = (from + u' ' + to).toUtf8();
             QVERIFY2(std::abs(report().outputPower - r.outputPower) < 1e-9, who);
-            QVERIFY2(std::abs(report().link.power - r.link.power) < 0.01, who); // they settled by some micrometres meanwhile
+            QVERIFY2(std::abs(report().link.power - r.link.power) < 0.01, who); // the motes settled by some micrometres meanwhile
             QVERIFY2(std::abs(sumOf(report()) - report().link.power) < 1e-9, who);
             QVERIFY2(std::abs(report().rssi - r.rssi) <= 1 &&
                          (report().rssi == r.rssi || std::abs(std::remainder(report().link.power, 1)) > 0.48),
@@ -97,7 +97,7 @@ private Q_SLOTS:
             QVERIFY2(std::abs(report().link.wallLoss - r.link.wallLoss) < 1e-9, who);
             QVERIFY2((report().margin < 0) == (r.outcome == ReceptionOutcome::TooWeak), who);
             walled = walled || r.link.wallLoss > 0;
-            // and that is what is to be read
+            // The label shows the same value.
             const QString shown = m_window->find<QLabel>("budgetTerm6")->text();
             QCOMPARE(shown, QStringLiteral("%1 dBm").arg(report().link.power, 0, 'f', 1));
         }
@@ -120,7 +120,7 @@ private Q_SLOTS:
                 QCOMPARE(report().link.wallLoss, expected.wallLoss);
                 QCOMPARE(report().margin, report().link.power + 94);
             }
-        // An edit is seen without a run.
+        // An edit changes the budget without a run.
         budget().choose(QStringLiteral("target/radio"), QStringLiteral("deaf/radio"));
         const double before = report().link.distance;
         QVERIFY(m_window->document.setValues(QStringLiteral("Move"), {{"deaf.Pos", "0, 30, 0"}}).ok());
@@ -140,7 +140,7 @@ Robot mote { Config=TmoteSky Pos=3,0,0 }
         QVERIFY(m_window->settled());
         choose({"mote", "robot0"});
         const LinkReport start = report();
-        QVERIFY(m_window->runTo(300)); // it turned by some 80 degrees
+        QVERIFY(m_window->runTo(300)); // it turned by about 80 degrees
         QVERIFY(std::abs(report().link.receiveGain - start.link.receiveGain) > 3);
         QVERIFY(std::abs(report().link.sendGain - start.link.sendGain) < 3);
         const auto run = m_window->headless(300);
@@ -159,7 +159,7 @@ Robot mote { Config=TmoteSky Pos=3,0,0 }
         const LinkReport there = report();
         QTest::mouseClick(m_window->find<QToolButton>("budgetSwap"), Qt::LeftButton);
         QCOMPARE(budget().from(), QStringLiteral("motes_5/radio"));
-        QCOMPARE(report().link.power, there.link.power); // Friis, to the last bit
+        QCOMPARE(report().link.power, there.link.power); // the Friis equation, exactly
         QCOMPARE(report().link.sendGain, there.link.receiveGain);
 
         auto* levels = m_window->find<QComboBox>("budgetLevel");

@@ -1,4 +1,4 @@
-// The dock changes no bit of a run, and exports the bytes that the run's own logs hold.
+// The Radio dock changes no bit of a run, and exports the same bytes as the run's own logs.
 
 #include "editor/radios/radio_window.h"
 #include "eventually.h"
@@ -30,7 +30,7 @@ private Q_SLOTS:
         QVERIFY(window.model().frameCount() > 500);
         QCOMPARE(window.model().frameCount(), alone.trace->records.size());
 
-        // What is exported is what the logs of both runs hold.
+        // The export equals the logs of both runs.
         const QString csv = window.folder.filePath(QStringLiteral("mine.csv")),
                       pcap = window.folder.filePath(QStringLiteral("mine.pcap"));
         window.panel.packets().exportTo(csv);
@@ -56,7 +56,7 @@ private Q_SLOTS:
         QVERIFY(window.runTo(140));
         QVERIFY(window.model().frameCount() > early);
         QCOMPARE(window.model().frameCount(), window.headless(140).trace->records.size());
-        // A new run begins with none.
+        // A new run starts without frames.
         window.session.reset();
         QVERIFY(window.runTo(70));
         QCOMPARE(window.model().frameCount(), early);
@@ -90,12 +90,12 @@ private Q_SLOTS:
         window.panel.show();
         dock.show();
         QVERIFY(QTest::qWaitForWindowExposed(&dock));
-        window.panel.move(-2000, 0); // as a dock behind another one
+        window.panel.move(-2000, 0); // invisible, like a dock behind another one
         window.session.setSpeed(0);
         window.session.runFor(0.7);
         QTRY_COMPARE_WITH_TIMEOUT(window.session.state(), RunState::Paused, 60000);
         QVERIFY(window.panel.isVisible());
-        QCOMPARE(window.model().frameCount(), std::size_t(0)); // nobody looks: nothing is drawn
+        QCOMPARE(window.model().frameCount(), std::size_t(0)); // invisible: nothing is fetched
         window.panel.move(0, 0);
         EVENTUALLY_EQUAL(window.model().frameCount(), window.headless(70).trace->records.size());
         window.panel.setParent(nullptr);

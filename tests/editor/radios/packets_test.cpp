@@ -1,4 +1,4 @@
-// The packets of the Radio dock, looked at and worked with.
+// The packet list of the Radio dock: rows, filters, search, details and export.
 
 #include <QClipboard>
 #include <QComboBox>
@@ -24,7 +24,7 @@ class RadioPacketsTest : public QObject {
 
     QString cell(int row, PacketModel::Column column) { return m_window->model().index(row, column).data().toString(); }
     int rows() { return m_window->model().rowCount(); }
-    /// Of all that is kept.
+    /// Counts the matching packets of all that are stored.
     template <class Is> int count(const Is& is) {
         const PacketFilter before = m_window->model().filter();
         m_window->model().setFilter({});
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QTest::mouseClick(bufferFull, Qt::LeftButton);
         QCOMPARE(rows(), weak + full);
         QVERIFY(m_window->find<QLabel>("radioCounts")->text().contains(QStringLiteral(" of ")));
-        QVERIFY(m_window->runTo(150)); // those that come are filtered too
+        QVERIFY(m_window->runTo(150)); // new packets are filtered too
         QCOMPARE(rows(), count([](const FrameRecord& r) {
                      return r.outcome == ReceptionOutcome::TooWeak || r.outcome == ReceptionOutcome::BufferFull;
                  }));
@@ -172,7 +172,7 @@ private Q_SLOTS:
             return frame ? QByteArray(reinterpret_cast<const char*>(frame->bytes.data()) + 9, qsizetype(r.bytes)) : QByteArray();
         };
         const QByteArray reported = payload(m_window->model().record(all - 1));
-        QVERIFY(reported.startsWith('\xb1')); // a mote's beacon
+        QVERIFY(reported.startsWith('\xb1')); // beacon of a mote
         QTest::keyClicks(search, QString::fromLatin1(reported.toHex(' ')));
         QCOMPARE(rows(), count([&](const FrameRecord& r) { return payload(r).contains(reported); }));
         QVERIFY(rows() > 0 && rows() < all);
@@ -198,7 +198,7 @@ private Q_SLOTS:
         const QByteArray payload(reinterpret_cast<const char*>(frame->bytes.data()) + 9, qsizetype(r.bytes));
         QVERIFY2(bytes->toPlainText().contains(QString::fromLatin1(payload.toHex(' '))), qPrintable(bytes->toPlainText()));
         QVERIFY(m_window->find<QLabel>("radioFacts")->text().contains(QString::fromUtf8(outcomeName(r.outcome).data())));
-        // Copied, it is the row of the log.
+        // Copied as text, a packet is its row of the log.
         auto* view = m_window->find<QTableView>("radioFrames");
         QTest::keySequence(view, QKeySequence::Copy);
         const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
@@ -270,7 +270,7 @@ private Q_SLOTS:
         QCOMPARE(counts->text(), QStringLiteral("newest 20,000 packets"));
         QVERIFY(counts->toolTip().startsWith(QStringLiteral("%L1 others were dropped").arg(before - 10)));
         QStringList seen;
-        for (int width = 1000; width >= 300; width -= 10) { // whatever the room: nothing of it is cut off
+        for (int width = 1000; width >= 300; width -= 10) { // at any width, nothing is clipped
             m_window->panel.resize(width, 320);
             QTRY_VERIFY2(!counts->isVisible() || counts->width() >= counts->sizeHint().width(),
                          qPrintable(QString::number(width)));
@@ -278,7 +278,7 @@ private Q_SLOTS:
         }
         QVERIFY2(seen.contains(QStringLiteral("newest 20,000")), qPrintable(seen.join(u'|')));
         m_window->panel.resize(1000, 320);
-        many.droppedRecords = 7; // nobody had fetched them in time
+        many.droppedRecords = 7; // records lost because they were not fetched in time
         many.records.assign(2 * PacketModel::kMaxFrames, one);
         m_window->panel.packets().add(many);
         QCOMPARE(model.frameCount(), PacketModel::kMaxFrames);

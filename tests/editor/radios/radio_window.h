@@ -1,5 +1,5 @@
 #pragma once
-// The Radio dock of one document and its run, as a window has them.
+// Fixture: the Radio dock over one document and its run, connected as in the main window.
 
 #include <QtTest>
 
@@ -19,7 +19,7 @@ struct RadioWindow : SessionFixture {
         (void)QTest::qWaitForWindowExposed(&panel);
         QObject::connect(&panel, &RadiosPanel::messageRequested, [this](const QString& words) { reportOf.push_back(words); });
     }
-    /// Runs until it has so many ticks and stands; everything is shown then.
+    /// Runs until the given tick, pauses and waits until everything is shown.
     [[nodiscard]] bool runTo(std::uint64_t ticks) {
         session.setSpeed(0);
         const std::uint64_t before = tick();
@@ -31,7 +31,7 @@ struct RadioWindow : SessionFixture {
     }
     [[nodiscard]] PacketModel& model() { return panel.packets().model(); }
     template <class T> [[nodiscard]] T* find(const char* name) { return panel.findChild<T*>(QLatin1String(name)); }
-    /// The same run without a window, with all that flew.
+    /// The same run without a window, with all its packets.
     struct Headless {
         std::unique_ptr<Runner> runner;
         std::shared_ptr<RadioTrace> trace;
@@ -57,7 +57,7 @@ struct RadioWindow : SessionFixture {
     std::vector<QString> reportOf;
 };
 
-/// Six motes in two rows and a target that they report, a deaf one and one far away.
+/// Six motes in two rows, a target that they report, one mote that never sends and one out of range.
 inline const QByteArray kMotes = R"(Tick = 0.01  Duration = 2
 #import robots/tmote_sky.sim
 #import arenas/open_floor.sim

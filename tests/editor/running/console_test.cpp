@@ -18,7 +18,7 @@ using namespace trundle;
 
 namespace {
 
-/// A controller that publishes, and ends the run with words that look like markup.
+/// A controller that publishes, and ends the run with a message that looks like markup.
 const QByteArray kCountingRobot = "Tick = 0.01\n#import robots/simple_robot.sim\n#loadModule publishing/publishing\n"
                                   "Robot robot0 { Config=SimpleRobot Counter brain { End=3 Reason=\"<b>there\\nnow\" } }\n"
                                   "SignalLog counts { Signals=\"robot0/brain/*\" File=counts.csv }\n";
@@ -45,12 +45,12 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), 100'000);
         QCOMPARE(textAt(model, 0), QStringLiteral("line 20000"));
         QCOMPARE(textAt(model, 99'999), QStringLiteral("line 119999"));
-        model.append(lines("robot0", 250'000, 120'000), 0); // more at once than there is room for
+        model.append(lines("robot0", 250'000, 120'000), 0); // more than the buffer holds, at once
         QCOMPARE(model.rowCount(), 100'000);
         QCOMPARE(textAt(model, 99'999), QStringLiteral("line 369999"));
     }
 
-    /// Words of a module: no markup, no line of its own.
+    /// A module's message is shown on one line, without markup.
     void showsWhoFinishedTheRun() {
         SessionFixture o;
         OpenOptions options = o.document.options();
@@ -93,12 +93,12 @@ private Q_SLOTS:
                      0);
         QCOMPARE(model.robots(), (QStringList{QStringLiteral("robot0"), QStringLiteral("robot1")}));
         model.setFilter(QStringLiteral("robot0"), {});
-        QCOMPARE(model.rowCount(), 2); // with its devices
+        QCOMPARE(model.rowCount(), 2); // the robot with its devices
         model.setFilter(QStringLiteral("robot0"), QStringLiteral("too FAST"));
         QCOMPARE(model.rowCount(), 1);
         model.setFilter({}, QStringLiteral("touch"));
         QCOMPARE(model.rowCount(), 2);
-        model.append(lines("robot7", 10), 0); // nothing of it fits
+        model.append(lines("robot7", 10), 0); // none of the lines fits
         QCOMPARE(model.rowCount(), 2);
         model.setFilter(ConsoleModel::kRunItself, {});
         QCOMPARE(model.rowCount(), 1);
@@ -151,7 +151,7 @@ private Q_SLOTS:
         panel.model().append(lines("robot0", 5, 600), 0);
         EVENTUALLY_EQUAL(bar->value(), bar->maximum());
         const int before = bar->maximum();
-        panel.resize(600, 120); // another layout leaves it less room
+        panel.resize(600, 120); // another layout can make it smaller
         EVENTUALLY(bar->maximum() > before);
         QCOMPARE(bar->value(), bar->maximum());
     }
@@ -187,7 +187,7 @@ private Q_SLOTS:
         QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("[0.02 robot1] line 2"));
         QTest::mouseClick(panel.findChild<QToolButton*>(QStringLiteral("consoleClear")), Qt::LeftButton);
         QCOMPARE(panel.model().lineCount(), 0u);
-        QCOMPARE(robots->currentText(), QStringLiteral("robot1")); // the choice stays
+        QCOMPARE(robots->currentText(), QStringLiteral("robot1")); // the choice is kept
     }
 
     void showsControllerOutput() {

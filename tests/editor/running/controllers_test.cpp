@@ -48,11 +48,11 @@ class ControllersTest : public QObject {
         return {};
     }
     static std::string textOf(const SessionFixture& o) { return *o.document.text(o.document.path()); }
-    /// A module of the program, copied where it is not trusted.
+    /// Copies a module of the program to a folder that is not trusted.
     static QString copiedModule(const SessionFixture& o, const char* name, const char* as) {
         return copied(o, QStringLiteral("lib/trundle/controllers/lib") + QLatin1String(name), as);
     }
-    /// The test's module as it was before or after a change, written over the one that is there.
+    /// Copies the test's module, built before or after a change, over the one in the project.
     static QString builtModule(const SessionFixture& o, const char* version) {
         return copied(o, QStringLiteral("tests/modules/rebuilt/lib") + QLatin1String(version), "mind");
     }
@@ -61,7 +61,7 @@ class ControllersTest : public QObject {
         const QString to = o.path("mine/lib") + QLatin1String(as) + QStringLiteral(".so");
         for (const char* ending : {".so", ".so.kinds.json"}) {
             QFile source(QStringLiteral(TRUNDLE_BINARY_DIR "/") + from + QLatin1String(ending));
-            QFile target(to.chopped(3) + QLatin1String(ending)); // the same file, as cp does
+            QFile target(to.chopped(3) + QLatin1String(ending)); // overwrites the same file, as cp does
             if (!source.open(QIODevice::ReadOnly) || !target.open(QIODevice::WriteOnly)) return {};
             target.write(source.readAll());
         }
@@ -109,7 +109,7 @@ private Q_SLOTS:
         const std::string text = textOf(o);
         QVERIFY2(text.find("#loadModule controllers/random_drive") != std::string::npos, text.c_str());
         QVERIFY2(text.find("RandomDrive brain { UpdatePeriod=0.05 Speed=0.2 }") != std::string::npos,
-                 text.c_str()); // what both mean alike
+                 text.c_str()); // the properties that both controllers have
         QVERIFY2(text.starts_with("// a team\n"), text.c_str());
         QVERIFY(!o.document.loaded()->diagnostics.hasErrors());
         for (const RobotSpec& robot : o.document.loaded()->experiment->robots) {
@@ -122,7 +122,7 @@ private Q_SLOTS:
 
         QVERIFY(commands.assign({"leader"}, choice(commands, "BumpAndTurn")));
         QSignalSpy refused(&o.document, &Document::refused);
-        QVERIFY(!commands.assign({"leader"}, choice(commands, "BumpAndTurn"))); // has it
+        QVERIFY(!commands.assign({"leader"}, choice(commands, "BumpAndTurn"))); // it has it already
         QCOMPARE(refused.size(), 1);
     }
 
@@ -165,7 +165,7 @@ private Q_SLOTS:
         QCOMPARE(commands.modules().size(), 2u);
         QVERIFY2(commands.modules()[1].trusted, qPrintable(commands.modules()[1].trouble));
         QCOMPARE(ControllerCommands::recent(), QStringList{library});
-        QVERIFY(!commands.load(library)); // it is there
+        QVERIFY(!commands.load(library)); // it is loaded already
         QCOMPARE(asked.size(), 2);
         QVERIFY(commands.assign({"idle"}, choice(commands, "RandomDrive")));
         QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
@@ -195,7 +195,7 @@ private Q_SLOTS:
         const Locations& places = o.session.application().locations();
         QCOMPARE(writtenFor(library, *o.document.loaded(), places, {libraries.path().toStdString()}), std::string("drives/wander"));
         QCOMPARE(writtenFor(library, *o.document.loaded(), places), libraries.filePath(QStringLiteral("drives/wander")).toStdString());
-        // The project was opened through a link: the folder is the same.
+        // The project was opened through a link to the folder.
         QVERIFY(QFile::link(o.folder.path(), libraries.filePath(QStringLiteral("link"))));
         QCOMPARE(writtenFor(libraries.filePath(QStringLiteral("link/mine/libwander.so")).toStdString(), *o.document.loaded(), places),
                  std::string("mine/wander"));
@@ -213,7 +213,7 @@ private Q_SLOTS:
         panel.show();
         QVERIFY(panel.findChild<QLabel*>(QStringLiteral("controllersNotice"))->isVisible());
         QVERIFY(o.session.refusal().contains(QStringLiteral("trust")));
-        QVERIFY(!o.session.refusal().contains(QStringLiteral("--trust"))); // words of another program
+        QVERIFY(!o.session.refusal().contains(QStringLiteral("--trust"))); // the hint of the command line
         const auto modules = panel.commands().modules();
         QCOMPARE(modules.size(), 1u);
         QVERIFY(!modules[0].trusted);
@@ -226,7 +226,7 @@ private Q_SLOTS:
         o.session.setSpeed(0);
         o.session.run();
         EVENTUALLY(o.session.time() > 0.1);
-        // Trust that is withdrawn holds from the next reading on.
+        // Removed trust takes effect at the next load.
         TrustedFolders::remove(QFileInfo(library).absolutePath());
         panel.commands().applyTrust();
         QVERIFY(!o.session.refusal().isEmpty());
@@ -252,7 +252,7 @@ private Q_SLOTS:
         QVERIFY(!commands.load(file.fileName()));
         QCOMPARE(refused.size(), 1);
         QVERIFY(!commands.load(o.path("nowhere.so")));
-        QVERIFY(!TrustedFolders::covers(o.folder.path())); // nobody was asked for that
+        QVERIFY(!TrustedFolders::covers(o.folder.path())); // the user was not asked for it
         QVERIFY(!o.document.isModified());
     }
 
@@ -268,10 +268,10 @@ private Q_SLOTS:
         o.session.setSpeed(0);
         o.session.run();
         EVENTUALLY(o.session.time() > 0.1);
-        QVERIFY(!copiedModule(o, "bump_and_turn", "mind").isEmpty()); // built anew, with another controller
+        QVERIFY(!copiedModule(o, "bump_and_turn", "mind").isEmpty()); // rebuilt, with another controller
         commands.reload();
         QCOMPARE(o.session.state(), RunState::Start);
-        QVERIFY(!o.session.refusal().isEmpty()); // there is no RandomDrive any more
+        QVERIFY(!o.session.refusal().isEmpty()); // RandomDrive is no longer in the module
         QCOMPARE(commands.modules()[0].kinds, std::vector<std::string>{"BumpAndTurn"});
         const std::string text = textOf(o);
         QVERIFY(o.document
@@ -301,7 +301,7 @@ private Q_SLOTS:
         EVENTUALLY(o.session.time() > then + 1);
         o.session.reset();
         QSignalSpy refused(&o.session, &RunSession::refused);
-        o.session.run(); // 1 is no pace any more
+        o.session.run(); // 1 is not a valid pace any more
         QCOMPARE(refused.size(), 1);
         QVERIFY2(refused[0][0].toString().contains(QStringLiteral("Pace")), qPrintable(refused[0][0].toString()));
         QCOMPARE(o.session.state(), RunState::Start);
@@ -311,7 +311,7 @@ private Q_SLOTS:
         QVERIFY(reportOf.contains(QStringLiteral("before life 1 pace 1")));
     }
 
-    /// Its thread and its code are still there, under the same name.
+    /// The old module's thread and code stay in memory, under the same name.
     void rebuiltModuleRunsBesideUnresponsiveOne() {
         SessionFixture o;
         TrustedFolders::add(QFileInfo(builtModule(o, "before")).absolutePath());
@@ -359,17 +359,17 @@ private Q_SLOTS:
         Selection selection;
         ControllersPanel panel(o.document, selection, o.session, actions);
         auto* robots = panel.findChild<QTreeWidget*>(QStringLiteral("robotControllers"));
-        QCOMPARE(robots->topLevelItemCount(), 0); // no rows for nobody
+        QCOMPARE(robots->topLevelItemCount(), 0); // no rows without a robot
         panel.show();
         QCOMPARE(robots->topLevelItemCount(), 3);
-        for (int column : {0, 1}) // "swarm (9 robots)" is not cut
+        for (int column : {0, 1}) // "swarm (9 robots)" is not clipped
             EVENTUALLY(robots->columnWidth(column) >=
                        robots->fontMetrics().horizontalAdvance(robots->topLevelItem(2)->text(column)));
         QVERIFY(!actions.at("controllers.assign").isEnabled());
         selection.select("idle.chassis");
         QVERIFY(robots->topLevelItem(1)->isSelected());
         QVERIFY(actions.at("controllers.assign").isEnabled());
-        QVERIFY(!actions.at("controllers.remove").isEnabled()); // there is none
+        QVERIFY(!actions.at("controllers.remove").isEnabled()); // there is nothing to remove
         robots->clearSelection();
         robots->topLevelItem(0)->setSelected(true);
         QCOMPARE(selection.current(), std::string("leader"));
@@ -399,7 +399,7 @@ private Q_SLOTS:
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
         QCOMPARE(made.size(), 0);
-        QVERIFY(actions.at("controllers.remove").isEnabled()); // what a menu shows is known all the same
+        QVERIFY(actions.at("controllers.remove").isEnabled()); // enabled without opening the menu
         panel.show();
         QCOMPARE(robots->topLevelItemCount(), 3);
         QCOMPARE(robots->topLevelItem(0)->text(2), QStringLiteral("runs"));

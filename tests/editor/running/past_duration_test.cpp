@@ -1,4 +1,4 @@
-// A run that goes on past its Duration, and where its logs are.
+// A run continues past its Duration; and the folders of its logs.
 #include <QDir>
 #include <QStandardPaths>
 #include <QtTest>
@@ -33,11 +33,11 @@ private Q_SLOTS:
         o.session.pause();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
         const auto ticks = int(o.tick());
-        QVERIFY(o.session.endRuns()); // the logs are closed
+        QVERIFY(o.session.endRuns()); // closes the logs
         QFile log(o.session.logsAt() + QStringLiteral("/path.csv"));
         QVERIFY(log.open(QIODevice::ReadOnly));
         QVERIFY(log.readAll().count('\n') >= ticks + 2);
-        o.session.run(); // from the start again
+        o.session.run(); // a new run from the start
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QCOMPARE(o.tick(), 5u);
     }
@@ -51,7 +51,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.08"}}).ok());
         QVERIFY(o.session.canResume() && o.session.needsReset());
-        o.session.step(); // goes on with the old world, and reports it
+        o.session.step(); // continues with the old world, and reports it
         EVENTUALLY(o.session.state() == RunState::Paused && o.tick() == 6);
         QCOMPARE(notices.size(), 1);
         QVERIFY2(notices[0].contains(QStringLiteral("without the edits of Duration")), qPrintable(notices[0]));
@@ -62,13 +62,13 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QCOMPARE(o.tick(), 8u);
         QVERIFY(o.document.setValues(QStringLiteral("Set"), {{"Duration", "0.03"}}).ok());
-        o.session.run(); // at its Duration: with the edits, from the start
+        o.session.run(); // At its Duration: restarts, with the edits.
         QVERIFY(!o.session.needsReset());
         EVENTUALLY_EQUAL(o.session.state(), RunState::Ended);
         QCOMPARE(o.tick(), 3u);
         QCOMPARE(notices.size(), 2);
         QVERIFY2(notices[1].contains(QStringLiteral("with the edits of Duration")), qPrintable(notices[1]));
-        o.session.run(); // without edits it goes on
+        o.session.run(); // continues if there are no edits
         EVENTUALLY(o.tick() > 5);
     }
 
@@ -87,8 +87,8 @@ private Q_SLOTS:
             QVERIFY(QFile::exists(folders.back() + QStringLiteral("/path.csv")));
         }
         QVERIFY2(folders[0] != folders[1], qPrintable(folders[0]));
-        QCOMPARE(folders[2], folders[0]); // the same experiment has the same folder again
-        QVERIFY(one.document.openNew("untitled.sim", text).ok()); // another one
+        QCOMPARE(folders[2], folders[0]); // the same experiment has the same log folder again
+        QVERIFY(one.document.openNew("untitled.sim", text).ok()); // another experiment
         one.session.run();
         EVENTUALLY_EQUAL(one.session.state(), RunState::Ended);
         QVERIFY(!folders.contains(one.session.logsAt()));

@@ -1,5 +1,5 @@
-// A run whose cameras are drawn less well than they should be reports it, once. A program of its own: Mesa looks at these variables
-// when it starts, and gives out an OpenGL without smooth edges under the name of a graphics card.
+// A run whose camera images have reduced quality reports it once. A program of its own: Mesa reads these variables at start, and
+// then offers an OpenGL without antialiasing under the name of a graphics card.
 #include <QtTest>
 
 #include <trundle/abi.h>
@@ -40,7 +40,7 @@ FrameLog film { View=inside Size=64,48 Interval=0.1 }
         QVERIFY(!o.session.end()->failure);
         QCOMPARE(warnings, QStringList(QStringLiteral("the rich look is not available, so pictures have the fast one: "
                                                       "OpenGL has no 4 samples for a pixel")));
-        // What could not be drawn at all is a problem.
+        // If images cannot be drawn at all, that is a problem.
         QCOMPARE(o.session.problems().size(), 1u);
         QCOMPARE(QString::fromStdString(o.session.problems().front().message),
                  QStringLiteral(

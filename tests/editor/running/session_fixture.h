@@ -1,5 +1,5 @@
 #pragma once
-// A document of a text in a folder of its own, and its run.
+// Fixture: a document with a text in a temporary folder, and its run.
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -22,7 +22,7 @@ struct SessionFixture {
         file.close();
         return document.open(path(name).toStdString()).ok();
     }
-    /// The experiment of the configs, copied so that logs go into the folder.
+    /// Opens a copy of the experiment of configs/, so that logs go to the temporary folder.
     bool openSample(const char* name) {
         QFile sample(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/") + QLatin1String(name));
         return sample.open(QIODevice::ReadOnly) && open(sample.readAll(), name);
@@ -30,7 +30,7 @@ struct SessionFixture {
     [[nodiscard]] std::uint64_t tick() const { return session.snapshot() ? session.snapshot()->tick : 0; }
 };
 
-/// One robot that its controller leaves alone, on a floor.
+/// One robot on a floor, with a controller that does not move it.
 inline const QByteArray kStandingRobot = R"(Tick = 0.01
 #import robots/simple_robot.sim
 #import arenas/medium_arena.sim

@@ -47,7 +47,7 @@ private Q_SLOTS:
         QCOMPARE(s.state(), RunState::Start);
         QCOMPARE(s.time(), 0.0);
         QVERIFY(!s.poses());
-        s.step(); // from the start: one tick, then it stands
+        s.step(); // starts the run, makes one tick and pauses
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         QCOMPARE(o.tick(), 1u);
         QCOMPARE(s.poses()->size(), 3u);
@@ -84,7 +84,7 @@ private Q_SLOTS:
         const auto shot = o.session.snapshot();
         QCOMPARE(QStringLiteral("state-hash %1 tick %2").arg(*shot->hash, 16, 16, QLatin1Char('0')).arg(shot->tick), reportOf);
 
-        // And the logs are the same, where the command line puts them by default.
+        // The logs are the same, and are in the default folder of the command line.
         const QDir here(o.folder.filePath(QStringLiteral("logs/") + QFileInfo(name).completeBaseName()));
         const QDir there(o.folder.filePath(QStringLiteral("cli")));
         const QStringList files = there.entryList({QStringLiteral("*.csv")});
@@ -105,11 +105,11 @@ private Q_SLOTS:
             return o.application->makeRunner(*loaded, std::move(options), problems);
         };
         LiveRun::Options options;
-        options.speed = 10; // fast, and yet not at its end before all is reported
+        options.speed = 10; // fast, but not finished before all commands are given
         LiveRun run(maker, options);
         const auto tick = [&] { return run.snapshot() ? run.snapshot()->tick : 0; };
         run.run();
-        EVENTUALLY(tick() > 50); // from here on the moments are those of this machine
+        EVENTUALLY(tick() > 50); // the following times depend on the machine
         run.keepPushing(PushCommand{"robot0/chassis", {0, 0.5, 0}, {0, 0, 0.1}});
         run.command(PropertyCommand{"robot0/leftMotor", "Resistance", {PropertyType::Number, {4}, {}}});
         run.command(PropertyCommand{"robot0/brain", "Speed", {PropertyType::Number, {0.1}, {}}});
@@ -138,12 +138,12 @@ private Q_SLOTS:
         std::vector<Command> commands = run.commands();
         QCOMPARE(again(commands, shot->tick), *shot->hash);
         std::erase_if(commands, [](const Command& c) { return std::holds_alternative<PropertyCommand>(c.what); });
-        QVERIFY(again(commands, shot->tick) != *shot->hash); // a motor and a controller did take their new values
+        QVERIFY(again(commands, shot->tick) != *shot->hash); // the motor and the controller took their new values
     }
 
     void isRefusedWhileTheTextHasErrors() {
         SessionFixture o;
-        QVERIFY(o.session.refusal().contains(QStringLiteral("open"))); // nothing is
+        QVERIFY(o.session.refusal().contains(QStringLiteral("open"))); // no document is open
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("SimpleRobot", "SimpleRobt")));
         QSignalSpy refused(&o.session, &RunSession::refused);
         o.session.run();
@@ -185,8 +185,8 @@ private Q_SLOTS:
         QVERIFY(!o.session.end()->body.empty());
         QVERIFY(o.session.end()->time > 0);
         QCOMPARE(o.session.problems().size(), 1u);
-        QVERIFY(o.session.problems()[0].range.known()); // a place to click
-        QVERIFY(o.session.poses());                     // where it all lies can still be seen
+        QVERIFY(o.session.problems()[0].range.known()); // a source range to click
+        QVERIFY(o.session.poses());                     // the last poses are still shown
         o.session.reset();
         QVERIFY(o.session.state() == RunState::Start && o.session.problems().empty());
     }
@@ -197,7 +197,7 @@ private Q_SLOTS:
         o.session.setSpeed(0);
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
-        int turns = 0; // of the event loop while the run makes 200 ticks
+        int turns = 0; // iterations of the event loop while the run makes 200 ticks
         QTimer idle;
         connect(&idle, &QTimer::timeout, this, [&] { ++turns; });
         idle.start(0);
@@ -233,11 +233,11 @@ private Q_SLOTS:
     void keepsPosesAsStart() {
         SessionFixture o;
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("Robot robot0", "// the one\nRobot robot0")));
-        QVERIFY(!o.session.keepRefusal().isEmpty()); // nothing ran
+        QVERIFY(!o.session.keepRefusal().isEmpty()); // there was no run
         o.session.step();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Paused);
         QVERIFY(o.session.place("robot0", {{1.25, -0.5, 0}, Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()))}));
-        QCOMPARE(o.session.robotPose("robot0")->position.x(), 1.25); // shown before the tick that does it
+        QCOMPARE(o.session.robotPose("robot0")->position.x(), 1.25); // shown before the tick that applies it
         QVERIFY((o.session.poses()->at(0).position - Vec3(1.25, -0.5, 0)).norm() < 0.2);
         o.session.step();
         EVENTUALLY_EQUAL(o.tick(), 2u);
@@ -257,7 +257,7 @@ private Q_SLOTS:
         QVERIFY(o.session.place("robot0", {{1.25, -0.5, -3.91e-5}, Quat::Identity()}));
         o.session.keepPoses();
         const std::string plain = *o.document.text(o.document.path());
-        QVERIFY2(plain.find("Pos=1.25,-0.5,-0.000039 HPR=0,0,0 }") != std::string::npos, plain.c_str()); // as it was written
+        QVERIFY2(plain.find("Pos=1.25,-0.5,-0.000039 HPR=0,0,0 }") != std::string::npos, plain.c_str()); // no exponent
     }
 
     void skipsPoseOfRobotWithReusedName() {
@@ -267,7 +267,7 @@ private Q_SLOTS:
         o.session.step();
         EVENTUALLY(o.session.state() == RunState::Paused && o.session.snapshot()->contacts);
         QVERIFY(o.session.place("robot0", {{1.25, -0.5, 0}, Quat::Identity()}));
-        QVERIFY(!o.session.snapshot()->contacts); // they were where it was before
+        QVERIFY(!o.session.snapshot()->contacts); // they belonged to the previous pose
         const std::string path = o.document.path();
         const auto put = [&](const QByteArray& robot) {
             const QByteArray text =
@@ -312,7 +312,7 @@ private Q_SLOTS:
                            .replace("HPR=0,0,0 }", "HPR=0,0,0 RandomDrive brain { Speed=1 Period=0.05 } }")));
         RunSession& s = o.session;
         s.setSpeed(0);
-        QVERIFY(!s.drive("robot0", 0.2, 0)); // not before it runs
+        QVERIFY(!s.drive("robot0", 0.2, 0)); // only during a run
         s.step();
         EVENTUALLY_EQUAL(s.state(), RunState::Paused);
         QVERIFY(!s.drive("arena", 0.2, 0));
@@ -322,7 +322,7 @@ private Q_SLOTS:
         for (std::uint64_t i = 1; i <= 30; ++i) {
             s.step();
             EVENTUALLY_EQUAL(o.tick(), from + i);
-            QCOMPARE(speed(), 0.2); // a turn of the controller would have changed it
+            QCOMPARE(speed(), 0.2); // the controller would have changed it
         }
         s.stopDriving();
         QVERIFY(s.driven().empty());
@@ -354,7 +354,7 @@ private Q_SLOTS:
         QVERIFY(!s.waitsForReset("robot0.HPR"));
         o.document.undo();
         QVERIFY(!s.needsReset());
-        o.document.undo(); // and back again in the world too
+        o.document.undo(); // undo changes the running world too
         QCOMPARE(resistance(), 2.0);
 
         QVERIFY(o.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.02"}}).ok());
@@ -376,7 +376,7 @@ private Q_SLOTS:
     }
 
     void slipperySurfaceTakesEffectInRun() {
-        // Pushed with less than the rubber holds, it stands; on ice it goes.
+        // A force below the friction of rubber moves nothing; on ice the robot moves.
         const QByteArray text = R"(Tick = 0.01
 Surface skin { Friction = 0.9 }
 StaticConfig Floor { Plane ground { Surface=skin } }
@@ -405,7 +405,7 @@ Robot crate { Config=Block Pos=0,0,0 }
 
     void reportsBuildFailureAndKeepsStart() {
         SessionFixture o;
-        // Two motors of one joint's drive: only building finds that.
+        // Two motors on one drive of a joint: detected only when the world is built.
         QVERIFY(o.open(QByteArray(kStandingRobot).replace("HPR=0,0,0 }", "HPR=0,0,0 base.RightMotor=leftMotor }")));
         QVERIFY2(o.session.refusal().isEmpty(), qPrintable(o.session.refusal()));
         QSignalSpy ended(&o.session, &RunSession::ended);
@@ -435,7 +435,7 @@ Robot crate { Config=Block Pos=0,0,0 }
                 if (i % 4) EVENTUALLY(o.tick() > 5);
                 if (i % 3) o.session.reset();
             }
-            if (i == 0) { // what Qt and libraries keep for good is there by now
+            if (i == 0) { // permanent caches of Qt and libraries exist by now
                 QTest::qWait(0);
                 threads = countIn("/proc/self/task");
                 descriptors = countIn("/proc/self/fd");

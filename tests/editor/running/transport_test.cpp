@@ -53,7 +53,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(label(bar, "transportState"), QStringLiteral("Running"));
         EVENTUALLY(o.session.time() > 0.1);
         EVENTUALLY(label(bar, "transportFactor").endsWith(u'×'));
-        click("transportRun"); // the same button
+        click("transportRun"); // the button pauses now
         EVENTUALLY_EQUAL(label(bar, "transportState"), QStringLiteral("Paused"));
         const double there = o.session.time();
         click("transportStep");
@@ -67,7 +67,7 @@ private Q_SLOTS:
         SessionFixture o;
         Actions actions(kRows);
         TransportBar bar(o.session, actions);
-        QVERIFY(!actions.at("sim.run").isEnabled()); // nothing is open
+        QVERIFY(!actions.at("sim.run").isEnabled()); // no document is open
         QVERIFY(o.open("Robot robot0 { Config=Nobody }\n"));
         QVERIFY(actions.at("sim.run").isEnabled());
         QCOMPARE(label(bar, "transportState"), QStringLiteral("Cannot run"));
@@ -147,16 +147,16 @@ private Q_SLOTS:
         view->setFocus();
         QSignalSpy refused(&o.session, &RunSession::refused);
 
-        QTest::keyPress(view, Qt::Key_Up); // not switched on
+        QTest::keyPress(view, Qt::Key_Up); // driving is switched off
         QTest::keyRelease(view, Qt::Key_Up);
         QCOMPARE(refused.size(), 0);
         actions.at("sim.drive").setChecked(true);
-        QTest::keyPress(view, Qt::Key_Up); // nothing runs
+        QTest::keyPress(view, Qt::Key_Up); // there is no run
         QTest::keyRelease(view, Qt::Key_Up);
         QCOMPARE(refused.size(), 1);
 
         selection.select("robot0.chassis");
-        o.session.setSpeed(2); // as fast as possible it would be at a wall before the next key
+        o.session.setSpeed(2); // as fast as possible it would hit a wall before the next key
         o.session.run();
         EVENTUALLY_EQUAL(o.session.state(), RunState::Running);
         QTest::keyPress(view, Qt::Key_Up);
@@ -169,13 +169,13 @@ private Q_SLOTS:
         QTest::keyRelease(view, Qt::Key_Up);
         QCOMPARE(o.session.driven(), std::string());
 
-        // Where there is one robot alone, no other can be meant.
+        // With a single robot, that robot is driven without being selected.
         selection.select("arena");
         QTest::keyPress(view, Qt::Key_Down);
         QCOMPARE(o.session.driven(), std::string("robot0"));
         QTest::keyRelease(view, Qt::Key_Down);
 
-        // A field that one types into keeps its arrows, and going there lets go of the robot.
+        // A text field keeps its arrow keys, and focusing it stops the driving.
         QTest::keyPress(view, Qt::Key_Up);
         field->setFocus();
         QCOMPARE(o.session.driven(), std::string());

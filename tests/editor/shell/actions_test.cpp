@@ -1,4 +1,4 @@
-// The one table of actions: menus, palette and shortcuts come from it.
+// The action table: menus, the command palette and shortcuts are built from it.
 
 #include <QApplication>
 #include <QComboBox>
@@ -54,7 +54,7 @@ private Q_SLOTS:
             const auto entries = menu->actions();
             if (entries.isEmpty()) continue;
             QVERIFY2(!entries.first()->isSeparator() && !entries.last()->isSeparator(), qPrintable(path));
-            QSet<QChar> letters; // after Alt each finds one entry
+            QSet<QChar> letters; // mnemonics are unique in a menu
             for (const QAction* action : entries) {
                 const qsizetype mark = action->text().indexOf(u'&');
                 if (mark < 0) continue;
@@ -85,7 +85,7 @@ private Q_SLOTS:
         dialog.findChild<QSpinBox*>(QStringLiteral("textFont"))->setValue(17);
         QVERIFY(loadPreferences().fonts == (FontSizes{15, 17}));
         QCOMPARE(changed.count(), 5);
-        choose("themeChoice", 2); // it is that already
+        choose("themeChoice", 2); // it is selected already
         QCOMPARE(changed.count(), 5);
         PreferencesDialog again(actions, nullptr);
         QCOMPARE(again.findChild<QSpinBox*>(QStringLiteral("textFont"))->value(), 17);
@@ -120,7 +120,7 @@ private Q_SLOTS:
         dialog.show();
         auto* filter = dialog.findChild<QLineEdit*>(QStringLiteral("shortcutFilter"));
         QTest::keyClicks(filter, QStringLiteral("undo"));
-        QTest::keyClick(filter, Qt::Key_Return); // neither closes nor changes keys
+        QTest::keyClick(filter, Qt::Key_Return); // neither closes the dialog nor changes shortcuts
         QVERIFY(dialog.isVisible());
         const auto shown = [list] {
             int count = 0;

@@ -1,5 +1,5 @@
-// The window on a real X server under a window manager, with keys and clicks as hardware makes them: where the keyboard goes,
-// drag and drop, closing, and the clipboard that another program sees. xdotool has the hands, openbox manages the windows.
+// The window on a real X server with a window manager, driven by synthetic hardware events: keyboard focus, drag and drop,
+// closing, and the clipboard as another program sees it. xdotool sends the events, openbox is the window manager.
 
 #include <cstdio>
 
@@ -45,13 +45,13 @@ Static arena { Config=Floor }
 Robot robot0 { Config=Rover Pos=0,0,0 }   // the first
 )";
 
-constexpr int kLookMs = 20; // how often a condition is looked at that no signal reports
+constexpr int kLookMs = 20; // polling interval of conditions without a signal, in ms
 
-/// One call of xdotool: "mousemove 10 20 click 1".
+/// Calls xdotool: "mousemove 10 20 click 1".
 bool act(const QString& words) {
     QProcess tool;
     tool.setStandardOutputFile(QProcess::nullDevice());
-    tool.setStandardErrorFile(QProcess::nullDevice()); // it also reports a window manager that is not there yet
+    tool.setStandardErrorFile(QProcess::nullDevice()); // it also reports that the window manager has not started yet
     tool.start(QStringLiteral("xdotool"), words.split(QLatin1Char(' ')));
     return tool.waitForFinished() && tool.exitStatus() == QProcess::NormalExit && tool.exitCode() == 0;
 }
@@ -60,8 +60,7 @@ bool keys(const QString& names) { return act(QStringLiteral("key ") + names); }
 
 bool pointTo(const QPoint& place) { return act(QStringLiteral("mousemove %1 %2").arg(place.x()).arg(place.y())); }
 
-/// Answers the next dialog with keys as soon as it has the keyboard. A dialog runs an event loop of its own, so this looks by a
-/// timer.
+/// Answers the next dialog with keys as soon as it has the focus. Polls with a timer, because a dialog runs its own event loop.
 class Answer final : public QObject {
 public:
     explicit Answer(QMessageBox::StandardButton button) : m_button(button) {
@@ -87,8 +86,8 @@ private:
     QString m_seen;
 };
 
-/// Carries with the mouse button held: goes on towards the place until the target has seen the load exactly there, then lets go.
-/// A drag runs an event loop of its own, so this too looks by a timer.
+/// Drags with the mouse button pressed: moves towards the point until the target has seen the drag exactly there, then releases.
+/// Polls with a timer, because a drag runs its own event loop.
 class Carrier final : public QObject {
 public:
     Carrier(QWidget& target, const QPoint& place) : m_place(place), m_screen(target.mapToGlobal(place)) {
@@ -118,7 +117,7 @@ private:
     bool m_far = false, m_there = false, m_done = false;
 };
 
-/// This program again, as the other one that has to do with the clipboard.
+/// A second process of this program, to share the clipboard with.
 struct OtherProgram : QProcess {
     explicit OtherProgram(const char* task) {
         setProcessChannelMode(ForwardedErrorChannel);
@@ -136,7 +135,7 @@ int readClipboard() {
     return 0;
 }
 
-/// Has the clipboard until its input ends.
+/// Owns the clipboard until standard input ends.
 int ownClipboard() {
     QGuiApplication::clipboard()->setText(QStringLiteral("Robot fromElsewhere { Config=Rover Pos=1,1,0 }\n"));
     QSocketNotifier end(0, QSocketNotifier::Read);
@@ -154,7 +153,7 @@ private Q_SLOTS:
         QGuiApplication::setQuitOnLastWindowClosed(false);
         m_manager.start(QStringLiteral("openbox"), {QStringLiteral("--sm-disable")});
         QVERIFY(m_manager.waitForStarted());
-        // A window manager that is there answers; one that ran before leaves no place for ours, and does as well.
+        // Waits for the window manager. If another one runs already, ours cannot start and that one is used.
         EVENTUALLY(act(QStringLiteral("get_desktop")));
         m_fixture.start();
     }
@@ -171,13 +170,13 @@ private Q_SLOTS:
         if (!m_window) m_window = m_fixture.window();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get(), kTimeoutMs));
-        EVENTUALLY(m_window->frameGeometry().top() < m_window->geometry().top()); // it has its frame, and stays where it is
+        EVENTUALLY(m_window->frameGeometry().top() < m_window->geometry().top()); // it has its frame, so it will not move
         QVERIFY(m_window->open(path()));
         EVENTUALLY(m_window->document().isOpen());
         EVENTUALLY(m_window->viewport().isUpToDate());
     }
     void cleanup() {
-        (void)act(QStringLiteral("mouseup 1")); // whatever went wrong
+        (void)act(QStringLiteral("mouseup 1")); // in case a test failed during a drag
         m_window->document().close();
         if (!m_window->isVisible() || QTest::currentTestFailed()) m_window.reset();
     }
@@ -188,11 +187,11 @@ private Q_SLOTS:
         click(*edit.viewport(), edit.placeOf(0) + QPoint(1, -edit.lineHeight() / 2));
         EVENTUALLY(edit.hasFocus());
         QVERIFY(keys(QStringLiteral("w Delete Right Right Right BackSpace 1")));
-        EVENTUALLY_EQUAL(text().left(5), QByteArray("wic1 ")); // W is a tool, Delete removes objects, elsewhere
+        EVENTUALLY_EQUAL(text().left(5), QByteArray("wic1 ")); // in the text, W is not a tool and Delete removes no objects
         QVERIFY(select.isChecked());
 
         View& view = m_window->viewport().current();
-        click(view, {20, 60}); // the sky
+        click(view, {20, 60}); // an empty part of the view
         EVENTUALLY(view.hasFocus());
         const QByteArray before = text();
         QVERIFY(keys(QStringLiteral("w 7")));
@@ -209,7 +208,7 @@ private Q_SLOTS:
         QVERIFY(field);
         click(*field, field->rect().center());
         EVENTUALLY(field->hasFocus());
-        QVERIFY(keys(QStringLiteral("ctrl+a Delete 5"))); // all of the field, not all objects; 5 is a camera, elsewhere
+        QVERIFY(keys(QStringLiteral("ctrl+a Delete 5"))); // selects all of the field, not all objects; 5 does not select a camera
         EVENTUALLY_EQUAL(field->text(), QStringLiteral("5"));
         QCOMPARE(m_window->selection().paths(), std::vector<std::string>{"robot0"});
         QCOMPARE(view.camera().kind(), ViewKind::Top);
@@ -241,7 +240,7 @@ private Q_SLOTS:
         if (QTest::currentTestFailed()) return;
         EVENTUALLY_EQUAL(m_window->document().loaded()->experiment->statics.size(), std::size_t(2));
         const StaticSpec& pillar = m_window->document().loaded()->experiment->statics.back();
-        // No room beside the robot there: on the floor at its side, where it neither is inside of it nor hangs over its edge.
+        // There is no room on top of the robot: it is placed on the floor beside it, neither inside it nor over the floor's edge.
         QVERIFY2(std::abs(pillar.pose.position.z()) < 1e-5, qPrintable(QStringLiteral("%1 %2 %3 from %4 %5").arg(pillar.pose.position.x()).arg(pillar.pose.position.y()).arg(pillar.pose.position.z()).arg(point.x()).arg(point.y())));
         const double away = (pillar.pose.position - point).head<2>().norm();
         QVERIFY2(away > 0 && away < 0.4, qPrintable(QString::number(away)));
@@ -257,7 +256,7 @@ private Q_SLOTS:
         if (QTest::currentTestFailed()) return;
         EVENTUALLY_EQUAL(m_window->selection().paths(), std::vector<std::string>{"RobotConfig.Rover.wheel.bumper"});
         QVERIFY2(text().contains("bumper { Size=0.02,0.2,0.04 Pos=0.16,-0.1,0.02 "),
-                 text().constData()); // the same place in the world
+                 text().constData()); // the same pose in the world
         QVERIFY(!m_window->document().loaded()->diagnostics.hasErrors());
         m_window->document().undo();
         QCOMPARE(text(), kExperiment);
@@ -323,7 +322,7 @@ private:
         tree().reveal(index);
         return tree().visualRect(index).center();
     }
-    /// The list of the Library that holds this and nothing else.
+    /// The list of the Library that contains only this item.
     LibraryList* libraryListWith(const char* title) const {
         for (auto* list : m_window->findChild<LibraryPanel*>()->findChildren<LibraryList*>())
             if (list->isVisible() && list->model()->rowCount() == 1 && list->model()->index(0, 0).data() == QLatin1String(title))
@@ -335,7 +334,7 @@ private:
         EVENTUALLY(isOver(widget, place));
         QVERIFY(act(QStringLiteral("click 1")));
     }
-    /// Whether the widget knows of the pointer there: it may be on its way to another place still.
+    /// True if the widget has received the pointer position there: the events may be still on their way.
     static bool isOver(QWidget& widget, const QPoint& place) {
         return pointTo(widget.mapToGlobal(place)) && QTest::qWaitFor([&] { return widget.underMouse(); }, 5 * kLookMs);
     }
@@ -345,7 +344,7 @@ private:
         Carrier carrier(target, to);
         EVENTUALLY(carrier.done());
     }
-    /// By the window manager's keys; a question is answered with this button.
+    /// Closes the window by the window manager's shortcut, and answers the question with this button.
     void close(QMessageBox::StandardButton button) {
         Answer answer(button);
         QVERIFY(keys(QStringLiteral("alt+F4")));

@@ -1,6 +1,6 @@
-// Every dialog and question of the program, opened as it is: Enter never presses what loses something, all words are seen at the sizes of
-// font that Preferences offer, and each fits a screen of 800x500. A question in a source file that the table below does not name fails.
-// With TRUNDLE_PICTURES=FOLDER in the environment a picture of each is left there.
+// Every dialog and question of the program, opened by its real code: Enter never triggers a destructive button, all text is
+// visible at the font sizes that Preferences offers, and each fits a screen of 800x500. A dialog in the sources that the table
+// below does not list is a failure. If TRUNDLE_PICTURES=FOLDER is in the environment, an image of each is saved there.
 
 #include <QComboBox>
 #include <QDialog>
@@ -40,11 +40,11 @@ const QByteArray kMain =
 const QByteArray kRover = "RobotConfig Rover { Body b { Box hull { Pos=0,0,0.05 Size=0.1,0.1,0.1 Mass=1 } } }\n";
 
 struct Question {
-    const char* source; ///< below editor/
-    const char* name;   ///< its object name, else its title
+    const char* source; ///< relative to editor/
+    const char* name;   ///< its object name, otherwise its title
     const char* pressedByEnter;
 };
-// Several lines of one source: as many dialogs are made there.
+// One line for each dialog that a source file creates.
 constexpr Question kQuestions[] = {
     {"cameras/movie_dialog.h", "movieDialog", "Record"},
     {"cameras/picture_dialog.h", "pictureDialog", "Save"},
@@ -72,7 +72,7 @@ constexpr Question kQuestions[] = {
 QString nameOf(const QDialog& dialog) { return dialog.objectName().isEmpty() ? dialog.windowTitle() : dialog.objectName(); }
 QString bare(QString text) { return text.remove(u'&'); }
 
-/// A label of fixed width keeps the hint of the width that it had with another font.
+/// The width of the text: the size hint of a label with fixed width may belong to an earlier font.
 int widthOfWords(const QLabel& label) {
     if (!Qt::mightBeRichText(label.text())) return label.sizeHint().width();
     QTextDocument words;
@@ -82,7 +82,7 @@ int widthOfWords(const QLabel& label) {
     return int(std::ceil(words.idealWidth()));
 }
 
-/// Which words in a dialog or window are cut off.
+/// The texts of a dialog or window that are clipped.
 QStringList cutOff(const QWidget& dialog) {
     QStringList cut;
     for (const auto* label : dialog.findChildren<QLabel*>()) {
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QStringLiteral("; "))));
     }
 
-    /// Each font gives the views other sizes, so pictures are drawn in many.
+    /// The views change size with each font, so images of many sizes are drawn.
     void oneWindowFollowsManyThemes() {
         m_window.reset();
         openWindow();
@@ -250,7 +250,7 @@ private:
             for (QWidget* widget : QApplication::topLevelWidgets()) {
                 auto* dialog = qobject_cast<QDialog*>(widget);
                 if (!dialog || !dialog->isVisible() || nameOf(*dialog) != name || seen) continue;
-                QApplication::processEvents(QEventLoop::ExcludeUserInputEvents); // what follows once it is shown
+                QApplication::processEvents(QEventLoop::ExcludeUserInputEvents); // lets it handle the events after being shown
                 seen = true;
                 look(*dialog);
                 dialog->close();
@@ -270,7 +270,7 @@ private:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(bytes);
     }
-    /// The same window for all, but for what needs another folder.
+    /// Opens one window for all dialogs, except those that need another folder.
     void openWindow() {
         if (m_window) return;
         if (!m_ownFolder) makeFolder();
@@ -284,7 +284,7 @@ private:
         write("main.sim", kMain);
         write("rover.sim", kRover);
     }
-    /// For a window that finds something there.
+    /// Makes a folder for a window that needs files in it.
     void makeOwnFolder() {
         m_window.reset();
         makeFolder();
@@ -296,7 +296,7 @@ private:
         m_window->actions().at(action).trigger();
     }
     void edit() { QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "1,0,0"}}).ok()); }
-    /// A window that was killed left edits of a file.
+    /// Leaves a journal with edits of a file, as a killed window does.
     void leaveJournal(const char* name) const {
         Journal left(projectFolderOf(path(name).toStdString()), {path(name).toStdString(), {}});
         QVERIFY(left.note(path(name).toStdString(), kMain.toStdString(), kMain.toStdString() + "Seed = 3\n").ok());
@@ -313,13 +313,13 @@ private:
         dialog->findChild<QPushButton*>(QStringLiteral("movieRecord"))->click();
         QVERIFY(dialog->isRecording());
         m_window->close();
-        dialog->close(); // which ends what it records
+        dialog->close(); // cancels the recording
         EVENTUALLY(!dialog->isRecording());
         delete dialog;
     }
     void askForUsedKeys() {
         openWindow();
-        QTimer::singleShot(0, m_window.get(), [this] { // once Preferences, which wait for their end, are open
+        QTimer::singleShot(0, m_window.get(), [this] { // after Preferences, whose exec() blocks, is open
             auto* dialog = m_window->findChild<QDialog*>(QStringLiteral("preferences"));
             QVERIFY(dialog);
             dialog->findChild<QKeySequenceEdit*>(QStringLiteral("keys"))
@@ -417,7 +417,7 @@ private:
     std::unique_ptr<ProjectLock> m_lock;
     bool m_ownFolder = false;
     int m_font = 0;
-    std::map<QString, std::function<void()>> m_openers; // by the name of the dialog
+    std::map<QString, std::function<void()>> m_openers; // by object name of the dialog
 };
 
 QTEST_MAIN(DialogsTest)

@@ -1,6 +1,6 @@
-// Saves a picture of the whole window with one dock in front, after a run: draw_window FILE OUT.png light|dark SECONDS DOCK [WORD]...
-// WORD: an action's name, select=PATH,PATH, size=WxH, or NAME=N, the Nth row, choice or tab of the widget with that name. An open dialog
-// makes a second picture: OUT.png.dialog.png. For the eye and for the guide; what is asserted about pictures is in golden_test.cpp.
+// Saves an image of the window with one dock in front, after a run: draw_window FILE OUT.png light|dark SECONDS DOCK [WORD]...
+// WORD: an action's name, select=PATH,PATH, size=WxH, or NAME=N, the Nth row, choice or tab of the widget with that name. An open
+// dialog is saved as a second image, OUT.png.dialog.png. For visual review and for the guide; golden_test.cpp tests images.
 #include <cstdio>
 
 #include <QAbstractItemView>

@@ -1,12 +1,12 @@
-// How the window looks, held against the pictures in tests/data/golden: four moments, in both themes, at scale 1 and 2.
+// Compares the window with the golden images in tests/data/golden: four states, in both themes, at scale factors 1 and 2.
 //
-// After a change that is meant to be seen: build/release/tests/test_editor_shell_golden --write, then look at each picture.
-// At most 0.5 % of the pixels may differ by more than 2 of 255 in any channel. Of a picture that misses, what was drawn and
-// where it differs are left in golden/ in the build folder.
+// After an intended visual change, run build/release/tests/test_editor_shell_golden --write and review each image.
+// At most 0.5 % of the pixels may differ by more than 2 of 255 in any channel. On a mismatch, the drawn image and
+// an image of the differences are saved in golden/ in the build folder.
 //
-// Nothing in them depends on the machine: the only fonts are the program's own, the 3D view is drawn in software, the files
-// lie in a folder of the test's own, a run is held at an exact simulated time. One figure comes from a clock, the milliseconds
-// that a tick took (in the status line): another is written in its place.
+// The images do not depend on the machine: the program's own fonts are the only ones, the 3D view is drawn in software, the files
+// are in a folder of the test, and the run is paused at an exact simulated time. The only measured number, the milliseconds
+// per tick in the status line, is replaced by a constant.
 
 #include <QApplication>
 #include <QDir>
@@ -51,7 +51,7 @@ const QByteArray kRover = "// Drives until the bumper touches the wall, backs of
 
 bool g_write = false;
 
-/// How many pixels differ; marks them in red in a pale copy of `actual`.
+/// Counts the pixels that differ, and marks them in red in a pale copy of `actual`.
 qsizetype difference(const QImage& kept, const QImage& actual, QImage& shown) {
     shown = actual.convertToFormat(QImage::Format_RGB32);
     qsizetype count = 0;
@@ -68,7 +68,7 @@ qsizetype difference(const QImage& kept, const QImage& actual, QImage& shown) {
     return count;
 }
 
-/// Empty where the picture is as the kept one.
+/// Why the image differs from the golden one; empty if it does not.
 QString mismatch(const QImage& kept, const QImage& actual, const QString& name) {
     QString why;
     if (kept.isNull()) why = QStringLiteral("there is no %1%2").arg(kKept, name);
@@ -146,7 +146,7 @@ private Q_SLOTS:
                                  .arg(m_window->devicePixelRatioF());
         if (g_write) {
             QVERIFY(QDir().mkpath(kKept));
-            QVERIFY(actual.save(kKept + name, "PNG", 0)); // 0: as small as can be
+            QVERIFY(actual.save(kKept + name, "PNG", 0)); // quality 0: smallest file
         } else {
             const QString why = mismatch(QImage(kKept + name), actual, name);
             QVERIFY2(why.isEmpty(), qPrintable(why));
@@ -168,7 +168,7 @@ private:
                                     "view.overlayContacts", "view.overlayCollision"})
             act(overlay);
         RunSession& session = m_window->session();
-        for (int tenth = 1; tenth <= 71; ++tenth) { // in steps, so that the trail has its points at the same times
+        for (int tenth = 1; tenth <= 71; ++tenth) { // in steps, so that the points of the trail have the same times
             session.runFor(0.1);
             EVENTUALLY(session.state() == RunState::Paused && session.time() > 0.1 * tenth - 1e-9);
         }
@@ -192,11 +192,11 @@ private:
     void act(const char* id) { m_window->actions().at(id).trigger(); }
 
     QImage picture() {
-        if (QWidget* focus = m_window->focusWidget()) focus->clearFocus(); // no caret, and it is the same on every machine
-        int still = 0;                                                     // what a picture shows may still ask for another
+        if (QWidget* focus = m_window->focusWidget()) focus->clearFocus(); // no caret and the same focus on every machine
+        int still = 0;                                                     // consecutive checks without a new image
         const bool settled = QTest::qWaitFor([&] { return (still = m_window->isSettled() ? still + 1 : 0) > 5; }, 60000);
         if (!settled) qWarning("the window did not come to rest");
-        // How far a text was scrolled depends on how many of its lines were wrapped by then.
+        // The scroll position depends on how many lines were wrapped at the time.
         for (auto* text : m_window->findChildren<CodeEdit*>()) text->setFirstVisibleLine(0);
         return m_window->grab().toImage().convertToFormat(QImage::Format_RGB888);
     }
@@ -215,7 +215,7 @@ private:
 
 namespace {
 
-/// Settings, state and fonts that do not come from the machine; to be said before Qt starts.
+/// Makes settings, state and fonts independent of the machine; call before Qt starts.
 void leaveTheMachineOut() {
     for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
         qputenv(place, kHome.toUtf8());
@@ -237,7 +237,7 @@ void leaveTheMachineOut() {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (!qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) { // Qt takes the scale once, as it starts: one process for each
+    if (!qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) { // Qt reads the scale factor once at start, so each needs its own process
         leaveTheMachineOut();
         QStringList arguments;
         for (int i = 1; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);

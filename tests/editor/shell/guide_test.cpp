@@ -1,4 +1,4 @@
-// The guide as the Guide dock shows it: every link leads to a page, every picture is there, tables are whole.
+// The Guide dock: every link leads to a page, every image exists, tables are complete.
 
 #include <QDir>
 #include <QFile>
@@ -61,7 +61,7 @@ private Q_SLOTS:
             return panel.source().fileName() + QStringLiteral(": ") + top.block().text();
         };
         QCOMPARE(shown("Hinge", Role::Joint), QStringLiteral("language.md: Joints"));
-        QCOMPARE(shown("Box", Role::Geom), QStringLiteral("language.md: Geoms")); // the same page, another place
+        QCOMPARE(shown("Box", Role::Geom), QStringLiteral("language.md: Geoms")); // the same page, another section
         QCOMPARE(shown("SignalLog", Role::Log), QStringLiteral("logs.md: Logs"));
         QCOMPARE(shown("RadioMedium", Role::Medium), QStringLiteral("radios.md: RadioMedium"));
         QCOMPARE(shown("SomebodysBrain", Role::Controller), QStringLiteral("language.md: Controllers"));

@@ -1,4 +1,4 @@
-// F1, and what the guide says of the window.
+// F1 opens the right section, and the guide's menu paths exist in the window.
 
 #include <QDir>
 #include <QFile>
@@ -74,7 +74,7 @@ private Q_SLOTS:
         m_window->actions().at("help.guide").trigger();
         QCOMPARE(guide->source().fileName(), QStringLiteral("index.md"));
 
-        auto* text = m_window->findChild<TextPanel*>(); // the word at the caret, whatever is selected
+        auto* text = m_window->findChild<TextPanel*>(); // the word at the caret, regardless of the selection
         text->page()->edit().setFocus();
         EVENTUALLY(text->hasKeyboard());
         const std::string_view all = m_window->document().loaded()->trees[text->page()->id()]->source().bytes();
@@ -91,7 +91,7 @@ private Q_SLOTS:
         QCOMPARE(helpAt("LinearMotion"), QStringLiteral("language.md#controllers"));
     }
 
-    /// "*Insert ▸ Sensors and Actuators ▸ Camera*" leads to an entry while a body is selected.
+    /// For example "*Insert ▸ Sensors and Actuators ▸ Camera*" is an entry of the menu while a body is selected.
     void menuPathsOfTheGuideExist() {
         m_window->selection().select("RobotConfig.SimpleRobot.chassis");
         QStringList paths;

@@ -1,4 +1,4 @@
-// What a recovery preview shows.
+// The line diff of the recovery preview.
 
 #include <QtTest>
 

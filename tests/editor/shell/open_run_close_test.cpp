@@ -1,5 +1,5 @@
-// Open, run, close, again and again: threads, descriptors and memory stay as they were. What is opened and run is gone each time
-// when it is closed; over 200 rounds (--long) no byte is left behind either.
+// Opens, runs and closes repeatedly: threads, descriptors and memory do not grow. Closing a document releases it and its run;
+// over 200 rounds (--long) no memory is leaked.
 
 #include <algorithm>
 #include <cmath>
@@ -22,20 +22,20 @@ using namespace trundle;
 
 namespace {
 
-constexpr int kWarmUp = 4; // rounds, until threads and descriptors are there that stay
+constexpr int kWarmUp = 4; // rounds until all permanent threads and descriptors exist
 
 int countIn(const char* folder) {
     return int(QDir(QLatin1String(folder)).entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot).size());
 }
 
-/// Bytes that the program holds from malloc, in all its arenas. Always 0 under a sanitizer, which reports leaks itself.
+/// Bytes allocated by malloc, in all its arenas. Always 0 with a sanitizer, which reports leaks itself.
 double bytesInUse() {
     const struct mallinfo2 now = mallinfo2();
     return double(now.uordblks) + double(now.hblkhd);
 }
 
-/// How much more there is each time: the median of the slopes between any two of the later half. Caches have filled in the first
-/// half, and a jump now and then is no leak.
+/// Growth per round: the median of the slopes between any two values of the later half. Caches are filled in the first half, and
+/// an occasional jump is not a leak.
 double growth(const std::vector<double>& values) {
     std::vector<double> slopes;
     for (std::size_t i = values.size() / 2; i < values.size(); ++i)
@@ -53,7 +53,7 @@ class OpenRunCloseTest : public QObject {
 private Q_SLOTS:
     void initTestCase() {
         QSettings().clear();
-        QPixmapCache::setCacheLimit(0); // it holds 10 MB at most, but clear() leaves the names of what it held behind
+        QPixmapCache::setCacheLimit(0); // it holds 10 MB at most, but clear() does not free the keys of its entries
         m_fixture.start();
         QFile sample(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/experiments/obstacle_detection.sim"));
         QVERIFY(sample.open(QIODevice::ReadOnly));
@@ -78,7 +78,7 @@ private Q_SLOTS:
         QVERIFY2(growth(leak) > kMaxInOneWindow, qPrintable(QString::number(growth(leak))));
     }
 
-    /// As it is in daily use.
+    /// All rounds in one window, as in daily use.
     void inOneWindow() {
         const auto held = m_fixture.window();
         MainWindow& window = *held;
@@ -111,8 +111,8 @@ private Q_SLOTS:
     }
 
 private:
-    /// Bytes a round. One button of a tab left behind is more than 8 kB with its style; a text or a world hundreds of kB, a window
-    /// millions. Measured are 1 kB and 12 kB: what Qt keeps of styles, and what malloc keeps for threads moves.
+    /// Bytes per round. One leaked button of a tab is more than 8 kB with its style; a text or a world hundreds of kB, a window
+    /// millions. Measured are 1 kB and 12 kB, which vary: Qt's cached styles and malloc's arenas of threads.
     static constexpr double kMaxInOneWindow = 3e3, kMaxInNewWindows = 20e3;
 
     [[nodiscard]] QString path() const { return m_folder.filePath(QStringLiteral("obstacles.sim")); }
@@ -135,7 +135,7 @@ private:
         if (round % 3 == 2) window.actions().at("sim.pause").trigger();
         if (round % 2) EVENTUALLY(window.viewport().isUpToDate());
     }
-    /// After each round: nothing of it lives on, but perhaps with the picture that was drawn last.
+    /// After each round: no object of it is alive, except perhaps those of the image drawn last.
     void enter(const MainWindow& window) {
         QCOMPARE(const_cast<MainWindow&>(window).session().state(), RunState::Start);
         const auto live = [](const auto& all) {
@@ -143,7 +143,7 @@ private:
         };
         QTRY_VERIFY2(live(m_texts) <= 1, qPrintable(QString::number(live(m_texts))));
         QTRY_VERIFY2(live(m_worlds) <= 1, qPrintable(QString::number(live(m_worlds))));
-        std::erase_if(m_texts, [](const auto& text) { return text.expired(); }); // a pointer holds a block, too
+        std::erase_if(m_texts, [](const auto& text) { return text.expired(); }); // a weak_ptr keeps its control block
         std::erase_if(m_worlds, [](const auto& world) { return world.expired(); });
         m_bytes.push_back(bytesInUse());
         if (qEnvironmentVariableIsSet("TRUNDLE_VERBOSE")) qInfo("round %zu: %.0f bytes", m_bytes.size(), m_bytes.back());

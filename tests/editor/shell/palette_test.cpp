@@ -1,4 +1,4 @@
-// The command palette of the real window: what it lists is there, and is listed once.
+// The command palette of the real window: every entry it lists exists, and is listed once.
 
 #include <QDockWidget>
 #include <QLineEdit>
@@ -50,7 +50,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// As it is when a person begins to type: what the menu took out is gone by then.
+    /// Opens the palette and handles events: entries removed from the menu are deleted by then.
     QLineEdit& open() {
         m_window->actions().at("edit.palette").trigger();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

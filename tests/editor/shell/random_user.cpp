@@ -30,7 +30,7 @@ namespace {
 
 constexpr std::size_t kMaxRows = 400;
 
-/// Every row, also those that nobody has unfolded.
+/// All rows, including those in collapsed parents.
 void listRows(OutlineModel& model, const QModelIndex& parent, std::vector<QModelIndex>& out) {
     if (model.canFetchMore(parent)) model.fetchMore(parent);
     for (int row = 0; row < model.rowCount(parent) && out.size() < kMaxRows; ++row) {
@@ -48,7 +48,7 @@ template <class T> std::vector<T*> shown(QWidget& in) {
     return all;
 }
 
-/// A drop as a window system sends it.
+/// Sends the events of a drop as a window system does.
 void drop(QWidget& on, const QPointF& at, const QMimeData& mime, Qt::DropAction action) {
     QDragEnterEvent enter(at.toPoint(), action, &mime, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&on, &enter);
@@ -112,11 +112,11 @@ void RandomUser::step() {
     }
 }
 
-/// What is asked about a config that others use too.
+/// Answers the question about a config that has other instances.
 void RandomUser::answerQuestion() {
     while (auto* question = m_window.findChild<QMessageBox*>(QStringLiteral("shareQuestion"))) {
-        // A config is asked about until an answer changes it, so the first answers are no matter of chance: of any two walks with
-        // seeds one after the other the first answers are all three.
+        // The question is repeated until an answer changes the config, so the first answers are not random: any two walks with
+        // consecutive seeds start with all three answers.
         static const std::vector<const char*> buttons{"changeForAll", "makeCopy", nullptr};
         const char* name = oneOf(buttons);
         if (m_answers.empty()) name = m_seed % 2 != 0 ? "makeCopy" : nullptr;
@@ -128,7 +128,7 @@ void RandomUser::answerQuestion() {
     }
 }
 
-// ---- what the window is made of ----
+// ---- parts of the window ----
 
 OutlinePanel& RandomUser::outline() const { return *m_window.findChild<OutlinePanel*>(); }
 View& RandomUser::view() const { return m_window.viewport().current(); }
@@ -185,20 +185,20 @@ void RandomUser::choose(QMenu& menu, bool deep) {
     if (!entries.empty()) oneOf(entries)->trigger();
 }
 
-// ---- in the tree ----
+// ---- in the Scene tree ----
 
 void RandomUser::rename() {
     if (!selectObject()) return;
     OutlineView& tree = outline().tree();
     QTest::keyClick(&tree, Qt::Key_F2);
     auto* line = tree.findChild<QLineEdit*>(QStringLiteral("renameEditor"));
-    if (!line) return; // what has no name of its own
+    if (!line) return; // a row without a name of its own
     line->selectAll();
     static const std::vector<QString> names{QStringLiteral("scout"),  QStringLiteral("hull2"),   QStringLiteral("x"),
                                             QStringLiteral("robot0"), QStringLiteral("9 lives"), QString()};
     QTest::keyClicks(line, oneOf(names) + (below(2) ? QString::number(below(40)) : QString()));
     QTest::keyClick(line, below(5) ? Qt::Key_Return : Qt::Key_Escape);
-    QCoreApplication::processEvents(); // the line hands its text over later
+    QCoreApplication::processEvents(); // the delegate commits its text through the event loop
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
@@ -229,7 +229,7 @@ void RandomUser::dragRow() {
     if (all.size() < 2) return;
     const std::unique_ptr<QMimeData> mime(model.mimeData({oneOf(all)}));
     if (!mime) return;
-    // Onto a row, or between two: most places do not fit, so that a few are looked at.
+    // Onto a row, or between two: most positions are not allowed, so it tries several.
     for (int tries = 0; tries < 12; ++tries) {
         const QModelIndex onto = oneOf(all);
         tree.reveal(onto);
@@ -269,7 +269,7 @@ void RandomUser::dropFromLibrary() {
          Qt::CopyAction);
 }
 
-// ---- in the rows ----
+// ---- in property rows ----
 
 void RandomUser::typeValue() {
     if (!selectObject()) return;
@@ -284,7 +284,7 @@ void RandomUser::typeValue() {
     const std::string text = below(4) == 0 ? oneOf(odd) : number();
     if (text.empty()) QTest::keyClick(field, Qt::Key_Delete);
     else QTest::keyClicks(field, QString::fromStdString(text));
-    const QPointer<ValueField> there = field; // an edit can make the rows anew
+    const QPointer<ValueField> there = field; // an edit can replace the rows
     QTest::keyClick(field, below(6) ? Qt::Key_Return : Qt::Key_Escape);
     if (there && there->refused()) QTest::keyClick(there.data(), Qt::Key_Escape);
     outline().tree().setFocus();

@@ -1,6 +1,6 @@
 #pragma once
-// Works in a window as a person does who knows every part of it and wants nothing in particular: keys, mouse, menus, drops and runs.
-// What it does follows from the seed and from what the window shows.
+// Performs random user actions in a window: keys, mouse, menus, drops and runs. The actions depend on the seed and on what
+// the window shows.
 
 #include <functional>
 #include <map>
@@ -27,22 +27,22 @@ class RandomUser {
 public:
     RandomUser(MainWindow& window, unsigned seed);
 
-    /// Does one thing; what is half typed or half dragged in it is finished.
+    /// Performs one action and completes it: no half-typed text or unfinished drag remains.
     void step();
-    [[nodiscard]] const char* doing() const { return m_doing; }        ///< what the last step was
-    [[nodiscard]] const QString& trouble() const { return m_trouble; } ///< what went wrong in it; empty: nothing
+    [[nodiscard]] const char* doing() const { return m_doing; }        ///< the last step
+    [[nodiscard]] const QString& trouble() const { return m_trouble; } ///< why it failed; empty if it did not
     /// How often each button of the question about a shared config was pressed.
     [[nodiscard]] const std::map<std::string, int>& answers() const { return m_answers; }
 
 private:
     struct UserAction {
-        int share; ///< how often, against the others
+        int share; ///< weight among all actions
         const char* name;
         void (RandomUser::*go)();
     };
     static const std::vector<UserAction> kActions;
 
-    // in the tree
+    // in the Scene tree
     void rename();
     void removeObject();
     void duplicateObject();
@@ -53,7 +53,7 @@ private:
     void insertKind();
     void insertFromLibrary();
     void dropFromLibrary();
-    // in the rows
+    // in property rows
     void typeValue();
     void openRowMenu();
     void rotateChoice();
@@ -87,7 +87,7 @@ private:
     [[nodiscard]] OutlinePanel& outline() const;
     [[nodiscard]] View& view() const;
     [[nodiscard]] std::vector<QModelIndex> rows() const; ///< of objects
-    /// Clicks a random row of the tree, or one that `fits`. False where there is none.
+    /// Clicks a random row of the tree for which `fits` is true. False if there is none.
     bool selectObject(const std::function<bool(const std::string& path)>& fits = {});
     bool selectRobot();
     bool dragHandle(const char* tool, Handle handle);

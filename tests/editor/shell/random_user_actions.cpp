@@ -1,4 +1,4 @@
-// What it does in the 3D view, in the text and with runs.
+// RandomUser's actions in the 3D view, in the text and with runs.
 
 #include <QApplication>
 #include <QClipboard>
@@ -37,7 +37,7 @@ bool RandomUser::dragHandle(const char* tool, Handle handle) {
     for (std::size_t i = below(6) + 1; i > 0; --i) {
         to += QPointF(double(below(80)) - 40, double(below(80)) - 40);
         mouse(view(), QEvent::MouseMove, to, Qt::LeftButton, modifiers);
-        if (below(3) == 0) QTest::qWait(20); // the next one is an edit of its own, not part of a burst
+        if (below(3) == 0) QTest::qWait(20); // ends the burst, so that the next one is an edit of its own
     }
     if (below(6) == 0) QTest::keyClicks(&view(), QStringLiteral("0.25"));
     if (below(4) == 0) {
@@ -70,7 +70,7 @@ void RandomUser::nudge() {
     view().setFocus();
     static const std::vector<Qt::Key> keys{Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp};
     for (std::size_t i = below(3) + 1; i > 0; --i) QTest::keyClick(&view(), oneOf(keys));
-    if (below(2)) m_window.document().endMerge(); // as it is when somebody does something else
+    if (below(2)) m_window.document().endMerge(); // as any other user action does
 }
 
 void RandomUser::dropToFloor() {
@@ -88,7 +88,7 @@ void RandomUser::caretSomewhere() {
     edit.select({at, at});
 }
 
-/// A broken text ends what can be done elsewhere, so most are fixed, as people do.
+/// Errors in the text prevent other edits, so most are fixed at once.
 void RandomUser::fixText() {
     m_window.text().flush();
     for (int i = 0; i < 12 && m_window.document().loaded()->diagnostics.hasErrors() && below(5) != 0; ++i) trigger("edit.undo");
@@ -106,7 +106,7 @@ void RandomUser::typeText() {
         if (c == QLatin1Char('\n')) QTest::keyClick(&edit, Qt::Key_Return);
         else QTest::keyClick(&edit, c.toLatin1());
     }
-    if (below(4) == 0) QTest::qWait(50); // long enough for the document to hear of the half of it
+    if (below(4) == 0) QTest::qWait(50); // long enough for the document to receive the unfinished text
     if (below(3) == 0) QTest::keyClick(&edit, Qt::Key_Backspace);
     fixText();
 }
@@ -169,7 +169,7 @@ void RandomUser::stepOnce() {
     waitFor(done, "a tick");
 }
 
-/// How far it comes is a matter of the machine, so nothing is kept of it.
+/// How far the run gets depends on the machine, so its state is not recorded.
 void RandomUser::runAndPause() {
     if (m_window.session().state() == RunState::Ended) return;
     m_window.session().setSpeed(0);
@@ -178,7 +178,7 @@ void RandomUser::runAndPause() {
     const RunSession& session = m_window.session();
     waitFor([&] { return session.time() > from || session.state() == RunState::Start || session.state() == RunState::Ended; },
             "a run to go on");
-    if (below(2) && session.state() == RunState::Running) { // edited while it runs
+    if (below(2) && session.state() == RunState::Running) { // an edit during the run
         if (selectRobot()) dragHandle("tool.move", {Handle::Kind::Axis, 0});
     }
     trigger("sim.pause");
@@ -217,7 +217,7 @@ void RandomUser::redo() {
     for (std::size_t i = below(4) + 1; i > 0; --i) trigger("edit.redo");
 }
 
-/// A few entries back or on: most edits are to be undone at the end.
+/// Undoes or redoes a few entries: most edits are undone at the end.
 void RandomUser::leap() {
     const std::size_t at = m_window.document().history().position() + below(9);
     m_window.document().moveTo(at < 4 ? 0 : at - 4);

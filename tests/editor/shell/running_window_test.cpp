@@ -1,4 +1,4 @@
-// What the window itself does for a run: problems come forward, logs are found, the 3D view takes the centre. And layouts on small screens.
+// The window during a run: it raises problems, finds logs and maximises the 3D view. And layouts on small screens.
 
 #include <QDesktopServices>
 #include <QFile>
@@ -24,7 +24,7 @@ const QByteArray kRobot = "#import robots/simple_robot.sim\n"
 
 } // namespace
 
-/// In place of the desktop's file manager.
+/// Replaces the desktop's file manager.
 class OpenedUrls : public QObject {
     Q_OBJECT
 public:
@@ -54,7 +54,7 @@ private Q_SLOTS:
         open("broken.sim", QByteArray(kRobot).replace("Config=SimpleRobot", "Config=SimpelRobot"));
         QVERIFY(m_window->document().loaded()->diagnostics.hasErrors());
         EVENTUALLY(!problems->visibleRegion().isEmpty());
-        console->raise(); // whoever goes elsewhere then stays there
+        console->raise(); // a dock that the user raises stays in front
         EVENTUALLY(problems->visibleRegion().isEmpty());
         QVERIFY(m_window->document().setValues(QStringLiteral("Set Tick"), {{"Tick", "5 ms"}}).ok());
         QVERIFY(problems->visibleRegion().isEmpty());
@@ -67,7 +67,7 @@ private Q_SLOTS:
         pinned->set({"robot0", "", "robot0.leftMotor"}, true);
         pinned->move("robot0", QPointF(0.5, 0.25));
         const std::vector<Pin> pins = pinned->pins();
-        open("other.sim", kRobot); // the same names, but not the same robots
+        open("other.sim", kRobot); // robots of the same names, but in another document
         QVERIFY(pinned->pins().empty());
         open("pinned.sim", kRobot);
         QVERIFY(pinned->pins() == pins);
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(urls.all, QList<QUrl>{QUrl::fromLocalFile(m_folder.filePath(QStringLiteral("logs/logged")))});
         QTest::mouseClick(label, Qt::LeftButton);
         QCOMPARE(urls.all.size(), 2);
-        m_window->actions().at("sim.reset").trigger(); // they are still there
+        m_window->actions().at("sim.reset").trigger(); // the logs still exist
         QVERIFY(show.isEnabled());
     }
 
@@ -105,13 +105,13 @@ private Q_SLOTS:
         QVERIFY(!m_window->actions().at("view.text").isChecked());
         m_window->actions().at("view.layoutEdit").trigger();
         QVERIFY(m_window->text().isVisible());
-        m_window->showText(false); // and one who edits without the text gets none back
+        m_window->showText(false); // a user who hid the text does not get it back
         m_window->actions().at("view.layoutRun").trigger();
         m_window->actions().at("view.layoutEdit").trigger();
         QVERIFY(!m_window->text().isVisible());
     }
 
-    /// As on a screen of 1600 x 1000 at scale factor 2.
+    /// A layout saved on a screen of 1600 x 1000 at scale factor 2.
     void aLayoutOfALargerScreenGivesWay() {
         m_window->resize(1500, 900);
         EVENTUALLY(m_window->isSettled());

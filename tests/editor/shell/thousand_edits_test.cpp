@@ -1,5 +1,5 @@
-// Edits of every kind by the ways of a person, with runs in between: after each the modified mark is right, and in the end all
-// undone gives the bytes of the start and all redone those of the end. TRUNDLE_SEED begins at another seed.
+// Random edits of every kind, with runs in between: after each the modified mark is right; at the end undoing all restores the
+// original bytes, and redoing all restores the final ones. TRUNDLE_SEED sets another seed.
 
 #include <set>
 
@@ -46,7 +46,7 @@ class ThousandEditsTest : public QObject {
 private Q_SLOTS:
     void initTestCase() {
         m_fixture.start();
-        // Whoever is reported something reads it and goes on.
+        // Closes message boxes.
         connect(&m_reader, &QTimer::timeout, this, [] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (box && box->objectName() != QStringLiteral("shareQuestion")) box->buttons().first()->click();
@@ -122,7 +122,7 @@ private Q_SLOTS:
     }
 
     void everyAnswerAboutASharedConfigWasGiven() {
-        if (!qEnvironmentVariableIsSet("TRUNDLE_LONG")) return; // so few edits may ask nothing
+        if (!qEnvironmentVariableIsSet("TRUNDLE_LONG")) return; // a short walk may not cause a question
         for (const char* answer : {"changeForAll", "makeCopy", "cancel"}) QVERIFY2(m_answers.contains(answer), answer);
     }
 
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    /// All parts of the window show one and the same text, and what differs from the disk is marked.
+    /// All parts of the window show the same text, and files that differ from the disk are marked as modified.
     void check() {
         m_window->text().flush();
         Document& d = document();
@@ -189,7 +189,7 @@ private:
     WindowFixture m_fixture;
     std::unique_ptr<MainWindow> m_window;
     QTimer m_reader;
-    std::set<std::string> m_known; // files that were ever part of the project
+    std::set<std::string> m_known; // all files that were ever part of the project
     std::map<std::string, int> m_answers; // of all walks
     unsigned m_seed = 0;
     int m_step = 0;

@@ -1,4 +1,4 @@
-// What a key in the text costs the window, in counts: one reading, one picture, no row of a list made anew.
+// The work that one key in the text causes, as counts: one load, one image, no list row rebuilt.
 
 #include <QAbstractItemModel>
 #include <QFile>
@@ -60,13 +60,13 @@ private Q_SLOTS:
         CodeEdit& edit = text.page()->edit();
         QCOMPARE(edit.selection().size(), 0u);
         QCOMPARE(edit.caret(), static_cast<std::uint32_t>(kText.indexOf("Robot middle")));
-        QTest::keyClick(&edit, Qt::Key_X); // replaces nothing
+        QTest::keyClick(&edit, Qt::Key_X); // does not replace the selection
         text.flush();
         QCOMPARE(QByteArray::fromStdString(edit.bytes()), QByteArray(kText).replace("Robot middle", "xRobot middle"));
     }
 
     void aKey_data() {
-        QTest::addColumn<QByteArray>("behind"); // where the caret is
+        QTest::addColumn<QByteArray>("behind"); // text before the caret
         QTest::addColumn<char>("letter");
         QTest::addColumn<std::string>("selected");
         QTest::addColumn<int>("selections");
@@ -96,7 +96,7 @@ private Q_SLOTS:
             removed(tree->model(), &QAbstractItemModel::rowsRemoved);
         QTest::keyClick(&edit, letter);
         EVENTUALLY_EQUAL(changed.size(), 1);
-        EVENTUALLY(m_window->isSettled()); // also the finer picture, that nothing comes after
+        EVENTUALLY(m_window->isSettled()); // including the refined image, so that nothing is pending
         QCOMPARE(m_window->selection().current(), selected);
         QCOMPARE(changed.size(), 1);
         QCOMPARE(selection.size(), selections);

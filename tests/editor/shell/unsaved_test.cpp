@@ -1,4 +1,4 @@
-// What is edited and where it is saved, as the window says it: unsaved files by their names, and the question about a shared config.
+// Unsaved changes in the window: modified files by name, where they are saved, and the question about a shared config.
 
 #include <QMessageBox>
 #include <QSettings>
@@ -50,7 +50,7 @@ private Q_SLOTS:
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(saved().contains(QStringLiteral("saved")) && !saved().contains(QStringLiteral("unsaved")));
 
-        edit("rover.sim"); // the opened file is as it was
+        edit("rover.sim"); // the opened file is not modified
         QCOMPARE(m_window->windowTitle(), QStringLiteral("main.sim, rover.sim[*] – Trundle"));
         QVERIFY(m_window->isWindowModified());
         QVERIFY2(saved().contains(QStringLiteral("unsaved: rover.sim<")), qPrintable(saved()));
@@ -64,7 +64,7 @@ private Q_SLOTS:
 
         const QString asked = question();
         for (const char* name : {"main.sim", "rover.sim", "looks.sim"}) QVERIFY2(asked.contains(QLatin1String(name)), name);
-        document().undo(); // looks.sim
+        document().undo(); // undoes the edit of looks.sim
         QVERIFY(!question().contains(QStringLiteral("looks.sim")));
         QVERIFY(document().save().ok());
         QCOMPARE(m_window->windowTitle(), QStringLiteral("main.sim[*] – Trundle"));
@@ -84,12 +84,12 @@ private Q_SLOTS:
         QVERIFY2(box->text().contains(QStringLiteral("Rover")) && box->text().contains(QStringLiteral("rover.sim")),
                  qPrintable(box->text()));
         QVERIFY2(box->informativeText().contains(QStringLiteral("main.sim")), qPrintable(box->informativeText()));
-        QVERIFY(!document().isModified()); // nothing before the answer
+        QVERIFY(!document().isModified()); // nothing changes before the answer
         box->findChild<QAbstractButton*>(QStringLiteral("makeCopy"))->click();
         QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("main.sim")});
         document().undo();
         EVENTUALLY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
-        insert(); // once is enough
+        insert(); // asked only once
         QVERIFY(!m_window->findChild<QMessageBox*>(QStringLiteral("shareQuestion")));
         QCOMPARE(unsavedFiles(document()), QStringList{QStringLiteral("main.sim")});
     }
@@ -138,7 +138,7 @@ private:
         for (int i = 0; i < tabs->count(); ++i) texts += tabs->tabText(i);
         return texts;
     }
-    /// What is asked before the file is closed; the answer is Cancel.
+    /// The question before the file is closed; it is answered with Cancel.
     [[nodiscard]] QString question() {
         QString asked;
         QTimer::singleShot(0, this, [&] {

@@ -1,4 +1,4 @@
-// The Welcome page: what a crash has left is reported where one returns to it.
+// The Welcome page: recent files, samples and the recovery of unsaved work.
 
 #include <atomic>
 
@@ -24,7 +24,7 @@ namespace {
 
 const char* const kText = "Tick = 0.01\n";
 
-/// Reads a text when it is let go on.
+/// Blocks loading until the test releases it.
 class SlowApplication final : public Application {
 public:
     explicit SlowApplication(Application& application) : m_fixture(application) {}
@@ -62,7 +62,7 @@ private Q_SLOTS:
         write(path, kText);
         addRecentFile(path);
         {
-            Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}}); // by a window that was killed
+            Journal left(projectFolderOf(path.toStdString()), {path.toStdString(), {}}); // as by a killed window
             QVERIFY(left.note(path.toStdString(), kText, std::string(kText) + "Duration = 3\n").ok());
         }
         m_window = m_fixture.window();
@@ -79,7 +79,7 @@ private Q_SLOTS:
         QCOMPARE(recent()->text(), QStringLiteral("mine.sim"));
     }
 
-    // Every file by its whole path, before any text; one that is not restored is marked, and names are no HTML.
+    // The preview starts with the full path of every file; one that is not restored is marked, and names are plain text.
     void thePreviewListsEveryFileFirst() {
         QTemporaryDir folder, outside;
         const QString path = QDir(folder.path()).canonicalPath() + QStringLiteral("/mine.sim");
@@ -158,10 +158,10 @@ private Q_SLOTS:
         restore(QStringLiteral("mine.sim"));
         QVERIFY(document.isModified());
         EVENTUALLY(!dialog());
-        QMetaObject::invokeMethod(&document, &Document::opened); // whatever offers the rest
+        QMetaObject::invokeMethod(&document, &Document::opened); // offers the remaining recoveries
         EVENTUALLY(dialog());
         bool asked = false;
-        QTimer::singleShot(0, [&] { // the question holds the click up until it is answered
+        QTimer::singleShot(0, [&] { // the click returns only after the question is answered
             auto* question = m_window->findChild<QMessageBox*>(QStringLiteral("unsavedQuestion"));
             asked = question;
             if (question) question->button(QMessageBox::Cancel)->click();
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QVERIFY(!covered);
     }
 
-    /// Of a plan alone nothing is seen and nothing runs.
+    /// A file with only a config has nothing to show or run, so an experiment is made for it.
     void opensRobotsAndArenasInExperiment() {
         const QString configs = QString::fromStdString(findLocations().configs);
         m_window = m_fixture.window();
@@ -227,7 +227,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("size");
         for (const int size : {13, 17, 24}) QTest::addRow("%d px", size) << size;
     }
-    /// All words of a card can be read, at every size of the font.
+    /// All text of a card is visible, at every font size.
     void wordsOfCardsFit() {
         QFETCH(int, size);
         m_window = m_fixture.window();
@@ -258,9 +258,9 @@ private Q_SLOTS:
         }
         m_window = m_fixture.window();
         QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("welcome"))->minimumSizeHint().height() < 400);
-        const int most = m_window->screen()->availableSize().height() - 30; // there is a title bar too
+        const int most = m_window->screen()->availableSize().height() - 30; // less the title bar
         QVERIFY(m_window->height() <= most);
-        m_window->setGeometry(50, 50, 3000, 2000); // on a larger screen
+        m_window->setGeometry(50, 50, 3000, 2000); // as on a larger screen
         QSettings().setValue(QStringLiteral("windowGeometry"), m_window->saveGeometry());
         m_window = m_fixture.window();
         QVERIFY(m_window->height() <= most);
@@ -288,7 +288,7 @@ private Q_SLOTS:
         slow.hold.notify_all();
         EVENTUALLY(slow.opened == 1);
         QCoreApplication::processEvents();
-        QVERIFY(m_window->document().path().ends_with("other.sim")); // what was read meanwhile is not wanted any more
+        QVERIFY(m_window->document().path().ends_with("other.sim")); // the other load is cancelled
         QVERIFY(m_window->open(text));
         EVENTUALLY(m_window->document().path().ends_with("mine.sim"));
         EVENTUALLY(!m_window->findChild<QDialog*>(QStringLiteral("opening")));

@@ -1,5 +1,5 @@
 #pragma once
-// The real parts of the program and windows of them, for tests of the whole window.
+// Fixture: the application's parts and main windows, for tests of the whole window.
 
 #include <QtTest>
 
@@ -10,7 +10,7 @@
 
 namespace trundle {
 
-/// Made once for all tests of a program: initTestCase() calls start().
+/// Created once per test program: initTestCase() calls start().
 struct WindowFixture {
     void start() {
         applyTheme(*qApp, ThemeKind::Light);

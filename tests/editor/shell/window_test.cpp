@@ -1,4 +1,4 @@
-// The whole window, with its real parts: open, move, undo, type, run, reset, save.
+// The whole window with the real application: open, move, undo, type, run, reset, save.
 
 #include <QApplication>
 #include <QFile>
@@ -103,7 +103,7 @@ private Q_SLOTS:
     }
 
     void restoresWindowSize() {
-        m_window->resize(701, 633); // smaller than the screen of a test
+        m_window->resize(701, 633); // smaller than the screen of the test
         QVERIFY(m_window->close());
         m_window = m_fixture.window();
         QCOMPARE(m_window->size(), QSize(701, 633));
@@ -148,12 +148,12 @@ private Q_SLOTS:
         };
         QDockWidget *problems = dock("problems"), *console = dock("console"), *controllers = dock("controllers");
         const auto titled = [](const QDockWidget* which) { return which->titleBarWidget() == nullptr; };
-        EVENTUALLY(!titled(problems) && !titled(console) && !titled(controllers)); // their tabs say their names
+        EVENTUALLY(!titled(problems) && !titled(console) && !titled(controllers)); // their tabs show the titles
         QVERIFY(titled(dock("scene")));
         console->setFloating(true);
         EVENTUALLY(titled(console));
         QVERIFY(!titled(problems));
-        controllers->setFloating(true); // now the first is alone, though the others once had tabs beside it
+        controllers->setFloating(true); // the first one is alone now, though the others were tabbed with it before
         EVENTUALLY(titled(controllers) && titled(problems));
         console->setFloating(false);
         EVENTUALLY(!titled(console) && !titled(problems));
@@ -209,7 +209,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_window->session().state(), RunState::Start);
     }
 
-    /// After a value was typed the arrow keys would change that value.
+    /// After a value was typed into a field, the arrow keys would change that value.
     void viewHasKeyboardWhileDriving() {
         openExperiment();
         m_window->actions().at("sim.drive").trigger();
@@ -265,7 +265,7 @@ private Q_SLOTS:
     }
 
     void scaleFactorTwoIsEnough() {
-        m_window->resize(792, 460); // 1600 x 1000 at scale factor 2, less the frame
+        m_window->resize(792, 460); // 1600 x 1000 at scale factor 2, less the window frame
         openExperiment();
         EVENTUALLY(m_window->text().isVisible() && m_window->viewport().isVisible());
         const QSize least = m_window->minimumSizeHint();
@@ -288,7 +288,7 @@ private Q_SLOTS:
         QVERIFY(question && question->isVisible());
         for (const char* line : {"- ", "Pos=1,0,0", "+ ", "Pos=7,0,0"})
             QVERIFY2(question->informativeText().contains(QLatin1String(line)), line);
-        QCOMPARE(question->buttonRole(question->defaultButton()), QMessageBox::RejectRole); // Enter loses nothing
+        QCOMPARE(question->buttonRole(question->defaultButton()), QMessageBox::RejectRole); // Enter is not destructive
         for (QAbstractButton* button : question->buttons())
             if (question->buttonRole(button) == QMessageBox::AcceptRole) button->click();
         QVERIFY(text().contains("Pos=7,0,0"));
@@ -315,7 +315,7 @@ private Q_SLOTS:
             QSignalSpy opened(&m_window->document(), &Document::opened);
             QVERIFY(drop(middleOf(*panel)));
             EVENTUALLY_EQUAL(opened.size(), 1);
-            QVERIFY(text().contains("Pos=1,0,0")); // it is the text that is opened, nothing is written into one
+            QVERIFY(text().contains("Pos=1,0,0")); // the text is opened, not inserted into another
         }
         QVERIFY(!m_window->isWindowModified());
         carried.setUrls({QUrl::fromLocalFile(m_folder.path())});
@@ -353,7 +353,7 @@ private Q_SLOTS:
         m_window->resize(1100, 700);
         EVENTUALLY(m_window->isSettled());
         auto* work = m_window->findChild<QSplitter*>(QStringLiteral("work"));
-        work->setSizes({10000, 1}); // the text as narrow as can be
+        work->setSizes({10000, 1}); // makes the text as narrow as possible
         const QList<int> before = work->sizes();
         m_window->actions().at("edit.replace").trigger();
         EVENTUALLY(m_window->findChild<QWidget*>(QStringLiteral("findBar"))->isVisible());
@@ -384,8 +384,8 @@ private Q_SLOTS:
     }
 
 private:
-    /// What does not show all of itself: what reaches out of where it is, words in too little room, buttons of the window's own
-    /// bars that are folded away. What lies behind a tab is not looked at.
+    /// Clipped widgets: those that extend beyond their parent, texts without enough room, and hidden buttons of the window's own
+    /// toolbars. Widgets in background tabs are not checked.
     static QStringList cutOff(QWidget& window) {
         QStringList found;
         for (const QWidget* w : window.findChildren<QWidget*>()) {

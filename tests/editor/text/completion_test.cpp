@@ -1,4 +1,4 @@
-// What completion offers: texts with a caret, `|`, and what must and must not be listed there.
+// What completion offers: texts with a caret, written `|`, and the entries that must or must not be listed there.
 
 #include <QDir>
 #include <QFile>
@@ -36,7 +36,7 @@ struct Listed {
 
 class Texts {
 public:
-    /// The text of the opened file; `|` is the caret.
+    /// Completes in this text as the opened file; `|` is the caret.
     Listed at(QString text) {
         const QString path = m_folder.filePath(QStringLiteral("main.sim"));
         const qsizetype bar = text.indexOf(QLatin1Char('|'));
@@ -60,7 +60,7 @@ public:
             listed.labels << QString::fromStdString(c->label);
         return listed;
     }
-    /// The text after the choice of `label`, with the caret as `|`, or what is selected in `[ ]`.
+    /// The text after `label` was chosen, with the caret as `|`, or the selected text in `[ ]`.
     QString after(const QString& text, const char* label) {
         const Listed listed = at(text);
         for (const Completion& c : listed.found.items) {

@@ -1,4 +1,4 @@
-// Completion, fixes, hover, definitions, uses, format: with real keys.
+// Completion, fixes, hover, definitions, references and formatting, with real keys.
 
 #include <QApplication>
 #include <QLabel>
@@ -45,7 +45,7 @@ void HelpTest::completesWhileTyping() {
     auto* list = w.child<QTreeWidget>("completionList");
     QCOMPARE(list->topLevelItem(0)->text(0), QStringLiteral("Duration"));
     QVERIFY(!w.child<QLabel>("completionHelp")->text().isEmpty());
-    const QWidget* popup = w.child("completionPopup"); // its border is seen all round
+    const QWidget* popup = w.child("completionPopup"); // the border is visible on all sides
     for (const QWidget* part : {static_cast<QWidget*>(list), w.child("completionHelp")})
         QVERIFY(popup->rect().adjusted(1, 1, -1, -1).contains(part->geometry()));
     w.key(Qt::Key_Return);
@@ -86,7 +86,7 @@ void HelpTest::doesNotRepeatInsertedSign() {
     w.keys(".");
     w.panel.flush();
     QVERIFY2(w.text().contains("body.size=0.2"), w.text());
-    w.keys("."); // a second one was meant, whatever for
+    w.keys("."); // a second dot is inserted
     w.panel.flush();
     QVERIFY2(w.text().contains("body..size=0.2"), w.text());
 }
@@ -100,17 +100,17 @@ void HelpTest::completesBlockAfterName() {
     QCOMPARE(w.selected(), QByteArray("robot"));
     w.keys("three");
     w.key(Qt::Key_Tab);
-    EVENTUALLY(w.listShown()); // what fits there
+    EVENTUALLY(w.listShown()); // entries that are allowed there
     w.key(Qt::Key_Return);
     w.panel.flush();
     QVERIFY2(w.text().contains("Robot three {\n  Config = Ball\n}"), w.text());
-    // What needs nothing: its first line.
+    // A block without required properties: the caret goes to its first line.
     w.key(Qt::Key_End, Qt::ControlModifier);
     w.key(Qt::Key_Return);
     w.keys("StaticC");
     EVENTUALLY(w.listShown());
     w.key(Qt::Key_Return);
-    w.key(Qt::Key_Return); // the name is good as it is
+    w.key(Qt::Key_Return); // accepts the suggested name
     w.keys("Box");
     w.panel.flush();
     QVERIFY2(w.text().contains("StaticConfig staticConfig {\n  Box\n}"), w.text());
@@ -122,7 +122,7 @@ void HelpTest::enterAfterWholeWordInsertsNewLine() {
     w.key(Qt::Key_Backspace);
     w.keys("l");
     EVENTUALLY(!w.page().pending());
-    QVERIFY(!w.listShown()); // Ball is typed out
+    QVERIFY(!w.listShown()); // Ball is complete
     w.key(Qt::Key_Return);
     w.panel.flush();
     QVERIFY(w.text().contains("Config=Ball\n"));
@@ -144,14 +144,14 @@ void HelpTest::completionClosesWithItsContext() {
 void HelpTest::enterBehindANumberIsANewLine() {
     TwoBalls w;
     w.caretAt("Robot one");
-    w.keys("Gravity = 0,0,-0.5"); // the sign before the digits has called for a list
+    w.keys("Gravity = 0,0,-0.5"); // the sign before the digits has opened a list
     w.panel.flush();
     QVERIFY(!w.listShown());
     w.key(Qt::Key_Return);
     w.panel.flush();
     QVERIFY2(w.text().contains("Gravity = 0,0,-0.5\nRobot one"), w.text());
     w.caretAt("\nRobot one");
-    w.key(Qt::Key_Space, Qt::ControlModifier); // asked for, units are listed
+    w.key(Qt::Key_Space, Qt::ControlModifier); // on request, units are listed
     QVERIFY(w.listShown());
 }
 
@@ -173,7 +173,7 @@ void HelpTest::valuesFollowAKey() {
     w.keys("Solv");
     EVENTUALLY(w.listShown());
     w.key(Qt::Key_Return);
-    EVENTUALLY(w.listShown()); // its choices
+    EVENTUALLY(w.listShown()); // the values of a choice
     w.keys("ex");
     EVENTUALLY_EQUAL(w.child<QTreeWidget>("completionList")->topLevelItem(0)->text(0), QStringLiteral("exact"));
     w.key(Qt::Key_Return);
@@ -212,7 +212,7 @@ void HelpTest::problemsAreMarked() {
     w.caretAt("Tick");
     w.keys("// more before it");
     w.key(Qt::Key_Return);
-    QVERIFY(squiggle(at + 18)); // the mark goes with its word at once
+    QVERIFY(squiggle(at + 18)); // the squiggle moves with its word at once
     w.panel.flush();
     while (w.document.history().canUndo()) w.document.undo();
     QVERIFY(!squiggle(at));
@@ -256,7 +256,7 @@ void HelpTest::hovers() {
 
 void HelpTest::goesToDefinitions_data() {
     QTest::addColumn<QByteArray>("from");
-    QTest::addColumn<bool>("inParts"); // where it is asked
+    QTest::addColumn<bool>("inParts"); // where it is requested
     QTest::addColumn<QByteArray>("to");
     QTest::addColumn<bool>("toParts");
     QTest::newRow("config") << QByteArray("Ball size") << false << QByteArray("Ball {") << true;

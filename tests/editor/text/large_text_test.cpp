@@ -1,4 +1,4 @@
-// Texts that are too large to be shown at once, and marks that come from elsewhere.
+// Texts that are too large to be shown in full, and marks that are set from outside the editor.
 
 #include <QLabel>
 #include <QPushButton>
@@ -18,7 +18,7 @@ private Q_SLOTS:
     void marksModelDiagnostics();
 };
 
-/// More text than is shown at once, of `line`s.
+/// Repeats `line` until the text is larger than the limit for showing it in full.
 static QByteArray largeText(const QByteArray& line) { return line.repeated(int(kLargestFullText) / int(line.size()) + 1); }
 
 void LargeTextTest::showsLargeTextsOnRequest() {
@@ -27,14 +27,14 @@ void LargeTextTest::showsLargeTextsOnRequest() {
     window.write("other.sim", "Param q = 1\n");
     window.open(window.write("main.sim", large));
     QVERIFY(!window.page().isTextShown());
-    QVERIFY(window.edit().bytes().empty()); // nothing is kept twice
+    QVERIFY(window.edit().bytes().empty()); // no second copy of the text
     auto* notice = window.page().findChild<QWidget*>(QStringLiteral("largeText"));
     auto* open = window.page().findChild<QPushButton*>(QStringLiteral("openAsText"));
     QVERIFY(notice && notice->isVisible() && open->isVisible() && !window.edit().isVisible());
     QVERIFY(notice->findChild<QLabel*>(QStringLiteral("largeTextWords"))->text().contains(QStringLiteral("main.sim")));
 
     const auto place = static_cast<std::uint32_t>(large.indexOf("Param"));
-    window.panel.reveal(window.page().file(), {place, place + 5}); // a message leads there
+    window.panel.reveal(window.page().file(), {place, place + 5}); // as after a click on a diagnostic
     QTest::mouseClick(open, Qt::LeftButton);
     QVERIFY(window.page().isTextShown() && window.edit().isVisible() && !notice->isVisible());
     QVERIFY(window.edit().isPlain() && !window.edit().wrapsLines());
@@ -47,7 +47,7 @@ void LargeTextTest::showsLargeTextsOnRequest() {
     QVERIFY(window.text() == typed);
     window.document.undo();
     QVERIFY(window.shown() == large);
-    // Another file is as ever, with colours.
+    // Another file is shown in full, with syntax highlighting.
     window.panel.reveal(window.document.files()[1], {0, 5});
     QVERIFY(window.page().isTextShown() && !window.edit().isPlain());
     QCOMPARE(window.edit().styleAt(0), TextStyle::Keyword);
@@ -77,7 +77,7 @@ void LargeTextTest::aTextThatShrinksIsShown() {
 }
 
 void LargeTextTest::marksModelDiagnostics() {
-    constexpr unsigned long kWarningMark = 9; // the indicator of warnings
+    constexpr unsigned long kWarningMark = 9; // the Scintilla indicator of warnings
     TextFixture window;
     window.open(window.write("main.sim", "Tick = 0.01\nDuration = 1\n"));
     Diagnostic warning;
@@ -91,7 +91,7 @@ void LargeTextTest::marksModelDiagnostics() {
     QVERIFY(marked(12) && marked(19) && !marked(11) && !marked(20));
     QCOMPARE(window.page().problems().size(), std::size_t(1)); // hover and Alt+Enter use these
     QVERIFY(window.document.replaceText(QStringLiteral("Other"), window.page().file(), "Tick = 0.02\nDuration = 1\n").ok());
-    QVERIFY(!marked(12)); // of other texts
+    QVERIFY(!marked(12)); // problems of other texts are not shown
     window.panel.setModelProblems(window.document.loaded(), {warning});
     QVERIFY(marked(12));
 }

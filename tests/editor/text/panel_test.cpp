@@ -1,4 +1,4 @@
-// The text editor as a person uses it: real keys, a real document.
+// The text editor as a user works with it: real keys, a real document.
 
 #include <random>
 
@@ -56,7 +56,7 @@ void PanelTest::typedWordIsOneEntry() {
     openDrive(w);
     w.caretAt("Material red");
     w.keys("Duration = 12 ");
-    QCOMPARE(w.text(), QByteArray(kDrive)); // nothing yet
+    QCOMPARE(w.text(), QByteArray(kDrive)); // not yet in the document
     EVENTUALLY(w.text().contains("Duration = 12 Material"));
     QCOMPARE(w.history(), (QStringList{QStringLiteral("Type “Duration” at drive.sim:4"), QStringLiteral("Type “=” at drive.sim:4"),
                                        QStringLiteral("Type “12” at drive.sim:4")}));
@@ -74,9 +74,9 @@ void PanelTest::aBurstIsReadOnce() {
     w.caretAt("One ball");
     w.keys("Thirty-letters-in-one-go-here");
     EVENTUALLY_EQUAL(changed.count(), 1);
-    QCOMPARE(w.document.loaded()->parses, std::size_t{1}); // the imported file is taken over
+    QCOMPARE(w.document.loaded()->parses, std::size_t{1}); // the imported file is not parsed again
     QCOMPARE(w.history().size(), 1);
-    w.keys("more"); // the same word, a little later
+    w.keys("more"); // the same word, after a pause
     EVENTUALLY_EQUAL(changed.count(), 2);
     QCOMPARE(w.history().size(), 1);
 }
@@ -171,7 +171,7 @@ void PanelTest::editsElsewhereKeepWhatIsTyped() {
     w.caretAt("Pos=0,0,1", 9);
     w.keys("  HPR=5,0,0");
     QVERIFY(w.page().pending());
-    QVERIFY(w.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.002"}})); // as a row would do it
+    QVERIFY(w.document.setValues(QStringLiteral("Tick"), {{"Tick", "0.002"}})); // as a property row does
     w.panel.flush();
     QVERIFY(w.text().contains("Pos=0,0,1  HPR=5,0,0"));
     QVERIFY(w.text().contains("Tick = 0.002"));
@@ -273,7 +273,7 @@ void PanelTest::commandsTypeNothing() {
             QTest::sendKeyEvent(QTest::Click, &w.edit(), key, QLatin1String(text), held); // as the window system sends them
     w.panel.flush();
     QCOMPARE(w.shown(), QByteArray(kDrive));
-    w.key(Qt::Key_Right, Qt::ControlModifier); // what moves the caret still does
+    w.key(Qt::Key_Right, Qt::ControlModifier); // keys that move the caret still work
     QVERIFY(w.edit().caret() > static_cast<std::uint32_t>(w.shown().indexOf("Tick")));
     QTest::sendKeyEvent(QTest::Click, &w.edit(), Qt::Key_BraceLeft, QStringLiteral("{"), Qt::GroupSwitchModifier); // AltGr
     w.panel.flush();
@@ -313,8 +313,8 @@ void PanelTest::undoRestoresTypedText_data() {
     QTest::newRow("CR LF") << QByteArray("\r\n");
 }
 
-/// Keys, commands, edits from elsewhere and steps through the history in any order: the document always gets what is shown, and all
-/// undone gives the first bytes, all redone the last.
+/// Keys, commands, edits from elsewhere and undo steps in any order: the document always has the text that is shown; undoing all
+/// restores the first bytes, redoing all the last.
 void PanelTest::undoRestoresTypedText() {
     QFETCH(QByteArray, lineEnd);
     TextFixture w;
@@ -395,7 +395,7 @@ void PanelTest::deleteRemovesSelection() {
 }
 
 void PanelTest::rejectedTypingIsReverted() {
-    TextFixture first, w; // another window has the project
+    TextFixture first, w; // a second window with the same project
     const std::string path = openDrive(first);
     w.open(path);
     QVERIFY(w.document.isReadOnly());

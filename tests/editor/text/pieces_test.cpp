@@ -1,4 +1,4 @@
-// The parts of the text editor that know no widget.
+// The parts of the text editor that do not depend on a widget.
 
 #include <random>
 #include <set>
@@ -35,7 +35,7 @@ private Q_SLOTS:
 void PiecesTest::splicesAreSmall_data() {
     QTest::addColumn<QByteArray>("from");
     QTest::addColumn<QByteArray>("to");
-    QTest::addColumn<QByteArray>("splices"); // at-removed+text, separated by blanks
+    QTest::addColumn<QByteArray>("splices"); // position-removed+text, separated by spaces
     QTest::newRow("nothing") << QByteArray("abc") << QByteArray("abc") << QByteArray("");
     QTest::newRow("one word") << QByteArray("Mass=2 Pos=1") << QByteArray("Mass=3 Pos=1") << QByteArray("5-1+3");
     QTest::newRow("at the end") << QByteArray("a") << QByteArray("ab") << QByteArray("1-0+b");
@@ -135,7 +135,7 @@ void PiecesTest::foldsBlocks() {
 
 void PiecesTest::lineCommands_data() {
     QTest::addColumn<QString>("command");
-    QTest::addColumn<QByteArray>("before"); // | caret, [ anchor
+    QTest::addColumn<QByteArray>("before"); // | is the caret, [ the anchor
     QTest::addColumn<QByteArray>("after");
     const auto row = [](const char* name, const char* command, const char* before, const char* after) {
         QTest::newRow(name) << QString::fromLatin1(command) << QByteArray(before) << QByteArray(after);
@@ -218,7 +218,7 @@ void PiecesTest::mergesTypedWordIntoOneEntry() {
     QCOMPARE(reportOf.join('|'), QByteArray("one |one two|one t|one tpasted text"));
     QCOMPARE(keys.size(), entries.size());
     QVERIFY(!typing.pending());
-    // What follows a word that has been given already goes on under its key.
+    // Typing after a word that was sent already continues its merge.
     type(text.size(), 0, "x");
     const std::string key = typing.take(text).front().mergeKey;
     type(text.size(), 0, "y");

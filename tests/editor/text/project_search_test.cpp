@@ -1,4 +1,4 @@
-// Finding and renaming in texts of the project that the experiment does not load.
+// Search and rename in project files that the experiment does not load.
 
 #include <QCheckBox>
 #include <QLabel>
@@ -16,7 +16,7 @@ namespace {
 constexpr char kOther[] = "#import parts.sim\nRobot third { Config=Ball size=0.3 }\nRobot fourth { Config=Ball }\n";
 constexpr char kOwnBall[] = "RobotConfig Ball { Body b { Sphere s { Radius=1 Mass=1 } } }\nRobot r { Config=Ball }\n";
 
-/// Two balls, and files beside them.
+/// TwoBalls, with more files in the project.
 struct SearchedProject : TwoBalls {
     std::string other = write("other.sim", kOther), own = write("own.sim", kOwnBall);
 
@@ -70,13 +70,13 @@ void ProjectSearchTest::findsInTheProjectsFolder() {
     QCOMPARE(w.child<QLabel>("foundTitle")->text(), QStringLiteral("2 found in 2 files; 1 larger file(s) not searched"));
     auto* list = w.child<QTreeWidget>("foundList");
     list->setCurrentItem(list->topLevelItem(1));
-    QTest::keyClick(list, Qt::Key_Return); // its text opens in a tab
+    QTest::keyClick(list, Qt::Key_Return); // opens the file in a tab
     QCOMPARE(w.page().file(), w.other);
     QCOMPARE(w.selected(), QByteArray("third"));
     QVERIFY(!w.document.isModified());
     QTest::keyClick(list, Qt::Key_Home);
     QTest::keyClick(list, Qt::Key_Return);
-    QVERIFY(w.page().edit().isPlain()); // no text of an experiment
+    QVERIFY(w.page().edit().isPlain()); // not part of the experiment
 }
 
 void ProjectSearchTest::findsWhatIsNotSaved() {
@@ -84,7 +84,7 @@ void ProjectSearchTest::findsWhatIsNotSaved() {
     w.panel.openFile(w.other);
     QVERIFY(w.document.replaceText(QStringLiteral("Type"), w.other, "// fifth\n").ok());
     QCOMPARE(w.listed(QStringLiteral("fifth")), QStringList{QStringLiteral("other.sim:1")});
-    QCOMPARE(w.listed(QStringLiteral("fourth")), QStringList()); // the disk still has it
+    QCOMPARE(w.listed(QStringLiteral("fourth")), QStringList()); // the file on disk still has it
     QCOMPARE(w.onDisk(w.other), QByteArray(kOther));
     QVERIFY(w.document.isModified(w.other));
     QVERIFY(w.document.save().ok());
@@ -101,7 +101,7 @@ void ProjectSearchTest::replacesInTheProject() {
     QVERIFY(w.text(w.other).contains("Robot last {"));
     QCOMPARE(w.history(), QStringList{QStringLiteral("Replace All")});
     QCOMPARE(w.document.modifiedFiles(), std::vector<std::string>{w.other});
-    QVERIFY(w.panel.pageOf(w.other)); // each file with unsaved changes has a tab
+    QVERIFY(w.panel.pageOf(w.other)); // each modified file has a tab
     w.document.undo();
     QCOMPARE(w.text(w.other), QByteArray(kOther));
     QVERIFY(!w.document.isModified());
@@ -121,7 +121,7 @@ void ProjectSearchTest::renamesInOtherTexts() {
     auto* name = w.child<QLineEdit>("renameText");
     auto* box = w.child<QCheckBox>("renameOthers");
     QVERIFY(name && box && box->isVisible() && box->isChecked());
-    QCOMPARE(box->text(), QStringLiteral("Also in other.sim, which is not loaded (2)")); // not in own.sim: that has a Ball of its own
+    QCOMPARE(box->text(), QStringLiteral("Also in other.sim, which is not loaded (2)")); // own.sim has a Ball of its own
     QCOMPARE(box->toolTip(), QStringLiteral("other.sim: 2"));
     if (!others) box->click();
     EVENTUALLY(name->hasFocus());
@@ -154,12 +154,12 @@ void ProjectSearchTest::aNameThatIsTakenElsewhereIsRefused() {
     QVERIFY2(w.child<QLabel>("renameError")->text().startsWith(QStringLiteral("other.sim: ")),
              qPrintable(w.child<QLabel>("renameError")->text()));
     QCOMPARE(w.text(w.parts), QByteArray(kBallConfig));
-    w.child<QCheckBox>("renameOthers")->click(); // without it the name is free
+    w.child<QCheckBox>("renameOthers")->click(); // without the other files there is no conflict
     QTest::keyClick(name, Qt::Key_Return);
     QVERIFY(w.text(w.parts).contains("RobotConfig Crate {"));
 }
 
-/// Other texts of the project that use it make no difference.
+/// Also if other files of the project use it.
 void ProjectSearchTest::whatCameWithTheProgramIsNotRenamed() {
     SearchedProject w;
     constexpr char kUser[] = "#import robots/simple_robot.sim\nRobot r { Config=SimpleRobot }\n";

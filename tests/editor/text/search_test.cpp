@@ -1,4 +1,4 @@
-// Finding, replacing and renaming in the texts, with real keys.
+// Find, replace and rename in texts, with real keys.
 
 #include <QCheckBox>
 #include <QLabel>
@@ -28,11 +28,11 @@ private Q_SLOTS:
 void SearchTest::renamesWhatIsNamedAtTheCaret_data() {
     QTest::addColumn<QByteArray>("word");
     QTest::addColumn<bool>("inParts");
-    QTest::addColumn<QByteArray>("drive"); // the texts afterwards, with NEW for the name
+    QTest::addColumn<QByteArray>("drive"); // the texts afterwards, with NEW as the new name
     QTest::addColumn<QByteArray>("parts");
     const auto row = [](const char* name, const char* word, bool inParts, std::initializer_list<const char*> places) {
         QByteArray drive = kTwoBalls, parts = kBallConfig;
-        for (const char* place : places) { // "size" in "$(size*2)": "$([size]*2)"
+        for (const char* place : places) { // [ ] marks the name: "$([size]*2)" is "size" in "$(size*2)"
             const QByteArray marked = place;
             const QByteArray plain = QByteArray(marked).replace("[", "").replace("]", "");
             const qsizetype from = marked.indexOf('['), to = marked.indexOf(']');
@@ -134,7 +134,7 @@ void SearchTest::listsWhatIsFoundInFiles() {
                                 QStringLiteral("parts.sim:2"), QStringLiteral("parts.sim:5")}));
     QCOMPARE(lines.at(4), QStringLiteral("Sphere ball { Radius=$(size*2) Mass=1 Material=red }"));
     QCOMPARE(w.child<QLabel>("foundTitle")->text(), QStringLiteral("5 found in 2 files"));
-    QVERIFY(w.child("foundPanel")->height() <= w.panel.height() / 3); // the text stays in sight
+    QVERIFY(w.child("foundPanel")->height() <= w.panel.height() / 3); // the text stays visible
     QTest::keyClick(find, Qt::Key_Down);
     EVENTUALLY(list->hasFocus());
     QTest::keyClick(list, Qt::Key_End);
@@ -142,7 +142,7 @@ void SearchTest::listsWhatIsFoundInFiles() {
     QCOMPARE(w.page().file(), w.parts);
     QCOMPARE(w.selected(), QByteArray("ball"));
     EVENTUALLY(w.edit().hasFocus());
-    w.key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier); // with what is selected
+    w.key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier); // searches for the selection
     QCOMPARE(find->text(), QStringLiteral("ball"));
     EVENTUALLY(find->hasFocus());
     QTest::keyClick(find, Qt::Key_Escape);
@@ -190,7 +190,7 @@ void SearchTest::replacesAllAsOneEntry() {
     w.document.undo();
     QCOMPARE(w.text(), QByteArray(kTwoBalls));
     QCOMPARE(w.text(w.parts), QByteArray(kBallConfig));
-    // What was found is marked where it is again.
+    // Matches are marked again.
     const auto marked = [&w](qsizetype at) {
         return w.edit().SendScintilla(QsciScintillaBase::SCI_INDICATORVALUEAT, 11UL, static_cast<long>(at)) != 0;
     };
@@ -206,7 +206,7 @@ void SearchTest::replacesOneByOne() {
     QTest::keyClicks(w.child<QLineEdit>("replaceText"), QStringLiteral("\\1 = Ball"));
     QTest::mouseClick(w.child<QPushButton>("replaceOne"), Qt::LeftButton);
     QCOMPARE(w.text().count("Config = Ball"), 1);
-    QCOMPARE(w.selected(), QByteArray("Config=Ball")); // the next one
+    QCOMPARE(w.selected(), QByteArray("Config=Ball")); // the next match
     QTest::mouseClick(w.child<QPushButton>("replaceOne"), Qt::LeftButton);
     QCOMPARE(w.text().count("Config = Ball"), 2);
     QCOMPARE(w.shown(), w.text());

@@ -1,4 +1,4 @@
-// Tabs, places and the selection of the text editor.
+// Tabs, breadcrumbs and the selection of the text editor.
 
 #include <QApplication>
 #include <QTabBar>
@@ -26,7 +26,7 @@ private Q_SLOTS:
     void namesOfFilesAreWhole();
 };
 
-/// In a pane that is too narrow for them the tabs scroll.
+/// Tabs that do not fit the pane are scrolled, not elided.
 void TabsTest::namesOfFilesAreWhole() {
     TextFixture w;
     QByteArray imports;
@@ -62,11 +62,11 @@ void TabsTest::tabsFollowTheDocument() {
     w.document.undo();
     QCOMPARE(tabs->tabText(1), QStringLiteral("parts.sim"));
     const auto buttons = [tabs] { return tabs->findChildren<QToolButton*>(QStringLiteral("closeTab")); };
-    QCOMPARE(buttons().size(), 1); // the opened file stays
+    QCOMPARE(buttons().size(), 1); // the opened file has no close button
     QTest::mouseClick(buttons().first(), Qt::LeftButton);
     QCOMPARE(tabs->count(), 1);
     EVENTUALLY(buttons().isEmpty());
-    QVERIFY(tabs->tabBar()->findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly).size() <= 2); // to scroll by
+    QVERIFY(tabs->tabBar()->findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly).size() <= 2); // scroll buttons
     QVERIFY(w.document.saveAs(w.folder.filePath(QStringLiteral("other.sim")).toStdString()));
     QCOMPARE(tabs->tabText(0), QStringLiteral("other.sim"));
     w.caretAt("Tick");
@@ -76,7 +76,7 @@ void TabsTest::tabsFollowTheDocument() {
     QVERIFY(w.document.path() != drive);
 }
 
-/// `&` marks no letter for the keyboard.
+/// `&` is not a mnemonic.
 void TabsTest::namesOfFilesAreShownAsTheyAre() {
     TextFixture w;
     const std::string drive = openDrive(w);
@@ -89,7 +89,7 @@ void TabsTest::namesOfFilesAreShownAsTheyAre() {
     w.panel.flush();
     QCOMPARE(shown(), QStringLiteral("a&&b %1 <b>.sim*"));
     const std::string typed = w.document.history().entries().back().name.toStdString();
-    QVERIFY2(typed.find("a&b %1 <b>.sim:") != std::string::npos, typed.c_str()); // the line is not put into the name
+    QVERIFY2(typed.find("a&b %1 <b>.sim:") != std::string::npos, typed.c_str()); // %1 is not substituted
 }
 
 void TabsTest::closesTabsOfRemovedFiles() {
@@ -113,7 +113,7 @@ void TabsTest::cursorSelects() {
     TextFixture w;
     openDrive(w);
     w.caretAt("Config=Ball");
-    QVERIFY(w.selection.empty()); // only by hand
+    QVERIFY(w.selection.empty()); // only the user's caret moves select
     w.key(Qt::Key_Right);
     EVENTUALLY_EQUAL(w.selection.current(), std::string("ball"));
     QVERIFY(w.panel.openFile(w.document.files().at(1)));
@@ -121,7 +121,7 @@ void TabsTest::cursorSelects() {
     w.caretAt("Radius");
     w.key(Qt::Key_Right);
     EVENTUALLY_EQUAL(w.selection.current(), std::string("RobotConfig.Ball.body.ball"));
-    w.selection.select("ball.body.ball"); // the same text, through the robot: the caret does not take it back
+    w.selection.select("ball.body.ball"); // the same text range, through the robot: the caret does not change it back
     w.key(Qt::Key_Right);
     EVENTUALLY(!w.panel.findChild<QTimer*>(QStringLiteral("caretTimer"))->isActive());
     QCOMPARE(w.selection.current(), std::string("ball.body.ball"));
@@ -138,7 +138,7 @@ void TabsTest::selectionIsMarked() {
     w.selection.select("floor");
     QVERIFY(marked("Static floor"));
     QVERIFY(!marked("Robot ball"));
-    w.selection.select("ball.body"); // its config is in a file without a tab: the robot represents it
+    w.selection.select("ball.body"); // its config is in a file without a tab, so the robot is marked
     QVERIFY(marked("Robot ball"));
     QCOMPARE(w.edit().caret(), caret);
     w.selection.clear();
@@ -177,7 +177,7 @@ void TabsTest::revealKeepsKeyboardFocus() {
     QVERIFY(!w.edit().hasFocus());
     w.panel.reveal(w.document.files().at(0), {0, 4}, true);
     QVERIFY(w.edit().hasFocus());
-    w.panel.reveal(w.document.files().at(0), {4000000, 4000001}); // beyond the end
+    w.panel.reveal(w.document.files().at(0), {4000000, 4000001}); // beyond the end of the text
     QCOMPARE(w.edit().caret(), static_cast<std::uint32_t>(w.shown().size()));
 }
 

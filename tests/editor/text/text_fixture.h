@@ -1,5 +1,5 @@
 #pragma once
-// A text panel over a real document, in a folder of its own.
+// Fixture: a text panel over a real document, in a temporary folder.
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -50,7 +50,7 @@ struct TextFixture {
     Actions actions{kRows};
     TextPanel panel{document, selection, actions};
 
-    /// Writes a file and gives its path.
+    /// Writes a file and returns its path.
     std::string write(const char* name, const QByteArray& bytes) {
         const QString path = folder.filePath(QString::fromLatin1(name));
         QFile file(path);
@@ -58,7 +58,7 @@ struct TextFixture {
         file.close();
         return QFileInfo(path).canonicalFilePath().toStdString();
     }
-    /// Opens it and shows the window, the keyboard in the text.
+    /// Opens the file and shows the window with the focus in the text.
     void open(const std::string& path) {
         const Status opened = document.open(path);
         if (!opened) qFatal("%s", opened.error().message.c_str());
@@ -76,7 +76,7 @@ struct TextFixture {
     }
     [[nodiscard]] QByteArray text() { return text(page().file()); }
     [[nodiscard]] QByteArray shown() { return QByteArray::fromStdString(edit().bytes()); }
-    /// Puts the caret before the first such text.
+    /// Puts the caret before the first occurrence of `words`, plus an offset.
     void caretAt(const char* words, int plus = 0) {
         const auto at = static_cast<std::uint32_t>(shown().indexOf(words) + plus);
         edit().select({at, at});

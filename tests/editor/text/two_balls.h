@@ -20,7 +20,7 @@ RobotConfig Ball {
 }
 )";
 
-/// Two balls whose config is in another file.
+/// Two balls whose config is in a second file.
 struct TwoBalls : TextFixture {
     std::string parts;
     TwoBalls() {

@@ -27,7 +27,7 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=-0.5,0,0 ") && m_window->text().contains("Pos=0.5,0.3,0 "),
                  m_window->text().constData());
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
-        // On top of each other.
+        // One above the other.
         QVERIFY(m_window->open(QByteArray(kRoom).replace("Pos=0.5,0.3,0", "Pos=-0.5,0,1")));
         m_window->selection.select("robot1");
         m_window->trigger("tool.drop");
@@ -82,7 +82,7 @@ private Q_SLOTS:
         m_window->document.undo();
         QCOMPARE(m_window->text(), kRoom);
         m_window->selection.select("robot0");
-        copyInRows(viewContext(), {{3, 1, 1}, {-0.5, 0.6, 1}, true}); // to the other side: a Grid's Spacing has no sign
+        copyInRows(viewContext(), {{3, 1, 1}, {-0.5, 0.6, 1}, true}); // in the negative direction: a Grid's Spacing has no sign
         QVERIFY2(m_window->text().contains("Pos=-1,0,0 Count=3,1 Spacing=0.5,0.6"), m_window->text().constData());
     }
 

@@ -35,7 +35,7 @@ private Q_SLOTS:
                 if (before.depth <= 0) continue;
                 QVERIFY(near(before, seen(camera, about)));
                 QVERIFY(isUsable(camera.view()));
-                // Upright: what is above is above.
+                // The camera is upright: a point above is higher in the image.
                 QVERIFY(seen(camera, camera.middle() + Vec3(0, 0, 0.1)).y <= seen(camera, camera.middle()).y + 1e-6);
             }
         }

@@ -1,4 +1,4 @@
-// Saves a picture of the panel: draw_viewport FILE OUT.png [light|dark] [SELECT] [TOOL] [VIEWS] [OVERLAYS,...]
+// Saves an image of the panel: draw_viewport FILE OUT.png [light|dark] [SELECT] [TOOL] [VIEWS] [OVERLAYS,...]
 #include <cstdio>
 
 #include <QApplication>

@@ -41,14 +41,14 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_window->view().refinements(), 1);
         EVENTUALLY(m_window->panel->isUpToDate());
         const int redraws = m_window->view().redraws();
-        // Turns of the event loop that bring no event of ours.
+        // Iterations of the event loop without an event of the view.
         for (int i = 0; i < 200; ++i) QCoreApplication::processEvents();
         QCOMPARE(m_window->view().redraws(), redraws);
         QCOMPARE(m_window->view().refinements(), 1);
     }
 
     void refinementDoesNotDelayNewImages() {
-        m_window->panel->resize(1800, 1400); // so that it takes long
+        m_window->panel->resize(1800, 1400); // so that drawing takes long
         EVENTUALLY(m_window->panel->isUpToDate());
         const int finer = m_window->view().refinements();
         while (m_window->view().refinements() == finer) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
@@ -59,9 +59,9 @@ private Q_SLOTS:
         QCOMPARE(m_window->view().redraws(), before + 1);
         QVERIFY(shown.size() >= 1);
         QVERIFY(orange(m_window->view().picture()) > 100);
-        EVENTUALLY_EQUAL(m_window->view().refinements(), finer + 2); // it comes later
+        EVENTUALLY_EQUAL(m_window->view().refinements(), finer + 2); // the refined image follows
         EVENTUALLY(m_window->panel->isSettled());
-        QCOMPARE(shown.size(), 2); // the one that gave way was not
+        QCOMPARE(shown.size(), 2); // the image that was superseded was not shown
     }
 
     void hiddenPanelRequestsNothing() {
@@ -82,9 +82,9 @@ private Q_SLOTS:
         QCOMPARE(orange(plain), 0);
         m_window->selection.select("robot0.chassis.bumper");
         EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 20);
-        m_window->selection.select("RobotConfig.SimpleRobot.chassis"); // in both robots
+        m_window->selection.select("RobotConfig.SimpleRobot.chassis"); // outlined in both robots
         EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) > 100);
-        m_window->selection.select("arena.floor"); // has no end, so no outline
+        m_window->selection.select("arena.floor"); // infinite, so it has no outline
         EVENTUALLY(m_window->panel->isUpToDate() && orange(m_window->view().picture()) == 0);
     }
 
@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(QLineF(*m_window->view().pixelOf(under), to).length() < 0.01);
         under = m_window->view().pointUnder(cursor);
         const double before = m_window->view().camera().metresPerPixel(900, under);
-        m_window->drag(cursor, cursor - QPointF(0, 60), Qt::MiddleButton, Qt::ControlModifier); // up is nearer, as the wheel is
+        m_window->drag(cursor, cursor - QPointF(0, 60), Qt::MiddleButton, Qt::ControlModifier); // up zooms in, like the wheel
         QVERIFY(m_window->view().camera().metresPerPixel(900, under) < 0.8 * before);
         QVERIFY(QLineF(*m_window->view().pixelOf(under), cursor).length() < 0.01);
         settings.setNavigation(NavigationStyle::Trundle);
@@ -184,7 +184,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_window->view().refinements(), 1);
         EVENTUALLY(m_window->panel->isUpToDate());
         const QColor before = m_window->view().picture().pixelColor(hull.toPoint());
-        // The second robot's config cannot be found any more.
+        // The config of the second robot is missing now.
         const std::string file = m_window->document.files().front();
         const std::string broken =
             QByteArray(kRoom).replace("robot1 { Config=SimpleRobot", "robot1 { Config=Nothing").toStdString();
@@ -245,7 +245,7 @@ private Q_SLOTS:
         m_window->trigger("view.overlayGrid");
         EVENTUALLY(m_window->panel->isSettled());
         const QImage without = m_window->view().picture();
-        // Along a metre of open ground ten lines are crossed, and the robot is the same.
+        // Along a metre of open floor there are ten grid lines; the robot looks the same.
         int lines = 0;
         const QPoint from = m_window->at({-0.55, -0.85, 0}), to = m_window->at({0.55, -0.85, 0});
         for (int x = from.x(); x < to.x(); ++x) {
@@ -259,7 +259,7 @@ private Q_SLOTS:
 
     void withoutTheGridTheFloorIsPlainAndStillThere() {
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
-        const auto look = [this](std::vector<int>& shades) { // along 40 cm of open floor, across four lines
+        const auto look = [this](std::vector<int>& shades) { // along 40 cm of open floor, across four grid lines
             EVENTUALLY(m_window->panel->isSettled());
             const QImage& picture = m_window->view().picture();
             const QPoint from = m_window->at({-0.2, -0.85, 0}), to = m_window->at({0.2, -0.85, 0});
@@ -273,8 +273,8 @@ private Q_SLOTS:
         look(plain);
         QVERIFY(!lined.empty() && !plain.empty());
         QVERIFY2(lined.back() - lined.front() > 8, qPrintable(QString::number(lined.back() - lined.front())));
-        QVERIFY2(plain.back() - plain.front() <= 2, qPrintable(QString::number(plain.back() - plain.front()))); // but for the haze
-        QVERIFY(std::abs(plain.back() - lined.back()) < 24); // of the floor, not of what lies below it
+        QVERIFY2(plain.back() - plain.front() <= 2, qPrintable(QString::number(plain.back() - plain.front()))); // except for fog
+        QVERIFY(std::abs(plain.back() - lined.back()) < 24); // drawn with the colour of the floor, not of what is below it
     }
 
     void withoutOpenGlAllButThePictureWorks() {
@@ -303,7 +303,7 @@ private Q_SLOTS:
         m_window->panel->setViewCount(4);
         EVENTUALLY(m_window->panel->isSettled());
         View& view = m_window->view();
-        const int bar = view.height() - 76; // and the axes beside it
+        const int bar = view.height() - 76; // beside it: the axes
         const auto scaleBar = [&] { return view.grab().toImage().copy(0, bar, view.width(), view.height() - bar); };
         const QImage before = scaleBar();
         const QImage whole = view.grab().toImage();
@@ -330,16 +330,16 @@ private Q_SLOTS:
         QCOMPARE(drawn(first) + drawn(second), 0);
         click(first, {0, 0, 0});
         const int point = drawn(second);
-        QVERIFY(point > 0); // it shows there too
+        QVERIFY(point > 0); // it is shown in this view too
         click(second, {0.2, 0.2, 0});
         QVERIFY(drawn(second) > point);
         QVERIFY(drawn(first) > point);
-        m_window->trigger("tool.select"); // nothing of it stays
+        m_window->trigger("tool.select"); // nothing of the measurement stays
         QCOMPARE(drawn(first) + drawn(second), 0);
     }
 
 private:
-    /// Pixels in the colour of the outline.
+    /// Counts pixels in the colour of the outline.
     static int orange(const QImage& image) {
         int count = 0;
         for (int y = 0; y < image.height(); ++y)

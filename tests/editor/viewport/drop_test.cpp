@@ -71,9 +71,9 @@ private Q_SLOTS:
         QCOMPARE(experiment.robots.size(), std::size_t(1));
         const Vec3 at = experiment.robots[0].pose.position;
         QCOMPARE(at.z(), 0.0);
-        const double reach = 0.125 * (std::abs(normal.x()) + std::abs(normal.y())); // of its corner towards the wall
+        const double reach = 0.125 * (std::abs(normal.x()) + std::abs(normal.y())); // from centre to corner
         QVERIFY2(std::abs(normal.dot(at) - 0.05 - reach) < 1e-4, m_window->text().constData());
-        // On top of the wall it rests on top.
+        // On the wall, it rests on the top.
         drop("Robot", "Robot crate { Config=Crate Pos=0,0,0 }", {QStringLiteral("objects/crate.sim")}, {0, 0, 0.5});
         QVERIFY(std::abs(m_window->document.loaded()->experiment->robots.at(1).pose.position.z() - 0.5) < 1e-5);
     }
@@ -98,13 +98,13 @@ private Q_SLOTS:
         const SceneId scene = m_window->panel->world().drawnScene();
         drag(QDragMoveEvent(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
         EVENTUALLY(m_window->panel->isUpToDate() && isSeen(places[1]) && !isSeen(places[0]));
-        QVERIFY(scene == m_window->panel->world().drawnScene()); // nothing was made anew
+        QVERIFY(scene == m_window->panel->world().drawnScene()); // the scene was not rebuilt
         QVERIFY(m_window->document.loaded()->experiment->robots.empty() && m_window->document.history().entries().empty());
         QDragLeaveEvent leave;
         QCoreApplication::sendEvent(&view, &leave);
         EVENTUALLY(m_window->panel->isSettled());
         QVERIFY(view.picture() == before);
-        // The drop puts it where it was seen.
+        // The drop places it where the preview was.
         drag(QDragEnterEvent(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier));
         const Pose shown = m_window->panel->world().dragged().value();
         QDropEvent event(m_window->at(places[1]), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -115,14 +115,14 @@ private Q_SLOTS:
 
     void aShapeOnARobotTouchesTheFaceItFallsOn() {
         m_window->look({-0.5, -2.5, 1.0}, {-0.5, 0, 0.1});
-        drop("Sphere", "Sphere nose { Radius=0.03 }", {}, {-0.5, -0.1, 0.1}); // the right side of robot0's hull
+        drop("Sphere", "Sphere nose { Radius=0.03 }", {}, {-0.5, -0.1, 0.1}); // on the right side of robot0's hull
         const BodySpec& chassis = m_window->document.loaded()->experiment->robots.at(0).config->bodies.at(0);
         const auto nose = std::ranges::find(chassis.geoms, std::string("nose"), &GeomSpec::name);
         QVERIFY2(nose != chassis.geoms.end(), m_window->text().constData());
         QVERIFY2(std::abs(nose->pose.position.y() + 0.13) < 1e-4, qPrintable(QString::number(nose->pose.position.y())));
     }
 
-    // ---- rows of the scene tree ----
+    // ---- rows of the Scene tree ----
 
     void aRowOfTheTreeMovesItsObject() {
         m_window->selection.select("robot0");

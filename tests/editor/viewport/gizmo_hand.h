@@ -5,13 +5,13 @@
 
 namespace trundle {
 
-/// Drags a handle of the gizmo, whose origin is there, so far along its axis or plane. False where there is no such handle.
+/// Drags a handle of the gizmo at `origin` (in W) by `by` along its axis or plane. False if there is no such handle.
 inline bool dragHandle(ViewWindow& window, const Handle& handle, const Vec3& by, const Vec3& origin,
                        Qt::KeyboardModifiers modifiers = {}) {
     View& view = window.view();
     const auto spot = view.gizmo().spot(handle);
     if (!spot) return false;
-    // The place that the handle's pixel means: on its axis or plane.
+    // The point under the handle's pixel, on its axis or plane.
     const ViewRay ray = view.rayAt(*spot);
     Vec3 start;
     if (handle.kind == Handle::Kind::Plane) {

@@ -53,7 +53,7 @@ private Q_SLOTS:
     void turningWritesDegrees() {
         take("robot0", "tool.rotate");
         View& view = m_window->view();
-        // From one place on the ring to the one an eighth of a turn further, seen from above.
+        // From a point on the ring to the one 45 degrees further, seen from above.
         m_window->look({-0.5, -0.01, 4}, {-0.5, 0, 0});
         const double radius = 74 * view.camera().metresPerPixel(view.width(), {-0.5, 0, 0});
         const auto on = [&](double degrees) {
@@ -79,7 +79,7 @@ private Q_SLOTS:
         m_window->key(Qt::Key_Escape);
         QCOMPARE(m_window->text(), kRoom);
         QVERIFY(!m_window->document.history().canUndo());
-        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1)); // what was undone before can still be redone
+        QCOMPARE(m_window->document.history().entries().size(), std::size_t(1)); // the redo entries are still available
         QCOMPARE(m_window->document.history().entries()[0].name, QStringLiteral("Set Tick"));
         QVERIFY(!m_window->document.isModified());
         m_window->move(from + QPointF(200, 0), {}, Qt::LeftButton);
@@ -97,7 +97,7 @@ private Q_SLOTS:
         m_window->key(Qt::Key_Backspace);
         m_window->key(Qt::Key_Return);
         QVERIFY2(m_window->text().contains("Pos=-0.25,0,0"), m_window->text().constData());
-        m_window->move(from + QPointF(90, 4), {}, Qt::LeftButton); // it is over, though the button is down
+        m_window->move(from + QPointF(90, 4), {}, Qt::LeftButton); // the drag is cancelled, though the button is pressed
         m_window->release(from + QPointF(90, 4));
         QVERIFY(m_window->text().contains("Pos=-0.25,0,0"));
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
@@ -109,7 +109,7 @@ private Q_SLOTS:
         m_window->press(from);
         m_window->move(from + QPointF(30, 4), {}, Qt::LeftButton);
         m_window->type(QStringLiteral("25 c"));
-        QVERIFY2(!m_window->text().contains("Pos=24.5"), m_window->text().constData()); // not metres
+        QVERIFY2(!m_window->text().contains("Pos=24.5"), m_window->text().constData()); // the unit is not metres
         m_window->type(QStringLiteral("m"));
         m_window->key(Qt::Key_Return);
         QVERIFY2(m_window->text().contains("Pos=-0.25,0,0"), m_window->text().constData());
@@ -154,7 +154,7 @@ private Q_SLOTS:
         open(QByteArray(kRoom).replace("HPR=0,0,0 } // the first", "HPR=90,0,0 } // the first"));
         take("robot0", "tool.move");
         m_window->panel->settings().setAxes(AxesOf::Local);
-        // Its own x points along y of the world.
+        // Its own x axis is the y axis of the world.
         dragBy(kMoveX, {0, 0.2, 0}, Qt::NoModifier);
         QVERIFY2(m_window->text().contains("Pos=-0.5,0.2,0"), m_window->text().constData());
     }
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(m_window->view().gizmo().spot(side));
         dragBy(side, {0.1, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
         QVERIFY2(m_window->text().contains("Size=0.5, 0.4, 0.4  Pos=0.05,0,0.2"), m_window->text().constData());
-        // To nothing and beyond: it stays a shape, at the side that stays.
+        // A side is dragged past the opposite side: the size stays positive and the opposite side stays in place.
         dragBy(side, {-9, 0, 0}, Qt::NoModifier, {0, 0, 0.2});
         QVERIFY2(m_window->text().contains("Size=0.001, 0.4, 0.4  Pos=-0.1995,0,0.2"), m_window->text().constData());
     }
@@ -238,13 +238,13 @@ private Q_SLOTS:
         const GeomSpec before = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         const Vec3 axis = before.pose.rotation * Vec3::UnitZ();
         const Handle along{Handle::Kind::Size, 2};
-        QVERIFY(std::abs(axis.z()) < 1e-9); // it lies
+        QVERIFY(std::abs(axis.z()) < 1e-9); // the axis is horizontal
         dragBy(along, 0.2 * axis, Qt::NoModifier, {0.2, 0, 0.3});
         const GeomSpec& after = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         QCOMPARE(after.length, 0.6);
         QCOMPARE(after.radius, 0.1);
         QVERIFY((after.pose.position - 0.3 * axis - (before.pose.position - 0.2 * axis)).norm() < 1e-6);
-        // A radius has no other side.
+        // A radius has no opposite side.
         dragBy({Handle::Kind::Size, 0}, 0.1 * (before.pose.rotation * Vec3::UnitX()), Qt::NoModifier, after.pose.position);
         const GeomSpec& wide = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         QCOMPARE(wide.radius, 0.2);
@@ -255,7 +255,7 @@ private Q_SLOTS:
         take("robot0", "tool.move");
         const QPointF middle = *m_window->view().pixelOf({-0.5, 0, 0}), spot = *m_window->view().gizmo().spot(kMoveX);
         const QPointF along = (spot - middle) / QLineF(middle, spot).length();
-        const QPointF tip = 2 * spot - middle - 11 * along; // where the line begins
+        const QPointF tip = 2 * spot - middle - 11 * along; // outer end of the handle's line
         for (const double beyond : {4.0, 12.0}) {
             m_window->drag(tip + beyond * along, tip + 90 * along);
             QCOMPARE(m_window->document.history().canUndo(), beyond < 7);
@@ -309,7 +309,7 @@ private Q_SLOTS:
         open(QByteArray(kRoom) + "Robot broken { Config=Nothing Pos=1,1,0 }\n");
         const QByteArray before = m_window->text();
         take("broken", "tool.move");
-        QVERIFY(!m_window->view().gizmo().spot(kMoveX)); // nothing is drawn of it
+        QVERIFY(!m_window->view().gizmo().spot(kMoveX)); // the gizmo is not drawn
         take("robot0", "tool.move");
         dragBy(kMoveX, {0.1, 0, 0}, Qt::NoModifier);
         QVERIFY2(m_window->text().contains("Pos=-0.4,0,0"), m_window->text().constData());
@@ -322,7 +322,7 @@ private Q_SLOTS:
         const QPointF from = *m_window->view().gizmo().spot(kMoveX);
         m_window->press(from);
         m_window->move(from + QPointF(100, 0), {}, Qt::LeftButton);
-        QVERIFY(m_window->open("Tick = 0.02\n")); // another document in the middle of it
+        QVERIFY(m_window->open("Tick = 0.02\n")); // opens another document during the drag
         m_window->move(from + QPointF(150, 0), {}, Qt::LeftButton);
         m_window->release(from + QPointF(150, 0));
         QCOMPARE(m_window->text(), QByteArray("Tick = 0.02\n"));
@@ -338,7 +338,7 @@ private:
         m_window->selection.select(path);
         m_window->trigger(tool);
     }
-    /// Drags a handle so that what it holds at `origin` goes by `by`.
+    /// Drags a handle at `origin` (in W) by `by`.
     void dragBy(const Handle& handle, const Vec3& by, Qt::KeyboardModifiers modifiers, Vec3 origin = {-0.5, 0, 0}) {
         QVERIFY(dragHandle(*m_window, handle, by, origin, modifiers));
     }

@@ -41,14 +41,14 @@ private Q_SLOTS:
         QVERIFY(pin.isChecked());
         const QImage atStart = shown();
         const int floor = qGray(plain.pixel(4, 12)), label = qGray(atStart.pixel(4, 12));
-        QVERIFY2(label < floor - 40, qPrintable(QStringLiteral("%1 %2").arg(floor).arg(label))); // dark over a lighter floor
+        QVERIFY2(label < floor - 40, qPrintable(QStringLiteral("%1 %2").arg(floor).arg(label))); // dark text on a lighter floor
         step();
         EVENTUALLY(shown() != atStart);
         m_window->selection.select("robot1");
         QVERIFY(!pin.isChecked());
         m_window->trigger("view.pinValues");
         QCOMPARE(m_window->panel->pinned().paths().size(), 2u);
-        // What has gone is pinned no longer; the same action unpins.
+        // Pins of missing objects are removed; the same action unpins.
         m_window->selection.clear();
         QVERIFY(m_window->document.apply(QStringLiteral("Delete"), planRemove(*m_window->document.loaded(), {"robot1"})).ok());
         QCOMPARE(m_window->panel->pinned().paths(), std::vector<std::string>{"robot0.leftMotor"});
@@ -68,18 +68,18 @@ private Q_SLOTS:
             return PinnedLabel();
         };
         const QRectF robot = label("robot0").rect, motor = label("robot0.leftMotor").rect;
-        QVERIFY(motor.top() > robot.bottom()); // in a column
+        QVERIFY(motor.top() > robot.bottom()); // one below the other
         const QPointF from = motor.center(), to = from + QPointF(400, 150);
         m_window->drag(from, to);
         QVERIFY2((label("robot0.leftMotor").rect.center() - to).manhattanLength() < 2, "it goes with the mouse");
-        QVERIFY(m_window->selection.empty()); // what is behind it was not clicked
+        QVERIFY(m_window->selection.empty()); // the click did not select the object behind it
         QCOMPARE(label("robot0").rect, robot);
-        m_window->panel->resize(700, 600); // it keeps its share of the view
+        m_window->panel->resize(700, 600); // the relative position is kept
         const QRectF moved = label("robot0.leftMotor").rect;
         QVERIFY(QRectF(m_window->view().rect()).contains(moved));
         m_window->click(moved.center());
         QCOMPARE(m_window->selection.current(), std::string("robot0.leftMotor"));
-        m_window->drag(moved.center(), QPointF(-500, -500)); // never out of the view
+        m_window->drag(moved.center(), QPointF(-500, -500)); // it stays inside the view
         QVERIFY(QRectF(m_window->view().rect()).contains(label("robot0.leftMotor").rect));
         const QPointF back = label("robot0.leftMotor").rect.center();
         m_window->press(back);
@@ -89,7 +89,7 @@ private Q_SLOTS:
         m_window->release(back);
         m_window->click(label("robot0.leftMotor").close.center());
         QCOMPARE(pinned.paths(), std::vector<std::string>{"robot0"});
-        QVERIFY(m_window->open(kRoom)); // pins are of the experiment that is open
+        QVERIFY(m_window->open(kRoom)); // another experiment has no pins
         QVERIFY(pinned.paths().empty());
     }
 
@@ -103,7 +103,7 @@ private Q_SLOTS:
         m_window->drag(from, from + QPointF(120, 0));
         QCOMPARE(m_window->text(), kRoom);
         QVERIFY(m_window->session.robotPose("robot0")->position.x() > -0.4);
-        // It can be kept.
+        // Changed poses can be kept.
         auto* keep = m_window->panel->findChild<QWidget*>(QStringLiteral("bannerButton"));
         EVENTUALLY(keep->isVisible());
         QTest::mouseClick(keep, Qt::LeftButton);
@@ -142,7 +142,7 @@ private Q_SLOTS:
         EVENTUALLY(m_window->session.robotPose("robot0")->position.x() > -0.45);
         m_window->release(hull + QPointF(150, 0), Qt::LeftButton, Qt::ControlModifier);
         QVERIFY(m_window->selection.empty());
-        // A click without a drag is a click.
+        // A press without a drag is a click.
         m_window->click(m_window->at(m_window->session.robotPose("robot0")->position + Vec3(0, 0, 0.13)), Qt::ControlModifier);
         QCOMPARE(m_window->selection.paths(), std::vector<std::string>{"robot0"});
         QCOMPARE(m_window->text(), kRoom);
@@ -163,14 +163,14 @@ private Q_SLOTS:
         EVENTUALLY(m_window->panel->world().isRunning());
         QVERIFY(m_window->session.drive("robot1", 0.3, 0));
         EVENTUALLY(m_window->session.robotPose("robot1")->position.x() > 0.6);
-        QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective); // it is seen, so nothing moves
+        QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective); // it is visible, so the view does not move
         m_window->session.stopDriving();
         m_window->look({-0.5, -0.6, 0.4}, {-0.5, 0, 0});
         m_window->selection.select("robot0");
         QVERIFY(m_window->session.drive("robot0", 0.6, 0));
         EVENTUALLY_EQUAL(m_window->view().camera().kind(), ViewKind::Follow);
         QVERIFY(m_window->view().rect().contains(m_window->at(m_window->session.robotPose("robot0")->position)));
-        QVERIFY(m_window->open(kRoom)); // whom it followed is gone
+        QVERIFY(m_window->open(kRoom)); // the followed robot is missing
         QCOMPARE(m_window->view().camera().kind(), ViewKind::Perspective);
     }
 

@@ -1,5 +1,5 @@
-// Files that only describe a robot or an arena: they are seen, selected and edited where they are, and a robot runs on a floor that no
-// text has.
+// Files that only contain configs: their robots and arenas are shown, selected and edited, and a robot runs on a floor that is
+// not in the text.
 #include <QtTest>
 
 #include "editor/viewport/gizmo_tool.h"
@@ -48,7 +48,7 @@ private Q_SLOTS:
         m_window->key(Qt::Key_Return);
         m_window->release(from);
         QCOMPARE(m_window->text(), QByteArray(kRover).replace("Pos=0,0,0.4", "Pos=0.1,0,0.4"));
-        QCOMPARE(selectedAt({0.1, 0, 0.5}), std::string("RobotConfig.Rover")); // drawn where it is now
+        QCOMPARE(selectedAt({0.1, 0, 0.5}), std::string("RobotConfig.Rover")); // drawn at its current pose
         m_window->document.undo();
         QCOMPARE(m_window->text(), kRover);
     }
@@ -80,13 +80,13 @@ private Q_SLOTS:
                     .ok());
         const ViewportScene& world = m_window->view().context().world;
         QCOMPARE(world.objects()->instances().size(), std::size_t(1));
-        QCOMPARE(world.objectsOf("RobotConfig.Rover.chassis").size(), std::size_t(1)); // in the robot
+        QCOMPARE(world.objectsOf("RobotConfig.Rover.chassis").size(), std::size_t(1)); // of the instance; there is no preview
         QVERIFY(m_window->session.refusal().isEmpty());
         m_window->document.undo();
         QVERIFY(world.find("RobotConfig.Rover.chassis"));
     }
 
-    /// It falls a little and lies on the floor, which cannot be selected; the text stays as it is.
+    /// The robot falls and rests on the floor, which cannot be selected; the text is unchanged.
     void aRobotRunsOnAFloor() {
         const QByteArray high = QByteArray(kRover).replace("Pos=0,0,0.1", "Pos=0,0,0.3");
         open(high);
@@ -99,7 +99,7 @@ private Q_SLOTS:
         session.runFor(1);
         EVENTUALLY(session.state() == RunState::Paused && session.time() >= 1);
         const auto pose = session.robotPose("RobotConfig.Rover");
-        QVERIFY(pose && std::abs(pose->position.z() + 0.2) < 0.01); // the hull, 0.2 m above the floor before
+        QVERIFY(pose && std::abs(pose->position.z() + 0.2) < 0.01); // the hull, which started 0.2 m above the floor
         QVERIFY(world.find("RobotConfig.Rover.chassis.mast"));
         QVERIFY(!session.keepRefusal().isEmpty());
         QCOMPARE(m_window->text(), high);
@@ -109,7 +109,7 @@ private Q_SLOTS:
         session.reset();
     }
 
-    /// What reaches below its own frame is lifted onto the floor.
+    /// A robot with geoms below its origin is raised to rest on the floor.
     void noRobotStartsInTheFloor() {
         open(QByteArray(kRover).replace("Pos=0,0,0.1", "Pos=0,0,0"));
         const ViewportScene& world = m_window->view().context().world;
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QCOMPARE(refused.size(), 1);
         QVERIFY2(refused[0][0].toString().contains(QStringLiteral("describes Yard")), qPrintable(refused[0][0].toString()));
         QCOMPARE(m_window->session.state(), RunState::Start);
-        open("Tick = 0.01\n"); // nothing is described: an empty world may run
+        open("Tick = 0.01\n"); // no configs: an empty world can run
         QVERIFY(m_window->session.refusal().isEmpty());
     }
 
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(m_window->view().context().world.objects()->instances().empty());
     }
 
-    /// Each of those that come with the program is seen when it is opened.
+    /// Each shipped robot and arena is visible when it is opened.
     void everySampleRobotAndArenaIsSeen() {
         for (const char* folder : {"robots", "arenas"})
             for (const QFileInfo& file : QDir(QStringLiteral(TRUNDLE_SOURCE_DIR "/configs/") + QLatin1String(folder))

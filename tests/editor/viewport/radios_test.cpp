@@ -1,4 +1,4 @@
-// Antenna lobes, radio links and coverage over the views.
+// Antenna lobes, radio links and coverage in the 3D views.
 
 #include <cmath>
 #include <numbers>
@@ -28,10 +28,10 @@ RobotConfig Mote {
 }
 )";
 
-/// Friis between antennas without gain, of 1 mW at 2.45 GHz.
+/// Received power in dBm of 1 mW at 2.45 GHz between isotropic antennas (Friis); `distance` in metres.
 double friis(double distance) { return -20 * std::log10(4 * std::numbers::pi * distance * 2.45e9 / 299792458.0); }
 
-/// What the window shows, as the pure parts take it.
+/// The radio poses that the window shows, for functions that do not need a window.
 RadioPoses placesOf(ViewWindow& window) {
     const auto& objects = window.panel->world().objects();
     return {objects, window.panel->world().poses(),
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QCOMPARE(lobeRadius(10, 0.5), 0.75);
         QCOMPARE(lobeRadius(-20, 0.5), 0.0);
         QCOMPARE(lobeRadius(-30, 0.5), 0.0);
-        // Seen from outside the triangles are counter-clockwise.
+        // Triangles are counter-clockwise, seen from outside.
         for (std::size_t i = 0; i < mesh->indices.size(); i += 3) {
             const auto at = [&](std::size_t k) { return Vec3(mesh->points[mesh->indices[i + k]].cast<double>()); };
             QVERIFY(at(0).cross(at(1)).dot(at(2)) > -1e-12);
@@ -155,7 +155,7 @@ Robot a { Config=Turret }
     // --- links ---
 
     void linksAreThoseOfTheBudget() {
-        // Margins of Friis, chosen: 1, 6 and 14 dB from a; d is out of reach, e on another channel, f hears badly.
+        // Chosen margins by Friis: 1, 6 and 14 dB from a; d is out of reach, e uses another channel, f has a low sensitivity.
         QByteArray text = kMote + "Robot a { Config=Mote }\n";
         const auto far = [](double margin) { return std::pow(10, (friis(1) + 50 - margin) / 20); };
         const auto add = [&](const char* name, double x, double y, const char* more = "") {
@@ -176,10 +176,10 @@ Robot a { Config=Turret }
         };
         QVERIFY(of(0, 1) && std::abs(of(0, 1)->margin - 1) < 0.01 && !of(0, 1)->oneWay);
         QVERIFY(of(0, 2) && std::abs(of(0, 2)->margin - 6) < 0.01 && !of(0, 2)->oneWay);
-        QVERIFY(of(4, 0) && std::abs(of(4, 0)->margin - 14) < 0.01 && of(4, 0)->oneWay); // f is heard and hears not
+        QVERIFY(of(4, 0) && std::abs(of(4, 0)->margin - 14) < 0.01 && of(4, 0)->oneWay); // f is received, but does not receive
         for (const RadioLink& link : all.links) {
             QVERIFY(link.from != 3 && link.to != 3 && link.from != 5 && link.to != 5);
-            // As the budget has it.
+            // The same as the link budget.
             const RadioNodes radios = radiosAt(places);
             const double there = radios.link(RadioId(link.from), RadioId(link.to), 0).margin,
                          back = radios.link(RadioId(link.to), RadioId(link.from), 0).margin;
@@ -213,13 +213,13 @@ Robot a { Config=Turret }
         m_window->trigger("view.overlayLinks");
         EVENTUALLY(m_window->panel->isSettled());
         QVERIFY(shows(middle, marginColour(kSafeMargin)));
-        // The text moves it: 4 dB are left.
+        // An edit moves it: 4 dB are left.
         const double far = std::pow(10, (friis(1) + 46) / 20) - 0.4;
         const std::string place = QByteArray::number(far, 'f', 6).toStdString() + ",0,0";
         QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"b.Pos", place}}).ok());
         EVENTUALLY(m_window->panel->isSettled());
         QVERIFY(shows(middle, marginColour(kSlimMargin)));
-        // A run moves it: out of reach.
+        // A run moves it out of reach.
         step();
         QVERIFY(m_window->session.place("b", {Vec3(9, 0, 0), Quat::Identity()}));
         EVENTUALLY(m_window->panel->radios().links() && m_window->panel->radios().links()->links.empty());
@@ -254,7 +254,7 @@ Robot a { Config=Turret }
             else QCOMPARE(shown, heatColour((stepped - scale.low) / (scale.high - scale.low)));
         }
         QVERIFY(std::isnan(coverage->at(-2.1, 0)) && std::isnan(coverage->at(0, 2.1)));
-        QVERIFY(!coverageOf(request, [rows = 0]() mutable { return rows++ < 3; })); // it was asked to stop
+        QVERIFY(!coverageOf(request, [rows = 0]() mutable { return rows++ < 3; })); // cancelled after three rows
     }
 
     void coverageIsThatOfTheMedium_data() {
@@ -263,7 +263,7 @@ Robot a { Config=Turret }
         QTest::newRow("log-distance") << QByteArray("Model=log_distance Exponent=3");
         QTest::newRow("walls") << QByteArray("WallLoss=7");
     }
-    /// Where an isotropic mote stands it gets what the map says.
+    /// The map has the power that an isotropic mote receives by the link budget at the same position.
     void coverageIsThatOfTheMedium() {
         QFETCH(QByteArray, medium);
         QVERIFY(m_window->open(kMote + "RadioMedium air { " + medium + R"( }
@@ -277,7 +277,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         const RadioNodes radios = radiosAt(request.places);
         for (const RadioId to : {1u, 2u}) {
             const Vec3 at = radios.antenna(to).pose.position;
-            request.ground = {at.x() - 0.01, at.y() - 0.01, 0.02, 0.02}; // one cell with the mote in the middle
+            request.ground = {at.x() - 0.01, at.y() - 0.01, 0.02, 0.02}; // one cell, with the mote at its centre
             const auto coverage = coverageOf(request, [] { return true; });
             QVERIFY(std::abs(coverage->power[0] - radios.link(0, to, 0).link.power) < 1e-4);
         }
@@ -309,15 +309,15 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         QCOMPARE(radios.coverage()->coverage.transmitter, std::string("a/radio"));
         QVERIFY(differs(bare, {0.6, 0.3, 0}));
         QVERIFY(differs(bare, {0.6, -0.3, 0}));
-        QVERIFY(!differs(bare, {0, 0, 0.02})); // the mote itself is above it
+        QVERIFY(!differs(bare, {0, 0, 0.02})); // the mote itself is above the map
         const Ground& ground = radios.coverage()->coverage.ground;
         QVERIFY(!differs(bare, {0.5, ground.y + ground.depth + 0.2, 0}));
-        // Nearer is yellower, also on the screen.
+        // On the screen too, nearer is yellower.
         const auto red = [&](double x) { return m_window->view().picture().pixelColor(m_window->at({x, 0.15, 0})).red(); };
         QVERIFY(red(0.15) > red(0.7));
         m_window->selection.select("b");
         EVENTUALLY(radios.coverage()->coverage.transmitter == "b/radio" && m_window->panel->isUpToDate());
-        m_window->selection.clear(); // the one selected last stays
+        m_window->selection.clear(); // the map of the radio that was selected last is kept
         EVENTUALLY(m_window->panel->isSettled());
         QCOMPARE(radios.coverage()->coverage.transmitter, std::string("b/radio"));
         m_window->trigger("view.overlayCoverage");
@@ -336,7 +336,7 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         m_window->session.runFor(0.3);
         EVENTUALLY(m_window->session.time() > 0.29 && m_window->session.state() == RunState::Paused);
         QCOMPARE(m_window->panel->radios().requests(), before);
-        QVERIFY(m_window->session.place("b", {Vec3(1, 0, 0), Quat::Identity()})); // not the one that sends
+        QVERIFY(m_window->session.place("b", {Vec3(1, 0, 0), Quat::Identity()})); // b is not the sender
         EVENTUALLY_EQUAL(m_window->panel->radios().requests(), before + 1);
     }
 
@@ -364,13 +364,13 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
     }
 
     void anotherTextEndsTheMapOfTheLast() {
-        // So many things stand about that a fine map takes its time.
+        // Many obstacles, so that the fine map takes long to compute.
         QVERIFY(m_window->open(kMote + "RadioMedium air { WallLoss=0.001 }\nRobot a { Config=Mote }\n"
                                        "Grid others { Config=Mote Count=14,14 Spacing=0.4 Pos=0,0,-1 radio.Channel=11 }\n"));
         RadioOverlays& radios = m_window->panel->radios();
         bool edited = false;
         connect(&radios, &RadioOverlays::sceneChanged, m_window->panel.get(), [&] {
-            // The coarse one is here, the fine one is in work.
+            // The coarse map is shown while the fine one is computed.
             if (edited || !radios.isComputing() || !radios.coverage()) return;
             edited = true;
             QVERIFY(m_window->document.setValues(QStringLiteral("move"), {{"a.Pos", "1,0,0"}}).ok());
@@ -381,11 +381,11 @@ Robot behind { Config=Mote Pos=2,0.3,0 }
         EVENTUALLY(!radios.isComputing());
         const Coverage& now = radios.coverage()->coverage;
         QVERIFY(std::max(now.columns, now.rows) == 192u);
-        // About the place where it is now the power is highest.
+        // The power is highest around its current position.
         QVERIFY(now.at(1.02, 0.02) > now.at(0.02, 0.02) + 6);
     }
 
-    // --- all of them ---
+    // --- all overlays ---
 
     void disabledOverlayComputesNothing() {
         QVERIFY(m_window->open(kMote + "Robot a { Config=Mote }\nRobot b { Config=Mote Pos=1,0,0 }\n"));
@@ -428,12 +428,12 @@ private:
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
     }
-    /// Whether a place in the world looks other than it did.
+    /// True if a point in the world has another colour than before.
     bool differs(const QImage& before, const Vec3& place) {
         const QPoint at = m_window->at(place);
         return distance(before.pixelColor(at), m_window->view().picture().pixelColor(at)) > 24;
     }
-    /// Whether a colour is painted on a pixel or beside it.
+    /// True if a colour is drawn on a pixel or next to it.
     bool shows(const QPoint& at, const Rgb& colour) {
         const QImage image = m_window->view().grab().toImage();
         for (int y = -2; y <= 2; ++y)

@@ -1,4 +1,4 @@
-// Robots and Statics scaled through the Params of their configs.
+// Scaling robots and Statics through the Params of their configs.
 #include <QtTest>
 
 #include <QLabel>
@@ -20,7 +20,7 @@ private Q_SLOTS:
         open(walled);
         take("wall", "tool.scale");
         const Vec3 middle(1, 0.5, 0.25);
-        // Its x points along y of the world: one side goes, the other one stays.
+        // Its x axis is the y axis of the world: one side moves, the opposite side stays.
         dragBy({Handle::Kind::Size, 0}, {0, 0.5, 0}, Qt::NoModifier, middle);
         QVERIFY2(m_window->text().contains("Pos=1,0.75,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
@@ -29,14 +29,14 @@ private Q_SLOTS:
         QCOMPARE(m_window->text(), walled);
         dragBy({Handle::Kind::Size, 0, -1}, {0, -0.5, 0}, Qt::NoModifier, middle);
         QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 }"), m_window->text().constData());
-        // Up from the floor, and there is no handle that goes into it.
+        // Only upwards from the floor: there is no handle below.
         QVERIFY(!m_window->view().gizmo().spot({Handle::Kind::Size, 2, -1}));
         dragBy({Handle::Kind::Size, 2}, {0, 0, 0.2}, Qt::NoModifier, {1, 0.25, 0.25});
         QVERIFY2(m_window->text().contains("Pos=1,0.25,0 HPR=90,0,0 length=2.5 height=0.7 }"), m_window->text().constData());
         const GeomSpec& bricks = m_window->document.loaded()->experiment->statics.at(0).geoms->at(0);
         QVERIFY((bricks.size - Vec3(2.5, 0.1, 0.7)).norm() < 1e-9);
         QVERIFY(std::abs(bricks.pose.position.z() - 0.35) < 1e-9); // on the floor
-        // A typed number is the Param.
+        // A typed number becomes the Param's value.
         const QPointF from = *m_window->view().gizmo().spot({Handle::Kind::Size, 0});
         m_window->press(from);
         m_window->move(from + QPointF(12, 12), {}, Qt::LeftButton);
@@ -54,7 +54,7 @@ private Q_SLOTS:
         QTest::newRow("turned Grid") << QByteArray("Grid planks { Config=Plank Pos=0.5,0,0.5 HPR=90,0,0 Count=1,2 Spacing=1.5 ");
         QTest::newRow("Scatter") << QByteArray("Scatter planks { Config=Plank Pos=0,0,0.5 Count=3 Area=-1,-1,1,1 ");
     }
-    /// Each of its members at once, by the handles of the first one; those of a Grid stay in their places.
+    /// All members are scaled at once by the handles of the first one; members of a Grid keep their positions.
     void aGridIsSizedThroughTheParamsOfItsConfig() {
         QFETCH(QByteArray, layout);
         const QByteArray text = "RobotConfig Plank {\n  Param long = 0.8\n  Body b { Box p { Size=$long,0.2,0.2 Mass=1 } }\n}\n"
@@ -66,11 +66,11 @@ private Q_SLOTS:
         const Pose at = first->pose;
         dragBy({Handle::Kind::Size, 0}, at.rotation * Vec3(0.1, 0, 0), Qt::NoModifier, at.position);
         const QByteArray after = m_window->text();
-        QVERIFY2(after.contains(layout + "long=1 }"), after.constData()); // both sides go
+        QVERIFY2(after.contains(layout + "long=1 }"), after.constData()); // both sides move
         const ExperimentSpec& now = *m_window->document.loaded()->experiment;
         QCOMPARE(now.robots.size(), robots.size());
         for (std::size_t i = 0; i < robots.size(); ++i) {
-            // A Scatter places larger members anew, so that they keep clear of each other.
+            // A Scatter places larger members again, so that they do not overlap.
             if (!layout.startsWith("Scatter")) QVERIFY((now.robots[i].pose.position - robots[i].pose.position).norm() < 1e-12);
             const double length = now.robots[i].config->bodies[0].geoms[0].size.x();
             QCOMPARE(length, now.robots[i].name == "other" ? 0.8 : 1.0);
@@ -81,8 +81,8 @@ private Q_SLOTS:
     }
 
     void paramsAreSizedWhateverTheirFormulaAndUnit_data() {
-        QTest::addColumn<QByteArray>("config"); // of Thing; one drag makes it 0.2 m larger along its x
-        QTest::addColumn<QByteArray>("own");    // what the instance sets before
+        QTest::addColumn<QByteArray>("config"); // of Thing; a drag makes it 0.2 m longer along its x axis
+        QTest::addColumn<QByteArray>("own");    // values that the instance sets before
         QTest::addColumn<QByteArray>("after");
         QTest::newRow("centimetres") << QByteArray("Param long = 80 cm\nBox b { Size=$long,0.2,0.2 }") << QByteArray()
                                      << QByteArray("Pos=0.1,0,0.5 long=100 cm }");
@@ -91,7 +91,7 @@ private Q_SLOTS:
         QTest::newRow("half of it") << QByteArray("Param half = 0.4\nBox b { Size=$(2*half),0.2,0.2 }") << QByteArray()
                                     << QByteArray("Pos=0.1,0,0.5 half=0.5 }");
         QTest::newRow("a radius") << QByteArray("Param r = 0.4\nSphere s { Radius=$r }") << QByteArray()
-                                  << QByteArray("Pos=0,0,0.5 r=0.6 }"); // the middle stays: the side goes by 0.2
+                                  << QByteArray("Pos=0,0,0.5 r=0.6 }"); // the centre stays: the side moves by 0.2
         QTest::newRow("made of others") << QByteArray("Param high = 0.2\nParam long = $(4*high)\nBox b { Size=$long,0.2,$high }")
                                         << QByteArray() << QByteArray("Pos=0.1,0,0.5 long=1 }");
         QTest::newRow("of a formula with a unit") << QByteArray("Param base = 40 cm\nParam long = $(2*base)\n"
@@ -149,7 +149,7 @@ private Q_SLOTS:
         QVERIFY2(m_window->text().contains("Pos=0,0,0 side=0.4 }"), m_window->text().constData());
         take("barrel", "tool.scale");
         dragBy({Handle::Kind::Size, 0}, {0.1, 0, 0}, Qt::NoModifier, {1, 0, 0.175});
-        QVERIFY2(m_window->text().contains("Pos=1,0,0 radius=0.22 }"), m_window->text().constData()); // about its middle
+        QVERIFY2(m_window->text().contains("Pos=1,0,0 radius=0.22 }"), m_window->text().constData()); // around its centre
     }
 
 private:

@@ -29,7 +29,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->selection.paths(), Paths{"robot0"});
         m_window->click(m_window->at({0.5, 0.3, 0.14}));
         QCOMPARE(m_window->selection.paths(), Paths{"robot1"});
-        m_window->click(m_window->at({0, -1, 0})); // bare floor
+        m_window->click(m_window->at({0, -1, 0})); // empty floor
         QVERIFY(m_window->selection.empty());
     }
 
@@ -42,7 +42,7 @@ private Q_SLOTS:
         }
         QCOMPARE(seen,
                  (Paths{"robot0", "robot0.chassis", "robot0.chassis.hull", "arena", "arena.floor", "robot0", "robot0.chassis"}));
-        // Somewhere else it begins anew.
+        // A click elsewhere starts again with the front object.
         m_window->click(m_window->at({-0.44, -0.13, 0.06}));
         QCOMPARE(m_window->selection.current(), std::string("robot0"));
     }
@@ -93,7 +93,7 @@ private Q_SLOTS:
         m_window->press({5, 60});
         m_window->move({30, 80}, {}, Qt::LeftButton);
         QVERIFY(m_window->view().isMouseBusy());
-        m_window->move({890, 690}); // no button is down any more
+        m_window->move({890, 690}); // no button is pressed any more
         QVERIFY(!m_window->view().isMouseBusy());
         QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
     }
@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(m_window->selection.empty());
         m_window->drag({5, 100}, {890, 690});
         QCOMPARE(m_window->selection.paths(), Paths{"robot1"});
-        m_window->panel->setLocked({"robot0.chassis"}); // its body is locked, not the robot
+        m_window->panel->setLocked({"robot0.chassis"}); // its body is locked, the robot is not
         m_window->drag({5, 100}, {890, 690});
         QCOMPARE(m_window->selection.paths(), (Paths{"robot0", "robot1"}));
     }
@@ -131,7 +131,7 @@ private Q_SLOTS:
         m_window->look({0, -2.5, 2.5}, {0, 0, 0});
         m_window->click(m_window->at({0.8, 0.4, 0.14}));
         QCOMPARE(m_window->selection.paths(), Paths{"swarm_5"});
-        // The Grid as a whole means all of them.
+        // A selected Grid includes all its members.
         QCOMPARE(m_window->panel->world().objectsOf("swarm").size(), std::size_t(6));
         QCOMPARE(m_window->panel->world().objectsOf("RobotConfig.SimpleRobot.leftWheel").size(), std::size_t(6));
     }

@@ -1,4 +1,4 @@
-// A view that looks through a robot's camera, and the frusta of cameras.
+// Views through a robot's camera, and camera frusta.
 
 #include <numbers>
 
@@ -42,7 +42,7 @@ private Q_SLOTS:
         QVERIFY(view.throughCamera());
         const Vec3 lens(-0.5 + 0.03, 0, 0.275);
         QVERIFY((view.cameraView().eye - lens).norm() < 1e-9);
-        // All of the camera's picture is in the view: its corners fill the height or the width.
+        // The whole camera image is visible: its corners fill the height or the width of the view.
         const CameraModel camera = *view.throughCamera();
         const CameraView own = viewOf(camera, (*m_window->panel->world().poses())[camera.body]);
         const ViewRay corner = rayThrough(own, camera.width, camera.height, 0, 0);
@@ -52,7 +52,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(at.x() - 0.5 * (view.width() - high / 0.75)) < 0.5);
     }
 
-    /// The view is drawn straight, and reports it.
+    /// The view is drawn without distortion, and reports it.
     void aBentLensIsNamed() {
         View& view = m_window->view();
         const auto seen = [&](const QByteArray& text) {
@@ -64,7 +64,7 @@ private Q_SLOTS:
         const QImage straight = seen(kEye);
         const QImage bent = seen(QByteArray(kEye).replace("Pos=-0.5,0,0", "Pos=-0.5,0,0 eye.Distortion=-0.2,0.02"));
         QVERIFY(view.throughCamera()->k1 != 0);
-        const int words = 48; // the height that they need at the top
+        const int words = 48; // height of the label at the top, in pixels
         QVERIFY(!straight.isNull() && straight.copy(0, 0, view.width(), words) != bent.copy(0, 0, view.width(), words));
         const QRect below(0, words, view.width(), view.height() - words);
         QCOMPARE(bent.copy(below), straight.copy(below));
@@ -83,7 +83,7 @@ private Q_SLOTS:
         QCOMPARE(button->text(), QStringLiteral("ahead"));
         QVERIFY((view.cameraView().eye - Vec3(-1.5, 0, 0.5)).norm() < 1e-6);
         QCOMPARE(view.cameraView().fieldOfView, 40 * std::numbers::pi / 180);
-        // It rides with its robot, until one moves the view.
+        // The view follows the robot until the user navigates.
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
         QVERIFY(m_window->session.place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
@@ -91,7 +91,7 @@ private Q_SLOTS:
         m_window->session.reset();
         m_window->look({-0.2, -2.6, 2.2}, {-0.2, 0, 0});
         QCOMPARE(button->text(), QStringLiteral("Perspective"));
-        // And one is made from what the view shows.
+        // Makes a camera from the current view.
         const CameraView before = view.cameraView();
         const QByteArray text = m_window->text();
         menu->findChild<QAction*>(QStringLiteral("makeView"))->trigger();
@@ -101,13 +101,13 @@ private Q_SLOTS:
         views->actions()[1]->trigger();
         QVERIFY((view.cameraView().eye - before.eye).norm() < 0.002 && (view.cameraView().target - before.target).norm() < 0.002);
         QVERIFY(std::abs(view.cameraView().fieldOfView - before.fieldOfView) < 0.002);
-        view.setKind(ViewKind::Top); // what a parallel view shows is seen from as far as shows as much
+        view.setKind(ViewKind::Top); // for a parallel view the distance is chosen so that the camera shows as much
         menu->findChild<QAction*>(QStringLiteral("makeView"))->trigger();
         QVERIFY2(m_window->text().contains("View view2 {"), m_window->text());
         m_window->document.undo();
         m_window->document.undo();
         QCOMPARE(m_window->text(), text);
-        // One that is made during a run can be chosen in it, and goes with the robots of the run.
+        // A camera made during a run can be chosen in it, and moves with the robots of the run.
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
         QVERIFY(m_window->session.place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
@@ -158,7 +158,7 @@ private Q_SLOTS:
         QVERIFY(m_window->open(kRoom));
         EVENTUALLY(!view.throughCamera());
         QVERIFY(std::isfinite(view.cameraView().eye.norm()));
-        view.lookThrough("robot0/eye"); // there is none here
+        view.lookThrough("robot0/eye"); // the camera is missing in this document
         QVERIFY(!view.throughCamera());
         Q_UNUSED(before);
     }
@@ -171,7 +171,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->view().throughCamera()->path, std::string("other_1/eye"));
         m_window->selection.clear();
         m_window->trigger("view.through");
-        QCOMPARE(m_window->view().throughCamera()->path, std::string("robot0/eye")); // all have their turn
+        QCOMPARE(m_window->view().throughCamera()->path, std::string("robot0/eye")); // each camera is selected in turn
         m_window->view().lookThrough({});
         QVERIFY(m_window->open(kRoom));
         m_window->refusals.clear();
@@ -204,7 +204,7 @@ private Q_SLOTS:
     void frustaAreDrawnWhereTheyAre() {
         View& view = m_window->view();
         EVENTUALLY(view.isSettled());
-        // On the ray to the upper left corner of what the camera of robot0 sees.
+        // On the ray through the upper left corner of the image of robot0's camera.
         const CameraModel camera = *m_window->panel->world().camera("robot0/eye");
         const CameraView own = viewOf(camera, (*m_window->panel->world().poses())[camera.body]);
         const ViewRay corner = rayThrough(own, camera.width, camera.height, 0, 0);
@@ -217,7 +217,7 @@ private Q_SLOTS:
         m_window->trigger("view.overlayFrusta");
         EVENTUALLY(view.isSettled());
         QVERIFY(!near(view.grab().toImage(), at));
-        m_window->selection.select("robot0.eye"); // that of what is selected is there always
+        m_window->selection.select("robot0.eye"); // the frustum of a selected camera is always shown
         EVENTUALLY(view.isSettled());
         QVERIFY(view.grab().toImage().pixelColor(at) != bare.pixelColor(at));
     }
@@ -238,7 +238,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// Whether the colour of frusta is there, on a pixel or beside it.
+    /// True if the colour of frusta is on a pixel or next to it.
     static bool near(const QImage& image, const QPoint& at) {
         for (int y = -2; y <= 2; ++y)
             for (int x = -2; x <= 2; ++x) {

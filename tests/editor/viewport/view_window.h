@@ -1,5 +1,5 @@
 #pragma once
-// A document, its run and the panel with the 3D views, as a window has them.
+// Fixture: a document, its run and the panel with the 3D views, connected as in the main window.
 
 #include <memory>
 
@@ -17,21 +17,21 @@
 
 namespace trundle {
 
-/// One robot on the floor of a walled room, looked at from above and in front. 900 x 700 pixels.
+/// One robot on the floor of a walled room, seen from above and in front. 900 x 700 pixels.
 struct ViewWindow {
-    /// The service is shared by the tests of one program.
+    /// The tests of one program share the render service.
     explicit ViewWindow(RenderService* render);
     ~ViewWindow();
 
-    /// Opens a text beside the configs, or one of the samples.
+    /// Opens a text in a file beside the configs, or one of the samples.
     bool open(const QByteArray& text);
     bool openSample(const char* name);
     [[nodiscard]] QByteArray text() const; ///< of the opened file
 
     [[nodiscard]] View& view() { return panel->current(); }
-    /// Looks at a point from a place.
+    /// Puts the camera at `eye`, looking at `target` (both in W).
     void look(const Vec3& eye, const Vec3& target);
-    [[nodiscard]] QPoint at(const Vec3& point); ///< its pixel
+    [[nodiscard]] QPoint at(const Vec3& point); ///< the pixel of a point in W
     void trigger(const char* action) { actions.at(action).trigger(); }
 
     void move(const QPointF& to, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButtons buttons = Qt::NoButton);

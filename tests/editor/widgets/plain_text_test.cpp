@@ -1,4 +1,4 @@
-// What looks like HTML in a name or a message is shown as it is written, wherever the window shows it.
+// HTML in a name or a message is shown as plain text everywhere in the window.
 
 #include <QtTest>
 #include <QtWidgets>
@@ -24,7 +24,7 @@ class PlainTextTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() {
-        QVERIFY(Qt::mightBeRichText(kName)); // Qt would
+        QVERIFY(Qt::mightBeRichText(kName)); // Qt would treat it as HTML
         applyTheme(*qApp, ThemeKind::Light);
         applyTheme(*qApp, ThemeKind::Dark);
     }
@@ -41,7 +41,7 @@ private Q_SLOTS:
         QCOMPARE(html->textFormat(), Qt::RichText);
         later->setText(kName);
         QCOMPARE(later->textFormat(), Qt::PlainText);
-        QVERIFY(guessed->sizeHint().width() >= guessed->fontMetrics().horizontalAdvance(kName)); // every letter of it
+        QVERIFY(guessed->sizeHint().width() >= guessed->fontMetrics().horizontalAdvance(kName)); // every character is visible
         auto* added = new QLabel(kName, &window);
         added->show();
         QCOMPARE(added->textFormat(), Qt::PlainText);
@@ -72,7 +72,7 @@ private Q_SLOTS:
         QCOMPARE(box.findChild<QLabel*>(QStringLiteral("qt_msgbox_informativelabel"))->textFormat(), Qt::RichText);
     }
 
-    // Of a widget, of an item of a list, of an action in a menu: Qt shows each in another place of its code.
+    // Of a widget, a list item and a menu action: Qt shows each by different code.
     void toolTipsAreOfPlainText() {
         QWidget window;
         QVBoxLayout column(&window);

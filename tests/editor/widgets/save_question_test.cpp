@@ -1,4 +1,4 @@
-// Where to save: a name without an ending gets one, and nothing is written over without a question.
+// The Save As dialog: adds a missing suffix, and asks before it overwrites a file.
 
 #include <QtTest>
 #include <QtWidgets>
@@ -10,7 +10,7 @@ using namespace trundle;
 class SaveQuestionTest : public QObject {
     Q_OBJECT
 
-    /// What a person does with the dialog once it is there.
+    /// Performs `act` on the dialog once it is open.
     template <class Act> static QString asked(const QString& start, const Act& act) {
         QTimer::singleShot(0, [&act] {
             auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
@@ -65,7 +65,7 @@ private Q_SLOTS:
                 wasAsked = question != nullptr;
                 if (question) QTest::mouseClick(question->button(QMessageBox::No), Qt::LeftButton);
             });
-            enter(dialog, QStringLiteral("mine")); // which is mine.sim
+            enter(dialog, QStringLiteral("mine")); // becomes mine.sim
         });
         QVERIFY(wasAsked);
         QCOMPARE(chosen, QString());

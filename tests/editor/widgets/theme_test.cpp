@@ -1,4 +1,4 @@
-// Colours that can be read, icons that are there.
+// Theme colours have enough contrast, and all icons exist.
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ double channel(double c) { return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055
 double luminance(const QColor& c) {
     return 0.2126 * channel(c.redF()) + 0.7152 * channel(c.greenF()) + 0.0722 * channel(c.blueF());
 }
-/// WCAG 2.1, contrast ratio.
+/// Contrast ratio of WCAG 2.1.
 double contrast(const QColor& a, const QColor& b) {
     const double x = luminance(a), y = luminance(b);
     return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
@@ -76,7 +76,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Of Qt's own there is none left: each has the colour that the theme gives its meaning, and a hole for its sign.
+    /// No icon is Qt's own: each has the theme colour of its severity and a cut-out symbol.
     void messagesHaveTheProgramsIcons() {
         using Message = std::pair<QMessageBox::Icon, Ink>;
         for (const ThemeKind kind : {ThemeKind::Light, ThemeKind::Dark}) {
@@ -147,7 +147,7 @@ private Q_SLOTS:
     void preferencesAreKept() {
         QSettings().clear();
         QVERIFY(loadPreferences() == Preferences());
-        QSettings().setValue(QStringLiteral("darkTheme"), true); // as older programs kept it
+        QSettings().setValue(QStringLiteral("darkTheme"), true); // the setting of older versions
         QVERIFY(loadPreferences().theme == ThemeChoice::Dark);
         const Preferences chosen{ThemeChoice::Light, {15, 18}, WrapLines::Never, NavigationStyle::Cad};
         savePreferences(chosen);
