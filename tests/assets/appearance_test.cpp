@@ -1,4 +1,4 @@
-// How meshes look by their own files: colours, pictures, and where pictures may come from.
+// Appearance of meshes as given by their files: colours, textures, and the locations from which textures may be read.
 #include <QBuffer>
 #include <QImage>
 #include <QTemporaryDir>
@@ -34,7 +34,7 @@ QByteArray fourColours() {
     return saved(picture, "PNG");
 }
 
-/// A triangle whose corners lie at the lower left, the lower right and the upper left corner of its picture.
+/// A triangle whose corners map to the lower left, lower right and upper left corner of its texture.
 QByteArray objWith(const QByteArray& materials) {
     return "mtllib " + materials +
            "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3\nv 0 0 5\nv 1 0 5\nv 0 1 5\n"
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(look->warnings.empty());
     }
 
-    // The same picture in the same place, whatever the format: the first corner is its lower left one.
+    // Every format maps the texture the same way: the first corner is its lower left one.
     void resolvesTexturePaths_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("bytes");
@@ -103,10 +103,10 @@ private Q_SLOTS:
         QCOMPARE(picture->width, 2u);
         QCOMPARE(picture->pixels, (std::vector<std::uint8_t>{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}));
         QCOMPARE(look->onPicture[0], (std::array<std::array<float, 2>, 3>{{{0, 1}, {1, 1}, {0, 0}}}));
-        for (const MeshMaterial& m : look->materials) QVERIFY(m.picture == picture); // once, however often it is worn
+        for (const MeshMaterial& m : look->materials) QVERIFY(m.picture == picture); // stored once, however many materials use it
     }
 
-    // Numbers may be left out, names may have blanks, and a number may be a name.
+    // Option numbers may be omitted, file names may contain blanks, and a file name may be a number.
     void theOptionsOfAnObjsPictureMoveIt_data() {
         QTest::addColumn<QByteArray>("written");
         QTest::addColumn<std::array<float, 2>>("scale");
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QCOMPARE(look->materials[0].shininess, 0.75f);
     }
 
-    // The mesh is good; what of its look is not available is reported, and a placeholder is worn.
+    // The mesh is valid; a missing part of its appearance is reported and replaced by a placeholder.
     void reportsUnavailablePicture_data() {
         QTest::addColumn<QByteArray>("written");
         QTest::addColumn<QString>("word");
@@ -252,7 +252,7 @@ private Q_SLOTS:
 private:
     [[nodiscard]] QString folder() const { return m_folder->filePath("meshes"); }
     std::string sample(const QString& name, const QByteArray& bytes) { return writeSample(folder(), name, bytes); }
-    /// Of a mesh that must be readable.
+    /// The appearance of a mesh that must be readable.
     std::shared_ptr<const MeshAppearance> look(const QString& name, const QByteArray& bytes) {
         const auto mesh = m_reader->mesh(sample(name, bytes));
         if (!mesh.ok()) qFatal("%s", mesh.error().message.c_str());

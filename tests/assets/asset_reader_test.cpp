@@ -61,7 +61,7 @@ private Q_SLOTS:
         QVERIFY(holds(*mesh.value(), {0, 4, 0}));
     }
 
-    /// The same points in the same turn; from behind it is another.
+    /// Same points in the same winding order; with the reverse winding it is a different triangle.
     void trianglesThatRepeatOthersAreDropped() {
         const auto mesh = m_reader->mesh(sample("many.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\n" +
                                                                 QByteArray("f 1 2 3\nf 4 3 1\nf 1 3 2\n").repeated(1000)));
@@ -76,7 +76,7 @@ private Q_SLOTS:
         QCOMPARE(mesh.value()->triangles.size(), std::size_t(1));
     }
 
-    // Up is z in the world, whatever up was in the file.
+    // z is up in the result, whichever axis is up in the file.
     void convertsColladaUpAxis_data() {
         QTest::addColumn<QByteArray>("upAxis");
         QTest::addColumn<QByteArray>("meter");
@@ -123,7 +123,7 @@ private Q_SLOTS:
         const auto third = m_reader->mesh(path);
         QVERIFY(third.ok());
         QVERIFY(holds(*third.value(), {0, 2.5, 0}));
-        QVERIFY(holds(*first.value(), {0, 1, 0})); // who holds the old one keeps it
+        QVERIFY(holds(*first.value(), {0, 1, 0})); // a mesh that is still referenced stays unchanged
     }
 
     void rereadsFixedFile() {

@@ -1,5 +1,5 @@
-// Files made to hurt. Each has to end as an error that names the file; none may take us along, and none may take long (the reader's
-// own limit ends the test's patience, so a hang fails here).
+// Malicious asset files. Each must give an error that names the file; none may crash this process or exceed the reader's own
+// time limit, so a hang fails here.
 
 #include <QBuffer>
 #include <QImage>
@@ -42,7 +42,7 @@ QByteArray png(std::uint32_t columns, std::uint32_t rows) {
            pngChunk("IDAT", qCompress(QByteArray(100, '\0')).mid(4)) + pngChunk("IEND", {});
 }
 
-/// A picture of `columns` x 48 colours by Qt's own writer.
+/// An image of `columns` x 48 pixels, written by Qt.
 QByteArray savedAs(const char* format, int columns = 64) {
     QImage picture(columns, 48, QImage::Format_RGB32);
     for (int y = 0; y < 48; ++y)
@@ -58,13 +58,13 @@ QByteArray withThumbnail(QByteArray jpeg) {
     return jpeg.insert(2, "\xff\xe1" + bigEndian(static_cast<std::uint32_t>(small.size()) + 2).mid(2) + small);
 }
 
-/// Its header says another height.
+/// Replaces the height in the header.
 QByteArray tallerThanItIs(QByteArray jpeg, int height = 4000) {
     const qsizetype at = jpeg.indexOf("\xff\xc0") + 5;
     return jpeg.replace(at, 2, bigEndian(static_cast<std::uint32_t>(height)).mid(2));
 }
 
-/// 64 columns of 8 bits in runs, all of colour 0.
+/// Run-length encoded, 64 columns of 8 bits, all of colour 0.
 QByteArray packedBmp(int rows) {
     const auto little = [](std::uint32_t number) {
         QByteArray bytes = bigEndian(number);
@@ -156,9 +156,9 @@ private Q_SLOTS:
         expectError(m_reader->mesh(writeSample(folder.path(), name, bytes)), folder.filePath(name), word);
     }
 
-    // 2^40 triangles in 6 kB of text: the memory limit ends it.
+    // 2^40 triangles in 6 kB of text: stopped by the memory limit.
     void limitsDecompression() {
-        if (memoryLimitsAreOff()) return; // a sanitizer allows no limit of memory
+        if (memoryLimitsAreOff()) return; // memory limits do not work under a sanitizer
         const QTemporaryDir folder;
         const std::string path =
             writeSample(folder.path(), "bomb.dae", collada("<node><instance_node url=\"#n0\"/></node>", doublingNodes(40)));
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QCOMPARE(picture.value()->height, 48u);
     }
 
-    // Ground needs two heights along each side, a picture one pixel.
+    // A height map needs at least 2 x 2 heights, an image one pixel.
     void aPictureOfOneRowIsNoGround() {
         const QTemporaryDir folder;
         const std::string path = writeSample(folder.path(), "a.png", png(8, 1));
@@ -257,7 +257,7 @@ private Q_SLOTS:
         expectError(m_reader->mesh(folder.filePath("none.obj").toStdString()), folder.filePath("none.obj"), "No such file");
     }
 
-    // Every cut and many flipped bytes of good files: an error or a mesh, never anything else.
+    // Valid files truncated at every length and with many flipped bytes: the result is an error or a mesh.
     void damagedFilesNeverCrash() {
         const QTemporaryDir folder;
         const std::vector<std::pair<QString, QByteArray>> good{
@@ -283,7 +283,7 @@ private:
         QVERIFY(!result.ok());
         const QString message = QString::fromStdString(result.error().message);
         QVERIFY2(message.contains(path), qPrintable(message));
-        // A sanitizer reports the reader's crash in words of its own; on a busy machine time can run out before memory does.
+        // A sanitizer reports the reader's crash with its own message; on a busy machine the time limit can be reached first.
         QVERIFY2(message.contains(word) || message.contains("its reader took longer than") ||
                      (memoryLimitsAreOff() && message.contains("Sanitizer")),
                  qPrintable(message));

@@ -83,7 +83,7 @@ private Q_SLOTS:
         QFETCH(float, height);
         QVERIFY(!decodeHeightMap(encodeHeightMap({2, 2, {0, 0, 0, height}})).ok());
         QVERIFY(!decodeHeightMap(encodeHeightMap({1, 4, {0, 0, 0, 0}})).ok());
-        QVERIFY(!decodeHeightMap(encodeHeightMap({65536, 65536, {}})).ok()); // its product is 0 in 32 bits
+        QVERIFY(!decodeHeightMap(encodeHeightMap({65536, 65536, {}})).ok()); // the product of the sizes overflows 32 bits to 0
     }
 };
 

@@ -1,11 +1,11 @@
 #pragma once
-// Meshes that wear a picture, as texts.
+// Mesh files with textures, as text.
 
 #include <QByteArray>
 
 namespace trundle {
 
-/// A triangle with a picture; in GLB it is inside.
+/// A triangle with a texture; in GLB the texture is embedded.
 inline QByteArray daeWith(const QByteArray& picture) {
     return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit meter="1"/><up_axis>Z_UP</up_axis></asset>
@@ -28,13 +28,13 @@ inline QByteArray daeWith(const QByteArray& picture) {
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
-/// The numbers of a triangle, then of its places on a picture as glTF counts them: from the top.
+/// Positions of a triangle, then its texture coordinates, counted from the top as in glTF.
 inline QByteArray gltfNumbers() {
     const float numbers[15] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 1, 1, 0, 0};
     return QByteArray(reinterpret_cast<const char*>(numbers), sizeof numbers);
 }
 
-/// `images`: what the list of images holds; `buffer`: of the buffer, beside its length.
+/// `images`: content of the array of images; `buffer`: properties of the buffer besides its length.
 inline QByteArray gltfWith(const QByteArray& image, const QByteArray& buffer, qsizetype bytes, const QByteArray& views = {}) {
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":
 {"POSITION":0,"TEXCOORD_0":1},"material":0}]}],"materials":[{"name":"paint","pbrMetallicRoughness":{"baseColorFactor":[0.25,0.25,0.25,1],

@@ -1,5 +1,5 @@
 #pragma once
-// Small mesh files as text, with a place for what a test wants to vary.
+// Small mesh files as text, with parameters for the part that a test varies.
 
 #include <QDir>
 #include <QFile>
@@ -17,7 +17,7 @@ inline std::string writeSample(const QString& folder, const QString& name, const
     return file.fileName().toStdString();
 }
 
-/// A binary STL with a count of its own choosing and as many triangles as there are corners for.
+/// A binary STL whose header has the given triangle count and whose triangles come from `corners`.
 inline QByteArray binaryStl(std::uint32_t count, const std::vector<float>& corners) {
     QByteArray bytes(80, '\0');
     bytes.append(reinterpret_cast<const char*>(&count), 4);

@@ -1,4 +1,4 @@
-// Text of others for a terminal.
+// Untrusted text is made safe for a terminal.
 
 #include <QtTest>
 

@@ -17,7 +17,7 @@ private Q_SLOTS:
             QVERIFY(!entry.title.empty());
             QVERIFY2(titles.insert(entry.title).second, codeName(entry.code).c_str());
         }
-        // Each range is without holes, so a code without a row shows.
+        // Each range of codes has no gaps, so a code without a table row fails here.
         int previous = 0;
         for (const CodeEntry& entry : allCodes()) {
             const int number = static_cast<int>(entry.code);
@@ -42,7 +42,7 @@ private Q_SLOTS:
         QCOMPARE(all.all()[2].suggestions.size(), std::size_t(1));
     }
 
-    /// Of each file a fixed number is kept; errors are not crowded out by warnings, nor one file by another.
+    /// A fixed number of messages is kept for each file; warnings do not displace errors, nor one file's messages another's.
     void keepsABoundedNumberOfEachFile() {
         Diagnostics all;
         for (std::uint32_t i = 0; i < 5000; ++i) all.warning(Code::DefaultUsed, {0, {i, i}}, "a warning");
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(files.all().size(), Diagnostics::kMaxOfAll);
     }
 
-    /// A config that many robots share says the same of each: it is kept once, and still counts as an error of each.
+    /// A config that many robots share gives the same message for each: it is kept once, but counted as an error for each robot.
     void keepsEachMessageOnce() {
         Diagnostics all;
         for (int i = 0; i < 10; ++i) all.error(Code::BadMass, {0, {1, 2}}, "an error").fixes.push_back({"x", {}});

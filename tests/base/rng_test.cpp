@@ -10,7 +10,7 @@ class RngTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void knownHashes() {
-        // Published vectors of FNV-1a 64.
+        // Published test vectors of FNV-1a 64.
         QCOMPARE(fnv1a64(""), 0xcbf29ce484222325ull);
         QCOMPARE(fnv1a64("a"), 0xaf63dc4c8601ec8cull);
         QCOMPARE(fnv1a64("foobar"), 0x85944171f73967e8ull);

@@ -9,7 +9,7 @@ using namespace trundle;
 
 namespace {
 
-// Keys and kinds of the language, as they stand together in a registry.
+// Property keys and kinds of the language, as one registry holds them.
 const std::vector<std::string> kWords{"Tick",
                                       "Duration",
                                       "Seed",

@@ -45,7 +45,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(*converted - result) <= 1e-15 * std::abs(result), qPrintable(QString::number(*converted, 'g', 17)));
     }
 
-    /// 3 cm is the number that 0.03 is, not its neighbour: a text in cm and one in m give the same run.
+    /// 3 cm converts to exactly the double 0.03: a text in cm and one in m give the same run.
     void roundNumbersStayRound() {
         for (int i = 1; i < 1000; ++i) {
             QCOMPARE(*convertUnit(i, "cm", "m"), i / 100.0);

@@ -28,7 +28,7 @@ private Q_SLOTS:
         const auto read = readRegularFile(at("new.sim"));
         QVERIFY(read.ok());
         QVERIFY(read.value() == bytes);
-        QCOMPARE(names(), QStringList{"new.sim"}); // no temporary file stays
+        QCOMPARE(names(), QStringList{"new.sim"}); // no temporary file is left
     }
 
     void removesTemporaryFilesOfKilledWriter() {
@@ -37,10 +37,10 @@ private Q_SLOTS:
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write("half") == 4);
             QVERIFY(file.flush() && file.setFileTime(QDateTime::currentDateTime().addSecs(-ageS), QFileDevice::FileModificationTime));
         };
-        make(".trundle-4242-0.tmp", 120); // left
-        make(".trundle-4242-1.tmp", 0);   // being made, maybe on another machine
-        make(".trundle-4242-2.tmp", 120); // somebody writes for long
-        make(".trundle-mine.tmp", 120);   // a name of somebody else's
+        make(".trundle-4242-0.tmp", 120); // abandoned
+        make(".trundle-4242-1.tmp", 0);   // being created, perhaps on another machine
+        make(".trundle-4242-2.tmp", 120); // still being written
+        make(".trundle-mine.tmp", 120);   // not one of Trundle's names
         make("other.tmp", 120);
         QCOMPARE(::symlink("other.tmp", at(".trundle-1-1.tmp").c_str()), 0);
         const auto locks = FileLock::takeAll({at(".trundle-4242-2.tmp")}, std::chrono::seconds(1));
@@ -194,7 +194,7 @@ private:
         return QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
     }
 
-    // Bound with a short relative name: a socket's path has room for 107 bytes only.
+    // Bound with a short relative name: the path of a socket is limited to 107 bytes.
     int makeSocket(const char* name) const {
         const int door = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
         const QString here = QDir::currentPath();

@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(answer(), 42);
     }
 
-    /// As by a compiler, which truncates the file, or by cp.
+    /// The file is overwritten in place, as by a linker or cp.
     void copyIsIndependentOfItsFile() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("lib.so"));

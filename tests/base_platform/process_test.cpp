@@ -112,7 +112,7 @@ private Q_SLOTS:
     }
 
     void memoryIsLimited() {
-        if (memoryLimitsAreOff()) return; // a sanitizer's shadow needs terabytes
+        if (memoryLimitsAreOff()) return; // a sanitizer's shadow memory needs terabytes of address space
         ProcessRequest request = shell("ulimit -v");
         request.limits.memoryBytes = 512u << 20;
         const auto result = runProcess(request);
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QCOMPARE(result.value().output, std::string("524288\n"));
     }
 
-    // As under a daemon: the pipes then get the numbers of the standard streams.
+    // As under a daemon: the pipes then get the file descriptors of the standard streams.
     void toleratesClosedStandardStreams() {
         const int kept[3] = {::dup(0), ::dup(1), ::dup(2)};
         for (int file = 0; file < 3; ++file) ::close(file);

@@ -1,12 +1,12 @@
-// The least that a simulator on ODE must do for N shipped robots (configs/robots/simple_robot.sim) in a walled room: no text, no signals,
-// no devices, no controllers as such. What the product takes longer than this is its overhead.
+// The minimum that a simulator on ODE must do for N shipped robots (configs/robots/simple_robot.sim) in a walled room: no text, no
+// signals, no devices, no controllers. The time that Trundle takes beyond this is its overhead.
 //
-// Needs: ODE in double precision. Assumes: the product's settings, written out below. Method: per tick new wheel rates along ramps, ground
+// Needs: ODE in double precision. Assumes: Trundle's settings, written out below. Method: per tick new wheel rates along ramps, ground
 // contacts computed, a uniform grid for pairs of robots, ODE's colliders only for boxes and tyres that may touch, dWorldStep.
 // Data: one array of robots; contacts are made in the order of robots.
 //
-// It drives by the product's numbers (same seed, same draws, same ramps), so that both sides walk the same paths until the first bump and
-// meet as often after it: `x` and `y` of the first robot, and the contacts per robot and tick, are there to be compared.
+// It uses Trundle's random numbers and ramps (same seed), so that both follow the same paths until the first collision and
+// have similar contact counts after it: `x` and `y` of the first robot and the contacts per robot and tick are printed for comparison.
 //
 //   bare_ode -n 100 -t 20 -h 0.01 [-nx 10 -ny 10]     prints one line: rtf=... us_per_robot_tick=... contacts_per_robot=... x=... y=... kb=...
 
@@ -34,14 +34,14 @@ constexpr double kHullMass = 2.0, kSliderMass = 0.05, kBumperMass = 0.05, kSlide
 constexpr std::array<double, 3> kHullSize{0.30, 0.20, 0.10}, kHullAt{0, 0, 0.09};
 constexpr std::array<double, 3> kBumperSize{0.02, 0.30, 0.04}, kBumperAt{0.16, 0, 0.07};
 constexpr std::array<double, 3> kSliderAt{-0.12, 0, 0.02};
-constexpr double kReach = 0.235; // from the chassis' middle to its farthest corner, tyres included
+constexpr double kReach = 0.235; // distance from the centre of the chassis to its farthest corner, tyres included
 
-// Settings as the product has them.
+// Settings of Trundle.
 constexpr double kStiffness = 2e5, kDamping = 1100, kServoTorque = 3.6;
 constexpr double kPlasticFriction = 0.2, kTyreFriction = 1.0;
 constexpr int kMaxOfRobots = 2, kMaxOfWalls = 4;
 
-// How it drives: RandomDrive with its defaults, through the drive's ramps.
+// Commands: RandomDrive with its defaults, limited by the ramps of the drive.
 constexpr double kSpeed = 0.3, kTurnRate = 1.0, kPeriod = 1.0, kAcceleration = 1.0, kTurnAcceleration = 4.0;
 constexpr std::uint64_t kSeed = 1;
 
@@ -49,9 +49,9 @@ struct Robot {
     dBodyID chassis = nullptr;
     std::array<dBodyID, 2> wheels{};
     std::array<dJointID, 2> hinges{};
-    std::array<dGeomID, 4> geoms{}; // hull, bumper, tyres: what can meet walls and other robots
+    std::array<dGeomID, 4> geoms{}; // hull, bumper, tyres: can touch walls and other robots
     double aimSpeed = 0, aimTurn = 0, speed = 0, turn = 0;
-    std::uint64_t pathHash = 0; // whose random numbers it draws
+    std::uint64_t pathHash = 0; // seed of the robot's random numbers
 };
 
 struct Options {
@@ -98,7 +98,7 @@ public:
     }
 
     [[nodiscard]] long contactCount() const { return m_contactCount; }
-    [[nodiscard]] std::array<double, 2> firstRobot() const { // its config frame
+    [[nodiscard]] std::array<double, 2> firstRobot() const { // position of its config frame
         dVector3 at;
         dBodyGetRelPointPos(m_robots[0].chassis, -m_centre[0], -m_centre[1], -m_centre[2], at);
         return {at[0], at[1]};
@@ -201,7 +201,7 @@ private:
                          trundle::toUnit(trundle::randomBits(kSeed, robot.pathHash, static_cast<std::uint64_t>(m_ticks), index));
     }
 
-    // Speed and turn rate arrive together.
+    // Speed and turn rate reach their targets at the same time.
     void ramp(Robot& robot) const {
         const double speedUp = robot.aimSpeed - robot.speed, turnUp = robot.aimTurn - robot.turn;
         const double time = std::max(std::fabs(speedUp) / kAcceleration, std::fabs(turnUp) / kTurnAcceleration);
@@ -254,7 +254,7 @@ private:
         static constexpr dReal kUp[3] = {0, 0, 1};
         for (const dBodyID wheel : robot.wheels) {
             const dReal *p = dBodyGetPosition(wheel), *r = dBodyGetRotation(wheel);
-            // The axle is the body's z; down in the wheel's plane leads to the contact.
+            // The axle is the body's z axis; the contact lies downwards in the wheel's plane.
             const double axle[3] = {r[2], r[6], r[10]};
             const double flat = std::sqrt(1 - axle[2] * axle[2]);
             const dReal at[3] = {p[0] + kWheelRadius * axle[2] * axle[0] / flat, p[1] + kWheelRadius * axle[2] * axle[1] / flat,
@@ -289,7 +289,7 @@ private:
         return static_cast<std::size_t>(row * m_columns + column);
     }
 
-    // Every robot meets those of higher index in its own and the neighbouring cells, in ascending order.
+    // Each robot is tested against those of higher index in its own and the neighbouring cells, in ascending order.
     void collide() {
         for (auto& cell : m_cells) cell.clear();
         for (std::size_t i = 0; i < m_robots.size(); ++i) m_cells[cellOf(dBodyGetPosition(m_robots[i].chassis))].push_back(i);

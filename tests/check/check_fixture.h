@@ -1,5 +1,5 @@
 #pragma once
-// Experiments as texts, opened as the programs open them, and what the model check says of them.
+// Opens experiments given as text, as the programs do, and returns the diagnostics of the model check.
 
 #include <filesystem>
 #include <fstream>
@@ -49,7 +49,7 @@ struct CheckFixture {
     }
 };
 
-/// A floor, and things to put on it.
+/// A floor, and configs of objects to put on it.
 inline const std::string kThings = R"(
 Tick = 0.01 Duration = 1
 StaticConfig Floor { Plane ground { } }

@@ -1,4 +1,4 @@
-// Seeded faults: each is found, named, explained, and its fix, where one is promised, takes it away. What is right raises no alarm.
+// Seeded faults: each is reported with its name and cause, and its fix, where there is one, removes it. Valid models give no warning.
 #include "check/check_fixture.h"
 #include "flow/cli.h"
 
@@ -20,7 +20,7 @@ RobotConfig Rover {
 }
 )";
 
-/// block.obj is a cube of 10 cm that rests on its origin.
+/// block.obj is a cube of 10 cm whose origin is at the middle of its lower face.
 const std::string kMeshes = R"(
 RobotConfig Stone { Body b { Convex c { File=block.obj Mass=1 } } }
 RobotConfig Beam { Body b { Convex c { File=block.obj Scale=1,1,6 Mass=1 } } }
@@ -47,8 +47,8 @@ private Q_SLOTS:
     void faults_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<int>("code");
-        QTest::addColumn<QString>("said");  // words that the message has
-        QTest::addColumn<QString>("place"); // what it points at
+        QTest::addColumn<QString>("said");  // text that the message contains
+        QTest::addColumn<QString>("place"); // text of the source range
         QTest::addColumn<bool>("fix");
         const auto row = [](const char* name, const std::string& text, Code code, const char* said, const char* place, bool fix) {
             QTest::newRow(name) << QString::fromStdString(kThings + text) << static_cast<int>(code) << said << place << fix;
@@ -160,7 +160,7 @@ private Q_SLOTS:
         QVERIFY2(!again->diagnostics.hasErrors(), afterStory.c_str());
         for (const Diagnostic& d : after.all()) {
             QVERIFY2(static_cast<int>(d.code) != code, afterStory.c_str());
-            QVERIFY2(d.code != Code::BelowFloor, afterStory.c_str()); // nor a worse place
+            QVERIFY2(d.code != Code::BelowFloor, afterStory.c_str()); // the fix must not put it below the floor
         }
     }
 
@@ -204,12 +204,12 @@ private Q_SLOTS:
     void acceptsShippedTexts() {
         QFETCH(QString, path);
         const auto loaded = m_fixture.openFile(path.toStdString());
-        if (!loaded || loaded->diagnostics.hasErrors()) return; // parts of others, which do not open alone
+        if (!loaded || loaded->diagnostics.hasErrors()) return; // files that are only imported and do not open alone
         const Diagnostics found = CheckFixture::check(*loaded);
         QVERIFY2(found.all().empty(), CheckFixture::shown(*loaded, found).c_str());
     }
 
-    /// Ten thousand robots in the floor and in each other are two messages.
+    /// Ten thousand robots that overlap the floor and each other give two messages.
     void reportsManyRobotsOnce() {
         const auto loaded = m_fixture.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=0.15 Pos=0,0,0.02 }");
         const Diagnostics found = CheckFixture::check(*loaded);
@@ -218,7 +218,7 @@ private Q_SLOTS:
         QCOMPARE(CheckFixture::check(*air).all().size(), std::size_t(1));
     }
 
-    /// Who closes the window does not wait for a check.
+    /// Closing the window does not wait for a check.
     void aRequestToStopEndsIt() {
         const auto loaded = m_fixture.open(kThings + "Grid g { Config=Crate Count=100,100 Spacing=1 Pos=0,0,3 }");
         std::stop_source stop;
@@ -228,7 +228,7 @@ private Q_SLOTS:
         QVERIFY(found.all().empty());
     }
 
-    /// A text with errors is not checked further: its mistakes come first.
+    /// A text with errors is not checked further: only its errors are listed.
     void listsErrorsFirst() {
         const auto loaded = m_fixture.open(kThings + "Robot a { Config=Crate Pos=0,0,-1 Mess=3 }");
         QVERIFY(loaded->diagnostics.hasErrors());

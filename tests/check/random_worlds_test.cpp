@@ -1,5 +1,5 @@
-// Tame random worlds: boxes, balls and jointed pairs thrown together in a room. Most that blow up start inside something, and the
-// check reports it before; where one stops without such a start its message says what to do. TRUNDLE_LONG: 700 of them.
+// Moderate random worlds: boxes, balls and jointed pairs in a room. Most that become unstable start with overlaps, which the check
+// reports before the run; the others must stop with a message that says what to do. TRUNDLE_LONG: 700 of them.
 #include "base/rng.h"
 #include "check/check_fixture.h"
 
@@ -91,7 +91,7 @@ private Q_SLOTS:
                                       .arg(fault->reason.c_str());
             qInfo("%s%s", warning ? "" : "NOT FORETOLD ", qPrintable(story));
             QVERIFY2(!fault->body.empty() && fault->reason.find("; ") != std::string::npos, qPrintable(story));
-            // Within the first ticks only the start can be the cause.
+            // A fault within the first ticks can only be caused by the start poses.
             QVERIFY2(warning || fault->time > 0.05,
                      qPrintable(story + "\n" + QString::fromStdString(randomWorld(static_cast<std::uint64_t>(seed)))));
         }

@@ -89,7 +89,7 @@ private Q_SLOTS:
         stage.at("frontTouch/pressed") = 1;
         QVERIFY(stage.backend->tick(1, .01, .01).ok());
         QCOMPARE(stage.at("base/linearVelocity"), 0.);
-        QCOMPARE(stage.at("base/odometry"), 0.); // an output is not the controller's to write
+        QCOMPARE(stage.at("base/odometry"), 0.); // a controller cannot write an output
         QCOMPARE(stage.at("base/finished"), 0.);
         QCOMPARE(stage.backend->describe(), std::string("Driver from libgood.so, in process"));
     }
@@ -128,7 +128,7 @@ private Q_SLOTS:
                              "names as outputs: count, where)"));
     }
 
-    /// Built with the headers of interface 1.2: their tables end earlier.
+    /// A module built with the headers of interface 1.2, whose tables are shorter.
     void aModuleOfAnOlderInterfaceRuns() {
         Stage stage("Driver", {{"Loud", ResolvedValue{{PropertyType::Boolean, {1}, {}}, {}, Origin::Config}}});
         const Status started = stage.start("older/libolder.so");
@@ -146,7 +146,7 @@ private Q_SLOTS:
         QCOMPARE(watcher.console.at(1), std::string("1 1 1"));
     }
 
-    /// The text may have been checked against a newer version of the module than the one that runs.
+    /// The text may have been checked with a newer version of the module than the running one.
     void aLiveValueOutOfTheRunningCodesRangeIsRefused() {
         Stage stage("Rebuilt", {});
         QVERIFY(stage.store.load(kModules + "rebuilt/libbefore.so").ok());

@@ -97,14 +97,14 @@ private Q_SLOTS:
     void suggestsSimilarModule_data() {
         QTest::addColumn<QString>("meant");
         QTest::newRow("controllers/goood") << "controllers/good";
-        QTest::newRow("good") << "controllers/good";                  // its folder forgotten
+        QTest::newRow("good") << "controllers/good";                  // without its folder
         QTest::newRow("Controllers\\good.dll") << "controllers/good"; // the thesis's spelling of the folder
         QTest::newRow("mine") << "";
     }
     void suggestsSimilarModule() {
         QFETCH(QString, meant);
         put("program/controllers/libgood.so", true);
-        QVERIFY(QFile::link("libmine.so", m_folder->filePath("program/libmine.so"))); // leads nowhere but to itself
+        QVERIFY(QFile::link("libmine.so", m_folder->filePath("program/libmine.so"))); // a link to itself
         const auto missing =
             DirectoryCatalog({{path("nowhere")}, path("program"), {}, false}).find(QTest::currentDataTag(), path("experiments"));
         QCOMPARE(missing.error().code, Code::ModuleNotFound);
@@ -120,7 +120,7 @@ private Q_SLOTS:
         const std::string kind = catalog.find("controllers/good", path("experiments")).value().kinds.at(0).name;
         QCOMPARE(catalog.moduleWith(kind), "controllers/good");
         QCOMPARE(catalog.moduleWith("NoSuchKind"), "");
-        QCOMPARE(DirectoryCatalog({{path("mine")}, "", {}, false}).moduleWith(kind), ""); // nobody's folder is searched for it
+        QCOMPARE(DirectoryCatalog({{path("mine")}, "", {}, false}).moduleWith(kind), ""); // not in the catalog's folders
     }
 
     void reportsPythonModule() {

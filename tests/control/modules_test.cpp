@@ -20,7 +20,7 @@ const std::string kBefore = kModules + "rebuilt/libbefore.so", kAfter = kModules
 
 std::string bytesOf(const std::string& path) { return readRegularFile(path).value(); }
 
-/// What is reported when the modules of an experiment are loaded whose text was checked with a registry.
+/// Diagnostics of loading the modules of an experiment whose text was checked with `registry`.
 std::vector<Diagnostic> loaded(const ExperimentSpec& experiment, const Registry& registry) {
     ModuleStore store;
     Diagnostics diagnostics;
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY2(QString::fromStdString(module.error().message).contains(words), module.error().message.c_str());
     }
 
-    /// Any byte of the tables may lie: the file is refused or loaded, nothing crashes before the loader.
+    /// Any byte of the ELF tables may be wrong: the file is refused or loaded, and nothing crashes before the dynamic loader runs.
     void rejectsDamagedTables() {
         const std::string good = bytesOf(kGood);
         std::uint32_t state = 1;
@@ -206,7 +206,7 @@ private Q_SLOTS:
         QVERIFY(diagnostics.all().empty());
     }
 
-    /// The text was read before the module was built anew: its values were checked against what is no longer true.
+    /// The text was read before the module was rebuilt, so its values were checked against outdated ranges.
     void aModuleThatIsAnotherOneThanTheTextWasCheckedWithDoesNotRun() {
         const std::string library = made("libmind.so", bytesOf(kBefore)), description = kindsJsonPath(library);
         made("libmind.so.kinds.json", bytesOf(kindsJsonPath(kBefore)));
@@ -229,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(descriptionChanged(experiment, registry));
     }
 
-    /// Written over while it is loaded, as by `cp`: what runs goes on, what is loaded next is the new one.
+    /// Overwritten while it is loaded, as by `cp`: the running copy stays unchanged, the next load gets the new file.
     void aFileWrittenOverWhileItIsLoadedIsTwoModules() {
         const std::string library = made("libswap.so", bytesOf(kBefore));
         ModuleStore running;
@@ -239,14 +239,14 @@ private Q_SLOTS:
         made("libswap.so", bytesOf(kAfter));
         const auto most = [](const LoadedModule& module) { return module.descriptor->kinds[0]->fields[0].maximum; };
         QCOMPARE(most(*before.value()), 2.0);
-        ModuleStore next; // while the first one is stuck
+        ModuleStore next; // while the first one does not return
         const auto after = next.load(library);
         QVERIFY2(after.ok(), after.ok() ? "" : after.error().message.c_str());
         QCOMPARE(most(*after.value()), 0.5);
         QCOMPARE(most(*before.value()), 2.0);
     }
 
-    /// Each load is a life of its own, whatever its compiler made one for the whole process.
+    /// Each load has its own state, including symbols that the compiler made unique per process.
     void nothingIsSharedWithAnEarlierLoad() {
         QVERIFY(!ElfReader(bytesOf(kBefore)).uniqueBindings().empty());
         ModuleStore one, two;

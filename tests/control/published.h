@@ -1,12 +1,12 @@
 #pragma once
-// Apart from the tests: moc takes the member `signals` for its own word.
+// Not in the test files, because moc takes the member `signals` for its keyword.
 
 #include "model/experiment_spec.h"
 #include "signals/layout.h"
 
 namespace trundle {
 
-/// Gives a robot with a controller of this kind the signals that it publishes, as a world lays them out.
+/// Adds a controller of this kind to a robot and its published signals to the layout, as the world does.
 inline void addPublished(const Kind& kind, RobotSpec& robot, SignalLayout& layout) {
     robot.published = kind.signals;
     for (const SignalDescription& s : kind.signals)

@@ -1,6 +1,6 @@
 #pragma once
-// A robot on a bench: joints that turn freely, each with an inertia of its own, and devices reached through the C tables as the
-// world reaches them. No ground, no contacts but those a test lays down.
+// A robot without physics engine: joints that turn freely, each with its own inertia, and devices called through the C tables as the
+// world calls them. No ground; the only contacts are those that a test sets.
 
 #include <algorithm>
 #include <cmath>
@@ -56,13 +56,13 @@ public:
         d.code = findBuiltInDevice(kind);
         return d;
     }
-    /// Makes and mounts all devices; the first failure, or "".
+    /// Creates and mounts all devices; returns the first failure, or "".
     std::string setup() {
         for (BenchDevice& d : devices)
             if (std::string why = setup(d); !why.empty()) return why;
         return "";
     }
-    /// act in text order, step, sense in reverse; a device that binds a peer's signals has to be before that.
+    /// act in text order, step, sense in reverse order; a device that binds a peer's signals must precede that peer.
     void tick() {
         for (BenchJoint& j : m_joints) j.driven = false;
         TrundleServices services = table();
@@ -143,7 +143,7 @@ private:
             d.code->set(d.instance, index, &value);
         }
     }
-    /// Each joint's row solved with its step: I (w' - w) / h = T, T = (rate - w') / softness within the limit.
+    /// Solves the motor constraint of each joint: I (w' - w) / h = T, T = (rate - w') / softness within the limit.
     void step() {
         for (BenchJoint& j : m_joints) {
             double torque = 0;
@@ -202,7 +202,7 @@ private:
     std::string m_path;
 };
 
-/// Motor M0 of the physics notes on a joint.
+/// Adds motor M0 of the physics notes to a joint.
 inline BenchDevice& addMotor(BenchRobot& robot, const std::string& name, const std::string& joint) {
     robot.joint(joint);
     BenchDevice& motor = robot.device("RotaryMotor", name);

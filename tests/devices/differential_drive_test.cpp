@@ -6,7 +6,7 @@ using namespace trundle;
 using namespace trundle::test;
 
 namespace {
-/// Two lifted wheels with the given control; wheels of the weight the robot would put on them.
+/// Two wheels in the air with the given control mode; their inertia includes the robot's mass.
 struct Base {
     explicit Base(const std::string& control, double tick = .01) : robot(tick) {
         BenchDevice& drive = robot.device("DifferentialDrive", "base"); // before its motors, as the world orders it
@@ -38,7 +38,7 @@ private Q_SLOTS:
         for (const double tick : {.001, .01, .03}) {
             QTest::addRow("servo %g", tick) << "servo" << tick << 1e-12;
             QTest::addRow("pi %g", tick) << "pi" << tick << 1e-4;
-            QTest::addRow("voltage %g", tick) << "voltage" << tick << 1e-4; // the lag of the start returns at the end
+            QTest::addRow("voltage %g", tick) << "voltage" << tick << 1e-4; // the lag at the start cancels at the end
         }
     }
     void drivesAnAmount() {
@@ -69,7 +69,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(base.at("odometry", 2) - M_PI / 2) < 1e-12);
     }
 
-    /// Open loop, without ramps: the base stays behind by v * tau, tau = I / b.
+    /// Open loop, without ramps: the base lags by v * tau, tau = I / b.
     void voltageLagsByItsTimeConstant_data() {
         QTest::addColumn<double>("tick");
         for (const double tick : {.001, .01, .03}) QTest::addRow("%g s", tick) << tick;
@@ -88,7 +88,7 @@ private Q_SLOTS:
     void computesOdometryFromWheels() {
         Base base("servo");
         QCOMPARE(base.robot.setup(), std::string());
-        base.robot.joint("leftAxle").inertia = base.robot.joint("rightAxle").inertia = 1e12; // held fast
+        base.robot.joint("leftAxle").inertia = base.robot.joint("rightAxle").inertia = 1e12; // practically locked
         base.command(.5, 0, 2, 0);
         base.robot.run(6);
         QVERIFY(std::abs(base.at("odometry", 0)) < 1e-6);
@@ -113,7 +113,7 @@ private Q_SLOTS:
         base.robot.run(1);
         QCOMPARE(base.robot.warnings.size(), std::size_t(1));
         QVERIFY(base.robot.warnings[0].find("refused") != std::string::npos);
-        QCOMPARE(base.at("finished"), 1.); // who waits for it goes on
+        QCOMPARE(base.at("finished"), 1.); // so a controller that waits for it continues
         QCOMPARE(base.at("odometry", 0), 0.);
         base.command(.2, 0, .1, 0);
         base.robot.run(2);

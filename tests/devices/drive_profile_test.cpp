@@ -7,7 +7,7 @@ using namespace trundle;
 namespace {
 constexpr DriveLimits kLimits{1, 4};
 
-/// Drives the amount under way to its end; what was covered and how many ticks it took (-1: it did not end).
+/// Drives the current amount to its end: the distance covered and the number of ticks (-1: it did not end).
 struct Driven {
     ChassisMotion travel;
     int ticks = 0;

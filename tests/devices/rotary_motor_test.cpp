@@ -13,7 +13,7 @@ constexpr MotorConstants kM0{.03, 1 / .03, 2, 30, 12, 0, 1};
 class RotaryMotorTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    /// Thesis eq. 3.1 at 12 V: the row gives T = (rate - w) / softness.
+    /// Thesis eq. 3.1 at 12 V: the motor constraint gives T = (rate - w) / softness.
     void torqueFallsWithTheRate_data() {
         QTest::addColumn<double>("rate");
         QTest::addColumn<double>("torque");
@@ -31,7 +31,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(1 / row.softness - .405) < 1e-12);
     }
 
-    /// A lifted wheel comes to the no-load rate at any tick, without overshoot.
+    /// A wheel in the air reaches the no-load rate at any tick length, without overshoot.
     void isStableAtAnyTick_data() {
         QTest::addColumn<double>("tick");
         for (const double tick : {.001, .01, .03, .05, .5}) QTest::addRow("%g s", tick) << tick;
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.signal("motor/rate")[0] + 40. / 3) < 1e-6);
     }
 
-    /// Whatever drives it: what a meter at its terminals would show.
+    /// The voltage between its terminals, also when the joint is driven from outside.
     void reportsTerminalVoltage() {
         BenchRobot robot(.01);
         robot.joint("axle").inertia = .0405;

@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(robot.setup(), std::string());
         robot.tick();
         QCOMPARE(robot.signal("touch/pressed")[0], 0.);
-        robot.contacts["chassis.side"].assign(20, contactOf(.5)); // more than the sensor has room for at first
+        robot.contacts["chassis.side"].assign(20, contactOf(.5)); // more than the initial capacity of the sensor
         robot.contacts["chassis.bumper"] = {contactOf(2)};
         robot.tick();
         QCOMPARE(robot.signal("touch/pressed")[0], 1.);

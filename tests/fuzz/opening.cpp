@@ -29,7 +29,7 @@ public:
     }
 };
 
-/// A folder of this process, in memory where the machine has such a place.
+/// A temporary folder of this process, on a memory file system where there is one.
 const std::filesystem::path& scratch() {
     static const std::filesystem::path folder = [] {
         const char* const memory = "/dev/shm";

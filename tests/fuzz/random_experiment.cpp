@@ -15,7 +15,7 @@ std::uint32_t Choices::pick(std::uint32_t count) {
 
 namespace {
 
-/// Names made so far, by the kind or role a reference may ask for.
+/// Names generated so far, by the kind or role that a reference may require.
 struct Names {
     std::vector<std::string> bodies, geoms, joints, wheels;
     std::vector<std::pair<std::string, std::string>> devices; ///< kind, name
@@ -27,7 +27,7 @@ std::string show(double value) {
     return buffer;
 }
 
-/// Mostly what people write, sometimes the edge of the range, sometimes far out.
+/// Mostly typical values, sometimes a bound of the range, sometimes an extreme value.
 double numberFor(Choices& c, const Property& p) {
     const double low = std::isfinite(p.minimum) ? p.minimum : -1e9;
     const double high = std::isfinite(p.maximum) ? p.maximum : 1e9;
@@ -87,7 +87,7 @@ bool given(const std::vector<std::string>& keys, const std::string& key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-/// Keys and values of a kind, leaving out `without`; required ones always, others now and then.
+/// Properties of a kind except `without`; required ones always, optional ones sometimes.
 std::string properties(Choices& c, const Kind& kind, const Names& names, const std::vector<std::string>& without,
                        std::uint32_t inSixteen) {
     std::string text;
@@ -195,7 +195,7 @@ std::string randomExperiment(Choices& c, const Registry& registry) {
     std::string text = "Tick=" + std::string(c.chance(12) ? "0.01" : (c.pick(2) ? "0.03" : "0.001"));
     static const char* const solvers[] = {"auto", "quick", "exact"};
     const std::uint32_t robots = 1 + c.pick(6);
-    // Exact is cubic in what touches, and who asks for it for a heap gets it: not a hang, but not worth a fuzzer's time.
+    // The exact solver is cubic in the contacts: for many robots it does not hang, but wastes fuzzing time.
     text += " Seed=" + std::to_string(c.pick(1000)) + " Solver=" + solvers[c.pick(robots > 2 ? 2 : 3)] + "\n";
     if (c.chance(2)) text += "Gravity=" + std::to_string(c.pick(9)) + ",0,-" + std::to_string(c.pick(30)) + "\n";
     const Kind* surface = registry.find("Surface");

@@ -1,6 +1,6 @@
 #pragma once
-// Writes experiments that the schema allows, from any bytes: what is chosen and every value is a decision read from them, so a
-// fuzzer can steer it and a seed repeats it. Values stay in the range their kind describes; whether such a robot makes sense is
+// Generates experiments that the schema allows from arbitrary bytes: every choice and value is decoded from them, so a
+// fuzzer can guide it and a seed reproduces it. Values stay in the range their kind describes; whether such a robot makes sense is
 // what the text is to find out.
 
 #include <cstdint>

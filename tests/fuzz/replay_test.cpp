@@ -1,4 +1,4 @@
-// What the fuzzers once found, and a sample of what they try, with every run of the tests.
+// Replays earlier fuzzer findings and a sample of generated inputs in every test run.
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the fuzzers and the replay of their finds do with some bytes. Each aborts where a promise is broken.
+// Entry points shared by the fuzzers and the replay test. Each aborts when an invariant is violated.
 
 #include <cstdint>
 #include <memory>
@@ -9,15 +9,15 @@
 
 namespace trundle::fuzz {
 
-/// A text of any bytes: parsed, printed, formatted, edited, resolved, its diagnostics rendered.
+/// Parses, prints, formats, edits and resolves arbitrary bytes as a text, and renders its diagnostics.
 void tryText(std::span<const std::uint8_t> bytes);
-/// An experiment that the schema allows, steered by the bytes: built and run for 20 ticks under wild commands. It may be refused or
-/// end in a fault that is reported; it may not crash, hang or publish what is not a number.
+/// Builds an experiment that the schema allows from the bytes and runs it for 20 ticks with arbitrary commands. It may be refused or
+/// end in a reported fault; it must not crash, hang or publish a value that is not finite.
 void tryWorld(std::span<const std::uint8_t> bytes);
 
 /// Built-in kinds of model, devices and logs.
 [[nodiscard]] std::shared_ptr<const Registry> builtInKinds();
-/// Opens a text as if it stood alone in an empty folder, with no modules and no meshes.
+/// Opens a text as the only file of a folder, without modules and meshes.
 [[nodiscard]] std::shared_ptr<const LoadedProject> open(std::span<const std::uint8_t> bytes);
 
 void require(bool holds);

@@ -1,5 +1,5 @@
-// Any bytes: parsing ends, printing gives them back, tokens cover them, formatting is idempotent, edits splice what they say, and
-// resolving explains what is wrong.
+// For arbitrary bytes: parsing terminates, printing reproduces them, tokens cover them, formatting is idempotent, edits change only
+// their ranges, and resolving reports every error.
 
 #include "base/rng.h"
 #include "fuzz/targets.h"
@@ -54,7 +54,7 @@ void checkFormat(const Tree& tree) {
     require(hasErrors(tree) == hasErrors(*again));
 }
 
-/// A few edits chosen by the bytes themselves. On a sound text each leaves a sound text.
+/// Applies a few edits chosen by `seed`. An edit of a valid text leaves a valid text.
 void checkEdits(std::shared_ptr<const Tree> tree, std::uint64_t seed) {
     for (std::uint64_t step = 0; step < 6; ++step) {
         std::vector<const Item*> items;

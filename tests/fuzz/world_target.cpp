@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kTicks = 20;
 
-/// What a controller of ill will might write.
+/// A command that a malicious controller might write.
 double wildCommand(Choices& choices) {
     static const double values[] = {0, 1, -1, 0.3, 12, -100, 1e6, -1e9, 1e300, HUGE_VAL, NAN, 1e-300};
     return values[choices.pick(std::size(values))];
@@ -26,7 +26,7 @@ void writeCommands(World& world, Choices& choices) {
     }
 }
 
-/// What the world publishes is finite; commands are their writer's.
+/// Published values must be finite; commands are not checked, because controllers write them.
 void checkSignals(const World& world) {
     for (const SignalEntry& entry : world.layout().entries()) {
         if (entry.direction == SignalDirection::Command) continue;

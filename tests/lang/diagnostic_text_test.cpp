@@ -1,4 +1,4 @@
-// The message as a person reads it.
+// Rendering of diagnostics as text with line, column and caret.
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-// The formatter changes blanks at both ends of lines and nothing that is read.
+// The formatter changes only white space at the start and end of lines, never the meaning.
 
 #include <QTest>
 
@@ -80,7 +80,7 @@ private Q_SLOTS:
             QVERIFY2(substance(once) == substance(text), story.constData());
             sound += once != text;
         }
-        QVERIFY(sound > count / 100); // else the texts were all broken and nothing was tested
+        QVERIFY(sound > count / 100); // otherwise nearly all texts were invalid and nothing was tested
     }
 };
 

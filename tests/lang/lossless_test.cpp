@@ -1,4 +1,4 @@
-// Printing a tree gives the bytes back, whatever they are; tokens cover each byte once.
+// Printing a tree reproduces arbitrary bytes; tokens cover each byte exactly once.
 
 #include <QTest>
 
@@ -9,7 +9,7 @@ using namespace texts;
 
 namespace {
 
-/// Empty when all is well, else what is wrong.
+/// Empty when the text round-trips, otherwise what is wrong.
 QByteArray faultOf(const std::string& text) {
     const auto tree = parsed(text);
     if (print(*tree) != text) return "printed text differs";
@@ -102,7 +102,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Shapes that cost a careless parser the square of their size, or its stack.
+    /// Inputs that would cost a naive parser quadratic time, or overflow its stack.
     void longShapes_data() {
         QTest::addColumn<QByteArray>("piece");
         for (const char* piece : {"{",

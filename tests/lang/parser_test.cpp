@@ -1,4 +1,4 @@
-// What sound texts mean: the tree of each, written out.
+// The trees of valid texts, written out.
 
 #include <QTest>
 
@@ -168,7 +168,7 @@ private Q_SLOTS:
         const auto tooDeep = parsed(deep + "B { x=1 C { } }" + closed.substr(deep.size()) + "\ny=1");
         QCOMPARE(tooDeep->diagnostics().size(), std::size_t(1));
         QCOMPARE(tooDeep->diagnostics()[0].code, Code::TooDeep);
-        QCOMPARE(tooDeep->items().size(), std::size_t(2)); // what follows is read
+        QCOMPARE(tooDeep->items().size(), std::size_t(2)); // the item after it is read
 
         const auto parens = [](int n) {
             return "x = $(" + std::string(static_cast<std::size_t>(n), '(') + "1" +
@@ -179,7 +179,7 @@ private Q_SLOTS:
         std::string sum = "x = $(1";
         for (int i = 0; i < 500; ++i) sum += "+1";
         QCOMPARE(parsed(sum + ")")->diagnostics()[0].code, Code::TooDeep);
-        for (const char* step : {"1^", "-", "+", "1^-", "abs("}) { // whatever may be in a row costs depth
+        for (const char* step : {"1^", "-", "+", "1^-", "abs("}) { // operators that can be repeated count towards the depth
             std::string row = "x = $(";
             for (int i = 0; i < 200'000; ++i) row += step;
             const auto tree = parsed(row + "1)");

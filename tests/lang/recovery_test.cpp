@@ -1,4 +1,4 @@
-// Broken texts and the whole message each gets: recovery_cases.txt, cases as
+// Invalid texts and the complete message of each, read from recovery_cases.txt in this form:
 //   ==== name
 //   the text
 //   ----
@@ -43,7 +43,7 @@ private Q_SLOTS:
         if (said != messages) qInfo("%s", said.constData());
         QCOMPARE(said, messages);
         QVERIFY(!tree->diagnostics().empty());
-        // Fixes that are offered make it no worse.
+        // Offered fixes must not add errors.
         for (const Diagnostic& d : tree->diagnostics()) {
             if (d.fixes.empty()) continue;
             const auto repaired = applied(*tree, d.fixes[0]);
@@ -52,7 +52,7 @@ private Q_SLOTS:
         }
     }
 
-    /// A mistake costs its own line at most: what stands after it is read.
+    /// An error loses at most its own line: the text after it is read.
     void recoversAfterError() {
         for (const char* broken : {"Pos = 1,2,", "x",        "x y z",       "= 3",      "Pos =",    "Pos = 0 0 0",
                                    "x == 3",     "x: 3",     "@@ !!",       "#frob",    "#import",  "x = $(1 +",
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QTest::newRow("a path without an end") << QByteArray() << QByteArray("a.");
         QTest::newRow("bytes that are no text") << QByteArray() << QByteArray("\xff a ");
     }
-    /// The memory that a mistake costs does not grow with the text; the text stays whole, and what is before it is read.
+    /// The memory for an error does not grow with the text; the text stays complete, and everything before the error is read.
     void readsLargeErrorsPartially() {
         QFETCH(QByteArray, head);
         QFETCH(QByteArray, piece);
@@ -114,7 +114,7 @@ private Q_SLOTS:
         QTest::newRow("CR") << QByteArray("\r");
         QTest::newRow("with blanks") << QByteArray(" \t \n");
     }
-    /// What is between two items takes the same memory however long it is.
+    /// White space between two items takes constant memory, whatever its length.
     void blankLinesAreTwoTokens() {
         QFETCH(QByteArray, piece);
         const std::string text = "A=1" + piece.repeated(100'000).toStdString() + "  B=2" + piece.repeated(3).toStdString();
@@ -141,13 +141,13 @@ private Q_SLOTS:
         QCOMPARE(tree->items().size(), std::size_t(2));
         QVERIFY2(tree->tokens().size() < 1100, QByteArray::number(qulonglong(tree->tokens().size())));
         QVERIFY(print(*tree) == text + "\n");
-        // What is first on its line stays so, and a comment without an end is found behind all the others.
+        // A directive is still first on its line, and an unterminated comment is found after all the others.
         const auto directive = parsed(piece.repeated(2000).toStdString() + "\n#import a.sim\n/* open");
         QCOMPARE(directive->diagnostics().size(), std::size_t(1));
         QCOMPARE(directive->diagnostics()[0].code, Code::UnclosedComment);
     }
 
-    /// Each line end in an expression asks what comes next: looking through the same comments again and again would take minutes.
+    /// The parser looks ahead at each line end in an expression: scanning the same comments repeatedly would take minutes.
     void continuesExpressionAfterComments() {
         const std::string comments = QByteArray("// one more\n").repeated(200'000).toStdString();
         const auto sum = parsed("Param a = $(1\n" + comments + "+ 2)\n");

@@ -68,7 +68,7 @@ private Q_SLOTS:
         QCOMPARE(q(text.line(0)), QByteArray(""));
     }
 
-    /// Places are found from marks that are far apart: the same as by counting from the beginning.
+    /// Line and column are computed from sparse checkpoints and equal those counted from the beginning.
     void placesInLongTextsAreExact() {
         std::string bytes = "\xEF\xBB\xBF";
         const char* const pieces[] = {"a", "\n", "\r\n", "\r", "\xC3\xA4", "\xF0\x9F\x98\x80", "\xFF", "long words here", "\t"};

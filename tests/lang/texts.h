@@ -1,5 +1,5 @@
 #pragma once
-// Texts for the tests of the language: examples, and seeded soups of bytes and of tokens.
+// Texts for the tests of the language: examples, and seeded random bytes and tokens.
 
 #include <QByteArray>
 #include <cstdint>
@@ -20,7 +20,7 @@ inline std::shared_ptr<const trundle::Tree> parsed(std::string text) {
     return trundle::parse(std::make_shared<const trundle::SourceText>("t.sim", std::move(text)), 0);
 }
 
-/// All messages of a tree as a person reads them.
+/// All diagnostics of a tree, rendered as text.
 inline std::string messages(const trundle::Tree& tree) {
     trundle::SourceTable table;
     table.add(tree.sharedSource());
@@ -31,7 +31,7 @@ inline std::string messages(const trundle::Tree& tree) {
 
 inline bool longRun() { return qEnvironmentVariableIntValue("TRUNDLE_LONG") != 0; }
 
-/// Numbers below a bound, the same in every run.
+/// Pseudo-random numbers below a bound, the same in every run.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint64_t seed) : m_seed(seed) {}
@@ -50,7 +50,7 @@ inline std::string randomBytes(RandomNumbers& rng, std::size_t most) {
     return text;
 }
 
-/// Tokens of the language and of its neighbours in any order.
+/// Random tokens of this and similar languages.
 inline std::string randomSoup(RandomNumbers& rng, std::size_t most) {
     static const std::vector<std::string_view> kPieces{"{",
                                                        "}",

@@ -1,4 +1,4 @@
-// Edits change as little as possible, in the author's style, and can be undone to the byte.
+// Edits change as little text as possible, keep its style, and undo restores the exact bytes.
 
 #include <QTest>
 #include <functional>
@@ -42,7 +42,7 @@ std::size_t errors(const Tree& tree) {
                                                   [](const Diagnostic& d) { return d.severity == Severity::Error; }));
 }
 
-/// What a tree says, without places and comments.
+/// The content of a tree, without source ranges and comments.
 std::string meaning(const std::vector<Item>& items, const Item* without = nullptr) {
     std::string out;
     const auto valueOf = [&](const Value& v) {
@@ -232,7 +232,7 @@ private Q_SLOTS:
         QCOMPARE(edited.value()->file(), tree->file());
     }
 
-    /// Each step does what it says and nothing else; all of them undone give the first bytes.
+    /// Each random edit has exactly its intended effect; undoing all of them restores the original bytes.
     void randomWalks() {
         RandomNumbers rng(3);
         const int walks = longRun() ? 10000 : 300;
@@ -266,7 +266,7 @@ private Q_SLOTS:
                 } else {
                     edit = editRemoveItem(*tree, *place.item);
                     expected = meaning(tree->items(), place.item);
-                    if (block) comments = 0; // those inside go with it
+                    if (block) comments = 0; // comments inside the block are removed with it
                 }
                 const std::string before(tree->source().bytes());
                 const auto next = applyEdits(*tree, std::span(&edit, 1));

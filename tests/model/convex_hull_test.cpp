@@ -1,4 +1,4 @@
-// Hulls of known bodies, of many points, and of what has no volume.
+// Hulls of known solids, of many points, and of point sets without volume.
 #include <QtTest>
 
 #include <cmath>
@@ -77,7 +77,7 @@ private Q_SLOTS:
         const auto hull = convexHull(few);
         QVERIFY(hull);
         QVERIFY(std::abs(volume(*hull) / (4.0 / 3 * std::numbers::pi) - 1) < 0.1);
-        QVERIFY(farthestPoints(few, 96) == few); // enough already
+        QVERIFY(farthestPoints(few, 96) == few); // already few enough points
     }
 
     void noneWithoutVolume() {

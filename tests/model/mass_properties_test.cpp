@@ -46,7 +46,7 @@ private Q_SLOTS:
         QVERIFY(!solidOf(open).ok());
     }
 
-    /// Every vertex of its own for each triangle, as STL has it.
+    /// Three separate vertices for each triangle, as in STL.
     void anUnweldedMeshIsClosed() {
         const TriangleMesh box = boxMesh({1, 1, 1}, {0, 0, 0});
         TriangleMesh loose;
@@ -58,7 +58,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(solidOf(loose).value().mass - 1) < 1e-12);
     }
 
-    /// A capsule against a sum over thin discs.
+    /// A capsule compared with a sum over thin discs.
     void aCapsule() {
         GeomSpec c;
         c.shape = GeomShape::Capsule;
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QVERIFY(!checkMass({0, Vec3::Zero(), Mat3::Identity()}).ok());
     }
 
-    /// The hull holds all points, is closed, and its corners are points.
+    /// The hull contains all points, is closed, and its vertices are some of the points.
     void hulls() {
         for (int round = 0; round < 40; ++round) {
             std::vector<std::array<double, 3>> points;
@@ -111,7 +111,7 @@ private Q_SLOTS:
                 std::array<double, 3> p;
                 for (int k = 0; k < 3; ++k) {
                     p[k] = random01(static_cast<std::uint64_t>(round * 10000 + i * 3 + k));
-                    if (round % 2) p[k] = std::round(p[k] * 4) / 4; // many in one plane
+                    if (round % 2) p[k] = std::round(p[k] * 4) / 4; // many coplanar points
                 }
                 points.push_back(p);
             }

@@ -1,5 +1,5 @@
-// Every file of tests/data/broken is wrong in one way. What a person reads about it is in the .expected file beside it, to the
-// last caret. With TRUNDLE_ACCEPT=1 the expectations are written anew, to be read and checked before they are kept.
+// Every file of tests/data/broken has one error. The .expected file beside it holds the complete printed diagnostics. With
+// TRUNDLE_ACCEPT=1 the expected files are rewritten; review them before committing.
 
 #include <QTest>
 
@@ -52,7 +52,7 @@ private Q_SLOTS:
         QVERIFY2(loaded->diagnostics.errorCount() <= 3, "more than two errors follow from the first");
     }
 
-    /// Codes that no text of the language can cause, or that are in tests of their own.
+    /// Exceptions: codes that no text of the language can cause, or that have their own tests.
     void everyCodeHasAFile() {
         const std::set<Code> elsewhere{Code::TooLarge,      Code::ImportDepth,    Code::TooManyFiles, Code::FileUnreadable,
                                        Code::ImportOutside, Code::ThesisSpelling, Code::TurnRate,     Code::TooManyMistakes,
@@ -71,7 +71,7 @@ private Q_SLOTS:
         }
     }
 
-    /// A fix is a promise: applied, it takes its own message away.
+    /// Applying a fix removes its diagnostic.
     void fixesRemoveTheirErrors() {
         for (const std::string& name : brokenFiles()) {
             sample::ProjectFixture fixture;

@@ -85,7 +85,7 @@ private Q_SLOTS:
         const std::string other = fixture.path("configs/deep/other.sim");
         std::filesystem::create_directories(fixture.path("configs/deep"));
         std::ofstream(other) << "#import main.sim\nRobot second { Config=Rover Pos=2,0,0 }\n";
-        std::ofstream(fixture.path("configs/main.sim")) << alone("Robot r { Config=Rover }\n"); // what other.sim finds
+        std::ofstream(fixture.path("configs/main.sim")) << alone("Robot r { Config=Rover }\n"); // imported by other.sim
         QVERIFY(targetOfValue(*loaded, "r.width", users).isOverride);
         const std::vector<std::string> both{other, fixture.path("configs/main.sim")};
         QCOMPARE(users.of(*loaded, config(*loaded)), both);
@@ -154,7 +154,7 @@ Robot s { Pos=1,0,0 Config = Rover2 }
         QCOMPARE(after->experiment->robots[0].config->name, "Rover2");
     }
 
-    /// A robot in a folder of its own, with a mesh beside it and lines that end as on Windows in the experiment.
+    /// A robot in its own folder with a mesh beside it, and an experiment with Windows line ends.
     void copiesFindTheirFiles() {
         PlanFixture fixture;
         std::filesystem::create_directories(fixture.path("configs/robots/parts"));
@@ -174,7 +174,7 @@ Robot s { Pos=1,0,0 Config = Rover2 }
         QCOMPARE(after->named.size(), 2u);
     }
 
-    /// A config whose block imports a file: what is to be changed there is written out in the copy.
+    /// A config that imports a file inside its block: the copy contains the imported block that is edited.
     void copiesWriteOutWhatTheyImport() {
         PlanFixture fixture;
         const std::string robot = "#import paint.sim\nRobotConfig Cart {\n  #import parts/body.sim\n  #import parts/other.sim\n}\n";
@@ -193,7 +193,7 @@ Robot s { Pos=1,0,0 Config = Rover2 }
         QVERIFY2(text.find("RobotConfig Cart2 {\n  // From robots/parts/body.sim\n  // The body.\n  Body b {\n    Box x { Size=1,1,1 Mass=1 "
                            "Material=white }\n  }\n") != std::string::npos,
                  text.c_str());
-        QVERIFY2(text.find("other.sim") != std::string::npos, text.c_str()); // which is not changed
+        QVERIFY2(text.find("other.sim") != std::string::npos, text.c_str()); // imports of unchanged parts stay
         const auto after = fixture.apply(loaded, plan);
         QVERIFY2(!after->diagnostics.hasErrors(), sample::rendered(*after).c_str());
         QCOMPARE(after->experiment->robots[0].config->bodies.size(), std::size_t(2));

@@ -1,4 +1,4 @@
-// Texts that no person would write: whatever comes in, something sensible is reported and the program goes on.
+// Mutated and malicious texts: each gives diagnostics and never a crash.
 // TRUNDLE_LONG sets how many mutations are tried (default 300).
 
 #include <QTest>
@@ -34,7 +34,7 @@ private:
     std::uint64_t m_seed, m_index = 0;
 };
 
-/// Words, numbers and marks are cut out, doubled, exchanged and replaced by other legal ones.
+/// Words, numbers and punctuation are removed, duplicated, swapped and replaced by other valid ones.
 std::string mutated(std::string text, RandomNumbers& rng) {
     static const char* const pieces[] = {"{",
                                          "}",
@@ -163,7 +163,7 @@ private Q_SLOTS:
         QTest::newRow("imports of nothing") << QByteArray() << QByteArray("#import nothing.sim\n");
         QTest::newRow("behind a good text") << QByteArray::fromStdString(scene()) << QByteArray("Foo x { A=1 }\n");
     }
-    /// What is kept does not grow with the text, and the last message of the file says how much was not read or listed.
+    /// Kept diagnostics do not grow with the text, and the last one of the file counts what was not read or listed.
     void readsLargeInvalidTextsPartially() {
         QFETCH(QByteArray, head);
         QFETCH(QByteArray, piece);
@@ -179,7 +179,7 @@ private Q_SLOTS:
         }));
     }
 
-    /// A large text that is right is read whole, also where what it needs comes last.
+    /// A large valid text is read completely, even if definitions that it needs come last.
     void largeTextsThatAreRightAreReadWhole() {
         ProjectFixture fixture;
         std::string text = "#loadModule walker\n";

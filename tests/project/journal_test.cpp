@@ -1,4 +1,4 @@
-// Journals of unsaved texts and the lock of a project.
+// Recovery journals of unsaved texts, and the lock of a project.
 
 #include <QTest>
 
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(found.at(0).files.at("a.sim").text, "three");
     }
 
-    // A crash may cut the file anywhere: what is before the cut is brought back, nothing is made up.
+    // A crash may truncate the file anywhere: everything before the cut is restored, and nothing else.
     void brokenTailsAreCut() {
         const std::vector<std::string> texts{"base 1\n", "base 12\n", "base 123\n", "bose 123\n"};
         const std::string bytes = leave("base\n", texts);
@@ -170,7 +170,7 @@ private Q_SLOTS:
             }
             path = journal.file()->path();
             QVERIFY(fs::file_size(path) < 4u << 20);
-            QVERIFY(findRecoveries(m_project).empty()); // still held
+            QVERIFY(findRecoveries(m_project).empty()); // the lock is still held
         }
         const auto found = findRecoveries(m_project);
         QCOMPARE(found.size(), 1u);
@@ -214,7 +214,7 @@ private Q_SLOTS:
 
     void aLockOfADeadProcessIsNone() {
         ProcessIdentity dead = thisProcess();
-        dead.start += 1; // the number was given to us since
+        dead.start += 1; // as if this process had reused the process id
         write(m_project + "/.trundle/lock",
               std::to_string(dead.pid) + "\n" + std::to_string(dead.start) + "\n" + dead.host + "\n5\n/x.sim\n");
         QVERIFY(ProjectLock(m_project, "a").taken());
@@ -226,13 +226,13 @@ private Q_SLOTS:
         const pid_t ended = ::fork();
         if (ended == 0) ::_exit(0);
         siginfo_t how;
-        QCOMPARE(::waitid(P_PID, id_t(ended), &how, WEXITED | WNOWAIT), 0); // it stays in the table
+        QCOMPARE(::waitid(P_PID, id_t(ended), &how, WEXITED | WNOWAIT), 0); // it stays a zombie
         write(m_project + "/.trundle/lock", std::to_string(ended) + "\n0\n" + thisProcess().host + "\n5\n/x.sim\n");
         QVERIFY(ProjectLock(m_project, "a").taken());
         QCOMPARE(::waitpid(ended, nullptr, 0), ended);
     }
 
-    // Where locks do not work, what the file says counts.
+    // Where file locks do not work, the process id in the file decides.
     void respectsLockOfRunningProcess() {
         const auto init = thisProcess();
         write(m_project + "/.trundle/lock", "1\n0\n" + init.host + "\n5\n/x.sim\n");
@@ -248,7 +248,7 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(m_folder + "/precious"), "kept");
     }
 
-    // The folder of the project's own is a link into another one: nothing is written there.
+    // The project's .trundle folder is a symbolic link to another folder: nothing is written there.
     void aLinkInTheProjectsFolderIsNotUsed() {
         fs::create_directories(m_folder + "/elsewhere");
         write(m_folder + "/elsewhere/lock", "kept");
@@ -258,7 +258,7 @@ private Q_SLOTS:
         {
             const ProjectLock lock(m_project, "a");
             QVERIFY(lock.taken());
-            QVERIFY(!ProjectLock(m_project, "b").taken()); // it is held all the same, elsewhere
+            QVERIFY(!ProjectLock(m_project, "b").taken()); // the lock is held in another folder instead
         }
         QCOMPARE(bytesOf(m_folder + "/elsewhere/lock"), "kept");
         QCOMPARE(bytesOf(m_folder + "/elsewhere/probe"), "kept");
@@ -282,7 +282,7 @@ private Q_SLOTS:
 private:
     [[nodiscard]] std::string journals() const { return projectStateFolder(m_project) + "/journal"; }
 
-    /// Bytes of the journal that a window leaves which noted these texts one after the other.
+    /// Bytes of the journal left by a window that recorded these texts one after the other.
     std::string leave(const std::string& base, const std::vector<std::string>& texts) {
         Journal journal(m_project, {m_project + "/main.sim", {}});
         for (const std::string& text : texts)

@@ -1,4 +1,4 @@
-// Large texts of mistakes: what they cost does not grow with them.
+// Large texts with many errors: their cost is bounded.
 
 #include <QTest>
 
@@ -13,7 +13,7 @@ private Q_SLOTS:
     void mistakesThatStayEndTheReading_data() {
         QTest::addColumn<QByteArray>("line");
         QTest::addColumn<QByteArray>("end");
-        QTest::addColumn<bool>("whole"); ///< all of it has to be read, and nothing is wrong with it
+        QTest::addColumn<bool>("whole"); ///< valid, so all of it must be read
         QTest::newRow("unknown Params") << QByteArray("Param p% = $(q%)\n") << QByteArray() << false;
         QTest::newRow("one of them is defined") << QByteArray("Param p% = $(q%)\n") << QByteArray("Param q7 = 1\n") << false;
         QTest::newRow("circles") << QByteArray("Param p% = $(p%)\n") << QByteArray() << false;
@@ -27,7 +27,7 @@ private Q_SLOTS:
         QTest::newRow("a module that comes last") << QByteArray("Robot r% { Config=c Pos=%,0,0 Walker w { Speed=0.1 } }\n") << QByteArray("#loadModule walker\nRobotConfig c { Body b { Box g { Size=1,1,1 Mass=1 } } }\n")
                                                   << true;
     }
-    /// What a large text of mistakes costs does not grow with it, and no text is given up that its own end makes right.
+    /// The cost of a text with many errors is bounded, and reading does not stop while the rest could still make the text valid.
     void mistakesThatStayEndTheReading() {
         QFETCH(QByteArray, line);
         QFETCH(QByteArray, end);
@@ -35,7 +35,7 @@ private Q_SLOTS:
         ProjectFixture fixture;
         fixture.write("q.sim", "Param q = 1\n");
         std::string text;
-        const int lines = line.startsWith('#') ? 90'000 : line.startsWith("Robot") && whole ? 12'000 : 30'000; // more than is read at first
+        const int lines = line.startsWith('#') ? 90'000 : line.startsWith("Robot") && whole ? 12'000 : 30'000; // beyond the first part
         for (int i = 0; i < lines; ++i) text += QByteArray(line).replace('%', QByteArray::number(i)).toStdString();
         text += end.toStdString();
         const auto loaded = fixture.open(text);

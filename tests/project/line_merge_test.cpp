@@ -14,7 +14,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("base");
         QTest::addColumn<QString>("mine");
         QTest::addColumn<QString>("theirs");
-        QTest::addColumn<QString>("merged"); // "?" where they touch
+        QTest::addColumn<QString>("merged"); // "?": conflict
         const auto row = [](const char* name, const char* base, const char* mine, const char* theirs, const char* merged) {
             QTest::newRow(name) << base << mine << theirs << merged;
         };
@@ -48,7 +48,7 @@ private Q_SLOTS:
         QCOMPARE(other, result);
     }
 
-    // Whatever one side did, with the other idle the result is that side.
+    // If only one side changed, the result is that side.
     void keepsChangeOfOneSide() {
         std::mt19937 random(7);
         for (int round = 0; round < 500; ++round) {

@@ -34,7 +34,7 @@ private Q_SLOTS:
 
     void pathsAndBlocks_data() {
         QTest::addColumn<QString>("path");
-        QTest::addColumn<QString>("starts"); // the text of its block
+        QTest::addColumn<QString>("starts"); // the block's text starts with this
         QTest::addColumn<QString>("instance");
         QTest::addColumn<QString>("within");
         QTest::newRow("robot") << "robot0"
@@ -149,7 +149,7 @@ private Q_SLOTS:
         QCOMPARE(objectAt(*m_loaded, 77, 0), "");
     }
 
-    /// Every path that objectAt gives leads back to the block.
+    /// Every path returned by objectAt resolves to the same block.
     void thereAndBack() {
         for (FileId file = 0; file < 2; ++file) {
             const auto size = static_cast<std::uint32_t>(m_loaded->trees[file]->source().bytes().size());
@@ -161,7 +161,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The second of a name, and what nobody knows, have no path of their own.
+    /// A duplicate name and an unknown kind have no path.
     void brokenTexts() {
         const auto loaded =
             m_fixture.open("Robot a { Config=Nothing }\nRobot a { Config=Nothing }\nGizmo x { Pos=1,2,3 }\nRobot b {");

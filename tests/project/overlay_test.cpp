@@ -1,4 +1,4 @@
-// Texts that an editor holds instead of the files, and how little of a load an edit does again.
+// Texts held by an editor in place of files, and how much of a load is reused after an edit.
 
 #include <QTest>
 
@@ -87,7 +87,7 @@ private Q_SLOTS:
         fixture.write("b.sim", sample::kGoodRobot);
         const std::string path = canonical(fixture.write("main.sim", "#import b.sim\n"));
         fixture.options.previous = fixture.openFile(path);
-        // b.sim is another FileId now: what the old tree says about places would lead to a.sim
+        // b.sim has a different FileId now: source ranges of the old tree would refer to a.sim
         fixture.options.texts[path] =
             shared("#import a.sim\n#import b.sim\nRobot robot0 { Config=Rover chassis.hull.Mass=-1 }\n");
         const auto loaded = fixture.openFile(path);

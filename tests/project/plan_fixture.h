@@ -1,5 +1,5 @@
 #pragma once
-// A fixture in which plans are applied: the texts before, the texts after, and what they mean then.
+// A fixture that applies edit plans and returns the resulting texts and their resolved experiment.
 
 #include <map>
 
@@ -12,7 +12,7 @@
 
 namespace sample {
 
-/// Stands for the controllers that come with the program, so that these tests need none of them built.
+/// Replaces the shipped controllers, so that these tests do not need them built.
 struct DriverController {
     double speed = 0.2, rate = 1, distance = 1, angle = 360, backOff = 0.2, period = 1;
     std::array<double, 2> turn{60, 180};
@@ -50,7 +50,7 @@ public:
         else listing.kinds.push_back(kindOf<DriverController>(it->second, Role::Controller, {"Robot", "Grid", "Scatter"}));
         return listing;
     }
-    std::vector<Kind> plugin; ///< what the module `plugin` brings
+    std::vector<Kind> plugin; ///< kinds of the module `plugin`
 };
 
 using Texts = std::map<std::string, std::string>; ///< by absolute path
@@ -65,7 +65,7 @@ public:
         options.resources = TRUNDLE_SOURCE_DIR "/resources";
     }
     std::string path(const std::string& name) const { return canonical(m_dir.path().toStdString()) + "/" + name; }
-    /// Files by name below the fixture's folder; the first call's `opened` is what is opened.
+    /// Files by name below the fixture's folder; `opened` of the first call is the opened file.
     std::shared_ptr<const LoadedProject> open(const std::map<std::string, std::string>& files,
                                               const std::string& opened = "main.sim") {
         Texts texts;
@@ -99,7 +99,7 @@ public:
         }
         return texts;
     }
-    /// The text of one file after a plan, or why there is none.
+    /// The text of one file after a plan, or the error message of the plan.
     std::string text(const std::shared_ptr<const LoadedProject>& loaded, const Result<EditPlan>& plan,
                      const std::string& file = "main.sim") {
         if (!plan.ok()) return "refused: " + plan.error().message;

@@ -1,4 +1,4 @@
-// Several objects made one piece in a file of its own.
+// Groups several objects into one config in a new file.
 #include <QTest>
 
 #include "plan_fixture.h"
@@ -76,7 +76,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The new file cannot name Params of the experiment: what moves there has their values.
+    /// The new file cannot use Params of the experiment: moved values are written out.
     void movedObjectsKeepValues() {
         const auto before =
             m_fixture.open("Param tone = 0.25\nParam grip = 0.7\nMaterial paint { ColorRGB=1,$(tone*2),$tone } // ours\n"

@@ -1,4 +1,4 @@
-// Blocks given as text, and the text that templateOf gives for every kind.
+// Inserts blocks given as text, and the text that templateOf returns for every kind.
 #include <QTest>
 
 #include "plan_fixture.h"
@@ -30,7 +30,7 @@ std::vector<std::string> newErrors(const LoadedProject& before, const LoadedProj
     return fresh;
 }
 
-/// Everything that a kind of somebody else's may ask for.
+/// A kind of a foreign module with every type of property.
 struct Odd {
     std::string motor, joint, geom, body, any, mode, word, picture, config;
     std::vector<std::string> geoms;
@@ -237,7 +237,7 @@ private Q_SLOTS:
     }
 
     void aFileOfTheProjectIsNeverNamedByItsWholePath() {
-        // The importing file has a file of the same name beside it, which would be found first.
+        // A file of the same name beside the importing file would be found first.
         for (const char* name : {"configs/trials/robots/a.sim", "configs/robots/a.sim"}) {
             std::filesystem::create_directories(std::filesystem::path(m_fixture.path(name)).parent_path());
             std::ofstream(m_fixture.path(name)) << "StaticConfig A { Box b { Size=1,1,1 } }\n";
@@ -326,7 +326,7 @@ private Q_SLOTS:
         QVERIFY2(newErrors(*before, *again).empty(), (block + "\n" + sample::messages(*again)).c_str());
         const auto place = placeOf(*again, plan.value().selects.back());
         QVERIFY2(place && place->part && place->part->kind->name == kind.toStdString(), block.c_str());
-        // The same once more, beside the first.
+        // A second one beside the first.
         if (controller || described->role == Role::Medium) {
             QVERIFY(!planInsert(*again, parent, templateOf(*again, *described, parent)).ok());
             return;

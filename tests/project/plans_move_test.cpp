@@ -1,4 +1,4 @@
-// Blocks that get another place: the order in the text, and the pose in the world.
+// Moves blocks: their order in the text, and their pose in the world.
 #include <QTest>
 
 #include "plan_fixture.h"
@@ -24,7 +24,7 @@ const char* const kCart = R"(RobotConfig Cart {
 
 std::string scene(const std::string& more) { return kCart + more; }
 
-/// Where a geom is in the world.
+/// World pose of a geom.
 Pose worldPose(const LoadedProject& loaded, const std::string& robot, const std::string& body, const std::string& geom) {
     for (const RobotSpec& r : loaded.experiment->robots) {
         if (r.name != robot) continue;
@@ -100,7 +100,7 @@ private Q_SLOTS:
         for (const std::string& path : plan.value().selects) QVERIFY2(placeOf(*again, path), path.c_str());
     }
 
-    /// What is only ordered anew stays in its file, whatever is beside it; a file that is asked for gets it.
+    /// A reordered block stays in its file, whatever its neighbours; it moves to another file only if one is given.
     void filesOfTheOrder() {
         const std::string one =
             "Surface ice { Friction=0 }\nSurface tar { Friction=2 } // black\nMaterial red { ColorRGB=1,0,0 }\n";
@@ -109,16 +109,16 @@ private Q_SLOTS:
         const auto one_ = [&](const Result<EditPlan>& plan) { return m_fixture.text(loaded, plan, "one.sim"); };
         const std::string turned =
             "Surface tar { Friction=2 } // black\nSurface ice { Friction=0 }\nMaterial red { ColorRGB=1,0,0 }\n";
-        for (const char* before : {"", "Surface.own"}) { // below the last one of its file, and of all
+        for (const char* before : {"", "Surface.own"}) { // after the last one of its file, and after the last one of all
             const auto plan = planMove(*loaded, {"Surface.ice"}, "", before);
             QCOMPARE(one_(plan), turned);
             QCOMPARE(m_fixture.text(loaded, plan), two);
         }
-        QCOMPARE(one_(planMove(*loaded, {"Surface.tar"}, "", "Surface.ice")), // its comment goes with it
+        QCOMPARE(one_(planMove(*loaded, {"Surface.tar"}, "", "Surface.ice")), // its comment moves with it
                  "Surface tar { Friction=2 } // black\nSurface ice { Friction=0 }\nMaterial red { ColorRGB=1,0,0 }\n");
         const auto same = planMove(*loaded, {"Surface.tar"}, "", "Surface.own");
         QVERIFY(same.ok() && same.value().edits.empty());
-        const auto own = planMove(*loaded, {"Surface.own"}, "", "Surface.ice"); // nothing of its like in its own file
+        const auto own = planMove(*loaded, {"Surface.own"}, "", "Surface.ice"); // its own file has no other surface
         QVERIFY(own.ok() && own.value().edits.empty());
 
         const auto there = planMove(*loaded, {"Surface.own"}, "", "", 1);
@@ -131,7 +131,7 @@ private Q_SLOTS:
                  two + "Surface tar { Friction=2 } // black\n");
     }
 
-    /// The file that gets a block can be read by itself then; it is not made to import a file that imports it.
+    /// The target file stays readable by itself, and is never made to import a file that imports it.
     void importsDependenciesOfMoved() {
         const std::string main = "#import one.sim\n#import floor.sim\nParam far = 2\n";
         const std::string floor = "#import two.sim\nParam side = 1\nMaterial red { ColorRGB=1,0,0 }\nStaticConfig Floor { "
@@ -150,11 +150,11 @@ private Q_SLOTS:
         const std::string post = "Static post { Config=Floor Pos=$side,0,0 }\n";
         QCOMPARE(moved(post, "post", 1), "#import floor.sim\nSeed=1\n" + post + "|");
         const std::string own = "StaticConfig Own { Box b { Size=$far,1,1 } }\n";
-        QCOMPARE(moved(own, "StaticConfig.Own", 1), "Seed=1\n" + own + "|"); // needs the opened file
+        QCOMPARE(moved(own, "StaticConfig.Own", 1), "Seed=1\n" + own + "|"); // depends on the opened file
         QCOMPARE(moved(wall, "wall", 3), "Seed=1\n|" + wall);
     }
 
-    /// No numbers of the config would do for all of its robots.
+    /// No pose in the config keeps the world pose for all of its robots.
     void refusesToLosePoseOfOneRobot() {
         const auto refused = [&](const char* robots, const char* path = "r.chassis.hull", const char* to = "r.wheel") {
             const auto loaded = m_fixture.open(scene(robots));
@@ -172,7 +172,7 @@ private Q_SLOTS:
             "");
     }
 
-    /// A geom goes to the other body; what names it follows, and in the world it stays.
+    /// A geom moves to the other body: references follow, and its world pose stays.
     void movedGeomKeepsPose() {
         const auto loaded = m_fixture.open(scene(
             "Robot r { Config=Cart Pos=3,4,5 HPR=10,20,30 chassis.hull.Mass=2 }\nSignalLog l { Signals=r/chassis/pose }\n"));
@@ -189,7 +189,7 @@ private Q_SLOTS:
         QVERIFY(a.rotation.angularDistance(b.rotation) < 1e-9);
     }
 
-    /// There and back gives the numbers that were there, short again.
+    /// Moving there and back restores the original short numbers.
     void thereAndBack() {
         const auto loaded = m_fixture.open(scene("Robot r { Config=Cart }\n"));
         const auto there = m_fixture.apply(loaded, planMove(*loaded, {"r.chassis.hull"}, "r.wheel", ""));

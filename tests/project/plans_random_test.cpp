@@ -1,4 +1,4 @@
-// Any plan on any object of the real configs: what comes out is a text that reads, means no less than before, and can be taken back.
+// Random plans on random objects of the shipped configs: the result is a valid text that keeps all other objects, and undo restores it.
 #include <random>
 
 #include <QTest>
@@ -45,7 +45,7 @@ std::map<std::string, int> nameErrors(const LoadedProject& loaded) {
     std::map<std::string, int> counts;
     for (const Diagnostic& d : loaded.diagnostics.all()) {
         const int code = static_cast<int>(d.code);
-        if (d.message.find("needs a Body") != std::string::npos) continue; // the last one was taken out: that may be
+        if (d.message.find("needs a Body") != std::string::npos) continue; // the last body was removed, which is allowed
         if (d.severity == Severity::Error &&
             (code < 200 || d.code == Code::UnknownReference || d.code == Code::UnknownParam || d.code == Code::DuplicateName ||
              d.code == Code::DuplicateKey || d.code == Code::NoSuchPath || d.code == Code::UnknownKey ||
@@ -114,7 +114,7 @@ Throw throwPlan(const LoadedProject& loaded, RandomNumbers& rng) {
     }
 }
 
-/// The edits that take a plan back: what is in the new text goes, what stood there comes again.
+/// The edits that undo a plan: they replace each new range with its old text.
 std::map<std::string, std::vector<TextEdit>> inverseOf(const LoadedProject& loaded, const EditPlan& plan) {
     std::map<std::string, std::vector<TextEdit>> inverse;
     for (const auto& [file, edits] : plan.edits) {
@@ -194,12 +194,12 @@ private Q_SLOTS:
             loaded = again;
             ++done;
             if (done % 25 == 0)
-                loaded = fixture.open(files, "configs/experiments/" + file.toStdString() + ".sim"); // not to wander off
+                loaded = fixture.open(files, "configs/experiments/" + file.toStdString() + ".sim"); // back to the original text
         }
         QVERIFY2(done > count / 6, "hardly any plan could be carried out");
     }
 
-    /// Texts with every fault there is: what a plan gives fits the text, and makes it no harder to read.
+    /// Texts with every kind of error: the edits of a plan fit the text and add no syntax errors.
     void brokenTexts() {
         namespace fs = std::filesystem;
         const bool isLong = qEnvironmentVariableIsSet("TRUNDLE_LONG");

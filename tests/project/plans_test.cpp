@@ -1,4 +1,4 @@
-// Renaming, removing, doubling, overrides: each a text before and the text after.
+// Renaming, removing, duplicating, overriding: each case is a text before and after.
 #include <QTest>
 
 #include "plan_fixture.h"
@@ -9,7 +9,7 @@ using sample::PlanFixture;
 
 namespace {
 
-/// One of everything that names another.
+/// One object of each kind that refers to others.
 const char* const kScene = R"(// all names
 #loadModule walker
 #loadModule controllers/linear_motion
@@ -172,7 +172,7 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(plan.error().message), why);
     }
 
-    /// The config lies in a file of its own, and is used in another.
+    /// The config is in one file and used in another.
     void acrossFiles() {
         const auto loaded = m_fixture.open(std::map<std::string, std::string>{
             {"main.sim", "#import a/cart.sim\nRobot r { Config=Cart body.Mass=3 }\n"},
@@ -410,7 +410,7 @@ private Q_SLOTS:
         QCOMPARE(freeName(*loaded, "nowhere", "x"), "x");
     }
 
-    /// A file that two configs import goes with neither of them.
+    /// A file imported by two configs is kept when either is removed.
     void sharedPieceIsNotExclusive() {
         PlanFixture fixture;
         const auto loaded = fixture.open(

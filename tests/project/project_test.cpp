@@ -62,7 +62,7 @@ Robot fat { Config=Rover wheelRadius=$big leftMotor.Resistance=$(big*100/4) chas
 Robot twin { Config=Rover wheelRadius=$big leftMotor.Resistance=2 chassis.hull.Mass=0.5 }
 Robot plain2 { Config=Rover }
 )"));
-        // big*100/4 is 2 m: a length is no resistance
+        // big*100/4 is 2 m: a length is not a resistance
         SAYS(loaded, "E206 Resistance is a resistance (ohm), m is a length\n");
         const auto& robots = loaded->experiment->robots;
         QCOMPARE(robots.size(), 4u);
@@ -153,7 +153,7 @@ Static arena { Config=Arena }
         QCOMPARE(loaded->experiment->settings.iterations, 4);
     }
 
-    /// A part in a file of its own, with the materials it needs: those are at the top level all the same.
+    /// A file imported inside a block may define materials: they belong to the top level.
     void importsInsideABlock() {
         ProjectFixture fixture;
         fixture.write("common/looks.sim", "Material grey { ColorRGB=0.5,0.5,0.5 }\nSurface rubber { Friction=1 }\n");
@@ -170,7 +170,7 @@ Static arena { Config=Arena }
         QCOMPARE(loaded->trees.size(), 3u);
     }
 
-    /// Two imports of the next in each of 30 files: 2^30 ways, 31 files.
+    /// Each of 30 files imports the next one twice: 2^30 import paths, 31 files.
     void eachFileIsOpenedOnce() {
         ProjectFixture fixture;
         for (int i = 1; i <= 30; ++i) {
@@ -184,7 +184,7 @@ Static arena { Config=Arena }
         QCOMPARE(loaded->experiment->settings.tick, 0.02);
     }
 
-    /// The same inside blocks makes 2^20 blocks: counted, not built.
+    /// The same inside blocks gives 2^20 blocks: they are counted, not built.
     void blocksAreCountedBeforeTheyAreBuilt() {
         ProjectFixture fixture;
         for (int i = 1; i <= 20; ++i) {
@@ -230,7 +230,7 @@ Static arena { Config=Arena }
         QVERIFY(fixture.tryOpen(fixture.folder() + "/huge.sim").error().code == Code::TooLarge);
     }
 
-    /// A path may climb, but must end inside; a link out of the project does not.
+    /// A path may contain `..`, but must end inside the project; a symbolic link out of it is refused.
     void pathsStayInside() {
         ProjectFixture fixture, elsewhere;
         elsewhere.write("secret.sim", "Tick = 0.02\n");
@@ -270,7 +270,7 @@ Static arena { Config=Arena }
         SAYS(loaded, "");
     }
 
-    /// Who pastes a robot has its controller's kind, not the line that brings it.
+    /// A pasted robot names the kind of its controller without the `#loadModule` line.
     void aKindOfAModuleThatIsNotLoaded() {
         ProjectFixture fixture;
         fixture.write("crew.sim", scene("#loadModule walker\nRobot robot0 { Config=Rover Walker brain { Speed=1 } }\n"
@@ -278,7 +278,7 @@ Static arena { Config=Arena }
         const auto loaded = fixture.open("#import crew.sim\nRobot robot2 { Config=Rover Prowler brain { } }\n");
         QCOMPARE(sample::messages(*loaded), "E301 Prowler is a kind of the module controllers/prowler, which is not loaded\n"
                                             "E301 Prowler is a kind of the module controllers/prowler, which is not loaded\n");
-        // Each in the file that uses it, behind what that file loads already.
+        // The fix edits the file that uses the kind, after its existing `#loadModule` lines.
         const auto& said = loaded->diagnostics.all();
         QCOMPARE(said[0].fixes.at(0).title, "#loadModule controllers/prowler");
         QCOMPARE(said[0].fixes[0].edits.at(0).range.file, said[0].range.file);
@@ -287,7 +287,7 @@ Static arena { Config=Arena }
         SAYS(repaired, "");
     }
 
-    /// What a file of the project or of the program's folder defines is imported by the fix, in the file that uses it.
+    /// The fix imports the file of the project or of the shipped configs with the definition, in the file that uses it.
     void aDefinitionThatIsNotImported() {
         ProjectFixture fixture;
         QTemporaryDir shipped;
@@ -322,7 +322,7 @@ Static arena { Config=Arena }
                                                               "#import robots/scout.sim\n"));
     }
 
-    /// An import that would bring robots along, go round in a circle or define something twice is not offered.
+    /// The fix offers no import that would add robots, be circular or define something twice.
     void offersOnlyImportableFiles() {
         ProjectFixture fixture;
         const std::string scout = "RobotConfig Scout { Body b { Sphere s { Radius=0.1 Mass=1 } } }\n";
@@ -416,7 +416,7 @@ Static arena { Config=Arena }
         QCOMPARE(text("robot9.chassis.hull.Mass", Origin::Config), "nothing");
     }
 
-    /// The text part of a thousand robots is small; how small is measured in tests/bench.
+    /// Opening a text of a thousand robots is fast; tests/bench measures the time.
     void aThousandRobots() {
         ProjectFixture fixture;
         std::string text = scene("#loadModule walker\n");

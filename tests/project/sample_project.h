@@ -1,5 +1,5 @@
 #pragma once
-// A project over sample kinds, a catalog and meshes that are made up here: project knows only the interfaces of the real ones.
+// A project with sample kinds, a module catalog and meshes defined here: core/project depends only on their interfaces.
 
 #include <filesystem>
 #include <fstream>
@@ -137,7 +137,7 @@ private:
     }
 };
 
-/// The shape follows from the file's name.
+/// The file name selects the shape.
 class Meshes final : public MeshSource {
 public:
     Result<std::shared_ptr<const TriangleMesh>> mesh(const std::string& path) override {
@@ -174,7 +174,7 @@ inline std::shared_ptr<const Registry> kinds() {
     return registry;
 }
 
-/// Opens texts in a folder of their own.
+/// Opens texts in a temporary folder.
 class ProjectFixture {
 public:
     std::string folder() const { return m_dir.path().toStdString(); }
@@ -214,7 +214,7 @@ inline std::string messages(const LoadedProject& loaded) {
     return all;
 }
 
-/// A robot that is right in every way.
+/// A valid robot.
 inline const char* kGoodRobot = R"(
 Material grey { ColorRGB=0.5,0.5,0.5 }
 Surface rubber { Friction=1 }

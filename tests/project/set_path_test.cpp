@@ -11,7 +11,7 @@ namespace {
 
 std::string scene(const std::string& more) { return std::string(sample::kGoodRobot) + more; }
 
-/// The opened file's text after the sets are written into it.
+/// The opened file's text after the assignments are written into it.
 std::string edited(const LoadedProject& loaded, FileId file = 0) {
     const auto edits = editsForSets(loaded);
     const auto it = edits.find(file);
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QCOMPARE(edited(*loaded), scene("Robot robot0 { Config=Rover leftMotor.Resistance=3 rightMotor.Resistance=4 }\n"));
     }
 
-    /// The file that owns the config is changed, not the one that was opened.
+    /// The file that contains the config is changed, not the opened one.
     void theOwningFile() {
         ProjectFixture fixture;
         fixture.write("rover.sim", sample::kGoodRobot);
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(all.starts_with("--set#1:1:"));
     }
 
-    /// The fix of a path to a member writes the layout out; what is there then is the same world.
+    /// The fix for a path to a grid member replaces the grid by single instances; the world stays the same.
     void aGridBecomesSingles() {
         ProjectFixture fixture;
         fixture.options.sets = {"swarm_1.leftMotor.Resistance=3"};

@@ -1,5 +1,5 @@
 #pragma once
-// Radios in the open, as the tests of the medium lay them out.
+// Helpers that set up radios in free space for the tests of the medium.
 
 #include <memory>
 #include <string>
@@ -18,7 +18,7 @@ inline RadioDefinition radioNamed(const std::string& path) {
     return d;
 }
 
-/// Opens a radio and puts it at a place.
+/// Opens a radio at a position.
 inline RadioId open(Medium& medium, RadioDefinition definition, const Vec3& place, const Vec3& hpr = Vec3::Zero()) {
     const RadioId id = medium.open(std::move(definition));
     medium.place(id, {place, rotationFromHpr(hpr)});
@@ -34,7 +34,7 @@ inline std::uint64_t count(const Medium& medium, ReceptionOutcome outcome) {
     return medium.outcomes()[static_cast<std::size_t>(outcome)];
 }
 
-/// Everything that was expected has its outcome.
+/// Every expected reception has exactly one outcome.
 inline bool isConserved(const Medium& medium) {
     std::uint64_t decided = 0;
     for (const std::uint64_t n : medium.outcomes()) decided += n;

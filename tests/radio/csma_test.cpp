@@ -12,7 +12,7 @@ MediumSettings csma() {
     return settings;
 }
 
-/// `nodes` around a sink that always have something to send to it; how many packets a second arrive.
+/// Packets per second that arrive at a sink from `nodes` saturated senders.
 double saturated(int nodes, std::uint64_t* given = nullptr) {
     Medium medium(csma());
     const RadioId sink = open(medium, "sink", {0, 0, 0});
@@ -39,18 +39,18 @@ double saturated(int nodes, std::uint64_t* given = nullptr) {
 constexpr double kFrameUs = 1792, kAckUs = 352; // 50 and 5 bytes, six more before each
 
 /// Packets a second from `nodes` that all hear each other: a fixed point in the manner of Bianchi (IEEE JSAC 18(3), 2000), with the
-/// parameters of unslotted CSMA-CA in IEEE 802.15.4-2006, 7.5.1.4. Every node ends its listening at a rate of its own that depends on how
-/// often it finds the channel busy; who begins within the turnaround of another collides with it; all else counts as independent.
+/// parameters of unslotted CSMA-CA in IEEE 802.15.4-2006, 7.5.1.4. Each node finishes carrier sensing at a rate that depends on how often
+/// the channel is busy; two that start within the turnaround time of each other collide; everything else is independent.
 double modelled(int nodes) {
     constexpr int kStages = kMaxBackoffs + 1;
-    double rate = 1e-4, success = 1, cycle = 1; // of ended listenings, 1/us
+    double rate = 1e-4, success = 1, cycle = 1; // of finished carrier sensing, 1/us
     for (int round = 0; round < 2000; ++round) {
         success = std::exp(-kTurnaroundUs * rate * (nodes - 1));
         const double collided = kFrameUs + kTurnaroundUs / 2.;
         const double heardBusy = success * (kFrameUs + kListenUs + kAckUs + kListenUs) + (1 - success) * (collided + kListenUs);
         const double heardFree = 1 / (nodes * rate) + kTurnaroundUs + success * (kTurnaroundUs - kListenUs);
         const double busy = (nodes - 1) * heardBusy / ((nodes - 1) * heardBusy + nodes * heardFree);
-        double stages = 0, waited = 0, reached = 1; // `reached`, in the end: given up
+        double stages = 0, waited = 0, reached = 1; // `reached` finally: the probability that all attempts fail
         for (int stage = 0; stage < kStages; ++stage, reached *= busy) {
             const int exponent = std::min(kLeastExponent + stage, kMaxExponent);
             stages += reached;
@@ -65,9 +65,9 @@ double modelled(int nodes) {
 }
 
 /// The published curve: packets a second from `nodes` by P. Park, P. Di Marco, P. Soldati, C. Fischione, K. H. Johansson, "A Generalized
-/// Markov Chain Model for Effective Analysis of Slotted IEEE 802.15.4", IEEE MASS 2009: tau, the chance that a node listens in a unit of
-/// backoff, from the chain's stages, and alpha, that it then hears a packet or an acknowledgement (eq. 17). Unslotted, one listening is
-/// all there is: beta = 0. Its units are long for a turnaround and overlook it, so its shape is what can be compared.
+/// Markov Chain Model for Effective Analysis of Slotted IEEE 802.15.4", IEEE MASS 2009: tau, the probability that a node senses the
+/// channel in a backoff unit, from the chain's stages, and alpha, that it is then busy with a packet or an acknowledgement (eq. 17).
+/// Unslotted mode senses once: beta = 0. Its units are longer than a turnaround, which it ignores, so only the shape is compared.
 double published(int nodes) {
     constexpr double kUnit = kBackoffUnitUs;
     constexpr double kPacket = kFrameUs / kUnit, kAck = kAckUs / kUnit, kTurn = kTurnaroundUs / kUnit;
@@ -75,7 +75,7 @@ double published(int nodes) {
     double tau = 0.01, alpha = 0.3;
     for (int round = 0; round < 2000; ++round) {
         const double alone = std::pow(1 - tau, nodes - 1), hit = 1 - alone;
-        double listened = 0, waited = 0, busy = 1; // `busy`, in the end: always
+        double listened = 0, waited = 0, busy = 1; // `busy` finally: the probability that every attempt finds the channel busy
         for (int stage = 0; stage <= kMaxBackoffs; ++stage, busy *= alpha) {
             listened += busy;
             waited += busy * (((1 << std::min(kLeastExponent + stage, kMaxExponent)) - 1) / 2. + 1);
@@ -116,7 +116,7 @@ private Q_SLOTS:
     }
 
     void lostAcknowledgementGivesNoDuplicate() {
-        // the way back is lost: b sends too weakly for a
+        // acknowledgements are lost: b sends too weakly for a
         Medium medium(csma());
         RadioDefinition weak = radioNamed("b");
         weak.maxOutputPower = -90;
@@ -130,7 +130,7 @@ private Q_SLOTS:
     }
 
     void radioWaitsForBusyChannel() {
-        // three that begin at the same moment, again and again: without listening nobody hears anything
+        // three that repeatedly start at the same moment: without carrier sensing no packet is received
         const auto delivered = [](bool listens) {
             MediumSettings settings = csma();
             settings.csma = listens;
@@ -149,7 +149,7 @@ private Q_SLOTS:
     }
 
     void hiddenTerminalsCollide() {
-        // two that hear the middle one and not each other
+        // hidden terminals: two senders that hear the middle one but not each other
         const auto arriving = [](double distance) {
             MediumSettings settings = csma();
             settings.carrierSense = -77;
@@ -170,7 +170,7 @@ private Q_SLOTS:
     }
 
     void oneSenderHasAClosedForm() {
-        // mean backoff of 3.5 units, listening, turnaround, frame, turnaround, acknowledgement, space
+        // mean backoff of 3.5 units, carrier sensing, turnaround, frame, turnaround, acknowledgement, interframe space
         const double cycle = 3.5 * kBackoffUnitUs + kListenUs + kTurnaroundUs + kFrameUs + kTurnaroundUs + kAckUs + kLongSpaceUs;
         const double rate = saturated(1);
         qInfo("%.1f packets/s, exactly %.1f", rate, 1e6 / cycle);
@@ -178,7 +178,7 @@ private Q_SLOTS:
     }
 
     /// B. Latré et al., "Throughput and Delay Analysis of Unslotted IEEE 802.15.4", Journal of Networks 1(1), 2006: with the longest packets
-    /// and neither addresses nor acknowledgements 64.9 % of the bit rate carry payload. The figure leaves out listening and turnaround.
+    /// and neither addresses nor acknowledgements 64.9 % of the bit rate carry payload. The figure excludes carrier sensing and turnaround.
     void longestPacketsReachThePublishedEfficiency() {
         Medium medium(csma());
         const RadioId sender = open(medium, "a", {0, 0, 0});
@@ -203,7 +203,7 @@ private Q_SLOTS:
         QFETCH(int, nodes);
         const double rate = saturated(nodes), expected = modelled(nodes);
         qInfo("%d nodes: %.1f packets/s, the model says %.1f", nodes, rate, expected);
-        QVERIFY(rate < 1e6 / (kFrameUs + kTurnaroundUs + kAckUs + kListenUs + kTurnaroundUs)); // one after the other, no backoff
+        QVERIFY(rate < 1e6 / (kFrameUs + kTurnaroundUs + kAckUs + kListenUs + kTurnaroundUs)); // back to back, without backoff
         QVERIFY2(std::abs(rate - expected) < 0.08 * modelled(5), qPrintable(QString("%1 and %2").arg(rate).arg(expected)));
     }
 
@@ -219,7 +219,7 @@ private Q_SLOTS:
             qInfo("of the peak: %.3f, published %.3f", ours[i] / ourPeak, theirs[i] / theirPeak);
             QVERIFY(std::abs(ours[i] / ourPeak - theirs[i] / theirPeak) < 0.06);
         }
-        QVERIFY(ourPeak < theirPeak); // which turns around in no time
+        QVERIFY(ourPeak < theirPeak); // whose model has no turnaround time
     }
 
     void manySendersCollide() {

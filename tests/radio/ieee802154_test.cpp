@@ -62,7 +62,7 @@ private Q_SLOTS:
         QCOMPARE(data.size(), 3 + std::size_t{kFrameOverhead});
         const std::vector<std::uint8_t> head{0x41, 0x88, 9, 0x22, 0, 0xff, 0xff, 0x34, 0x12, 1, 2, 3};
         QVERIFY(std::equal(head.begin(), head.end(), data.begin()));
-        for (const auto& frame : {ack, data}) { // a frame with its own sequence behind it leaves nothing over
+        for (const auto& frame : {ack, data}) { // the CRC over a frame and its own check sequence is 0
             std::uint16_t crc = 0;
             for (const std::uint8_t byte : frame) {
                 crc = static_cast<std::uint16_t>(crc ^ byte);

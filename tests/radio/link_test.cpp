@@ -1,4 +1,4 @@
-// The whole link against the closed form: places, turned antennas, powers.
+// The link budget compared with the closed form: positions, rotated antennas, powers.
 #include <QtTest>
 
 #include <random>
@@ -15,7 +15,7 @@ Vec3 anywhere(std::mt19937_64& random, double size) {
     return {along(random), along(random), along(random)};
 }
 
-/// 2 (n + 1) cos^n of the angle between the antenna's axis and the way to the other, in dBi.
+/// 2 (n + 1) cos^n of the angle between the antenna's axis and the direction to the other antenna, in dBi.
 double lobeGain(const Vec3& hpr, const Vec3& way, double n) {
     const double h = hpr.x(), p = hpr.y();
     const Vec3 axis(std::cos(h) * std::cos(p), std::sin(h) * std::cos(p), -std::sin(p));
@@ -124,7 +124,7 @@ private Q_SLOTS:
     }
 
     void omitsRadiosOutOfRange() {
-        // near and far of the range, with and without a grid that leaves some out
+        // distances below and above the range, with and without the grid that skips distant radios
         Medium medium({});
         const RadioId sender = open(medium, "sender", {0, 0, 0});
         for (int i = 0; i < 300; ++i) open(medium, "mote" + std::to_string(i), {(i % 20) * 60. - 500, (i / 20) * 70. - 400, 0});

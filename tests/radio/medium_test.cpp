@@ -8,7 +8,7 @@ using namespace air;
 
 namespace {
 
-/// A busy hour among some motes, reported as a hash over every record.
+/// A hash over every record of heavy traffic between some motes.
 std::uint64_t story(std::uint64_t seed, bool watched, std::int64_t tick) {
     MediumSettings settings;
     settings.model = PropagationModel::LogDistance;
@@ -53,7 +53,7 @@ private Q_SLOTS:
         QVERIFY(medium.send(a, hello, kBroadcastAddress, -5));
         RadioPacket packet;
         medium.advance(500);
-        QVERIFY(!medium.receive(b, packet)); // still on its way: 6 + 13 bytes take 608 us
+        QVERIFY(!medium.receive(b, packet)); // still being transmitted: 6 + 13 bytes take 608 us
         medium.advance(10000);
         QVERIFY(medium.receive(b, packet));
         QVERIFY(!medium.receive(b, packet));
@@ -149,7 +149,7 @@ private Q_SLOTS:
         medium.advance(10000);
         QCOMPARE(medium.pending(a), std::size_t{0});
         QCOMPARE(medium.pending(b), std::size_t{0});
-        QCOMPARE(medium.pending(c), std::size_t{2}); // no collisions unless asked for
+        QCOMPARE(medium.pending(c), std::size_t{2}); // collisions are off by default
         QCOMPARE(count(medium, ReceptionOutcome::Sending), 2u);
         QVERIFY(isConserved(medium));
     }
@@ -226,7 +226,7 @@ private Q_SLOTS:
     }
 
     void powersAddUpAsNoise() {
-        // -80 dBm against a floor of -95 and others of -90 and -88: 5.3743 dB
+        // -80 dBm with a noise floor of -95 dBm and interferers of -90 and -88 dBm: 5.3743 dB
         MediumSettings settings;
         settings.collisions = true;
         settings.noiseFloor = -95;
@@ -260,8 +260,8 @@ private Q_SLOTS:
         const std::uint64_t first = story(1, false, 10000);
         QVERIFY(first != 0);
         QCOMPARE(story(1, false, 10000), first);
-        QCOMPARE(story(1, true, 10000), first);  // whoever watches
-        QCOMPARE(story(1, false, 20000), first); // whatever the tick
+        QCOMPARE(story(1, true, 10000), first);  // independent of observers
+        QCOMPARE(story(1, false, 20000), first); // independent of the tick length
         QVERIFY(story(2, false, 10000) != first);
     }
 };

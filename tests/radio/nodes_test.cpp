@@ -1,4 +1,4 @@
-// Links between radios without a run are those that a run finds.
+// Links computed without a run equal those of a run.
 
 #include <QtTest>
 
@@ -61,7 +61,7 @@ private Q_SLOTS:
         for (RadioId from = 0; from < 3; ++from)
             for (RadioId to = 0; to < 3; ++to) {
                 if (from == to) continue;
-                const LinkReport report = nodes.link(from, to, 99); // as much as it can
+                const LinkReport report = nodes.link(from, to, 99); // limited to its maximum power
                 const LinkBudget expected = medium.link(from, to);
                 QCOMPARE(report.link.power, expected.power);
                 QCOMPARE(report.link.shadow, expected.shadow);
@@ -111,7 +111,7 @@ private Q_SLOTS:
         settings.packetErrors = true;
         RadioNodes noisy(settings, two);
         noisy.place(kBodies);
-        // A power at which something and not everything is lost.
+        // A power at which some but not all packets are lost.
         double power = 0;
         while (power > -60 && noisy.link(0, 1, power).packetLoss < 0.2) power -= 0.05;
         const LinkReport report = noisy.link(0, 1, power, 50);

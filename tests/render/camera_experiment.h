@@ -1,5 +1,5 @@
 #pragma once
-// Robots that are a camera and nothing else, and what they look at.
+// Experiments with robots that only carry a camera, and objects for it to see.
 
 #include <map>
 
@@ -33,7 +33,7 @@ inline RobotSpec cameraRobot(const std::string& name, const Pose& pose, CameraVa
     return robot;
 }
 
-/// What a camera gives while everything is where it starts.
+/// The camera image at the start poses.
 inline Result<CameraImage> captureAtStart(const std::shared_ptr<const ExperimentSpec>& experiment, const std::string& camera) {
     const SignalLayout layout;
     const SignalBlock block(layout);

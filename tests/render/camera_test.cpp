@@ -1,4 +1,4 @@
-// What a robot's camera sees, against the formulas.
+// Images of robot cameras compared with closed-form projection.
 #include <QtTest>
 
 #include <limits>
@@ -28,7 +28,7 @@ Pose randomPose(Random& random) {
 
 CameraModel onlyCameraOf(const ExperimentSpec& experiment) { return camerasOf(experiment).at(0); }
 
-/// The middle of the red pixels within `reach` of a point; nothing where there are none.
+/// Centroid of the red pixels within `reach` of a point; empty if there are none.
 std::optional<ImagePoint> redMiddle(const CameraImage& frame, double x, double y, double reach) {
     double sumX = 0, sumY = 0, weights = 0;
     for (int row = int(y - reach); row <= int(y + reach); ++row) {
@@ -48,7 +48,7 @@ CameraImage mustTake(const Result<CameraImage>& frame) {
     return frame.value();
 }
 
-/// Lamps that a camera shall see at random places of its picture, each alone in its part of it.
+/// Lamps at random positions of a camera image, each alone in its cell of the image.
 struct LampScene {
     std::shared_ptr<ExperimentSpec> experiment;
     std::vector<Vec3> lamps;
@@ -73,7 +73,7 @@ LampScene lampScene(Random& random, CameraValues values, double lampPixels) {
         scene.lamps.push_back(ray.origin + distance * ray.direction);
     }
     scene.experiment = lampExperiment({}, 0.01);
-    // As large in the picture, however far away.
+    // The same size in the image at any distance.
     std::vector<GeomSpec> geoms;
     const double focal = 0.5 * camera.width / std::tan(0.5 * camera.fieldOfView);
     for (std::size_t i = 0; i < scene.lamps.size(); ++i) {
@@ -109,7 +109,7 @@ private Q_SLOTS:
             for (const Vec3& lamp : scene.lamps) {
                 const auto point = project(view, camera.width, camera.height, lamp);
                 QVERIFY(point);
-                // What is seen of a ball is an ellipse; its middle lies a little outside of the ball's: by z^2 / (z^2 - r^2).
+                // A ball projects to an ellipse whose centre is farther out than the ball's centre, by the factor z^2 / (z^2 - r^2).
                 const double focal = 0.5 * camera.width / std::tan(0.5 * camera.fieldOfView), r = 0.5 * scene.lampPixels / focal;
                 const double out = 1 / (1 - r * r);
                 const double x = 0.5 * camera.width + (point->x - 0.5 * camera.width) * out;
@@ -181,7 +181,7 @@ private Q_SLOTS:
                 const int x = 3 + int(random() % 154), y = 3 + int(random() % 114);
                 const auto hit = hitAt(x + 0.5, y + 0.5);
                 if (!hit) continue;
-                // Of flat faces and away from their edges, which are drawn rounded; a wheel is a polygon.
+                // Only flat faces away from their edges, which are drawn rounded; a wheel is drawn as a polygon.
                 bool flat = true;
                 for (const auto& [dx, dy] : {std::pair{-2, -2}, {2, -2}, {-2, 2}, {2, 2}}) {
                     const auto near = hitAt(x + 0.5 + dx, y + 0.5 + dy);
@@ -210,7 +210,7 @@ private Q_SLOTS:
                 const ViewRay ray = rayThrough(view, 320, 240, x + 0.5, y + 0.5);
                 const Vec3 middle = Vec3(3, 0, 0) - ray.origin;
                 const double along = middle.dot(ray.direction), off = middle.squaredNorm() - along * along;
-                if (off > 0.23) continue; // beyond that it is seen along its surface, where a ray's width is a long way
+                if (off > 0.23) continue; // grazing view: one pixel covers a large depth range
                 const Vec3 hit = ray.origin + (along - std::sqrt(0.25 - off)) * ray.direction;
                 const double depth = hit.x(), drawn = frame.depth[std::size_t(y) * 320 + std::size_t(x)];
                 QVERIFY2(std::abs(drawn - depth) <= 0.001 * depth,
@@ -295,7 +295,7 @@ private Q_SLOTS:
         const auto clean = taken(1, 5);
         double sum = 0, count = 0;
         for (std::size_t i = 0; i < clean.size(); ++i) {
-            if (clean[i] < 90 || clean[i] > 165) continue; // none is cut off
+            if (clean[i] < 90 || clean[i] > 165) continue; // no value is clipped
             sum += std::pow(double(once[i]) - clean[i], 2), count += 1;
         }
         QVERIFY(count > 1000);
@@ -360,7 +360,7 @@ private Q_SLOTS:
             for (int x = 4; x < 316; x += 9) {
                 const auto hits = castRay(objects, startPoses(*experiment), rayThrough(view, 320, 240, x + 0.5, y + 0.5));
                 const std::string drawn = drawer.objectName(frame.objects[std::size_t(y) * 320 + std::size_t(x)]);
-                bool rim = false; // where the next pixel shows something else
+                bool rim = false; // a neighbouring pixel shows another object
                 for (const int step : {-1, 1, -320, 320})
                     rim = rim || frame.objects[std::size_t(y * 320 + x + step)] != frame.objects[std::size_t(y * 320 + x)];
                 if (rim) continue;

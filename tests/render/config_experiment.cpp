@@ -7,7 +7,7 @@
 namespace trundle {
 namespace {
 
-/// Knows no module: their blocks stay text.
+/// A catalog without modules: blocks of their kinds stay unresolved.
 struct NoModules final : ModuleCatalog {
     Result<ModuleListing> find(const std::string&, const std::string&) override {
         return Error{Code::ModuleNotFound, "no modules here"};

@@ -8,10 +8,10 @@ namespace trundle {
 
 struct LoadedProject;
 
-/// What the experiment file of that name means, as far as pictures go: logs, modules and meshes are left out. nullptr where the
+/// Resolves an experiment file for rendering: logs, modules and meshes are left out. nullptr if the
 /// file cannot be read.
 [[nodiscard]] std::shared_ptr<const ExperimentSpec> readExperiment(const std::string& path);
-/// The same with what is wrong with it.
+/// The same with its diagnostics.
 [[nodiscard]] std::shared_ptr<const LoadedProject> readProject(const std::string& path);
 
 } // namespace trundle

@@ -1,4 +1,4 @@
-// Every shipped experiment gives a picture in which its robots are to be seen, and whether their wheels turn.
+// Images of every shipped experiment show its robots and the rotation of their wheels.
 #include <QtTest>
 
 #include <QDir>
@@ -15,12 +15,12 @@ using namespace trundle;
 namespace {
 
 struct Wheel {
-    std::size_t pose; ///< among BodyPoses
+    std::size_t pose; ///< index into BodyPoses
     Vec3 axis;        ///< in its body B
     std::string path;
 };
 
-/// The children of all hinges, of the first robot of each config, where their materials are plain.
+/// The child bodies of all hinges of the first robot of each config, if their materials have no texture.
 std::vector<Wheel> wheelsOf(const ExperimentSpec& experiment) {
     std::vector<Wheel> wheels;
     std::set<const RobotConfigSpec*> seen;
@@ -32,7 +32,7 @@ std::vector<Wheel> wheelsOf(const ExperimentSpec& experiment) {
             if (!isNew || joint.type != JointType::Hinge) continue;
             const BodySpec& body = bodies[std::size_t(joint.child)];
             const auto isPictured = [&](const GeomSpec& geom) { return !experiment.materials[geom.material].texture.empty(); };
-            if (std::any_of(body.geoms.begin(), body.geoms.end(), isPictured)) continue; // and no pictures are read here
+            if (std::any_of(body.geoms.begin(), body.geoms.end(), isPictured)) continue; // textures are not loaded here
             wheels.push_back(
                 {first + std::size_t(joint.child), body.pose.rotation.conjugate() * joint.axis, robot.name + "/" + body.name});
         }
@@ -103,7 +103,7 @@ private Q_SLOTS:
             request.mask = kMaskRobots;
             request.samples = 1;
             const Pose& X_WB = start[wheel.pose];
-            // From the side and a little above, where a wheel's outer face and its tread are both seen; from either end of its axis.
+            // From the side and a little above, so that the outer face and the tread are visible; from either end of the axis.
             int seen = 0;
             for (const double side : {-1.0, 1.0}) {
                 CameraView view;
@@ -114,7 +114,7 @@ private Q_SLOTS:
                 request.poses = nullptr;
                 const Image still = m_service->draw(request).get().value();
                 int least = 1 << 30;
-                for (const double degrees : {36.0, 72.0, 180.0}) { // half a spoke, from one to the next, half a rotation
+                for (const double degrees : {36.0, 72.0, 180.0}) { // half a spoke spacing, one spacing, half a rotation
                     BodyPoses turned = start;
                     turned[wheel.pose].rotation =
                         X_WB.rotation * Quat(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, wheel.axis));

@@ -1,5 +1,5 @@
-// Draws a sample or an experiment into a file: draw_sample WHAT OUT [eye x y z target x y z fov]. With TIMES in the environment it says
-// how long pictures take, the best of ROUNDS times 5; only those whose names hold what TIMES is. LOOK is rich or fast.
+// Draws a sample or an experiment into a file: draw_sample WHAT OUT [eye x y z target x y z fov]. With the environment variable
+// TIMES it prints drawing times, the best of ROUNDS times 5, for images whose name contains the value of TIMES. LOOK is rich or fast.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// The render library as a program opens it: by name, at run time.
+// Loads the render library by name at run time, as the programs do.
 #include <QtTest>
 
 #include <dlfcn.h>
@@ -20,7 +20,7 @@ private Q_SLOTS:
         QVERIFY2(library, ::dlerror());
         m_render = reinterpret_cast<decltype(m_render)>(::dlsym(library, "trundle_render_experiment"));
         QVERIFY(m_render);
-        QVERIFY(!::dlsym(library, "_ZN7trundle13RenderService5startEv")); // the entry is all there is
+        QVERIFY(!::dlsym(library, "_ZN7trundle13RenderService5startEv")); // only the entry point is exported
         m_experiment = sampleExperiment({2});
     }
 

@@ -25,7 +25,7 @@ ComponentSpec lampAt(double x, double y, double z, CameraValues values = {}) {
     return look("Light", std::move(values));
 }
 
-/// A post on a floor, from above: from -2.1 m to 2.1 m.
+/// A post on a floor, seen from above; the image covers -2.1 m to 2.1 m.
 std::shared_ptr<ExperimentSpec> post(std::vector<ComponentSpec> looks, const Vec3& place = {0, 0, 0.5}) {
     auto experiment = sampleExperiment({0, 1, false, 4});
     GeomSpec floor, box;
@@ -45,7 +45,7 @@ std::shared_ptr<ExperimentSpec> post(std::vector<ComponentSpec> looks, const Vec
     return experiment;
 }
 
-/// Brightness of the floor at a place, over a few pixels.
+/// Mean brightness of the floor at a position, over a few pixels.
 double floorAt(const std::shared_ptr<ExperimentSpec>& experiment, double x, double y) {
     const Result<CameraImage> frame = captureAtStart(experiment, "robot0/eye");
     if (!frame) qFatal("%s", frame.error().message.c_str());
@@ -88,7 +88,7 @@ private Q_SLOTS:
         const ComponentSpec lamp = lampAt(0.6, 0, 0.6, {{"Shadows", numbers({0})}, {"Intensity", numbers({0.1})}});
         const double alone = floorAt(post({night, lamp}), 0.5, 0), shadow = floorAt(post({sun, lamp}), 0.5, 0);
         QVERIFY2(std::abs(shadow - alone) < 6, qPrintable(QStringLiteral("%1 and %2").arg(shadow).arg(alone)));
-        QVERIFY(floorAt(post({sun}), 0.5, 0) < shadow - 10); // where there is none
+        QVERIFY(floorAt(post({sun}), 0.5, 0) < shadow - 10); // brightness without the lamp
     }
     void aLampIsBrightNearIt() {
         const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
@@ -107,7 +107,7 @@ private Q_SLOTS:
             for (const double x : {-0.5, -1.5}) {
                 const double dark = floorAt(cast, x * side, 0), bright = floorAt(lit, x * side, 0);
                 QVERIFY2(dark < 0.95 * bright, qPrintable(QStringLiteral("at %1: %2 and %3").arg(x).arg(dark).arg(bright)));
-                // As dark as with no lamp at all.
+                // As dark as without a lamp.
                 QVERIFY(std::abs(dark - floorAt(post({night}), x * side, 0)) < 2);
             }
             for (const Vec3& open : {Vec3(0.5 * side, 0, 0), Vec3(-0.5 * side, 0.6, 0), Vec3(0, -1, 0)})
@@ -115,7 +115,7 @@ private Q_SLOTS:
         }
     }
     void aShadowOfALampReachesIntoThePicture() {
-        // Neither lamp nor post is seen.
+        // Neither lamp nor post is visible.
         const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
         const Vec3 outside(2.6, 0, 0.5);
         const double dark = floorAt(post({night, lampAt(3.6, 0, 1.5)}, outside), 1.8, 0);
@@ -161,7 +161,7 @@ private Q_SLOTS:
         const ComponentSpec night = look("Light", {{"Intensity", numbers({0})}});
         const double one = floorAt(post({night}), 0.7, 0.7);
         const double four = floorAt(post({night, look("Sky", {{"Ambient", numbers({4})}})}), 0.7, 0.7);
-        QVERIFY2(std::abs(four / one - 2) < 0.05, qPrintable(QString::number(four / one))); // as shown: its square root
+        QVERIFY2(std::abs(four / one - 2) < 0.05, qPrintable(QString::number(four / one))); // displayed: the square root
     }
     void theSkyHasItsColours() {
         auto experiment = post({look("Sky", {{"Zenith", numbers({0, 1, 0})}, {"Horizon", numbers({0, 1, 0})}})});

@@ -108,7 +108,7 @@ private Q_SLOTS:
         const auto experiment = sampleExperiment({1});
         const SceneId scene = m_service->addScene(experiment, ghost), without = m_service->addScene(experiment);
         const Image plain = m_service->draw(requestFor(without)).get().value();
-        QVERIFY(m_service->draw(requestFor(scene)).get().value() == plain); // a sensor sees none
+        QVERIFY(m_service->draw(requestFor(scene)).get().value() == plain); // sensor images show no marks
         PictureRequest request = requestFor(scene);
         request.mask |= kMaskGhosts;
         QVERIFY(changed(plain, m_service->draw(request).get().value()) > 300);
@@ -143,7 +143,7 @@ private Q_SLOTS:
         const auto note = [&](int which) {
             return [&, which](Result<Image>) {
                 std::unique_lock lock(mutex);
-                if (which == 0) changed.wait(lock, [&] { return go; }); // holds the thread until all are posted
+                if (which == 0) changed.wait(lock, [&] { return go; }); // blocks the render thread until all requests are posted
                 order.push_back(which);
                 changed.notify_all();
             };

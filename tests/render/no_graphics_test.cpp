@@ -6,7 +6,7 @@
 
 using namespace trundle;
 
-/// A program of its own: once EGL has looked for drivers it does not look again.
+/// A separate program, because EGL searches for drivers only once per process.
 class NoGraphicsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:

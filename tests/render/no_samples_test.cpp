@@ -1,5 +1,5 @@
-// An OpenGL that cannot smooth edges, and one that has no room: Mesa's plainest driver. A program of its own, because Mesa looks
-// for its driver once.
+// OpenGL without multisampling and with too little memory, using Mesa's simplest driver. A separate program, because Mesa selects
+// its driver once per process.
 #include <QtTest>
 
 #include <cstdlib>
@@ -47,7 +47,7 @@ private Q_SLOTS:
         QCOMPARE(m_state->takeWarning(), std::string()); // once
     }
 
-    /// The service asks for no such size; a card may have less room than that allows.
+    /// The service limits image sizes, but a graphics card may have too little memory for an allowed size.
     void reportsUnavailableFramebuffer_data() {
         QTest::addColumn<int>("width");
         QTest::addColumn<int>("samples");
@@ -62,7 +62,7 @@ private Q_SLOTS:
         QVERIFY(!target);
         QCOMPARE(codeName(target.error().code), std::string("E511"));
         QCOMPARE(target.error().message, "no room to draw a picture of " + std::to_string(width) + " x 48");
-        QVERIFY(Target::create(*context, {64, 48, 1}).ok()); // what failed left nothing in the way
+        QVERIFY(Target::create(*context, {64, 48, 1}).ok()); // the failure released its resources
         context->release();
     }
 

@@ -17,7 +17,7 @@ struct Spot {
     int pixels = 0;
 };
 
-/// Middle of all pixels that are pure red.
+/// Centroid of all pure red pixels.
 Spot redSpot(const Image& image) {
     Spot spot;
     double weight = 0;
@@ -68,12 +68,12 @@ private Q_SLOTS:
             view.fieldOfView = any(20, 110) * std::numbers::pi / 180;
             if (i % 4 == 0) view.orthographicWidth = any(1, 10);
             const std::uint32_t width = 200 + random() % 300, height = 150 + random() % 300;
-            // A place that should be seen, three to eight metres off and not at the rim.
+            // A visible position, three to eight metres away and not near the border of the image.
             const ViewRay ray = rayThrough(view, width, height, any(0.15, 0.85) * width, any(0.15, 0.85) * height);
             const Vec3 lamp = ray.origin + ray.direction * any(3, 8);
             const auto expected = project(view, width, height, lamp);
             QVERIFY(expected);
-            // So small that the ball is a few pixels wide and its outline is nearly a circle about its middle.
+            // A radius of a few pixels, so that the silhouette is nearly a circle about the projected centre.
             const double pixel = view.orthographicWidth > 0 ? view.orthographicWidth / width
                                                             : 2 * expected->depth * std::tan(0.5 * view.fieldOfView) / width;
             const SceneId scene = m_service->addScene(lampExperiment({lamp}, 4 * pixel));
@@ -102,7 +102,7 @@ private Q_SLOTS:
         const auto image = m_service->draw(request).get();
         QVERIFY(image.ok());
         const std::uint8_t* middle = image.value().at(160, 120);
-        // Black, and so bright that it shows no sheen either.
+        // Black diffuse colour, and emission so strong that highlights do not show.
         QVERIFY(std::abs(middle[0] - 40) <= 1 && std::abs(middle[1] - 200) <= 1 && std::abs(middle[2] - 120) <= 1);
     }
 
@@ -122,7 +122,7 @@ private Q_SLOTS:
             first.push_back(image.value());
         }
         QVERIFY(!(first[0] == first[2]));
-        // In another order, and from another service with a scene of its own.
+        // In another order, and from another service with its own scene.
         auto other = RenderService::start();
         QVERIFY(other.ok());
         const SceneId otherScene = other.value()->addScene(experiment);
@@ -171,7 +171,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY(changed > 1000);
-        QVERIFY((right - left) * (bottom - top) < 0.25 * 640 * 480); // the region says something
+        QVERIFY((right - left) * (bottom - top) < 0.25 * 640 * 480); // the region is smaller than the image
     }
 
     void maskOmitsObjects() {
@@ -260,7 +260,7 @@ private Q_SLOTS:
     }
 
     void everySizeIsReadRowByRow() {
-        // Widths that are no multiple of four: rows must not slide.
+        // Widths that are not a multiple of four: row alignment must not shift pixels.
         const SceneId scene = m_service->addScene(lampExperiment({{0, 0, 0}}, 0.2));
         for (const std::uint32_t width : {63u, 64u, 65u, 66u, 4096u}) {
             const auto image = m_service->draw(requestFor(scene, lookingAt({0, -3, 0}, Vec3::Zero()), width, 41)).get();
@@ -306,7 +306,7 @@ private Q_SLOTS:
             QCOMPARE(ended.error().message, std::string());
             QVERIFY(drawn.ok() && drawn.value() == expected);
         }
-        // Not to another of its kind, and nothing is left of those that ended early.
+        // A fine request does not cancel another fine one, and cancelled requests leave no state.
         fine.width = fine.height = 200;
         auto one = m_service->draw(fine), other = m_service->draw(fine);
         const auto a = one.get(), b = other.get();
@@ -339,7 +339,7 @@ private Q_SLOTS:
         for (int i = 0; i < 10; ++i)
             pictures.push_back(service->draw(requestFor(scene, lookingAt({2, -3, 2}, Vec3::Zero()), 800, 600)));
         service.reset();
-        for (auto& picture : pictures) (void)picture.get(); // a picture or an error, but never a wait without end
+        for (auto& picture : pictures) (void)picture.get(); // an image or an error, but never an endless wait
     }
 
 private:

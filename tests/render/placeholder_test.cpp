@@ -1,4 +1,4 @@
-// A mesh that is not there: what is drawn in its place, and what the user is reported.
+// A missing mesh: the placeholder drawn in its place, and the warning for the user.
 #include <QtTest>
 
 #include <QTemporaryDir>
@@ -75,7 +75,7 @@ private Q_SLOTS:
         QVERIFY2(shown > 300, qPrintable(QString::number(shown)));
         QCOMPARE(brightOnes({"rover/chassis/shell"}), 0);
 
-        // It has the name of the mesh, for the pointer and for cameras that distinguish objects.
+        // The placeholder has the mesh's path for picking and for segmentation images.
         const auto at = project(m_view, 320, 240, {0, 0.4, 0.05});
         QVERIFY(at);
         request.hidden.clear();

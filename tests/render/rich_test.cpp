@@ -1,4 +1,4 @@
-// The rich look: what it shows that the fast one does not, and what it leaves alone.
+// The rich look: its additional effects, and what it must not change.
 #include <QtTest>
 
 #include "render/camera_experiment.h"
@@ -29,7 +29,7 @@ ComponentSpec sun(double intensity, double shadows = 1) {
     return spec;
 }
 
-/// Boxes on a floor. The sun shines towards +x, half way down.
+/// Boxes on a floor. The sun shines towards +x at 45 degrees.
 std::shared_ptr<ExperimentSpec> yard(std::vector<GeomSpec> geoms, const ComponentSpec& light) {
     auto experiment = sampleExperiment({0, 1, false, 4});
     GeomSpec floor;
@@ -99,7 +99,7 @@ private Q_SLOTS:
     }
 
     void sunlitSurfacesAreUnshaded() {
-        // Turned by all angles; on every lit face the picture is that of a sun without shadows.
+        // Rotated by all angles; every lit face looks as with a sun that casts no shadows.
         for (int i = 0; i < 12; ++i) {
             const std::vector<GeomSpec> one{box("crate", {0.5, 0.5, 0.5}, {0, 0, 0.25}, 0.13 * i)};
             const PictureRequest request = from({-1.5, -1.2, 1.2}, {0, 0, 0.25});
@@ -216,7 +216,7 @@ private Q_SLOTS:
         auto* opening = dynamic_cast<osg::Program*>(state.look().opened->getAttribute(osg::StateAttribute::PROGRAM));
         QVERIFY(opening);
         opening->getShader(1)->setShaderSource("#version 130\nvoid main() { nonsense; }\n");
-        // One that only the rich look needs: the fast one takes its place, and a person is reported once.
+        // A shader that only the rich look needs: the fast look is used instead, and the warning is given once.
         QVERIFY(state.draw(request, LookChoice::Rich).value() == fast);
         const std::string notice = state.takeWarning();
         QVERIFY2(notice.starts_with("the rich look is not available, so pictures have the fast one: the program \"opened\" does "
@@ -225,7 +225,7 @@ private Q_SLOTS:
                  notice.c_str());
         QVERIFY(state.draw(request, LookChoice::Rich).value() == fast);
         QCOMPARE(state.takeWarning(), std::string());
-        // One that all need.
+        // A shader that both looks need.
         state.look().floor->getShader(1)->setShaderSource("#version 130\nvoid main() { nonsense; }\n");
         const Result<Image> broken = state.draw(request, LookChoice::Fast);
         QVERIFY(!broken);

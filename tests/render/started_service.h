@@ -7,7 +7,7 @@
 
 namespace trundle {
 
-/// A render service for all functions of a test; the calling function fails where there is none.
+/// Starts a render service for all functions of a test; the calling function fails if it cannot start.
 inline void startService(std::unique_ptr<RenderService>& service) {
     auto started = RenderService::start();
     QVERIFY2(started.ok(), started.ok() ? "" : started.error().message.c_str());

@@ -1,4 +1,4 @@
-// Pictures on surfaces, as a camera sees them.
+// Textures on geoms, as a camera sees them.
 #include <QtTest>
 
 #include "base/mesh_appearance.h"
@@ -23,7 +23,7 @@ std::shared_ptr<const Raster> quarters() {
     return raster;
 }
 
-/// Which quarter a colour is of: R, G, B or W.
+/// The quarter to which a colour belongs: R, G, B or W.
 char quarterOf(const std::uint8_t* p) {
     const bool r = p[0] > 110, g = p[1] > 110, b = p[2] > 110;
     return r && g && b ? 'W' : r && !g && !b ? 'R' : g && !r && !b ? 'G' : b && !r && !g ? 'B' : '?';
@@ -50,7 +50,7 @@ std::shared_ptr<ExperimentSpec> pictured(GeomShape shape, Pose eye, double scale
     return experiment;
 }
 
-/// The quarters at four places of a picture, row by row.
+/// The quarters at four pixels of an image, row by row.
 std::string seen(const std::shared_ptr<ExperimentSpec>& experiment, int low = 35, int high = 65) {
     const Result<CameraImage> frame = captureAtStart(experiment, "robot0/eye");
     if (!frame) return frame.error().message;
@@ -62,9 +62,9 @@ std::string seen(const std::shared_ptr<ExperimentSpec>& experiment, int low = 35
 
 const Pose kFromWest{{-3, 0, 0}, Quat::Identity()}; // looks along x
 const Pose kFromSouth{{0, -3, 0}, rotationFromHpr({std::numbers::pi / 2, 0, 0})};
-const Pose kFromAbove{{0, 0, 3}, rotationFromHpr({std::numbers::pi / 2, std::numbers::pi / 2, 0})}; // its top is +y
+const Pose kFromAbove{{0, 0, 3}, rotationFromHpr({std::numbers::pi / 2, std::numbers::pi / 2, 0})}; // the top of the image is +y
 
-/// A square across the line of sight from the west, its upper half with the quarters on it, its lower half red.
+/// A square facing the camera in the west: its upper half shows the quarters, its lower half is red.
 std::shared_ptr<ExperimentSpec> meshWithAppearance(std::uint32_t material) {
     auto look = std::make_shared<MeshAppearance>();
     look->materials.resize(2);
@@ -96,7 +96,7 @@ private Q_SLOTS:
             QCOMPARE(seen(pictured(GeomShape::Box, eye)), std::string("RGBW"));
     }
     void aScaleRepeatsIt() {
-        // Twice along each side: at a quarter of the side from the middle stand the middles of pictures, a little out of them their corners.
+        // Two repetitions along each side: the texture centres are a quarter of the side from the middle, their corners a little off them.
         QCOMPARE(seen(pictured(GeomShape::Box, kFromWest, 2), 45, 55), std::string("WBGR"));
     }
     void aCapOfACylinderShowsIt() { QCOMPARE(seen(pictured(GeomShape::Cylinder, kFromAbove), 40, 60), std::string("RGBW")); }

@@ -1,4 +1,4 @@
-// Pictures of a run, with a painter who only writes down what he was asked.
+// Camera images of a run, with a renderer that only records its requests.
 #include <QtTest>
 
 #include "run/camera_capture.h"
@@ -7,7 +7,7 @@ using namespace trundle;
 
 namespace {
 
-// Not inside a class, where moc takes the word for its own.
+// Not inside a class, where moc takes `slots` for its keyword.
 std::span<double> valuesOf(SignalBlock& block) { return block.slots(); }
 std::span<const double> valuesOf(const SignalBlock& block) { return block.slots(); }
 
@@ -26,7 +26,7 @@ std::shared_ptr<const ExperimentSpec> robotWithCameras() {
     return experiment;
 }
 
-/// Only its signals matter here.
+/// A world that consists only of its signal block.
 class BlockWorld final : public World {
 public:
     BlockWorld() : m_experiment(robotWithCameras()) {

@@ -1,5 +1,5 @@
 #pragma once
-// A world without physics for tests of what stands around it: robots slide along +x at 1 m/s.
+// A world without physics for tests of the code that uses a world: robots slide along +x at 1 m/s.
 
 #include <map>
 
@@ -43,7 +43,7 @@ public:
     void setDeviceText(DeviceText text) override { say = std::move(text); }
 
     std::uint64_t faultAt = ~0ull;
-    std::string story; ///< what happened, in order
+    std::string story; ///< calls in order
     std::vector<WorldContact> touching;
     std::size_t cluster = 0;
     DeviceText say;

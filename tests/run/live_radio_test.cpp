@@ -1,4 +1,4 @@
-// What a live run gives out of its air: all of it while somebody wants it, in order, and no more than is good.
+// Radio records of a live run: complete and in order while a listener is registered, limited in number.
 
 #include <QtTest>
 
@@ -29,7 +29,7 @@ private Q_SLOTS:
         tick(tap, medium, 0);
         LiveRadio taken = tap.take();
         QVERIFY(taken.records.empty() && taken.frames.empty());
-        QCOMPARE(taken.expected, std::uint64_t(1)); // counted all the same
+        QCOMPARE(taken.expected, std::uint64_t(1)); // counted although not recorded
         tap.setEnabled(true);
         for (int i = 1; i < 4; ++i) tick(tap, medium, i);
         taken = tap.take();
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QCOMPARE(kept, kTicks);
         QCOMPARE(taken.records.size() + taken.droppedRecords, std::uint64_t(10 * kTicks));
         QVERIFY(taken.records.size() < RadioTraceQueue::kDropWeakAbove + kTicks);
-        QCOMPARE(taken.outcomes[std::size_t(ReceptionOutcome::TooWeak)], std::uint64_t(9 * kTicks)); // counted all the same
+        QCOMPARE(taken.outcomes[std::size_t(ReceptionOutcome::TooWeak)], std::uint64_t(9 * kTicks)); // counted, not recorded
     }
 };
 

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A door that a controller waits at, as one does that never returns.
+/// Blocks a controller, as one that does not return.
 struct Door {
     std::mutex lock;
     std::condition_variable opens;
@@ -70,7 +70,7 @@ int descriptorCount() {
 
 } // namespace
 
-/// What the thread and its owner say to each other; the world is one without physics.
+/// Communication between a live run's thread and its owner, with a world without physics.
 class LiveRunTest : public QObject {
     Q_OBJECT
 
@@ -159,8 +159,8 @@ private Q_SLOTS:
             QFile log(m_folder.filePath("goes_on/path.csv"));
             return log.open(QIODevice::ReadOnly) ? log.readAll().count('\n') : -1;
         };
-        QCOMPARE(rows(), 202); // all there is so far can be read
-        run.setContactsEnabled(true); // what stands is shown once more, and is at its end as before
+        QCOMPARE(rows(), 202); // all rows so far are on the disk
+        run.setContactsEnabled(true); // the current state is published again; the run is still at its end
         EVENTUALLY(run.snapshot()->contacts != nullptr);
         QCOMPARE(run.phase(), LivePhase::Ended);
         run.step();
@@ -172,12 +172,12 @@ private Q_SLOTS:
         run.stop();
         QVERIFY(run.waitUntilGone(10s));
         QVERIFY(run.end() && !run.end()->canContinue);
-        QCOMPARE(rows(), int(tickOf(run)) + 2); // one log of it all
+        QCOMPARE(rows(), int(tickOf(run)) + 2); // one log for the whole run
     }
 
     void takesSingleTicks() {
         LiveRun run(maker(), fast());
-        run.step(); // asked for while it is still built
+        run.step(); // requested while the world is still being built
         EVENTUALLY_EQUAL(tickOf(run), 1u);
         run.step(3);
         EVENTUALLY_EQUAL(tickOf(run), 4u);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         EVENTUALLY(tickOf(run) > 10);
         run.pause();
         EVENTUALLY_EQUAL(run.phase(), LivePhase::Paused);
-        EVENTUALLY(run.snapshot()->hash.has_value()); // the newest tick is shown once it stands
+        EVENTUALLY(run.snapshot()->hash.has_value()); // the last tick is published when the run pauses
         const std::uint64_t there = tickOf(run);
         QCOMPARE(run.snapshot()->realTimeFactor, 0.0);
         run.run();
@@ -217,7 +217,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(tickOf(run), 2u);
         run.command(PlaceCommand{"robot0", {{1, 0, 0}, Quat::Identity()}});
         run.command(PlaceCommand{"robot1", {{5, 0, 0}, Quat::Identity()}});
-        run.command(PlaceCommand{"robot0", {{2, 0, 0}, Quat::Identity()}}); // a drag goes on: only the last place counts
+        run.command(PlaceCommand{"robot0", {{2, 0, 0}, Quat::Identity()}}); // during a drag only the last pose counts
         run.command(SignalCommand{"robot0/base/linearVelocity", 0.5});
         run.step();
         EVENTUALLY_EQUAL(tickOf(run), 3u);
@@ -270,7 +270,7 @@ private Q_SLOTS:
         const LiveLines lines = run.takeLines();
         QCOMPARE(lines.lines.size(), 2u);
         QCOMPARE(lines.lines[0].text, std::string("Speed = 0.500000"));
-        QVERIFY(lines.lines[1].text.starts_with("command refused")); // and the run goes on
+        QVERIFY(lines.lines[1].text.starts_with("command refused")); // and the run continues
         QCOMPARE(lines.lines[1].severity, int(TRUNDLE_ERROR));
     }
 
@@ -282,7 +282,7 @@ private Q_SLOTS:
         const LiveLines taken = run.takeLines();
         QCOMPARE(taken.lines.size(), 10'000u);
         QCOMPARE(taken.dropped, 15'000u);
-        QCOMPARE(taken.lines.back().text, std::string("tick 499")); // the newest are the ones kept
+        QCOMPARE(taken.lines.back().text, std::string("tick 499")); // the newest lines are kept
         QCOMPARE(taken.lines.front().text, std::string("tick 300"));
         QCOMPARE(taken.lines.front().who, std::string("robot0"));
         QVERIFY(run.takeLines().lines.empty());
@@ -294,7 +294,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(tickOf(run), 1u);
         QVERIFY(!run.snapshot()->contacts);
         QCOMPARE(run.snapshot()->contactCount, 1u);
-        run.setContactsEnabled(true); // also of the tick that is over
+        run.setContactsEnabled(true); // also for the tick already done
         EVENTUALLY(run.snapshot()->contacts);
         QCOMPARE(tickOf(run), 1u);
         QCOMPARE(run.snapshot()->contacts->at(0).second, std::string("arena/north"));
@@ -320,7 +320,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(run.phase(), LivePhase::Ended);
         QCOMPARE(run.end()->failure->code, Code::ControllerFailed);
         QVERIFY(run.end()->body.empty());
-        run.run(); // nothing goes on from here, and nothing breaks
+        run.run(); // ignored after the end
         run.step();
         run.command(SignalCommand{"robot0/base/linearVelocity", 1});
         QVERIFY(run.waitUntilGone(10s));
@@ -376,7 +376,7 @@ private Q_SLOTS:
         run->stop();
         QVERIFY(!run->waitUntilGone(1ms));
 
-        // The next run does not write over its logs.
+        // The next run must not overwrite its logs.
         options.after = run.get();
         options.timeout = 1ms;
         options.startsRunning = false;
@@ -389,7 +389,7 @@ private Q_SLOTS:
         m_door.set(true);
         next.stop();
         QVERIFY(next.waitUntilGone(10s));
-        EVENTUALLY(threadCount() <= threads + 1); // the one left behind found its own end
+        EVENTUALLY(threadCount() <= threads + 1); // the abandoned thread has ended
     }
 
     void theNextRunWaitsForTheLogsOfTheFormer() {
@@ -425,7 +425,7 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(reported.load(), 4);
         run.stop();
         QVERIFY(run.waitUntilGone(10s));
-        EVENTUALLY_EQUAL(reported.load(), 6); // its end, and that its thread is through
+        EVENTUALLY_EQUAL(reported.load(), 6); // the end of the run and of its thread
     }
 
     void leavesNoThreadAndNoDescriptor() {

@@ -19,7 +19,7 @@ Kind motorKind() {
 
 void setSlot(SignalBlock& block, std::uint32_t at, double value) { block.slots()[at] = value; }
 
-/// One robot on a layout as a world has it: two bodies, a hinge, a motor, and what its controller publishes.
+/// One robot with the signal layout of a world: two bodies, a hinge, a motor, and the controller's published signals.
 struct Bench {
     std::shared_ptr<ExperimentSpec> experiment = std::make_shared<ExperimentSpec>();
     std::shared_ptr<SignalLayout> layout = std::make_shared<SignalLayout>();
@@ -62,7 +62,7 @@ struct Bench {
         objects = std::make_unique<LiveObjects>(experiment, layout, registry);
     }
     void set(const char* path, double value, std::uint32_t slot = 0) { setSlot(*block, layout->find(path)->offset + slot, value); }
-    /// "current = 0.213 A, ...", each of another tick.
+    /// Live values of an object as "current = 0.213 A; ...", read from a new snapshot.
     std::string read(const char* path) {
         auto next = std::make_shared<SignalBlock>(*layout);
         next->copyFrom(*block);

@@ -1,5 +1,5 @@
-// Attacks on the log folder: what comes with a project of somebody else, and what a log may be called. Whatever is tried, nothing
-// outside the project's own `logs/<experiment>` is made, changed or removed.
+// Attacks on the log folder by the content of a foreign project and by the names of logs: nothing outside the project's own
+// `logs/<experiment>` may be created, changed or removed.
 
 #include <atomic>
 #include <filesystem>
@@ -46,7 +46,7 @@ struct LogFixture {
         write(project + "/attack.sim", "Tick = 1 ms\n");
     }
     [[nodiscard]] LogLocation location() const { return defaultLogs(project, project + "/attack.sim"); }
-    /// Every entry outside, by its path: what kind it is, and what it holds.
+    /// Type and content of every entry outside the project, by path.
     [[nodiscard]] std::map<std::string, QByteArray> state() const {
         std::map<std::string, QByteArray> all;
         for (const auto& entry : fs::recursive_directory_iterator(outside)) {
@@ -62,12 +62,12 @@ struct LogFixture {
     }
 };
 
-enum class Outcome { Refused, Inside }; // Inside: written, to a new file that really is in the project
+enum class Outcome { Refused, Inside }; // Inside: written to a new file whose real path is in the project
 
 struct Attack {
     const char* name;
     Outcome outcome;
-    std::string file; ///< what the log is called
+    std::string file; ///< file name of the log
     std::function<void(const LogFixture&)> prepare;
     const char* says = ""; ///< words of the refusal
 };
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QVERIFY(!fs::exists("/etc/trundle-attack.csv"));
     }
 
-    // The folder was right when the first log was opened, and is exchanged while the run goes on.
+    // The folder is valid when the first log is opened, and is replaced during the run.
     void aFolderThatIsExchangedLater() {
         const LogFixture cameraCapture;
         LogFolder logs(cameraCapture.location());
@@ -202,7 +202,7 @@ private Q_SLOTS:
         const auto before = cameraCapture.state();
         for (const bool all : {false, true}) {
             cameraCapture.replaceByLink(all ? cameraCapture.logs : cameraCapture.own, cameraCapture.outside);
-            logs.remove(*first); // half a picture
+            logs.remove(*first); // an incomplete image
             logs.settle();
             QVERIFY(!logs.create(all ? "b.csv" : "a.csv").ok());
             QCOMPARE(cameraCapture.state(), before);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         }
     }
 
-    // The list of an earlier run, as it comes with the project: lies in it remove nothing outside, and nothing that is a link.
+    // A forged list of an earlier run's logs in the project: it must not remove files outside or symbolic links.
     void aHostileListOfLogs() {
         const LogFixture cameraCapture;
         fs::create_symlink(cameraCapture.outside + "/precious.csv", cameraCapture.own + "/way.csv");
@@ -229,7 +229,7 @@ private Q_SLOTS:
         QCOMPARE(cameraCapture.state(), before);
     }
 
-    // A folder and a link to one outside change places all the time: no moment between looking and opening is of use.
+    // A folder and a link to one outside are swapped continuously: there must be no race between checking and opening.
     void aRaceIsNotWon_data() {
         QTest::addColumn<int>("level");
         for (int level = 0; level < 3; ++level) QTest::newRow(qPrintable(QString::number(level))) << level;
@@ -273,7 +273,7 @@ private Q_SLOTS:
             QVERIFY2(!logs.create(name).ok(), name);
     }
 
-    // Who names a folder means it, wherever it leads.
+    // A folder given by the user may be a symbolic link.
     void aFolderThatIsNamedMayBeALink() {
         const LogFixture cameraCapture;
         const std::string link = cameraCapture.root + "/results";
@@ -286,7 +286,7 @@ private Q_SLOTS:
         }
         QCOMPARE(contentOf(cameraCapture.outside + "/log.csv"), QByteArray("a log"));
         QCOMPARE(contentOf(cameraCapture.outside + "/new/deep/log.csv"), QByteArray("a log"));
-        fs::create_symlink(cameraCapture.project, cameraCapture.outside + "/way"); // below it a link is refused as ever
+        fs::create_symlink(cameraCapture.project, cameraCapture.outside + "/way"); // a link below it is still refused
         QVERIFY(!LogFolder(LogLocation(link)).create("way/x.csv").ok());
     }
 

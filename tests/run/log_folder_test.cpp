@@ -156,7 +156,7 @@ void LogFolderTest::removesLogsOfLastRun() {
         logs.settle();
     }
     QCOMPARE(QDir(m_outer.filePath("logs")).entryList(QDir::Files), QStringList({"b.csv", "c.csv", "notes.txt"}));
-    LogFolder(folder()).settle(); // a run without logs
+    LogFolder(folder()).settle(); // a run without logs removes those of the last run
     QCOMPARE(QDir(m_outer.filePath("logs")).entryList(QDir::Files | QDir::Hidden), QStringList({"notes.txt"}));
     QVERIFY(!LogFolder(folder()).create(".trundle-logs").ok());
 }
@@ -178,7 +178,7 @@ void LogFolderTest::aHostileListRemovesNothingElse() {
     QVERIFY(QFileInfo(m_outer.filePath("logs/way")).isSymLink());
     QVERIFY(!QFileInfo::exists(m_outer.filePath("logs/old.csv")));
 
-    // The list itself a link: neither believed nor written through.
+    // The list itself is a symbolic link: neither read nor written through.
     QVERIFY(write("elsewhere", "logs of the last run, removed by the next\nmine.csv\n"));
     QVERIFY(write("logs/mine.csv", "precious"));
     QVERIFY(QFile::link(m_outer.filePath("elsewhere"), m_outer.filePath("logs/.trundle-logs")));

@@ -12,7 +12,7 @@ using namespace trundle;
 
 namespace {
 
-/// Writes down its turns.
+/// Records its calls.
 class ScriptedBackend final : public ControllerBackend {
 public:
     std::string* story;
@@ -202,7 +202,7 @@ void RunnerTest::theFirstFinishEndsTheRunAfterItsTick() {
     QVERIFY(m_runner->finish().ok());
     QVERIFY(!m_runner->failure());
     QCOMPARE(log("path.csv").count('\n'), 4); // heading, start, both ticks
-    QVERIFY(m_runner->finished());            // still said when the logs are closed
+    QVERIFY(m_runner->finished());            // still reported after the logs are closed
 }
 
 void RunnerTest::aTickThatFailsFinishesNothing() {
@@ -220,7 +220,7 @@ void RunnerTest::aFailedStartIsADiagnostic() {
     giveController();
     m_experiment->robots[1].controller = m_experiment->robots[0].controller;
     build();
-    QCOMPARE(m_diagnostics.errorCount(), std::size_t(1)); // the same words once, however many robots say them
+    QCOMPARE(m_diagnostics.errorCount(), std::size_t(1)); // the same message is kept once for all robots
     QCOMPARE(m_diagnostics.all()[0].code, Code::UnknownPort);
 }
 
@@ -310,7 +310,7 @@ void RunnerTest::aLogThatFailedIsNotNamed() {
     m_backend->outputs.writeLog(id, "hello\n");
     rlimit before{};
     QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
-    const rlimit none{0, before.rlim_max}; // a full disk, as far as the file can determine
+    const rlimit none{0, before.rlim_max}; // acts like a full disk
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     QCOMPARE(setrlimit(RLIMIT_FSIZE, &none), 0);
     const bool done = m_runner->finish().ok();
@@ -340,7 +340,7 @@ void RunnerTest::limitsConsoleOutput() {
     m_backend->outputs.print(TRUNDLE_INFO, "a\nb\nc\n");
     for (int i = 0; i < 99; ++i) QVERIFY(m_runner->tick().ok());
     QVERIFY(m_runner->tick().ok());
-    QCOMPARE(m_console.size(), std::size_t(100)); // 99 turns, the first turn's line is dropped too
+    QCOMPARE(m_console.size(), std::size_t(100)); // of 99 updates and the count of dropped lines
     QCOMPARE(m_console.back(), std::string("[2 robot0] E506: \u2026 904 lines dropped"));
     m_backend->outputs.print(TRUNDLE_INFO, QByteArray("x\n").repeated(101).toStdString());
     QCOMPARE(m_console.back().size(), std::string("[2 robot0] ").size() + 200);

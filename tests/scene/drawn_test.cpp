@@ -1,4 +1,4 @@
-// How much is drawn for a picture: draws and triangles, which is what pictures take their time for where there is no graphics card.
+// Draw calls and triangles of an image, which determine the drawing time without a graphics card.
 #include <QtTest>
 
 #include <numbers>
@@ -18,7 +18,7 @@ struct Drawn {
     unsigned draws = 0, triangles = 0, points = 0;
 };
 
-/// What a picture with this mask takes; nothing is drawn, so it needs no OpenGL.
+/// Counts the draw calls and triangles of an image with this mask without drawing, so no OpenGL is needed.
 Drawn drawnOf(Scene& scene, const CameraView& view, int width, int height, std::uint32_t mask) {
     osg::ref_ptr<osgUtil::SceneView> drawing = new osgUtil::SceneView;
     drawing->setDefaults(osgUtil::SceneView::NO_SCENEVIEW_LIGHT);
@@ -42,7 +42,7 @@ Drawn drawnOf(Scene& scene, const CameraView& view, int width, int height, std::
     return drawn;
 }
 
-/// 49 robots, all in view of a camera beside them.
+/// A camera that sees all 49 robots.
 CameraView aboveTheCrowd() {
     CameraView view;
     view.eye = {-6.4, 0, 3.3};
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY2(drawn.triangles >= 24 * 49 && drawn.triangles <= most * 49, qPrintable(QString::number(drawn.triangles / 49.0)));
     }
 
-    /// However far away it is; and a point casts no shadow.
+    /// At any distance; a point casts no shadow.
     void drawsTinyObjectsAsPoints() {
         const auto experiment = sampleExperiment({49, 0.7, true, 6});
         Scene scene(*experiment);
@@ -87,7 +87,7 @@ private Q_SLOTS:
             QCOMPARE(far.draws, 49u);
             QCOMPARE(far.triangles, 0u);
         }
-        // Nor is it there where the thing is hidden, and it returns with it.
+        // The point is hidden and shown together with its object.
         scene.makeData(*experiment);
         scene.setHidden({"arena", "robot3"});
         scene.followData();
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QCOMPARE(drawnOf(scene, aboveTheCrowd(), 640, 480, kMaskStatics).draws, 5u);
         const Drawn both = drawnOf(scene, aboveTheCrowd(), 640, 480, kMaskStatics | kMaskShadows);
         QCOMPARE(both.draws, 6u);
-        // What of it is hidden casts none.
+        // Hidden parts cast no shadow.
         scene.setHidden({"arena", "row/box1", "row/box2"});
         const Drawn fewer = drawnOf(scene, aboveTheCrowd(), 640, 480, kMaskStatics | kMaskShadows);
         QCOMPARE(fewer.triangles, both.triangles * 3 / 5);

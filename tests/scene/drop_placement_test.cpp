@@ -18,7 +18,7 @@ GeomSpec shape(GeomShape kind, const Vec3& size, const Pose& pose = {}) {
     return geom;
 }
 
-/// A house with a gable, open below: what a mesh is that collides as one.
+/// A house with a gable roof, open below: a non-convex mesh that collides as a mesh.
 std::shared_ptr<const TriangleMesh> gable() {
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->points = {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}, {-0.5, 0, 0.8}, {0.5, 0, 0.8}};
@@ -56,7 +56,7 @@ std::vector<Vec3> pointsOf(const GeomSpec& g, const Pose& owner) {
     return all;
 }
 
-/// What a room holds: a floor, a wall that is turned, a post, a tilted board, a table on legs, a house.
+/// A room with a floor, a rotated wall, a post, a tilted board, a table on legs and a house.
 std::shared_ptr<const ExperimentSpec> room() {
     auto experiment = std::make_shared<ExperimentSpec>();
     const auto add = [&](const char* name, std::vector<GeomSpec> geoms, const Pose& pose = {}) {
@@ -106,7 +106,7 @@ private Q_SLOTS:
         for (int a = 0; a < 3; ++a)
             for (int b = 0; b < 3; ++b) QTest::addRow("%d out of %d", a, b) << a << b;
     }
-    /// Moved so far they share nothing, and a little less far they do.
+    /// At the computed distance two shapes do not overlap; at a slightly smaller one they do.
     void separationIsExact() {
         QFETCH(int, moved);
         QFETCH(int, fixed);
@@ -136,7 +136,7 @@ private Q_SLOTS:
             clear.move((far + 1e-5) * way);
             nearly.move((far - 1e-3) * way);
             QVERIFY(!clear.isInside(other, 1e-6));
-            QVERIFY(nearly.isInside(other, 0)); // exact: no farther than it must
+            QVERIFY(nearly.isInside(other, 0)); // exact: no farther than necessary
         }
     }
 
@@ -191,14 +191,14 @@ private Q_SLOTS:
             for (const Vec3& p : pointsOf(crate[0].geom, {at, Quat::Identity()})) nearest = std::min(nearest, normal.dot(p - face));
             QVERIFY2(nearest > 0 && nearest < 1e-4, qPrintable(QString::number(nearest)));
         }
-        // The upper edge of a table's side: there is room below.
+        // The side of a table top: there is free space below.
         const StaticSpec& table = experiment->statics[4];
         const Vec3 edge = table.pose * Vec3(0, -0.3, 0.7), out = table.pose.rotation * Vec3(0, -1, 0);
         const Vec3 below = placement.placeFor(crate, castRay(objects, {}, {edge + out, -out}), edge, 0);
         QVERIFY(std::abs(below.z()) < 1e-5);
     }
 
-    /// Walls and beams put down across others: something is under the middle of each, or it is on the floor.
+    /// Walls and beams dropped across others: each is supported under its middle, or is on the floor.
     void nothingHangsInTheAir() {
         const auto experiment = room();
         const ObjectIndex objects(experiment);
@@ -240,7 +240,7 @@ private Q_SLOTS:
         const Vec3 ball = dropped(3, board.pose * Vec3(0, 0, 3)) + Vec3(0, 0, 0.08);
         const Vec3 local = (board.pose * board.geoms->at(0).pose).inverse() * ball;
         QVERIFY2(std::abs(local.z() - 0.025 - 0.08) < 1e-5, qPrintable(QString::number(local.z())));
-        // The thing's Pos may be its middle.
+        // The origin of an object may be its centre.
         const double low = dropped(1, {0, 1.5, 3}).z();
         QVERIFY(low > 0.1 && low < 0.2);
     }

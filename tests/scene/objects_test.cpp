@@ -36,11 +36,11 @@ private Q_SLOTS:
         QCOMPARE(objects.pathOf(*objects.ownerOf(*objects.find("robot1.leftWheel.tyre"))), std::string("robot1.leftWheel"));
         QVERIFY(!objects.ownerOf(*objects.find("robot1")));
         QVERIFY(objects.boundsOf(*objects.find("arena.floor"), poses).empty());
-        // A robot is where its first body carries it.
+        // A robot's pose follows its first body.
         BodyPoses moved = poses;
         for (Pose& pose : moved) pose.position += Vec3(1, 0, 0);
         QVERIFY((objects.poseOf(*objects.find("robot1"), moved).position - robot.position - Vec3(1, 0, 0)).norm() < 1e-12);
-        // Poses of something else are not taken.
+        // Poses of another experiment are ignored.
         QVERIFY((objects.poseOf(*objects.find("robot1"), {}).position - robot.position).norm() < 1e-12);
     }
 
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(ballAround(broken).radius < 0);
     }
 
-    /// Rays at random: the shapes themselves and the triangles that are drawn agree.
+    /// Random rays: hits on exact shapes agree with hits on the drawn triangles.
     void aRayMeetsWhatIsDrawn() {
         const auto experiment = shapesExperiment();
         const ObjectIndex objects(experiment);
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QCOMPARE(ghosts->robots[0].name, std::string("robot1"));
         QVERIFY(!ghostsOf(*now, *before, [](const std::string& path) { return !path.starts_with("robot1"); })); // it was deleted
         QVERIFY(!ghostsOf(*before, *before, written));
-        // One shape of a body is lost in every robot of the config.
+        // One geom of a body is missing in every robot of the config.
         auto config = std::make_shared<RobotConfigSpec>(*before->robots[0].config);
         config->bodies[0].geoms.erase(config->bodies[0].geoms.begin());
         auto less = std::make_shared<ExperimentSpec>(*before);
@@ -130,7 +130,7 @@ private Q_SLOTS:
         const auto hulls = ghostsOf(*less, *before, written);
         QVERIFY(hulls && hulls->robots.size() == 3 && hulls->robots[0].config->bodies.size() == 1);
         QCOMPARE(hulls->robots[2].config->bodies[0].geoms[0].name, std::string("hull"));
-        // Where an arena's config is misspelt, no path leads to its walls any more.
+        // If an arena's config is misspelt, the paths of its walls no longer exist.
         auto open = std::make_shared<ExperimentSpec>(*before);
         QVERIFY(!open->statics.empty());
         const std::string arena = open->statics[0].name;

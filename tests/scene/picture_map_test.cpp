@@ -17,7 +17,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < at.size(); i += 3) {
             const Vector3f a = box.points[box.indices[i]], b = box.points[box.indices[i + 1]], c = box.points[box.indices[i + 2]];
             const Vector3f normal = (b - a).cross(c - a);
-            // Triangles run counter-clockwise seen from outside; a picture that counts rows downwards turns that round.
+            // Triangles are counter-clockwise seen from outside; image rows count downwards, which reverses that.
             const Vector2f u = at[i + 1] - at[i], v = at[i + 2] - at[i];
             QVERIFY(u.x() * v.y() - u.y() * v.x() < 0);
             Eigen::Index axis = 0;

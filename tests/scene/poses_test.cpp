@@ -51,7 +51,7 @@ private Q_SLOTS:
         const ExperimentSpec experiment = twoRobots();
         const SignalLayout layout = layoutFor({"a/chassis/pose", "a/arm/pose", "b/chassis/pose", "b/arm/pose"});
         SignalBlock block(layout);
-        write(block, layout, "a/chassis/pose", {1, 2, 3, 0, 0, 0, 2}); // w x y z; its length does not matter
+        write(block, layout, "a/chassis/pose", {1, 2, 3, 0, 0, 0, 2}); // w x y z; it is normalised
         write(block, layout, "a/arm/pose", {4, 5, 6, 1, 0, 0, 0});
         write(block, layout, "b/chassis/pose", {7, 8, 9, 1, 0, 0, 0});
         write(block, layout, "b/arm/pose", {-1, -2, -3, 1, 0, 0, 0});
@@ -70,7 +70,7 @@ private Q_SLOTS:
         const SignalLayout layout = layoutFor({"a/chassis/pose", "a/arm/pose"});
         SignalBlock block(layout);
         write(block, layout, "a/chassis/pose", {std::nan(""), 0, 0, 1, 0, 0, 0});
-        write(block, layout, "a/arm/pose", {1, 1, 1, 0, 0, 0, 0}); // no rotation at all
+        write(block, layout, "a/arm/pose", {1, 1, 1, 0, 0, 0, 0}); // invalid quaternion: identity
         BodyPoses poses;
         const PoseReader reader(experiment, layout);
         QCOMPARE(reader.found(), std::size_t(2));

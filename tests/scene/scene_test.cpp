@@ -13,7 +13,7 @@ using namespace trundle;
 
 namespace {
 
-/// Counts what hangs below a node, shared things once. The other parents that shadows are do not count.
+/// Counts the nodes below a node, shared ones once. Parents that belong to shadows are ignored.
 struct Count : osg::NodeVisitor {
     std::set<osg::Geometry*> geometries;
     std::set<osg::Node*> nodes;
@@ -48,7 +48,7 @@ private Q_SLOTS:
         QCOMPARE(lots.geometries.size(), few.geometries.size());
         QCOMPARE(many.store().made(), one.store().made());
         QCOMPARE(one.store().made(), std::size_t(3)); // chassis, wheel, arena
-        // Each further robot adds its own node and one for each body.
+        // Each further robot adds one node and one per body.
         QCOMPARE(lots.nodes.size() - few.nodes.size(), std::size_t(999 * 4));
         QVERIFY(lots.drawings > 999 * 3);
     }
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(floor->path, std::string("arena/floor"));
         const auto roof = scene.pick(downAt(0, 0));
         QVERIFY(std::abs(roof->point.z() - 0.14) < 1e-6 && std::abs(roof->distance - 4.86) < 1e-6);
-        QVERIFY(!scene.pick(downAt(0, 0), kMaskStatics)); // what a mask leaves out is not met
+        QVERIFY(!scene.pick(downAt(0, 0), kMaskStatics)); // objects outside the mask are not picked
     }
 
     void aMovedRobotIsPickedWhereItIs() {
@@ -135,7 +135,7 @@ private Q_SLOTS:
         auto geoms = *experiment->statics[0].geoms;
         geoms[1].visible = false;
         geoms[2].size.x() = std::nan("");
-        geoms[3].material = 9999; // draws as default
+        geoms[3].material = 9999; // drawn with the default material
         geoms[4].pose.position.z() = INFINITY;
         experiment->statics[0].geoms = std::make_shared<const std::vector<GeomSpec>>(geoms);
         Scene scene(*experiment);

@@ -16,7 +16,7 @@ Place placeOf(const Vector3f& p) {
     return {std::round(p.x() * 1e5f) + 0.f, std::round(p.y() * 1e5f) + 0.f, std::round(p.z() * 1e5f) + 0.f};
 }
 
-/// Each edge is walked as often one way as the other.
+/// Each edge occurs equally often in both directions.
 bool isClosed(const ShapeMesh& mesh) {
     std::map<std::pair<Place, Place>, int> edges;
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
@@ -63,7 +63,7 @@ private Q_SLOTS:
     void shapesAreClosedAndHaveTheirVolume_data() {
         QTest::addColumn<int>("shape");
         QTest::addColumn<double>("volume");
-        QTest::addColumn<double>("error"); // rounds lose a little to their corners, boxes to their edges
+        QTest::addColumn<double>("error"); // polygons lose volume of round shapes, bevels that of boxes
         const double pi = std::numbers::pi;
         QTest::newRow("box") << int(GeomShape::Box) << 0.008 << 0.01;
         QTest::newRow("sphere") << int(GeomShape::Sphere) << 4 * pi / 3 * 0.027 << 0.03;
@@ -123,14 +123,14 @@ private Q_SLOTS:
             g.radius = radius;
             return bareShapeOf(g, {36, false, pixelsPerMetre}).points.size() / 2;
         };
-        QCOMPARE(segments(0.05, 0), std::size_t(36)); // not known how small
+        QCOMPARE(segments(0.05, 0), std::size_t(36)); // size on screen unknown
         QCOMPARE(segments(0.05, 1e6), std::size_t(36));
         QCOMPARE(segments(0.05, 1), std::size_t(4));
         std::size_t before = 4;
-        for (const double pixels : {20.0, 60.0, 200.0, 600.0}) { // to a metre
+        for (const double pixels : {20.0, 60.0, 200.0, 600.0}) { // pixels per metre
             const std::size_t n = segments(0.05, pixels);
             QVERIFY(n >= before && n % 2 == 0);
-            QVERIFY(0.05 * pixels * (1 - std::cos(std::numbers::pi / double(n))) <= 0.5 + 1e-9); // pixels off the circle
+            QVERIFY(0.05 * pixels * (1 - std::cos(std::numbers::pi / double(n))) <= 0.5 + 1e-9); // deviation from the circle in pixels
             before = n;
         }
     }
@@ -160,7 +160,7 @@ private Q_SLOTS:
         mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {NAN, 0, 0}, {1e300, 0, 0}};
         mesh.triangles = {{0, 1, 2}, {0, 0, 1}, {0, 1, 99}, {0, 1, 3}, {0, 2, 4}};
         const ShapeMesh drawn = smoothedMesh(mesh);
-        QCOMPARE(drawn.indices.size(), std::size_t(3)); // only the first is a triangle
+        QCOMPARE(drawn.indices.size(), std::size_t(3)); // only the first triangle is valid
         QVERIFY(smoothedMesh(TriangleMesh{}).indices.empty());
     }
 

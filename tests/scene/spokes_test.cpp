@@ -50,7 +50,7 @@ std::vector<std::uint32_t> geomsWithSpokes(const RobotConfigSpec& config, const 
 using Geoms = std::vector<std::uint32_t>;
 
 using Edge = std::pair<std::array<long, 3>, std::array<long, 3>>;
-/// Edges without a neighbour that runs the other way, of all paints together.
+/// Edges without an opposite edge, over all paints together.
 std::size_t openEdges(const std::array<ShapeMesh, kWheelPaints>& parts) {
     std::map<Edge, int> edges;
     const auto placeOf = [](const Eigen::Vector3f& p) {
@@ -81,7 +81,7 @@ private Q_SLOTS:
     }
 
     void addsNoSpokesToVisiblyRotatingShapes() {
-        QCOMPARE(geomsWithSpokes(rover({tyre({0.01, 0, 0})})), Geoms{});                            // out of its axis
+        QCOMPARE(geomsWithSpokes(rover({tyre({0.01, 0, 0})})), Geoms{});                            // off the axis
         QCOMPARE(geomsWithSpokes(rover({tyre(), box({0.02, 0.04, 0.02}, {0.03, 0, 0})})), Geoms{}); // a crank
         QCOMPARE(geomsWithSpokes(rover({tyre(), box({0.02, 0.01, 0.02})})), Geoms{0});              // a motor hidden in the wheel
         GeomSpec across = tyre();
@@ -108,7 +108,7 @@ private Q_SLOTS:
         std::swap(config.joints[0].parent, config.joints[0].child); // the wheel carries the chassis
         QCOMPARE(geomsWithSpokes(config), Geoms{0});
         config.bodies[0].geoms = {roundGeom(GeomShape::Cylinder, 0.1, 0.3, {0.06, 0.125, 0.05})};
-        QVERIFY(spokePatternsOf(config, {})[0].empty()); // a round chassis is no wheel
+        QVERIFY(spokePatternsOf(config, {})[0].empty()); // a round chassis is not a wheel
     }
 
     void aHubThatIsABodyOfItsOwnTurnsItsTyre() {
@@ -123,7 +123,7 @@ private Q_SLOTS:
     }
 
     void aFaceBelowAnotherHasNone() {
-        // A disc that stands out on both sides, and a nut on it.
+        // A disc that protrudes on both sides, with a nut on it.
         const Patterns patterns = spokePatternsOf(
             rover({tyre(), roundGeom(GeomShape::Cylinder, 0.04, 0.034, {}), roundGeom(GeomShape::Cylinder, 0.006, 0.04)}), {});
         QCOMPARE(patterns[1].size(), std::size_t(2));

@@ -21,7 +21,7 @@ CameraView lookingAt(const Vec3& eye, const Vec3& target) {
     return view;
 }
 
-/// From 0 to 1 along each of the map's sides and in its depth, where a point is on it.
+/// Coordinates of a point in the shadow map: 0 to 1 along each side and in depth.
 Vec3 onMap(const SunFit& fit, const Vec3& point) {
     const Vec3 p = fit.axes.transpose() * point;
     return {(p.x() - fit.origin.x()) / fit.width, (p.y() - fit.origin.y()) / fit.height, (fit.origin.z() - p.z()) / fit.depth};
@@ -60,14 +60,14 @@ private Q_SLOTS:
     }
 
     void includesShadowCastersOutsideView() {
-        // High up behind the camera, its shadow in the middle of the picture.
+        // High behind the camera, with its shadow in the middle of the image.
         const Vec3 sun = Vec3(0, -1, 1).normalized();
         const CameraView view = lookingAt({0, -1, 0.5}, {0, 0, 0});
         const auto fit = fitSun(sun, {boxAt({0, -3, 3}, 0.1), boxAt({0, 0, 0.1}, 0.1)}, view, 400, 300, kPixels);
         QVERIFY(fit);
         const Vec3 where = onMap(*fit, {0, -3, 3});
         QVERIFY(where.z() > 0 && where.z() < 1);
-        QVERIFY(std::abs(onMap(*fit, {0, 0, 0}).x() - where.x()) < 1e-9); // in the same line of light
+        QVERIFY(std::abs(onMap(*fit, {0, 0, 0}).x() - where.x()) < 1e-9); // on the same light ray
     }
 
     void nearByItIsFiner() {
@@ -98,7 +98,7 @@ private Q_SLOTS:
         const CameraView view = lookingAt({0, -3, 2}, Vec3::Zero());
         QVERIFY(!fitSun(Vec3::UnitZ(), {}, view, 400, 300, kPixels));
         QVERIFY(!fitSun(Vec3::UnitZ(), {Bounds{}}, view, 400, 300, kPixels));
-        QVERIFY(fitSun(Vec3::UnitZ(), {boxAt(Vec3::Zero(), 0)}, view, 400, 300, kPixels)); // a point still has a size
+        QVERIFY(fitSun(Vec3::UnitZ(), {boxAt(Vec3::Zero(), 0)}, view, 400, 300, kPixels)); // a point still gets an area
     }
 };
 

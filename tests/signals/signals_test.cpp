@@ -1,4 +1,4 @@
-// The flat block: what is where, and that two blocks of one shape know each other.
+// The flat signal block: offsets of signals, and copying between blocks of the same layout.
 #include <QtTest>
 
 #include <cstring>

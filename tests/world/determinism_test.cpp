@@ -1,4 +1,4 @@
-// Same input, same bits: twice in one process, in piles that switch the solver, with strangers far away.
+// Same input, same bits: twice in one process, in piles that switch the solver, with unrelated robots far away.
 #include <QtTest>
 
 #include <set>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kPile = 30;
 
-/// Robots and loose things inside walls; wheels follow a fixed pattern.
+/// Robots and loose objects inside walls; wheels follow a fixed pattern.
 Scene crowd(int robots, int boxes, SolverChoice solver = SolverChoice::Auto) {
     Scene scene = r0Scene();
     scene.spec->settings.solver = solver;
@@ -89,7 +89,7 @@ private Q_SLOTS:
         if (boxes >= kPile) QVERIFY2(first.quick > 0 && first.quick < 150, "the pile was to switch solvers");
     }
 
-    /// Two worlds ticked in turn do not disturb each other.
+    /// Two worlds ticked alternately do not affect each other.
     void sideBySide() {
         const Run alone = runOf(crowd(2, 30), 2, 120);
         auto a = crowd(2, 30).build(), b = crowd(2, 30).build();
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QCOMPARE(a->stateHash(), alone.hash);
     }
 
-    /// The seed decides the quick solver's order, and only that.
+    /// The seed affects only the constraint order of the quick solver.
     void seedMattersToQuickOnly() {
         const auto withSeed = [](Scene scene, std::uint64_t seed) {
             scene.spec->settings.seed = seed;
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QCOMPARE(withSeed(crowd(2, 0), 1), withSeed(crowd(2, 0), 2));
     }
 
-    /// A robot far away changes not one bit of the others, wherever its name sorts and wherever it is in the text.
+    /// A robot far away changes no bit of the others, whatever its name and its position in the text.
     void ignoresRobotFarAway() {
         for (const std::string otherRobot : {"a", "robot1b", "zz"}) {
             Scene few = crowd(3, 0), more = crowd(3, 0);
@@ -136,7 +136,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Looking (contacts, energy, hash) changes nothing.
+    /// Reading contacts, energy and hash does not change the state.
     void observingChangesNothing() {
         auto a = crowd(3, 6).build(), b = crowd(3, 6).build();
         for (int i = 0; i < 200; ++i) {

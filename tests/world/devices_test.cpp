@@ -1,4 +1,4 @@
-// What a device is promised: mounting with words for what is wrong, services, the order of act and sense.
+// The contract of a device: mounting with error messages, services, the order of act and sense.
 #include <QtTest>
 
 #include <functional>
@@ -9,7 +9,7 @@ using namespace fixture;
 
 namespace {
 
-/// A device whose three turns are closures; one per test, kept by the test.
+/// A device whose mount, act and sense are closures; one per test, owned by the test.
 struct Probe {
     std::function<std::int32_t(const TrundleMount&)> setup;
     std::function<std::int32_t(const TrundleServices&)> act, sense;
@@ -127,7 +127,7 @@ private Q_SLOTS:
         QVERIFY(t.contains("the probe says no"));
     }
 
-    /// Nobody listens yet while the world is built; what is reported then is not lost, and comes once.
+    /// Messages reported while the world is built, before a listener is registered, are delivered once.
     void setupMessagesReachConsole() {
         m_bench.probes["p"].setup = [](const TrundleMount& m) {
             m.print(m.context, TRUNDLE_WARNING, "the mount is loose");
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QCOMPARE(text, std::string("a"));
     }
 
-    /// b drives a: it acts first although it stands later, and senses last.
+    /// b drives a: it acts first although it is later in the text, and senses last.
     void actAndSenseFollowTheBinding() {
         std::string order;
         for (const char* name : {"a", "b", "c"}) {

@@ -1,4 +1,4 @@
-// How well R0 drives when each wheel is a rate servo: the figures of the physics notes, measured at the middle of the axle.
+// Driving accuracy of R0 with a rate servo on each wheel: the values of the physics notes, measured at the middle of the axle.
 #include <QtTest>
 
 #include "world/fixtures.h"
@@ -10,7 +10,7 @@ namespace {
 constexpr double kStall = 5.4;                                                       // N m, motor M0
 constexpr double kNoLoad = 12 / (0.03 * 30), kDamping = 30.0 * 30 * 0.03 * 0.03 / 2; // rad/s, N m s/rad
 
-/// Trapezoid from 0 to `length` at cruising speed `speed` with ramps of `ramp` seconds.
+/// Trapezoidal speed profile over `length` at cruising speed `speed` with ramps of `ramp` seconds.
 struct Trapezoid {
     double length, speed, ramp;
     [[nodiscard]] double end() const { return length / speed + ramp; }
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QTest::newRow("10 ms") << 0.01;
         QTest::newRow("30 ms") << 0.03;
     }
-    /// Open loop behind a ramp to 0.5 m/s: the way lost is v tau, tau = (M r^2/2 + I)/b, at every tick.
+    /// Open loop with a ramp to 0.5 m/s: the lag is v tau, tau = (M r^2/2 + I)/b, at every tick length.
     void voltageLag() {
         QFETCH(double, tick);
         Scene scene = r0Scene(tick);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QTest::addColumn<double>("tick");
         for (const double tick : {0.001, 0.01, 0.03, 0.05}) QTest::newRow(qPrintable(QString::number(tick))) << tick;
     }
-    /// Wheels lifted (gravity off): no-load rate to six digits, whatever the tick.
+    /// Wheels in the air (gravity off): no-load rate to six digits at any tick length.
     void stableInTheAir() {
         QFETCH(double, tick);
         Scene scene = r0Scene(tick);
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(value(*world, "r/rightAxle/rate") / kNoLoad - 1) < 1e-6);
     }
 
-    /// The wheel's angle is the sum of its rate, over many turns.
+    /// The wheel's angle is the integral of its rate over many rotations.
     void angleIsTheSumOfRate() {
         Scene scene = r0Scene(0.03);
         scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());
@@ -201,7 +201,7 @@ private Q_SLOTS:
         QCOMPARE(value(*world, "r/leftMotor/position"), value(*world, "r/leftAxle/position"));
     }
 
-    /// What must fail: without gravity, without friction, without wheels nobody drives.
+    /// Negative tests: without gravity, friction or wheels a robot does not drive.
     void doesNotDrive_data() {
         QTest::addColumn<QString>("without");
         QTest::addColumn<bool>("drives");

@@ -1,4 +1,4 @@
-// What goes wrong is reported, never died of: explosions named with body and time, nasty specs refused or survived.
+// Faults are reported and never crash: instability is reported with body and time, invalid specs are refused or tolerated.
 #include <QtTest>
 
 #include <functional>
@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
 
-/// Changes one thing of a sound experiment: R0 on a floor.
+/// Changes one value of a valid experiment: R0 on a floor.
 using Spoil = std::function<void(ExperimentSpec&, RobotConfigSpec&, std::vector<GeomSpec>&)>;
 
 struct FaultCase {
     const char* name;
     Spoil spoil;
-    bool refused; ///< else: it builds and must live or fault, but not die
+    bool refused; ///< otherwise it builds and must run or report a fault, but not crash
 };
 
 std::shared_ptr<TriangleMesh> meshOf(std::vector<std::array<double, 3>> points,
@@ -220,7 +220,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("index");
         for (std::size_t i = 0; i < faultCases().size(); ++i) QTest::newRow(faultCases()[i].name) << static_cast<int>(i);
     }
-    /// No spec reaches an assertion: it is refused with words, or it runs, or it stops with a reason.
+    /// No spec causes an assertion: it is refused with a message, or it runs, or it stops with a reason.
     void faultCase() {
         QFETCH(int, index);
         const FaultCase& faultCase = faultCases()[static_cast<std::size_t>(index)];
@@ -249,7 +249,7 @@ private Q_SLOTS:
         for (const double v : world->block().slots()) QVERIFY(std::isfinite(v));
     }
 
-    /// A push beyond reason is a fault that names the body and the time, and the world stays stopped.
+    /// An extreme push gives a fault with the body and the time, and the world stays stopped.
     void explosionIsNamed() {
         Scene scene = r0Scene();
         scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());
@@ -268,7 +268,7 @@ private Q_SLOTS:
         QCOMPARE(world->ticks(), ticks);
     }
 
-    /// What a message underlines is the name, not all of the block.
+    /// The source range of a message is the name, not the whole block.
     void messagesNameObjects() {
         const SourceRange block{0, {0, 100}}, name{0, {6, 11}};
         Scene scene = r0Scene();
@@ -316,7 +316,7 @@ private Q_SLOTS:
         QCOMPARE(world->quickTicks(), world->ticks());
     }
 
-    /// Whatever stops a world, the message names a body and what to do, in words that are not the engine's own.
+    /// Every fault message names a body and a remedy, and does not quote the engine's messages.
     void everyFaultNamesABodyAndARemedy() {
         int faults = 0;
         for (const FaultCase& faultCase : faultCases()) {
@@ -354,7 +354,7 @@ private Q_SLOTS:
         QVERIFY(!world->place("r", {Vec3::Zero(), Quat(0, 0, 0, 0)}).ok());
     }
 
-    /// A commanded NaN stops the run at the device that asked for it; it never reaches the engine.
+    /// A commanded NaN stops the run with the device's name; it never reaches the engine.
     void nanCommandNamesTheDevice() {
         Scene scene = r0Scene();
         scene.scenery({plane("floor", {}, 1)}).robot("r", {}, r0());

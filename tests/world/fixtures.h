@@ -1,5 +1,5 @@
 #pragma once
-// Experiments put together in C++, as the resolver would leave them, and a device that is nothing but a motor row.
+// Experiments built in C++ as the resolver returns them, and a device that is only a motor constraint.
 
 #include <cmath>
 #include <memory>
@@ -97,7 +97,7 @@ inline ComponentSpec row(std::string name, std::string jointName) {
     return spec;
 }
 
-/// A motor row whose rate, softness and limit are command signals; its outputs are what the services say of the joint.
+/// A motor constraint whose rate, softness and limit are command signals; its outputs are the joint values read through the services.
 struct Row {
     std::string jointName;
     std::uint32_t joint = 0;
@@ -183,7 +183,7 @@ struct Scene {
         spec->robots.push_back(r);
         return *this;
     }
-    /// One loose body.
+    /// Adds one free body.
     Scene& loose(std::string name, const Pose& pose, const MassProperties& mass, std::vector<GeomSpec> geoms) {
         auto config = std::make_shared<RobotConfigSpec>();
         config->bodies.push_back(body("body", {}, mass, std::move(geoms)));
@@ -211,7 +211,7 @@ struct R0Options {
 
 inline constexpr double kR0Radius = 0.05, kR0Track = 0.25;
 
-/// Robot R0: 4 kg box, two wheels of 0.2 kg, one frictionless slider. Its frame lies on the floor under the middle of the axle.
+/// Robot R0: 4 kg box, two wheels of 0.2 kg, one frictionless slider. Its frame is on the floor below the middle of the axle.
 inline std::shared_ptr<RobotConfigSpec> r0(const R0Options& o = {}) {
     auto config = std::make_shared<RobotConfigSpec>();
     config->name = "R0";
@@ -258,7 +258,7 @@ inline void command(World& world, const std::string& device, double rate, double
     c[1] = softness;
     c[2] = limit;
 }
-/// Ticks until `seconds` are over; false after a fault.
+/// Runs for `seconds` of simulated time; false after a fault.
 inline bool run(World& world, double seconds) {
     const auto ticks = static_cast<std::uint64_t>(std::llround(seconds / world.experiment().settings.tick));
     for (std::uint64_t i = 0; i < ticks; ++i)

@@ -1,5 +1,5 @@
 #pragma once
-// Cases of Coulomb's friction: what was measured against what is known, at three ticks and with both solvers.
+// Cases of Coulomb friction: measured against expected values, at three tick lengths and with both solvers.
 
 #include <QtTest>
 
@@ -9,7 +9,7 @@
 
 namespace fixture {
 
-/// What was measured and what Coulomb says, in the same unit.
+/// Measured value and the value of Coulomb's law, in the same unit.
 struct Figures {
     double measured = 0, expected = 1;
 };
@@ -23,8 +23,8 @@ struct Case {
     std::string name;
     Measure measure;
     double most = 0.02, mostAt30 = 0.04; ///< relative
-    double quickUpTo = 1;                ///< s: longest tick at which the quick solver keeps the bounds too
-    bool missed = false;                 ///< a bound that is not met
+    double quickUpTo = 1;                ///< s: longest tick at which the quick solver also keeps the bounds
+    bool missed = false;                 ///< a bound known not to be met
 };
 
 inline void addCases(const std::vector<Case>& cases) {
@@ -57,7 +57,7 @@ inline Scene sceneOf(const Conditions& c) {
 
 inline double rad(double degrees) { return degrees * kPi / 180; }
 
-/// Gravity of a slope of `angle` degrees that falls towards `heading`: the floor stays level.
+/// Gravity vector for a slope of `angle` degrees that falls towards `heading`; the floor itself stays level.
 inline Vec3 slopeGravity(double angle, double heading) {
     return g * Vec3(std::sin(rad(angle)) * std::cos(rad(heading)), std::sin(rad(angle)) * std::sin(rad(heading)),
                     -std::cos(rad(angle)));

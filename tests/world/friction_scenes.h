@@ -5,14 +5,14 @@
 
 namespace fixture {
 
-/// A surface with friction across its direction of its own; below 0: none.
+/// A surface with a separate friction across its direction (`friction2`; below 0: none).
 inline std::uint32_t surfaceOf(Scene& scene, double friction, double friction2) {
     const std::uint32_t index = scene.surface(friction);
     (void)friction2;
     return index;
 }
 
-/// A geom whose surface moves as its command signal says.
+/// A geom whose surface velocity is a command signal.
 struct Belt {
     std::string geomName;
     std::uint32_t geom = 0;
@@ -68,14 +68,14 @@ inline void setBelt(World& world, const std::string& device, const Vec3& velocit
     for (int k = 0; k < 3; ++k) slot(world, device + "/velocity")[k] = velocity[k];
 }
 
-/// A robot on wheels about y (omni: about what points to their place) and frictionless sliders. Its frame is on the floor.
+/// A robot with wheels about y (omni: about the direction to their position) and frictionless sliders. Its frame is on the floor.
 struct Vehicle {
     double mass = 4; ///< of the chassis
     double radius = 0.05, wheelMass = 0.02;
     double friction = 0.8, friction2 = -1; ///< of the wheels
     bool omni = false;
-    std::vector<Vec3> wheels, sliders; ///< where they are
-    Vec3 centre = Vec3::Zero();        ///< of the mass of the chassis; of everything once it is in a scene
+    std::vector<Vec3> wheels, sliders; ///< positions
+    Vec3 centre = Vec3::Zero();        ///< centre of mass of the chassis; of the whole vehicle once it is in a scene
     double total = 0;
     std::uint32_t ground = 0;
 
@@ -92,7 +92,7 @@ struct Vehicle {
         const double driven = wheels[0].x(), other = sliders[0].x();
         return friction * weight * (centre.x() - other) / (driven - other + sign * friction * centre.z());
     }
-    /// Degrees; the wheels hold towards `sign` x, which is where the slope rises.
+    /// Largest slope, degrees, at which the wheels hold; the slope rises towards `sign` x.
     [[nodiscard]] double slipAngle(double sign) const { return std::atan(traction(0, sign) / g) * 180 / kPi; }
 };
 
@@ -148,7 +148,7 @@ inline void driveAll(World& world, const Vehicle& v, double rate) {
     for (std::size_t i = 0; i < v.wheels.size(); ++i) drive(world, v, i, rate);
 }
 
-/// A block whose surface moves, in its own frame.
+/// A block whose surface velocity is given in its own frame.
 inline void addBeltBody(Scene& scene, const std::string& name, double mass, const Vec3& size, std::uint32_t surface) {
     auto config = std::make_shared<RobotConfigSpec>();
     config->bodies.push_back(body("body", {}, massOfBox(mass, size), {box("crate", size, {}, surface)}));

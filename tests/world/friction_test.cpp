@@ -1,5 +1,5 @@
-// Coulomb's friction of loose bodies against closed forms and, where there is none, against a reference integrated here: cones,
-// loads, impacts. Just below the angle of friction the quick solver creeps at longer ticks; such rows stop at shorter ones.
+// Coulomb friction of free bodies compared with closed forms or, where there is none, with a reference integrated here: cones,
+// loads, impacts. Just below the angle of friction the quick solver creeps at longer ticks; those cases use only shorter ones.
 #include "world/friction_cases.h"
 
 using namespace fixture;
@@ -32,12 +32,12 @@ void setGoing(World& world, const std::string& path, double mass, double inertia
     const Vec3 at = position(world, path);
     (void)world.push(path, velocity * (mass / h), at);
     if (spin == 0) return;
-    const double force = spin * inertia / h / 2; // a couple with arms of 1 m
+    const double force = spin * inertia / h / 2; // two opposite forces with lever arms of 1 m
     (void)world.push(path, {0, force, 0}, at + Vec3(1, 0, 0));
     (void)world.push(path, {0, -force, 0}, at - Vec3(1, 0, 0));
 }
 
-/// Down a slope that falls to `heading`: the speed gained between two times.
+/// Sliding down a slope that falls towards `heading`: the speed gained between two times.
 Measure slides(Block b, double angle, double heading) {
     return [=](const Conditions& c) -> Figures {
         Scene scene = blockScene(c, b);
@@ -52,7 +52,7 @@ Measure slides(Block b, double angle, double heading) {
     };
 }
 
-/// Holds `off` degrees below the angle of friction, slips above it: 1 where it is as it should be.
+/// Holds `off` degrees below the angle of friction, slips above it: 1 if it behaves as expected.
 Measure holds(Block b, double off, double heading) {
     return [=](const Conditions& c) -> Figures {
         const double limit = std::atan(b.friction) * 180 / kPi, angle = limit + off;
@@ -69,7 +69,7 @@ Measure holds(Block b, double off, double heading) {
     };
 }
 
-/// Slides to rest on the level: how much speed it loses, in the direction it slides.
+/// Slides to rest on level ground: the speed lost in the direction of sliding.
 Measure brakes(Block b, double speed, double direction, double drop = 0) {
     return [=](const Conditions& c) -> Figures {
         Scene scene = blockScene(c, b, drop);
@@ -118,7 +118,7 @@ struct Planar {
 
 enum class What { Travel, Side, Turned };
 
-/// A flat block that is set sliding and spinning: where it comes to rest.
+/// A flat block that slides and spins: its pose at rest.
 Measure whirls(Block b, const Vec3& v0, double spin, What what, double seconds = 1.2) {
     return [=](const Conditions& c) -> Figures {
         const double inertia = b.mass * (b.size.x() * b.size.x() + b.size.y() * b.size.y()) / 12;
@@ -152,7 +152,7 @@ Measure whirls(Block b, const Vec3& v0, double spin, What what, double seconds =
     };
 }
 
-/// A force at an angle upwards takes load off: F cos - mu (m g - F sin).
+/// A force at an upward angle reduces the load: F cos - mu (m g - F sin).
 Measure pulledUp(Block b, double force, double up, double direction) {
     return [=](const Conditions& c) -> Figures {
         Scene scene = blockScene(c, b);
@@ -250,7 +250,7 @@ Measure skidsDown(double mass, double radius, double mu, double angle, bool ball
     };
 }
 
-/// A ball thrown at the floor without spin, so fast that it slips all through the impact: it loses mu (1 + e) v of its speed along.
+/// A ball thrown at the floor without spin that slips during the whole impact: it loses mu (1 + e) v of its tangential speed.
 Measure glances(double mass, double mu, double e, double along, double down) {
     return [=](const Conditions& c) -> Figures {
         Scene scene = sceneOf(c);
@@ -264,7 +264,7 @@ Measure glances(double mass, double mu, double e, double along, double down) {
         setGoing(*world, "ball/body", mass, 1, along * way - Vec3(0, 0, down), 0);
         if (!run(*world, 0.6 / down + 0.3)) return {};
         return {along - velocity(*world, "ball/body").dot(way),
-                mu * (down + velocity(*world, "ball/body").z())}; // what it loses down the floor, push-out included
+                mu * (down + velocity(*world, "ball/body").z())}; // change of normal velocity, including push-out
     };
 }
 

@@ -1,12 +1,12 @@
-// Coulomb's friction under vehicles against closed forms. Exact solver only, but for tracks: the quick one does not hold axles and
-// locked wheels tightly enough.
+// Coulomb friction of vehicles compared with closed forms. Exact solver only, except for tracks: the quick one does not hold axles
+// and locked wheels tightly enough.
 #include "world/friction_cases.h"
 
 using namespace fixture;
 
 namespace {
 
-/// Some wheels driven at a steady rate that makes them slip all through: the acceleration between two times. `sign` -1: backwards.
+/// Some wheels driven at a steady rate that keeps them slipping: the acceleration between two times. `sign` -1: backwards.
 Measure startsOff(Vehicle v, double angle, double sign, double drop = 0) {
     return [=](const Conditions& c) -> Figures {
         Scene scene = sceneOf(c);
@@ -26,7 +26,7 @@ Measure startsOff(Vehicle v, double angle, double sign, double drop = 0) {
     };
 }
 
-/// Locked wheels at speed.
+/// Braking with locked wheels.
 Measure stops(Vehicle v, double speed) {
     return [=](const Conditions& c) -> Figures {
         Scene scene = sceneOf(c);
@@ -66,7 +66,7 @@ Measure parks(Vehicle v, double off, double heading) {
     };
 }
 
-/// Parked above its limit it slides: how far in 2 s.
+/// Parked above its limit it slides: the distance in 2 s.
 Measure slidesParked(Vehicle v, double angle, double heading) {
     return [=](const Conditions& c) -> Figures {
         Vehicle copy = v;
@@ -87,7 +87,7 @@ Measure slidesParked(Vehicle v, double angle, double heading) {
     };
 }
 
-/// Skid steer on four wheels or on the corners of two tracks: the steady turn rate, by the balance of moments.
+/// Skid steering on four wheels or on the corners of two tracks: the steady turn rate from the balance of moments.
 double skidRate(const std::vector<Eigen::Vector2d>& points, double speed) {
     double low = 0, high = 50;
     for (int i = 0; i < 100; ++i) {
@@ -153,7 +153,7 @@ Measure tracksTurn(double mass, double length, double gauge, double width, doubl
     };
 }
 
-/// All wheels spin on the spot against a wall without friction ahead; pulled aside with a share of mu m g they creep.
+/// All wheels spin while a frictionless wall ahead blocks the vehicle; pulled sideways with a share of mu m g it creeps.
 Measure spinsAside(Vehicle v, double speed, double share) {
     return [=](const Conditions& c) -> Figures {
         Vehicle copy = v;
@@ -162,7 +162,7 @@ Measure spinsAside(Vehicle v, double speed, double share) {
         scene.scenery({plane("floor", {}, copy.ground)});
         auto world = scene.build(beltOrRow);
         if (!world) return {};
-        // Front wheels forwards, rear wheels backwards: the vehicle stays, and all of them slip.
+        // Front wheels forwards, rear wheels backwards: the vehicle stays in place, and all wheels slip.
         for (std::size_t i = 0; i < copy.wheels.size(); ++i)
             drive(*world, copy, i, (copy.wheels[i].x() > copy.centre.x() ? 1 : -1) * speed / v.radius);
         const double pull = share * v.friction * copy.total * g;
@@ -180,7 +180,7 @@ Measure spinsAside(Vehicle v, double speed, double share) {
     };
 }
 
-/// Pulls a sled by a rod, or pushes a crate: traction less the sled's friction.
+/// Pulls a sled by a rod, or pushes a crate: traction minus the sled's friction.
 Measure hauls(Vehicle v, double sled, double muSled, bool pushing) {
     return [=](const Conditions& c) -> Figures {
         Vehicle copy = v;
@@ -208,7 +208,7 @@ Measure hauls(Vehicle v, double sled, double muSled, bool pushing) {
     };
 }
 
-/// Four driven wheels against a step: 1 where it gets up.
+/// Four driven wheels against a step: 1 if the vehicle climbs it.
 Measure climbs(Vehicle v, double step, double speed) {
     return [=](const Conditions& c) -> Figures {
         Vehicle copy = v;

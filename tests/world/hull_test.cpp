@@ -1,4 +1,4 @@
-// A convex hull lies on whatever it falls on.
+// A convex hull comes to rest on each type of geom.
 #include <QtTest>
 
 #include "world/fixtures.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSide = 0.2;
 
-/// A cube's surface as a mesh that has far more points than a hull may keep, most of them in the same six planes.
+/// The surface of a cube as a mesh with far more points than a hull may have, most of them in the same six planes.
 std::shared_ptr<const TriangleMesh> finelyCutCube() {
     auto mesh = std::make_shared<TriangleMesh>();
     constexpr int kCuts = 8;
@@ -100,13 +100,13 @@ private Q_SLOTS:
     void liesOnAMesh_data() {
         QTest::addColumn<GeomSpec>("ground");
         QTest::addColumn<double>("x");
-        for (const double x : {0.0, 0.03, 0.19, 0.22}) { // the last hangs over an edge by nearly a half
+        for (const double x : {0.0, 0.03, 0.19, 0.22}) { // at the last one nearly half of it hangs over an edge
             QTest::addRow("two triangles, at %g m", x) << meshGround(1) << x;
             QTest::addRow("200 triangles, at %g m", x) << meshGround(10) << x;
             QTest::addRow("5000 triangles, at %g m", x) << meshGround(50) << x;
         }
     }
-    /// It comes down at 3 m/s, farther in a tick than the mesh's triangles are long where they are fine.
+    /// It falls at 3 m/s: the distance per tick exceeds the size of the finest triangles.
     void liesOnAMesh() {
         QFETCH(GeomSpec, ground);
         QFETCH(double, x);
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(velocity(*world, "cube/body").norm() < 1e-3);
     }
 
-    /// Thrown on a corner it tumbles and comes to lie on a face. It enters the ground by no more than a tick's way at 1 m/s.
+    /// Thrown on a corner it tumbles and comes to rest on a face. It penetrates the ground by at most the distance of one tick at 1 m/s.
     void tumblesOntoAFace() {
         for (int i = 0; i < 12; ++i) {
             Scene scene;

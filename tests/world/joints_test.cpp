@@ -1,4 +1,4 @@
-// Each kind of joint moves as its name says; positive is the child turning right-handed about the axis as seen from the parent.
+// Motion of each kind of joint; positive is the child rotating right-handed about the axis relative to the parent.
 #include <QtTest>
 
 #include "world/fixtures.h"
@@ -7,7 +7,7 @@ using namespace fixture;
 
 namespace {
 
-/// Two bodies, the first held by the world, joined by `spec` (parent 0, child 1); gravity off.
+/// Two bodies, the first fixed to the world, connected by `spec` (parent 0, child 1); gravity off.
 Scene pair(const JointSpec& spec, const Vec3& childAt = {0, 0, 1}) {
     Scene scene;
     scene.spec->settings.gravity = Vec3::Zero();
@@ -42,7 +42,7 @@ private Q_SLOTS:
             QVERIFY(std::abs(value(*world, "r/j/rate") - 1) < 1e-6);
             QVERIFY(std::abs(value(*world, "r/j/position") - 0.5) < 0.011);
             QVERIFY(std::abs(spin(*world, "r/arm").z() - 1) < 1e-6);
-            QVERIFY(std::abs(armHpr(*world).x() - value(*world, "r/j/position") * 180 / kPi) < 1e-4); // heading + turns left
+            QVERIFY(std::abs(armHpr(*world).x() - value(*world, "r/j/position") * 180 / kPi) < 1e-4); // positive heading is to the left
         }
     }
 
@@ -111,7 +111,7 @@ private Q_SLOTS:
         JointSpec j = joint("j", JointType::Universal, 0, 1, {0, 0, 1}, Vec3::UnitX());
         j.axis2 = Vec3::UnitY();
         auto world = pair(j).build();
-        for (int i = 0; i < 50; ++i) { // a couple about z
+        for (int i = 0; i < 50; ++i) { // a torque about z
             QVERIFY(world->push("r/arm", {0, 5, 0}, Vec3(0.15, 0, 1)).ok());
             QVERIFY(world->push("r/arm", {0, -5, 0}, Vec3(-0.15, 0, 1)).ok());
             QVERIFY(world->tick().ok());
@@ -146,7 +146,7 @@ private Q_SLOTS:
         j.axis2 = Vec3::UnitY();
         j.stiffness = 100;
         j.damping = 20;
-        j.travel = 0.02; // the weight alone would take it to 98 mm
+        j.travel = 0.02; // without the stop the weight would compress it by 98 mm
         Scene scene = pair(j);
         scene.spec->settings.gravity = {0, 0, -g};
         auto world = scene.build();
@@ -164,7 +164,7 @@ private Q_SLOTS:
         command(*world, "r/motor", 10, 0, 3);
         QVERIFY(run(*world, 1));
         QVERIFY(std::abs(value(*world, "r/j/rate") - 10) < 1e-3);
-        QVERIFY(std::abs(value(*world, "r/motor/effort") - 2) < 0.01); // at steady speed the motor carries friction alone
+        QVERIFY(std::abs(value(*world, "r/motor/effort") - 2) < 0.01); // at steady speed the motor only balances friction
     }
 
     void springFindsItsBalance() {

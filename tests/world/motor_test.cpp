@@ -1,4 +1,4 @@
-// The shipped motor on a flywheel: how long it takes to spin up, with its rotor behind the gear.
+// Spin-up time of the shipped motor on a flywheel, including the rotor inertia behind the gear.
 #include <QtTest>
 
 #include "devices/builtin.h"
@@ -25,7 +25,7 @@ ComponentSpec motor(double gearRatio, double rotorInertia) {
     return spec;
 }
 
-/// A flywheel of 0.01 kg m^2 about `axis`, 0.02 across it, on an axle that the world holds.
+/// A flywheel of 0.01 kg m^2 about `axis`, 0.02 across it, on an axle fixed to the world.
 Scene flywheel(double tick, JointType type, const Vec3& axis, const ComponentSpec& device) {
     Scene scene(tick);
     const Mat3 inertia = 2 * kFlywheel * Mat3::Identity() - kFlywheel * axis * axis.transpose();
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(rate / expected - 1) < 1e-5);
     }
 
-    /// It turns with nothing that slides.
+    /// A rotor inertia needs a rotating joint.
     void rejectsRotorOnSlider() {
         Diagnostics diagnostics;
         QVERIFY(!flywheel(0.01, JointType::Slider, Vec3::UnitZ(), motor(30, 1e-5)).build(findBuiltInDevice, diagnostics));

@@ -1,4 +1,4 @@
-// The parts that know no engine: grids against brute force, wheel contacts, the order of devices.
+// Classes that do not depend on the engine: grids compared with brute force, wheel contacts, the order of devices.
 #include <QtTest>
 
 #include <random>

@@ -90,7 +90,7 @@ private Q_SLOTS:
     }
 
     void holding_data() { bothTicks(); }
-    /// 15 degrees at mu = 0.3 holds; the creep is what 2 s of it were measured to be.
+    /// 15 degrees at mu = 0.3 holds; the limit of the creep was measured over 2 s.
     void holding() {
         QFETCH(double, h);
         Scene scene(h);
@@ -181,7 +181,7 @@ private Q_SLOTS:
         QTest::newRow("10 ms") << 0.01 << 0.8 << 4.1e-5 << 0.996 << 0.12;
         QTest::newRow("30 ms") << 0.03 << 0.8 << 4e-4 << 0.934 << 1.0;
     }
-    /// 1 m, 10 deg, 60 s: T = 2 pi sqrt(I/mgl) (1 + a^2/16), at twice what joints with an ERP of 0.2 to 0.3 were measured to lose.
+    /// 1 m, 10 deg, 60 s: T = 2 pi sqrt(I/mgl) (1 + a^2/16), within twice the error measured for joints with an ERP of 0.2 to 0.3.
     /// Symplectic Euler's own period is short by (w h)^2 / 24, 0.0041 % at 10 ms. Soft joints let the rod grow by just what hides
     /// that; those of 0.8, which keep axles in their places, do not, so there the integrator's error is what is allowed.
     void pendulum() {
@@ -327,8 +327,8 @@ private Q_SLOTS:
             QTest::addRow("%g s, mu 1", h) << h << 1.0 << 0.6444;
         }
     }
-    /// Against a wall the wheels slip: each motor gives mu N r. A soft row says it by its law, a stiff one by the hinge's reaction.
-    /// The wall is as high as the hull's lower edge, so that the lever by which it lifts the nose is known.
+    /// Against a wall the wheels slip: each motor gives mu N r. A soft motor constraint gives it by its law, a stiff one by the hinge's reaction.
+    /// The wall is as high as the hull's lower edge, so that the lever arm that lifts the front is known.
     void stall() {
         QFETCH(double, h);
         QFETCH(double, mu);
@@ -337,7 +337,7 @@ private Q_SLOTS:
         for (int stiff = 0; stiff < 2; ++stiff) {
             Scene scene = r0Scene(h, mu);
             R0Options options;
-            options.hull = 2; // a slick hull, so that the wall carries nothing
+            options.hull = 2; // a frictionless hull, so that the wall carries no weight
             scene.scenery({plane("floor", {}, 1), box("wall", {0.2, 2, 0.05}, at(0.3, 0, 0.025), 2)}).robot("r", {}, r0(options));
             auto world = scene.build();
             QVERIFY(world);
@@ -348,11 +348,11 @@ private Q_SLOTS:
         }
         qInfo("torque by law %.4f N m, by reaction %.4f N m", measured[0], measured[1]);
         QVERIFY(std::abs(measured[0] / torque - 1) < 0.05);
-        QVERIFY(std::abs(measured[1] / measured[0] - 1) < 0.03); // the one slips a little faster than the other
+        QVERIFY(std::abs(measured[1] / measured[0] - 1) < 0.03); // one wheel slips a little faster than the other
     }
 
     void restingBox_data() { bothTicks(); }
-    /// What the floor carries is the weight.
+    /// The floor's contact forces equal the weight.
     void restingBox() {
         QFETCH(double, h);
         Scene scene(h);
@@ -380,7 +380,7 @@ private Q_SLOTS:
         QVERIFY((world->robotPose(0).position - before).norm() < 1e-12);
     }
 
-    /// Energy of a free fall is kept but for what symplectic Euler is known to lose.
+    /// Energy of a free fall is constant except for the known loss of symplectic Euler.
     void energyOfAFall() {
         Scene scene(0.001);
         scene.ball("ball", {0, 0, 10}, 2, 0.1);
@@ -399,7 +399,7 @@ private Q_SLOTS:
         const auto s = scene.surface(1, 0, 0.005);
         scene.scenery({plane("floor", {}, s)}).ball("ball", {0, 0, 0.1 - 4.905e-5}, 1, 0.1, s);
         auto world = scene.build();
-        QVERIFY(world->push("ball/body", {100, 0, 0}, {0, 0, 0.14}).ok()); // through the centre of percussion: rolls at once
+        QVERIFY(world->push("ball/body", {100, 0, 0}, {0, 0, 0.14}).ok()); // through the centre of percussion: rolls without sliding
         QVERIFY(run(*world, 0.2));
         const double v0 = velocity(*world, "ball/body").x();
         QVERIFY(run(*world, 1));

@@ -1,4 +1,4 @@
-// Antennas that are carried about: on a turret that turns on a tumbling robot, against the closed form.
+// Antennas on moving bodies: on a turret that rotates on a tumbling robot, compared with the closed form.
 #include <QtTest>
 
 #include <random>
@@ -17,7 +17,7 @@ const TrundleKind* code(const std::string& kind) { return kind == "Row" ? Row::k
 
 ResolvedValue vectorValue(const Vec3& v) { return {{PropertyType::Number, {v.x(), v.y(), v.z()}, {}}, {}, Origin::Config}; }
 
-/// How a robot carries its antenna.
+/// Mounting of an antenna on a robot.
 struct Carrier {
     Vec3 hinge, axis, hingeToAntenna, turn; ///< in the base, but the last two in the turret; `turn` is HPR
     std::string antenna;
@@ -41,7 +41,7 @@ std::shared_ptr<RobotConfigSpec> carrying(const Carrier& c) {
     return config;
 }
 
-/// Gain in dBi towards a direction, the antenna turned by `r`; written down again from the formulas.
+/// Gain in dBi towards a direction, the antenna rotated by `r`; an independent implementation of the formulas.
 double gainTowards(const std::string& antenna, const Mat3& r, const Vec3& way) {
     const Vec3 d = r.transpose() * way.normalized();
     double power = 1;
@@ -51,7 +51,7 @@ double gainTowards(const std::string& antenna, const Mat3& r, const Vec3& way) {
     return power > 0 ? std::max(-30., 10 * std::log10(power)) : -30;
 }
 
-/// Where the antenna is, from the base's pose and the angle of the hinge alone.
+/// The antenna's pose, computed from the base's pose and the hinge angle.
 Pose antennaOf(World& world, const std::string& robot, const Carrier& c) {
     const double* p = slot(world, robot + "/base/pose");
     const Pose base{Vec3(p), Quat(p[3], p[4], p[5], p[6])};
@@ -106,7 +106,7 @@ private Q_SLOTS:
             }
         }
         qInfo("1000 geometries, worst %.5f dB", worst);
-        // they did turn
+        // the turrets rotated
         for (int i = 0; i < kRobots; ++i) QVERIFY(std::abs(value(*world, "r" + std::to_string(i) + "/motor/position")) > 0.5);
     }
 };

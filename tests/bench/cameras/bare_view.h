@@ -1,6 +1,6 @@
 #pragma once
-// The least that any program on OSG must do to draw what a camera sees: a graph of transforms and shapes, then cull, draw and read
-// in one loop on one thread. No service, no requests, no shared scenes.
+// The minimum that a program on OSG must do to draw a camera image: a graph of transforms and shapes, then cull, draw and read
+// back in one loop on one thread. No render service, no requests, no shared scenes.
 
 #include <memory>
 #include <string>
@@ -13,7 +13,7 @@ namespace trundle {
 
 class BareView {
 public:
-    /// nullptr where there is no OpenGL or no such camera.
+    /// nullptr if OpenGL is not available or there is no such camera.
     [[nodiscard]] static std::unique_ptr<BareView> create(const ExperimentSpec& experiment, const SignalLayout& layout,
                                                           const std::string& camera);
     ~BareView();

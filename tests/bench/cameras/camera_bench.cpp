@@ -1,5 +1,6 @@
-// How fast cameras are: camera_bench FILE ROBOT/CAMERA PICTURES. The run's own pictures against a bare OSG loop that draws the
-// same, one after the other in every tick, and how much of the two pictures differs. One JSON object on standard output. Run by run_bench.py.
+// Measures camera images: camera_bench FILE ROBOT/CAMERA PICTURES. In every tick the run's own image and one drawn by a bare OSG
+// loop are timed one after the other, and the share of bytes that differ is measured. One JSON object on standard output.
+// Run by run_bench.py.
 
 #include <algorithm>
 #include <chrono>
@@ -15,7 +16,7 @@ using namespace trundle;
 
 namespace {
 
-constexpr int kUnmeasured = 20; // the first ones make programs and buffers
+constexpr int kUnmeasured = 20; // the first images compile shaders and create buffers
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -32,7 +33,7 @@ struct Times {
     }
 };
 
-/// The share of the bytes that are more than 2 apart: where faces lie in one plane the order of drawing shows.
+/// The share of bytes that differ by more than 2: for coplanar faces the drawing order is visible.
 double differenceOf(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) count += std::abs(int(a[i]) - int(b[i])) > 2;

@@ -34,7 +34,7 @@ double readMs(clockid_t clock) {
     return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
 }
 
-/// Of the thread that asks.
+/// Processor time of the calling thread, ms.
 double computedMs() { return readMs(CLOCK_THREAD_CPUTIME_ID); }
 
 double fromStatus(const char* key) {
@@ -63,11 +63,11 @@ QJsonObject summary(std::vector<double> values) {
             {QStringLiteral("count"), qint64(values.size())}};
 }
 
-// ---- what the window's thread does ----
+// ---- events of the window's thread ----
 
 bool BenchApplication::notify(QObject* receiver, QEvent* event) {
     const QEvent::Type type = event->type();
-    const char* const name = receiver->metaObject()->className(); // the receiver may be gone afterwards
+    const char* const name = receiver->metaObject()->className(); // the event may delete the receiver
     const double begin = nowMs(), computed = m_depth == 0 ? computedMs() : 0;
     ++m_depth;
     const bool done = QApplication::notify(receiver, event);
@@ -85,7 +85,7 @@ bool BenchApplication::notify(QObject* receiver, QEvent* event) {
 
 struct EventGaps::Shared {
     std::atomic<bool> over = false, waiting = false;
-    double postedMs = 0, longestMs = 0; // of the posting thread while nobody waits, else of the window's
+    double postedMs = 0, longestMs = 0; // owned by the posting thread while no event is pending, otherwise by the window's
 };
 
 EventGaps::EventGaps() : m_shared(std::make_shared<Shared>()) {
@@ -129,7 +129,7 @@ BenchWindow::BenchWindow() {
 BenchWindow::~BenchWindow() { window.reset(); }
 
 void BenchWindow::until(const char* what, const std::function<bool()>& holds) {
-    // The gaps' events wake the loop every millisecond.
+    // The events of EventGaps wake the loop every millisecond.
     for (const double begin = nowMs(); !holds();) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

@@ -1,5 +1,5 @@
 #pragma once
-// The real window, offscreen, for measurements: it is sent events, and says when it has shown what came of them.
+// The real window, offscreen, for measurements: sends it events and reports when their effect was painted.
 
 #include <functional>
 #include <map>
@@ -21,23 +21,23 @@ namespace trundle {
 class CodeEdit;
 class View;
 
-[[nodiscard]] double nowMs();           ///< of the clock that never goes back
+[[nodiscard]] double nowMs();           ///< monotonic clock
 [[nodiscard]] double computedByAllMs(); ///< processor time of all threads so far
 
-/// Notes when widgets were painted, and which event kept the window's thread longest.
+/// Records when widgets were painted and which event occupied the window's thread longest.
 class BenchApplication final : public QApplication {
 public:
     using QApplication::QApplication;
     bool notify(QObject* receiver, QEvent* event) override;
 
-    /// When the last painting of a widget was done; 0: never since it was first asked for.
+    /// Time of a widget's last paint event; 0: not painted since the first query.
     [[nodiscard]] double paintedAt(const QObject& widget) { return m_paintedAt[&widget]; }
     struct Longest {
-        double ms = 0;     ///< by the clock
-        double busyMs = 0; ///< that the thread computed: what no other program adds to
+        double ms = 0;     ///< wall time
+        double busyMs = 0; ///< processor time of the thread, independent of other programs
         QString what;      ///< "MouseMove in trundle::View"
     };
-    /// The longest event, by what the thread computed, since the last call.
+    /// The event with the most processor time since the last call.
     [[nodiscard]] Longest takeLongest() { return std::exchange(m_longest, {}); }
 
 private:
@@ -46,7 +46,7 @@ private:
     Longest m_longest;
 };
 
-/// How long events wait for the window's thread. A thread of its own posts one, and the next 1 ms after it was answered.
+/// Measures how long events wait for the window's thread. A separate thread posts an event, and the next one 1 ms after it was handled.
 class EventGaps final : public QObject {
 public:
     EventGaps();
@@ -67,23 +67,23 @@ struct BenchWindow {
     BenchWindow();
     ~BenchWindow();
 
-    /// Lets the window work until something holds; ends the program with a message where it does not within a minute.
+    /// Processes events until a condition holds; ends the program with a message if it does not within a minute.
     void until(const char* what, const std::function<bool()>& holds);
     void wait(double ms);
     void open(const QString& file);
-    /// Drawn as finely as it will be, nothing under way.
+    /// Waits until the view is drawn at full quality and nothing is pending.
     void untilSettled();
-    /// Does something as an event of its own.
+    /// Runs a function as a separate event.
     void act(const std::function<void()>& what);
     void trigger(const char* action);
 
     [[nodiscard]] View& view();
     [[nodiscard]] CodeEdit& text();
     [[nodiscard]] QTreeView& tree();
-    /// A key press and its release, as the window system would hand them over.
+    /// Sends a key press and its release as the window system does.
     void key(QWidget& to, int key, const QString& text);
     void mouse(QEvent::Type type, const QPointF& at);
-    /// Of the view; its window is made to fit.
+    /// Sets the size of the view; the window is resized to fit.
     void sizeView(int width, int height);
 
     std::unique_ptr<Application> application = makeApplication();
@@ -92,14 +92,14 @@ struct BenchWindow {
     EventGaps gaps;
 };
 
-/// Of this process, MB: now and at most so far.
+/// Resident memory of this process, MB: current and peak.
 [[nodiscard]] double residentMb();
 [[nodiscard]] double peakMb();
 
 /// {"median": , "p95": , "worst": , "count": }
 [[nodiscard]] QJsonObject summary(std::vector<double> values);
 
-// What the program can measure.
+// The measurements.
 [[nodiscard]] QJsonObject measureTyping(const QString& file, int keys);
 [[nodiscard]] QJsonObject measureFilter(const QString& file, int rounds);
 [[nodiscard]] QJsonObject measureGaps(const QString& file);

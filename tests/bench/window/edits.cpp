@@ -1,4 +1,4 @@
-// How soon tree and view show what is typed, and the tree what it is filtered by.
+// Measures the delay from a key press to the updated tree and view, and from filter text to the filtered tree.
 
 #include <QLineEdit>
 #include <QTreeView>
@@ -14,7 +14,7 @@ namespace {
 
 BenchApplication& application() { return *static_cast<BenchApplication*>(qApp); }
 
-/// Notes when the document changed, and when the view had a picture of that.
+/// Records when the document changed and when the view showed the change.
 struct Followed {
     explicit Followed(BenchWindow& w) : w(w) {
         m_connections[0] = QObject::connect(&w.window->document(), &Document::changed, [this] { changedAt = nowMs(); });
@@ -34,7 +34,7 @@ struct Followed {
     QMetaObject::Connection m_connections[2];
 };
 
-/// The caret goes behind the first `text`.
+/// Moves the caret behind the first `text`.
 void putCaretBehind(BenchWindow& w, std::string_view text) {
     const std::string bytes = w.text().bytes();
     const auto at = std::uint32_t(bytes.find(text) + text.size());
@@ -44,7 +44,7 @@ void putCaretBehind(BenchWindow& w, std::string_view text) {
     w.untilSettled();
 }
 
-/// A person's pace, never the same twice.
+/// Waits between keys with varying delays, as a person types.
 void rest(BenchWindow& w, int key) { w.wait(120 + key * 37 % 200); }
 
 } // namespace
@@ -55,7 +55,7 @@ QJsonObject measureTyping(const QString& file, int keys) {
     const auto lines = qint64(std::ranges::count(w.text().bytes(), '\n'));
     Followed followed(w);
 
-    // A longer name shows in the tree and in the picture's names; every other key takes the letter away again.
+    // A longer name changes the tree and the labels in the view; every other key deletes the letter again.
     std::vector<double> names, places, changed, busy, all;
     putCaretBehind(w, "Robot middle");
     const OutlineModel& model = w.window->findChild<OutlinePanel*>()->model();
@@ -74,7 +74,7 @@ QJsonObject measureTyping(const QString& file, int keys) {
         if (!const_cast<OutlineModel&>(model).indexOf(name).isValid()) qFatal("the tree has no %s", name.c_str());
         rest(w, i);
     }
-    // A digit of its place moves it in the view.
+    // A digit of its position moves it in the view.
     putCaretBehind(w, "Pos=0.0");
     for (int i = 0; i < keys; ++i) {
         followed.begin();
@@ -87,9 +87,9 @@ QJsonObject measureTyping(const QString& file, int keys) {
     }
     return {{QStringLiteral("lines"), lines},
             {QStringLiteral("robots"), qint64(w.window->document().loaded()->experiment->robots.size())},
-            {QStringLiteral("changed"), summary(changed)}, // until the document has it
-            {QStringLiteral("busy"), summary(busy)},       // that the longest event of a key's took the thread
-            {QStringLiteral("all"), summary(all)},         // that all threads of the program computed for it
+            {QStringLiteral("changed"), summary(changed)}, // until the document has changed
+            {QStringLiteral("busy"), summary(busy)},       // the longest event of each key
+            {QStringLiteral("all"), summary(all)},         // processor time of all threads for each key
             {QStringLiteral("name"), summary(names)},
             {QStringLiteral("place"), summary(places)}};
 }

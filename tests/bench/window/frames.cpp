@@ -1,4 +1,4 @@
-// Pictures a second while a world runs, and what a picture costs beside a bare OSG loop that draws the same scene.
+// Measures images per second during a run, and the cost of an image compared with a bare OSG loop that draws the same scene.
 
 #include <thread>
 
@@ -17,7 +17,7 @@
 namespace trundle {
 namespace {
 
-/// Cull, draw, finish; no reading back, no threads, no widget.
+/// Cull, draw, finish; no read-back, no threads, no widget.
 class BareLoop {
 public:
     BareLoop(const ExperimentSpec& experiment, const CameraView& view, int width, int height)
@@ -84,7 +84,7 @@ private:
     unsigned m_number = 0;
 };
 
-/// By the clock, and of the processors by all threads.
+/// Wall time, and processor time of all threads.
 struct Times {
     void add(const std::function<void()>& work) {
         const double start = nowMs(), computed = computedByAllMs();
@@ -136,9 +136,9 @@ QJsonObject measureFrames(const QString& file, double seconds) {
     still.samples = 4;
     Times bare, served, finer, painted;
     std::thread([&] {
-        lowerThreadPriority(); // as the service's own thread
+        lowerThreadPriority(); // as the render service's own thread
         BareLoop loop(*w.window->document().loaded()->experiment, *request.view, size.width(), size.height());
-        for (const double start = nowMs(); nowMs() - start < 3000 * seconds;) { // in turn, so that a busy moment hits all alike
+        for (const double start = nowMs(); nowMs() - start < 3000 * seconds;) { // alternating: equal load for all
             for (int i = 0; i < 20; ++i) {
                 bare.add([&] { loop.draw(); });
                 served.add([&] { (void)w.render->draw(request).get(); });

@@ -1,4 +1,4 @@
-// How long the window's thread leaves events waiting while much is going on, and what the window needs of memory.
+// Measures how long events wait for the window's thread under load, and the memory of the window.
 
 #include <QJsonArray>
 
@@ -36,7 +36,7 @@ private:
     QJsonArray m_all;
 };
 
-/// By the arrow along x, there and back a little, as fast as a mouse speaks.
+/// Drags the gizmo's x arrow back and forth at the event rate of a mouse.
 void drag(BenchWindow& w) {
     const auto spot = w.view().gizmo().spot({Handle::Kind::Axis, 0});
     if (!spot) qFatal("there is no handle to drag");

@@ -1,6 +1,6 @@
-// How fast the window is: window_bench typing FILE KEYS | filter FILE ROUNDS | gaps FILE | frames FILE SECONDS | start MS [FILE].
-// One JSON object on standard output. `start` is given the moment at which the program was started, in ms of the clock that never
-// goes back. Run by run_bench.py; QT_QPA_PLATFORM=offscreen.
+// Measures the window: window_bench typing FILE KEYS | filter FILE ROUNDS | gaps FILE | frames FILE SECONDS | start MS [FILE].
+// One JSON object on standard output. `start` takes the time at which the program was started, in ms of the monotonic
+// clock. Run by run_bench.py; QT_QPA_PLATFORM=offscreen.
 
 #include <cstdio>
 

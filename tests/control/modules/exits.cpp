@@ -4,7 +4,7 @@
 
 namespace {
 
-/// Ends the whole process as if all were well, in its third turn or already in setup; or dies.
+/// Ends the process with exit code 0, in its third update or in setup; or aborts.
 struct Exits : trundle::Controller {
     bool early = false, recurse = false;
     int turns = 0;
@@ -15,7 +15,7 @@ struct Exits : trundle::Controller {
     static int deeper(int n) {
         volatile char room[4096];
         room[n % 4096] = 1;
-        return n > 0 ? deeper(n + 1) + room[n % 4096] : 0; // the call is before the sum: no loop can be made of it
+        return n > 0 ? deeper(n + 1) + room[n % 4096] : 0; // not a tail call, so it cannot be compiled to a loop
     }
     void setup(trundle::RobotPorts&) override {
         if (early) std::exit(0);

@@ -1,4 +1,4 @@
-// Controllers that do what a test needs.
+// Well-behaved controllers for the tests of modules.
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Goes forward and says what it sees.
+/// Drives forward and prints its sensor values.
 struct Driver : trundle::Controller {
     double speed = 0.2;
     std::string text = "hello";
@@ -50,7 +50,7 @@ struct Driver : trundle::Controller {
     bool hasRear = true;
 };
 
-/// Fails where it is asked to.
+/// Fails in the phase that its property names.
 struct Failing : trundle::Controller {
     std::string where;
     static void describe(trundle::Describe<Failing>& d) { d.field("Where", &Failing::where, trundle::text(), "Where it fails."); }
@@ -84,7 +84,7 @@ struct Cheating : trundle::Controller {
     trundle::SignalPort axle;
 };
 
-/// Takes a picture and says whether another would be a new one.
+/// Captures an image and prints whether the next capture would give a new one.
 struct Watcher : trundle::Controller {
     static void describe(trundle::Describe<Watcher>& d) { d.help("Looks twice."); }
     void setup(trundle::RobotPorts& robot) override {
@@ -101,7 +101,7 @@ struct Watcher : trundle::Controller {
     std::vector<trundle::CameraPort> eyes;
 };
 
-/// A device beside controllers.
+/// A device in the same module as controllers.
 struct Thermometer : trundle::Device {
     double offset = 0;
     std::optional<double> perDegree, degreesPer;

@@ -2,14 +2,14 @@
 
 namespace {
 
-// A terminal's commands in three ways of writing (7 bits, a character of UTF-8, a byte), bytes that are no UTF-8, a mark that turns the
-// direction of writing, and lines that look like somebody else's.
+// Terminal escape sequences in three encodings (7 bits, UTF-8, one byte), invalid UTF-8, a bidirectional control character, and
+// lines that imitate another program's output.
 constexpr const char* kWords = "\x1b]0;mine\x07 \xc2\x9b"
                                "2J \x9b"
                                "2J \xff\xfe\xc0\xaf \xe2\x80\xae"
                                "mis.exe <img src='/dev/zero'>\r[0 robot1] all is well\x7f";
 
-/// Says, and fails with, what no terminal should get.
+/// Prints, and fails with, text that must not reach a terminal unchanged.
 struct Hostile : trundle::Controller {
     bool fails = false;
     static void describe(trundle::Describe<Hostile>& d) {

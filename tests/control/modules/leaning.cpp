@@ -1,4 +1,4 @@
-// Needs a library that lies beside it.
+// Links a library that is in the same folder.
 #include <trundle/controller.h>
 
 extern "C" int trundleTestBeside();

@@ -1,4 +1,4 @@
-// A controller that publishes what it counts and ends the run when asked to.
+// A controller that publishes a counter and finishes the run after the configured count.
 #include <cstdint>
 
 #include <trundle/controller.h>

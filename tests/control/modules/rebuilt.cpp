@@ -1,9 +1,9 @@
-// Built twice, as before and after a change: what Pace may be, what else there is, what it says.
+// Built twice, as before and after a change of the range of Pace, of the other kinds and of the printed text.
 #include <filesystem>
 
 #include <trundle/controller.h>
 
-// A symbol that is one for the whole process, as some compilers make of `inline` variables.
+// A symbol with GNU unique binding (one per process), as some compilers emit for `inline` variables.
 __asm__(".pushsection .data\n"
         ".globl trundle_test_lives\n"
         ".type trundle_test_lives, @gnu_unique_object\n"

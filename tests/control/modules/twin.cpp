@@ -1,4 +1,4 @@
-// Brings a kind whose name another module has taken.
+// Defines a kind whose name another module already uses.
 #include <trundle/controller.h>
 
 namespace {

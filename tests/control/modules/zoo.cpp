@@ -1,5 +1,5 @@
-// A controller and a device that misbehave on demand: `Action` in `Phase`, in turn number `At`. The environment's TRUNDLE_ZOO_LOAD and
-// TRUNDLE_ZOO_UNLOAD name actions for when the library comes and goes.
+// A controller and a device that misbehave on demand: `Action` in `Phase`, in update number `At`. The environment variables
+// TRUNDLE_ZOO_LOAD and TRUNDLE_ZOO_UNLOAD name actions for loading and unloading the library.
 #include <cfenv>
 #include <clocale>
 #include <csignal>
@@ -32,10 +32,10 @@ volatile int g_zero = 0, g_number = 12345;
 int deeper(int n) {
     volatile char room[4096];
     room[n % 4096] = 1;
-    return n > g_zero ? deeper(n + 1) + room[n % 4096] : 0; // the call is before the sum: no loop can be made of it
+    return n > g_zero ? deeper(n + 1) + room[n % 4096] : 0; // not a tail call, so it cannot be compiled to a loop
 }
 
-/// For a test that waits until it has begun.
+/// Signals to a waiting test that the action has begun.
 void say() {
     static constexpr char kText[] = "zoo: begun\n";
     (void)!write(2, kText, sizeof kText - 1);
@@ -51,7 +51,7 @@ void busError() {
     const int file = mkstemp(name);
     unlink(name);
     auto* const page = static_cast<volatile char*>(mmap(nullptr, 4096, PROT_READ, MAP_SHARED, file, 0));
-    g_zero = page[0]; // the file has no bytes there
+    g_zero = page[0]; // SIGBUS: the mapping is longer than the file
 }
 
 void blockAll() {
@@ -71,7 +71,7 @@ void closeFrom(int first) {
 /// What a library built with -ffast-math does when it is loaded.
 void flushDenormals() { _mm_setcsr(_mm_getcsr() | 0x8040); }
 
-/// A text that ends where the memory does, without a terminating zero.
+/// A text without a terminating zero at the end of mapped memory.
 const char* unended() {
     static constexpr char kText[] = "unended";
     auto* const pages = static_cast<char*>(mmap(nullptr, 8192, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
@@ -79,7 +79,7 @@ const char* unended() {
     return static_cast<char*>(std::memcpy(pages + 4096 - (sizeof kText - 1), kText, sizeof kText - 1));
 }
 
-/// A fixed array that is filled to its end, with more behind it.
+/// A fixed-size array without a terminating zero, followed by other data.
 const char* filled() {
     static char bytes[100'000];
     return static_cast<char*>(std::memset(bytes, 'x', sizeof bytes));
@@ -198,7 +198,7 @@ const std::map<std::string, Action>& actions() {
         {"trap floats",
          [] {
              volatile long double zero = g_zero;
-             volatile long double pending = 1 / zero; // remembered, and a trap as soon as traps are on
+             volatile long double pending = 1 / zero; // pending x87 exception: a trap as soon as traps are enabled
              (void)pending;
              feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_INEXACT);
          }},
@@ -248,7 +248,7 @@ void act(const std::string& name) {
     action->second();
 }
 
-/// Where a library comes and goes nothing may be thrown.
+/// Static object: acts on load and unload, where exceptions must not escape.
 struct ComesAndGoes {
     ComesAndGoes() {
         if (const char* name = std::getenv("TRUNDLE_ZOO_LOAD")) act(name);
@@ -300,7 +300,7 @@ struct Zoo : trundle::Controller, Settings {
         if (++turns != at || phase != "update") return;
         if (!ofPorts()) act(action);
     }
-    /// Actions that need the robot.
+    /// Actions that need the robot's ports.
     bool ofPorts() {
         const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
         if (action == "command nan") drive.move(nan, nan);
