@@ -1,3 +1,4 @@
+// trundle-cli edit: changes only the characters of the value, in the file that it belongs to.
 #include <future>
 
 #include "flow/cli.h"

@@ -1,3 +1,4 @@
+// trundle-cli: exit codes and messages for every kind of end, usage error and failed write.
 #include "flow/cli.h"
 
 namespace {

@@ -1,3 +1,4 @@
+// trundle-cli run: pose, energy and signal logs, and errors in their blocks.
 #include "flow/cli.h"
 
 class LogsFlowTest : public QObject {

@@ -1,3 +1,4 @@
+// trundle-cli run: summary, JSON, determinism, interruption, seeds, and runs that controllers end.
 #include <csignal>
 #include <future>
 

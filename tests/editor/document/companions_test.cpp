@@ -124,8 +124,7 @@ private Q_SLOTS:
             fs::copy_file(std::string(TRUNDLE_BINARY_DIR "/tests/modules/controllers/libgood.so") + end, library + end);
         const std::string text = "#loadModule mine/good // beside\n#loadModule controllers/linear_motion\n";
         Document d(*m_application);
-        QVERIFY(
-            d.open(m_fixture->write("configs/driven.sim", text)).ok()); // its folder is not trusted; it is copied anyway
+        QVERIFY(d.open(m_fixture->write("configs/driven.sim", text)).ok()); // its folder is not trusted; it is copied anyway
         const std::string target = m_fixture->path("far/driven.sim");
         QCOMPARE(d.companionsAt(target).value().modules, std::vector{library});
         QCOMPARE(why(d.saveAs(target, copied ? ModuleCopies::Make : ModuleCopies::Name)), "");

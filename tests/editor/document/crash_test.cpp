@@ -1,4 +1,4 @@
-// Kills a program that edits and saves at random moments: recovery never loses more than the unsaved journal interval.
+// Kills a program that edits and saves at random moments: recovery loses at most the edits of the last two seconds.
 
 #include <QTest>
 

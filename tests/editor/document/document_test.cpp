@@ -1,3 +1,4 @@
+// Document: opening, edits, undo and loading on a worker thread.
 #include <QTest>
 
 #include "eventually.h"

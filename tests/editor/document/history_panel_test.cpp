@@ -1,3 +1,4 @@
+// The History panel: its entries, and going to one of them.
 #include <QListWidget>
 #include <QTest>
 

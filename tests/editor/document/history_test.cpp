@@ -1,3 +1,4 @@
+// The undo history: undo, redo, and edits that are merged, cancelled or discarded.
 #include <QTest>
 
 #include "editor/document/history.h"

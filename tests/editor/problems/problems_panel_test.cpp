@@ -1,3 +1,4 @@
+// The Problems panel: diagnostics of the text, of the model check and of runs.
 #include <filesystem>
 #include <fstream>
 

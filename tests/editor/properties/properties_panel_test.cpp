@@ -1,3 +1,4 @@
+// The property panel: its rows, editing values, and errors.
 #include "properties_fixture.h"
 
 #include <QAction>

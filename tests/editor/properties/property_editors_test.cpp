@@ -1,3 +1,4 @@
+// The editors of property rows: vectors, choices, colours, references and overrides.
 #include "eventually.h"
 #include "properties_fixture.h"
 
@@ -128,8 +129,7 @@ private Q_SLOTS:
         QTest::keyClick(fixture.field("Resistance"), Qt::Key_PageDown);
         QVERIFY(fixture.text().find("Resistance=2.1") != std::string::npos);
         fixture.selection.select("Surface.rubber");
-        for (int i = 0; i < 30; ++i)
-            QTest::keyClick(fixture.field("Restitution"), Qt::Key_PageDown); // stops at the limit
+        for (int i = 0; i < 30; ++i) QTest::keyClick(fixture.field("Restitution"), Qt::Key_PageDown); // stops at the limit
         QCOMPARE(fixture.shown("Restitution"), QStringLiteral("0"));
         QVERIFY(!fixture.field("Restitution")->refused());
     }

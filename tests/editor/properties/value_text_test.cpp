@@ -1,3 +1,4 @@
+// Reading and writing the text of values, and changing numbers by dragging.
 #include <QTest>
 
 #include "editor/properties/scrub.h"

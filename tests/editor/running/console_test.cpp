@@ -1,3 +1,4 @@
+// The Console panel: messages of controllers, filters, copying, scrolling and the limit of stored lines.
 #include <QClipboard>
 #include <QComboBox>
 #include <QLineEdit>

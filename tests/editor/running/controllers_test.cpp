@@ -1,3 +1,4 @@
+// The Controllers panel: assigning controllers, loading and rebuilding modules, trust.
 #include <QAction>
 #include <QLabel>
 #include <QToolButton>

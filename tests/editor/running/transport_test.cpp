@@ -1,3 +1,4 @@
+// The transport bar (run, pause, step, reset, speed) and driving a robot with the arrow keys.
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>

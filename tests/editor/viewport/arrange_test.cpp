@@ -1,3 +1,4 @@
+// Dropping objects onto their support, aligning and distributing them, and copying them in rows.
 #include <QtTest>
 
 #include <QCheckBox>

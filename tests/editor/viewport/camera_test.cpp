@@ -1,3 +1,4 @@
+// The camera of a 3D view: orbit, zoom, axis views, framing, following and navigation styles.
 #include <QtTest>
 
 #include <random>

@@ -1,3 +1,4 @@
+// The 3D views: when they draw, navigation, overlays, render styles and measuring.
 #include <QtTest>
 
 #include "editor/viewport/view_window.h"

@@ -1,3 +1,4 @@
+// Dropping objects from the Library and the Scene tree into a 3D view.
 #include <QtTest>
 
 #include <QJsonArray>

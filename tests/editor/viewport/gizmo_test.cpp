@@ -1,3 +1,4 @@
+// The gizmo: moving, rotating and scaling objects by its handles.
 #include <QtTest>
 
 #include "editor/viewport/gizmo_hand.h"

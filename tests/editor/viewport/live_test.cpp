@@ -1,3 +1,4 @@
+// The 3D view during a run: pinned values, moving and pushing robots, contacts.
 #include <QtTest>
 
 #include "editor/viewport/contact_arrows.h"

@@ -1,3 +1,4 @@
+// The text of edited vectors: only changed numbers are rewritten, with as few digits as the step allows.
 #include <QtTest>
 
 #include "lang/number_text.h"

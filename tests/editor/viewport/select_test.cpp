@@ -1,3 +1,4 @@
+// Selecting objects in a 3D view by clicks and rectangles.
 #include <QtTest>
 
 #include "editor/viewport/view_window.h"
