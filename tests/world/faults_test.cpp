@@ -286,8 +286,8 @@ private Q_SLOTS:
         QCOMPARE(diagnostics.all().at(0).range, name);
     }
 
-    /// A rod of 10 micrograms on the floor makes ODE's exact solver fail an assertion: such ticks are taken again as those are
-    /// that it could not solve, and a world that cannot go on reports which body it was and what helps.
+    /// A rod of 10 micrograms on the floor makes ODE's exact solver fail an assertion: such ticks are repeated like those
+    /// that it could not solve, and a world that cannot continue reports the body and a remedy.
     void recoversFromSolverAssertions() {
         std::uint64_t rescued = 0;
         for (int i = 0; i < 8; ++i) {

@@ -84,7 +84,7 @@ struct Vehicle {
         for (const Vec3& w : wheels) most = std::max(most, std::abs(w.x()));
         return most + radius + 0.03;
     }
-    /// N per kg along the floor where the wheels, all at one x or all wheels there are, slip and so push towards `sign` x on a slope
+    /// Traction in N per kg along the floor towards `sign` x while the wheels (all at one x, or all of them) slip, on a slope
     /// that rises by `angle` degrees towards x.
     [[nodiscard]] double traction(double angle, double sign) const {
         const double weight = g * std::cos(angle * kPi / 180);

@@ -182,8 +182,8 @@ private Q_SLOTS:
         QTest::newRow("30 ms") << 0.03 << 0.8 << 4e-4 << 0.934 << 1.0;
     }
     /// 1 m, 10 deg, 60 s: T = 2 pi sqrt(I/mgl) (1 + a^2/16), within twice the error measured for joints with an ERP of 0.2 to 0.3.
-    /// Symplectic Euler's own period is short by (w h)^2 / 24, 0.0041 % at 10 ms. Soft joints let the rod grow by just what hides
-    /// that; those of 0.8, which keep axles in their places, do not, so there the integrator's error is what is allowed.
+    /// The period of symplectic Euler is short by (w h)^2 / 24, 0.0041 % at 10 ms. Soft joints stretch by an amount that compensates
+    /// that; those of 0.8, which hold axles tightly, do not, so the integrator's error is the limit there.
     void pendulum() {
         QFETCH(double, h);
         QFETCH(double, errorReduction);
