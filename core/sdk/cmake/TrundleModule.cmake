@@ -46,7 +46,7 @@ function(trundle_module name)
     set(describe $<TARGET_FILE:trundle-cli>)
     add_dependencies(${target} trundle-cli)
   else()
-    set(describe ${TRUNDLE_CLI}) # an SDK user's; empty: no description is written
+    set(describe ${TRUNDLE_CLI}) # for modules outside this source tree; empty: no description is written
   endif()
   if(describe)
     add_custom_command(TARGET ${target} POST_BUILD
