@@ -22,6 +22,7 @@ constexpr double kSteep = 0.5;    // z of a unit normal; objects do not rest on 
 constexpr double kDepth = 2e-6;   // m; smaller penetration is ignored
 constexpr double kGap = 2e-6;     // m, between touching objects; above the rounding of numbers in the text
 constexpr int kSteps = 40, kWays = 16;
+constexpr double kFarthest = 100; // m, of the search for a free place
 constexpr double kDigit = 1e-6; // m, resolution of Pos
 constexpr double kSupportTolerance = 5e-3; // m; an object at most this far above a surface rests on it
 
@@ -36,6 +37,8 @@ std::optional<ConvexPiece> pieceOf(const PlacementGeom& part) {
     std::vector<ConvexPiece> pieces = ConvexPiece::of(geom, part.body, Bounds{});
     return pieces.size() == 1 ? std::optional(pieces.front()) : std::nullopt;
 }
+
+double roundedUp(double z) { return kDigit * std::ceil(z / kDigit - 1e-3); }
 
 double rounded(double value, double step) { return step > 0 ? step * std::round(value / step) : value; }
 
@@ -221,8 +224,59 @@ Vec3 DropPlacement::placeFor(const std::vector<PlacementGeom>& thing, const std:
         settle(beside, nullptr, true);
         if (isSupported(beside)) moved = std::move(beside);
     }
-    moved.pos.z() = kDigit * std::ceil(moved.pos.z() / kDigit - 1e-3);
+    moved.pos.z() = roundedUp(moved.pos.z());
     return moved.pos;
+}
+
+bool DropPlacement::isFree(const std::vector<PlacementGeom>& thing, const Vec3& at) const {
+    MovedPieces moved = movedOf(thing);
+    if (moved.pieces.empty()) return true;
+    moved.move(at);
+    return obstaclesOf(moved, nullptr).empty();
+}
+
+/// The statics' faces that point upwards above and below a point, lowest first.
+std::vector<RayHit> DropPlacement::floorsAt(const Vec3& point) const {
+    std::vector<RayHit> floors;
+    for (const RayHit& hit : castRay(m_objects, m_poses, {{point.x(), point.y(), kFarthest}, -Vec3::UnitZ()})) {
+        const GeomSpec* geom = m_objects.geomOf(hit.geom);
+        if (hit.geom.kind == ObjectKind::StaticGeom && geom && geom->collide && hit.normal.z() >= kSteep && m_counts(hit.geom))
+            floors.insert(floors.begin(), hit);
+    }
+    return floors;
+}
+
+/// The lowest free Pos at the x and y of `at`.
+std::optional<Vec3> DropPlacement::standingAt(const MovedPieces& thing, const Vec3& at) const {
+    MovedPieces moved = thing;
+    moved.move({at.x(), at.y(), -moved.bounds.low.z()});
+    const std::vector<RayHit> floors = floorsAt(moved.bounds.centre());
+    if (floors.empty()) return obstaclesOf(moved, nullptr).empty() ? std::optional(moved.pos) : std::nullopt;
+    for (const RayHit& floor : floors) {
+        MovedPieces raised = moved;
+        raised.move({0, 0, floor.point.z()});
+        pushOut(raised, floor.geom, Vec3::UnitZ());
+        if (obstaclesOf(raised, nullptr).empty() && isSupported(raised)) return raised.pos;
+    }
+    return std::nullopt;
+}
+
+std::optional<Vec3> DropPlacement::placeOnFloor(const std::vector<PlacementGeom>& thing, const Vec3& from, double step) const {
+    const MovedPieces moved = movedOf(thing);
+    if (moved.pieces.empty()) return std::nullopt;
+    for (double radius = 0; radius < kFarthest; radius += std::max(step, radius / kWays)) {
+        std::optional<Vec3> lowest; // at this distance: the floor rather than the top of a wall
+        for (int i = 0; i < (radius > 0 ? kWays : 1); ++i) {
+            const double angle = 2 * M_PI * i / kWays;
+            const Vec3 aside(rounded(radius * std::cos(angle), step), rounded(radius * std::sin(angle), step), 0);
+            const auto at = standingAt(moved, from + aside);
+            if (at && (!lowest || at->z() < lowest->z() - kSupportTolerance)) lowest = at;
+        }
+        if (!lowest) continue;
+        lowest->z() = roundedUp(lowest->z());
+        return lowest;
+    }
+    return std::nullopt;
 }
 
 } // namespace trundle

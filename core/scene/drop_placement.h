@@ -2,6 +2,8 @@
 // Where an object dropped into the world is placed: on the floor, on another object or beside a wall, never inside anything.
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "scene/clearance.h"
 #include "scene/ray_cast.h"
@@ -29,6 +31,11 @@ public:
     /// The Pos of an object placed against the face that the ray hit, in whatever direction that faces, touching the geom of that
     /// face.
     [[nodiscard]] Vec3 placeAgainst(const std::vector<PlacementGeom>& thing, const RayHit& hit, double step) const;
+    /// True if the object with its Pos at `at` penetrates nothing.
+    [[nodiscard]] bool isFree(const std::vector<PlacementGeom>& thing, const Vec3& at) const;
+    /// The free Pos nearest to `from` where the object stands on a static or, without one, on z = 0. x and y differ from those of
+    /// `from` by multiples of `step` (m). Nothing if the object has no usable shape or nothing is free within 100 m.
+    [[nodiscard]] std::optional<Vec3> placeOnFloor(const std::vector<PlacementGeom>& thing, const Vec3& from, double step) const;
 
 private:
     struct Solid {
@@ -41,6 +48,8 @@ private:
     [[nodiscard]] static MovedPieces movedOf(const std::vector<PlacementGeom>& thing);
     [[nodiscard]] std::vector<ConvexPiece> obstaclesOf(const MovedPieces& thing, const ObjectRef* only) const;
     [[nodiscard]] double groundBelow(const Vec3& point) const;
+    [[nodiscard]] std::vector<RayHit> floorsAt(const Vec3& point) const;
+    [[nodiscard]] std::optional<Vec3> standingAt(const MovedPieces& thing, const Vec3& at) const;
     void pushOut(MovedPieces& thing, const ObjectRef& from, const Vec3& direction) const;
     void settle(MovedPieces& thing, const ObjectRef* ground, bool staysLevel = false) const;
     [[nodiscard]] std::optional<RayHit> solidBelow(const Vec3& point) const;

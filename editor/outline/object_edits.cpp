@@ -13,6 +13,7 @@
 #include "editor/document/structure_edits.h"
 #include "editor/outline/block_mime.h"
 #include "editor/outline/duplicate_offset.h"
+#include "editor/outline/free_places.h"
 #include "editor/outline/insert_positions.h"
 #include "editor/outline/object_marks.h"
 #include "lang/characters.h"
@@ -186,7 +187,19 @@ Status ObjectEdits::insert(const Blocks& blocks, const std::string& place, const
         selects.erase(selects.begin(), selects.begin() + std::min(count, std::ptrdiff_t(selects.size())));
         return plan;
     };
-    return m_document.structure().apply(name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name, {place}, plan);
+    const QString title = name.isEmpty() ? tr("Add %1").arg(named(blocks)) : name;
+    return insertFree(title, [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
+}
+
+Status ObjectEdits::insertFree(const QString& name, const std::function<Status(const std::string& mergeKey)>& insert) {
+    const std::shared_ptr<const LoadedProject> before = m_document.loaded();
+    const std::string key = "insert " + std::to_string(m_document.revision());
+    const Status done = insert(key);
+    if (done)
+        if (const std::vector<ValueEdit> edits = freePlaces(*before, *m_document.loaded()); !edits.empty())
+            (void)m_document.setValues(name, edits, key);
+    m_document.endMerge();
+    return done;
 }
 
 Status ObjectEdits::insertFrom(const QMimeData& mime, const std::string& place, FileId file) {
@@ -216,7 +229,8 @@ Status ObjectEdits::insertKind(const Kind& kind, const std::string& place) {
             if (i < kinds.size() && kinds[i] != name) selects.erase(selects.begin() + std::ptrdiff_t(i));
         return plan;
     };
-    return m_document.structure().apply(tr("Add %1").arg(shown(kind.name)), {place}, plan);
+    const QString title = tr("Add %1").arg(shown(kind.name));
+    return insertFree(title, [&](const std::string& key) { return m_document.structure().apply(title, {place}, plan, key); });
 }
 
 Status ObjectEdits::insertObject(const Kind& geom) {
@@ -225,7 +239,8 @@ Status ObjectEdits::insertObject(const Kind& geom) {
     if (!blocks) return refuse(shown(blocks.error().message));
     Result<EditPlan> plan = planInsert(*m_document.loaded(), {}, blocks.value().text);
     if (plan) plan.value().selects.erase(plan.value().selects.begin(), plan.value().selects.end() - 1); // not the config
-    return m_document.apply(tr("Add %1 Object").arg(shown(geom.name)), plan);
+    const QString title = tr("Add %1 Object").arg(shown(geom.name));
+    return insertFree(title, [&](const std::string& key) { return m_document.apply(title, plan, key); });
 }
 
 Status ObjectEdits::move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,

@@ -2,6 +2,7 @@
 // Operations on objects for all callers: outline, menus, viewport and shortcuts. Each call is one named edit of the document; a
 // failure is reported by Document::refused() and changes nothing.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ public:
     /// Objects moved within `parent` stay in their files unless `file` is another one.
     Status move(const std::vector<std::string>& paths, const std::string& parent, const std::string& before,
                 FileId file = kNoFile);
+    // New robots and statics that would stand inside something move to the nearest free place on the floor, in the same edit.
     /// Inserts a new block of a kind in or around `place`.
     Status insertKind(const Kind& kind, const std::string& place);
     /// Inserts a movable object of one shape, see objectTemplateOf().
@@ -61,6 +63,8 @@ private:
     [[nodiscard]] Result<Blocks> read(const QMimeData& mime) const;
     [[nodiscard]] Status checkChangeable(const std::vector<std::string>& paths, const QString& verb);
     Status refuse(const QString& reason);
+    /// Runs `insert`, then moves what it has inserted to a free place.
+    Status insertFree(const QString& name, const std::function<Status(const std::string& mergeKey)>& insert);
     Status remove(const QString& name, const std::vector<std::string>& objects);
     /// Removes the selected objects; asks first if blocks that refer to them would be removed too.
     void removeObjects(const QString& verb, const QString& title, const QString& all, const QString& done,

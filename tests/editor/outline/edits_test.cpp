@@ -176,7 +176,10 @@ void EditsTest::copyAndPasteGiveTheBlockBack() {
     QCOMPARE(QGuiApplication::clipboard()->text().trimmed(), QStringLiteral("Robot robot1 { Config=Rover Pos=1,0,0 }"));
     o.edits.pasteAtSelected();
     QCOMPARE(o.selected(), QStringLiteral("robot2"));
-    QVERIFY2(o.text().contains("Robot robot2 { Config=Rover Pos=1,0,0 }"), o.text());
+    QVERIFY2(o.text().contains("Robot robot2 { Config=Rover Pos="), o.text());
+    const Vec3 at = o.document.loaded()->experiment->robots.back().pose.position; // beside the original, on the floor
+    QVERIFY(at != Vec3(1, 0, 0) && (at - Vec3(1, 0, 0)).norm() < 0.5 && at.z() == 0);
+    QCOMPARE(o.document.history().entries().size(), std::size_t(1));
     QCOMPARE(o.errors(), QString());
     o.document.undo();
     QCOMPARE(o.text(), kRovers);

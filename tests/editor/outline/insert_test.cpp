@@ -3,6 +3,7 @@
 #include <QMenu>
 
 #include "editor/outline/insert_menu.h"
+#include "check/model_check.h"
 #include "eventually.h"
 #include "model/passive_objects.h"
 #include "outline_fixture.h"
@@ -38,6 +39,7 @@ private Q_SLOTS:
     void insertsEveryKindWhereAllowed_data();
     void insertsEveryKindWhereAllowed();
     void offersWhatFitsTheSelection();
+    void newObjectsStandFree();
     void aRobotHasOneController();
     void objectsAreMovable_data();
     void objectsAreMovable();
@@ -140,6 +142,41 @@ void InsertTest::objectsAreMovable() {
     QVERIFY(o.model().rowAt(row)->passive);
     o.document.undo();
     o.document.undo();
+    QCOMPARE(o.text(), kRovers);
+}
+
+/// Three boxes and a robot beside the robot at the origin: the model check has nothing to say, and each is one edit.
+void InsertTest::newObjectsStandFree() {
+    OutlineFixture o;
+    QVERIFY(o.open(kRovers));
+    InsertMenu insert(o.document, o.selection, o.edits);
+    const auto findings = [&] {
+        Diagnostics found;
+        checkModel(*o.document.loaded(), found);
+        QStringList all;
+        for (const Diagnostic& d : found.all()) all.append(QString::fromStdString(codeName(d.code) + " " + d.message));
+        return all.join(QLatin1Char('\n'));
+    };
+    const QString before = findings();
+    std::size_t edits = 0;
+    for (const char* name : {"insertObject.Box", "insertObject.Box", "insertObject.Box", "insert.Robot", "insert.Static"}) {
+        o.selection.select("");
+        QMenu menu;
+        insert.fill(menu);
+        auto* action = menu.findChild<QAction*>(QLatin1String(name));
+        QVERIFY(action);
+        action->trigger();
+        QCOMPARE(o.refusals, QStringList());
+        QCOMPARE(findings(), before);
+        QCOMPARE(o.document.history().entries().size(), ++edits);
+    }
+    for (const RobotSpec& robot : o.document.loaded()->experiment->robots) { // near, and on the floor
+        QVERIFY(robot.pose.position.norm() < 1.5);
+        QVERIFY(std::abs(robot.pose.position.z()) < 1e-4 || isPassive(robot));
+    }
+    const std::vector<std::string> last = o.selection.paths();
+    QCOMPARE(last.size(), std::size_t(1));
+    for (std::size_t i = 0; i < edits; ++i) o.document.undo();
     QCOMPARE(o.text(), kRovers);
 }
 

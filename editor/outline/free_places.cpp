@@ -1,0 +1,91 @@
+#include "editor/outline/free_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lang/number_text.h"
+#include "project/part_values.h"
+#include "scene/drop_placement.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kGridStep = 0.05, kLevel = 1e-5; ///< m; a smaller vertical way is ignored
+
+/// The inserted instances and layouts, with the shapes of all of them.
+class Inserted {
+public:
+    Inserted(const LoadedProject& before, const LoadedProject& now)
+        : m_now(now), m_objects(now.experiment), m_poses(startPoses(*now.experiment)) {
+        for (const Part* part : now.outline->world.all())
+            if (isPlaced(*part) && !before.outline->world.find(part->name)) m_parts.push_back(part);
+        if (m_parts.empty()) return;
+        m_from = positionOf(*m_parts.front());
+        const ExperimentSpec& e = *now.experiment;
+        for (std::uint32_t r = 0; r < e.robots.size(); ++r)
+            for (std::uint32_t b = 0; isNew({ObjectKind::Robot, r}) && e.robots[r].config && b < e.robots[r].config->bodies.size(); ++b)
+                add(e.robots[r].config->bodies[b].geoms, m_objects.poseOf({ObjectKind::Body, r, b}, m_poses));
+        m_onlyStatics = m_geoms.empty();
+        for (std::uint32_t s = 0; s < e.statics.size(); ++s)
+            if (isNew({ObjectKind::Static, s}) && e.statics[s].geoms) add(*e.statics[s].geoms, e.statics[s].pose);
+    }
+
+    /// How far they all have to move.
+    [[nodiscard]] Vec3 way() const {
+        if (m_geoms.empty()) return Vec3::Zero();
+        const auto obstructs = [this](const ObjectRef& geom) { return !isNew(geom) && !(m_onlyStatics && isGround(geom)); };
+        if (DropPlacement(m_objects, m_poses, obstructs).isFree(m_geoms, m_from)) return Vec3::Zero();
+        const DropPlacement placement(m_objects, m_poses, [this](const ObjectRef& geom) { return !isNew(geom); });
+        const auto to = placement.placeOnFloor(m_geoms, m_from, kGridStep);
+        Vec3 way = to ? Vec3(*to - m_from) : Vec3(Vec3::Zero());
+        if (std::abs(way.z()) < kLevel) way.z() = 0; // keeps the number in the text
+        return way;
+    }
+
+    [[nodiscard]] std::vector<ValueEdit> movedBy(const Vec3& way) const {
+        std::vector<ValueEdit> edits;
+        for (const Part* part : m_parts) {
+            const Vec3 to = positionOf(*part) + way;
+            std::string text;
+            for (int k = 0; k < 3; ++k) text += (k ? "," : "") + steppedNumber(to[k], 1e-6);
+            edits.push_back({part->name + ".Pos", text});
+        }
+        return edits;
+    }
+
+private:
+    [[nodiscard]] Vec3 positionOf(const Part& part) const { return poseAt(m_now, *placeOf(m_now, part.name)).position; }
+    [[nodiscard]] bool isNew(const ObjectRef& object) const {
+        const RobotSpec* robot = m_objects.robotOf(object);
+        const std::string& name = robot ? robot->name : m_objects.staticOf(object)->name;
+        const Part* part = m_now.outline->world.find(name);
+        if (!part) part = layoutOfMember(*m_now.outline, name);
+        return std::find(m_parts.begin(), m_parts.end(), part) != m_parts.end();
+    }
+    [[nodiscard]] bool isGround(const ObjectRef& object) const {
+        const GeomSpec* geom = m_objects.geomOf(object);
+        return geom && (geom->shape == GeomShape::Plane || geom->shape == GeomShape::Heightfield);
+    }
+    void add(const std::vector<GeomSpec>& geoms, Pose owner) {
+        owner.position -= m_from;
+        for (const GeomSpec& geom : geoms) m_geoms.push_back({geom, owner});
+    }
+
+    const LoadedProject& m_now;
+    ObjectIndex m_objects;
+    BodyPoses m_poses;
+    std::vector<const Part*> m_parts;
+    std::vector<PlacementGeom> m_geoms; ///< relative to m_from
+    Vec3 m_from = Vec3::Zero();
+    bool m_onlyStatics = false;
+};
+
+} // namespace
+
+std::vector<ValueEdit> freePlaces(const LoadedProject& before, const LoadedProject& now) {
+    const Inserted inserted(before, now);
+    const Vec3 way = inserted.way();
+    return way.isZero() ? std::vector<ValueEdit>() : inserted.movedBy(way);
+}
+
+} // namespace trundle
