@@ -1,3 +1,4 @@
+// Reading meshes, height maps and images through the reader process, with its cache and limits.
 #include <QImage>
 #include <QImageWriter>
 #include <QTemporaryDir>

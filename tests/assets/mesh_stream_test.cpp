@@ -1,3 +1,4 @@
+// The binary stream of meshes and height maps between the reader process and the program.
 #include <QtTest>
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// The table of diagnostic codes, and the limits on kept diagnostics.
 #include <QTest>
 #include <set>
 

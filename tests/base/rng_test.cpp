@@ -1,3 +1,4 @@
+// Hashes and random numbers against published values.
 #include <QTest>
 #include <cmath>
 #include <set>

@@ -1,3 +1,4 @@
+// Suggestions for misspelt words.
 #include <QTest>
 #include <cctype>
 #include <set>

@@ -1,3 +1,4 @@
+// Conversion of units.
 #include <QTest>
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// File operations: atomic writes, temporary files, locks, symbolic links, size limits.
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>

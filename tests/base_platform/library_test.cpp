@@ -1,3 +1,4 @@
+// Shared libraries: opening, calling, private copies, error messages.
 #include <QTemporaryDir>
 #include <QtTest>
 

@@ -1,3 +1,4 @@
+// Child processes: pipes, time and memory limits.
 #include <QElapsedTimer>
 #include <QtTest>
 

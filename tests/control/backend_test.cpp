@@ -1,3 +1,4 @@
+// Running controllers of modules on the signals of a robot.
 #include "control/in_process_backend.h"
 #include "control/published.h"
 

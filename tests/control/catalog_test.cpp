@@ -1,3 +1,4 @@
+// Finding modules in their search folders.
 #include "base/platform/read_file.h"
 #include "control/directory_catalog.h"
 #include "control/kinds_json.h"

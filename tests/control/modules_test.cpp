@@ -1,3 +1,4 @@
+// Loading modules and refusing invalid ones.
 #include <fstream>
 
 #include "base/platform/read_file.h"

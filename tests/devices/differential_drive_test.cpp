@@ -1,3 +1,4 @@
+// The DifferentialDrive device on simulated joints.
 #include "bench_robot.h"
 
 #include <QtTest>

@@ -1,3 +1,4 @@
+// Motion profiles of a drive.
 #include "devices/drive_profile.h"
 
 #include <QtTest>

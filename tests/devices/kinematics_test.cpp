@@ -1,3 +1,4 @@
+// Kinematics of the differential drive.
 #include "devices/kinematics.h"
 
 #include <QtTest>

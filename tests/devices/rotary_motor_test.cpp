@@ -1,3 +1,4 @@
+// The RotaryMotor device against the motor equations.
 #include "bench_robot.h"
 #include "devices/rotary_motor.h"
 

@@ -1,3 +1,4 @@
+// Encoder and touch sensor.
 #include "bench_robot.h"
 #include "devices/encoder.h"
 

@@ -1,3 +1,4 @@
+// Lines and columns of a text.
 #include <QTest>
 
 #include "base/utf8.h"

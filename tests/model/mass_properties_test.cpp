@@ -1,3 +1,4 @@
+// Mass, centre of mass and inertia of geoms and meshes.
 #include <QTest>
 
 #include <numbers>

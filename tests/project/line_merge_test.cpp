@@ -1,3 +1,4 @@
+// Three-way merge of texts by lines.
 #include <QTest>
 
 #include <random>

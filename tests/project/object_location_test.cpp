@@ -1,3 +1,4 @@
+// Conversion between object paths and blocks of a text.
 #include <QTest>
 
 #include "plan_fixture.h"

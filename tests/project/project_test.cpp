@@ -1,3 +1,4 @@
+// Loading a project: values, imports, modules, and the fixes of their diagnostics.
 #include <QTest>
 
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+// Values set by path, as with --set.
 #include <QTest>
 
 #include "lang/tree_edit.h"

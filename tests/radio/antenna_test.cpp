@@ -1,3 +1,4 @@
+// Antenna patterns and their gains.
 #include <QtTest>
 
 #include "radio/antenna_pattern.h"

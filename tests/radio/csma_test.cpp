@@ -1,3 +1,4 @@
+// CSMA-CA throughput compared with analytic models.
 #include <QtTest>
 
 #include "radio/air.h"

@@ -1,3 +1,4 @@
+// IEEE 802.15.4 frames and reception rates.
 #include <QtTest>
 
 #include "radio/ieee802154.h"

@@ -1,3 +1,4 @@
+// The radio medium: reception, collisions, buffers, reproducibility.
 #include <QtTest>
 
 #include <cstring>

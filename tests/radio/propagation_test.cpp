@@ -1,3 +1,4 @@
+// Path loss models and shadowing.
 #include <QtTest>
 
 #include "radio/propagation.h"

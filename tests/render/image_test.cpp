@@ -1,3 +1,4 @@
+// Images and their file formats.
 #include <QtTest>
 
 #include <QFile>

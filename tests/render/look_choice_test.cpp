@@ -1,3 +1,4 @@
+// The choice between the fast and the rich look.
 #include <QtTest>
 
 #include "render/look_choice.h"

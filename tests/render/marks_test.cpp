@@ -1,3 +1,4 @@
+// Highlights, hidden objects, lines, ghosts and picking in views of the render service.
 #include <QtTest>
 
 #include <atomic>

@@ -1,3 +1,4 @@
+// The render service without OpenGL reports an error.
 #include <QtTest>
 
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// Images of the render service: geometry, colours, shadows, requests.
 #include <QtTest>
 
 #include <numbers>

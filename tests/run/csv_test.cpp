@@ -1,3 +1,4 @@
+// CSV output of logs.
 #include <QtTest>
 
 #include "run/csv.h"

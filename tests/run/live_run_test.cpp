@@ -1,3 +1,4 @@
+// A live run in its own thread.
 #include <QtTest>
 
 #include <atomic>

@@ -1,3 +1,4 @@
+// Live values of objects, read from snapshots.
 #include <QtTest>
 
 #include <cmath>

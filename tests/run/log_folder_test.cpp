@@ -1,3 +1,4 @@
+// The log folder and the removal of the last run's logs.
 #include <filesystem>
 
 #include <QtTest>

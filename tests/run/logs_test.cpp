@@ -1,3 +1,4 @@
+// Content of the log files.
 #include <QtTest>
 
 #include "run/fake_world.h"

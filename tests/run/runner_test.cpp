@@ -1,3 +1,4 @@
+// The run loop: controllers, logs, console and ends of a run.
 #include <csignal>
 
 #include <QtTest>

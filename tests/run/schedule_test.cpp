@@ -1,3 +1,4 @@
+// Due times of periodic work in ticks.
 #include <QtTest>
 
 #include "run/runner.h"

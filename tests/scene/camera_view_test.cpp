@@ -1,3 +1,4 @@
+// Projection of points into a view and rays through its pixels.
 #include <QtTest>
 
 #include <random>

@@ -1,3 +1,4 @@
+// Placement of dropped objects on and beside others.
 #include <QtTest>
 
 #include <random>

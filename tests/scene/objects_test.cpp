@@ -1,3 +1,4 @@
+// Objects of an experiment: poses, bounds, ray hits.
 #include <QtTest>
 
 #include <random>

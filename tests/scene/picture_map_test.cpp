@@ -1,3 +1,4 @@
+// Texture coordinates of shapes.
 #include <QtTest>
 
 #include "scene/picture_map.h"

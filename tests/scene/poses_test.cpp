@@ -1,3 +1,4 @@
+// Body poses read from the signal block.
 #include <QtTest>
 
 #include <numbers>

@@ -1,3 +1,4 @@
+// The scene graph: nodes, sharing, picking.
 #include <QtTest>
 
 #include <set>

@@ -1,3 +1,4 @@
+// Triangle meshes of geoms.
 #include <QtTest>
 
 #include <map>

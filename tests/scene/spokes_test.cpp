@@ -1,3 +1,4 @@
+// Spokes drawn on wheels.
 #include <QtTest>
 
 #include <map>

@@ -1,3 +1,4 @@
+// Fitting the sun's shadow map to a view.
 #include <QtTest>
 
 #include <numbers>

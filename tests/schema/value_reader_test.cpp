@@ -1,3 +1,4 @@
+// Descriptions of kinds, the registry, and reading of property values.
 #include <QTest>
 
 #include "schema/registry.h"
