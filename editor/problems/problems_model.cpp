@@ -206,6 +206,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     if (index.internalId() != 0) return childData(d, *entry, index.row(), index.column(), role);
     if (role == Qt::DecorationRole && index.column() == Message) return severityIcon(d.severity);
     if (role == Qt::ForegroundRole && index.column() != Message) return ink(Ink::Faint);
+    if (role == Qt::ToolTipRole && index.column() == Place) return placeText(d.range, *entry);
     if (role == Qt::ToolTipRole) return QStringLiteral("%1  %2").arg(text(codeName(d.code)), text(d.message));
     if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
     if (role == Qt::AccessibleTextRole && index.column() == Message)
@@ -221,7 +222,7 @@ QVariant ProblemsModel::childData(const Diagnostic& d, const Entry& entry, int r
     auto i = static_cast<std::size_t>(row);
     if (i < d.notes.size()) {
         if (role == Qt::DisplayRole && column == Message) return text(d.notes[i].first);
-        if (role == Qt::DisplayRole && column == Place) return placeText(d.notes[i].second, entry);
+        if ((role == Qt::DisplayRole || role == Qt::ToolTipRole) && column == Place) return placeText(d.notes[i].second, entry);
         return role == Qt::ForegroundRole ? QVariant(ink(Ink::Faint)) : QVariant();
     }
     i -= d.notes.size();

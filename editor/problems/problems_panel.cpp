@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScopedValueRollback>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -36,6 +38,21 @@ QToolButton* makeFilter(QWidget* parent, const char* name, const QIcon& icon, co
     return button;
 }
 
+constexpr int kColumnGap = 8; ///< pixels
+constexpr int kLeastPlace = 14; ///< characters of "controller.sim:12:34"; a longer place is elided if the messages need the room
+
+/// The file's name and the line at the ends of a place stay readable.
+class PlaceDelegate final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->textElideMode = Qt::ElideMiddle;
+    }
+};
+
 } // namespace
 
 ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* parent)
@@ -51,15 +68,20 @@ ProblemsPanel::ProblemsPanel(Document& document, Selection& selection, QWidget* 
     m_view->setUniformRowHeights(true);
     m_view->setAllColumnsShowFocus(true);
     m_view->setTextElideMode(Qt::ElideRight);
+    m_view->setItemDelegateForColumn(ProblemsModel::Place, new PlaceDelegate(this));
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     m_view->header()->setSectionResizeMode(QHeaderView::Interactive);
     m_view->header()->setStretchLastSection(true);
+    connect(m_view->header(), &QHeaderView::sectionResized, this, [this](int column) {
+        m_ownColumns |= !m_fitting && column != ProblemsModel::Place; // the last column follows the view
+    });
     m_view->setAccessibleName(tr("Problems"));
     m_none->setObjectName(QStringLiteral("noProblems"));
     m_none->setAlignment(Qt::AlignCenter);
     m_none->setForegroundRole(QPalette::PlaceholderText);
     m_none->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_view->installEventFilter(this);
+    m_view->viewport()->installEventFilter(this);
     connect(m_view, &QTreeView::clicked, this, &ProblemsPanel::go);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &ProblemsPanel::openMenu);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &ProblemsPanel::showFix);
@@ -139,7 +161,25 @@ void ProblemsPanel::showCounts() {
                                           : tr("Nothing is open"));
     m_none->setVisible(m_model->rowCount() == 0);
     m_view->header()->setVisible(m_model->rowCount() > 0);
+    fitColumns();
     showFix();
+}
+
+/// The messages get the room that they need; the place gets what is left, within its own width.
+void ProblemsPanel::fitColumns() {
+    if (m_ownColumns) return;
+    const QScopedValueRollback<bool> fitting(m_fitting, true);
+    const QFontMetrics metrics = m_view->fontMetrics();
+    const auto wanted = [this](int column) {
+        const QAbstractItemView& list = *m_view; // public there
+        return std::max(list.sizeHintForColumn(column), m_view->header()->sectionSizeHint(column)) + kColumnGap;
+    };
+    const int code = wanted(ProblemsModel::CodeColumn), room = std::max(m_view->viewport()->width() - code, 0);
+    const int least = metrics.averageCharWidth() * kLeastPlace + kColumnGap, whole = std::max(least, wanted(ProblemsModel::Place));
+    const int message = wanted(ProblemsModel::Message) + m_view->indentation();
+    const int place = std::clamp(room - message, least, whole);
+    m_view->setColumnWidth(ProblemsModel::CodeColumn, code);
+    m_view->setColumnWidth(ProblemsModel::Message, std::max(metrics.averageCharWidth() * kLeastPlace, room - place));
 }
 
 void ProblemsPanel::showFix() {
@@ -222,6 +262,8 @@ void ProblemsPanel::clearRunProblems() {
 
 bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_view && event->type() == QEvent::Resize) m_none->setGeometry(m_view->rect());
+    if (watched == m_view->viewport() && event->type() == QEvent::Resize) fitColumns();
+    if (watched == m_view && event->type() == QEvent::FontChange) fitColumns();
     if (watched == m_view && event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
@@ -234,13 +276,6 @@ bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     return QWidget::eventFilter(watched, event);
-}
-
-void ProblemsPanel::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    const int place = std::clamp(width() * 3 / 10, 110, 280), code = 58;
-    m_view->setColumnWidth(ProblemsModel::CodeColumn, code);
-    m_view->setColumnWidth(ProblemsModel::Message, std::max(120, width() - place - code));
 }
 
 } // namespace trundle

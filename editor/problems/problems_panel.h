@@ -46,13 +46,13 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void makeBar();
     void follow();
     void applyFilter();
     void showCounts();
+    void fitColumns();
     void showFix();
     void go(const QModelIndex& index);
     void applyFix(const QModelIndex& index);
@@ -68,6 +68,7 @@ private:
     QLineEdit* m_words;
     std::vector<Diagnostic> m_run;
     std::shared_ptr<const LoadedProject> m_runTexts;
+    bool m_fitting = false, m_ownColumns = false; // the user has set the widths
 };
 
 } // namespace trundle

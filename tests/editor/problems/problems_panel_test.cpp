@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -121,6 +122,34 @@ private Q_SLOTS:
         filter->setText(QStringLiteral("no such words"));
         QVERIFY(fixture.none().isVisible());
         QVERIFY(fixture.none().text().contains(QStringLiteral("filter")));
+    }
+
+    /// A message is elided only where the place has no more than its least width; the place is whole in its tooltip.
+    void messagesHaveTheRoom() {
+        for (const int font : {13, 17}) {
+            applyTheme(*qApp, ThemeKind::Light, {font, font});
+            ProblemsFixture fixture;
+            QVERIFY(fixture.open(kBad));
+            for (const int width : {420, 760, 1400}) {
+                fixture.panel.resize(width, 220);
+                QCoreApplication::processEvents();
+                QTreeView& view = fixture.view();
+                const int message = view.columnWidth(ProblemsModel::Message), place = view.columnWidth(ProblemsModel::Place);
+                const QFontMetrics metrics = view.fontMetrics();
+                int longest = 0;
+                for (const QString& text : fixture.messages()) longest = std::max(longest, metrics.horizontalAdvance(text));
+                const int least = metrics.averageCharWidth() * 16 + 16;
+                QVERIFY2(message >= longest || place <= least, qPrintable(QStringLiteral("%1: %2 %3").arg(width).arg(message).arg(place)));
+                QVERIFY(view.columnWidth(ProblemsModel::CodeColumn) >= metrics.horizontalAdvance(QStringLiteral("E201")));
+            }
+            const QModelIndex first = fixture.model().index(0, ProblemsModel::Place);
+            QCOMPARE(first.data(Qt::ToolTipRole).toString(), first.data().toString());
+            fixture.view().header()->resizeSection(ProblemsModel::Message, 200); // one's own widths stay
+            fixture.panel.resize(900, 220);
+            QCoreApplication::processEvents();
+            QCOMPARE(fixture.view().columnWidth(ProblemsModel::Message), 200);
+        }
+        applyTheme(*qApp, ThemeKind::Light);
     }
 
     void clickRevealsTextAndObject() {
