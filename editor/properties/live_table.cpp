@@ -41,8 +41,24 @@ QString tipOf(const LiveValue& value) {
 
 } // namespace
 
+/// Asks for the height of its rows but can be shown with one of them, so that it never makes the window grow.
+class LiveTable::Table final : public QTreeWidget {
+public:
+    using QTreeWidget::QTreeWidget;
+    [[nodiscard]] QSize sizeHint() const override { return {QTreeWidget::sizeHint().width(), m_wanted}; }
+    void setHeights(int least, int wanted) {
+        m_wanted = wanted;
+        setMinimumHeight(least);
+        setMaximumHeight(wanted);
+        updateGeometry();
+    }
+
+private:
+    int m_wanted = 0;
+};
+
 LiveTable::LiveTable(QWidget* parent)
-    : QWidget(parent), m_section(new Section(tr("Now"), true, this)), m_table(new QTreeWidget(m_section->rows())),
+    : QWidget(parent), m_section(new Section(tr("Now"), true, this)), m_table(new Table(m_section->rows())),
       m_hint(new QLabel(m_section->rows())) {
     setObjectName(QStringLiteral("liveTable"));
     auto* layout = new QVBoxLayout(this);
@@ -181,7 +197,7 @@ void LiveTable::setMostHeight(int height) {
 void LiveTable::fit() {
     if (m_table->topLevelItemCount() == 0) return;
     const int line = m_table->sizeHintForRow(0);
-    m_table->setFixedHeight(std::max(line, std::min(line * m_table->topLevelItemCount() + 2, m_mostHeight)));
+    m_table->setHeights(line, std::max(line, std::min(line * m_table->topLevelItemCount() + 2, m_mostHeight)));
 }
 
 void LiveTable::changeEvent(QEvent* event) {

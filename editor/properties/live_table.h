@@ -38,6 +38,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    class Table;
     struct Line {
         std::string name;
         std::size_t numbers = 0;
@@ -56,7 +57,7 @@ private:
     void fit();
 
     Section* m_section;
-    QTreeWidget* m_table;
+    Table* m_table;
     QLabel* m_hint;
     std::vector<Line> m_lines;
     std::vector<bool> m_stacked;     // by line: its name is above its numbers

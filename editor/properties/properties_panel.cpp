@@ -27,6 +27,7 @@ namespace trundle {
 namespace {
 
 constexpr std::size_t kMaxLiveGroups = 8;
+constexpr int kLeastColumns = 24, kLeastLines = 8; ///< of text, in the smallest panel
 
 } // namespace
 
@@ -325,6 +326,10 @@ void PropertiesPanel::jump(const SourceRange& place) {
 void PropertiesPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     if (m_stale) refresh();
+}
+
+QSize PropertiesPanel::minimumSizeHint() const {
+    return {fontMetrics().averageCharWidth() * kLeastColumns, fontMetrics().lineSpacing() * kLeastLines};
 }
 
 void PropertiesPanel::resizeEvent(QResizeEvent* event) {

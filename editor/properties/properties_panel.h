@@ -38,6 +38,8 @@ public:
     PropertiesPanel(Document& document, Selection& selection, RunSession* session, QWidget* parent = nullptr);
 
     [[nodiscard]] QSize sizeHint() const override { return {320, 500}; }
+    /// Depends on the font only: what is selected never makes the window grow.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void jumpTo(const std::string& file, const trundle::SourceRange& range);

@@ -125,6 +125,35 @@ private Q_SLOTS:
         QVERIFY(!m_window->tabifiedDockWidgets(m_window->findChild<QDockWidget*>(QStringLiteral("dock.properties"))).isEmpty());
     }
 
+    void selectingKeepsTheWindowsSize_data() {
+        QTest::addColumn<int>("font");
+        QTest::addColumn<int>("width");
+        for (const int font : {11, 13, 17})
+            for (const int width : {800, 1100}) QTest::addRow("%d px, %d wide", font, width) << font << width;
+    }
+
+    void selectingKeepsTheWindowsSize() {
+        QFETCH(int, font);
+        QFETCH(int, width);
+        applyTheme(*qApp, ThemeKind::Light, {font, font});
+        const auto after = qScopeGuard([] { applyTheme(*qApp, ThemeKind::Light); });
+        m_window->resize(width, 500);
+        EVENTUALLY(m_window->isSettled());
+        m_window->findChild<QDockWidget*>(QStringLiteral("dock.properties"))->raise();
+        QCoreApplication::processEvents();
+        const QSize before = m_window->size();
+        m_window->actions().at("sim.step").trigger();
+        EVENTUALLY_EQUAL(m_window->session().state(), RunState::Paused);
+        auto* live = m_window->findChild<QTreeWidget*>(QStringLiteral("liveValues"));
+        for (const char* path : {"robot0", "robot0.chassis", "robot0.leftMotor", "arena", "", "robot0"}) {
+            m_window->selection().select(path);
+            QCoreApplication::processEvents();
+            QCoreApplication::processEvents();
+            QCOMPARE(m_window->size(), before);
+        }
+        QVERIFY(live->isVisible() && live->height() > 0);
+    }
+
 private:
     void open(const char* name, const QByteArray& text) {
         QFile file(m_folder.filePath(QLatin1String(name)));
