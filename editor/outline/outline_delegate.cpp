@@ -12,7 +12,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kIcon = 16, kGap = 6, kRowHeight = 24, kBadgeHeight = 15;
+constexpr int kIcon = 16, kGap = 6, kRowHeight = 24, kBadgeHeight = 15, kLeastOfKind = 4; // of an elided kind, characters
 
 QColor textColour(const QStyleOptionViewItem& option, bool faint) {
     if (option.state & QStyle::State_Selected) return option.palette.color(QPalette::HighlightedText);
@@ -105,10 +105,11 @@ void OutlineDelegate::paintName(QPainter& painter, const QStyleOptionViewItem& o
     painter.setPen(textColour(option, faint));
     painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, shown);
     rest.setLeft(rest.left() + metrics.horizontalAdvance(shown) + kGap + 2);
-    if (!detail.isEmpty() && rest.width() >= metrics.horizontalAdvance(detail)) { // else only in the tooltip
+    const QString kind = shown == name ? metrics.elidedText(detail, Qt::ElideRight, rest.width()) : QString();
+    if (kind == detail || kind.size() > kLeastOfKind) { // else only in the tooltip
         painter.setPen(textColour(option, true));
         if (selected) painter.setOpacity(0.8);
-        painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, detail);
+        painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft, kind);
     }
     painter.restore();
 }

@@ -45,7 +45,8 @@ QString iconOf(const OutlineRow& row) {
 }
 
 QString tipOf(const OutlineRow& row) {
-    QString tip = text(row.tip);
+    QString tip = row.detail.empty() ? text(row.tip) : text(row.name + "  " + row.detail); // the row may elide it
+    if (!row.detail.empty() && !row.tip.empty()) tip += u'\n' + text(row.tip);
     const auto say = [&](int count, const QString& what) {
         if (count > 0) tip += (tip.isEmpty() ? QString() : QStringLiteral("\n")) + QStringLiteral("%1 %2").arg(count).arg(what);
     };

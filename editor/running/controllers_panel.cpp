@@ -121,9 +121,7 @@ ControllersPanel::ControllersPanel(Document& document, Selection& selection, Run
 
 QWidget* ControllersPanel::makeModules() {
     m_modules = table("moduleList", {tr("Module"), tr("Kinds"), tr("SDK"), tr("Library")});
-    m_modules->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    m_modules->setColumnWidth(1, 120);
-    m_modules->setColumnWidth(2, 52);
+    for (const int column : {0, 1, 2}) m_modules->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     QToolButton* load = actionButton(m_actions.at("controllers.load"), tr("Load…"));
     load->setObjectName(QStringLiteral("moduleLoad"));
     m_recent = new QMenu(tr("Load R&ecent"), load);

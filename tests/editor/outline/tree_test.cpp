@@ -31,6 +31,7 @@ private Q_SLOTS:
     void countsProblemsUpToTheGroups();
     void hidesAndLocksByTheIconsOfARow();
     void tooltipShowsMeasuredValues();
+    void narrowRowsKeepTheName();
 };
 
 void TreeTest::showsTheExperimentByOwner() {
@@ -344,6 +345,41 @@ void TreeTest::tooltipShowsMeasuredValues() {
     session.reset();
     EVENTUALLY(!ask().contains(QStringLiteral("speed")));
     QToolTip::hideText();
+}
+
+/// A kind that does not fit is elided or left out, the name is drawn as without it, and the tooltip has both whole.
+void TreeTest::narrowRowsKeepTheName() {
+    const auto leftOf = [](OutlineFixture& o, const char* path, int width) { // the row's picture up to the end of its name
+        const QRect row = o.tree().visualRect(o.at(path));
+        const int name = o.tree().fontMetrics().horizontalAdvance(o.at(path).data().toString());
+        return o.tree().viewport()->grab(QRect(row.left(), row.top(), width < 0 ? row.width() : name + 24, row.height())).toImage();
+    };
+    const QByteArray text = QByteArray(kRovers).replace("Rover", "AVeryLongNameOfAConfigThatFitsNowhere");
+    QList<QImage> wide, narrow;
+    for (const int width : {700, 200}) {
+        OutlineFixture o;
+        o.panel->resize(width, 700);
+        QVERIFY(o.open(text));
+        const QModelIndex robot = o.at("robot0");
+        const QString name = robot.data().toString(), detail = robot.data(OutlineModel::DetailRole).toString();
+        QVERIFY2(detail.contains(QStringLiteral("AVeryLongName")), qPrintable(detail));
+        const QString tip = robot.data(Qt::ToolTipRole).toString();
+        QVERIFY2(tip.contains(name) && tip.contains(detail), qPrintable(tip));
+        EVENTUALLY(o.tree().visualRect(robot).isValid());
+        (width > 400 ? wide : narrow) << leftOf(o, "robot0", 0) << leftOf(o, "robot0", -1);
+    }
+    QCOMPARE(narrow[0], wide[0]);
+    const auto inked = [](const QImage& picture, int from) { // columns with anything drawn
+        int count = 0;
+        for (int x = from; x < picture.width(); ++x)
+            for (int y = 0; y < picture.height(); ++y)
+                if (picture.pixel(x, y) != picture.pixel(picture.width() - 1, 0)) {
+                    ++count;
+                    break;
+                }
+        return count;
+    };
+    QVERIFY(inked(narrow[1], narrow[0].width()) > 0); // the beginning of the kind
 }
 
 QTEST_MAIN(TreeTest)

@@ -11,6 +11,7 @@
 #include "editor/running/session_fixture.h"
 #include "editor/running/trust.h"
 #include "editor/widgets/actions.h"
+#include "editor/widgets/theme.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -100,6 +101,34 @@ private Q_SLOTS:
         QCOMPARE(robots[2].members, 2u);
         QCOMPARE(robotsAmong(*o.document.loaded(), {"leader.chassis", "swarm_1", "arena", "leader", "Material.red"}),
                  (std::vector<std::string>{"leader", "swarm"}));
+    }
+
+    /// No text of a column but the last is cut or touches the next one, whatever the font.
+    void columnsFollowTheFont() {
+        SessionFixture o;
+        QVERIFY(o.open(QByteArray(kTeam).replace("#loadModule", "#loadModule controllers/random_drive\n#loadModule")));
+        Selection selection;
+        Actions actions(kRows);
+        ControllersPanel panel(o.document, selection, o.session, actions);
+        panel.resize(900, 300);
+        panel.show();
+        for (const int font : {13, 17}) {
+            applyTheme(*qApp, ThemeKind::Light, {font, font});
+            QCoreApplication::processEvents();
+            for (const char* name : {"moduleList", "robotControllers"}) {
+                auto* list = panel.findChild<QTreeWidget*>(QLatin1String(name));
+                QVERIFY(list && list->topLevelItemCount() >= 2);
+                const QFontMetrics metrics = list->fontMetrics();
+                for (int column = 0; column + 1 < list->columnCount(); ++column) {
+                    int longest = metrics.horizontalAdvance(list->headerItem()->text(column));
+                    for (int row = 0; row < list->topLevelItemCount(); ++row)
+                        longest = std::max(longest, metrics.horizontalAdvance(list->topLevelItem(row)->text(column)));
+                    QVERIFY2(list->columnWidth(column) >= longest + 8,
+                             qPrintable(QStringLiteral("%1 %2 at %3").arg(QLatin1String(name)).arg(column).arg(font)));
+                }
+            }
+        }
+        applyTheme(*qApp, ThemeKind::Light);
     }
 
     void assignsToOneAndReplaces() {
