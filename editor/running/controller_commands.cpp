@@ -31,13 +31,10 @@ bool ControllerCommands::reject(const QString& reason) {
     return false;
 }
 
-/// The document has already reported a failure.
-bool ControllerCommands::isDone(const Status& status) { return status.ok(); }
-
 /// Edits modules, which are not objects: the selection is kept.
 bool ControllerCommands::edit(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey) {
     if (!plan) return reject(QString::fromStdString(plan.error().message));
-    return isDone(m_document.edit(name, plan.value().edits, mergeKey));
+    return m_document.edit(name, plan.value().edits, mergeKey).ok(); // the document reports a failure
 }
 
 void ControllerCommands::applyTrust() {
@@ -122,7 +119,7 @@ bool ControllerCommands::assign(const std::vector<std::string>& robots, const Co
     m_document.endMerge();
     if (!choice.module.empty() && !edit(name, planLoadModule(*m_document.loaded(), choice.module), key)) return false;
     const Kind* kind = m_document.loaded()->registry->find(choice.kind.name);
-    const bool done = isDone(m_document.apply(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key));
+    const bool done = m_document.apply(name, planAssign(*m_document.loaded(), robots, kind ? *kind : choice.kind), key).ok();
     if (!done) m_document.discardMerge(key); // undo the #loadModule if the assignment failed
     m_document.endMerge();
     return done;
@@ -130,7 +127,7 @@ bool ControllerCommands::assign(const std::vector<std::string>& robots, const Co
 
 bool ControllerCommands::unassign(const std::vector<std::string>& robots) {
     if (!m_document.loaded()) return false;
-    return isDone(m_document.apply(tr("Remove Controller"), planUnassign(*m_document.loaded(), robots)));
+    return m_document.apply(tr("Remove Controller"), planUnassign(*m_document.loaded(), robots)).ok();
 }
 
 } // namespace trundle

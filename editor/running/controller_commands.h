@@ -43,7 +43,6 @@ Q_SIGNALS:
 
 private:
     bool reject(const QString& reason);
-    bool isDone(const Status& status);
     bool edit(const QString& name, const Result<EditPlan>& plan, const std::string& mergeKey = {});
     bool isTrusted(const QString& library);
 
