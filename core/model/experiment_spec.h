@@ -29,10 +29,12 @@ struct MaterialSpec {
 struct SurfaceSpec {
     std::string name;
     double friction = 0.5, restitution = 0;
-    double rollingFriction = 0; ///< m
-    double softness = 0;        ///< m/N
-    SourceRange range;          ///< the whole block
-    SourceRange nameRange;      ///< for diagnostics about the surface
+    double rollingFriction = 0;      ///< m
+    double softness = 0;             ///< m/N
+    SourceRange range;               ///< the whole block
+    SourceRange nameRange;           ///< for diagnostics about the surface
+    std::optional<double> friction2; ///< across the geom's direction, `friction` being along it; none: the same in all directions
+    double frictionHeading = 0;      ///< rad, from the geom's direction to that of `friction`, about the normal towards the geom
 };
 
 struct AntennaSpec {

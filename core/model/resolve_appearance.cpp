@@ -83,9 +83,16 @@ void resolveSurfaces(ResolveContext& context) {
     for (const Part* part : context.outline.surfaces.all()) {
         ParamScope scope(&context.globals);
         scope.declare(part->params);
-        const SurfaceFields f = fieldsFrom<SurfaceFields>(context.read(*part, scope, nullptr, Origin::Config));
+        const Record record = context.read(*part, scope, nullptr, Origin::Config);
+        const SurfaceFields f = fieldsFrom<SurfaceFields>(record);
+        if (f.frictionHeading != 0 && !f.friction2 && record.complete)
+            context.diagnostics.warning(Code::MissingRequired, record.rangeOf("FrictionHeading", part->nameRange()),
+                                        part->title() +
+                                            " has a FrictionHeading but no Friction2: its friction is the same in all "
+                                            "directions");
         SurfaceSpec& s = placeFor(context.out.surfaces, context.surfacePlaces, part->name);
-        s = {part->name, f.friction, f.restitution, f.rollingFriction, f.softness, part->range, part->nameRange()};
+        s = {part->name,  f.friction,        f.restitution, f.rollingFriction, f.softness,
+             part->range, part->nameRange(), f.friction2,   f.frictionHeading};
     }
     context.surfacePlaces.try_emplace("default", 0);
 }

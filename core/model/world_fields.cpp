@@ -58,6 +58,12 @@ void SurfaceFields::describe(Describe<SurfaceFields>& d) {
     d.help("How a geom touches others. Of a pair hold the smaller friction, the larger restitution and rolling friction, the sum "
            "of softness.");
     d.field("Friction", &SurfaceFields::friction, number().within(0, 1000), "Coefficient of Coulomb friction.");
+    d.field(
+        "Friction2", &SurfaceFields::friction2, number().within(0, 1000),
+        "Coefficient across the geom's direction; Friction is then the one along it. The direction is the geom's x axis, of a "
+        "wheel its rolling direction. Without it, friction is the same in all directions.");
+    d.field("FrictionHeading", &SurfaceFields::frictionHeading, angles(),
+            "From the geom's direction to that of Friction, about the normal towards the geom. No effect without Friction2.");
     d.field("Restitution", &SurfaceFields::restitution, number().within(0, 1), "Share of the speed that a bounce keeps.");
     d.field("RollingFriction", &SurfaceFields::rollingFriction, metres().within(0, 10),
             "Lever of the force that brakes rolling.");
@@ -74,7 +80,8 @@ void StaticConfigFields::describe(Describe<StaticConfigFields>& d) {
 }
 
 void RobotFields::describe(Describe<RobotFields>& d) {
-    d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path. Without joints, "
+    d.help("One robot in the world. Holds at most one controller, values of the config's Params, and overrides by path. Without "
+           "joints, "
            "devices and a controller it is a movable object, a ball or a crate, and is counted as one.");
     describePose(d, "RobotConfig", "Position of its config frame at the start.");
 }

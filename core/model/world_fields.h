@@ -34,6 +34,8 @@ struct MaterialFields {
 
 struct SurfaceFields {
     double friction = 0.5, restitution = 0, rollingFriction = 0, softness = 0;
+    std::optional<double> friction2;
+    double frictionHeading = 0; ///< rad
     static void describe(Describe<SurfaceFields>& d);
 };
 

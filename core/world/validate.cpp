@@ -59,6 +59,10 @@ private:
     void surfaces() {
         for (const SurfaceSpec& s : m_experiment.surfaces) {
             need(isIn(s.friction, 0, 1e6), Code::OutOfRange, s.nameRange, "Friction of " + s.name + " must be 0 or more");
+            need(isIn(s.friction2.value_or(0), 0, 1e6), Code::OutOfRange, s.nameRange,
+                 "Friction2 of " + s.name + " must be 0 or more");
+            need(isIn(s.frictionHeading, -1e6, 1e6), Code::OutOfRange, s.nameRange,
+                 "FrictionHeading of " + s.name + " must be an angle");
             need(isIn(s.restitution, 0, 1), Code::OutOfRange, s.nameRange, "Restitution of " + s.name + " must be from 0 to 1");
             need(isIn(s.rollingFriction, 0, 1e3), Code::OutOfRange, s.nameRange,
                  "RollingFriction of " + s.name + " must be 0 or more");
@@ -198,7 +202,8 @@ bool isPosition(const Pose& pose) {
 }
 
 bool isSurface(const SurfaceSpec& s) {
-    return isIn(s.friction, 0, 1e6) && isIn(s.restitution, 0, 1) && isIn(s.rollingFriction, 0, 1e3) && isIn(s.softness, 0, 1e3);
+    return isIn(s.friction, 0, 1e6) && isIn(s.friction2.value_or(0), 0, 1e6) && isIn(s.frictionHeading, -1e6, 1e6) &&
+           isIn(s.restitution, 0, 1) && isIn(s.rollingFriction, 0, 1e3) && isIn(s.softness, 0, 1e3);
 }
 
 bool isBuildable(const ExperimentSpec& experiment, Diagnostics& diagnostics) { return Check(experiment, diagnostics).all(); }

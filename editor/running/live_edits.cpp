@@ -100,7 +100,8 @@ private:
             for (const SurfaceSpec& s : m_now.surfaces) {
                 const SurfaceSpec& r = m_running.surfaces[i];
                 if (s.name != r.name) continue;
-                const bool same = s.friction == r.friction && s.restitution == r.restitution &&
+                const bool same = s.friction == r.friction && s.friction2 == r.friction2 &&
+                                  s.frictionHeading == r.frictionHeading && s.restitution == r.restitution &&
                                   s.rollingFriction == r.rollingFriction && s.softness == r.softness;
                 if (same) break;
                 m_out.commands.emplace_back(SurfaceCommand{s});

@@ -8,7 +8,7 @@ namespace fixture {
 /// A surface with a separate friction across its direction (`friction2`; below 0: none).
 inline std::uint32_t surfaceOf(Scene& scene, double friction, double friction2) {
     const std::uint32_t index = scene.surface(friction);
-    (void)friction2;
+    if (friction2 >= 0) scene.spec->surfaces[index].friction2 = friction2;
     return index;
 }
 
@@ -75,6 +75,7 @@ struct Vehicle {
     double friction = 0.8, friction2 = -1; ///< of the wheels
     bool omni = false;
     std::vector<Vec3> wheels, sliders; ///< positions
+    std::vector<double> headings;      ///< FrictionHeading of each wheel, rad; empty: 0
     Vec3 centre = Vec3::Zero();        ///< centre of mass of the chassis; of the whole vehicle once it is in a scene
     double total = 0;
     std::uint32_t ground = 0;
@@ -127,10 +128,15 @@ inline void addVehicle(Scene& scene, Vehicle& v, double drop, const std::optiona
     Vec3 moment = v.mass * v.centre;
     for (std::size_t i = 0; i < v.wheels.size(); ++i) {
         const std::string n = std::to_string(i);
+        std::uint32_t surface = tyre;
+        if (!v.headings.empty()) {
+            surface = surfaceOf(scene, v.friction, v.friction2);
+            scene.spec->surfaces[surface].frictionHeading = v.headings[i];
+        }
         const Vec3 hub = v.wheels[i] + Vec3(0, 0, v.radius), axle = v.omni ? Vec3(v.wheels[i].normalized()) : Vec3::UnitY();
         const Quat lying = Quat::FromTwoVectors(Vec3::UnitZ(), axle);
         config->bodies.push_back(body("wheel" + n, {hub, Quat::Identity()}, massOfCylinder(v.wheelMass, v.radius, 0.02, lying),
-                                      {cylinder("tyre", v.radius, 0.02, {Vec3::Zero(), lying}, tyre)}));
+                                      {cylinder("tyre", v.radius, 0.02, {Vec3::Zero(), lying}, surface)}));
         config->joints.push_back(joint("axle" + n, JointType::Hinge, 0, static_cast<int>(i) + 1, hub, axle));
         config->devices.push_back(row("m" + n, "axle" + n));
         v.total += v.wheelMass;

@@ -6,6 +6,33 @@ using namespace fixture;
 
 namespace {
 
+Vehicle r0Like(double mu) {
+    Vehicle v;
+    v.mass = 4;
+    v.friction = mu;
+    v.wheels = {{0, 0.125, 0}, {0, -0.125, 0}};
+    v.sliders = {{-0.13, 0, 0}};
+    v.centre = {-0.03, 0, 0.09};
+    return v;
+}
+Vehicle tailDriven(double mu) {
+    Vehicle v;
+    v.mass = 2.2;
+    v.friction = mu;
+    v.wheels = {{0, 0.1, 0}, {0, -0.1, 0}};
+    v.sliders = {{0.18, 0, 0}};
+    v.centre = {0.06, 0, 0.06};
+    return v;
+}
+Vehicle fourWheels(double mu, double mass = 3, double a = 0.12, double b = 0.15) {
+    Vehicle v;
+    v.mass = mass;
+    v.friction = mu;
+    v.wheels = {{a, b, 0}, {a, -b, 0}, {-a, b, 0}, {-a, -b, 0}};
+    v.centre = {0, 0, 0.05};
+    return v;
+}
+
 /// Some wheels driven at a steady rate that keeps them slipping: the acceleration between two times. `sign` -1: backwards.
 Measure startsOff(Vehicle v, double angle, double sign, double drop = 0) {
     return [=](const Conditions& c) -> Figures {
@@ -224,31 +251,54 @@ Measure climbs(Vehicle v, double step, double speed) {
     };
 }
 
-Vehicle r0Like(double mu) {
-    Vehicle v;
-    v.mass = 4;
-    v.friction = mu;
-    v.wheels = {{0, 0.125, 0}, {0, -0.125, 0}};
-    v.sliders = {{-0.13, 0, 0}};
-    v.centre = {-0.03, 0, 0.09};
-    return v;
+/// Wheels without grip across their plane on two axes: the base goes where the wheels together say.
+Measure omniDrives(double direction, double speed) {
+    return [=](const Conditions& c) -> Figures {
+        Vehicle v;
+        v.friction = 0.8;
+        v.friction2 = 0;
+        v.omni = true;
+        v.wheels = {{0.2, 0, 0}, {-0.1, 0.17320508, 0}, {-0.1, -0.17320508, 0}};
+        v.centre = {0, 0, 0.08};
+        Scene scene = sceneOf(c);
+        addVehicle(scene, v, 0);
+        scene.scenery({plane("floor", {}, v.ground)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        const Vec3 way(std::cos(rad(direction)), std::sin(rad(direction)), 0);
+        for (std::size_t i = 0; i < v.wheels.size(); ++i) {
+            const Vec3 axle = v.wheels[i].normalized(), rolls = axle.cross(Vec3::UnitZ());
+            drive(*world, v, i, speed * way.dot(rolls) / v.radius);
+        }
+        if (!run(*world, 0.6)) return {};
+        const Vec3 from = position(*world, "v/chassis");
+        if (!run(*world, 1.5)) return {};
+        const Vec3 moved =
+            world->robotPose(0).rotation.conjugate() * Vec3(position(*world, "v/chassis") - from); // it starts off with a jerk
+        return {moved.dot(way) - std::abs(moved.cross(way).z()), 1.5 * speed};
+    };
 }
-Vehicle tailDriven(double mu) {
-    Vehicle v;
-    v.mass = 2.2;
-    v.friction = mu;
-    v.wheels = {{0, 0.1, 0}, {0, -0.1, 0}};
-    v.sliders = {{0.18, 0, 0}};
-    v.centre = {0.06, 0, 0.06};
-    return v;
-}
-Vehicle fourWheels(double mu, double mass = 3, double a = 0.12, double b = 0.15) {
-    Vehicle v;
-    v.mass = mass;
-    v.friction = mu;
-    v.wheels = {{a, b, 0}, {a, -b, 0}, {-a, b, 0}, {-a, -b, 0}};
-    v.centre = {0, 0, 0.05};
-    return v;
+
+/// Four wheels that grip along one diagonal each: driven at v_x -+ v_y as the two diagonals say.
+Measure mecanumDrives(double direction, double speed) {
+    return [=](const Conditions& c) -> Figures {
+        Vehicle v = fourWheels(0.8);
+        v.friction2 = 0;
+        Scene scene = sceneOf(c);
+        v.headings = {rad(45), rad(-45), rad(-45), rad(45)};
+        addVehicle(scene, v, 0);
+        scene.scenery({plane("floor", {}, v.ground)});
+        auto world = scene.build(beltOrRow);
+        if (!world) return {};
+        const Vec3 way(std::cos(rad(direction)), std::sin(rad(direction)), 0);
+        for (std::size_t i = 0; i < v.wheels.size(); ++i) // the rim's speed along the grip is the ground's: w r cos = v . grip
+            drive(*world, v, i, speed * (way.x() + std::tan(v.headings[i]) * way.y()) / v.radius);
+        if (!run(*world, 0.9)) return {};
+        const Vec3 from = position(*world, "v/chassis");
+        if (!run(*world, 1.5)) return {};
+        const Vec3 moved = position(*world, "v/chassis") - from;
+        return {moved.dot(way) - std::abs(moved.cross(way).z()), 1.5 * speed};
+    };
 }
 
 std::vector<Case> cases() {
@@ -283,6 +333,12 @@ std::vector<Case> cases() {
         {"four spinning wheels pulled aside, .2", spinsAside(fourWheels(0.8, 8), 2, 0.2), 0.02, 0.04, 0},
         {"tows a sled", hauls(fourWheels(0.8, 4), 3, 0.3, false), 0.02, 0.04, 0},
         {"pushes a sled", hauls(fourWheels(0.8, 4), 2, 0.4, true), 0.02, 0.04, 0},
+        {"omni base, ahead", omniDrives(0, 0.4), 0.02, 0.04, 0},
+        {"omni base, at 77 deg", omniDrives(77, 0.4), 0.02, 0.04, 0},
+        {"omni base, at 210 deg", omniDrives(210, 0.25), 0.02, 0.04, 0},
+        {"mecanum base, ahead", mecanumDrives(0, 0.4), 0.02, 0.04, 0},
+        {"mecanum base, aside", mecanumDrives(90, 0.3), 0.02, 0.04, 0},
+        {"mecanum base, at 130 deg", mecanumDrives(130, 0.3), 0.02, 0.04, 0},
         {"climbs .46 of the wheel", climbs(fourWheels(1, 3, 0.12, 0.1), 0.046, 0.3), 0.02, 0.04, 0},
         {"climbs .3 of the wheel", climbs(fourWheels(0.9, 5, 0.15, 0.1), 0.03, 0.3), 0.02, 0.04, 0},
     };

@@ -91,10 +91,9 @@ void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
     s.soft_erp = h * kp / give;
     s.soft_cfm = 1 / give;
 
-    const double friction = std::min(s1.friction, s2.friction);
-    const FrictionLaw law{vec(c.normal), Vec3::Zero(), friction, friction};
+    const FrictionLaw law = frictionLaw(c);
     const double restitution = std::max(s1.restitution, s2.restitution);
-    const bool grips = friction > 0;
+    const bool grips = law.along > 0 || law.across > 0;
     if (!(restitution > 0) && !grips) return;
     const Vec3 point = vec(c.position);
     const Vec3 speed = pointVelocity(g1, point) - pointVelocity(g2, point);
@@ -105,6 +104,41 @@ void OdeEngine::fillSurface(const Contact& c, double h, dContact& out) const {
         s.bounce_vel = kBounceSpeed;
     }
     if (grips) fillFriction(c, law, speed, h, out);
+}
+
+/// Where a geom's friction points, and what it is along that and across: the way a wheel rolls, else the geom's x axis (y where x
+/// stands upright).
+FrictionLaw OdeEngine::ownFriction(std::uint32_t index, const Vec3& outward) const {
+    const Geom& g = m_geoms[index];
+    const SurfaceSpec& s = m_settings.surfaces[g.surface];
+    FrictionLaw law{outward, Vec3::Zero(), s.friction, s.friction2.value_or(s.friction)};
+    if (!s.friction2) return law;
+    if (g.wheel) law.direction = turn(m_bodies[g.body].r, g.axle).cross(outward);
+    if (law.direction.squaredNorm() < 0.1) {
+        const Mat3 axes = axesOf(g);
+        const Vec3 axis = std::abs(axes.col(0).dot(outward)) < 0.9 ? axes.col(0) : axes.col(1);
+        law.direction = axis - axis.dot(outward) * outward;
+    }
+    law.direction.normalize();
+    const double heading = s.frictionHeading;
+    if (heading != 0) law.direction = std::cos(heading) * law.direction + std::sin(heading) * outward.cross(law.direction);
+    return law;
+}
+
+/// Of the two the smaller, in the direction of the one that has any.
+FrictionLaw OdeEngine::frictionLaw(const Contact& c) const {
+    const Vec3 normal = vec(c.normal);
+    const SurfaceSpec &s1 = m_settings.surfaces[m_geoms[c.first].surface], &s2 = m_settings.surfaces[m_geoms[c.second].surface];
+    const double least = std::min(s1.friction, s2.friction);
+    if (!s1.friction2 && !s2.friction2) return {normal, Vec3::Zero(), least, least};
+    const FrictionLaw a = ownFriction(c.first, normal), b = ownFriction(c.second, -normal);
+    const FrictionLaw &own = s1.friction2 ? a : b, &other = s1.friction2 ? b : a;
+    const auto reach = [&other](const Vec3& way) { // how far the other's ellipse goes that way
+        if (other.direction.squaredNorm() == 0) return other.along;
+        return std::hypot(other.along * other.direction.dot(way), other.across * other.direction.cross(other.normal).dot(way));
+    };
+    return {normal, own.direction, std::min(own.along, reach(own.direction)),
+            std::min(own.across, reach(normal.cross(own.direction)))};
 }
 
 /// The axis of friction where nothing slips: the way a wheel rolls, what gravity is about to start, any.

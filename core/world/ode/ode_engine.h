@@ -136,6 +136,8 @@ private:
     std::uint32_t clusterOf(std::uint32_t actor);
     void makeContactJoints(double h);
     void fillSurface(const Contact& contact, double h, dContact& out) const;
+    [[nodiscard]] FrictionLaw ownFriction(std::uint32_t geom, const Vec3& outward) const;
+    [[nodiscard]] FrictionLaw frictionLaw(const Contact& contact) const;
     [[nodiscard]] Vec3 restAxis(const Contact& contact, const Vec3& normal, const Vec3& slip, double h) const;
     [[nodiscard]] bool restsQuietly(const Contact& contact, const FrictionLaw& law) const;
     void fillFriction(const Contact& contact, FrictionLaw law, const Vec3& speed, double h, dContact& out) const;
@@ -163,11 +165,9 @@ private:
     std::vector<BodyState> m_states;
     std::vector<RawState> m_saved; ///< before the step, should it have to be taken again
     std::vector<Geom> m_geoms;
-    std::vector<Vec3> m_centres; ///< of geoms, world
-    std::vector<Box3> m_boxes;   ///< of geoms
-    std::vector<Box3> m_actorBoxes;
+    std::vector<Vec3> m_centres;             ///< of geoms, world
+    std::vector<Box3> m_boxes, m_actorBoxes; ///< of geoms, of actors
     std::vector<Joint> m_joints;
-    std::vector<std::uint32_t> m_updated;
     std::vector<GroundPlane> m_planes;
     std::vector<std::uint32_t> m_statics; ///< static geoms other than planes
     std::vector<std::unique_ptr<dJointFeedback>> m_feedbacks;
@@ -176,7 +176,7 @@ private:
     std::vector<JointTorque> m_torques;
     std::vector<BodyForce> m_forces;
     std::vector<Motion> m_motions;
-    std::vector<std::uint32_t> m_motorWrites;
+    std::vector<std::uint32_t> m_updated, m_motorWrites;
 
     StaticGrid m_grid;
     PairGrid m_pairGrid;
