@@ -11,8 +11,8 @@ namespace trundle {
 
 namespace {
 
-constexpr std::size_t kLongestChain = 100;    ///< nesting depth of Params that use each other; limits the stack
-constexpr std::size_t kMaxElements = 100000;  ///< nested lists could grow exponentially
+constexpr std::size_t kLongestChain = 100;   ///< nesting depth of Params that use each other; limits the stack
+constexpr std::size_t kMaxElements = 100000; ///< nested lists could grow exponentially
 
 /// The unit of plain numbers of a dimension in the language: m, deg ...
 std::string baseUnit(std::string_view dimension) {
@@ -275,6 +275,8 @@ std::optional<Evaluator::Amount> Evaluator::call(const Expression& e, FileId fil
         if (args.empty()) return fault(e, file, e.name + " takes at least one number");
         Amount best = args[0];
         for (const Amount& a : args) {
+            if (!a.unit.empty() && !best.unit.empty() && a.unit != best.unit)
+                return fault(e, file, best.unit + " and " + a.unit + " cannot be compared");
             if (e.name == "min" ? a.value < best.value : a.value > best.value) best.value = a.value;
             if (best.unit.empty()) best.unit = a.unit;
         }

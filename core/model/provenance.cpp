@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/params.h"
 #include "model/set_targets.h"
 
 namespace trundle {
@@ -47,12 +48,6 @@ std::optional<Provenance> fromPart(const Outline& outline, const Part& part, std
     return inner ? fromPart(outline, *inner, words.subspan(1), origin) : std::nullopt;
 }
 
-const Part* configOf(const Outline& outline, const Part& instance) {
-    const SourceAssignment* a = instance.assignments.find("Config");
-    if (!a || a->value->elements.size() != 1) return nullptr;
-    return outline.configs.find(a->value->elements[0].text);
-}
-
 std::optional<Provenance> fromInstance(const Outline& outline, const Part& instance, std::span<const std::string> words) {
     if (auto own = fromPart(outline, instance, words, Origin::Instance)) return own;
     const Part* config = configOf(outline, instance);
@@ -63,6 +58,20 @@ std::optional<Provenance> fromInstance(const Outline& outline, const Part& insta
 }
 
 } // namespace
+
+const Part* configOf(const Outline& outline, const Part& instance) {
+    const SourceAssignment* a = instance.assignments.find("Config");
+    if (!a || a->value->elements.size() != 1) return nullptr;
+    const Element& e = a->value->elements[0];
+    if (e.kind == Element::Kind::Word || e.kind == Element::Kind::String) return outline.configs.find(e.text);
+    Diagnostics silent;
+    Evaluator evaluator(outline.texts(), silent);
+    ParamScope globals, own(&globals);
+    globals.declare(outline.params);
+    own.declare(instance.params);
+    const std::optional<GivenValue> value = evaluator.evaluate(*a->value, a->file, own);
+    return value && value->elements.size() == 1 ? outline.configs.find(value->elements[0].text) : nullptr;
+}
 
 std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view path) {
     const std::vector<std::string> words = wordsOf(path);

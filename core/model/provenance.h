@@ -21,4 +21,7 @@ struct Provenance {
 /// of a Grid or Scatter ("swarm_3.leftMotor.Resistance") have the same provenance.
 [[nodiscard]] std::optional<Provenance> provenanceOf(const Outline& outline, std::string_view path);
 
+/// The config that a Robot, Static, Grid or Scatter names, directly or through a Param; nullptr if there is none.
+[[nodiscard]] const Part* configOf(const Outline& outline, const Part& instance);
+
 } // namespace trundle

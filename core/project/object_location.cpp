@@ -1,6 +1,6 @@
 #include "project/object_location.h"
 
-#include "model/params.h"
+#include "model/provenance.h"
 
 namespace trundle {
 
@@ -69,20 +69,7 @@ void deepest(const Part& part, FileId file, std::uint32_t offset, std::vector<co
 
 } // namespace
 
-const Part* configOf(const LoadedProject& loaded, const Part& instance) {
-    const SourceAssignment* a = instance.assignments.find("Config");
-    if (!a || a->value->elements.size() != 1) return nullptr;
-    const Element& e = a->value->elements[0];
-    const NameSpace& configs = loaded.outline->configs;
-    if (e.kind == Element::Kind::Word || e.kind == Element::Kind::String) return configs.find(e.text);
-    Diagnostics silent;
-    Evaluator evaluator(loaded.outline->texts(), silent);
-    ParamScope globals, own(&globals);
-    globals.declare(loaded.outline->params);
-    own.declare(instance.params);
-    const std::optional<GivenValue> value = evaluator.evaluate(*a->value, a->file, own);
-    return value && value->elements.size() == 1 ? configs.find(value->elements[0].text) : nullptr;
-}
+const Part* configOf(const LoadedProject& loaded, const Part& instance) { return configOf(*loaded.outline, instance); }
 
 std::optional<ObjectLocation> placeOf(const LoadedProject& loaded, std::string_view path) {
     ObjectLocation place;
