@@ -6,21 +6,12 @@
 #include "base/rng.h"
 #include "model/convex_hull.h"
 #include "model/mass_properties.h"
+#include "model_fixture.h"
 
 using namespace trundle;
+using sample::boxMesh;
 
 namespace {
-
-TriangleMesh boxMesh(const Vec3& size, const Vec3& centre) {
-    TriangleMesh m;
-    for (int i = 0; i < 8; ++i) {
-        const Vec3 p = centre + 0.5 * size.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
-        m.points.push_back({p.x(), p.y(), p.z()});
-    }
-    m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                   {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return m;
-}
 
 double random01(std::uint64_t i) { return toUnit(randomBits(5, 0, 0, i)); }
 
@@ -32,24 +23,25 @@ private Q_SLOTS:
     void aBoxAsMeshIsABox() {
         GeomSpec box;
         box.size = {1, 2, 3};
-        const MassProperties a = solidOf(box).value(), b = solidOf(boxMesh({1, 2, 3}, {100, -50, 7})).value();
+        const MassProperties a = solidOf(box).value(),
+                             b = solidOf(boxMesh({1, 2, 3}, {Vec3(100, -50, 7), Quat::Identity()})).value();
         QVERIFY(std::abs(a.mass - 6) < 1e-12 && std::abs(b.mass - 6) < 1e-9);
         QVERIFY((b.centre - Vec3(100, -50, 7)).norm() < 1e-9);
         QVERIFY((a.inertia - b.inertia).norm() < 1e-9);
-        TriangleMesh inside = boxMesh({1, 2, 3}, {0, 0, 0});
+        TriangleMesh inside = boxMesh({1, 2, 3}, {});
         for (auto& t : inside.triangles) std::swap(t[0], t[1]);
         QVERIFY(std::abs(solidOf(inside).value().mass - 6) < 1e-12);
     }
 
     void anOpenMeshHasNone() {
-        TriangleMesh open = boxMesh({1, 1, 1}, {0, 0, 0});
+        TriangleMesh open = boxMesh({1, 1, 1}, {});
         open.triangles.pop_back();
         QVERIFY(!solidOf(open).ok());
     }
 
     /// Three separate vertices for each triangle, as in STL.
     void anUnweldedMeshIsClosed() {
-        const TriangleMesh box = boxMesh({1, 1, 1}, {0, 0, 0});
+        const TriangleMesh box = boxMesh({1, 1, 1}, {});
         TriangleMesh loose;
         for (const auto& t : box.triangles) {
             const auto n = static_cast<std::uint32_t>(loose.points.size());
@@ -88,6 +80,98 @@ private Q_SLOTS:
         const MassProperties s = sum({placed(solidOf(half).value(), {Vec3(-0.5, 0, 0), Quat::Identity()}),
                                       placed(solidOf(half).value(), {Vec3(0.5, 0, 0), Quat::Identity()})});
         QVERIFY((s.inertia - solidOf(whole).value().inertia).norm() < 1e-12);
+    }
+
+    /// A box turned by 30 degrees about z, against the closed form of its products of inertia.
+    void aTurnedBox() {
+        GeomSpec box;
+        box.size = {1, 2, 3};
+        const double c = std::sqrt(0.75), s = 0.5, xx = 6.0 / 12 * (4 + 9), yy = 6.0 / 12 * (1 + 9), zz = 6.0 / 12 * (1 + 4);
+        const Pose turned{Vec3(5, -7, 11), rotationFromHpr(Vec3(30, 0, 0) * std::numbers::pi / 180)};
+        const MassProperties p = placed(solidOf(box).value(), turned);
+        Mat3 expected;
+        expected << c * c * xx + s * s * yy, s * c * (xx - yy), 0, s * c * (xx - yy), s * s * xx + c * c * yy, 0, 0, 0, zz;
+        QVERIFY((p.inertia - expected).norm() < 1e-12);
+        QCOMPARE(p.centre, Vec3(5, -7, 11));
+    }
+
+    /// A solid with its centre off its origin, turned about all axes: the same as the mesh of its turned points.
+    void placesASolid() {
+        for (const Vec3& hpr : {Vec3(0.5, 0, 0), Vec3(0, 0.6, 0), Vec3(0, 0, -0.7), Vec3(0.4, -0.9, 1.3)}) {
+            const Pose within{Vec3(0.3, -0.2, 0.7), rotationFromHpr(Vec3(0.2, 0.5, -0.3))};
+            const Pose pose{Vec3(-1, 2, 0.5), rotationFromHpr(hpr)};
+            const MassProperties whole = solidOf(boxMesh({1, 2, 3}, pose * within)).value();
+            const MassProperties p = placed(solidOf(boxMesh({1, 2, 3}, within)).value(), pose);
+            QVERIFY((p.inertia - whole.inertia).norm() < 1e-9);
+            QVERIFY((p.centre - whole.centre).norm() < 1e-12);
+        }
+    }
+
+    /// Two turned solids of different mass, against the point masses of both (the parallel axis theorem, term by term).
+    void sumsTurnedSolids() {
+        GeomSpec box, rod;
+        box.size = {0.2, 0.5, 0.9};
+        rod.shape = GeomShape::Cylinder;
+        rod.radius = 0.1;
+        rod.length = 1.5;
+        const MassProperties a =
+            placed(withMass(solidOf(box).value(), 3), {Vec3(1, 2, -1), rotationFromHpr(Vec3(0.4, 0.2, 0.9))});
+        const MassProperties b = placed(withMass(solidOf(rod).value(), 5), {Vec3(-2, 0.5, 3), rotationFromHpr(Vec3(-1, 0.7, 0))});
+        const MassProperties total = sum({a, b});
+        QCOMPARE(total.mass, 8.0);
+        QVERIFY((total.centre - Vec3((3 - 10) / 8.0, (6 + 2.5) / 8.0, (-3 + 15) / 8.0)).norm() < 1e-12);
+        const double reduced = 3 * 5 / 8.0; // of two bodies about their common centre
+        const Vec3 d(3, 1.5, -4);
+        Mat3 expected = a.inertia + b.inertia;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k) expected(i, k) += reduced * ((i == k ? d.squaredNorm() : 0) - d[i] * d[k]);
+        QVERIFY((total.inertia - expected).norm() < 1e-12);
+        QVERIFY((sum({b, a}).inertia - total.inertia).norm() < 1e-12);
+    }
+
+    /// Scaling a mass scales the inertia and leaves the centre.
+    void scalesTheMass() {
+        const MassProperties solid = solidOf(boxMesh({1, 2, 3}, {Vec3(4, 5, 6), Quat::Identity()})).value();
+        const MassProperties light = withMass(solid, 1.5);
+        QCOMPARE(light.mass, 1.5);
+        QVERIFY((light.centre - Vec3(4, 5, 6)).norm() < 1e-12);
+        QVERIFY((light.inertia - solid.inertia / 4).norm() < 1e-9);
+    }
+
+    /// Closed forms with different numbers along each axis.
+    void plainShapes() {
+        GeomSpec g;
+        g.radius = 0.3;
+        g.shape = GeomShape::Sphere;
+        const double pi = std::numbers::pi, ball = 4.0 / 3 * pi * 0.027;
+        QVERIFY((solidOf(g).value().inertia - Mat3(0.4 * ball * 0.09 * Mat3::Identity())).norm() < 1e-15);
+        g.shape = GeomShape::Cylinder;
+        g.length = 0.8;
+        const double m = pi * 0.09 * 0.8, across = m * (3 * 0.09 + 0.64) / 12;
+        QCOMPARE(solidOf(g).value().mass, m);
+        QVERIFY((solidOf(g).value().inertia - Mat3(Vec3(across, across, m * 0.045).asDiagonal())).norm() < 1e-15);
+        g.shape = GeomShape::Plane;
+        QVERIFY(!solidOf(g).ok());
+        g.shape = GeomShape::Mesh; // without points
+        QVERIFY(!solidOf(g).ok());
+        QVERIFY(sum({}).mass == 0 && !checkMass(sum({})).ok());
+    }
+
+    /// The limits, along each axis and with axes that are not principal.
+    void inertiaOfATurnedBody() {
+        const Mat3 r = rotationFromHpr(Vec3(0.4, 0.8, -0.5)).toRotationMatrix();
+        for (const Vec3& moments : {Vec3(1, 2, 3), Vec3(3, 1, 2), Vec3(2, 3, 1)}) {
+            const auto of = [&](double more) {
+                const Vec3 m = moments + more * Vec3((moments.array() > 2.5).cast<double>());
+                return checkMass({1, Vec3::Zero(), Mat3(r * m.asDiagonal() * r.transpose())}).ok();
+            };
+            QVERIFY(of(0) && of(-0.5));
+            QVERIFY(!of(0.001));
+        }
+        QVERIFY(!checkMass({1, Vec3::Zero(), Mat3(1e-19 * Mat3::Identity())}).ok());
+        QVERIFY(checkMass({1, Vec3::Zero(), Mat3(2e-18 * Mat3::Identity())}).ok());
+        QVERIFY(!checkMass({1, Vec3(0, std::nan(""), 0), Mat3::Identity()}).ok());
+        QVERIFY(!checkMass({std::numeric_limits<double>::infinity(), Vec3::Zero(), Mat3::Identity()}).ok());
     }
 
     void rejectsImpossibleInertia() {
