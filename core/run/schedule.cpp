@@ -11,11 +11,7 @@ namespace {
 constexpr double kMaxTicks = 9.0e18; // below 2^63
 }
 
-std::uint64_t ticksFor(double duration, double tick) {
-    const double ticks = std::ceil(duration / tick - 1e-9);
-    if (!(ticks > 0)) return 0;
-    return ticks < kMaxTicks ? static_cast<std::uint64_t>(ticks) : static_cast<std::uint64_t>(kMaxTicks);
-}
+std::uint64_t ticksFor(double duration, double tick) { return firstTickAt(duration, tick); }
 
 std::uint64_t firstTickAt(double time, double tick) {
     const double exact = time / tick;

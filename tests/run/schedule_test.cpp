@@ -13,6 +13,10 @@ private Q_SLOTS:
     void ticksOfADuration();
     void rowsFallOnTheFirstTickNotBefore_data();
     void rowsFallOnTheFirstTickNotBefore();
+    void periodsNearTheTick_data();
+    void periodsNearTheTick();
+    void longTimes_data();
+    void longTimes();
     void aPeriodBelowTheTickIsEveryTick();
     void leftOutTicksAreNotMadeUpFor();
     void timesReadAsPeopleWriteThem();
@@ -56,6 +60,55 @@ void ScheduleTest::rowsFallOnTheFirstTickNotBefore() {
     for (quint64 n = 0; n <= first.last(); ++n)
         if (schedule.due(n)) due << n;
     QCOMPARE(due, first);
+}
+
+/// Period and tick as whole numbers of the same unit, so that the expected ticks are exact.
+void ScheduleTest::periodsNearTheTick_data() {
+    QTest::addColumn<int>("period");
+    QTest::addColumn<int>("tick");
+    QTest::addColumn<int>("unit"); // in 1 s
+    for (const int period : {10, 11, 15, 19, 20, 21, 25, 30, 33, 99})
+        for (const auto& [tick, unit] : {std::pair{10, 1000}, {10, 100}, {7, 1000}, {3, 100}, {10, 333}})
+            if (period >= tick) QTest::addRow("%d/%d at %d", period, unit, tick) << period << tick << unit;
+}
+
+void ScheduleTest::periodsNearTheTick() {
+    QFETCH(int, period);
+    QFETCH(int, tick);
+    QFETCH(int, unit);
+    Schedule schedule(double(period) / unit, double(tick) / unit);
+    std::uint64_t count = 0; // of due times so far
+    for (std::uint64_t n = 0; n < 300000; ++n) {
+        const std::uint64_t next = (count * period + tick - 1) / tick; // the first tick at or after it
+        if (schedule.due(n) != (n == next)) QFAIL(qPrintable(QString("tick %1, expected %2").arg(n).arg(next)));
+        count += n == next;
+    }
+}
+
+void ScheduleTest::longTimes_data() {
+    QTest::addColumn<quint64>("tick");
+    QTest::addColumn<quint64>("unit");
+    for (const auto& [tick, unit] : {std::pair{1, 100}, {1, 1000}, {3, 100}, {7, 1000}, {1, 30}, {25, 10000}})
+        QTest::addRow("%d/%d s", tick, unit) << quint64(tick) << quint64(unit);
+}
+
+/// After days: a time of whole ticks is that tick, a little more is the next one.
+void ScheduleTest::longTimes() {
+    QFETCH(quint64, tick);
+    QFETCH(quint64, unit);
+    const double h = double(tick) / double(unit);
+    for (std::uint64_t scale = 1; scale <= 10'000'000'000ull; scale *= 10)
+        for (const std::uint64_t some : {2000003ull, 2097153ull, 4999999ull, 7654321ull, 9999999ull}) {
+            const std::uint64_t ticks = some * scale / 1000;
+            if (ticks * tick > 1ull << 52) continue;
+            const double time = double(ticks * tick) / double(unit); // as it is read from its decimal digits
+            QCOMPARE(ticksFor(time, h), ticks);
+            QCOMPARE(firstTickAt(time, h), ticks);
+            QCOMPARE(firstTickAt(double(ticks) * h, h), ticks);
+            if (ticks > 1'000'000'000'000ull) continue; // a thousandth of a tick is no more than rounding there
+            QCOMPARE(ticksFor(time + h / 1000, h), ticks + 1);
+            QCOMPARE(firstTickAt(time + h / 1000, h), ticks + 1);
+        }
 }
 
 void ScheduleTest::aPeriodBelowTheTickIsEveryTick() {
