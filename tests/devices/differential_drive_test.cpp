@@ -163,6 +163,68 @@ private Q_SLOTS:
         QCOMPARE(base.robot.warnings.size(), std::size_t(5));
     }
 
+    /// Two unlike motors: each wheel gets the voltage of its own gear and constant, so that open loop drives straight.
+    void unlikeMotors_data() {
+        QTest::addColumn<QString>("control");
+        for (const char* control : {"servo", "pi", "voltage"}) QTest::newRow(control) << control;
+    }
+    void unlikeMotors() {
+        QFETCH(QString, control);
+        Base base(control.toStdString());
+        auto& right = base.robot.devices[2].numbers;
+        right.erase("BackEmfConstant");
+        right["SpeedConstant"] = {50};
+        right["GearRatio"] = {20};
+        QCOMPARE(base.robot.setup(), std::string());
+        base.at("linearVelocity") = .3;
+        base.robot.run(4);
+        QVERIFY(std::abs(base.robot.joint("leftAxle").rate - 6) < 1e-6 &&
+                std::abs(base.robot.joint("rightAxle").rate - 6) < 1e-6);
+        if (control != "servo") {
+            QVERIFY(std::abs(base.robot.signal("left/voltage")[0] - 6 * 30 * .03) < 1e-3);
+            QVERIFY(std::abs(base.robot.signal("right/voltage")[0] - 6. * 20 / 50) < 1e-3);
+        }
+        QVERIFY(base.robot.warnings.empty());
+        base.at("linearVelocity") = .05 * 14; // above 12 V of the left one: 13.3 rad/s; the right one reaches 30
+        base.robot.run(.5);
+        QCOMPARE(base.robot.warnings.size(), std::size_t(1));
+    }
+
+    /// Each wheel turns the way its side asks for: left is positive y.
+    void turnsOnTheSpot() {
+        Base base("servo");
+        QCOMPARE(base.robot.setup(), std::string());
+        base.at("angularVelocity") = 1;
+        base.robot.run(2);
+        QVERIFY(std::abs(base.robot.joint("leftAxle").rate + 2.5) < 1e-9 &&
+                std::abs(base.robot.joint("rightAxle").rate - 2.5) < 1e-9);
+        QVERIFY(base.at("odometry", 2) > 1);
+    }
+
+    /// Against its limit of voltage the integral stops growing, in both directions: freed, the wheel does not overshoot.
+    void piDoesNotWindUp_data() {
+        QTest::addColumn<double>("speed");
+        QTest::newRow("forwards") << .4;
+        QTest::newRow("backwards") << -.4;
+    }
+    void piDoesNotWindUp() {
+        QFETCH(double, speed);
+        Base base("pi");
+        base.robot.devices[0].numbers["MaxAcceleration"] = {0};
+        QCOMPARE(base.robot.setup(), std::string());
+        for (const char* axle : {"leftAxle", "rightAxle"}) base.robot.joint(axle).inertia = 1e6; // held
+        base.at("linearVelocity") = speed;
+        base.robot.run(20);
+        for (const char* axle : {"leftAxle", "rightAxle"}) base.robot.joint(axle).inertia = .0058;
+        double fastest = 0;
+        for (int i = 0; i < 300; ++i) {
+            base.robot.tick();
+            fastest = std::max(fastest, std::abs(base.robot.joint("leftAxle").rate));
+        }
+        QVERIFY2(fastest < 12, qPrintable(QString::number(fastest)));
+        QVERIFY(std::abs(base.robot.joint("leftAxle").rate - speed / .05) < .1);
+    }
+
     void needsTwoMotors() {
         Base same("servo"), missing("servo");
         same.robot.devices[0].texts["RightMotor"] = {"left"};

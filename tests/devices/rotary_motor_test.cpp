@@ -129,6 +129,41 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.signal("motor/torque")[0] - 5.4) < 1e-12);
     }
 
+    /// Each live value holds from the next tick on; the others do not change.
+    void takesLiveValues_data() {
+        QTest::addColumn<QString>("field");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("torque"); // held at 12 V
+        QTest::newRow("Efficiency") << "Efficiency" << .5 << 2.7;
+        QTest::newRow("Resistance") << "Resistance" << 4. << 2.7;
+        QTest::newRow("TorqueConstant") << "TorqueConstant" << .06 << 10.8;
+        QTest::newRow("Inductance") << "Inductance" << .02 << 5.4 * 2 / (2 + .02 / .01) + 5.4 * 2 / (2 + .02 / .01);
+    }
+    void takesLiveValues() {
+        QFETCH(QString, field);
+        QFETCH(double, value);
+        QFETCH(double, torque);
+        BenchRobot robot(.01);
+        robot.joint("axle").inertia = 1e12; // held
+        addMotor(robot, "motor", "axle");
+        QCOMPARE(robot.setup(), std::string());
+        robot.signal("motor/voltage")[0] = 12;
+        robot.tick();
+        QVERIFY(std::abs(robot.signal("motor/torque")[0] - 5.4) < 1e-9);
+        BenchDevice& motor = robot.devices[0];
+        std::uint32_t index = 0;
+        while (field != motor.code->fields[index].name) ++index;
+        QVERIFY(motor.code->fields[index].flags & TRUNDLE_LIVE);
+        const TrundleValue live{&value, nullptr, 1};
+        QCOMPARE(motor.code->set(motor.instance, index, &live), 0);
+        robot.tick();
+        QVERIFY2(std::abs(robot.signal("motor/torque")[0] - torque) < 1e-6,
+                 qPrintable(QString::number(robot.signal("motor/torque")[0])));
+        const double current =
+            field == "TorqueConstant" ? torque / (.06 * 30) : torque / (.03 * 30 * (field == "Efficiency" ? .5 : 1));
+        QVERIFY(std::abs(robot.signal("motor/current")[0] - current) < 1e-6);
+    }
+
     void needsExactlyOneSpeedConstant() {
         BenchRobot both(.01), neither(.01);
         addMotor(both, "motor", "axle").numbers["SpeedConstant"] = {33};

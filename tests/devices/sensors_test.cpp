@@ -86,6 +86,71 @@ private Q_SLOTS:
         QCOMPARE(pulses, 3);
     }
 
+    /// The mark is at 0: it passes once per turn in either direction, and once more when a turn is taken back.
+    void indexPulsesBackwards() {
+        BenchRobot robot(.01);
+        addEncoder(robot, 16).numbers["Index"] = {1};
+        QCOMPARE(robot.setup(), std::string());
+        const auto pulsesOf = [&](double turnsPerTick, int ticks) {
+            robot.joint("axle").rate = turnsPerTick * 100 * kTurn;
+            int pulses = 0;
+            for (int i = 0; i < ticks; ++i) {
+                robot.tick();
+                pulses += robot.signal("encoder/index")[0] != 0;
+            }
+            return pulses;
+        };
+        QCOMPARE(pulsesOf(-.1, 35), 4); // leaves 0 at once: 0, -1, -2, -3
+        QCOMPARE(robot.signal("encoder/count")[0], -56.);
+        QCOMPARE(pulsesOf(.1, 36), 4); // to +0.1
+        QCOMPARE(pulsesOf(-.03, 3), 0);
+        QCOMPARE(pulsesOf(-.03, 1), 1);
+    }
+
+    /// Rate and angle backwards, in quadrature.
+    void encoderCountsBackwards() {
+        BenchRobot robot(.01);
+        addEncoder(robot, 100).numbers["Quadrature"] = {1};
+        QCOMPARE(robot.setup(), std::string());
+        robot.joint("axle").rate = -1.3 * kTurn; // 5.2 counts a tick
+        robot.tick();
+        QCOMPARE(robot.signal("encoder/count")[0], -6.);
+        robot.tick();
+        QCOMPARE(robot.signal("encoder/count")[0], -11.);
+        QVERIFY(std::abs(robot.signal("encoder/rate")[0] + 5 * kTurn / 4) < 1e-12);
+        QVERIFY(std::abs(robot.signal("encoder/angle")[0] + 11 * kTurn / 400) < 1e-12);
+    }
+
+    /// A period below the tick, of one tick, and just above it: a picture at the first tick at or after each due time, numbered by those.
+    void aCameraNearItsTick_data() {
+        QTest::addColumn<double>("period");
+        QTest::addColumn<QList<double>>("frames");
+        QTest::newRow("0: none of its own") << 0. << QList<double>{0, 1, 2, 3, 4, 5, 6, 7};
+        QTest::newRow("0.4 ticks") << .004 << QList<double>{0, 3, 6, 8, 11, 13, 16, 18};
+        QTest::newRow("one tick") << .01 << QList<double>{0, 2, 3, 4, 5, 6, 7, 8};
+        QTest::newRow("1.5 ticks") << .015 << QList<double>{0, 1, 2, 2, 3, 4, 4, 5};
+        QTest::newRow("2 ticks") << .02 << QList<double>{0, 1, 1, 2, 2, 3, 3, 4};
+    }
+    void aCameraNearItsTick() {
+        QFETCH(double, period);
+        QFETCH(QList<double>, frames);
+        BenchRobot robot(.01);
+        BenchDevice& camera = robot.device("Camera", "eye");
+        camera.texts = {{"Body", {"chassis"}}};
+        camera.numbers = {{"UpdatePeriod", {period}}};
+        QCOMPARE(robot.setup(), std::string());
+        QList<double> seen;
+        double lastFrame = -1;
+        for (int i = 1; i <= frames.size(); ++i) {
+            robot.tick();
+            const double frame = robot.signal("eye/frame")[0], time = robot.signal("eye/time")[0];
+            QCOMPARE(std::abs(time - i * .01) < 1e-12, frame != lastFrame); // a new picture is of now
+            lastFrame = frame;
+            seen << frame;
+        }
+        QCOMPARE(seen, frames);
+    }
+
     void aCameraCountsThePicturesOfItsStream() {
         BenchRobot robot(.01);
         BenchDevice& camera = robot.device("Camera", "eye");

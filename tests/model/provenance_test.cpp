@@ -15,6 +15,7 @@ RobotConfig Strong { Body b { Sphere s { Radius=0.1 Mass=9 Material=grey Surface
 Robot robot1 { Config=Rover leftMotor.Resistance=3 Walker brain { Speed=1 } }
 Robot robot10 { Config=Rover wheelRadius=6cm leftMotor.Resistance=$strong rightMotor.Resistance=$(strong + 1) Walker brain { Mood=wild } }
 Robot robot { Config=$which chassis.hull.Mass=4 }
+Robot own { Param which = Strong Config=$which }
 Grid swarm { Config=Rover Count=2 Spacing=3 Pos=0,9,0 leftMotor.Resistance=5 Walker brain { } }
 Grid swarm_1x { Config=Strong Count=11 Spacing=1 }
 StaticConfig Slab { Box block { Size=1,1,1 Material=grey Surface=rubber } }
@@ -55,6 +56,7 @@ private Q_SLOTS:
         row("robot.leftMotor.Resistance", "config 2 in leftMotor");
         row("robot.chassis.hull.Mass", "instance 4 in robot");
         row("robot.Config", "param $which in robot");
+        row("own.b.s.Mass", "config 9 in s");
         row("swarm.leftMotor.Resistance", "instance 5 in swarm");
         row("swarm_1.leftMotor.Resistance", "instance 5 in swarm");
         row("swarm_1.chassis.hull.Mass", "config 2 in hull");

@@ -117,7 +117,7 @@ private Q_SLOTS:
         QVERIFY(g[1].shape == GeomShape::Capsule && g[1].radius == 0.04 && g[1].length == 0.05 && !g[1].collide);
         QVERIFY(g[2].shape == GeomShape::Mesh && !g[2].visible && g[2].collideAsHull && g[2].hull);
         QCOMPARE(g[2].mesh->points[7], (std::array<double, 3>{2, 3, 4}));
-        QVERIFY(g[3].shape == GeomShape::Convex && g[3].mesh == g[3].hull && g[3].mesh->points.size() == 8);
+        QVERIFY(g[3].shape == GeomShape::Convex && g[3].collideAsHull && g[3].mesh == g[3].hull && g[3].mesh->points.size() == 8);
         QVERIFY(!g[4].collide && !g[4].collideAsHull);
         QVERIFY(g[5].collide && !g[5].collideAsHull);
         const RobotSpec& robot = r.experiment->robots.at(0);
@@ -140,7 +140,7 @@ private Q_SLOTS:
             "Universal u { Parent=b Child=a Axis=0,0,2 Axis2=0,5,0 } }\n"
             "RobotConfig E { " +
             bodies +
-            "Suspension w { Parent=a Child=b Axis=0,0,1 Axis2=0.6,0.8,0 Travel=7cm Stiffness=800 Damping=90 } }\n"
+            "Suspension w { Parent=a Child=b Axis=0,0,1 Axis2=3,4,0 Travel=7cm Stiffness=800 Damping=90 } }\n"
             "RobotConfig F { " +
             bodies +
             "Ball k { Parent=a Child=b Anchor=9,8,7 } }\n"

@@ -393,23 +393,25 @@ private Q_SLOTS:
         EVENTUALLY(threadCount() <= threads + 1); // the abandoned thread has ended
     }
 
-    void theNextRunWaitsForTheLogsOfTheFormer() {
-        m_door.set(false);
-        LiveRun::Options options = fast();
-        options.startsRunning = true;
-        options.logFolder = m_folder.filePath("waits").toStdString();
-        LiveRun first(maker(), options);
-        EVENTUALLY_EQUAL(m_door.waiting.load(), 1);
-        first.stop();
-        options.after = &first;
-        options.timeout = 60s;
-        options.startsRunning = false;
-        LiveRun second(maker(), options);
-        QCOMPARE(second.phase(), LivePhase::Building);
-        m_door.set(true);
-        EVENTUALLY_EQUAL(second.phase(), LivePhase::Paused);
-        QVERIFY(first.gone());
-        QVERIFY(second.takeLines().lines.empty());
+    void theNextRunWaitsForTheLogsOfTheFormer() { // or, if that hangs, writes none
+        for (const bool hangs : {false, true}) {
+            m_door.set(false);
+            LiveRun::Options options = fast();
+            options.startsRunning = true;
+            options.logFolder = m_folder.filePath("waits").toStdString();
+            LiveRun first(maker(), options);
+            EVENTUALLY_EQUAL(m_door.waiting.load(), 1);
+            first.stop();
+            options = {.logFolder = options.logFolder, .speed = 0, .after = &first, .timeout = hangs ? 1ms : 60s};
+            LiveRun second(maker(), options);
+            m_door.set(!hangs);
+            EVENTUALLY_EQUAL(second.phase(), LivePhase::Paused);
+            QCOMPARE(first.gone(), !hangs);
+            QCOMPARE(second.takeLines().lines.size(), std::size_t(hangs));
+            second.stop();
+            m_door.set(true);
+            QVERIFY(second.waitUntilGone(10s) && second.end()->logFiles.empty() == hangs);
+        }
     }
 
     void notifiesEveryChange() {

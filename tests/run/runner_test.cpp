@@ -64,7 +64,8 @@ class RunnerTest : public QObject {
         RunOptions options;
         options.logFolder = m_folder.filePath("logs").toStdString();
         options.console = [this](double time, const std::string& who, int, const std::string& text) {
-            m_console.push_back("[" + QString::number(time).toStdString() + " " + who + "] " + text);
+            m_console.push_back("[" + QString::number(time, 'g', QLocale::FloatingPointShortest).toStdString() + " " + who +
+                                "] " + text);
         };
         m_runner = std::make_unique<ExperimentRunner>(std::move(world), std::move(options));
         m_runner->startControllers(
@@ -112,6 +113,7 @@ private Q_SLOTS:
     void reportsLargeClusterOnce();
     void reportsUnwritableFolderOnce();
     void logsHaveTheInitialStateAndEveryInterval();
+    void rowsCountTicksNotFloatingPointTime();
     void noLogFolderMeansNoLogs();
     void controllerLogIsInLogFolder();
     void aLogThatFailedIsNotNamed();
@@ -279,6 +281,27 @@ void RunnerTest::logsHaveTheInitialStateAndEveryInterval() {
                                           "0,robot1,0,1,0,0,0,0\n0.03,robot1,0.03,1,0,0,0,0\n0.06,robot1,0.06,1,0,0,0,0\n"));
     QCOMPARE(m_runner->logFiles().size(), std::size_t(1));
     QVERIFY(m_runner->logFiles()[0].ends_with("logs/sub/p.csv"));
+}
+
+/// 3 * 0.1 is 0.30000000000000004: logs, console and the end of the run say 0.3.
+void RunnerTest::rowsCountTicksNotFloatingPointTime() {
+    m_experiment->settings.tick = 0.1;
+    giveController();
+    m_experiment->logs = {logSpec("PoseLog", "pose", {{"Interval", numberValue(0.3)}}), logSpec("EnergyLog", "energy", {}),
+                          logSpec("ContactLog", "contact", {}),
+                          logSpec("SignalLog", "signal", {{"Signals", textValue({"robot0/*"})}})};
+    build();
+    m_world->touching = {{"robot0/chassis/bumper", "arena/north", {1, 2, 3}, {0, -1, 0}, 0.001, 5}};
+    m_backend->finishAt = 2;
+    for (int i = 0; i < 3; ++i) QVERIFY(m_runner->tick().ok());
+    QCOMPARE(m_runner->finished()->time, 0.3);
+    m_backend->outputs.print(TRUNDLE_INFO, "now");
+    QCOMPARE(m_console.back(), std::string("[0.3 robot0] now"));
+    QVERIFY(m_runner->finish().ok());
+    for (const char* name : {"pose.csv", "energy.csv", "contact.csv", "signal.csv"}) {
+        const QList<QByteArray> rows = log(name).trimmed().split('\n');
+        QVERIFY2(rows.size() > 1 && rows.last().startsWith("0.3,"), rows.last().constData());
+    }
 }
 
 void RunnerTest::noLogFolderMeansNoLogs() {

@@ -251,6 +251,37 @@ private Q_SLOTS:
         QVERIFY(contacts[0].depth > 0 && contacts[0].depth < 2e-4);
     }
 
+    /// Each of two robots that touch sees the contact from its own side, whichever is listed first.
+    void contactsOfBothRobots() {
+        for (const bool swapped : {false, true}) {
+            std::uint32_t geoms[2];
+            std::vector<TrundleContact> seen[2];
+            Scene scene = r0Scene(0.002);
+            scene.spec->settings.gravity = Vec3::Zero();
+            for (const int i : {0, 1}) {
+                const std::string name = i ? "right" : "left";
+                m_bench.probes[name].setup = [&, i](const TrundleMount& m) { return m.geom(m.context, "b.g", &geoms[i]); };
+                m_bench.probes[name].sense = [&, i](const TrundleServices& s) {
+                    seen[i].resize(8);
+                    seen[i].resize(s.contacts(s.context, geoms[i], seen[i].data(), 8));
+                    return 0;
+                };
+            }
+            for (const int i : {swapped ? 1 : 0, swapped ? 0 : 1}) {
+                auto config = std::make_shared<RobotConfigSpec>();
+                config->bodies.push_back(body("b", {}, massOfSphere(i ? 3 : 1, 0.1), {sphere("g", 0.1)}));
+                config->devices.push_back(probe(i ? "right" : "left"));
+                scene.robot(i ? "right" : "left", at(i ? 0.198 : 0, 0, 1), config);
+            }
+            auto world = scene.build(code);
+            QVERIFY(world->tick().ok());
+            QVERIFY(seen[0].size() == 1 && seen[1].size() == 1);
+            QVERIFY(seen[0][0].normal[0] < -0.99 && seen[1][0].normal[0] > 0.99);
+            QVERIFY(seen[0][0].other == geoms[1] && seen[1][0].other == geoms[0]);
+            QVERIFY(seen[0][0].force > 0 && seen[0][0].force == seen[1][0].force);
+        }
+    }
+
     void randomIsAFunctionOfWhereAndWhen() {
         std::vector<std::uint64_t> numbers[2];
         for (int again = 0; again < 2; ++again) {

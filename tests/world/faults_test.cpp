@@ -286,10 +286,44 @@ private Q_SLOTS:
         QCOMPARE(diagnostics.all().at(0).range, name);
     }
 
+    /// `joints` equal hinges hold one body of 1e-8 kg: more than one makes singular rows, four with friction more than any give helps.
+    static Scene knotted(int joints, double friction) {
+        Scene scene;
+        auto config = std::make_shared<RobotConfigSpec>();
+        config->bodies.push_back(body("knot", at(0, 0, 1), massOfBox(1e-8, {0.1, 0.2, 0.3}), {}));
+        for (int i = 0; i < joints; ++i) {
+            config->joints.push_back(joint("j" + std::to_string(i), JointType::Hinge, kWorldBody, 0, {0.1, 0, 1}, Vec3::UnitY()));
+            config->joints.back().friction = friction;
+        }
+        scene.robot("r", {}, config);
+        scene.loose("alone", at(3, 2, 9, degrees(10, 20, 30)), massOfBox(2, {0.1, 0.2, 0.3}, {0.05, -0.03, 0.02}), {});
+        return scene;
+    }
+
+    /// A tick that is repeated with more give starts from the state before it, with the same pushes: a free body far from the singular
+    /// rows moves as without them.
+    void repeatedTicksStartFromTheSameState() {
+        std::vector<double> ends[3];
+        for (const int joints : {1, 2, 4}) {
+            auto world = knotted(joints, joints == 4 ? 1 : 0).build();
+            for (int i = 0; i < 20; ++i) {
+                QVERIFY(world->push("alone/body", {30, -20, 50}, position(*world, "alone/body") + Vec3(0.2, 0.3, -0.1)).ok());
+                QVERIFY(world->tick().ok());
+            }
+            QCOMPARE(world->rescuedTicks(), joints == 1 ? 0u : 20u);
+            QCOMPARE(world->quickTicks() > 0, joints == 4);
+            for (const char* path : {"alone/body/pose", "alone/body/velocity"}) {
+                const SignalEntry* entry = world->layout().find(path);
+                ends[joints / 2].insert(ends[joints / 2].end(), slot(*world, path), slot(*world, path) + entry->count);
+            }
+        }
+        QCOMPARE(ends[1], ends[0]);
+        for (std::size_t i = 0; i < ends[0].size(); ++i) QVERIFY(std::abs(ends[2][i] - ends[0][i]) < 1e-9);
+    }
+
     /// A rod of 10 micrograms on the floor makes ODE's exact solver fail an assertion: such ticks are repeated like those
     /// that it could not solve, and a world that cannot continue reports the body and a remedy.
     void recoversFromSolverAssertions() {
-        std::uint64_t rescued = 0;
         for (int i = 0; i < 8; ++i) {
             Scene scene;
             scene.scenery({plane("floor")});
@@ -302,9 +336,7 @@ private Q_SLOTS:
                 QVERIFY2(status.ok(), status.ok() ? "" : status.error().message.c_str());
             }
             QVERIFY(std::abs(world->robotPose(0).position.z()) < 0.05);
-            rescued += world->rescuedTicks();
         }
-        QVERIFY(rescued > 0);
     }
 
     void countsRequestedQuickTicks() {
