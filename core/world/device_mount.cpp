@@ -244,8 +244,7 @@ void BuiltWorld::createDevices(const DeviceCode& code, Diagnostics& diagnostics)
             device->index = static_cast<std::uint32_t>(m_devices.size());
             device->path = robot.spec->name + "/" + spec.name;
             device->pathHash = fnv1a64(device->path);
-            device->target =
-                m_calls->add({"the device " + spec.kind + " " + device->path, robot.spec->name, spec.kind, {}});
+            device->target = m_calls->add({"the device " + spec.kind + " " + device->path, robot.spec->name, spec.kind, {}});
             device->kind = code ? code(spec.kind) : nullptr;
             if (!device->kind || device->kind->role != TRUNDLE_DEVICE || !device->kind->create) {
                 diagnostics.error(Code::KindNotLoaded, spec.nameRange,
@@ -273,14 +272,17 @@ bool BuiltWorld::giveFields(Device& device, Diagnostics& diagnostics) {
         if (!given || !kind.set) continue;
         std::vector<const char*> texts;
         for (const std::string& t : given->value.texts) texts.push_back(t.c_str());
-        const bool asNumbers = !given->value.numbers.empty();
+        const TrundleField& field = kind.fields[i];
+        const bool numeric = field.type == TRUNDLE_NUMBER || field.type == TRUNDLE_INTEGER || field.type == TRUNDLE_BOOLEAN;
         const TrundleValue value{given->value.numbers.data(), texts.data(),
-                                 static_cast<std::uint32_t>(asNumbers ? given->value.numbers.size() : texts.size())};
-        if (value.count < kind.fields[i].minCount || kind.set(device.instance, i, &value) != 0) {
-            diagnostics.error(Code::DeviceSetup, given->range.known() ? given->range : device.spec->nameRange,
-                              device.path + ": " + kind.fields[i].name + " was refused: " + errorOf(kind, device.instance));
-            return false;
-        }
+                                 static_cast<std::uint32_t>(numeric ? given->value.numbers.size() : texts.size())};
+        // The class reads as many elements as its member has: an outdated description must not make it read out of bounds.
+        const bool fits = value.count >= field.minCount && value.count <= field.maxCount;
+        if (fits && kind.set(device.instance, i, &value) == 0) continue;
+        diagnostics.error(Code::DeviceSetup, given->range.known() ? given->range : device.spec->nameRange,
+                          device.path + ": " + field.name +
+                              " was refused: " + (fits ? errorOf(kind, device.instance) : "wrong count of elements"));
+        return false;
     }
     return true;
 }

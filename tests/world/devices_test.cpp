@@ -127,6 +127,20 @@ private Q_SLOTS:
         QVERIFY(t.contains("the probe says no"));
     }
 
+    /// A module built from another version than its description: a value of another count or type never reaches its code.
+    void wrongCountsAreRefused() {
+        for (const PropertyValue& wrong :
+             {PropertyValue{PropertyType::Text, {}, {"a", "b"}}, {PropertyType::Number, {1}, {}}, {PropertyType::Text, {}, {}}}) {
+            Scene scene = withProbes({"p"});
+            auto config = std::make_shared<RobotConfigSpec>(*scene.spec->robots[0].config);
+            config->devices.back().values["Probe"] = {wrong, {}, Origin::Config};
+            scene.spec->robots[0].config = config;
+            Diagnostics diagnostics;
+            QVERIFY(!scene.build(code, diagnostics));
+            QCOMPARE(diagnostics.all().at(0).message, std::string("r/p: Probe was refused: wrong count of elements"));
+        }
+    }
+
     /// Messages reported while the world is built, before a listener is registered, are delivered once.
     void setupMessagesReachConsole() {
         m_bench.probes["p"].setup = [](const TrundleMount& m) {
