@@ -162,6 +162,23 @@ private Q_SLOTS:
         }
     }
 
+    /// The class reads as many elements as its member has, and no more than were given.
+    void wrongCountsAreRefused() {
+        const auto numbers = [](std::vector<double> n) {
+            return ResolvedValue{{PropertyType::Number, std::move(n), {}}, {}, Origin::Config};
+        };
+        const std::pair<const char*, ResolvedValue> cases[] = {
+            {"Pair", numbers({1})},     {"Pair", numbers({1, 2, 3})}, {"Pair", text("a")},    {"Speed", numbers({})},
+            {"Speed", numbers({1, 2})}, {"Speed", text("fast")},      {"Text", numbers({1})}, {"Loud", numbers({1, 0})}};
+        for (const auto& [field, value] : cases) {
+            Stage stage("Driver", {{field, value}});
+            const Status started = stage.start();
+            QVERIFY2(!started.ok(), field);
+            QCOMPARE(started.error().message, "the controller Driver of robot0 cannot take the value of " + std::string(field) +
+                                                  ": wrong count of elements");
+        }
+    }
+
     void randomNumbersDependOnSeedRobotAndTickAlone() {
         const auto drawn = [](std::uint64_t seed, const std::string& name, std::vector<std::uint64_t> ticks) {
             Stage stage("Driver", {{"Loud", ResolvedValue{{PropertyType::Boolean, {1}, {}}, {}, Origin::Config}}}, name);

@@ -86,6 +86,30 @@ private Q_SLOTS:
         QVERIFY(DirectoryCatalog({{path("evil")}, path("program"), {}, false}).find(path("evil/good"), path("experiments")).ok());
     }
 
+    /// The same from an experiment at another depth, so that only a trusted search folder leads to the module.
+    void climbingOutOfASearchFolderIsNotTrusted() {
+        put("evil/libgood.so", true);
+        put("program/sub/libgood.so", true);
+        for (const char* folder : {"program", "mine", "known/deep"}) QDir().mkpath(m_folder->filePath(folder));
+        const std::string experiment = path("somewhere/quite/else");
+        for (const CatalogFolders& folders : {CatalogFolders{{}, path("program"), {}, false},
+                                              {{path("mine")}, "", {}, false},
+                                              {{path("mine")}, path("program"), {path("known")}, false}}) {
+            DirectoryCatalog catalog(folders);
+            for (const char* written : {"../evil/good", "sub/../../evil/good", "..\\evil\\good.dll", "./../evil/libgood.so"}) {
+                const auto found = catalog.find(written, experiment);
+                QVERIFY2(!found.ok() && found.error().code == Code::ModuleNotTrusted, written);
+            }
+        }
+        // Inside the folder, or in another trusted one, it may climb.
+        QVERIFY(DirectoryCatalog({{}, path("program"), {}, false}).find("x/../sub/good", experiment).ok());
+        QVERIFY(DirectoryCatalog({{}, path("program"), {path("evil")}, false}).find("../evil/good", experiment).ok());
+        // A folder is not below one whose name only begins like its own.
+        put("program2/libgood.so", true);
+        QCOMPARE(DirectoryCatalog({{}, path("program"), {}, false}).find("../program2/good", experiment).error().code,
+                 Code::ModuleNotTrusted);
+    }
+
     void namesAllThatWasTried() {
         const auto missing =
             DirectoryCatalog({{path("mine")}, path("program"), {}, false}).find("controllers/gone", path("experiments"));
