@@ -14,6 +14,7 @@
 #include "cli/subcommands.h"
 #include "cli/usage_json.h"
 #include "control/kinds_json.h"
+#include "control/module_store.h"
 
 namespace trundle {
 namespace {

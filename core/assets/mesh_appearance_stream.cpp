@@ -5,8 +5,6 @@
 #include <cstring>
 #include <map>
 
-#include "assets/mesh_stream.h"
-
 namespace trundle {
 namespace {
 

@@ -5,14 +5,11 @@
 #include <string>
 #include <string_view>
 
+#include "assets/stream_limits.h"
 #include "base/mesh_appearance.h"
 #include "base/result.h"
 
 namespace trundle {
-
-inline constexpr std::uint32_t kMaxMeshMaterials = 1024, kMaxMeshPictures = 64;
-inline constexpr std::uint64_t kMaxMeshPictureBytes = 128u << 20; ///< all pictures of a mesh together
-inline constexpr std::size_t kMaxWarnings = 16, kMaxWarningBytes = 300;
 
 /// Layout: u32 materials, u32 pictures, u32 warnings, u32 1 if triangles have texture coordinates; per material 8 x f32 (colour,
 /// emission, opacity, shininess) and u32 picture (0: none, else its number from 1); per triangle u16 material and, with texture

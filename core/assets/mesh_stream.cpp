@@ -1,4 +1,5 @@
 #include "assets/mesh_stream.h"
+#include "assets/mesh_appearance_stream.h"
 
 #include <bit>
 #include <cmath>

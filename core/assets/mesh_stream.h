@@ -8,21 +8,12 @@
 #include <string>
 #include <string_view>
 
-#include "assets/mesh_appearance_stream.h"
+#include "assets/stream_limits.h"
 #include "base/raster.h"
 #include "base/result.h"
 #include "base/triangle_mesh.h"
 
 namespace trundle {
-
-inline constexpr std::uint32_t kMaxMeshPoints = 4'000'000;
-inline constexpr std::uint32_t kMaxMeshTriangles = 1'000'000;
-inline constexpr std::uint32_t kMaxGreySide = 16'384;
-inline constexpr std::uint32_t kMaxRasterSide = 2048;
-inline constexpr std::uint64_t kMaxGreyPoints = 16'777'216; ///< 4096 x 4096
-/// Upper limit of the length of any mesh or image stream.
-inline constexpr std::uint64_t kMaxStreamBytes =
-    16 + 24ull * kMaxMeshPoints + 38ull * kMaxMeshTriangles + kMaxMeshPictureBytes + (1u << 20);
 
 [[nodiscard]] std::string encodeMesh(const TriangleMesh& mesh);
 [[nodiscard]] std::string encodeHeightMap(const HeightMap& map);

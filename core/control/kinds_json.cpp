@@ -6,9 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clean_text.h"
-#include "base/platform/atomic_file.h"
 #include "control/module_kinds.h"
-#include "control/module_store.h"
 
 namespace trundle {
 namespace {
@@ -155,13 +153,6 @@ Result<std::vector<Kind>> kindsFromJson(const std::string& text, const std::stri
         for (const Json& kind : j.at("kinds")) kinds.push_back(kindFromJson(kind, library));
         return kinds;
     } catch (const std::exception& e) { return fault(e.what()); }
-}
-
-Status writeKindsJson(const std::string& library, const std::string& out, std::shared_ptr<CallMonitor> calls) {
-    ModuleStore store(std::move(calls));
-    const auto module = store.load(library);
-    if (!module) return module.error();
-    return writeFileAtomically(out, kindsToJson(module.value()->kinds));
 }
 
 } // namespace trundle

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/platform/atomic_file.h"
 #include "base/platform/read_file.h"
 #include "control/elf_reader.h"
 #include "control/kinds_json.h"
@@ -194,6 +195,13 @@ bool descriptionChanged(const ExperimentSpec& experiment, const Registry& regist
         return contentOf(kindsFrom(spec.library, registry)) !=
                contentOf(describedKinds(spec.library).value_or(std::vector<Kind>()));
     });
+}
+
+Status writeKindsJson(const std::string& library, const std::string& out, std::shared_ptr<CallMonitor> calls) {
+    ModuleStore store(std::move(calls));
+    const auto module = store.load(library);
+    if (!module) return module.error();
+    return writeFileAtomically(out, kindsToJson(module.value()->kinds));
 }
 
 } // namespace trundle

@@ -56,4 +56,8 @@ void loadModules(const ExperimentSpec& experiment, const Registry& registry, Mod
 /// Whether the description file of any module of the experiment now differs from `registry`, which was filled from it.
 [[nodiscard]] bool descriptionChanged(const ExperimentSpec& experiment, const Registry& registry);
 
+/// Loads `library` (its code runs) and writes its description to `out`. Used by `trundle-cli describe --module`.
+[[nodiscard]] Status writeKindsJson(const std::string& library, const std::string& out,
+                                    std::shared_ptr<CallMonitor> calls = std::make_shared<CallMonitor>());
+
 } // namespace trundle

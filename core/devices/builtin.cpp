@@ -2,7 +2,7 @@
 
 #include <trundle/device.h>
 
-#include "devices/camera.h"
+#include "devices/camera_device.h"
 #include "devices/differential_drive.h"
 #include "devices/encoder.h"
 #include "devices/rotary_motor.h"

@@ -1,7 +1,6 @@
 #include "model/outline.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "model/part_builder.h"
 
@@ -57,44 +56,6 @@ private:
 };
 
 } // namespace
-
-void Part::makeIndex() {
-    if (parts.size() <= 16) return; // a linear search is as fast
-    for (std::size_t i = 0; i < parts.size(); ++i) index.emplace(parts[i].name, i);
-}
-
-const Part* Part::find(std::string_view part) const {
-    if (!index.empty()) {
-        const auto it = index.find(std::string(part));
-        return it == index.end() ? nullptr : &parts[it->second];
-    }
-    const auto it = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.name == part; });
-    return it == parts.end() ? nullptr : &*it;
-}
-
-const SourceParam* Part::param(std::string_view key) const {
-    const auto it = std::find_if(params.begin(), params.end(), [&](const SourceParam& p) { return p.name->text == key; });
-    return it == params.end() ? nullptr : &*it;
-}
-
-const Part* NameSpace::find(std::string_view name) const {
-    const auto it = m_byName.find(name);
-    return it == m_byName.end() ? nullptr : it->second;
-}
-
-std::vector<std::string> NameSpace::names() const {
-    std::vector<std::string> names;
-    names.reserve(m_all.size());
-    for (const Part* part : m_all) names.push_back(part->name);
-    return names;
-}
-
-const Part* NameSpace::add(const Part& part) {
-    const auto [it, fresh] = m_byName.emplace(part.name, &part);
-    if (!fresh) return it->second;
-    m_all.push_back(&part);
-    return nullptr;
-}
 
 const NameSpace* Outline::spaceOf(const Kind& kind) const {
     switch (kind.role) {
@@ -162,45 +123,6 @@ const Part* layoutOfMember(const Outline& outline, std::string_view name) {
     if (!std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) return nullptr;
     const Part* part = outline.world.find(name.substr(0, bar));
     return part && part->is(Role::Layout) ? part : nullptr;
-}
-
-std::vector<std::string> partNames(const Part& part) {
-    std::vector<std::string> names;
-    for (const Part& inner : part.parts) {
-        if (!inner.name.empty()) names.push_back(inner.name);
-    }
-    for (const SourceParam& p : part.params) names.push_back(p.name->text);
-    if (part.kind) {
-        for (const Property& p : part.kind->properties) names.push_back(p.name);
-    }
-    return names;
-}
-
-std::vector<std::string> propertyNames(const Kind& kind) {
-    std::vector<std::string> names;
-    for (const Property& p : kind.properties) names.push_back(p.name);
-    return names;
-}
-
-const char* roleName(Role role) {
-    switch (role) {
-    case Role::Settings: return "Settings";
-    case Role::Material: return "Material";
-    case Role::Surface: return "Surface";
-    case Role::Pattern: return "Pattern";
-    case Role::Medium: return "Medium";
-    case Role::Config: return "Config";
-    case Role::Instance: return "Instance";
-    case Role::Layout: return "Layout";
-    case Role::Body: return "Body";
-    case Role::Geom: return "Geom";
-    case Role::Joint: return "Joint";
-    case Role::Device: return "Device";
-    case Role::Controller: return "Controller";
-    case Role::Log: return "Log";
-    case Role::Look: return "Look";
-    }
-    return "";
 }
 
 } // namespace trundle

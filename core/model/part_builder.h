@@ -1,5 +1,9 @@
 #pragma once
-#include "model/outline.h"
+#include <unordered_map>
+#include <unordered_set>
+
+#include "model/part.h"
+#include "schema/registry.h"
 
 namespace trundle {
 

@@ -19,6 +19,13 @@ struct OverrideNode {
     Origin origin = Origin::Instance;
 };
 
+/// The overrides of what has that name inside; null: none.
+[[nodiscard]] inline const OverrideNode* below(const OverrideNode* overrides, const std::string& name) {
+    if (!overrides) return nullptr;
+    const auto it = overrides->children.find(name);
+    return it == overrides->children.end() ? nullptr : &it->second;
+}
+
 struct Record {
     const Kind* kind = nullptr;
     std::vector<std::optional<ResolvedValue>> values; ///< parallel to kind->properties; defaults filled in

@@ -4,9 +4,11 @@
 #include <functional>
 #include <map>
 
+#include "model/asset_lookup.h"
+#include "model/experiment_spec.h"
+#include "model/outline.h"
 #include "model/params.h"
 #include "model/record.h"
-#include "model/resolver.h"
 
 namespace trundle {
 

@@ -9,12 +9,6 @@ void resolveMaterials(ResolveContext& context);
 void resolveSurfaces(ResolveContext& context);
 [[nodiscard]] SettingsSpec resolveSettings(ResolveContext& context);
 
-[[nodiscard]] inline const OverrideNode* below(const OverrideNode* overrides, const std::string& name) {
-    if (!overrides) return nullptr;
-    const auto it = overrides->children.find(name);
-    return it == overrides->children.end() ? nullptr : &it->second;
-}
-
 /// Nothing, with a diagnostic, if the geom is invalid.
 [[nodiscard]] std::optional<GeomSpec> resolveGeom(ResolveContext& context, const Part& part, ParamScope& scope,
                                                   const OverrideNode* overrides, bool onBody);

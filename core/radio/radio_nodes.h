@@ -1,6 +1,6 @@
 #pragma once
 // Link budgets between radios at chosen poses, without a run: term by term, as a frame in a run would have them. For windows and
-// maps. scene/radio_model.h finds the radios of an experiment and the solids between them.
+// maps. scene/queries/radio_model.h finds the radios of an experiment and the solids between them.
 
 #include <optional>
 #include <string>

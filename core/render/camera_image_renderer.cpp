@@ -1,7 +1,7 @@
 #include "render/camera_image_renderer.h"
 
 #include "render/image_metadata.h"
-#include "scene/framing.h"
+#include "scene/queries/framing.h"
 #include "scene/scene.h"
 
 namespace trundle {

@@ -2,10 +2,10 @@
 #include <map>
 #include <memory>
 
-#include "render/render_entry.h"
+#include "render/image_source_request.h"
 #include "render/sensor_model.h"
 #include "render/service.h"
-#include "scene/camera_model.h"
+#include "scene/queries/camera_model.h"
 #include "signals/camera_image.h"
 
 namespace trundle {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "model/experiment_spec.h"
-#include "scene/camera_model.h"
+#include "scene/queries/camera_model.h"
 #include "signals/camera_image.h"
 
 namespace trundle {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "render/look_choice.h"
+#include "render/image_source_request.h"
 
 namespace trundle {
 
@@ -34,12 +34,6 @@ struct RenderJob {
     std::size_t errorSize = 0;
     const std::function<void(const std::string&)>* warn =
         nullptr; ///< called with a one-line warning for the user
-};
-
-/// Appearance of a run's images, and the receiver of warnings about it.
-struct ImageSourceRequest {
-    LookChoice look = LookChoice::Automatic; ///< of views; does not apply to camera images
-    std::function<void(const std::string&)> warn;
 };
 
 } // namespace trundle

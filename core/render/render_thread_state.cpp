@@ -5,7 +5,7 @@
 #include <osg/GLObjects>
 #include <osg/Notify>
 
-#include "scene/framing.h"
+#include "scene/queries/framing.h"
 
 namespace trundle {
 namespace {

@@ -5,7 +5,8 @@
 #include <memory>
 
 #include "render/platform/egl_context.h"
-#include "render/service.h"
+#include "render/look_choice.h"
+#include "render/requests.h"
 #include "render/target.h"
 
 namespace trundle {

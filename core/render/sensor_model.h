@@ -5,7 +5,7 @@
 
 #include "render/data_image.h"
 #include "render/image.h"
-#include "scene/camera_model.h"
+#include "scene/queries/camera_model.h"
 #include "signals/camera_image.h"
 
 namespace trundle {

@@ -8,7 +8,7 @@
 
 namespace trundle {
 
-LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared<Shared>()) {
+LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared<LiveRunShared>()) {
     m_shared->running = options.startsRunning;
     m_shared->steps = options.startsRunning ? 0 : options.steps;
     m_shared->canContinue = options.canContinue;

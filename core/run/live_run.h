@@ -9,69 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostic.h"
 #include "run/live_radio.h"
-#include "run/runner.h"
-#include "signals/block.h"
-#include "signals/layout.h"
+#include "run/live_state.h"
 
 namespace trundle {
 
-/// Running: also while single ticks are executed. Paused: the snapshot shows the current tick. Ended: by Duration (see
-/// Options::canContinue), a controller's finish(), a fault, a failed controller, or a failed build; the logs are closed by then.
-enum class LivePhase { Building, Paused, Running, Ended };
-
-/// A copy of a contact, valid without the world.
-struct LiveContact {
-    std::string first, second; ///< geoms "robot0/chassis/bumper", "arena/north"
-    Vec3 position = Vec3::Zero(), normal = Vec3::UnitZ();
-    double depth = 0, force = 0; ///< m, N
-};
-
-/// The state after one tick. Immutable; may be kept as long as needed.
-struct LiveSnapshot {
-    std::shared_ptr<const SignalBlock> block;
-    std::shared_ptr<const std::vector<LiveContact>> contacts; ///< null unless enabled
-    std::uint64_t tick = 0, quickTicks = 0;
-    double time = 0;           ///< s, simulated
-    double realTimeFactor = 0; ///< over about the last second; 0 while paused
-    double stepMs = 0;         ///< mean wall time per tick since the previous snapshot
-    std::size_t contactCount = 0;
-    std::optional<std::uint64_t> hash; ///< World::stateHash(); set only while paused or ended
-};
-
-struct LiveLine {
-    double time = 0;
-    std::string who; ///< "robot0", "robot0/leftMotor"; "" for the run itself
-    int severity = 0;
-    std::string text;
-};
-
-/// Console lines since the last call. If too many are waiting, the oldest are dropped and counted.
-struct LiveLines {
-    std::vector<LiveLine> lines;
-    std::uint64_t dropped = 0;
-};
-
-/// A consistent view of the run at one moment.
-struct LiveView {
-    LivePhase phase = LivePhase::Building;
-    std::shared_ptr<const SignalLayout> layout;   ///< null until built
-    std::shared_ptr<const LiveSnapshot> snapshot; ///< null until built
-};
-
-struct LiveEnd {
-    std::optional<Diagnostic> failure; ///< none: ended by Duration or by a controller
-    std::optional<RunFinish> finish;   ///< set if a controller ended the run
-    std::string body;                  ///< the body with the fault: "robot0/chassis"; empty: none
-    double time = 0;                   ///< s, simulated
-    std::vector<Diagnostic> problems;  ///< diagnostics of the build
-    std::vector<std::string> logFiles;
-    bool canContinue = false; ///< ended by Duration with logs flushed but open: run() and step() continue without limit
-};
-
-/// Creates the runner; called once, on the run's thread. Everything that it references must outlive the run.
-using RunnerMaker = std::function<std::unique_ptr<Runner>(RunOptions, Diagnostics&)>;
+struct LiveRunShared;
 
 class LiveRun {
 public:
@@ -131,9 +74,7 @@ public:
     [[nodiscard]] std::optional<std::size_t> turn() const;
 
 private:
-    friend class LiveThread;
-    struct Shared;
-    std::shared_ptr<Shared> m_shared;
+    std::shared_ptr<LiveRunShared> m_shared;
 };
 
 } // namespace trundle

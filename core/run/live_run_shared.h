@@ -2,18 +2,20 @@
 // State shared between a LiveRun and its thread: requests in one direction, results in the other, under one lock that is held
 // only briefly.
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <thread>
 
-#include "run/live_run.h"
+#include "run/live_radio.h"
+#include "run/live_state.h"
 
 namespace trundle {
 
 using LiveClock = std::chrono::steady_clock;
 
-struct LiveRun::Shared {
+struct LiveRunShared {
     std::mutex lock;
     std::condition_variable wake;   ///< the run thread waits here
     std::condition_variable ends;   ///< others wait here for its end

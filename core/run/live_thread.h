@@ -10,9 +10,9 @@ namespace trundle {
 
 class LiveThread {
 public:
-    LiveThread(std::shared_ptr<LiveRun::Shared> shared, LogLocation logFolder)
+    LiveThread(std::shared_ptr<LiveRunShared> shared, LogLocation logFolder)
         : m_shared(std::move(shared)), m_logFolder(std::move(logFolder)) {}
-    LiveThread& after(std::shared_ptr<LiveRun::Shared> former, std::chrono::milliseconds timeout) {
+    LiveThread& after(std::shared_ptr<LiveRunShared> former, std::chrono::milliseconds timeout) {
         m_after = std::move(former);
         m_timeout = timeout;
         return *this;
@@ -40,7 +40,7 @@ private:
     void fail(const std::string& why);
     void notifyChanged();
 
-    std::shared_ptr<LiveRun::Shared> m_shared, m_after;
+    std::shared_ptr<LiveRunShared> m_shared, m_after;
     std::chrono::milliseconds m_timeout{0};
     LogLocation m_logFolder;
     std::unique_ptr<Runner> m_runner;

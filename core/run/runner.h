@@ -13,6 +13,7 @@
 #include "run/camera_capture.h"
 #include "run/command.h"
 #include "run/log_location.h"
+#include "run/schedule.h"
 #include "world/world.h"
 
 namespace trundle {
@@ -64,8 +65,5 @@ public:
     /// Paths of the written files, in order.
     [[nodiscard]] virtual std::vector<std::string> logFiles() const = 0;
 };
-
-/// ceil(duration / tick - 1e-9)
-[[nodiscard]] std::uint64_t ticksFor(double duration, double tick);
 
 } // namespace trundle

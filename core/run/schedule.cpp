@@ -3,8 +3,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "run/runner.h"
-
 namespace trundle {
 
 namespace {

@@ -5,6 +5,8 @@
 
 namespace trundle {
 
+/// ceil(duration / tick - 1e-9)
+[[nodiscard]] std::uint64_t ticksFor(double duration, double tick);
 /// The first tick n with n * tick >= time, tolerating the rounding error of `time / tick`.
 [[nodiscard]] std::uint64_t firstTickAt(double time, double tick);
 /// Simulated time after `ticks` ticks, rounded to its decimal value: 0.07, not 0.07000000000000001.

@@ -3,9 +3,8 @@
 #include <osg/BlendFunc>
 #include <osg/Depth>
 
-#include "scene/osg_types.h"
+#include "scene/nodes/osg_types.h"
 #include "scene/scene.h"
-#include "scene/shaders.h"
 
 namespace trundle {
 

@@ -2,7 +2,7 @@
 
 #include <osg/PolygonMode>
 
-#include "scene/geom_nodes.h"
+#include "scene/nodes/geom_nodes.h"
 #include "scene/scene.h"
 
 namespace trundle {

@@ -4,7 +4,7 @@
 #include <osg/Geometry>
 #include <osg/Texture2D>
 
-#include "scene/osg_types.h"
+#include "scene/nodes/osg_types.h"
 #include "scene/scene.h"
 
 namespace trundle {

@@ -1,8 +1,8 @@
 #include <osgUtil/IntersectionVisitor>
 #include <osgUtil/LineSegmentIntersector>
 
-#include "scene/geom_nodes.h"
-#include "scene/osg_types.h"
+#include "scene/nodes/geom_nodes.h"
+#include "scene/nodes/osg_types.h"
 #include "scene/scene.h"
 
 namespace trundle {

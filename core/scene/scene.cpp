@@ -2,9 +2,9 @@
 
 #include <osg/ComputeBoundsVisitor>
 
-#include "scene/osg_types.h"
-#include "scene/point_impostor.h"
-#include "scene/surroundings.h"
+#include "scene/nodes/osg_types.h"
+#include "scene/nodes/point_impostor.h"
+#include "scene/nodes/surroundings.h"
 
 namespace trundle {
 namespace {

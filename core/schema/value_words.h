@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "schema/value_reader.h"
+#include "schema/given_value.h"
+#include "schema/kind.h"
 
 namespace trundle {
 

@@ -17,8 +17,8 @@
 #include "base/platform/piped_process.h"
 #include "editor/cameras/size_choice.h"
 #include "editor/widgets/save_question.h"
-#include "scene/camera_model.h"
-#include "scene/framing.h"
+#include "scene/queries/camera_model.h"
+#include "scene/queries/framing.h"
 
 namespace trundle {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "lang/number_text.h"
 #include "project/part_values.h"
-#include "scene/drop_placement.h"
+#include "scene/queries/drop_placement.h"
 
 namespace trundle {
 namespace {

@@ -14,7 +14,7 @@
 #include "editor/radios/packets_page.h"
 #include "editor/running/session.h"
 #include "editor/widgets/save_question.h"
-#include "scene/radio_model.h"
+#include "scene/queries/radio_model.h"
 
 namespace trundle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "model/experiment_spec.h"
 #include "radio/radio_nodes.h"
-#include "scene/object_index.h"
+#include "scene/queries/object_index.h"
 
 class QBoxLayout;
 class QLabel;

@@ -6,7 +6,7 @@
 
 #include "editor/document/document.h"
 #include "project/unplaced_configs.h"
-#include "scene/object_index.h"
+#include "scene/queries/object_index.h"
 
 namespace trundle {
 namespace {

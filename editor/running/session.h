@@ -19,7 +19,7 @@
 #include "editor/running/robot_match.h"
 #include "run/live_run.h"
 #include "run/live_values.h"
-#include "scene/poses.h"
+#include "scene/queries/poses.h"
 #include "signals/block.h"
 
 namespace trundle {

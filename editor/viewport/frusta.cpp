@@ -6,7 +6,7 @@
 #include "editor/viewport/scene_painter.h"
 #include "editor/viewport/view.h"
 #include "editor/viewport/viewport_scene.h"
-#include "scene/camera_model.h"
+#include "scene/queries/camera_model.h"
 
 namespace trundle {
 namespace {

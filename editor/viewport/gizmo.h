@@ -11,7 +11,7 @@
 #include <QString>
 
 #include "editor/viewport/view_settings.h"
-#include "scene/camera_view.h"
+#include "scene/queries/camera_view.h"
 
 class QPainter;
 

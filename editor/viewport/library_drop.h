@@ -8,7 +8,7 @@
 
 #include <QPointF>
 
-#include "scene/drop_placement.h"
+#include "scene/queries/drop_placement.h"
 
 class QMimeData;
 

@@ -5,7 +5,7 @@
 #include <QObject>
 
 #include "editor/viewport/view_tool.h"
-#include "scene/camera_view.h"
+#include "scene/queries/camera_view.h"
 
 namespace trundle {
 

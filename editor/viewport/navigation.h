@@ -7,7 +7,7 @@
 
 #include "editor/viewport/navigation_style.h"
 #include "editor/viewport/view_tool.h"
-#include "scene/camera_view.h"
+#include "scene/queries/camera_view.h"
 
 namespace trundle {
 

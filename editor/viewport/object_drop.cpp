@@ -12,7 +12,7 @@
 #include "editor/viewport/view_settings.h"
 #include "editor/viewport/viewport_scene.h"
 #include "project/plans.h"
-#include "scene/drop_placement.h"
+#include "scene/queries/drop_placement.h"
 
 namespace trundle {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "base/units.h"
 #include "lang/number_text.h"
-#include "scene/extents.h"
+#include "scene/shapes/extents.h"
 
 namespace trundle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "editor/viewport/gizmo.h"
 #include "project/instance_shapes.h"
-#include "scene/bounds.h"
+#include "scene/shapes/bounds.h"
 
 namespace trundle {
 

@@ -4,7 +4,7 @@
 
 #include <QRectF>
 
-#include "scene/ray_cast.h"
+#include "scene/queries/ray_cast.h"
 
 namespace trundle {
 

@@ -4,7 +4,7 @@
 #include <QObject>
 
 #include "editor/viewport/view_tool.h"
-#include "scene/object_index.h"
+#include "scene/queries/object_index.h"
 
 namespace trundle {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "scene/radio_model.h"
+#include "scene/queries/radio_model.h"
 
 namespace trundle {
 

@@ -2,7 +2,7 @@
 #include <QColor>
 #include <QLineF>
 
-#include "scene/camera_view.h"
+#include "scene/queries/camera_view.h"
 
 class QPainter;
 

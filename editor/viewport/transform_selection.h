@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "editor/document/document.h"
 #include "editor/viewport/param_sizes.h"
-#include "scene/object_index.h"
+#include "scene/queries/object_index.h"
 
 namespace trundle {
 

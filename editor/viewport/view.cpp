@@ -20,7 +20,7 @@
 #include "editor/viewport/view_settings.h"
 #include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/theme.h"
-#include "scene/framing.h"
+#include "scene/queries/framing.h"
 
 namespace trundle {
 namespace {

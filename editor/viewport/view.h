@@ -12,8 +12,8 @@
 
 #include "editor/viewport/view_camera.h"
 #include "editor/viewport/view_tool.h"
-#include "scene/object_index.h"
-#include "scene/ray_cast.h"
+#include "scene/queries/object_index.h"
+#include "scene/queries/ray_cast.h"
 
 class QMimeData;
 

@@ -1,8 +1,8 @@
 #pragma once
 // Camera of a view, and its motion by mouse and keys. Angles in rad, lengths in m.
 
-#include "scene/bounds.h"
-#include "scene/camera_view.h"
+#include "scene/shapes/bounds.h"
+#include "scene/queries/camera_view.h"
 
 namespace trundle {
 

@@ -12,8 +12,8 @@
 #include "editor/viewport/viewport_scene.h"
 #include "lang/number_text.h"
 #include "render/service.h"
-#include "scene/camera_model.h"
-#include "scene/framing.h"
+#include "scene/queries/camera_model.h"
+#include "scene/queries/framing.h"
 
 namespace trundle {
 namespace {

@@ -17,7 +17,7 @@
 #include "editor/viewport/view_header.h"
 #include "editor/viewport/viewport_scene.h"
 #include "editor/widgets/actions.h"
-#include "scene/framing.h"
+#include "scene/queries/framing.h"
 
 namespace trundle {
 namespace {

@@ -5,7 +5,7 @@
 #include "editor/document/document.h"
 #include "editor/running/session.h"
 #include "project/object_location.h"
-#include "scene/ghosts.h"
+#include "scene/queries/ghosts.h"
 
 namespace trundle {
 namespace {

@@ -9,9 +9,9 @@
 #include <QObject>
 
 #include "render/service.h"
-#include "scene/camera_model.h"
-#include "scene/object_index.h"
-#include "scene/ray_cast.h"
+#include "scene/queries/camera_model.h"
+#include "scene/queries/object_index.h"
+#include "scene/queries/ray_cast.h"
 
 namespace trundle {
 

@@ -2,6 +2,7 @@
 #include "base/platform/read_file.h"
 #include "control/directory_catalog.h"
 #include "control/kinds_json.h"
+#include "control/module_store.h"
 
 #include <QtTest>
 

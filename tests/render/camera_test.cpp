@@ -7,9 +7,9 @@
 
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
-#include "scene/object_index.h"
-#include "scene/ray_cast.h"
-#include "scene/scene_shading.h"
+#include "scene/queries/object_index.h"
+#include "scene/queries/ray_cast.h"
+#include "scene/shaders/scene_shading.h"
 
 using namespace trundle;
 

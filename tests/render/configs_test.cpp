@@ -8,7 +8,7 @@
 
 #include "render/config_experiment.h"
 #include "render/started_service.h"
-#include "scene/framing.h"
+#include "scene/queries/framing.h"
 
 using namespace trundle;
 

@@ -5,7 +5,7 @@
 
 #include "render/camera_experiment.h"
 #include "render/sample_experiment.h"
-#include "scene/scene_shading.h"
+#include "scene/shaders/scene_shading.h"
 
 using namespace trundle;
 

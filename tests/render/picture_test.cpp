@@ -6,8 +6,8 @@
 
 #include "render/sample_experiment.h"
 #include "render/started_service.h"
-#include "scene/framing.h"
-#include "scene/scene_shading.h"
+#include "scene/queries/framing.h"
+#include "scene/shaders/scene_shading.h"
 
 using namespace trundle;
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "scene/camera_view.h"
+#include "scene/queries/camera_view.h"
 
 using namespace trundle;
 

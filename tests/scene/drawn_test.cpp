@@ -7,7 +7,7 @@
 #include <osgUtil/Statistics>
 
 #include "render/sample_experiment.h"
-#include "scene/osg_types.h"
+#include "scene/nodes/osg_types.h"
 #include "scene/scene.h"
 
 using namespace trundle;

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "scene/drop_placement.h"
+#include "scene/queries/drop_placement.h"
 
 using namespace trundle;
 

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "render/sample_experiment.h"
-#include "scene/ghosts.h"
-#include "scene/ray_cast.h"
+#include "scene/queries/ghosts.h"
+#include "scene/queries/ray_cast.h"
 #include "scene/scene.h"
 
 using namespace trundle;

@@ -1,7 +1,7 @@
 // Texture coordinates of shapes.
 #include <QtTest>
 
-#include "scene/picture_map.h"
+#include "scene/shapes/picture_map.h"
 
 using namespace trundle;
 using Eigen::Vector2f;

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "scene/poses.h"
+#include "scene/queries/poses.h"
 
 using namespace trundle;
 

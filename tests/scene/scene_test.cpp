@@ -7,7 +7,7 @@
 #include <osg/NodeVisitor>
 
 #include "render/sample_experiment.h"
-#include "scene/framing.h"
+#include "scene/queries/framing.h"
 #include "scene/scene.h"
 
 using namespace trundle;

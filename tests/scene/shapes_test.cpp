@@ -5,7 +5,7 @@
 #include <numbers>
 #include <set>
 
-#include "scene/shape_mesh.h"
+#include "scene/shapes/shape_mesh.h"
 
 using namespace trundle;
 using Eigen::Vector3f;

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "scene/spokes.h"
+#include "scene/shapes/spokes.h"
 
 using namespace trundle;
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "scene/sun_fit.h"
+#include "scene/queries/sun_fit.h"
 
 using namespace trundle;
 

@@ -4,7 +4,7 @@
 #include <QLabel>
 
 #include "editor/viewport/gizmo_hand.h"
-#include "scene/extents.h"
+#include "scene/shapes/extents.h"
 
 using namespace trundle;
 

@@ -1,0 +1,58 @@
+#pragma once
+// A named block of an experiment, and lists of them by name.
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "model/block_view.h"
+#include "schema/kind.h"
+
+namespace trundle {
+
+/// One block with its name and its inner blocks.
+struct Part {
+    const BlockItem* block = nullptr;
+    FileId file = kNoFile;
+    SourceRange range;          ///< the whole block
+    const Kind* kind = nullptr; ///< nullptr: unknown kind (reported, or kept as raw text)
+    std::string name;           ///< given or generated: box, box2 ...
+    std::uint32_t order = 0;    ///< of its top-level block
+    bool usable = true;         ///< false: misplaced, unknown or a duplicate name
+    AssignmentList assignments;
+    std::vector<SourceParam> params;
+    std::vector<Part> parts;                            ///< inner blocks, in order
+    std::unordered_map<std::string, std::size_t> index; ///< parts by name, only for long lists
+
+    [[nodiscard]] SourceRange nameRange() const { return {file, block->name ? block->name->range : block->type.range}; }
+    [[nodiscard]] SourceRange typeRange() const { return {file, block->type.range}; }
+    /// For messages: "Cylinder tyre".
+    [[nodiscard]] std::string title() const { return block->name ? block->type.text + " " + name : block->type.text; }
+    [[nodiscard]] const Part* find(std::string_view part) const;
+    [[nodiscard]] bool is(Role role) const { return kind && kind->role == role; }
+    [[nodiscard]] const SourceParam* param(std::string_view key) const;
+    void makeIndex();
+};
+
+/// Parts with unique names, in order.
+class NameSpace {
+public:
+    [[nodiscard]] const Part* find(std::string_view name) const;
+    [[nodiscard]] const std::vector<const Part*>& all() const { return m_all; }
+    [[nodiscard]] std::vector<std::string> names() const;
+    /// Adds a part; if the name is taken, returns the part that has it instead.
+    const Part* add(const Part& part);
+
+private:
+    std::vector<const Part*> m_all;
+    std::unordered_map<std::string_view, const Part*> m_byName;
+};
+
+/// Names of the parts, Params and properties of a part.
+[[nodiscard]] std::vector<std::string> partNames(const Part& part);
+[[nodiscard]] std::vector<std::string> propertyNames(const Kind& kind);
+[[nodiscard]] const char* roleName(Role role);
+/// Limits the effort for suggestions: after this many messages they are not useful, and computing them would take minutes.
+[[nodiscard]] inline bool manyAlready(const Diagnostics& diagnostics) { return diagnostics.all().size() > 500; }
+
+} // namespace trundle

@@ -1,0 +1,15 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "render/look_choice.h"
+
+namespace trundle {
+
+/// Appearance of a run's images, and the receiver of warnings about it.
+struct ImageSourceRequest {
+    LookChoice look = LookChoice::Automatic; ///< of views; does not apply to camera images
+    std::function<void(const std::string&)> warn;
+};
+
+} // namespace trundle

@@ -1,0 +1,78 @@
+#pragma once
+// Draw nodes of geoms that move as one: merged by draw state, in several levels of detail.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <osg/Geometry>
+#include <osg/Group>
+#include <osg/MatrixTransform>
+
+#include "model/experiment_spec.h"
+#include "scene/nodes/pictures.h"
+#include "scene/shaders/scene_shading.h"
+#include "scene/shapes/spokes.h"
+
+namespace trundle {
+
+/// User data of a drawable: the geom of each vertex, so that a hit can be assigned to a geom.
+struct GeomRanges : osg::Referenced {
+    struct Range {
+        std::uint32_t firstVertex, geom;
+    };
+    std::vector<Range> ranges; ///< ascending
+    [[nodiscard]] std::uint32_t geomOf(std::uint32_t vertex) const;
+};
+
+/// User data of a geom node: the names of its geoms.
+struct GeomNames : osg::Referenced {
+    std::vector<std::string> names;
+};
+
+/// Its children are the visible surfaces; their shadow caster is kept separately, since a shadow needs only the outline.
+class GeomNode final : public osg::Group {
+public:
+    osg::ref_ptr<osg::Group> caster; ///< may be null
+
+    void traverse(osg::NodeVisitor& visitor) override;
+    void releaseGLObjects(osg::State* state) const override;
+};
+
+/// True while the visitor is below a ShadowTransform, which draws shadow casters.
+[[nodiscard]] bool castsShadows(const osg::NodeVisitor& visitor);
+
+/// A transform below which geom nodes draw their shadow casters.
+class ShadowTransform final : public osg::MatrixTransform {
+public:
+    using osg::MatrixTransform::MatrixTransform;
+    /// Disables culling: casters outside the view cast shadows too.
+    void castEverywhere() {
+        m_everywhere = true;
+        setCullingActive(false);
+    }
+    void traverse(osg::NodeVisitor& visitor) override;
+
+private:
+    bool m_everywhere = false;
+};
+
+/// Shared by all bodies of all robots that have these geoms; an empty group if none is visible. Planes are left out, since they
+/// are drawn as floors. Geoms with a spoke pattern are drawn with spokes.
+[[nodiscard]] osg::ref_ptr<osg::Group> makeGeomNode(std::span<const GeomSpec> geoms, const std::vector<MaterialSpec>& materials,
+                                                    std::span<const SpokePattern> spokes, const SceneShading& look,
+                                                    Pictures& pictures);
+/// The same geoms as coarse shapes without materials, for outlines.
+[[nodiscard]] osg::ref_ptr<osg::Group> makeOutlineNode(std::span<const GeomSpec> geoms);
+
+/// Index of the geom with that name; nullopt if there is none.
+[[nodiscard]] std::optional<std::uint32_t> geomNamed(const osg::Group& geomNode, std::string_view name);
+/// A geom node with only the selected geoms. Vertices are shared with the full node.
+[[nodiscard]] osg::ref_ptr<osg::Group> partOf(const osg::Group& geomNode, const std::function<bool(std::uint32_t geom)>& keep);
+
+} // namespace trundle

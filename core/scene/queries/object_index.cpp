@@ -1,0 +1,159 @@
+#include "scene/queries/object_index.h"
+
+namespace trundle {
+namespace {
+
+std::vector<std::string_view> wordsOf(std::string_view path) {
+    std::vector<std::string_view> words;
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find_first_of("./", begin), path.size());
+        words.push_back(path.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return words;
+}
+
+/// Splits a path into words. The first names an instance and may itself be dotted, like the path of its config
+/// ("RobotConfig.Rover").
+std::vector<std::string_view> wordsFrom(std::string_view path) {
+    std::vector<std::string_view> words = wordsOf(path);
+    if (words.size() < 2 || (words[0] != "RobotConfig" && words[0] != "StaticConfig")) return words;
+    words[1] = path.substr(0, words[0].size() + 1 + words[1].size());
+    words.erase(words.begin());
+    return words;
+}
+
+template <class T> std::optional<std::uint32_t> named(const std::vector<T>& parts, std::string_view name) {
+    const auto it = std::find_if(parts.begin(), parts.end(), [&](const T& part) { return part.name == name; });
+    if (it == parts.end()) return std::nullopt;
+    return static_cast<std::uint32_t>(it - parts.begin());
+}
+
+} // namespace
+
+ObjectIndex::ObjectIndex(std::shared_ptr<const ExperimentSpec> experiment) : m_experiment(std::move(experiment)) {
+    const ExperimentSpec& e = *m_experiment;
+    m_firstPose.reserve(e.robots.size());
+    for (std::uint32_t i = 0; i < e.robots.size(); ++i) {
+        m_firstPose.push_back(m_poseCount);
+        m_robots.try_emplace(e.robots[i].name, i);
+        if (!e.robots[i].config) continue;
+        m_poseCount += e.robots[i].config->bodies.size();
+        for (const BodySpec& body : e.robots[i].config->bodies) addBalls(body.geoms);
+    }
+    for (std::uint32_t i = 0; i < e.statics.size(); ++i) {
+        m_statics.try_emplace(e.statics[i].name, i);
+        if (e.statics[i].geoms) addBalls(*e.statics[i].geoms);
+    }
+}
+
+void ObjectIndex::addBalls(const std::vector<GeomSpec>& geoms) {
+    auto [entry, isNew] = m_balls.try_emplace(&geoms);
+    if (!isNew) return;
+    for (const GeomSpec& geom : geoms) entry->second.push_back(ballAround(geom));
+}
+
+const std::vector<Ball>& ObjectIndex::ballsOf(const std::vector<GeomSpec>& geoms) const {
+    static const std::vector<Ball> kNone;
+    const auto it = m_balls.find(&geoms);
+    return it == m_balls.end() ? kNone : it->second;
+}
+
+std::optional<ObjectRef> ObjectIndex::find(std::string_view path) const {
+    const std::vector<std::string_view> words = wordsFrom(path);
+    if (const auto it = m_statics.find(words[0]); it != m_statics.end()) {
+        if (words.size() == 1) return ObjectRef{ObjectKind::Static, it->second};
+        const auto& geoms = m_experiment->statics[it->second].geoms;
+        const auto geom = words.size() == 2 && geoms ? named(*geoms, words[1]) : std::nullopt;
+        return geom ? std::optional(ObjectRef{ObjectKind::StaticGeom, it->second, 0, *geom}) : std::nullopt;
+    }
+    const auto it = m_robots.find(words[0]);
+    if (it == m_robots.end() || words.size() > 3) return std::nullopt;
+    if (words.size() == 1) return ObjectRef{ObjectKind::Robot, it->second};
+    const auto& config = m_experiment->robots[it->second].config;
+    const auto body = config ? named(config->bodies, words[1]) : std::nullopt;
+    if (!body) return std::nullopt;
+    if (words.size() == 2) return ObjectRef{ObjectKind::Body, it->second, *body};
+    const auto geom = named(config->bodies[*body].geoms, words[2]);
+    return geom ? std::optional(ObjectRef{ObjectKind::Geom, it->second, *body, *geom}) : std::nullopt;
+}
+
+const RobotSpec* ObjectIndex::robotOf(const ObjectRef& object) const {
+    return object.kind <= ObjectKind::Geom ? &m_experiment->robots[object.instance] : nullptr;
+}
+
+const StaticSpec* ObjectIndex::staticOf(const ObjectRef& object) const {
+    return object.kind > ObjectKind::Geom ? &m_experiment->statics[object.instance] : nullptr;
+}
+
+const GeomSpec* ObjectIndex::geomOf(const ObjectRef& object) const {
+    if (object.kind == ObjectKind::Geom) return &robotOf(object)->config->bodies[object.body].geoms[object.geom];
+    if (object.kind == ObjectKind::StaticGeom) return &(*staticOf(object)->geoms)[object.geom];
+    return nullptr;
+}
+
+std::string ObjectIndex::pathOf(const ObjectRef& object, char separator) const {
+    const RobotSpec* robot = robotOf(object);
+    std::string path = robot ? robot->name : staticOf(object)->name;
+    if (object.kind == ObjectKind::Body || object.kind == ObjectKind::Geom)
+        path += separator + robot->config->bodies[object.body].name;
+    if (const GeomSpec* geom = geomOf(object)) path += separator + geom->name;
+    return path;
+}
+
+std::optional<ObjectRef> ObjectIndex::ownerOf(const ObjectRef& object) const {
+    switch (object.kind) {
+    case ObjectKind::Body: return ObjectRef{ObjectKind::Robot, object.instance};
+    case ObjectKind::Geom: return ObjectRef{ObjectKind::Body, object.instance, object.body};
+    case ObjectKind::StaticGeom: return ObjectRef{ObjectKind::Static, object.instance};
+    default: return std::nullopt;
+    }
+}
+
+std::vector<ObjectRef> ObjectIndex::instances() const {
+    std::vector<ObjectRef> all;
+    for (std::uint32_t i = 0; i < m_experiment->robots.size(); ++i) all.push_back({ObjectKind::Robot, i});
+    for (std::uint32_t i = 0; i < m_experiment->statics.size(); ++i) all.push_back({ObjectKind::Static, i});
+    return all;
+}
+
+Pose ObjectIndex::poseOf(const ObjectRef& object, const BodyPoses& poses) const {
+    if (const StaticSpec* fixed = staticOf(object)) {
+        const GeomSpec* geom = geomOf(object);
+        return geom ? fixed->pose * geom->pose : fixed->pose;
+    }
+    const RobotSpec& robot = *robotOf(object);
+    const std::size_t first = m_firstPose[object.instance];
+    const bool posed = robot.config && !robot.config->bodies.empty() && poses.size() == m_poseCount;
+    if (object.kind == ObjectKind::Robot) return posed ? poses[first] * robot.config->bodies[0].pose.inverse() : robot.pose;
+    const BodySpec& body = robot.config->bodies[object.body];
+    const Pose at = posed ? poses[first + object.body] : robot.pose * body.pose;
+    return object.kind == ObjectKind::Geom ? at * body.geoms[object.geom].pose : at;
+}
+
+Pose ObjectIndex::frameOf(const ObjectRef& object, const BodyPoses& poses) const {
+    const auto owner = ownerOf(object);
+    return owner ? poseOf(*owner, poses) : Pose{};
+}
+
+Bounds ObjectIndex::boundsOf(const ObjectRef& object, const BodyPoses& poses) const {
+    Bounds all;
+    const auto addGeoms = [&](const std::vector<GeomSpec>& geoms, const Pose& pose) {
+        for (const GeomSpec& geom : geoms)
+            if (geom.visible) all.add(trundle::boundsOf(geom, pose));
+    };
+    if (const GeomSpec* geom = geomOf(object)) return trundle::boundsOf(*geom, frameOf(object, poses));
+    if (const StaticSpec* fixed = staticOf(object)) {
+        if (fixed->geoms) addGeoms(*fixed->geoms, fixed->pose);
+        return all;
+    }
+    const RobotSpec& robot = *robotOf(object);
+    if (!robot.config) return all;
+    for (std::uint32_t i = 0; i < robot.config->bodies.size(); ++i) {
+        if (object.kind == ObjectKind::Body && i != object.body) continue;
+        addGeoms(robot.config->bodies[i].geoms, poseOf({ObjectKind::Body, object.instance, i}, poses));
+    }
+    return all;
+}
+
+} // namespace trundle

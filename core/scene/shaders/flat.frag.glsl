@@ -1,0 +1,3 @@
+uniform vec4 flatColour;
+out vec4 fragment;
+void main() { fragment = flatColour; }

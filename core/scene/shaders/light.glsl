@@ -1,0 +1,23 @@
+// Shading by the values of Lighting. The number of lamps is compiled in: in software rendering even a loop with no iterations
+// doubles the cost per pixel.
+#pragma import_defines(LAMPS, SUN_MAP, SKY_MAP)
+uniform vec3 sunWay, sunLight, skyLight, groundLight, horizonColour, zenithColour;
+// What a lamp adds to a matt surface; `way` leads to it.
+vec3 lampOn(vec3 light, vec3 way, vec3 n) {
+    float square = max(dot(way, way), 1.0e-4);
+    return light * max(dot(n, way), 0.0) * inversesqrt(square) / square;
+}
+#ifdef LAMPS
+uniform vec3 lampPlace[LAMPS], lampLight[LAMPS];
+// Of all lamps on a matt surface.
+vec3 lampsOn(vec3 place, vec3 n) {
+    vec3 all = vec3(0.0);
+    for (int i = 0; i < LAMPS; ++i) {
+        all += lampOn(lampLight[i], lampPlace[i] - place, n);
+    }
+    return all;
+}
+#else
+vec3 lampsOn(vec3 place, vec3 n) { return vec3(0.0); }
+#endif
+vec3 skyColour(vec3 d) { return mix(horizonColour, zenithColour, pow(clamp(d.z, 0.0, 1.0), 0.62)); }

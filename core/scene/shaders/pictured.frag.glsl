@@ -1,0 +1,3 @@
+// A body with a texture instead of a colour.
+#define PICTURED
+#include "body.frag.glsl"
