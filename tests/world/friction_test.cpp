@@ -287,7 +287,7 @@ std::vector<Case> cases() {
         {"brakes after a fall of 20 cm, heavy", brakes(heavy, 5, 0, 0.2)},
         {"spins to rest", whirls({1, {0.3, 0.3, 0.02}, 0.4}, {0, 0, 0}, 8, What::Turned)},
         {"spins and slides: way", whirls({2, {0.3, 0.2, 0.02}, 0.3}, {1.2, 0, 0}, 6, What::Travel)},
-        {"spins and slides: turn", whirls({2, {0.3, 0.2, 0.02}, 0.3}, {1.2, 0, 0}, 6, What::Turned)},
+        {"spins and slides: turn", whirls({2, {0.3, 0.2, 0.02}, 0.3}, {1.2, 0, 0}, 6, What::Turned), 0.02, 0.04, 0.005},
         {"skates: slides along its grip", whirls({1, {0.3, 0.2, 0.02}, 0.2, 0.6, 0}, {1.5, 0, 0}, 0, What::Travel)},
         {"skates: turned 40 deg, way", whirls({1, {0.3, 0.2, 0.02}, 0.1, 0.6, 40}, {1.5, 0, 0}, 0, What::Travel), 0.02, 0.04, 0},
         {"skates: turned 40 deg, aside", whirls({1, {0.3, 0.2, 0.02}, 0.1, 0.6, 40}, {1.5, 0, 0}, 0, What::Side), 0.02, 0.04, 0},

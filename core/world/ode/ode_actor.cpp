@@ -53,6 +53,7 @@ void OdeEngine::buildActor(const ActorDef& def, ActorHandles& handles, std::stri
     actor.stiffness = std::max(kContactStiffness, actor.mass * gravity / ((ball ? 1 : kFewestSupports) * kMaxSag));
     actor.damping = kContactDamping * actor.stiffness / kContactStiffness;
     m_actorBoxes.emplace_back();
+    m_bodiesDone = false;
     for (std::uint32_t i = actor.bodies.begin; i < actor.bodies.end; ++i) publishBody(i);
 }
 
@@ -70,6 +71,7 @@ void OdeEngine::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& h
     dMassSetZero(&mass);
     dMassSetParameters(&mass, spec.mass.mass, 0, 0, 0, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
     dBodySetMass(body.id, &mass);
+    dBodySetGyroscopicMode(body.id, 0);
     const Vec3 at = def.pose * body.centre;
     dReal q[4];
     toOde(def.pose.rotation, q);
@@ -82,6 +84,7 @@ void OdeEngine::addBody(const BodyDef& def, std::uint32_t actor, ActorHandles& h
     body.w = dBodyGetAngularVel(body.id);
     body.geoms.begin = static_cast<std::uint32_t>(m_geoms.size());
     m_bodies.push_back(body);
+    m_rotation.add(spec.mass.inertia);
     m_states.emplace_back();
     m_actors[actor].mass += spec.mass.mass;
     auto& geoms = handles.geoms.emplace_back();
@@ -167,6 +170,13 @@ void OdeEngine::finishStatics() {
     for (const std::uint32_t geom : m_statics) boxes.push_back(m_boxes[geom]);
     m_grid.build(std::move(boxes));
     m_staticsDone = true;
+}
+
+void OdeEngine::finishBodies() {
+    m_pinned.start(m_bodies, m_joints, m_settings.gravity);
+    m_rotation.start(m_bodies, m_joints, m_pinned);
+    m_drift.setUp(m_bodies, m_joints);
+    m_bodiesDone = true;
 }
 
 /// Finds all pairs of geoms whose bodies differ and are not directly joined.

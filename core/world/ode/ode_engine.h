@@ -9,12 +9,15 @@
 
 #include "world/broad_phase.h"
 #include "world/engine.h"
+#include "world/ode/body_rotation.h"
 #include "world/ode/contact_memory.h"
 #include "world/ode/friction_rows.h"
 #include "world/ode/hull_on_mesh.h"
+#include "world/ode/joint_drift.h"
 #include "world/ode/ode_fault.h"
 #include "world/ode/ode_math.h"
 #include "world/ode/ode_records.h"
+#include "world/ode/pinned_bodies.h"
 #include "world/wheel_contact.h"
 
 namespace trundle {
@@ -55,21 +58,7 @@ private:
     using Actor = OdeActor;
     using Joint = OdeJoint;
     using Contact = OdeContact;
-    struct JointFrame {
-        Vec3 anchor, axis, axis2;
-    }; ///< world, at the start
-    struct JointTorque {
-        std::uint32_t joint;
-        double torque;
-    };
-    struct BodyForce {
-        std::uint32_t body;
-        Vec3 force, point;
-    };
-    struct Motion {
-        std::uint32_t actor;
-        Pose motion;
-    };
+    using JointFrame = OdeJointFrame;
 
     // building (ode_actor.cpp, ode_joint.cpp)
     void buildActor(const ActorDef& def, ActorHandles& handles, std::string& failure);
@@ -89,15 +78,18 @@ private:
     void findWheels(Joint& joint, const Vec3& anchor, const Vec3& axle);
     void findSelfPairs(Actor& actor);
     void finishStatics();
+    void finishBodies();
 
     // one step (ode_engine.cpp)
     void applyWrites();
     void applyMotor(Joint& joint);
     void applyTorque(const JointTorque& write);
-    void applyMotion(const Motion& write);
+    void applyMotion(const ActorMotion& write);
+    void move(double h);
     void solve(double h);
     void makeThreading();
     [[nodiscard]] bool tryExactStep(double h);
+    [[nodiscard]] bool stepWithGive(double h, bool& rescued);
     [[nodiscard]] bool stepExactly(double h);
     void stepQuickly(double h);
     void saveState();
@@ -171,11 +163,11 @@ private:
     std::vector<GroundPlane> m_planes;
     std::vector<std::uint32_t> m_statics; ///< static geoms other than planes
     std::vector<std::unique_ptr<dJointFeedback>> m_feedbacks;
-    bool m_staticsDone = false;
+    bool m_staticsDone = false, m_bodiesDone = false;
 
     std::vector<JointTorque> m_torques;
     std::vector<BodyForce> m_forces;
-    std::vector<Motion> m_motions;
+    std::vector<ActorMotion> m_motions;
     std::vector<std::uint32_t> m_updated, m_motorWrites;
 
     StaticGrid m_grid;
@@ -185,6 +177,9 @@ private:
     std::vector<Contact> m_contacts;
     std::vector<dJointFeedback> m_contactFeedbacks; ///< by contact
     ContactMemory m_memory;
+    BodyRotation m_rotation;
+    PinnedBodies m_pinned;
+    JointDrift m_drift;
     std::vector<std::uint32_t> m_parentOf, m_clusterSize;
     mutable std::vector<std::uint32_t> m_geomContactBegin, m_geomContacts;
     mutable bool m_geomContactsReady = false;

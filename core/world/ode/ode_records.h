@@ -93,6 +93,25 @@ struct OdeJoint {
     double stiffness = 0, damping = 0, travel = 0;
 };
 
+/// In the world, at the start.
+struct OdeJointFrame {
+    Vec3 anchor, axis, axis2;
+};
+
+// Writes that wait for the next step.
+struct JointTorque {
+    std::uint32_t joint;
+    double torque;
+};
+struct BodyForce {
+    std::uint32_t body;
+    Vec3 force, point;
+};
+struct ActorMotion {
+    std::uint32_t actor;
+    Pose motion;
+};
+
 /// A touch of this tick. Its force is in the feedback of the same index.
 struct OdeContact {
     std::uint32_t first = 0, second = 0; ///< geoms; `first` is of the moving actor of lower index

@@ -1,0 +1,69 @@
+#include "world/ode/body_rotation.h"
+
+#include <cmath>
+
+#include "world/ode/ode_math.h"
+
+namespace trundle {
+
+namespace {
+
+constexpr double kSteady = 1e-10; // relative change of the momentum in a tick, seen from the body: below it turns steadily
+
+/// True for what is no number as well.
+bool isSteady(const Vec3& rate, const Vec3& momentum, double h) {
+    return !(h * h * rate.cross(momentum).squaredNorm() > kSteady * kSteady * momentum.squaredNorm());
+}
+
+} // namespace
+
+void BodyRotation::start(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, const PinnedBodies& pinned) {
+    std::vector<bool> held(bodies.size(), false);
+    for (const OdeJoint& joint : joints) {
+        held[joint.child] = true;
+        if (joint.parent != kNone) held[joint.parent] = true;
+    }
+    m_held.clear();
+    m_free.clear();
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        if (!held[i] || pinned.hold(i)) dBodySetFiniteRotationMode(bodies[i].id, 1); // by its whole angle, not by the tangent
+        if (m_inertias[i].isRound() || pinned.turnFreely(i)) continue;
+        if (held[i]) m_held.push_back(i);
+        else m_free.emplace_back().body = i;
+    }
+}
+
+void BodyRotation::before(std::span<const OdeBody> bodies, double h) {
+    for (const std::uint32_t i : m_held) {
+        const OdeBody& b = bodies[i];
+        const Vec3 torque = turn(b.r, m_inertias[i].changeByMidpoint(turnBack(b.r, vec(b.w)), h)) / h;
+        dBodyAddTorque(b.id, torque.x(), torque.y(), torque.z());
+    }
+    for (Tumbling& t : m_free) {
+        const OdeBody& b = bodies[t.body];
+        const RotationalInertia& inertia = m_inertias[t.body];
+        const Vec3 w = vec(b.w), torque = vec(dBodyGetTorque(b.id));
+        t.start = quat(b.q);
+        t.mean = w;
+        t.momentum = inertia.momentum(t.start, w) + h * torque;
+        if (torque.squaredNorm() > 0) t.mean = inertia.rate(t.start, t.momentum);
+        if (isSteady(t.mean, t.momentum, h)) continue;
+        t.mean = meanRate(t.start, inertia.turnedFreely(t.start, t.momentum, h), h, t.mean);
+        const Vec3 extra = inertia.momentum(t.start, t.mean - w) / h - torque;
+        dBodyAddTorque(b.id, extra.x(), extra.y(), extra.z());
+    }
+}
+
+/// What the tick added to the mean rate, it added to the momentum.
+void BodyRotation::after(std::span<const OdeBody> bodies, double h) const {
+    for (const Tumbling& t : m_free) {
+        const OdeBody& b = bodies[t.body];
+        const RotationalInertia& inertia = m_inertias[t.body];
+        const Vec3 mean = vec(b.w), momentum = t.momentum + inertia.momentum(t.start, mean - t.mean);
+        if (isSteady(mean, momentum, h)) continue;
+        const Vec3 w = inertia.rate(quat(b.q), momentum);
+        dBodySetAngularVel(b.id, w.x(), w.y(), w.z());
+    }
+}
+
+} // namespace trundle

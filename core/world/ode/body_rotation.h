@@ -1,0 +1,38 @@
+#pragma once
+// How bodies turn. ODE leaves out that a body's inertia turns with it (its own correction for that takes energy), so each tick adds
+// it. What no joint holds turns as in theory: the solver works with the mean rate of the tick, then the rate at its end follows
+// from the angular momentum. What a joint holds has one rate for the whole tick, since joints hold that.
+
+#include <span>
+#include <vector>
+
+#include "world/ode/free_rotation.h"
+#include "world/ode/ode_records.h"
+#include "world/ode/pinned_bodies.h"
+
+namespace trundle {
+
+class BodyRotation {
+public:
+    /// Of the next body, without the rotors that its motors add.
+    void add(const Mat3& inertia) { m_inertias.emplace_back(inertia); }
+    /// Once all bodies and joints are there.
+    void start(std::span<const OdeBody> bodies, std::span<const OdeJoint> joints, const PinnedBodies& pinned);
+    /// Adds to the torques of a tick.
+    void before(std::span<const OdeBody> bodies, double h);
+    /// Once the solver has moved the bodies.
+    void after(std::span<const OdeBody> bodies, double h) const;
+
+private:
+    struct Tumbling {
+        std::uint32_t body = 0;
+        Quat start = Quat::Identity(); ///< of the tick
+        Vec3 momentum = Vec3::Zero(), mean = Vec3::Zero();
+    };
+
+    std::vector<RotationalInertia> m_inertias; ///< by body
+    std::vector<std::uint32_t> m_held;         ///< bodies whose moments differ, by joints
+    std::vector<Tumbling> m_free;              ///< those that no joint holds
+};
+
+} // namespace trundle
