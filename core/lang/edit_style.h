@@ -12,7 +12,6 @@ struct EditStyle {
     std::string lineEnd = "\n";
     std::string step = "  ";  ///< one level of indent
     bool spacedEquals = true; ///< `Key = value` rather than `Key=value`
-    std::size_t itemGap = 1;  ///< spaces between items of one line
 };
 
 [[nodiscard]] EditStyle editStyle(const Tree& tree);

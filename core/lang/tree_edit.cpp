@@ -116,9 +116,8 @@ Slot slotInBlock(const Tree& tree, const BlockItem& block, std::uint32_t blockBe
     if (oneLine && !containsLineComment(tree, block.open.end, block.close.begin)) {
         slot.ownLine = false;
         slot.place = std::max(blanksBefore(bytes, block.close.begin), block.open.end);
-        const bool empty = slot.place == block.open.end;
         const bool blank = slot.place < block.close.begin;
-        slot.before = empty ? " " : std::string(style.itemGap, ' ');
+        slot.before = " ";
         slot.behind = blank ? "" : " ";
         return slot;
     }

@@ -51,6 +51,10 @@ private Q_SLOTS:
         row("a value that goes on", "A {\nPos = 1,\n      2,\n      3\nB=1\n}",
             "A {\n  Pos = 1,\n        2,\n        3\n  B=1\n}\n");
         row("tabs", "A {\n\tB=1\n\tC {\n\t\tD=1\n\t}\n}\n", "A {\n  B=1\n  C {\n    D=1\n  }\n}\n");
+        row("tabs in a value that goes on", "A {\n\tPos = 1,\n\t\t  2\n}", "A {\n  Pos = 1,\n        2\n}\n");
+        row("braces on a line of their own", "A {\nB {\n C {\nD=1\n} } \n E=2\n}",
+            "A {\n  B {\n    C {\n      D=1\n  } }\n  E=2\n}\n");
+        row("braces behind an item", "A {\nB {\nC=1 } D=2\n}", "A {\n  B {\n    C=1 } D=2\n}\n");
         row("directives", "  #import a.sim  // why\nA=1", "#import a.sim  // why\nA=1\n");
         row("values untouched", "A = 1.50,2 ,$( a+1 ) , \"x  y\"\n", "A = 1.50,2 ,$( a+1 ) , \"x  y\"\n");
         row("a blank between CR and LF", "A=1\r \nB=2", "A=1\r\nB=2\r\n");

@@ -139,6 +139,10 @@ private Q_SLOTS:
             "Body c {\n  Mass=1 // kg\n  K=9\n  Box b { A=1 }\n}\n");
         row("beside its like behind the brace", "Body c { Mass=1\n Box b { A=1 } }\n", "c",
             "Body c { Mass=1\n K=9\n Box b { A=1 } }\n");
+        row("not within the line of its like", "Body c {\n  Mass=1 Box b { A=1 }\n}\n", "c",
+            "Body c {\n  Mass=1 Box b { A=1 }\n  K=9\n}\n");
+        row("not between a value and a comment on the next item", "Body c {\n  Mass=1 /* kg */ Box b { A=1 } // b\n}\n", "c",
+            "Body c {\n  Mass=1 /* kg */ Box b { A=1 } // b\n  K=9\n}\n");
         row("in front of nothing but blocks", "Body c {\n  Box b { A=1 }\n}\n", "c", "Body c {\n  Box b { A=1 }\n  K=9\n}\n");
         row("the file", "A = 1\n", "", "A = 1\nK = 9\n");
         row("the file, tight", "A=1\n", "", "A=1\nK=9\n");

@@ -13,13 +13,15 @@ private Q_SLOTS:
     void groupingKeepsPoses_data() {
         QTest::addColumn<QString>("objects");
         QTest::addColumn<QStringList>("names");
-        QTest::newRow("scenery") << "Static a { Config=Wall Pos=1.25,0.5,0 HPR=37.5,0,0 length=3 }\n"
-                                    "Static b { Config=Wall Pos=-2/**/,0.1,0.2 HPR=10,20,30 bricks.Material=own bricks.Size=1,0.2,0.3 }\n"
-                                    "Static keep { Config=Wall Pos=9,9,0 }\n"
-                                    "Static arch { Config=Arch Pos=$(far/3),1,0 HPR=$far,0,0 }\n"
-                                 << QStringList{"a", "arch", "b"};
-        QTest::newRow("objects") << "Robot a { Config=Crate Pos=1,2,0.5 HPR=15,0,0 side=0.4 }\nRobot b { Config=Crate Pos=1,2,0 }\n"
-                                 << QStringList{"a", "b"};
+        QTest::newRow("scenery")
+            << "Static a { Config=Wall Pos=1.25,0.5,0 HPR=37.5,0,0 length=3 }\n"
+               "Static b { Config=Wall Pos=-2/**/,0.1,0.2 HPR=10,20,30 bricks.Material=own bricks.Size=1,0.2,0.3 }\n"
+               "Static keep { Config=Wall Pos=9,9,0 }\n"
+               "Static arch { Config=Arch Pos=$(far/3),1,0 HPR=$far,0,0 }\n"
+            << QStringList{"a", "arch", "b"};
+        QTest::newRow("objects")
+            << "Robot a { Config=Crate Pos=1,2,0.5 HPR=15,0,0 side=0.4 }\nRobot b { Config=Crate Pos=1,2,0 }\n"
+            << QStringList{"a", "b"};
         QTest::newRow("one") << "Static a { Config=Arch Pos=0.123456789,2,3 HPR=5,6,7 }\n" << QStringList{"a"};
     }
     /// World pose and size of each geom, the pose first.
@@ -40,10 +42,12 @@ private Q_SLOTS:
         const std::map<std::string, std::string> files{
             {"configs/main.sim", main},
             {"configs/paint.sim", "Material white { ColorRGB=1,1,1 }\nSurface rough { Friction=1 }\n"},
-            {"configs/parts.sim", "#import paint.sim\nStaticConfig Wall {\n  Param length=2\n  Box bricks { Pos=0,0,0.25 Size=$length,0.1,0.5 Material=white }\n}\n"
+            {"configs/parts.sim", "#import paint.sim\nStaticConfig Wall {\n  Param length=2\n  Box bricks { Pos=0,0,0.25 "
+                                  "Size=$length,0.1,0.5 Material=white }\n}\n"
                                   "StaticConfig Arch {\n  Cylinder left { Pos=-0.5,0,0.5 Radius=0.1 Length=1 Surface=rough }\n"
                                   "  Box top { Pos=0,0,1.1 HPR=0,$(2*5),0 Size=1.2,0.2,0.2 Collide=false }\n}\n"
-                                  "RobotConfig Crate {\n  Param side=0.25\n  Body body {\n    Box planks { Pos=0,0,$(side/2) Size=$side,$side,$side Mass=1.5 Material=white }\n  }\n}\n"}};
+                                  "RobotConfig Crate {\n  Param side=0.25\n  Body body {\n    Box planks { Pos=0,0,$(side/2) "
+                                  "Size=$side,$side,$side Mass=1.5 Material=white }\n  }\n}\n"}};
         const auto before = m_fixture.open(files, "configs/main.sim");
         QVERIFY2(!before->diagnostics.hasErrors(), sample::messages(*before).c_str());
         std::vector<std::string> paths;
@@ -65,12 +69,15 @@ private Q_SLOTS:
         QCOMPARE(is.size(), was.size());
         for (const auto& [pose, geom] : was) {
             const auto same = std::ranges::find_if(is, [&, &pose = pose, &geom = geom](const auto& other) {
-                return (other.first.position - pose.position).norm() < 1e-9 && other.first.rotation.angularDistance(pose.rotation) < 1e-9 &&
-                       other.second.shape == geom.shape && (other.second.size - geom.size).norm() < 1e-12 &&
-                       other.second.radius == geom.radius && other.second.length == geom.length && other.second.collide == geom.collide &&
+                return (other.first.position - pose.position).norm() < 1e-9 &&
+                       other.first.rotation.angularDistance(pose.rotation) < 1e-9 && other.second.shape == geom.shape &&
+                       (other.second.size - geom.size).norm() < 1e-12 && other.second.radius == geom.radius &&
+                       other.second.length == geom.length && other.second.collide == geom.collide &&
                        other.second.mass == geom.mass &&
-                       after->experiment->materials.at(other.second.material).name == before->experiment->materials.at(geom.material).name &&
-                       after->experiment->surfaces.at(other.second.surface).name == before->experiment->surfaces.at(geom.surface).name;
+                       after->experiment->materials.at(other.second.material).name ==
+                           before->experiment->materials.at(geom.material).name &&
+                       after->experiment->surfaces.at(other.second.surface).name ==
+                           before->experiment->surfaces.at(geom.surface).name;
             });
             QVERIFY2(same != is.end(), (geom.name + "\n" + said).c_str());
         }
@@ -90,7 +97,9 @@ private Q_SLOTS:
         texts[group.value().file] = group.value().text;
         const auto after = m_fixture.read(texts);
         QVERIFY2(!after->diagnostics.hasErrors(), (sample::messages(*after) + group.value().text).c_str());
-        const auto find = [](const auto& all, const std::string& name) { return std::ranges::find_if(all, [&](const auto& each) { return each.name == name; }); };
+        const auto find = [](const auto& all, const std::string& name) {
+            return std::ranges::find_if(all, [&](const auto& each) { return each.name == name; });
+        };
         const auto was = find(before->experiment->materials, "paint"), is = find(after->experiment->materials, "paint");
         QVERIFY(is != after->experiment->materials.end());
         QCOMPARE(is->colour[1], 0.5);
@@ -116,6 +125,54 @@ private Q_SLOTS:
         QVERIFY(why({}).find("select") != std::string::npos);
         QVERIFY(why({"s"}, "S").find("already") != std::string::npos);
         QVERIFY(why({"s"}, "my piece").find("no name") != std::string::npos);
+    }
+
+    /// A copy that is placed elsewhere takes the point of its joint along, in the units of its text.
+    void anchorsShiftWithTheirJoint() {
+        const std::string config =
+            "RobotConfig C {\n  Body a { Mass=1 Inertia=1,1,1 Pos=0,0,1 }\n  Body b { Mass=1 Inertia=1,1,1 }\n"
+            "  Hinge h { Parent=a Child=b Anchor=1, 20 cm,3 }\n  Slider s { Parent=world Child=a }\n}\nRobot r { Config=C }\n";
+        const auto loaded = m_fixture.open(config);
+        const std::string text = m_fixture.text(loaded, planDuplicate(*loaded, {"r.h"}, Vec3(0.5, -0.1, 0)));
+        QVERIFY2(text.find("Hinge h2 { Parent=a Child=b Anchor=1.5, 10 cm,3 }") != std::string::npos, text.c_str());
+        const std::string both =
+            m_fixture.text(loaded, planDuplicate(*loaded, {"RobotConfig.C.b", "RobotConfig.C.h"}, Vec3(0.5, -0.1, 0)));
+        QVERIFY2(both.find("Hinge h2 { Parent=a Child=b2 Anchor=1.5, 10 cm,3 }") != std::string::npos, both.c_str());
+        const std::string slider = m_fixture.text(loaded, planDuplicate(*loaded, {"r.s"}, Vec3(0.5, -0.1, 0)));
+        QVERIFY2(slider.find("Slider s2 { Parent=world Child=a }") != std::string::npos, slider.c_str()); // no Anchor was written
+    }
+
+    /// Unnamed blocks are numbered by their order: naming one leaves the names of the others, and what refers to them.
+    void namingOneOfSeveralUnnamed() {
+        const std::string before = "StaticConfig C {\n  Box { Size=1,1,1 }\n  Box { Size=2,1,1 }\n  Box { Size=3,1,1 }\n}\n"
+                                   "Static s { Config=C box.Pos=1,0,0 box2.Pos=2,0,0 box3.Pos=3,0,0 }\n";
+        for (const auto& [path, name, expected] : {std::tuple{"StaticConfig.C.box", "lid", "lid:1 box2:2 box3:3 "},
+                                                   {"s.box2", "lid", "box:1 lid:2 box3:3 "},
+                                                   {"s.box3", "lid", "box:1 box2:2 lid:3 "},
+                                                   {"s.box", "box1", "box1:1 box2:2 box3:3 "}}) {
+            const auto loaded = m_fixture.open(before);
+            const auto again = m_fixture.apply(loaded, planRename(*loaded, path, name));
+            QVERIFY2(again && !again->diagnostics.hasErrors(), path);
+            std::string found;
+            for (const GeomSpec& g : *again->experiment->statics.at(0).geoms) {
+                found += g.name + ":" + std::to_string(int(g.size.x())) + " ";
+                QCOMPARE(g.pose.position.x(), g.size.x()); // the override still belongs to it
+            }
+            QCOMPARE(found, std::string(expected));
+        }
+    }
+
+    /// A block of a file that several blocks import is one text for all of them: it does not move.
+    void sharedBlocksDoNotMove() {
+        const std::string piece = "Body x { Mass=1 Inertia=1,1,1 }\n", own = "Body y { Mass=1 Inertia=1,1,1 }\n";
+        const auto loaded = m_fixture.open({{"main.sim", "RobotConfig A {\n#import piece.sim\n" + own +
+                                                             "}\nRobotConfig B {\n#import piece.sim\n}\n"
+                                                             "RobotConfig D { }\n"},
+                                            {"piece.sim", piece}});
+        const auto shared = planMove(*loaded, {"RobotConfig.A.x"}, "RobotConfig.D", "");
+        QVERIFY(!shared.ok());
+        QCOMPARE(shared.error().message, std::string("Body x is in a file that several blocks import"));
+        QVERIFY(planMove(*loaded, {"RobotConfig.A.y"}, "RobotConfig.D", "").ok());
     }
 
 private:

@@ -206,6 +206,9 @@ private Q_SLOTS:
                                            << QStringList{"a.sim", "a.sim"}
                                            << "Tick=0.1\n#import b.sim // b\n#import a.sim\n\nMaterial m { }\n" + cube;
         QTest::newRow("there already") << "#import a.sim\n" << QStringList{"a.sim"} << "#import a.sim\n" + cube;
+        QTest::newRow("itself") << "#import a.sim\n" << QStringList{"main.sim", "./main.sim"} << "#import a.sim\n" + cube;
+        QTest::newRow("a name that only ends alike") << "#import a.sim\n#import aa.sim\n"
+                                                     << QStringList{"a.sim"} << "#import a.sim\n#import aa.sim\n" + cube;
         QTest::newRow("there by another") << "#import via.sim\n" << QStringList{"a.sim"} << "#import via.sim\n" + cube;
         QTest::newRow("written otherwise") << "#import .\\a.sim\n" << QStringList{"a.sim"} << "#import .\\a.sim\n" + cube;
         QTest::newRow("the last line") << "#import b.sim" << QStringList{"a.sim"} << "#import b.sim\n#import a.sim\n" + cube;
@@ -226,6 +229,7 @@ private Q_SLOTS:
         const auto loaded =
             m_fixture.open(std::map<std::string, std::string>{{"main.sim", before.toStdString()},
                                                               {"a.sim", "StaticConfig A { Box b { Size=1,1,1 } }\n"},
+                                                              {"aa.sim", "\n"},
                                                               {"b.sim", "\n"},
                                                               {"via.sim", "#import a.sim\n"}});
         std::vector<std::string> names;

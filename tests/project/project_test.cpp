@@ -231,6 +231,16 @@ Static arena { Config=Arena }
         QVERIFY(fixture.tryOpen(fixture.folder() + "/huge.sim").error().code == Code::TooLarge);
     }
 
+    /// The 64 MiB are for all texts of an experiment together.
+    void allTextsTogetherAreLimited() {
+        ProjectFixture fixture;
+        for (const char* name : {"a.sim", "b.sim", "c.sim"}) fixture.write(name, std::string(std::size_t{25} << 20, ' '));
+        const auto loaded = fixture.open("#import a.sim\n#import b.sim\n#import c.sim\nTick = 0.02\n");
+        QVERIFY2(sample::messages(*loaded).find("/c.sim is too large") != std::string::npos, sample::messages(*loaded).c_str());
+        QCOMPARE(loaded->diagnostics.errorCount(), std::size_t{1});
+        QCOMPARE(loaded->experiment->settings.tick, 0.02);
+    }
+
     /// A path may contain `..`, but must end inside the project; a symbolic link out of it is refused.
     void pathsStayInside() {
         ProjectFixture fixture, elsewhere;
