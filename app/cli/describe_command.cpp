@@ -10,6 +10,7 @@
 #include "cli/manual.h"
 #include "cli/messages.h"
 #include "cli/run_guard.h"
+#include "crash/exit_hook.h"
 #include "cli/standard_streams.h"
 #include "cli/subcommands.h"
 #include "cli/usage_json.h"

@@ -1,34 +1,16 @@
 #include "cli/early_end.h"
 
-#include <csignal>
-#include <cstring>
 #include <ctime>
 
 #include <sys/resource.h>
 
 #include "base/codes.h"
 #include "cli/exit_code.h"
-#include "cli/signal_text.h"
+#include "crash/signal_text.h"
 #include "cli/standard_streams.h"
 
 namespace trundle {
 namespace {
-
-/// The module code being called; nullptr while the solver or nothing of a module runs.
-const CallTarget* moduleCall(const EarlyEndFacts& facts) {
-    const CallTarget* target = facts.calls ? facts.calls->target() : nullptr;
-    return target && (!target->kind.empty() || !target->module.empty()) ? target : nullptr;
-}
-
-bool isInSolver(const EarlyEndFacts& facts) {
-    const CallTarget* target = facts.calls ? facts.calls->target() : nullptr;
-    return target && target->kind.empty() && target->module.empty();
-}
-
-/// The module call at fault; a crash in another thread is not caused by the run thread's call.
-const CallTarget* crashSite(const EarlyEndFacts& facts, const EarlyEnd& end) {
-    return end.onRunsThread ? moduleCall(facts) : nullptr;
-}
 
 double secondsSince(double startS) {
     timespec now{};
@@ -36,80 +18,12 @@ double secondsSince(double startS) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) - startS;
 }
 
-/// Writes the message in parts, either to the terminal or into a JSON string.
-class MessageBuilder {
-public:
-    MessageBuilder(SignalText& out, bool json) : m_out(out), m_json(json) {}
-    MessageBuilder& operator<<(const char* text) {
-        m_out.addClean(text, m_json);
-        return *this;
-    }
-    MessageBuilder& operator<<(double number) {
-        m_out.add(number);
-        return *this;
-    }
-
-private:
-    SignalText& m_out;
-    bool m_json;
-};
-
-void addTarget(MessageBuilder& words, const CallTarget& target) {
-    words << target.text.c_str();
-    if (!target.module.empty() && !target.kind.empty()) words << " (" << target.module.c_str() << ")";
-}
-
-void addTime(MessageBuilder& words, const EarlyEndFacts& facts) {
-    if (facts.simulates) words << " at t = " << facts.calls->time() << " s";
-}
-
-/// " crashed in update", " crashed while it was loaded and described"
-void addPhase(MessageBuilder& words, const EarlyEndFacts& facts) {
-    const char* doing = facts.calls->doing();
-    if (std::strcmp(doing, "load") == 0) words << " while it was loaded and described";
-    else if (std::strcmp(doing, "unload") == 0) words << " while it was unloaded";
-    else words << " in " << doing;
-}
-
-void addCrash(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
-    if (const CallTarget* target = crashSite(facts, end)) {
-        addTarget(words, *target);
-        words << " crashed";
-        addPhase(words, facts);
-    } else {
-        words << "crashed in the middle of the " << facts.activity;
-    }
-    addTime(words, facts);
-    words << ": " << crashName(end.signal);
-    if (crashSite(facts, end)) return;
-    if (!end.onRunsThread) {
-        words << ", in a thread of ";
-        if (end.threadOf) addTarget(words, *end.threadOf);
-        else words << "no known module";
-        return;
-    }
-    words << (isInSolver(facts) ? ", in the solver; the fault is the program's own, or damage that code of a module did before"
-                                 : "; the fault is the program's own, or damage that code of a module did before");
-}
-
-void addExit(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
-    if (const CallTarget* target = crashSite(facts, end)) {
-        addTarget(words, *target);
-        words << " ended the program";
-        addPhase(words, facts);
-    } else {
-        words << "code of a module ended the program in the middle of the " << facts.activity;
-    }
-    addTime(words, facts);
-    words << ", by exit() or the like";
-}
-
 void addNotResponding(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
     const double waited = end.waitedS;
-    if (const CallTarget* target = moduleCall(facts)) {
+    if (const CallTarget* target = moduleCall(facts.calls)) {
         addTarget(words, *target);
         words << " is not responding";
-        addPhase(words, facts);
+        addPhase(words, *facts.calls);
         addTime(words, facts);
         words << ": it did not return within " << waited << " s of the request to end";
         return;
@@ -123,7 +37,7 @@ void addNotResponding(MessageBuilder& words, const EarlyEndFacts& facts, const E
 
 void addInterrupted(MessageBuilder& words, const EarlyEndFacts& facts) {
     words << "interrupted: ended at once";
-    const CallTarget* target = moduleCall(facts);
+    const CallTarget* target = moduleCall(facts.calls);
     if (!target) return;
     words << ", while waiting for ";
     addTarget(words, *target);
@@ -131,8 +45,8 @@ void addInterrupted(MessageBuilder& words, const EarlyEndFacts& facts) {
 
 void addText(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& end) {
     switch (end.kind) {
-    case EarlyEndKind::Crash: return addCrash(words, facts, end);
-    case EarlyEndKind::Exit: return addExit(words, facts, end);
+    case EarlyEndKind::Crash: return addCrash(words, facts, end.cause);
+    case EarlyEndKind::Exit: return addExit(words, facts, end.cause);
     case EarlyEndKind::NotResponding: return addNotResponding(words, facts, end);
     case EarlyEndKind::Interrupted: return addInterrupted(words, facts);
     }
@@ -140,20 +54,20 @@ void addText(MessageBuilder& words, const EarlyEndFacts& facts, const EarlyEnd& 
 
 /// {"robot", "kind", "module", "during", "reason"}
 void addWhere(SignalText& out, const EarlyEndFacts& facts, const EarlyEnd& end) {
-    const CallTarget* target = crashSite(facts, end);
+    const CallTarget* target = crashSite(facts, end.cause);
     const char* body = target ? nullptr : facts.calls->clusterBody();
     out.add("{\"robot\": ").addJson(target ? target->robot.c_str() : nullptr);
     out.add(", \"kind\": ").addJson(target ? target->kind.c_str() : nullptr);
-    const CallTarget* owner = target ? target : end.threadOf;
+    const CallTarget* owner = target ? target : end.cause.threadOf;
     out.add(", \"module\": ").addJson(owner ? owner->module.c_str() : nullptr);
-    const char* during = target ? facts.calls->doing() : !end.onRunsThread ? "thread" : isInSolver(facts) ? "solver" : nullptr;
+    const char* during = target ? facts.calls->doing() : !end.cause.onRunsThread ? "thread" : isInSolver(facts.calls) ? "solver" : nullptr;
     out.add(", \"during\": ").addJson(during);
-    if (end.kind == EarlyEndKind::NotResponding && isInSolver(facts)) {
+    if (end.kind == EarlyEndKind::NotResponding && isInSolver(facts.calls)) {
         out.add(", \"contacts\": ").add(static_cast<std::uint64_t>(facts.calls->clusterContacts()));
         out.add(", \"body\": ").addJson(body);
     }
     out.add(", \"reason\": ")
-        .addJson(end.kind == EarlyEndKind::Crash  ? crashName(end.signal)
+        .addJson(end.kind == EarlyEndKind::Crash  ? crashName(end.cause.signal)
                  : end.kind == EarlyEndKind::Exit ? "exit"
                                                   : "not responding");
     out.add("}");
@@ -207,24 +121,11 @@ void printJson(const EarlyEndFacts& facts, const EarlyEnd& end) {
 
 } // namespace
 
-const char* crashName(int signal) noexcept {
-    switch (signal) {
-    case SIGSEGV: return "Segmentation fault";
-    case SIGBUS: return "Bus error";
-    case SIGFPE: return "Arithmetic exception";
-    case SIGILL: return "Illegal instruction";
-    case SIGABRT: return "Aborted";
-    case SIGTRAP: return "Trap";
-    case SIGSYS: return "Bad system call";
-    default: return "Killed by a signal";
-    }
-}
-
 int exitCodeOf(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept {
     if (end.kind == EarlyEndKind::Interrupted) return kExitInterrupted;
-    if (end.kind == EarlyEndKind::NotResponding) return moduleCall(facts) ? kExitController : kExitInterrupted;
-    const bool own = end.kind == EarlyEndKind::Crash && end.onRunsThread && !moduleCall(facts);
-    return own ? 128 + end.signal : kExitController;
+    if (end.kind == EarlyEndKind::NotResponding) return moduleCall(facts.calls) ? kExitController : kExitInterrupted;
+    const bool own = end.kind == EarlyEndKind::Crash && end.cause.onRunsThread && !moduleCall(facts.calls);
+    return own ? 128 + end.cause.signal : kExitController;
 }
 
 void reportEarlyEnd(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept {

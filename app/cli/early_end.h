@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "base/call_monitor.h"
+#include "crash/crash_text.h"
 
 namespace trundle {
 
@@ -18,9 +18,7 @@ enum class EarlyEndKind {
 
 struct EarlyEnd {
     EarlyEndKind kind = EarlyEndKind::Crash;
-    int signal = 0;            ///< of a crash
-    bool onRunsThread = true;  ///< false: a thread started by module code, or a worker thread of the program
-    const CallTarget* threadOf = nullptr; ///< for a crash in another thread: the module it executes; nullptr: unknown
+    CrashCause cause;          ///< of a crash or exit
     std::uint32_t waitedS = 0; ///< NotResponding
 };
 
@@ -31,11 +29,8 @@ struct EarlyPoses {
 };
 
 /// The data for a report, prepared before anything fails.
-struct EarlyEndFacts {
-    const CallMonitor* calls = nullptr;
-    const char* activity = "run";  ///< what is interrupted: "run", "description"
+struct EarlyEndFacts : CrashedRun {
     double startS = 0;             ///< on the monotonic clock
-    bool simulates = true;         ///< there is a simulated time
     bool terminal = false;         ///< standard error is a terminal: its last line may contain a progress bar
     std::atomic<bool> json{false}; ///< --json is set, and its object has not been printed
     /// Entries of "diagnostics" so far, without brackets.
@@ -51,7 +46,5 @@ void reportEarlyEnd(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept;
 /// kExitController if module code was the cause, kExitInterrupted if the run was interrupted without a fault, 128 plus the signal
 /// for a crash of the program itself.
 [[nodiscard]] int exitCodeOf(const EarlyEndFacts& facts, const EarlyEnd& end) noexcept;
-/// "Segmentation fault".
-[[nodiscard]] const char* crashName(int signal) noexcept;
 
 } // namespace trundle

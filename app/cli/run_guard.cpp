@@ -9,7 +9,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
-#include <exception>
 #include <optional>
 #include <thread>
 
@@ -21,17 +20,19 @@
 #include <unistd.h>
 
 #include "base/platform/buffered_file.h"
-#include "cli/crash_site.h"
 #include "cli/early_end.h"
 #include "cli/exit_code.h"
-#include "cli/signal_text.h"
 #include "cli/standard_streams.h"
+#include "crash/crash_site.h"
+#include "crash/exit_hook.h"
+#include "crash/signal_text.h"
+#include "crash/thread_origin.h"
+#include "crash/uncaught_exception.h"
 
 namespace trundle {
 
 namespace {
 
-constexpr int kCrashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 constexpr int kRequests[] = {SIGINT, SIGTERM, SIGHUP};
 constexpr std::uint32_t kCallTimeoutS = 3;  // s, for one call after a request to end
 constexpr std::uint32_t kTickTimeoutS = 10; // s, for all calls of a tick
@@ -50,7 +51,6 @@ sem_t s_wake;
 std::atomic<bool> s_stop{false};
 std::optional<std::thread> s_watch;
 bool s_ignoresHangup = false;
-alignas(16) char s_stack[64 * 1024]; // large enough to handle a stack overflow
 
 long thisThread() { return syscall(SYS_gettid); }
 
@@ -95,8 +95,8 @@ void dumpCore(int signal) {
     reportEarlyEnd(s_facts, end);
     const int code = exitCodeOf(s_facts, end);
     if (end.kind == EarlyEndKind::Crash) {
-        if (code > 128) raiseDefault(end.signal); // a crash of the program itself ends as without a handler
-        dumpCore(end.signal);
+        if (code > 128) raiseDefault(end.cause.signal); // a crash of the program itself ends as without a handler
+        dumpCore(end.cause.signal);
     }
     endProcess(code);
 }
@@ -105,8 +105,8 @@ bool isOurs() { return s_guarded && getpid() == s_process; }
 
 void onCrash(int signal, siginfo_t*, void* context) {
     if (!isOurs()) return raiseDefault(signal);
-    EarlyEnd end{EarlyEndKind::Crash, signal, thisThread() == s_runsThread};
-    if (!end.onRunsThread) end.threadOf = libraryOfThread(*s_calls, context);
+    EarlyEnd end{EarlyEndKind::Crash, {signal, thisThread() == s_runsThread}};
+    if (!end.cause.onRunsThread) end.cause.threadOf = libraryOfThread(*s_calls, context);
     endEarly(end);
 }
 
@@ -119,20 +119,10 @@ void handleCrash(int signal) {
 }
 
 void onExit() {
-    if (isOurs()) endEarly({EarlyEndKind::Exit, 0, thisThread() == s_runsThread});
-}
-
-/// Handles an uncaught exception; the C++ library would print its text unfiltered.
-void onTerminate() {
-    const auto addText = [](const char* what) {
-        SignalText(messagesFile()).add("trundle-cli: an uncaught exception: ").addClean(what).add("\n");
-    };
-    try {
-        if (std::current_exception()) throw;
-    } catch (const std::exception& e) { addText(e.what()); } catch (...) {
-        addText("of an unknown type");
-    }
-    std::abort();
+    if (!isOurs()) return;
+    EarlyEnd end{EarlyEndKind::Exit, {0, thisThread() == s_runsThread}};
+    if (!end.cause.onRunsThread) end.cause.threadOf = libraryOfCaller(*s_calls);
+    endEarly(end);
 }
 
 void onRequest(int) {
@@ -149,7 +139,7 @@ void watchSignals() {
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, onRequest, SA_RESTART);
     setHandler(SIGPIPE, onBrokenPipe, SA_RESTART);
     // Does not replace existing handlers, such as those of a debugger or a sanitizer.
-    for (const int signal : kCrashes) {
+    for (const int signal : kCrashSignals) {
         struct sigaction now = {};
         if (sigaction(signal, nullptr, &now) != 0 || (now.sa_handler != SIG_DFL && now.sa_handler != SIG_IGN)) continue;
         handleCrash(signal);
@@ -159,7 +149,7 @@ void watchSignals() {
 void unwatchSignals() {
     for (const int signal : kRequests)
         if (signal != SIGHUP || !s_ignoresHangup) setHandler(signal, SIG_DFL, 0);
-    for (const int signal : kCrashes) {
+    for (const int signal : kCrashSignals) {
         struct sigaction now = {};
         if (sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) && now.sa_sigaction == &onCrash) setHandler(signal, SIG_DFL, 0);
     }
@@ -170,7 +160,7 @@ void unblockSignals() {
     sigset_t ours;
     sigemptyset(&ours);
     for (const int signal : kRequests) sigaddset(&ours, signal);
-    for (const int signal : kCrashes) sigaddset(&ours, signal);
+    for (const int signal : kCrashSignals) sigaddset(&ours, signal);
     pthread_sigmask(SIG_UNBLOCK, &ours, nullptr);
 }
 
@@ -208,15 +198,11 @@ void watch() {
         const std::uint32_t waited = t - call >= kCallTimeoutS                 ? kCallTimeoutS
                                      : s_ticking && t - asked >= kTickTimeoutS ? kTickTimeoutS
                                                                                : 0;
-        if (waited) endEarly({EarlyEndKind::NotResponding, 0, true, nullptr, waited});
+        if (waited) endEarly({EarlyEndKind::NotResponding, {}, waited});
     }
 }
 
 } // namespace
-
-void endProcess(int code) {
-    for (;;) syscall(SYS_exit_group, code);
-}
 
 RunGuard::RunGuard(GuardOptions options) {
     s_calls = std::move(options.calls);
@@ -235,11 +221,10 @@ RunGuard::RunGuard(GuardOptions options) {
     uselocale(s_locale); // for this thread, even if a module changes the process locale
     struct sigaction hangup = {};
     s_ignoresHangup = sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler == SIG_IGN; // nohup
-    const stack_t stack{s_stack, 0, sizeof s_stack};
-    sigaltstack(&stack, nullptr);
-    static const bool s_registered = std::atexit(&onExit) == 0 && std::at_quick_exit(&onExit) == 0;
-    s_guarded = s_registered;
-    std::set_terminate(&onTerminate);
+    provideSignalStack();
+    setExitHook(&onExit);
+    s_guarded = true;
+    reportUncaughtExceptions("trundle-cli", &messagesFile);
     watchSignals();
     sem_init(&s_wake, 0, 0);
     s_watch.emplace(&watch);
@@ -291,12 +276,3 @@ void endForkedCopy() {
 }
 
 } // namespace trundle
-
-// Interposes _exit and _Exit, which skip all handlers: the dynamic loader resolves module calls to these definitions.
-extern "C" {
-void _exit(int code) {
-    trundle::onExit();
-    trundle::endProcess(code);
-}
-void _Exit(int code) noexcept { _exit(code); }
-}

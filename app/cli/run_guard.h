@@ -46,7 +46,5 @@ public:
 /// True in a copy of the process that module code created by fork().
 [[nodiscard]] bool isForkedCopy();
 [[noreturn]] void endForkedCopy();
-/// Ends the process without any handlers or messages. Async-signal-safe.
-[[noreturn]] void endProcess(int code);
 
 } // namespace trundle

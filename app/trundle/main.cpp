@@ -16,6 +16,8 @@
 #include "base/platform/buffered_file.h"
 #include "base/platform/end_requests.h"
 #include "base/platform/standard_descriptors.h"
+#include "crash/crash_watch.h"
+#include "crash/exit_hook.h"
 #include "editor/shell/main_window.h"
 #include "editor/widgets/preferences.h"
 #include "editor/widgets/theme.h"
@@ -25,6 +27,8 @@
 #include "trundle/screenshot_runner.h"
 
 namespace {
+
+using trundle::endProcess, trundle::ignoreExits;
 
 QtMessageHandler g_report = nullptr; // Qt's default handler
 
@@ -56,20 +60,6 @@ bool isTextOnly(int argc, char** argv) {
                        [&](const char* word) { return std::ranges::find(kWords, word) != std::end(kWords); });
 }
 
-bool g_leaving = false; // normal end of the program
-
-/// exit() was called by controller code or by Qt after losing its display: ends immediately, since static destructors would
-/// destroy objects that other threads still use.
-void onExit() {
-    if (g_leaving) return;
-    for (const int fault : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) // in threads that use what exit() already destroyed
-        std::signal(fault, [](int) { std::_Exit(4); });
-    std::fputs("trundle: ended from within, by code of a module or as the display is gone; unsaved edits are offered at the next "
-               "start\n",
-               stderr); // nothing more is safe: other threads may already be crashing
-    std::_Exit(4);
-}
-
 constexpr std::chrono::seconds kLastWait(5);
 std::atomic<bool> g_endRequested = false; // requested by a signal
 
@@ -88,10 +78,10 @@ void endOnRequest() {
 /// Ends the process after a timeout. The window has already saved what must be kept; the remaining destructors may wait minutes
 /// for a picture, with no visible reason.
 void endAfterTimeout(int code) {
-    g_leaving = true;
+    ignoreExits();
     std::thread([code] {
         std::this_thread::sleep_for(kLastWait);
-        std::_Exit(code);
+        endProcess(code);
     }).detach();
 }
 
@@ -101,6 +91,7 @@ int main(int argc, char** argv) {
     using namespace trundle;
     openStandardDescriptors();     // otherwise the display connection may get one of them and receive module output
     std::signal(SIGXFSZ, SIG_IGN); // exceeding the file size limit fails the write instead of ending the program
+    watchCrashes("trundle", "unsaved edits are offered at the next start");
     QCoreApplication::setApplicationName(QStringLiteral("Trundle"));
     QCoreApplication::setOrganizationName(QStringLiteral("Trundle"));
     QCoreApplication::setApplicationVersion(QStringLiteral(TRUNDLE_VERSION));
@@ -130,15 +121,13 @@ int main(int argc, char** argv) {
     }
     window.show();
     ScreenshotRunner screenshots(window, options); // executes the options after the window is shown
-    // Handlers registered later run earlier, so onExit is registered again after each state change, to run before the destructors
-    // of objects created since.
-    QObject::connect(&window.session(), &RunSession::stateChanged, &window, [] { std::atexit(onExit); });
-    std::atexit(onExit);
+    QObject::connect(&window.session(), &RunSession::stateChanged, &window, &watchExits);
+    watchExits();
     endOnRequest();
     const int code = QApplication::exec();
     if (g_endRequested) { // the journal has already been written
         BufferedFile::writeOutAll();
-        std::_Exit(code);
+        endProcess(code);
     }
     if (window.session().endRuns()) {
         endAfterTimeout(code);
@@ -146,5 +135,5 @@ int main(int argc, char** argv) {
     }
     // A controller call does not return. Objects that it uses must stay alive, so nothing is destroyed.
     window.putAway();
-    std::_Exit(code);
+    endProcess(code);
 }

@@ -4,6 +4,7 @@
 
 #include <trundle/abi.h>
 
+#include "base/platform/recent_runs.h"
 #include "radio/medium.h"
 
 namespace trundle {
@@ -23,6 +24,7 @@ std::shared_ptr<const std::vector<LiveContact>> copied(const std::vector<WorldCo
 } // namespace
 
 void LiveThread::go(RunnerMaker maker) {
+    const RunOfThread monitored(m_shared->calls);
     try {
         waitForPrevious();
         build(maker);

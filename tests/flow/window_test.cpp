@@ -221,18 +221,54 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(picture));
     }
 
-    void reportsExitInModule() {
-        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/");
-        const QString home = m_folder.filePath(QStringLiteral("trusting")), file = m_folder.filePath(QStringLiteral("exits.sim"));
+    /// A crash or exit() in code of a module, in the run's thread or in one of its own: the window names the module and the logs are
+    /// complete.
+    void reportsCrashInModule_data() {
+        QTest::addColumn<QByteArray>("brain");
+        QTest::addColumn<QByteArray>("said");
+        const QByteArray library = TRUNDLE_BINARY_DIR "/tests/modules/zoo/libzoo.so", thread = "a thread of the module " + library,
+                         controller = "the controller Zoo of r (" + library + ") ";
+        const auto row = [](const char* action, const char* phase, const QByteArray& said) {
+            const QByteArray name = QByteArray(action) + " in " + phase;
+            QTest::newRow(name.constData()) << QByteArray("Action=\"" + QByteArray(action) + "\" Phase=" + phase) << said;
+        };
+        row("segv", "update", controller + "crashed in update at t = 0.49 s: Segmentation fault; unsaved edits");
+        row("overflow", "update", controller + "crashed in update at t = 0.49 s: Segmentation fault; unsaved edits");
+        row("terminate", "update", controller + "crashed in update at t = 0.49 s: Aborted; unsaved edits");
+        row("throw past noexcept", "update", "trundle: an uncaught exception: no ?[31mbattery??\ntrundle: " + controller + "crashed in update");
+        row("segv", "setup", controller + "crashed in setup");
+        row("abort", "destructor", controller + "crashed in destructor");
+        row("exit", "update", controller + "ended the program in update at t = 0.49 s, by exit() or the like; unsaved edits");
+        row("_exit", "update", controller + "ended the program in update");
+        row("thread crashes", "update", "crashed in the middle of the run at t = 0.49 s: Segmentation fault, in " + thread);
+        row("thread overflows", "update", "crashed in the middle of the run at t = 0.49 s: Segmentation fault, in " + thread);
+        row("library code crashes in a thread", "update", "Segmentation fault, in " + thread);
+        row("thread exits", "update", thread + " ended the program in the middle of the run at t = 0.49 s");
+        row("thread _exits", "update", thread + " ended the program in the middle of the run at t = 0.49 s");
+    }
+    void reportsCrashInModule() {
+        QFETCH(QByteArray, brain);
+        QFETCH(QByteArray, said);
+        const QString modules = QStringLiteral(TRUNDLE_BINARY_DIR "/tests/modules/zoo/"), home = m_folder.filePath("trusting"),
+                      file = m_folder.filePath("crashes/crashes.sim");
         QDir().mkpath(home + "/Trundle");
+        QDir().mkpath(m_folder.filePath("crashes"));
         QVERIFY(writeFile(home + "/Trundle/Trundle.conf", "[General]\ntrustedFolders=" + modules.toUtf8() + "\n"));
-        QVERIFY(writeFile(file, "#import robots/simple_robot.sim\n#loadModule \"" + modules.toUtf8() +
-                                    "exits\"\nRobot r { Config=SimpleRobot Exits brain { } }\n"));
+        QVERIFY(writeFile(file, "Duration = 1\n#import robots/simple_robot.sim\n#import arenas/open_floor.sim\n#loadModule \"" + modules.toUtf8() +
+                                    "zoo\"\nStatic floor { Config=OpenFloor }\nRobot r { Config=SimpleRobot Zoo brain { " + brain +
+                                    " } }\nPoseLog path { }\n"));
         qputenv("XDG_CONFIG_HOME", home.toUtf8());
-        const Outcome outcome = call({"--open", file, "--run-for", "3", "--quit"});
+        const Outcome outcome = callProgram("/bin/sh", {"-c", "ulimit -c 0; exec \"$@\"", "sh", "/usr/bin/env",
+                                                        "ASAN_OPTIONS=handle_segv=0:handle_abort=0:use_sigaltstack=0",
+                                                        "TSAN_OPTIONS=handle_segv=0:handle_abort=0:use_sigaltstack=0",
+                                                        QStringLiteral(TRUNDLE_BINARY_DIR "/bin/trundle"), "--open", file, "--run-for", "3", "--quit"});
         qunsetenv("XDG_CONFIG_HOME");
         QVERIFY2(outcome.code == 4, shown(outcome));
-        QVERIFY2(outcome.err.startsWith("trundle: ended from within"), shown(outcome));
+        QVERIFY2(outcome.err.startsWith("trundle: ") && outcome.err.contains(said), shown(outcome));
+        QVERIFY2(outcome.err.endsWith("; unsaved edits are offered at the next start\n"), shown(outcome));
+        QCOMPARE(outcome.err.count('\n'), brain.contains("noexcept") ? 2 : 1);
+        const qsizetype rows = contentOf(m_folder.filePath("crashes/logs/crashes/path.csv")).count('\n');
+        QCOMPARE(rows, brain.endsWith("update") ? 51 : brain.endsWith("destructor") ? 102 : rows); // a header, the start, the ticks
     }
 
 private:

@@ -14,9 +14,10 @@ QStringList words(const QString& cell) {
 bool isWithin(const QString& folder, const QString& outer) { return folder == outer || folder.startsWith(outer + '/'); }
 
 /// The path of a header that is included by its path below `core`, or below `app`.
-QString pathOf(const QString& file, const QString& included) {
-    const QString top = file.section('/', 0, 0);
-    return (top == "app" && included.section('/', 0, 0) == file.section('/', 1, 1) ? "app/" : "core/") + included;
+QString pathOf(const QString& file, const QString& included, const QStringList& mayInclude) {
+    const QString first = included.section('/', 0, 0);
+    const bool ofPrograms = file.startsWith("app/") && (first == file.section('/', 1, 1) || mayInclude.contains("app/" + first));
+    return (ofPrograms ? "app/" : "core/") + included;
 }
 
 } // namespace
@@ -51,7 +52,7 @@ QString IncludeRules::violation(const QString& file, const QString& included, bo
     }
     // An include without a folder refers to a file in the same folder.
     if (!inAngles && !included.contains('/')) return {};
-    const QString path = inAngles ? QString("core/sdk/x.h") : included.startsWith("editor/") ? included : pathOf(file, included);
+    const QString path = inAngles ? QString("core/sdk/x.h") : included.startsWith("editor/") ? included : pathOf(file, included, rule.mayInclude);
     const QString target = folderOf(path);
     if (isWithin(target, folder)) return {};
     for (const QString& allowed : rule.mayInclude) {
@@ -74,7 +75,7 @@ QString libraryOf(const QString& header) {
     static const QRegularExpression qt("^Q[A-Z]\\w*|^Qt\\w+(/.*)?$");
     static const QRegularExpression cHeader(
         "^(sys/.+|linux/.+|netinet/.+|arpa/"
-        ".+|unistd\\.h|semaphore\\.h|fcntl\\.h|dlfcn\\.h|poll\\.h|signal\\.h|pthread\\.h|spawn\\.h|elf\\.h|link\\.h|termios\\.h|dirent\\.h|pwd\\.h)$");
+        ".+|unistd\\.h|semaphore\\.h|fcntl\\.h|dlfcn\\.h|execinfo\\.h|poll\\.h|signal\\.h|pthread\\.h|spawn\\.h|elf\\.h|link\\.h|termios\\.h|dirent\\.h|pwd\\.h)$");
     if (header.startsWith("trundle/")) return "sdk";
     if (header.startsWith("Eigen/")) return "eigen";
     if (header.startsWith("ode/")) return "ode";

@@ -15,6 +15,7 @@ set(BASE_PLATFORM_SOURCES
   platform/process_identity.cpp
   platform/program_path.cpp
   platform/quiet_errors.cpp
+  platform/recent_runs.cpp
   platform/read_file.cpp
   platform/standard_descriptors.cpp
   platform/thread_priority.cpp

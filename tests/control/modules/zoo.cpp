@@ -14,11 +14,13 @@
 #include <thread>
 #include <vector>
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <threads.h>
 #include <unistd.h>
 #include <xmmintrin.h>
 
@@ -33,6 +35,13 @@ int deeper(int n) {
     volatile char room[4096];
     room[n % 4096] = 1;
     return n > g_zero ? deeper(n + 1) + room[n % 4096] : 0; // not a tail call, so it cannot be compiled to a loop
+}
+
+/// Overflows the stack inside the C library, which needs much of it for one call.
+int formatDeeper(int n) {
+    char room[200];
+    const int length = std::snprintf(room, sizeof room, "%.150f", n * 1.1);
+    return n > g_zero ? formatDeeper(n + 1) + length + room[n % 100] : 0;
 }
 
 /// Signals to a waiting test that the action has begun.
@@ -110,8 +119,14 @@ using Action = std::function<void()>;
 
 void act(const std::string& name);
 
+/// Waits for the end of the thread, so the run is in the middle of the call.
+void inThread(const char* name) {
+    std::thread([name] { act(name); }).join();
+}
+
 const std::map<std::string, Action>& actions() {
-    static const std::map<std::string, Action> all{
+    // Never destroyed: an action on unload runs after the destructors of function statics.
+    static const auto& all = *new std::map<std::string, Action>{
         {"none", [] {}},
         {"say", say},
         {"loop", loop},
@@ -140,31 +155,29 @@ const std::map<std::string, Action>& actions() {
         {"throw much", [] { throw std::runtime_error(std::string(2'000'000, 'x')); }},
         {"throw past noexcept", []() noexcept { act("throw"); }},
         {"leave thread", [] { pthread_exit(nullptr); }},
-        {"thread crashes",
+        {"thread crashes", [] { inThread("segv"); }},
+        {"thread throws", [] { inThread("throw int"); }},
+        {"thread aborts", [] { inThread("abort"); }},
+        {"thread jumps", [] { inThread("jump"); }},
+        {"thread overflows", [] { inThread("overflow"); }},
+        {"thread overflows in the C library", [] { inThread("format deeper"); }},
+        {"thread exits", [] { inThread("exit"); }},
+        {"thread _exits", [] { inThread("_exit"); }},
+        {"thread quick_exits", [] { inThread("quick_exit"); }},
+        {"standard thread overflows",
          [] {
-             std::thread([] { actions().at("segv")(); }).detach();
-             usleep(300'000);
+             thrd_t thread{};
+             thrd_create(&thread, [](void*) { return deeper(1); }, nullptr);
+             thrd_join(thread, nullptr);
          }},
-        {"thread throws",
+        {"library code crashes in a thread", // no code of the module is on the thread's stack
          [] {
-             std::thread([] { throw 1; }).detach();
-             usleep(300'000);
+             pthread_t thread{};
+             pthread_create(&thread, nullptr, reinterpret_cast<void* (*)(void*)>(dlsym(RTLD_DEFAULT, "strdup")), const_cast<char*>(nowhere()));
+             pthread_join(thread, nullptr);
          }},
-        {"thread aborts",
-         [] {
-             std::thread([] { std::abort(); }).detach();
-             usleep(300'000);
-         }},
-        {"thread jumps",
-         [] {
-             std::thread([] { actions().at("jump")(); }).detach();
-             usleep(300'000);
-         }},
-        {"thread overflows",
-         [] {
-             std::thread([] { g_zero = deeper(1); }).detach();
-             usleep(300'000);
-         }},
+        {"thread of a thread crashes", [] { std::thread([] { inThread("segv"); }).join(); }},
+        {"format deeper", [] { g_zero = formatDeeper(1); }},
         {"close standard",
          [] {
              for (const int file : {0, 1, 2}) close(file);

@@ -1,4 +1,4 @@
-#include "cli/signal_text.h"
+#include "crash/signal_text.h"
 
 #include <cerrno>
 #include <cstring>

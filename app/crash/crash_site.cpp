@@ -1,9 +1,11 @@
-#include "cli/crash_site.h"
+#include "crash/crash_site.h"
 
 #include <csignal>
 
 #include <sys/uio.h>
 #include <unistd.h>
+
+#include "crash/thread_origin.h"
 
 namespace trundle {
 namespace {
@@ -25,15 +27,11 @@ Registers registersOf(const void* context) {
 #endif
 }
 
-} // namespace
-
-const CallTarget* libraryOfThread(const CallMonitor& calls, const void* context) noexcept {
-    const Registers registers = registersOf(context);
-    if (const CallTarget* library = calls.libraryAt(registers.instruction)) return library;
+/// The first word on a stack that is an address in a module.
+const CallTarget* libraryOnStack(const CallMonitor& calls, std::uintptr_t stack) noexcept {
     std::uintptr_t words[kPage / sizeof(std::uintptr_t)];
     // The kernel copies the stack and reports its end; reading it directly could crash again.
-    for (std::uintptr_t at = registers.stack & ~(sizeof(std::uintptr_t) - 1);
-         at - registers.stack < kMaxStack || at < registers.stack;) {
+    for (std::uintptr_t at = stack & ~(sizeof(std::uintptr_t) - 1); at - stack < kMaxStack || at < stack;) {
         const std::uintptr_t bytes = kPage - at % kPage;
         const iovec here{words, bytes}, there{reinterpret_cast<void*>(at), bytes};
         const ssize_t copied = process_vm_readv(getpid(), &here, 1, &there, 1, 0);
@@ -43,6 +41,27 @@ const CallTarget* libraryOfThread(const CallMonitor& calls, const void* context)
         at += bytes;
     }
     return nullptr;
+}
+
+const CallTarget* libraryOfOrigin(const CallMonitor& calls) noexcept {
+    const ThreadOrigin& origin = originOfThread();
+    for (std::uint32_t i = 0; i < origin.count; ++i)
+        if (const CallTarget* library = calls.libraryAt(origin.callers[i])) return library;
+    return nullptr;
+}
+
+} // namespace
+
+const CallTarget* libraryOfThread(const CallMonitor& calls, const void* context) noexcept {
+    const Registers registers = registersOf(context);
+    if (const CallTarget* library = calls.libraryAt(registers.instruction)) return library;
+    if (const CallTarget* library = libraryOnStack(calls, registers.stack)) return library;
+    return libraryOfOrigin(calls);
+}
+
+const CallTarget* libraryOfCaller(const CallMonitor& calls) noexcept {
+    const CallTarget* library = libraryOnStack(calls, reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)));
+    return library ? library : libraryOfOrigin(calls);
 }
 
 } // namespace trundle

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace trundle {
+
+/// Calls `hook` whenever code calls exit(), quick_exit(), _exit() or _Exit(); if it returns, the process ends as asked. Handlers
+/// of exit() that are registered later run before the hook: call this again after libraries are loaded. Of exit() it is called
+/// once more each time. nullptr: none.
+void setExitHook(void (*hook)());
+
+/// Ends the process without any handlers or messages. Async-signal-safe.
+[[noreturn]] void endProcess(int code);
+
+} // namespace trundle
