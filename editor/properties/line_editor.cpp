@@ -1,6 +1,7 @@
 #include "editor/properties/line_editor.h"
 
 #include <QHBoxLayout>
+#include <QLocale>
 
 #include "editor/properties/scrub.h"
 #include "editor/properties/value_field.h"
@@ -61,7 +62,12 @@ void showLine(ValueField& field, const Row& row) {
     field.setFaint(!row.given());
     field.setSuffix(suffixOf(row));
     field.setValue(lineText(row));
-    if (!row.mixed() && row.first().text.empty()) field.setPlaceholderText(QObject::tr("not set"));
+    field.setReadOnly(row.isLong());
+    const SourceRange& place = row.first().place;
+    if (row.isLong())
+        field.setPlaceholderText(QObject::tr("%1 long; edit it in the text")
+                                     .arg(QLocale().formattedDataSize(place.range.end - place.range.begin)));
+    else if (!row.mixed() && row.first().text.empty()) field.setPlaceholderText(QObject::tr("not set"));
 }
 
 LineEditor::LineEditor(QWidget* parent) : RowEditor(parent), m_field(new ValueField(this)) {

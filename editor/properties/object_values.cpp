@@ -201,6 +201,8 @@ void ObjectValues::fill(FieldValue& field, const ValueText& written) {
     const std::uint32_t begin = written.value->range.begin;
     field.origin = texts.commandLine(written.file) ? ValueOrigin::CommandLine : written.origin;
     field.place = {written.file, written.value->range};
+    field.isLong = written.value->range.end - begin > kMaxShownValue;
+    if (field.isLong) return;
     field.text = texts.slice(field.place);
     for (const Element& e : written.value->elements) {
         field.elements.push_back({e.range.begin - begin, e.range.end - begin});
@@ -218,7 +220,10 @@ void ObjectValues::fillInherited(FieldValue& field, const Value* value, FileId f
     if (m_config) field.config = m_config->name;
     const Property* property = field.property;
     bool bare = true; // the numbers are written without units
-    if (value) {
+    if (value && value->range.end - value->range.begin > kMaxShownValue) {
+        field.inherited = "…";
+        bare = false;
+    } else if (value) {
         field.inherited = m_loaded->outline->texts().slice({file, value->range});
         bare = std::ranges::all_of(value->elements,
                                    [](const Element& e) { return e.kind == Element::Kind::Number && e.unit.empty(); });

@@ -21,6 +21,9 @@ enum class ValueOrigin {
     CommandLine ///< in a `--set`
 };
 
+/// Bytes of a value's text up to which it is shown in a row; a row holds it several times.
+inline constexpr std::uint32_t kMaxShownValue = 64 * 1024;
+
 /// The value of one property or Param of one object. `property` is valid as long as the project it was read from.
 struct FieldValue {
     std::string path;                   ///< "robot0.leftMotor.Resistance"
@@ -31,6 +34,7 @@ struct FieldValue {
     std::vector<TextRange> elements;    ///< ranges in `text`
     bool formula = false;               ///< contains Params or an expression
     bool broken = false;                ///< syntax error
+    bool isLong = false;                ///< above kMaxShownValue: text, elements and value are left empty
     std::optional<PropertyValue> value; ///< evaluated; nothing if not set or invalid
     std::string shown;                  ///< of a formula: its evaluated value for display
     std::string separator = ",";        ///< between elements, as in the file

@@ -37,11 +37,15 @@ bool Row::given() const {
     return std::any_of(values.begin(), values.end(), [](const FieldValue& v) { return v.given(); });
 }
 
+bool Row::isLong() const {
+    return std::any_of(values.begin(), values.end(), [](const FieldValue& v) { return v.isLong; });
+}
+
 std::size_t Row::fieldCount() const { return property() ? property()->maxCount : 1; }
 
 EditorKind Row::editor() const {
     const Property* p = property();
-    if (!p) return EditorKind::Line;
+    if (!p || isLong()) return EditorKind::Line;
     switch (p->type) {
     case PropertyType::Number:
     case PropertyType::Integer:

@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "editor/properties/param_help.h"
+#include "editor/properties/property_row.h"
 
 using namespace trundle;
 
@@ -49,6 +50,26 @@ private Q_SLOTS:
         QVERIFY(fixture.document.replaceText(QStringLiteral("Type"), fixture.document.files()[1], rover).ok());
         QCOMPARE(paramHelp(*fixture.document.loaded(), "RobotConfig.Rover.track"),
                  QStringLiteral("Between the wheels, in metres."));
+    }
+
+    /// A row holds its value several times, so a long one is left out: it can be reset, and is edited in the text.
+    void aLongValueIsLeftOutOfItsRow() {
+        for (const std::size_t bytes : {std::size_t(kMaxShownValue), std::size_t(kMaxShownValue) + 1}) {
+            const bool isLong = bytes > kMaxShownValue;
+            PropertiesFixture fixture;
+            QVERIFY(fixture.open("Param a = $(1" + std::string(bytes - 7, ' ') + "+ 1)\nRobot robot0 { Config=Rover }\n"));
+            fixture.selection.select("");
+            auto* field = fixture.row("param.a")->findChild<ValueField*>(QStringLiteral("field"));
+            QVERIFY(field);
+            QCOMPARE(field->isReadOnly(), isLong);
+            QCOMPARE(field->text().isEmpty(), isLong);
+            QCOMPARE(field->placeholderText().contains(QStringLiteral("edit it in the text")), isLong);
+            const Row row = dynamic_cast<PropertyRow&>(*fixture.row("param.a")).row();
+            QCOMPARE(row.first().text.size(), isLong ? 0u : bytes);
+            const std::string before = fixture.text();
+            QCOMPARE(row.set([](const FieldValue&) { return std::string("3"); }, {}).ok(), !isLong);
+            QCOMPARE(fixture.text() == before, isLong);
+        }
     }
 
     void draggingALabelIsOneEntry() {
