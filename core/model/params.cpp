@@ -1,10 +1,12 @@
 #include "model/params.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/units.h"
 #include "model/outline.h"
+#include "schema/registry.h"
 #include "schema/value_words.h"
 
 namespace trundle {
@@ -165,6 +167,7 @@ const GivenValue* Evaluator::paramValue(std::string_view name, SourceRange place
             m_diagnostics.error(Code::ParamCycle, entry->param.nameRange(), "more than 100 Params need each other in a row");
         } else {
             value = evaluate(*entry->param.value, entry->param.valueFile, *entry->scope);
+            if (value && !checkUnits(*value)) value.reset();
         }
         m_chain.pop_back();
         const bool failed = !value || entry->state == State::Failed;
@@ -172,6 +175,23 @@ const GivenValue* Evaluator::paramValue(std::string_view name, SourceRange place
         if (value) entry->value = std::move(*value);
     }
     return entry->state == State::Done ? &entry->value : nullptr;
+}
+
+bool Evaluator::checkUnits(const GivenValue& value) {
+    if (!m_registry) return true;
+    const auto isKnown = [this](const std::string& unit) {
+        if (unit.empty() || findUnit(unit)) return true;
+        return std::ranges::any_of(m_registry->all(), [&](const Kind* kind) {
+            return std::ranges::any_of(kind->properties, [&](const Property& property) { return property.unit == unit; });
+        });
+    };
+    for (const GivenElement& e : value.elements) {
+        if (!e.unitRange.known() || isKnown(e.unit)) continue; // reported where the unit is written
+        Diagnostic& d = m_diagnostics.error(Code::UnknownUnit, e.unitRange, "there is no unit " + e.unit);
+        suggest(d, e.unit, allUnitNames(), e.unitRange);
+        return false;
+    }
+    return true;
 }
 
 void Evaluator::unknown(std::string_view name, SourceRange place, ParamScope& scope) {

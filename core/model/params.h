@@ -12,6 +12,8 @@
 
 namespace trundle {
 
+class Registry;
+
 /// The Params of one block; lookup continues in the outer scopes.
 class ParamScope {
 public:
@@ -41,10 +43,15 @@ private:
 
 class Evaluator {
 public:
-    Evaluator(const TextSet& texts, Diagnostics& diagnostics) : m_texts(texts), m_diagnostics(diagnostics) {}
+    /// With a registry, Params with a unit that neither the language nor a property in the registry has are reported where they
+    /// are declared, used or not.
+    Evaluator(const TextSet& texts, Diagnostics& diagnostics, const Registry* registry = nullptr)
+        : m_texts(texts), m_diagnostics(diagnostics), m_registry(registry) {}
 
     /// The elements of a value, with Params substituted and expressions evaluated; nothing, with a diagnostic, on failure.
     [[nodiscard]] std::optional<GivenValue> evaluate(const Value& value, FileId file, ParamScope& scope);
+    /// Whether all units written in the value of a Param exist; reports the first that does not.
+    [[nodiscard]] bool checkUnits(const GivenValue& value);
     /// Whether the parser reported errors inside the range, so that further errors there may be follow-ups.
     [[nodiscard]] bool broken(const SourceRange& range);
     /// Evaluates every Param of the scope, so that errors in unused ones are reported too.
@@ -68,6 +75,7 @@ private:
 
     const TextSet& m_texts;
     Diagnostics& m_diagnostics;
+    const Registry* m_registry;
     std::vector<ParamScope::Entry*> m_chain;
     std::map<FileId, std::vector<std::uint32_t>> m_broken; ///< offsets of syntax errors, sorted, by file
 };

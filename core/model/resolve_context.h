@@ -16,7 +16,7 @@ class ResolveContext {
 public:
     ResolveContext(const Outline& outline, const AssetLookup& assets, Diagnostics& diagnostics, ExperimentSpec& out)
         : outline(outline), texts(outline.texts()), registry(outline.registry()), assets(assets), diagnostics(diagnostics),
-          out(out), evaluator(texts, diagnostics) {
+          out(out), evaluator(texts, diagnostics, &registry) {
         globals.declare(outline.params);
     }
 

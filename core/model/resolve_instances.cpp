@@ -134,7 +134,7 @@ private:
         }
         if (!param && !pathLeadsSomewhere(config, a)) return;
         std::optional<GivenValue> value = m_context.evaluator.evaluate(*a.value, a.file, scope);
-        if (!value) return;
+        if (!value || (param && !m_context.evaluator.checkUnits(*value))) return;
         appendKey(given.key, a.key, *value);
         if (param) {
             value->fromParam = true;
