@@ -1,5 +1,6 @@
 // The guide is correct: its texts load and run, its commands work, its links resolve, and every kind and option is documented.
 
+#include "base/units.h"
 #include "flow/cli.h"
 
 namespace {
@@ -167,6 +168,36 @@ private Q_SLOTS:
                 QVERIFY2(placed.contains(kind["name"].toString()), qPrintable(kind["name"].toString()));
         }
         for (const QString& name : placed) QVERIFY2(names.contains(name) && placed.count(name) == 1, qPrintable(name));
+    }
+
+    void everyUnitIsInIt() {
+        const QString chapter = textOf("language.md");
+        QVERIFY(trundle::allUnitNames().size() > 50);
+        for (const std::string& unit : trundle::allUnitNames()) {
+            const QString name = QRegularExpression::escape(QString::fromStdString(unit));
+            QVERIFY2(QRegularExpression("`([^`\\n]* )?" + name + "( [^`\\n]*)?`").match(chapter).hasMatch(), unit.c_str());
+        }
+    }
+
+    /// Each row of a table has as many cells as its heading.
+    void tablesAreWhole() {
+        int rows = 0;
+        for (const QString& page : pages()) {
+            qsizetype cells = 0;
+            bool inCode = false;
+            for (QString line : textOf(page).split('\n')) {
+                if (line.startsWith("```")) inCode = !inCode;
+                if (inCode || !line.startsWith('|')) {
+                    cells = 0;
+                    continue;
+                }
+                const qsizetype count = line.replace("\\|", "").count('|');
+                QVERIFY2(cells == 0 || count == cells, qPrintable(page + ": " + line));
+                cells = count;
+                ++rows;
+            }
+        }
+        QVERIFY(rows > 100);
     }
 
     void theIndexNamesEveryPage() {
