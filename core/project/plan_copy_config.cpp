@@ -72,6 +72,17 @@ public:
         return m_sheet.plan({m_config.kind->name + "." + name});
     }
 
+    /// The block stays where it is, and imports in it are expanded.
+    Result<EditPlan> expand() {
+        m_home = m_config.file;
+        std::vector<TextEdit> edits;
+        if (Status status = collect(m_config.block->items, m_config.kind, m_home, edits); !status.ok()) return status.error();
+        if (edits.empty()) return EditPlan{};
+        for (TextEdit& edit : edits) m_sheet.add(std::move(edit));
+        if (Status status = import(); !status.ok()) return status.error();
+        return m_sheet.plan({m_config.kind->name + "." + m_config.name});
+    }
+
 private:
     /// The text of the block under its new name, without the indent of its surroundings.
     Result<std::string> block(const std::string& name) {
@@ -119,7 +130,7 @@ private:
         const auto found = imports.find(&import);
         if (found == imports.end()) return {};
         const std::string& path = m_loaded.paths[found->second];
-        if (!m_inlined.contains(path)) {
+        if (!leadsToInlined(found->second)) {
             change({file, import.pathRange}, import.path, path, edits);
             return {};
         }
@@ -141,6 +152,17 @@ private:
         }
         edits.push_back({{file, item.range}, out});
         return {};
+    }
+
+    /// Whether a file is to be expanded, or imports one that is.
+    bool leadsToInlined(FileId file) const {
+        if (m_inlined.contains(m_loaded.paths[file])) return true;
+        const auto& imports = m_loaded.outline->texts().imports;
+        return std::ranges::any_of(m_loaded.trees[file]->items(), [&](const Item& item) {
+            const auto* import = item.as<ImportItem>();
+            const auto found = import ? imports.find(import) : imports.end();
+            return found != imports.end() && found->second != file && m_inlined.contains(m_loaded.paths[found->second]);
+        });
     }
 
     void change(const SourceRange& range, const std::string& written, const std::string& path, std::vector<TextEdit>& edits) const {
@@ -178,7 +200,7 @@ private:
 
     /// Imports the definitions that the block uses, unless they are already imported.
     Status import() {
-        if (m_copied.size() == 1 && m_config.file == m_home) return {};
+        if (std::ranges::all_of(m_copied, [this](const SourceRange& copied) { return copied.file == m_home; })) return {};
         std::vector<std::string> paths;
         for (const NameReference& reference : referencesIn(m_loaded)) {
             const auto isUser = [&](const SourceRange& copied) {
@@ -207,6 +229,10 @@ private:
 };
 
 } // namespace
+
+Result<EditPlan> planExpandImports(const LoadedProject& loaded, const Part& config, const std::set<std::string>& inlined) {
+    return ConfigCopy(loaded, config, {}, inlined).expand();
+}
 
 Result<EditPlan> planCopyConfig(const LoadedProject& loaded, const Part& config, const std::vector<const Part*>& instances,
                                 const std::set<std::string>& inlined) {

@@ -110,7 +110,9 @@ Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
         if (target.isShipped || (known != m_chosen.end() && known->second == ShareChoice::MakeCopy && !isOwn)) {
             if (Status done = copy(*work, *next); !done) return m_document.apply({}, done.error());
         } else if (isOwn || known != m_chosen.end() || !m_questionHandler) {
-            work->decided.insert(key);
+            const Result<bool> expanded = expand(*work, *next);
+            if (!expanded) return m_document.apply({}, expanded.error());
+            if (!expanded.value()) work->decided.insert(key);
         } else {
             return ask(work, *next);
         }
@@ -188,6 +190,27 @@ Status StructureEdits::copy(PendingEdit& work, const Part& config) {
     return {};
 }
 
+/// A config of the user's own that imports shipped files inside its block: what is changed in them is written into the block.
+/// False if there is nothing of this kind.
+Result<bool> StructureEdits::expand(PendingEdit& work, const Part& config) {
+    const LoadedProject& loaded = *work.loaded;
+    std::set<std::string> shipped;
+    QStringList names;
+    for (FileId file = 0; file < loaded.paths.size(); ++file)
+        if (isShippedFile(loaded, file) && work.changed.contains(loaded.paths[file])) {
+            shipped.insert(loaded.paths[file]);
+            names += shown(loaded.paths[file]);
+        }
+    if (shipped.empty()) return false;
+    const Result<EditPlan> plan = planExpandImports(loaded, config, shipped);
+    if (!plan) return plan.error();
+    if (plan.value().edits.empty()) return false;
+    work.notices += QObject::tr("%1 came with Trundle and is read-only: %2 has its text instead of the import")
+                        .arg(names.join(QStringLiteral(", ")), text(config.name));
+    if (Status read = reload(work, plan.value()); !read) return read.error();
+    return true;
+}
+
 Status StructureEdits::reload(PendingEdit& work, const EditPlan& plan) {
     for (const auto& [file, edits] : plan.edits) {
         Result<std::string> bytes = applyEdits(work.loaded->trees[file]->source().bytes(), edits);
@@ -201,7 +224,7 @@ Status StructureEdits::reload(PendingEdit& work, const EditPlan& plan) {
 }
 
 Status StructureEdits::finish(PendingEdit& work, const EditPlan& plan) {
-    if (work.copies.empty()) return m_document.apply(work.name, plan, work.mergeKey);
+    if (work.texts.empty()) return m_document.apply(work.name, plan, work.mergeKey);
     const std::vector<std::string> selects = plan.selects;
     if (Status read = reload(work, plan); !read) return m_document.apply({}, read.error());
     EditPlan all{{}, selects};
@@ -253,9 +276,16 @@ Result<std::string> StructureEdits::copyConfig(const std::string& path, const st
     if (!config || !config->is(Role::Config)) return Error{Code::NoSuchPath, path + " is no part of a config"};
     const std::string from = pathOfConfig(*config);
     work.changed = {work.loaded->paths[place->part->file]};
-    if (Status done = copy(work, *config); !done) return done.error();
+    const bool isOwn = !isShippedFile(*work.loaded, config->file);
+    if (isOwn) {
+        if (const Result<bool> expanded = expand(work, *config); !expanded) return expanded.error();
+        work.copies[from] = from;
+    } else if (Status done = copy(work, *config); !done) {
+        return done.error();
+    }
     EditPlan none;
-    work.name = QObject::tr("Copy %1").arg(text(config->name));
+    const QString configName = text(from.substr(from.rfind('.') + 1));
+    work.name = isOwn ? QObject::tr("Expand imports of %1").arg(configName) : QObject::tr("Copy %1").arg(configName);
     work.mergeKey = mergeKey;
     if (mergeKey.empty()) none.selects = {work.copies.at(from)};
     if (Status done = finish(work, none); !done) return done.error();

@@ -66,6 +66,7 @@ private:
     Status advance(const std::shared_ptr<PendingEdit>& work);
     Status ask(const std::shared_ptr<PendingEdit>& work, const Part& config);
     [[nodiscard]] Status copy(PendingEdit& work, const Part& config);
+    [[nodiscard]] Result<bool> expand(PendingEdit& work, const Part& config);
     Status finish(PendingEdit& work, const EditPlan& plan);
     [[nodiscard]] Status reload(PendingEdit& work, const EditPlan& plan);
     [[nodiscard]] std::vector<const Part*> copyUsers(const PendingEdit& work, const Part& config) const;

@@ -35,6 +35,29 @@ Status insert(Document& d, const std::string& at, const std::string& block = kBa
     });
 }
 
+/// Everything below a folder counts as shipped.
+class OtherShipment final : public Application {
+public:
+    OtherShipment(Application& application, std::string shipped) : m_application(application), m_shipped(std::move(shipped)) {}
+    std::shared_ptr<const Registry> builtIn() const override { return m_application.builtIn(); }
+    std::vector<Kind> moduleKinds(const OpenOptions& options) const override { return m_application.moduleKinds(options); }
+    const Locations& locations() const override { return m_application.locations(); }
+    Result<std::shared_ptr<const LoadedProject>> open(const std::string& path, const OpenOptions& options) override {
+        auto loaded = m_application.open(path, options);
+        if (!loaded) return loaded;
+        auto other = std::make_shared<LoadedProject>(*loaded.value());
+        other->shippedConfigs = m_shipped;
+        return std::shared_ptr<const LoadedProject>(std::move(other));
+    }
+    std::unique_ptr<Runner> makeRunner(const LoadedProject& loaded, RunOptions options, Diagnostics& diagnostics) override {
+        return m_application.makeRunner(loaded, std::move(options), diagnostics);
+    }
+
+private:
+    Application& m_application;
+    std::string m_shipped;
+};
+
 } // namespace
 
 class StructureEditsTest : public QObject {
@@ -202,6 +225,42 @@ private Q_SLOTS:
         QVERIFY2(holds(*d.text(fixture.main), "Sphere nose"), d.text(fixture.main)->c_str());
         QCOMPARE(d.history().entries().size(), 1u);
         QCOMPARE(d.loaded()->experiment->robots[0].config->bodies[0].geoms.size(), 2u);
+    }
+
+    /// A shipped file inside the block of one's own config: the block gets its text, and everything in it can be edited.
+    void expandsShippedImportInOwnBlock_data() {
+        QTest::addColumn<QString>("imported"); ///< by the block
+        QTest::newRow("directly") << "../shipped/body.sim";
+        QTest::newRow("by another shipped file") << "../shipped/all.sim";
+    }
+    void expandsShippedImportInOwnBlock() {
+        QFETCH(QString, imported);
+        const DocumentFixture fixture;
+        const std::string kept = "// The body.\nBody chassis {\n  Box hull { Size=0.3,0.2,0.1 Mass=2 }\n}\n";
+        const std::string shipped = fixture.write("configs/shipped/body.sim", kept);
+        fixture.write("configs/shipped/all.sim", "#import body.sim\n");
+        fixture.write("configs/robots/rover.sim", "RobotConfig Rover {\n  #import " + imported.toStdString() + " // the body\n}\n");
+        for (const int edit : {0, 1, 2, 3}) {
+            OtherShipment application(*m_application, fixture.path("configs/shipped"));
+            Document d(application);
+            QVERIFY(d.open(fixture.main).ok());
+            QVERIFY2(messages(*d.loaded()).empty(), messages(*d.loaded()).c_str());
+            QSignalSpy notices(&d, &Document::notice);
+            if (edit == 0) QCOMPARE(why(insert(d, "robot0.chassis", "Sphere nose { Radius=0.1 Mass=1 }")), "");
+            if (edit == 1) QCOMPARE(why(insert(d, "RobotConfig.Rover.chassis", "Sphere nose { Radius=0.1 Mass=1 }")), "");
+            if (edit == 2) QCOMPARE(why(d.structure().rename(u"Rename"_qs, "RobotConfig.Rover.chassis", "nose")), "");
+            if (edit == 3) QCOMPARE(why(d.setValues(u"Set"_qs, {{"RobotConfig.Rover.chassis.hull.Mass", "2.5"}})), "");
+            QCOMPARE(messages(*d.loaded()), "");
+            QCOMPARE(d.modifiedFiles(), std::vector<std::string>{fixture.robot});
+            const std::string text = *d.text(fixture.robot);
+            QVERIFY2(holds(text, "  Body ") && holds(text, "    Box hull") && holds(text, "// The body.") && holds(text, edit == 3 ? "Mass=2.5" : "nose"), text.c_str());
+            QVERIFY2(holds(reportOf(notices), "Rover has its text instead of the import"), reportOf(notices).c_str());
+            QCOMPARE(d.history().entries().size(), 1u);
+            QCOMPARE(d.loaded()->experiment->robots.size(), 2u);
+            d.undo();
+            QVERIFY(holds(*d.text(fixture.robot), "#import " + imported.toStdString() + " // the body"));
+            QCOMPARE(bytesOf(shipped), kept);
+        }
     }
 
     /// Materials, surfaces and other definitions of shipped imported files can only be changed as text; the message says why.
