@@ -2,30 +2,14 @@
 
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 
 #include <unistd.h>
 
+#include "base/clean_text.h"
+#include "base/utf8.h"
+
 namespace trundle {
-namespace {
-
-/// Bytes of the valid UTF-8 sequence at `s`; 0 if there is none.
-unsigned sequenceAt(const unsigned char* s) {
-    const auto follows = [](unsigned char c) { return (c & 0xc0) == 0x80; };
-    if (s[0] < 0x80) return 1;
-    if (s[0] >= 0xc2 && s[0] < 0xe0) return follows(s[1]) ? 2 : 0;
-    if (s[0] >= 0xe0 && s[0] < 0xf0) {
-        const bool overlong = s[0] == 0xe0 && s[1] < 0xa0, surrogate = s[0] == 0xed && s[1] >= 0xa0;
-        return follows(s[1]) && !overlong && !surrogate && follows(s[2]) ? 3 : 0;
-    }
-    if (s[0] >= 0xf0 && s[0] < 0xf5) {
-        const bool overlong = s[0] == 0xf0 && s[1] < 0x90, beyond = s[0] == 0xf4 && s[1] >= 0x90;
-        return follows(s[1]) && !overlong && !beyond && follows(s[2]) && follows(s[3]) ? 4 : 0;
-    }
-    return 0;
-}
-
-} // namespace
-
 void SignalText::put(char c) {
     if (m_held == sizeof m_bytes) flush();
     m_bytes[m_held++] = c;
@@ -76,15 +60,16 @@ SignalText& SignalText::add(double number) {
 }
 
 SignalText& SignalText::addClean(const char* text, bool json) {
-    for (const auto* s = reinterpret_cast<const unsigned char*>(text); *s;) {
-        const unsigned length = sequenceAt(s);
-        const bool control = *s < 0x20 || *s == 0x7f || (*s == 0xc2 && s[1] < 0xa0);
-        if (length == 0 || control) put('?');
-        else {
-            if (json && (*s == '"' || *s == '\\')) put('\\');
-            add(reinterpret_cast<const char*>(s), length);
+    const std::string_view all(text);
+    for (std::size_t at = 0; at < all.size();) {
+        const CodePoint point = codePointAt(all, at);
+        if (!point.valid || isControl(point.value)) {
+            put('?');
+        } else {
+            if (json && (point.value == '"' || point.value == '\\')) put('\\');
+            add(all.data() + at, point.length);
         }
-        s += length ? length : 1;
+        at += point.length;
     }
     return *this;
 }

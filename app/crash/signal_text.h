@@ -15,7 +15,7 @@ public:
     SignalText& add(const char* bytes, std::uint64_t count);
     SignalText& add(std::uint64_t number);
     SignalText& add(double number); ///< non-negative, with at most six decimals
-    /// Replaces control characters and invalid UTF-8 by '?'. `json`: escaped for the inside of a JSON string.
+    /// Replaces control characters (see isControl()) and invalid UTF-8 by '?'. `json`: escaped for the inside of a JSON string.
     SignalText& addClean(const char* text, bool json = false);
     /// A JSON string, cleaned in the same way. nullptr and "" become null.
     SignalText& addJson(const char* text);

@@ -25,8 +25,18 @@ std::string clean(std::string_view text, char lineBreak) {
 
 } // namespace
 
+namespace {
+
+/// Zero width: two names that look the same would differ. The joiners of scripts and emoji are not among them.
+bool isInvisible(std::uint32_t codePoint) {
+    return codePoint == 0x200B || (codePoint >= 0x2060 && codePoint <= 0x2064) || codePoint == 0xFEFF ||
+           (codePoint >= 0xFFF9 && codePoint <= 0xFFFB) || (codePoint >= 0xE0000 && codePoint <= 0xE007F);
+}
+
+} // namespace
+
 bool isControl(std::uint32_t codePoint) {
-    return codePoint < 0x20 || (codePoint >= 0x7F && codePoint < 0xA0) || codePoint == 0x061C || codePoint == 0x200E ||
+    return isInvisible(codePoint) || codePoint < 0x20 || (codePoint >= 0x7F && codePoint < 0xA0) || codePoint == 0x061C || codePoint == 0x200E ||
            codePoint == 0x200F || (codePoint >= 0x2028 && codePoint <= 0x202E) || (codePoint >= 0x2066 && codePoint <= 0x2069);
 }
 
