@@ -179,6 +179,22 @@ private Q_SLOTS:
         }
     }
 
+    void everyColumnOfTheRadioLogsIsInIt() {
+        QTemporaryDir folder;
+        QVERIFY(writeFile(folder.filePath("my.sim"), textsOf("radios.md")[0].text.toUtf8()));
+        const Outcome run = cli({"run", "my.sim", "--duration", "0", "--log-dir", "logs"}, folder.path());
+        QVERIFY2(run.code == 0, shown(run));
+        for (const char* log : {"logs/frames.csv", "logs/links.csv"}) {
+            const QList<QByteArray> columns = contentOf(folder.filePath(log)).split('\n').front().split(',');
+            QVERIFY2(columns.size() > 10, log);
+            for (const QByteArray& column : columns) {
+                const QString name = QRegularExpression::escape(QString::fromUtf8(column).section(" [", 0, 0).trimmed());
+                const QRegularExpression word("[|,] " + name + "( \\||,)|the " + name);
+                QVERIFY2(word.match(textOf("radios.md")).hasMatch(), column);
+            }
+        }
+    }
+
     /// Each row of a table has as many cells as its heading.
     void tablesAreWhole() {
         int rows = 0;
