@@ -24,6 +24,7 @@ private Q_SLOTS:
     void manyRobotsAreSummedUp();
     void quietRunPrintsNothing();
     void seedAndSetReachTheExperiment();
+    void exitCodesOfSeveralFiles();
     void quickSolverTakesWhatTheExactOneCannot();
     void aControllerEndsTheRun_data();
     void aControllerEndsTheRun();
@@ -56,8 +57,9 @@ void RunFlowTest::jsonIsOneObjectOfTheKnownShape() {
     QCOMPARE(error.error, QJsonParseError::NoError);
     QStringList keys = json.keys();
     keys.sort();
-    QStringList expected{"ticks",       "simulated_s", "wall_s", "real_time_factor", "peak_memory_kb", "state_hash",
-                         "quick_ticks", "interrupted", "robots", "diagnostics",      "rescued_ticks",  "finished", "objects"};
+    QStringList expected{"ticks",         "simulated_s", "wall_s",      "real_time_factor", "peak_memory_kb",
+                         "state_hash",    "quick_ticks", "interrupted", "robots",           "diagnostics",
+                         "rescued_ticks", "finished",    "objects"};
     expected.sort();
     QCOMPARE(keys, expected);
     QCOMPARE(json["ticks"].toInt(), 1200);
@@ -145,6 +147,23 @@ void RunFlowTest::quietRunPrintsNothing() {
     QVERIFY2(!run.err.contains("simulated"), shown(run));
 }
 
+/// The worst of several files decides: unreadable (2) before faulty (1), in any order. A --set without a path is a usage error.
+void RunFlowTest::exitCodesOfSeveralFiles() {
+    const QString bad = m_folder.filePath("bad.sim"), good = m_folder.filePath("good.sim"), none = m_folder.filePath("none.sim");
+    QVERIFY(writeFile(bad, "Tick = fast\n") && writeFile(good, "Tick = 0.01\n"));
+    for (const auto& [files, code] : {std::pair{QStringList{good}, 0},
+                                      {{good, bad}, 1},
+                                      {{bad, good}, 1},
+                                      {{none, bad}, 2},
+                                      {{bad, none}, 2},
+                                      {{none, good, bad, good}, 2},
+                                      {{good, none, good}, 2}})
+        QCOMPARE(cli(QStringList{"check"} + files).code, code);
+    for (const char* set : {"=3", "Tick", ""})
+        for (const char* command : {"check", "run"}) QCOMPARE(cli({command, good, "--set", set}).code, 2);
+    QCOMPARE(cli({"check", good, "--set", "Tick=fast"}).code, 1);
+}
+
 void RunFlowTest::seedAndSetReachTheExperiment() {
     const auto walk = [&](const QStringList& more) {
         return cli(QStringList{"run", configPath("experiments/obstacle_detection.sim"), "--duration", "20", "--quiet", "--hash",
@@ -154,7 +173,10 @@ void RunFlowTest::seedAndSetReachTheExperiment() {
     const Outcome first = walk({"--seed", "1"});
     QVERIFY2(first.code == 0, shown(first));
     QCOMPARE(walk({}).out, first.out); // the text sets seed 1
-    QVERIFY(walk({"--seed", "2"}).out != first.out);
+    const QByteArray second = walk({"--seed", "2"}).out;
+    QVERIFY(second != first.out);
+    QCOMPARE(walk({"--set", "Seed=3", "--seed", "2"}).out, second); // --seed is the last word, wherever it stands
+    QCOMPARE(walk({"--seed", "2", "--set", "Seed=3"}).out, second);
     QVERIFY(walk({"--set", "robot0.brain.Speed=0.25"}).out != first.out);
     const Outcome wrong = walk({"--set", "robot0.brain.Sped=0.25"});
     QCOMPARE(wrong.code, 1);

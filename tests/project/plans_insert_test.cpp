@@ -207,8 +207,8 @@ private Q_SLOTS:
                                            << "Tick=0.1\n#import b.sim // b\n#import a.sim\n\nMaterial m { }\n" + cube;
         QTest::newRow("there already") << "#import a.sim\n" << QStringList{"a.sim"} << "#import a.sim\n" + cube;
         QTest::newRow("itself") << "#import a.sim\n" << QStringList{"main.sim", "./main.sim"} << "#import a.sim\n" + cube;
-        QTest::newRow("a name that only ends alike") << "#import a.sim\n#import aa.sim\n"
-                                                     << QStringList{"a.sim"} << "#import a.sim\n#import aa.sim\n" + cube;
+        QTest::newRow("a name that only ends alike") << "#import aa.sim\n"
+                                                     << QStringList{"a.sim"} << "#import aa.sim\n#import a.sim\n" + cube;
         QTest::newRow("there by another") << "#import via.sim\n" << QStringList{"a.sim"} << "#import via.sim\n" + cube;
         QTest::newRow("written otherwise") << "#import .\\a.sim\n" << QStringList{"a.sim"} << "#import .\\a.sim\n" + cube;
         QTest::newRow("the last line") << "#import b.sim" << QStringList{"a.sim"} << "#import b.sim\n#import a.sim\n" + cube;

@@ -1,6 +1,8 @@
 // CSMA-CA throughput compared with analytic models.
 #include <QtTest>
 
+#include <map>
+
 #include "radio/air.h"
 
 using namespace air;
@@ -168,6 +170,30 @@ private Q_SLOTS:
                             hidden = arriving(300); // the other is at 40 m or, below the threshold, at 600 m
         QVERIFY2(hearing > 600, qPrintable(QString::number(hearing)));
         QVERIFY2(hidden < hearing * 0.6, qPrintable(QString::number(hidden)));
+    }
+
+    /// In the 192 us before it sends, a radio receives nothing: whatever begins there is lost because it sends.
+    void deafWhileSwitchingToSend() {
+        Medium medium(csma());
+        std::vector<RadioId> all;
+        for (int i = 0; i < 12; ++i) all.push_back(open(medium, "r" + std::to_string(i), {std::cos(i), std::sin(i), 0}));
+        const std::shared_ptr<RadioTrace> trace = medium.trace();
+        for (int tick = 1; tick <= 200; ++tick) {
+            for (const RadioId id : all)
+                if (medium.queued(id) < 4) send(medium, id, 20);
+            medium.advance(tick * 10000);
+        }
+        std::map<RadioId, std::vector<double>> starts;
+        for (const AirFrame& frame : trace->frames) starts[frame.from].push_back(frame.time);
+        int during = 0;
+        for (const FrameRecord& r : trace->records) {
+            const std::vector<double>& own = starts[r.to];
+            const auto next = std::upper_bound(own.begin(), own.end(), r.time);
+            if (next == own.end() || *next - r.time > (kTurnaroundUs - 0.5) * 1e-6) continue;
+            ++during;
+            QCOMPARE(outcomeName(r.outcome), outcomeName(ReceptionOutcome::Sending));
+        }
+        QVERIFY(during > 100);
     }
 
     void oneSenderHasAClosedForm() {

@@ -1,6 +1,9 @@
 // The radio medium: reception, collisions, buffers, reproducibility.
 #include <QtTest>
 
+#include <map>
+#include <set>
+
 #include <cstring>
 
 #include "radio/air.h"
@@ -193,6 +196,77 @@ private Q_SLOTS:
             QCOMPARE(count(medium, ReceptionOutcome::Collision), distance > 1.5 ? 0u : 1u);
             QVERIFY(isConserved(medium));
         }
+    }
+
+    void captureByTheWorstMoment_data() {
+        QTest::addColumn<QList<double>>("distances"); // of interferers, one after the other, during one long frame from 1 m
+        QTest::addColumn<bool>("survives");
+        QTest::newRow("none") << QList<double>{} << true;
+        QTest::newRow("weak ones") << QList<double>{4, 5, 4} << true;
+        QTest::newRow("a strong one first") << QList<double>{1.2, 5, 5} << false;
+        QTest::newRow("a strong one in the middle") << QList<double>{5, 1.2, 5} << false;
+        QTest::newRow("a strong one last") << QList<double>{5, 5, 1.2} << false;
+        QTest::newRow("a strong one, then nothing") << QList<double>{1.2} << false;
+    }
+    /// The ratio to the interference counts at its worst, however short, and whatever follows in the same frame.
+    void captureByTheWorstMoment() {
+        QFETCH(QList<double>, distances);
+        QFETCH(bool, survives);
+        MediumSettings settings;
+        settings.collisions = true;
+        Medium medium(settings);
+        const RadioId sender = open(medium, "sender", {1, 0, 0}), ear = open(medium, "ear", {0, 0, 0});
+        std::vector<RadioId> others;
+        for (qsizetype i = 0; i < distances.size(); ++i)
+            others.push_back(open(medium, "other" + std::to_string(i), {0, distances[i], 0}));
+        const std::shared_ptr<RadioTrace> trace = medium.trace();
+        send(medium, sender, 100); // 6 + 113 bytes take 3.8 ms, the others 0.6 ms each
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            medium.advance(static_cast<std::int64_t>(200 + 1000 * i));
+            send(medium, others[i], 2);
+        }
+        medium.advance(10000);
+        QCOMPARE(medium.pending(ear), std::size_t{survives});
+        double nearest = 1e9;
+        for (const double d : distances) nearest = std::min(nearest, d);
+        for (const FrameRecord& r : trace->records)
+            if (r.from == sender && r.to == ear) {
+                QCOMPARE(outcomeName(r.outcome),
+                         outcomeName(survives ? ReceptionOutcome::Delivered : ReceptionOutcome::Collision));
+                if (nearest < 1e9) QVERIFY(std::abs(r.sinr - 20 * std::log10(nearest)) < 0.1);
+            }
+        QVERIFY(isConserved(medium));
+    }
+
+    /// The spread of the readings is one offset of each radio: it is in the RSSI, the same for every sender, and not in the power.
+    void readingsHaveAnOffset() {
+        MediumSettings settings;
+        settings.offsets = 3;
+        Medium medium(settings);
+        std::vector<RadioId> all;
+        for (int i = 0; i < 4; ++i) all.push_back(open(medium, "r" + std::to_string(i), {double(i * i), 2. * i, 0}));
+        const std::shared_ptr<RadioTrace> trace = medium.trace();
+        std::int64_t now = 0;
+        for (const RadioId id : all) {
+            send(medium, id);
+            medium.advance(now += 10000);
+        }
+        std::map<RadioId, std::set<int>> offsets; // micro dB
+        for (const FrameRecord& r : trace->records) {
+            QVERIFY(std::abs(r.link.power - (r.outputPower + r.link.sendGain + r.link.receiveGain - r.link.pathLoss)) < 1e-9);
+            offsets[r.to].insert(static_cast<int>(std::lround(1e6 * (r.rssi - r.link.power))));
+        }
+        std::set<int> different;
+        for (const RadioId id : all) {
+            QCOMPARE(offsets[id].size(), std::size_t{1});
+            different.insert(*offsets[id].begin());
+            RadioPacket packet;
+            QVERIFY(medium.receive(id, packet));
+            for (const FrameRecord& r : trace->records)
+                if (r.to == id && medium.radio(r.from).address == packet.from) QCOMPARE(packet.rssi, r.rssi);
+        }
+        QCOMPARE(different.size(), all.size());
+        QVERIFY(std::abs(*different.begin()) > 1000 || std::abs(*different.rbegin()) > 1000);
     }
 
     void lossesFollowTheCurve_data() {

@@ -89,6 +89,72 @@ private Q_SLOTS:
         QVERIFY(names.size() > 12);
     }
 
+    /// A ray that starts inside a shape does not meet it: only what it enters counts. From outside it meets both sides of all.
+    void raysFromInside() {
+        auto experiment = std::make_shared<ExperimentSpec>();
+        experiment->materials.emplace_back();
+        experiment->surfaces.emplace_back();
+        auto geoms = std::make_shared<std::vector<GeomSpec>>();
+        for (const GeomShape shape : {GeomShape::Box, GeomShape::Sphere, GeomShape::Cylinder, GeomShape::Capsule}) {
+            GeomSpec g;
+            g.name = "g" + std::to_string(geoms->size());
+            g.shape = shape;
+            g.size = {0.6, 0.8, 1.2};
+            g.radius = 0.4;
+            g.length = 1;
+            g.pose = {Vec3(3. * static_cast<double>(geoms->size()), 1, -2), rotationFromHpr({0.5, -0.3, 0.8})};
+            geoms->push_back(g);
+        }
+        experiment->statics.push_back({"s", "S", {Vec3(0.1, 0.2, 0.3), rotationFromHpr({0.4, 0, 0})}, geoms, {}, {}});
+        const ObjectIndex objects(experiment);
+        const Pose& frame = experiment->statics[0].pose;
+        for (const GeomSpec& g : *geoms)
+            for (const Vec3& off : {Vec3(0, 0, 0), Vec3(0.1, -0.2, 0.25), Vec3(-0.15, 0.1, -0.3)}) {
+                const Vec3 inside = frame * (g.pose * off);
+                for (int i = 0; i < 3; ++i)
+                    for (const double way : {1., -1.}) {
+                        const Vec3 along = frame.rotation * (g.pose.rotation * Vec3(way * Vec3::Unit(i)));
+                        const auto of = [&](const Vec3& from) {
+                            std::vector<RayHit> hits = castRay(objects, startPoses(*experiment), {from, along});
+                            std::erase_if(hits, [&](const RayHit& hit) { return objects.geomOf(hit.geom)->name != g.name; });
+                            return hits;
+                        };
+                        QVERIFY2(of(inside).empty(), g.name.c_str());
+                        const auto hits = of(inside - 2 * along);
+                        QCOMPARE(hits.size(), std::size_t{1});
+                        QVERIFY(hits[0].distance > 0.5 && hits[0].distance < 2 && hits[0].normal.dot(along) < 0);
+                        QVERIFY((hits[0].point - (inside - 2 * along + hits[0].distance * along)).norm() < 1e-9);
+                    }
+            }
+    }
+
+    /// A height map without symmetry: rays from above meet the height of its sample, the first row of the picture at +y.
+    void raysOnAHeightMap() {
+        auto map = std::make_shared<HeightMap>(
+            HeightMap{4, 3, {0.1f, 0.9f, 0.3f, 0.2f, 0.5f, 0.0f, 0.8f, 1.0f, 0.7f, 0.4f, 0.6f, 0.05f}});
+        GeomSpec land;
+        land.name = "land";
+        land.shape = GeomShape::Heightfield;
+        land.heightMap = map;
+        land.size = {6, 4, 1.5};
+        auto experiment = std::make_shared<ExperimentSpec>();
+        experiment->materials.emplace_back();
+        experiment->surfaces.emplace_back();
+        const Pose pose{Vec3(1, -2, 0.5), rotationFromHpr({0.6, 0, 0})};
+        experiment->statics.push_back({"s", "S", pose, std::make_shared<const std::vector<GeomSpec>>(1, land), {}, {}});
+        const ObjectIndex objects(experiment);
+        for (std::uint32_t row = 0; row < 3; ++row)
+            for (std::uint32_t column = 0; column < 4; ++column) {
+                const double shrink = 0.999; // not beside the edge
+                const Vec3 at(shrink * (column / 3. - 0.5) * 6, shrink * (0.5 - row / 2.) * 4, 5);
+                const auto hits = castRay(objects, startPoses(*experiment), {pose * at, Vec3(0, 0, -1)});
+                QCOMPARE(hits.size(), std::size_t{1});
+                const double height = 1.5 * map->heights[row * 4 + column];
+                QVERIFY2(std::abs(hits[0].point.z() - 0.5 - height) < 0.01, qPrintable(QString("%1 %2").arg(row).arg(column)));
+                QVERIFY(hits[0].normal.z() > 0);
+            }
+    }
+
     void brokenShapesAreMissed() {
         auto experiment = std::make_shared<ExperimentSpec>();
         std::vector<GeomSpec> geoms(9);

@@ -30,6 +30,7 @@ private Q_SLOTS:
     void aRobotInItsOwnConfigHasAnEnd();
     void countsProblemsUpToTheGroups();
     void hidesAndLocksByTheIconsOfARow();
+    void marksAreOfWholeNames();
     void tooltipShowsMeasuredValues();
     void narrowRowsKeepTheName();
 };
@@ -319,6 +320,24 @@ void TreeTest::hidesAndLocksByTheIconsOfARow() {
     QVERIFY(o.edits.rename("scout", "rover9").ok());
     QVERIFY(o.marks.isHidden("rover9")); // the mark is renamed with the object
     QVERIFY(!o.marks.isHidden("scout"));
+}
+
+/// `robot1` is no part of `robot10`, when a mark is asked for and when it is renamed.
+void TreeTest::marksAreOfWholeNames() {
+    ObjectMarks marks;
+    marks.setHidden({"robot1", "robot10.chassis"}, true);
+    marks.setLocked({"robot10", "swarm_1.base"}, true);
+    for (const char* path : {"robot1", "robot1.chassis", "robot1.chassis.hull", "robot10.chassis", "robot10.chassis.hull"})
+        QVERIFY2(marks.isHidden(path), path);
+    for (const char* path : {"robot", "robot10", "robot10.chassis2", "robot11", "robot1x.chassis", "", "obot1", "x.robot1"})
+        QVERIFY2(!marks.isHidden(path), path);
+    marks.rename("robot1", "robot2");
+    QVERIFY(marks.isHidden("robot2.chassis") && !marks.isHidden("robot1") && marks.isHidden("robot10.chassis"));
+    QVERIFY(marks.isLocked("robot10.chassis") && !marks.isLocked("robot20"));
+    marks.rename("swarm_1", "swarm_10");
+    QVERIFY(marks.isLocked("swarm_10.base") && !marks.isLocked("swarm_1.base"));
+    marks.rename("robot10.chas", "robot10.x"); // a part of no name
+    QVERIFY(marks.isHidden("robot10.chassis") && !marks.isHidden("robot10.xsis"));
 }
 
 void TreeTest::tooltipShowsMeasuredValues() {

@@ -372,7 +372,7 @@ private Q_SLOTS:
         const std::string more = kStandingRobot.toStdString() + "Robot robot1 { Config=SimpleRobot Pos=1,1,0 }\n";
         QVERIFY(o.document.replaceText(QStringLiteral("Add"), o.document.path(), more).ok());
         QCOMPARE(s.waitingForReset(), std::vector<std::string>{"robot1"});
-        QVERIFY(s.waitsForReset("robot1.Pos"));
+        QVERIFY(s.waitsForReset("robot1.Pos") && !s.waitsForReset("robot10") && !s.waitsForReset("robot10.Pos"));
     }
 
     void slipperySurfaceTakesEffectInRun() {

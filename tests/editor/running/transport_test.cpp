@@ -164,7 +164,7 @@ private Q_SLOTS:
         QCOMPARE(o.session.driven(), std::string("robot0"));
         EVENTUALLY(o.session.robotPose("robot0")->position.x() > 0.2);
         QTest::keyPress(view, Qt::Key_Left);
-        EVENTUALLY(std::abs(o.session.robotPose("robot0")->position.y()) > 0.05);
+        EVENTUALLY(o.session.robotPose("robot0")->position.y() > 0.05); // the left of a robot that faces +x
         QTest::keyRelease(view, Qt::Key_Left);
         QCOMPARE(o.session.driven(), std::string("robot0"));
         QTest::keyRelease(view, Qt::Key_Up);

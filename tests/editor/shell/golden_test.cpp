@@ -28,7 +28,8 @@ using namespace trundle;
 
 namespace {
 
-const QString kHome = QStringLiteral(TRUNDLE_BINARY_DIR "/homes/editor_shell_golden");
+/// Of this run of the test alone: two at once do not meet. Made by main().
+const QString kHome = qEnvironmentVariable("TRUNDLE_GOLDEN_HOME");
 const QString kKept = QStringLiteral(TRUNDLE_SOURCE_DIR "/tests/data/golden/");
 const QString kMissed = QStringLiteral(TRUNDLE_BINARY_DIR "/golden/");
 constexpr QSize kWindow(1100, 700);
@@ -216,11 +217,11 @@ private:
 namespace {
 
 /// Makes settings, state and fonts independent of the machine; call before Qt starts.
-void leaveTheMachineOut() {
+void leaveTheMachineOut(const QString& home) {
+    qputenv("TRUNDLE_GOLDEN_HOME", home.toUtf8());
     for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
-        qputenv(place, kHome.toUtf8());
-    QDir().mkpath(kHome);
-    QFile fonts(kHome + QStringLiteral("/fonts.conf"));
+        qputenv(place, home.toUtf8());
+    QFile fonts(home + QStringLiteral("/fonts.conf"));
     if (fonts.open(QIODevice::WriteOnly))
         fonts.write("<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'><fontconfig><match target='pattern'>"
                     "<edit name='antialias'><bool>true</bool></edit><edit name='hintstyle'><const>hintslight</const></edit>"
@@ -237,13 +238,16 @@ void leaveTheMachineOut() {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (!qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) { // Qt reads the scale factor once at start, so each needs its own process
-        leaveTheMachineOut();
+    if (!qEnvironmentVariableIsSet("TRUNDLE_GOLDEN_HOME")) { // Qt reads the scale factor once at start, so each needs its own process
+        const QTemporaryDir home;
+        if (!home.isValid()) return 1;
+        leaveTheMachineOut(home.path());
         QStringList arguments;
         for (int i = 1; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
         int failed = 0;
         for (const char* scale : {"1", "2"}) {
             qputenv("QT_SCALE_FACTOR", scale);
+            QDir(home.filePath(QStringLiteral("project"))).removeRecursively();
             failed |= QProcess::execute(QString::fromLocal8Bit(argv[0]), arguments);
         }
         return failed;

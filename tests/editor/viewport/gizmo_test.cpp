@@ -301,6 +301,9 @@ private Q_SLOTS:
         m_window->key(Qt::Key_Up);
         m_window->key(Qt::Key_PageUp);
         QVERIFY2(m_window->text().contains("Pos=-0.4,0.05,0.05"), m_window->text().constData());
+        m_window->key(Qt::Key_Right, Qt::ShiftModifier); // ten steps
+        m_window->key(Qt::Key_PageUp, Qt::ShiftModifier);
+        QVERIFY2(m_window->text().contains("Pos=0.1,0.05,0.55"), m_window->text().constData());
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
         m_window->document.undo();
         QCOMPARE(m_window->text(), kRoom);

@@ -1,9 +1,33 @@
-// The text of edited vectors: only changed numbers are rewritten, with as few digits as the step allows.
+// Numbers of a drag: what the handles of a gizmo make of the mouse and of typed numbers. The text of edited vectors: only changed numbers are rewritten, with as few digits as the step allows.
 #include <QtTest>
 
+#include "editor/viewport/gizmo_drag.h"
 #include "lang/number_text.h"
 
 using namespace trundle;
+
+namespace {
+
+/// A gizmo that is moved and turned, so that no axis is one of the world.
+GizmoPose turned() {
+    GizmoPose place;
+    place.origin = {1, -2, 0.5};
+    place.axes = rotationFromHpr({0.4, 0.7, -0.3}).toRotationMatrix();
+    place.forward = place.axes * Vec3(1, 2, -2).normalized();
+    return place;
+}
+
+/// A ray that hits this point of the gizmo's frame.
+ViewRay rayTo(const GizmoPose& place, const Vec3& point) {
+    const Vec3 at = place.origin + place.axes * point, direction = (place.axes * Vec3(1, 2, -2)).normalized();
+    return {at - 10 * direction, direction};
+}
+
+void typeAll(GizmoDrag& drag, const char* text) {
+    for (const char* c = text; *c; ++c) QVERIFY(drag.type(*c, QString(QLatin1Char(*c))));
+}
+
+} // namespace
 
 class NumbersTest : public QObject {
     Q_OBJECT
@@ -47,6 +71,89 @@ private Q_SLOTS:
         QFETCH(const QString, expected);
         const double before[] = {0.1, 0.2, 0.3}, after[] = {0.1, 0.25, 0.3};
         QCOMPARE(QString::fromStdString(withNumbers(text.toStdString(), before, after, "m", 1e-6)), expected);
+    }
+
+    /// A ring turns on past half a turn and past a whole one, in both directions, by any axis.
+    void aRingTurnsOn() {
+        const GizmoPose place = turned();
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double way : {1.0, -1.0}) {
+                const auto at = [&](double degrees) {
+                    const double a = degrees * std::numbers::pi / 180;
+                    Vec3 point = Vec3::Zero();
+                    point[(axis + 1) % 3] = std::cos(a);
+                    point[(axis + 2) % 3] = std::sin(a);
+                    return rayTo(place, point);
+                };
+                GizmoDrag drag({Handle::Kind::Ring, axis, 1}, place, at(30), {});
+                for (int tens = 1; tens <= 50; ++tens) {
+                    drag.to(at(30 + way * 10 * tens), {}, 0, 0);
+                    QVERIFY(std::abs(drag.degrees() - way * 10 * tens) < 1e-6);
+                }
+                drag.to(at(30 + way * 497), {}, 0, 15); // in steps
+                QVERIFY(std::abs(drag.degrees() - way * 495) < 1e-6);
+                const Vec3 moved = drag.motion() * Vec3(place.origin + place.axes.col((axis + 1) % 3));
+                const double a = way * 495 * std::numbers::pi / 180;
+                const Vec3 expected =
+                    place.origin + std::cos(a) * place.axes.col((axis + 1) % 3) + std::sin(a) * place.axes.col((axis + 2) % 3);
+                QVERIFY((moved - expected).norm() < 1e-9);
+            }
+    }
+
+    /// Axis, plane and screen move by what the mouse moves in their own directions only.
+    void aDragFollowsTheMouse() {
+        const GizmoPose place = turned();
+        const Vec3 by(0.32, -0.21, 0.44);
+        for (int axis = 0; axis < 3; ++axis) {
+            GizmoDrag along({Handle::Kind::Axis, axis, 1}, place, rayTo(place, Vec3::Zero()), {});
+            along.to(rayTo(place, Vec3::Unit(axis) * by[axis]), {}, 0, 0);
+            QVERIFY((along.amount() - Vec3::Unit(axis) * by[axis]).norm() < 1e-9);
+            QVERIFY((along.motion().position - place.axes.col(axis) * by[axis]).norm() < 1e-9);
+            Vec3 inPlane = by;
+            inPlane[axis] = 0;
+            GizmoDrag plane({Handle::Kind::Plane, axis, 1}, place, rayTo(place, Vec3::Zero()), {});
+            plane.to(rayTo(place, inPlane), {}, 0, 0);
+            QVERIFY((plane.amount() - inPlane).norm() < 1e-9);
+            plane.to(rayTo(place, inPlane), {}, 0.1, 0);
+            for (int k = 0; k < 3; ++k) QVERIFY(std::abs(plane.amount()[k] - 0.1 * std::round(inPlane[k] / 0.1)) < 1e-12);
+        }
+    }
+
+    void typedNumbers_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("axis");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QList<double>>("amount");
+        const auto row = [](const char* name, Handle::Kind kind, int axis, const char* typed, QList<double> amount) {
+            QTest::newRow(name) << int(kind) << axis << typed << amount;
+        };
+        using Kind = Handle::Kind;
+        row("x", Kind::Axis, 0, "1.5", {1.5, 0, 0});
+        row("z with a unit", Kind::Axis, 2, "-20 cm", {0, 0, -0.2});
+        row("plane x", Kind::Plane, 0, "1,2", {0, 1, 2});
+        row("plane y", Kind::Plane, 1, "1,2", {1, 0, 2});
+        row("plane z", Kind::Plane, 2, "1,2", {1, 2, 0});
+        row("plane, one number", Kind::Plane, 1, "3", {3, 0, 0});
+        row("plane with units", Kind::Plane, 2, "10cm,-2 mm", {0.1, -0.002, 0});
+        row("screen", Kind::Screen, 0, "1,2,3", {1, 2, 3});
+        row("screen, the first left out", Kind::Screen, 0, ",2", {0, 2, 0});
+    }
+    void typedNumbers() {
+        QFETCH(int, kind);
+        QFETCH(int, axis);
+        QFETCH(QString, typed);
+        QFETCH(QList<double>, amount);
+        const GizmoPose place = turned();
+        GizmoDrag drag({static_cast<Handle::Kind>(kind), axis, 1}, place, rayTo(place, Vec3::Zero()), {});
+        typeAll(drag, typed.toLatin1().constData());
+        const Vec3 expected(amount[0], amount[1], amount[2]);
+        QVERIFY((drag.amount() - expected).norm() < 1e-12);
+        QVERIFY((drag.motion().position - place.axes * expected).norm() < 1e-12);
+        while (!drag.typed().empty()) QVERIFY(drag.type(Qt::Key_Backspace, {}));
+        QVERIFY(drag.amount().norm() < 1e-12); // the mouse counts again
+        GizmoDrag ring({Handle::Kind::Ring, axis, 1}, place, rayTo(place, Vec3::Unit((axis + 1) % 3)), {});
+        typeAll(ring, "2rad");
+        QVERIFY(std::abs(ring.degrees() - 360 / std::numbers::pi) < 1e-9);
     }
 
     void anglesKeepTheirUnit() {

@@ -1,0 +1,117 @@
+// What an edit of the document does to a running world: which commands are sent, and what waits for a reset.
+#include <QtTest>
+
+#include "editor/running/live_edits.h"
+#include "model/sample_kinds.h"
+#include "project/plan_fixture.h"
+
+using namespace trundle;
+using sample::PlanFixture;
+
+namespace {
+
+const std::string kText = R"(Surface rubber { Friction=0.9 }
+Surface rubber2 { Friction=0.8 }
+Material red { ColorRGB=1,0,0 }
+RobotConfig Cart {
+  Body chassis { Box hull { Size=0.3,0.2,0.1 Mass=2 Material=red Surface=rubber } }
+  Body wheel { Pos=0,0.1,0 Sphere tyre { Radius=0.05 Mass=0.1 Material=red Surface=rubber2 } }
+  Hinge axle { Parent=chassis Child=wheel Axis=0,1,0 }
+  RotaryMotor motor { Joint=axle TorqueConstant=1 BackEmfConstant=1 Resistance=2 MaxVoltage=12 }
+  RotaryMotor motor1 { Joint=axle TorqueConstant=1 BackEmfConstant=1 Resistance=3 MaxVoltage=12 }
+}
+Robot robot1 { Config=Cart }
+Robot robot10 { Config=Cart Pos=3,0,0 motor.Resistance=4 }
+)";
+
+std::string edited(const std::string& from, const std::string& to) {
+    std::string text = kText;
+    return text.replace(text.find(from), from.size(), to);
+}
+
+std::string commandText(const decltype(Command::what)& what) {
+    const auto number = [](double value) { return QByteArray::number(value).toStdString(); };
+    if (const auto* s = std::get_if<SurfaceCommand>(&what))
+        return s->surface.name + " " + number(s->surface.friction) + " " + number(s->surface.restitution) + " " +
+               number(s->surface.rollingFriction) + " " + number(s->surface.softness) + " " +
+               number(s->surface.friction2.value_or(-1)) + " " + number(s->surface.frictionHeading);
+    if (const auto* p = std::get_if<PropertyCommand>(&what))
+        return p->object + "." + p->property + "=" + number(p->value.numbers.at(0));
+    return "another command";
+}
+
+} // namespace
+
+class LiveEditsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void edits_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QStringList>("commands");
+        QTest::addColumn<QStringList>("waiting");
+        const auto row = [](const char* name, const std::string& text, const char* commands, const char* waiting = "") {
+            const auto list = [](const char* words) {
+                return QString::fromLatin1(words).split(QLatin1Char('|'), Qt::SkipEmptyParts);
+            };
+            QTest::newRow(name) << QString::fromStdString(text) << list(commands) << list(waiting);
+        };
+        row("nothing", kText, "");
+        row("comment", kText + "// more\n", "");
+        row("Friction", edited("Friction=0.9", "Friction=0.5"), "rubber 0.5 0 0 0 -1 0");
+        row("Restitution", edited("Friction=0.9", "Friction=0.9 Restitution=0.1"), "rubber 0.9 0.1 0 0 -1 0");
+        row("RollingFriction", edited("Friction=0.9", "Friction=0.9 RollingFriction=2mm"), "rubber 0.9 0 0.002 0 -1 0");
+        row("Softness", edited("Friction=0.9", "Friction=0.9 Softness=0.001"), "rubber 0.9 0 0 0.001 -1 0");
+        row("Friction2", edited("Friction=0.9", "Friction=0.9 Friction2=0.3"), "rubber 0.9 0 0 0 0.3 0");
+        row("FrictionHeading", edited("Friction=0.9", "Friction=0.9 Friction2=0.9 FrictionHeading=90"),
+            "rubber 0.9 0 0 0 0.9 1.5708");
+        row("the other surface", edited("Friction=0.8", "Friction=0.5"), "rubber2 0.5 0 0 0 -1 0");
+        row("a material", edited("1,0,0 }", "0,1,0 }"), "");
+        row("a config", edited("Resistance=2", "Resistance=5"), "robot1/motor.Resistance=5"); // robot10 overrides it
+        row("the other motor", edited("Resistance=3", "Resistance=5"), "robot1/motor1.Resistance=5|robot10/motor1.Resistance=5");
+        row("an override", edited("motor.Resistance=4", "motor.Resistance=6"), "robot10/motor.Resistance=6");
+        row("no live value", edited("MaxVoltage=12", "MaxVoltage=13"), "", "RobotConfig.Cart.motor.MaxVoltage");
+        row("a pose", edited("Pos=3,0,0", "Pos=4,0,0"), "", "robot10.Pos");
+        row("a robot less", edited("Robot robot1 { Config=Cart }\n", ""), "", "robot1");
+        row("a robot more", kText + "Robot robot { Config=Cart }\n", "", "robot");
+        row("both at once", edited("Pos=3,0,0 motor.Resistance=4", "Pos=4,0,0 motor.Resistance=6"), "robot10/motor.Resistance=6",
+            "robot10.Pos");
+        row("an error elsewhere", edited("Friction=0.9", "Friction=0.5") + "Robot bad { Config=Nothing }\n", "", "bad");
+        row("an error in the value", edited("Resistance=2", "Resistance=-5"), "");
+        row("a syntax error", edited("Friction=0.9", "Friction=0.5") + "Tick = \n", "", "Tick");
+    }
+    void edits() {
+        QFETCH(QString, text);
+        QFETCH(QStringList, commands);
+        QFETCH(QStringList, waiting);
+        PlanFixture fixture;
+        const auto built = fixture.open(kText);
+        QVERIFY2(!built->diagnostics.hasErrors(), sample::messages(*built).c_str());
+        const auto now = fixture.open(text.toStdString());
+        const LiveEdits result = liveEdits(*built, *built->experiment, *now);
+        QStringList sent, waits;
+        for (const auto& what : result.commands) sent << QString::fromStdString(commandText(what));
+        for (const std::string& path : result.waiting) waits << QString::fromStdString(path);
+        QCOMPARE(sent, commands);
+        QCOMPARE(waits, waiting);
+        if (!sent.isEmpty()) QVERIFY(result.experiment);
+        if (now->diagnostics.hasErrors()) QVERIFY(!result.experiment);
+        // What was sent is not sent again.
+        if (result.experiment) QVERIFY(liveEdits(*built, *result.experiment, *now).commands.empty());
+    }
+
+    /// Each value of a material is shown at once.
+    void materials() {
+        PlanFixture fixture;
+        for (const std::string change :
+             {"ColorRGB=1,0,0.5", "Shininess=0.5 ColorRGB=1,0,0", "Opacity=0.5 ColorRGB=1,0,0", "TextureScale=2 ColorRGB=1,0,0",
+              "TextureMap=box ColorRGB=1,0,0", "Emission=0,0,1 ColorRGB=1,0,0"}) {
+            const auto built = fixture.open(kText), now = fixture.open(edited("ColorRGB=1,0,0", change));
+            const LiveEdits result = liveEdits(*built, *built->experiment, *now);
+            QVERIFY2(result.experiment && result.commands.empty() && result.waiting.empty(), change.c_str());
+            QVERIFY(!liveEdits(*built, *result.experiment, *now).experiment);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(LiveEditsTest)
+#include "live_edits_test.moc"
