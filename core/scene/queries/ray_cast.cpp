@@ -65,6 +65,12 @@ LocalHit nearer(const LocalHit& a, const LocalHit& b) {
     return b.distance < 0 || a.distance <= b.distance ? a : b;
 }
 
+/// The half ball at `end` of a capsule: the other half is inside the capsule.
+LocalHit hitCap(const LocalRay& ray, double radius, double end) {
+    const LocalHit hit = hitBall(ray, {0, 0, end}, radius);
+    return hit.distance >= 0 && std::copysign(1.0, end) * (ray.at(hit.distance).z() - end) >= 0 ? hit : LocalHit{};
+}
+
 LocalHit hitCylinder(const LocalRay& ray, double radius, double length) {
     LocalHit best = hitSide(ray, radius, 0.5 * length);
     if (std::abs(ray.along.z()) < 1e-15) return best;
@@ -154,7 +160,7 @@ LocalHit hitShape(const LocalRay& ray, const GeomSpec& g) {
     case GeomShape::Cylinder: return hitCylinder(ray, g.radius, g.length);
     case GeomShape::Capsule:
         return nearer(hitSide(ray, g.radius, 0.5 * g.length),
-                      nearer(hitBall(ray, {0, 0, 0.5 * g.length}, g.radius), hitBall(ray, {0, 0, -0.5 * g.length}, g.radius)));
+                      nearer(hitCap(ray, g.radius, 0.5 * g.length), hitCap(ray, g.radius, -0.5 * g.length)));
     case GeomShape::Plane: {
         if (std::abs(ray.along.z()) < 1e-12) return {};
         const double t = -ray.from.z() / ray.along.z();
