@@ -89,7 +89,10 @@ constexpr CodeEntry kCodes[] = {
     {Code::FileUnwritable, "a file that cannot be written"},
     {Code::NoGraphics, "OpenGL not available"},
     {Code::PictureFailed, "picture that cannot be drawn"},
+    {Code::SystemRefused, "a process or thread that the system does not start"},
     {Code::Internal, "internal error"},
+    {Code::EditRefused, "an edit that is not possible"},
+    {Code::NoDocument, "no open experiment"},
 };
 
 } // namespace

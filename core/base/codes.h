@@ -1,5 +1,5 @@
 #pragma once
-// The table of all diagnostic codes: E1xx text, E2xx values, E3xx model, E4xx modules, E5xx run.
+// The table of all diagnostic codes: E1xx text, E2xx values, E3xx model, E4xx modules, E5xx run, E6xx edits.
 
 #include <span>
 #include <string>
@@ -99,7 +99,11 @@ enum class Code : int {
     FileUnwritable,
     NoGraphics,
     PictureFailed,
+    SystemRefused,
     Internal = 599,
+    // edits and documents
+    EditRefused = 601,
+    NoDocument,
 };
 
 /// "E203".

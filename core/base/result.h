@@ -1,12 +1,12 @@
 #pragma once
 // The result of an operation that may fail: a value, or the reason why there is none.
 
-#include <cassert>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 
+#include "base/assert.h"
 #include "base/codes.h"
 
 namespace trundle {
@@ -26,19 +26,19 @@ public:
     explicit operator bool() const { return ok(); }
 
     [[nodiscard]] T& value() & {
-        assert(ok());
+        TRUNDLE_ASSERT(ok());
         return *std::get_if<0>(&m_state);
     }
     [[nodiscard]] const T& value() const& {
-        assert(ok());
+        TRUNDLE_ASSERT(ok());
         return *std::get_if<0>(&m_state);
     }
     [[nodiscard]] T&& value() && {
-        assert(ok());
+        TRUNDLE_ASSERT(ok());
         return std::move(*std::get_if<0>(&m_state));
     }
     [[nodiscard]] const Error& error() const {
-        assert(!ok());
+        TRUNDLE_ASSERT(!ok());
         return *std::get_if<1>(&m_state);
     }
 
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] bool ok() const { return !m_error.has_value(); }
     explicit operator bool() const { return ok(); }
     [[nodiscard]] const Error& error() const {
-        assert(!ok());
+        TRUNDLE_ASSERT(!ok());
         return *m_error;
     }
 

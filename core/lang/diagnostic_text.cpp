@@ -58,7 +58,7 @@ std::string place(const SourceText& text, std::uint32_t offset) {
 
 std::string advice(const Diagnostic& d) {
     if (!d.fixes.empty()) return "fix: " + cleanLine(d.fixes[0].title);
-    if (d.suggestions.empty() || d.message.find("did you mean") != std::string::npos) return {};
+    if (d.suggestions.empty()) return {};
     return "did you mean " + cleanLine(d.suggestions[0]) + "?";
 }
 

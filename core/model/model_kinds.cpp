@@ -1,5 +1,6 @@
 #include "model/model_kinds.h"
 
+#include "base/assert.h"
 #include "model/config_fields.h"
 #include "model/radio_fields.h"
 #include "model/world_fields.h"
@@ -13,8 +14,7 @@ public:
     explicit KindBuilder(Registry& registry) : m_registry(registry) {}
     template <class T> void add(const char* name, Role role, std::vector<std::string> parents, bool nameOptional = false) {
         const Status status = m_registry.add(kindOf<T>(name, role, std::move(parents), nameOptional));
-        assert(status.ok());
-        (void)status;
+        TRUNDLE_ASSERT(status.ok());
     }
 
 private:
@@ -71,8 +71,7 @@ Registry withControllerProperties(const Registry& registry) {
     Registry completed;
     for (const Kind* kind : registry.all()) {
         const Status status = completed.add(withControllerProperties(*kind));
-        assert(status.ok()); // names were unique before
-        (void)status;
+        TRUNDLE_ASSERT(status.ok()); // names were unique before
     }
     return completed;
 }

@@ -112,7 +112,7 @@ void EditBuilder::placeRemovals(FileId file, std::vector<TextRange> items) {
 Status EditBuilder::check(FileId file, const std::vector<TextEdit>& edits) const {
     const Tree& tree = *m_loaded.trees[file];
     Result<std::shared_ptr<const Tree>> after = applyEdits(tree, edits);
-    if (!after.ok()) return Error{Code::Internal, "this cannot be done in one step: " + after.error().message};
+    if (!after.ok()) return Error{Code::EditRefused, "this cannot be done in one step: " + after.error().message};
     if (errorsIn(*after.value()) > errorsIn(tree))
         return Error{Code::UnexpectedText, tree.source().path() + " has errors here; fix them first"};
     return {};
@@ -137,7 +137,7 @@ Result<EditPlan> EditBuilder::plan(std::vector<std::string> selects) {
     for (auto& [file, ranges] : m_removed) placeRemovals(file, ranges);
     std::erase_if(m_edits, [](const auto& entry) { return entry.second.empty(); });
     for (const auto& [file, edits] : m_edits) {
-        if (m_loaded.outline->texts().commandLine(file)) return Error{Code::Internal, "a --set text cannot be changed"};
+        if (m_loaded.outline->texts().commandLine(file)) return Error{Code::EditRefused, "a --set text cannot be changed"};
         if (Status status = check(file, edits); !status.ok()) return status.error();
     }
     return EditPlan{std::move(m_edits), std::move(selects)};

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 Status Loader::open(const std::string& path) {
     const std::string absolute = canonicalPath(path);
-    Result<Bytes> bytes = read(path, absolute, kMaxTextBytes);
+    Result<Bytes> bytes = read(path, absolute, path, kMaxTextBytes);
     if (!bytes.ok()) return bytes.error();
     m_byPath.emplace(absolute, FileId{0});
     const std::string shown = m_options.shownFrom.empty() ? path : shownPath(absolute, m_options.shownFrom);
@@ -23,15 +23,16 @@ Status Loader::open(const std::string& path) {
     return {};
 }
 
-Result<Loader::Bytes> Loader::read(const std::string& path, const std::string& absolute, std::size_t most) const {
+Result<Loader::Bytes> Loader::read(const std::string& path, const std::string& absolute, const std::string& shown,
+                                  std::size_t most) const {
     if (m_options.texts) {
         if (const auto held = m_options.texts->find(absolute); held != m_options.texts->end()) {
             if (held->second->size() > most)
-                return Error{Code::TooLarge, path + " is too large: an experiment may hold 64 MiB of text"};
+                return Error{Code::TooLarge, shown + " is too large: an experiment may hold 64 MiB of text"};
             return Bytes{{}, held->second};
         }
     }
-    Result<std::string> bytes = readFile(path, most);
+    Result<std::string> bytes = readFile(path, most, shown);
     if (!bytes.ok()) return bytes.error();
     return Bytes{std::move(bytes).value(), nullptr};
 }
@@ -106,9 +107,9 @@ void Loader::import(const ImportItem& item, FileId file, int depth) {
         return;
     }
     const std::string shown = shownPath(path, m_options.shownFrom);
-    Result<Bytes> bytes = read(path, path, kMaxTextBytes - m_bytes);
+    Result<Bytes> bytes = read(path, path, shown, kMaxTextBytes - m_bytes);
     if (!bytes.ok()) {
-        m_diagnostics.error(bytes.error().code, range, shown + bytes.error().message.substr(path.size()));
+        m_diagnostics.error(bytes.error().code, range, bytes.error().message);
         return;
     }
     const FileId target = add(shown, path, std::move(bytes).value(), fs::path(path).parent_path().string(), range);

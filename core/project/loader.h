@@ -71,7 +71,8 @@ private:
         }
     };
     /// `path` is the path to read, `absolute` its key in the overlay.
-    [[nodiscard]] Result<Bytes> read(const std::string& path, const std::string& absolute, std::size_t most) const;
+    [[nodiscard]] Result<Bytes> read(const std::string& path, const std::string& absolute, const std::string& shown,
+                                     std::size_t most) const;
     [[nodiscard]] std::shared_ptr<const Tree> sameAsBefore(FileId file, const std::string& shown, const std::string& absolute,
                                                            std::string_view bytes) const;
     FileId add(std::string shown, std::string absolute, Bytes bytes, const std::string& folder, SourceRange importedFrom);

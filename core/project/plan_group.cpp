@@ -171,7 +171,7 @@ private:
             Result<std::string> values = valuesOf(instance, part, within + part.name);
             if (!values.ok()) return values.error();
             const auto place = placeOf(m_loaded, instance.name + "." + within + part.name);
-            if (!place) return Error{Code::Internal, "there is no " + instance.name + "." + within + part.name};
+            if (!place) return Error{Code::NoSuchPath, "there is no " + instance.name + "." + within + part.name};
             text += (m_scenery ? "  " : "    ") + part.block->type.text + " " + free(taken, name) + " { " +
                     placeText(at * poseAt(m_loaded, *place)) + values.value() + " }\n";
         }

@@ -94,7 +94,7 @@ private:
                                                (m_into.part ? "in " + m_into.part->title() : "at the top level")};
         if (m.to && isWithin(m.to->range, part.range))
             return Error{Code::WrongPlace, part.title() + " cannot be moved into itself"};
-        if (m_loaded.outline->texts().commandLine(part.file)) return Error{Code::Internal, "a --set text cannot be changed"};
+        if (m_loaded.outline->texts().commandLine(part.file)) return Error{Code::EditRefused, "a --set text cannot be changed"};
         std::size_t places = 0;
         const auto count = [&](const auto& self, const std::vector<Part>& parts) -> void {
             for (const Part& p : parts) {

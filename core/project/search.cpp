@@ -145,25 +145,26 @@ std::vector<std::string> FileSearch::nearest(std::string written, const std::str
     return near;
 }
 
-Result<std::string> readFile(const std::string& path, std::size_t most) {
+Result<std::string> readFile(const std::string& path, std::size_t most, const std::string& shown) {
+    const std::string& name = shown.empty() ? path : shown;
     std::error_code ec;
     const fs::file_status status = fs::status(path, ec);
-    if (isLoop(ec)) return Error{Code::FileUnreadable, path + " is a link that leads back to itself"};
-    if (!fs::exists(status)) return Error{Code::FileUnreadable, path + " does not exist"};
-    if (fs::is_directory(status)) return Error{Code::FileUnreadable, path + " is a folder"};
-    if (!fs::is_regular_file(status)) return Error{Code::FileUnreadable, path + " is not a plain file"};
+    if (isLoop(ec)) return Error{Code::FileUnreadable, name + " is a link that leads back to itself"};
+    if (!fs::exists(status)) return Error{Code::FileUnreadable, name + " does not exist"};
+    if (fs::is_directory(status)) return Error{Code::FileUnreadable, name + " is a folder"};
+    if (!fs::is_regular_file(status)) return Error{Code::FileUnreadable, name + " is not a plain file"};
     const std::uintmax_t size = fs::file_size(path, ec);
-    if (!ec && size > most) return Error{Code::TooLarge, path + " is too large: an experiment may hold 64 MiB of text"};
+    if (!ec && size > most) return Error{Code::TooLarge, name + " is too large: an experiment may hold 64 MiB of text"};
     std::ifstream file(path, std::ios::binary);
-    if (!file) return Error{Code::FileUnreadable, path + " cannot be opened"};
+    if (!file) return Error{Code::FileUnreadable, name + " cannot be opened"};
     std::string bytes;
     if (!ec) bytes.reserve(static_cast<std::size_t>(size));
     char buffer[65536];
     while (file.read(buffer, sizeof buffer), file.gcount() > 0) {
         bytes.append(buffer, static_cast<std::size_t>(file.gcount()));
-        if (bytes.size() > most) return Error{Code::TooLarge, path + " is too large: an experiment may hold 64 MiB of text"};
+        if (bytes.size() > most) return Error{Code::TooLarge, name + " is too large: an experiment may hold 64 MiB of text"};
     }
-    if (file.bad()) return Error{Code::FileUnreadable, path + " cannot be read"};
+    if (file.bad()) return Error{Code::FileUnreadable, name + " cannot be read"};
     return bytes;
 }
 

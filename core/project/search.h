@@ -45,7 +45,7 @@ private:
     const TextOverlay* m_texts;
 };
 
-/// The bytes of a regular file. Never blocks: pipes, devices and folders are refused.
-[[nodiscard]] Result<std::string> readFile(const std::string& path, std::size_t most);
+/// The bytes of a regular file. Never blocks: pipes, devices and folders are refused. Messages name the file `shown`, or by its path.
+[[nodiscard]] Result<std::string> readFile(const std::string& path, std::size_t most, const std::string& shown = {});
 
 } // namespace trundle

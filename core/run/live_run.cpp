@@ -25,7 +25,7 @@ LiveRun::LiveRun(RunnerMaker maker, Options options) : m_shared(std::make_shared
             });
     } catch (const std::system_error&) {
         LiveEnd end;
-        end.failure = Diagnostic{Severity::Error, Code::Internal, "the system has no thread left for the run", {}, {}, {}, {}};
+        end.failure = Diagnostic{Severity::Error, Code::SystemRefused, "the system has no thread left for the run", {}, {}, {}, {}};
         m_shared->end = std::move(end);
         m_shared->phase = LivePhase::Ended;
         m_shared->gone = true;

@@ -1,9 +1,10 @@
 #include "signals/block.h"
 
-#include <cassert>
 #include <cstring>
 #include <new>
 #include <type_traits>
+
+#include "base/assert.h"
 
 namespace trundle {
 
@@ -29,7 +30,7 @@ SignalBlock::SignalBlock(const SignalLayout& layout, void* memory) {
 }
 
 void SignalBlock::copyFrom(const SignalBlock& other) {
-    assert(m_header->layoutHash == other.m_header->layoutHash && m_slots.size() == other.m_slots.size());
+    TRUNDLE_ASSERT(m_header->layoutHash == other.m_header->layoutHash && m_slots.size() == other.m_slots.size());
     *m_header = *other.m_header;
     if (!m_slots.empty()) std::memcpy(m_slots.data(), other.m_slots.data(), m_slots.size_bytes());
 }

@@ -89,7 +89,7 @@ Result<bool> MovieRecorder::film(MovieState& state, const MovieJob& job) {
     if (!runner) {
         for (const Diagnostic& problem : problems.all())
             if (problem.severity == Severity::Error) return Error{problem.code, problem.message};
-        return Error{Code::Internal, "the experiment cannot be built"};
+        return Error{Code::PictureFailed, "the experiment cannot be built"};
     }
     const double tick = job.loaded->experiment->settings.tick;
     const std::uint64_t first = ticksFor(job.begin, tick), last = std::max(first, ticksFor(job.end, tick));

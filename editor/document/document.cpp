@@ -75,7 +75,7 @@ void Document::cancelOpening() {
 }
 
 Status Document::openNew(const std::string& name, const std::string& text) {
-    if (name.empty() || name.find('/') != std::string::npos) return Error{Code::Internal, "a new text needs a plain file name"};
+    if (name.empty() || name.find('/') != std::string::npos) return Error{Code::EditRefused, "a new text needs a plain file name"};
     const std::string path = canonicalPath(userStateFolder() + "/new/" + name);
     OpenOptions options = m_options;
     options.shownFromProject = true;

@@ -52,7 +52,7 @@ std::string reasonAgainst(const LoadedProject& loaded, const std::vector<SourceR
 Status checkCreatable(const std::string& path, const std::string& folder) {
     std::error_code none;
     if (canonicalPath(path) != path || !path.starts_with(canonicalPath(folder) + "/"))
-        return Error{Code::Internal, path + " is no file of this project"};
+        return Error{Code::EditRefused, path + " is no file of this project"};
     if (std::filesystem::exists(path, none)) return Error{Code::DuplicateName, path + " already exists"};
     return {};
 }
@@ -65,8 +65,8 @@ Status Document::reportFailure(Status status) {
 }
 
 Status Document::checkEditable() {
-    if (!isOpen()) return Error{Code::Internal, "nothing is open"};
-    if (isOpening()) return Error{Code::Internal, "another file is being opened"};
+    if (!isOpen()) return Error{Code::NoDocument, "nothing is open"};
+    if (isOpening()) return Error{Code::NoDocument, "another file is being opened"};
     requestProject();
     if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyMessage()};
     return {};
@@ -99,7 +99,7 @@ Status Document::enter(const QString& name, FileTexts after, const std::string& 
     HistoryEntry entry{name, {}, {}, mergeKey};
     for (auto& [file, text] : after) {
         const SharedText before = m_state->files.text(file);
-        if (!before) return Error{Code::Internal, file + " is no file of this project"};
+        if (!before) return Error{Code::EditRefused, file + " is no file of this project"};
         if (*before == *text) continue;
         entry.before.emplace(file, before);
         entry.after.emplace(file, std::move(text));
@@ -121,7 +121,7 @@ Result<FileTexts> Document::textsAfter(const FileEdits& edits) const {
     FileTexts after;
     for (const auto& [file, changes] : edits) {
         if (file >= m_loaded->paths.size() || m_loaded->paths[file].empty())
-            return Error{Code::Internal, "an edit of a file that is not of this project"};
+            return Error{Code::EditRefused, "an edit of a file that is not of this project"};
         const std::string& path = m_loaded->paths[file];
         Result<std::string> bytes = applyEdits(*m_state->files.text(path), changes);
         if (!bytes) return bytes.error();

@@ -141,7 +141,7 @@ private:
 static constexpr std::chrono::seconds kLockTimeout(2);
 
 Status Document::save() {
-    if (!isOpen()) return Error{Code::Internal, "nothing is open"};
+    if (!isOpen()) return Error{Code::NoDocument, "nothing is open"};
     if (isNew()) return Error{Code::FileUnwritable, m_state->name + " has no file yet; use Save As"};
     if (isReadOnly()) return Error{Code::FileUnwritable, readOnlyMessage()};
     const std::vector<std::string> modified = m_state->files.modified();
@@ -168,8 +168,8 @@ Status Document::save() {
 }
 
 Status Document::checkSaveTarget(const std::string& target) const {
-    if (!isOpen()) return Error{Code::Internal, "nothing is open"};
-    if (isOpening()) return Error{Code::Internal, "another file is being opened"};
+    if (!isOpen()) return Error{Code::NoDocument, "nothing is open"};
+    if (isOpening()) return Error{Code::NoDocument, "another file is being opened"};
     if (isSample(target)) return Error{Code::FileUnwritable, "the samples cannot be overwritten"};
     if (target != m_state->opened && m_state->files.find(target))
         return Error{Code::FileUnwritable, shown(target) + " is a file of this project"};

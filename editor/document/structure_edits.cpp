@@ -117,7 +117,7 @@ Status StructureEdits::advance(const std::shared_ptr<PendingEdit>& work) {
             return ask(work, *next);
         }
     }
-    return m_document.apply({}, Error{Code::Internal, "this changes too many configs at once"});
+    return m_document.apply({}, Error{Code::EditRefused, "this changes too many configs at once"});
 }
 
 /// The instances that will use the copy: those through which the config is edited, if they are in its file, else all
@@ -185,7 +185,7 @@ Status StructureEdits::copy(PendingEdit& work, const Part& config) {
     if (Status read = reload(work, plan.value()); !read) return read;
     work.copies[from] = to;
     const auto copied = placeOf(*work.loaded, to);
-    if (!copied || !copied->part) return Error{Code::Internal, from + " could not be copied"};
+    if (!copied || !copied->part) return Error{Code::EditRefused, from + " could not be copied"};
     work.decided.insert(keyOf(*work.loaded, *copied->part));
     return {};
 }
@@ -231,7 +231,7 @@ Status StructureEdits::finish(PendingEdit& work, const EditPlan& plan) {
     const std::vector<std::string>& paths = m_document.loaded()->paths;
     for (const auto& [path, after] : work.texts) {
         const auto file = static_cast<FileId>(std::ranges::find(paths, path) - paths.begin());
-        if (file == paths.size()) return m_document.apply({}, Error{Code::Internal, path + " is no file of this project"});
+        if (file == paths.size()) return m_document.apply({}, Error{Code::EditRefused, path + " is no file of this project"});
         const TextSplice splice = spliceBetween(*m_document.text(path), *after);
         const auto begin = static_cast<std::uint32_t>(splice.at), end = begin + static_cast<std::uint32_t>(splice.removed.size());
         if (!splice.empty()) all.edits[file].push_back({{file, {begin, end}}, splice.inserted});

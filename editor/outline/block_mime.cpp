@@ -21,7 +21,7 @@ namespace {
 
 constexpr qsizetype kMaxText = 16 << 20; // the clipboard can have any size
 
-Error notBlocks(std::string reason) { return {Code::Internal, std::move(reason)}; }
+Error notBlocks(std::string reason) { return {Code::EditRefused, std::move(reason)}; }
 
 /// The first syntax error: "line 3: expected a value".
 std::string firstError(const Tree& tree) {

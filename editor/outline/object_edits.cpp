@@ -70,7 +70,7 @@ ObjectEdits::ObjectEdits(Document& document, Selection& selection, const ObjectM
 
 Status ObjectEdits::refuse(const QString& reason) {
     Q_EMIT m_document.refused(reason);
-    return Error{Code::Internal, reason.toStdString()};
+    return Error{Code::EditRefused, reason.toStdString()};
 }
 
 Status ObjectEdits::checkChangeable(const std::vector<std::string>& paths, const QString& verb) {

@@ -168,7 +168,7 @@ Status TransformSelection::move(const Pose& motion, const QString& name, const s
     if (m_running) {
         for (const Item& item : m_items)
             if (!m_context.session.place(item.path, motion * item.world))
-                return Error{Code::Internal, "it cannot be placed there"};
+                return Error{Code::EditRefused, "it cannot be placed there"};
         return {};
     }
     std::vector<ValueEdit> edits;
@@ -192,7 +192,7 @@ Status TransformSelection::moveEach(const std::vector<Vec3>& offsets, const QStr
         if (m_running) {
             Pose to = item.world;
             to.position += offsets[i];
-            if (!m_context.session.place(item.path, to)) return Error{Code::Internal, "it cannot be placed there"};
+            if (!m_context.session.place(item.path, to)) return Error{Code::EditRefused, "it cannot be placed there"};
             continue;
         }
         Pose local = item.local;

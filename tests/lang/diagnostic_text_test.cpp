@@ -53,9 +53,6 @@ private Q_SLOTS:
         QCOMPARE(c.shown(), QByteArray("a.sim:1:1: error E203: wrong\n    1 | Sise=1\n      | ^~~~  did you mean Size?\n"));
         c.d.fixes = {{"Size", {}}};
         QCOMPARE(c.shown(), QByteArray("a.sim:1:1: error E203: wrong\n    1 | Sise=1\n      | ^~~~  fix: Size\n"));
-        c.d.fixes.clear();
-        c.d.message = "wrong, did you mean Size?";
-        QCOMPARE(c.shown(), QByteArray("a.sim:1:1: error E203: wrong, did you mean Size?\n    1 | Sise=1\n      | ^~~~\n"));
     }
 
     void severities() {

@@ -33,7 +33,7 @@ Result<std::unique_ptr<PipedProcess>> PipedProcess::start(const std::string& pro
     std::unique_ptr<PipedProcess> made(new PipedProcess);
     // A socket instead of a pipe: writing after the reader has closed is an error, not SIGPIPE.
     int ends[2];
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return Error{Code::Internal, std::strerror(errno)};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return Error{Code::SystemRefused, std::strerror(errno)};
     made->m_input = ends[0];
     made->m_words = ::memfd_create("words", MFD_CLOEXEC);
 
@@ -55,7 +55,7 @@ Result<std::unique_ptr<PipedProcess>> PipedProcess::start(const std::string& pro
     ::close(ends[1]);
     if (!failed) return made;
     made->m_process = 0;
-    return Error{Code::Internal, "cannot run " + program + ": " + std::strerror(failed)};
+    return Error{Code::SystemRefused, "cannot run " + program + ": " + std::strerror(failed)};
 }
 
 PipedProcess::~PipedProcess() {

@@ -189,7 +189,7 @@ void finish(pid_t child, Clock::time_point deadline, ProcessResult& result) {
 }
 
 Error notStarted(const ProcessRequest& request, int why) {
-    return Error{Code::Internal, "cannot run " + request.program + ": " + std::strerror(why)};
+    return Error{Code::SystemRefused, "cannot run " + request.program + ": " + std::strerror(why)};
 }
 
 /// 0, or the errno of the child that could not execute its program.
