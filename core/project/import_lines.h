@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/text_edit.h"
-#include "project/project.h"
+#include "project/loaded_project.h"
 
 namespace trundle {
 

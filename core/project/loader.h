@@ -7,8 +7,9 @@
 
 #include "base/diagnostic.h"
 #include "model/text_set.h"
-#include "project/project.h"
+#include "project/loaded_project.h"
 #include "project/search.h"
+#include "project/text_overlay.h"
 
 namespace trundle {
 

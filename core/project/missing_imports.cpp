@@ -11,7 +11,7 @@
 #include <set>
 
 #include "project/import_lines.h"
-#include "project/project.h"
+#include "project/loaded_project.h"
 
 namespace trundle {
 

@@ -41,7 +41,7 @@ struct OutlineModel::DropTarget {
 };
 
 OutlineModel::DropTarget OutlineModel::dropTarget(int row, const QModelIndex& parent) const {
-    const Node& node = nodeOf(parent);
+    const OutlineNode& node = nodeOf(parent);
     DropTarget place;
     place.known = m_rows != nullptr && node.row.type != OutlineRow::Type::Module;
     if (node.parent && node.row.type == OutlineRow::Type::Object) place.parent = node.row.path;

@@ -58,18 +58,18 @@ QString tipOf(const OutlineRow& row) {
 } // namespace
 
 OutlineModel::OutlineModel(ObjectEdits& edits, ObjectMarks& marks, QObject* parent)
-    : QAbstractItemModel(parent), m_edits(edits), m_marks(marks), m_root(std::make_unique<Node>()) {
+    : QAbstractItemModel(parent), m_edits(edits), m_marks(marks), m_root(std::make_unique<OutlineNode>()) {
     connect(&marks, &ObjectMarks::hiddenChanged, this, &OutlineModel::marksChanged);
     connect(&marks, &ObjectMarks::lockedChanged, this, &OutlineModel::marksChanged);
 }
 
 OutlineModel::~OutlineModel() = default;
 
-OutlineModel::Node& OutlineModel::nodeOf(const QModelIndex& index) const {
-    return index.isValid() ? *static_cast<Node*>(index.internalPointer()) : *m_root;
+OutlineNode& OutlineModel::nodeOf(const QModelIndex& index) const {
+    return index.isValid() ? *static_cast<OutlineNode*>(index.internalPointer()) : *m_root;
 }
 
-QModelIndex OutlineModel::indexOf(const Node& node, int column) const {
+QModelIndex OutlineModel::indexOf(const OutlineNode& node, int column) const {
     return node.parent ? createIndex(node.place, column, &node) : QModelIndex();
 }
 
@@ -77,7 +77,7 @@ const OutlineRow* OutlineModel::rowAt(const QModelIndex& index) const { return i
 
 std::string OutlineModel::keyOf(const QModelIndex& index) const {
     std::string key;
-    for (const Node* node = &nodeOf(index); node->parent; node = node->parent) key = "/" + node->row.key + key;
+    for (const OutlineNode* node = &nodeOf(index); node->parent; node = node->parent) key = "/" + node->row.key + key;
     return key;
 }
 
@@ -129,13 +129,13 @@ QModelIndex OutlineModel::indexOfMember(const std::string& layout, const std::st
 }
 
 QModelIndex OutlineModel::index(int row, int column, const QModelIndex& parent) const {
-    const Node& node = nodeOf(parent);
+    const OutlineNode& node = nodeOf(parent);
     if (row < 0 || column < 0 || column >= ColumnCount || static_cast<std::size_t>(row) >= node.children.size()) return {};
     return createIndex(row, column, node.children[std::size_t(row)].get());
 }
 
 QModelIndex OutlineModel::parent(const QModelIndex& index) const {
-    const Node* parent = index.isValid() ? nodeOf(index).parent : nullptr;
+    const OutlineNode* parent = index.isValid() ? nodeOf(index).parent : nullptr;
     return parent ? indexOf(*parent) : QModelIndex();
 }
 
@@ -145,7 +145,7 @@ int OutlineModel::rowCount(const QModelIndex& parent) const {
 
 bool OutlineModel::hasChildren(const QModelIndex& parent) const {
     if (parent.column() > 0) return false;
-    const Node& node = nodeOf(parent);
+    const OutlineNode& node = nodeOf(parent);
     return node.fetched || !node.parent ? !node.children.empty() : node.row.hasRows;
 }
 
@@ -207,7 +207,7 @@ Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const {
 }
 
 void OutlineModel::marksChanged() {
-    const auto say = [this](const auto& self, const Node& node) -> void {
+    const auto say = [this](const auto& self, const OutlineNode& node) -> void {
         if (node.children.empty()) return;
         Q_EMIT dataChanged(index(0, 0, indexOf(node)), index(rowCount(indexOf(node)) - 1, ColumnCount - 1, indexOf(node)));
         for (const auto& child : node.children) self(self, *child);

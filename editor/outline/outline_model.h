@@ -15,6 +15,7 @@ namespace trundle {
 
 class ObjectEdits;
 class ObjectMarks;
+struct OutlineNode;
 
 class OutlineModel final : public QAbstractItemModel {
     Q_OBJECT
@@ -70,19 +71,18 @@ Q_SIGNALS:
     void renamed(const std::string& fromPath, const std::string& toPath, const std::string& fromKey, const std::string& toKey);
 
 private:
-    struct Node;
-    [[nodiscard]] Node& nodeOf(const QModelIndex& index) const;
-    [[nodiscard]] QModelIndex indexOf(const Node& node, int column = 0) const;
+    [[nodiscard]] OutlineNode& nodeOf(const QModelIndex& index) const;
+    [[nodiscard]] QModelIndex indexOf(const OutlineNode& node, int column = 0) const;
     [[nodiscard]] QModelIndex indexOfMember(const std::string& layout, const std::string& name);
-    [[nodiscard]] std::vector<OutlineRow> rowsBelow(const Node& node) const;
+    [[nodiscard]] std::vector<OutlineRow> rowsBelow(const OutlineNode& node) const;
     [[nodiscard]] QVariant markOf(const OutlineRow& row, bool hidden) const;
     void reset();
-    void update(Node& node);
-    void dropGone(Node& node, const std::vector<OutlineRow>& rows);
-    void addAt(Node& node, std::vector<OutlineRow>& rows, std::size_t at);
-    void take(Node& node, OutlineRow row);
-    void indexNode(const Node& node);
-    void unindexNode(const Node& node);
+    void update(OutlineNode& node);
+    void dropGone(OutlineNode& node, const std::vector<OutlineRow>& rows);
+    void addAt(OutlineNode& node, std::vector<OutlineRow>& rows, std::size_t at);
+    void take(OutlineNode& node, OutlineRow row);
+    void indexNode(const OutlineNode& node);
+    void unindexNode(const OutlineNode& node);
     void marksChanged();
     struct DropTarget;
     [[nodiscard]] DropTarget dropTarget(int row, const QModelIndex& parent) const;
@@ -92,8 +92,8 @@ private:
     std::unique_ptr<OutlineRows> m_rows; // nullptr: nothing is open
     OutlineMode m_mode = OutlineMode::ByOwner;
     std::string m_filter;
-    std::unique_ptr<Node> m_root;
-    std::unordered_map<std::string, const Node*> m_byPath;
+    std::unique_ptr<OutlineNode> m_root;
+    std::unordered_map<std::string, const OutlineNode*> m_byPath;
     std::size_t m_made = 0;
 };
 

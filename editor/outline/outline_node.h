@@ -2,16 +2,16 @@
 #include <memory>
 #include <vector>
 
-#include "editor/outline/outline_model.h"
+#include "editor/outline/outline_rows.h"
 
 namespace trundle {
 
 /// A row that a view has accessed, with its children once they are fetched.
-struct OutlineModel::Node {
-    Node* parent = nullptr;
+struct OutlineNode {
+    OutlineNode* parent = nullptr;
     int place = 0; ///< index among the parent's children
     OutlineRow row;
-    std::vector<std::unique_ptr<Node>> children;
+    std::vector<std::unique_ptr<OutlineNode>> children;
     bool fetched = false;
 
     void number(std::size_t from = 0) {

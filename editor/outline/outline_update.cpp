@@ -27,20 +27,20 @@ using Keys = std::unordered_set<std::string_view>;
 
 } // namespace
 
-std::vector<OutlineRow> OutlineModel::rowsBelow(const Node& node) const {
+std::vector<OutlineRow> OutlineModel::rowsBelow(const OutlineNode& node) const {
     if (!m_rows) return {};
     return node.parent ? m_rows->below(node.row) : m_rows->top();
 }
 
 void OutlineModel::reset() {
     beginResetModel();
-    m_root = std::make_unique<Node>();
+    m_root = std::make_unique<OutlineNode>();
     m_byPath.clear();
     m_made = 0;
     m_root->fetched = true;
     std::vector<OutlineRow> rows = rowsBelow(*m_root);
     for (OutlineRow& row : rows) {
-        m_root->children.push_back(std::make_unique<Node>(Node{m_root.get(), 0, std::move(row), {}, false}));
+        m_root->children.push_back(std::make_unique<OutlineNode>(OutlineNode{m_root.get(), 0, std::move(row), {}, false}));
         indexNode(*m_root->children.back());
     }
     m_root->number();
@@ -71,35 +71,35 @@ void OutlineModel::setFilter(const std::string& filter) {
 
 bool OutlineModel::canFetchMore(const QModelIndex& parent) const {
     if (parent.column() > 0) return false;
-    const Node& node = nodeOf(parent);
+    const OutlineNode& node = nodeOf(parent);
     return node.parent && !node.fetched && node.row.hasRows;
 }
 
 void OutlineModel::fetchMore(const QModelIndex& parent) {
     if (!canFetchMore(parent)) return;
-    Node& node = nodeOf(parent);
+    OutlineNode& node = nodeOf(parent);
     node.fetched = true;
     std::vector<OutlineRow> rows = rowsBelow(node);
     if (!rows.empty()) addAt(node, rows, 0);
 }
 
-void OutlineModel::indexNode(const Node& node) {
+void OutlineModel::indexNode(const OutlineNode& node) {
     ++m_made;
     if (node.row.selectable) m_byPath.try_emplace(node.row.path, &node);
 }
 
-void OutlineModel::unindexNode(const Node& node) {
+void OutlineModel::unindexNode(const OutlineNode& node) {
     --m_made;
     if (const auto it = m_byPath.find(node.row.path); it != m_byPath.end() && it->second == &node) m_byPath.erase(it);
     for (const auto& child : node.children) unindexNode(*child);
 }
 
 /// Inserts all rows consecutively before the child at `at`.
-void OutlineModel::addAt(Node& node, std::vector<OutlineRow>& rows, std::size_t at) {
+void OutlineModel::addAt(OutlineNode& node, std::vector<OutlineRow>& rows, std::size_t at) {
     beginInsertRows(indexOf(node), static_cast<int>(at), static_cast<int>(at + rows.size()) - 1);
-    std::vector<std::unique_ptr<Node>> fresh;
+    std::vector<std::unique_ptr<OutlineNode>> fresh;
     for (OutlineRow& row : rows) {
-        fresh.push_back(std::make_unique<Node>(Node{&node, 0, std::move(row), {}, false}));
+        fresh.push_back(std::make_unique<OutlineNode>(OutlineNode{&node, 0, std::move(row), {}, false}));
         indexNode(*fresh.back());
     }
     node.children.insert(node.children.begin() + std::ptrdiff_t(at), std::make_move_iterator(fresh.begin()),
@@ -108,7 +108,7 @@ void OutlineModel::addAt(Node& node, std::vector<OutlineRow>& rows, std::size_t 
     endInsertRows();
 }
 
-void OutlineModel::take(Node& node, OutlineRow row) {
+void OutlineModel::take(OutlineNode& node, OutlineRow row) {
     const bool same = hasSameContent(node.row, row);
     const OutlineRow old = std::exchange(node.row, std::move(row));
     if (old.path != node.row.path || old.selectable != node.row.selectable) {
@@ -120,13 +120,13 @@ void OutlineModel::take(Node& node, OutlineRow row) {
 }
 
 /// Removes children that are not in `rows`, except renamed ones.
-void OutlineModel::dropGone(Node& node, const std::vector<OutlineRow>& rows) {
+void OutlineModel::dropGone(OutlineNode& node, const std::vector<OutlineRow>& rows) {
     Keys now;
     std::unordered_set<std::string> before; // copies: the rows change below
     for (const OutlineRow& row : rows) now.insert(row.key);
     for (const auto& child : node.children) before.insert(child->row.key);
     for (std::size_t i = 0; i < node.children.size() && i < rows.size() && node.children.size() == rows.size(); ++i) {
-        Node& child = *node.children[i];
+        OutlineNode& child = *node.children[i];
         if (now.contains(child.row.key) || before.contains(rows[i].key) || kindWord(child.row) != kindWord(rows[i])) continue;
         if (child.row.type != OutlineRow::Type::Object || rows[i].type != OutlineRow::Type::Object) continue;
         const std::string fromKey = keyOf(indexOf(child)), fromPath = child.row.path;
@@ -150,7 +150,7 @@ void OutlineModel::dropGone(Node& node, const std::vector<OutlineRow>& rows) {
     }
 }
 
-void OutlineModel::update(Node& node) {
+void OutlineModel::update(OutlineNode& node) {
     if (node.parent && !node.fetched) return;
     std::vector<OutlineRow> rows = rowsBelow(node);
     dropGone(node, rows);

@@ -1,3 +1,4 @@
+#include "editor/properties/editor_for_kind.h"
 #include "editor/properties/property_row.h"
 
 #include <algorithm>

@@ -1,11 +1,5 @@
 #include "editor/properties/row_editor.h"
 
-#include "editor/properties/choice_editor.h"
-#include "editor/properties/colour_editor.h"
-#include "editor/properties/file_editor.h"
-#include "editor/properties/line_editor.h"
-#include "editor/properties/numbers_editor.h"
-#include "editor/properties/reference_editor.h"
 #include "editor/properties/value_field.h"
 
 namespace trundle {
@@ -31,19 +25,6 @@ bool RowEditor::commit(const Change& change, const std::string& mergeKey) {
     if (!done) refresh();
     Q_EMIT refusedChanged(done ? QString() : QString::fromStdString(done.error().message));
     return done.ok();
-}
-
-RowEditor* makeEditor(EditorKind kind, QWidget* parent) {
-    switch (kind) {
-    case EditorKind::Numbers: return new NumbersEditor(parent);
-    case EditorKind::Colour: return new ColourEditor(parent);
-    case EditorKind::Choice: return new ChoiceEditor(parent);
-    case EditorKind::Flag: return new FlagEditor(parent);
-    case EditorKind::Reference: return new ReferenceEditor(parent);
-    case EditorKind::File: return new FileEditor(parent);
-    case EditorKind::Line: break;
-    }
-    return new LineEditor(parent);
 }
 
 } // namespace trundle

@@ -36,7 +36,4 @@ protected:
     Row m_row;
 };
 
-/// Creates the editor for a kind of value.
-[[nodiscard]] RowEditor* makeEditor(EditorKind kind, QWidget* parent);
-
 } // namespace trundle

@@ -43,7 +43,7 @@
 #include "editor/shell/unsaved_files.h"
 #include "editor/shell/welcome_page.h"
 #include "editor/text/text_panel.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {

@@ -9,7 +9,7 @@
 #include "editor/outline/outline_panel.h"
 #include "editor/shell/main_window.h"
 #include "editor/shell/status_line.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/view/viewport_panel.h"
 
 namespace trundle {
 

@@ -29,7 +29,7 @@
 #include "editor/shell/saved_window_state.h"
 #include "editor/shell/status_line.h"
 #include "editor/text/text_panel.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/plain_text.h"
 #include "editor/widgets/theme.h"
 #include "project/object_location.h"
@@ -186,8 +186,10 @@ void MainWindow::showUndo() {
     QAction &undo = m_actions->at("edit.undo"), &redo = m_actions->at("edit.redo");
     undo.setEnabled(history.canUndo());
     redo.setEnabled(history.canRedo());
-    undo.setText(history.canUndo() ? tr("&Undo %1").arg(withoutMnemonics(history.entries()[history.position() - 1].name)) : tr("&Undo"));
-    redo.setText(history.canRedo() ? tr("&Redo %1").arg(withoutMnemonics(history.entries()[history.position()].name)) : tr("&Redo"));
+    undo.setText(history.canUndo() ? tr("&Undo %1").arg(withoutMnemonics(history.entries()[history.position() - 1].name))
+                                   : tr("&Undo"));
+    redo.setText(history.canRedo() ? tr("&Redo %1").arg(withoutMnemonics(history.entries()[history.position()].name))
+                                   : tr("&Redo"));
 }
 
 void MainWindow::setDarkTheme(bool dark) {

@@ -17,7 +17,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "editor/viewport/navigation_style.h"
+#include "editor/viewport/tools/navigation_style.h"
 
 namespace trundle {
 namespace {

@@ -7,7 +7,7 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include "editor/viewport/pinned_values.h"
+#include "editor/viewport/overlays/pinned_values.h"
 #include "project/object_location.h"
 #include "project/state_folder.h"
 

@@ -6,7 +6,7 @@
 
 #include "editor/document/document.h"
 #include "editor/outline/object_marks.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/view/viewport_panel.h"
 
 namespace trundle {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/text/completion.h"
+#include "editor/text/completion_item.h"
 #include "editor/text/text_location.h"
 
 namespace trundle {

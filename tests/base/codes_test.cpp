@@ -26,7 +26,7 @@ private Q_SLOTS:
             previous = number;
         }
         QCOMPARE(codeName(Code::OutOfRange), std::string("E203"));
-        QCOMPARE(allCodes().back().code, Code::Internal);
+        QCOMPARE(allCodes().back().code, Code::NoDocument);
     }
 
     void diagnosticsAreCounted() {

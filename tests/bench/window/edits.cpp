@@ -7,7 +7,7 @@
 #include "editor/outline/outline_model.h"
 #include "editor/outline/outline_panel.h"
 #include "editor/text/code_edit.h"
-#include "editor/viewport/view.h"
+#include "editor/viewport/view/view.h"
 
 namespace trundle {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "base/platform/thread_priority.h"
 #include "bench/window/bench_window.h"
-#include "editor/viewport/view.h"
-#include "editor/viewport/viewport_panel.h"
-#include "editor/viewport/viewport_scene.h"
+#include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/view/view.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "render/graphics_context.h"
 #include "render/platform/egl_context.h"
 #include "scene/scene.h"

@@ -4,8 +4,8 @@
 
 #include "bench/window/bench_window.h"
 #include "editor/text/code_edit.h"
-#include "editor/viewport/gizmo_tool.h"
-#include "editor/viewport/view.h"
+#include "editor/viewport/gizmo/gizmo_tool.h"
+#include "editor/viewport/view/view.h"
 
 namespace trundle {
 namespace {

@@ -23,8 +23,8 @@
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
-#include "editor/viewport/view_settings.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/context/view_settings.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -241,7 +241,12 @@ private Q_SLOTS:
         EVENTUALLY_EQUAL(m_window->document().loaded()->experiment->statics.size(), std::size_t(2));
         const StaticSpec& pillar = m_window->document().loaded()->experiment->statics.back();
         // There is no room on top of the robot: it is placed on the floor beside it, neither inside it nor over the floor's edge.
-        QVERIFY2(std::abs(pillar.pose.position.z()) < 1e-5, qPrintable(QStringLiteral("%1 %2 %3 from %4 %5").arg(pillar.pose.position.x()).arg(pillar.pose.position.y()).arg(pillar.pose.position.z()).arg(point.x()).arg(point.y())));
+        QVERIFY2(std::abs(pillar.pose.position.z()) < 1e-5, qPrintable(QStringLiteral("%1 %2 %3 from %4 %5")
+                                                                           .arg(pillar.pose.position.x())
+                                                                           .arg(pillar.pose.position.y())
+                                                                           .arg(pillar.pose.position.z())
+                                                                           .arg(point.x())
+                                                                           .arg(point.y())));
         const double away = (pillar.pose.position - point).head<2>().norm();
         QVERIFY2(away > 0 && away < 0.4, qPrintable(QString::number(away)));
         QCOMPARE(m_window->selection().paths(), std::vector<std::string>{pillar.name});

@@ -66,7 +66,7 @@ constexpr Question kQuestions[] = {
     {"shell/recovery_dialog.cpp", "Not restored", "OK"},
     {"shell/recovery_dialog.cpp", "discardQuestion", "Cancel"},
     {"shell/share_dialog.cpp", "shareQuestion", "Make a copy for this experiment"},
-    {"viewport/array_dialog.h", "arrayDialog", "Copy"},
+    {"viewport/tools/array_dialog.h", "arrayDialog", "Copy"},
 };
 
 QString nameOf(const QDialog& dialog) { return dialog.objectName().isEmpty() ? dialog.windowTitle() : dialog.objectName(); }

@@ -15,7 +15,7 @@
 
 #include "editor/outline/library_panel.h"
 #include "editor/shell/window_fixture.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "eventually.h"
 
 using namespace trundle;

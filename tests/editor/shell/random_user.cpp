@@ -23,7 +23,7 @@
 #include "editor/properties/scrub_label.h"
 #include "editor/properties/value_field.h"
 #include "editor/shell/main_window.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/view/viewport_panel.h"
 
 namespace trundle {
 namespace {

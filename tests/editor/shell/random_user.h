@@ -12,7 +12,7 @@
 #include <QPointF>
 #include <QString>
 
-#include "editor/viewport/gizmo.h"
+#include "editor/viewport/gizmo/gizmo.h"
 
 class QMenu;
 class QWidget;

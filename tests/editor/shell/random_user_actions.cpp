@@ -12,8 +12,8 @@
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
-#include "editor/viewport/gizmo_tool.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/gizmo/gizmo_tool.h"
+#include "editor/viewport/view/viewport_panel.h"
 
 namespace trundle {
 

@@ -9,8 +9,8 @@
 
 #include "editor/shell/window_fixture.h"
 #include "editor/text/text_panel.h"
-#include "editor/viewport/pinned_values.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/overlays/pinned_values.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "eventually.h"
 
 using namespace trundle;

@@ -12,8 +12,8 @@
 #include "editor/text/code_edit.h"
 #include "editor/text/file_page.h"
 #include "editor/text/text_panel.h"
-#include "editor/viewport/view.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/view/view.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "eventually.h"
 
 using namespace trundle;

@@ -11,7 +11,7 @@
 #include "editor/shell/recent_files.h"
 #include "editor/shell/window_fixture.h"
 #include "editor/text/text_panel.h"
-#include "editor/viewport/viewport_panel.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "eventually.h"
 
 using namespace trundle;

@@ -4,8 +4,8 @@
 #include <QCheckBox>
 #include <QSpinBox>
 
-#include "editor/viewport/arrange.h"
-#include "editor/viewport/array_dialog.h"
+#include "editor/viewport/tools/arrange.h"
+#include "editor/viewport/tools/array_dialog.h"
 #include "editor/viewport/view_window.h"
 
 using namespace trundle;

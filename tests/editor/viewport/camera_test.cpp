@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "editor/viewport/navigation_style.h"
-#include "editor/viewport/view_camera.h"
+#include "editor/viewport/context/view_camera.h"
+#include "editor/viewport/tools/navigation_style.h"
 
 using namespace trundle;
 

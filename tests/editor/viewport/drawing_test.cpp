@@ -1,8 +1,8 @@
 // The 3D views: when they draw, navigation, overlays, render styles and measuring.
 #include <QtTest>
 
+#include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/view_window.h"
-#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 
 using namespace trundle;

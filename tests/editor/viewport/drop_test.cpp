@@ -6,7 +6,7 @@
 #include <QJsonObject>
 #include <QMimeData>
 
-#include "editor/viewport/library_drop.h"
+#include "editor/viewport/tools/library_drop.h"
 #include "editor/viewport/view_window.h"
 #include "eventually.h"
 
@@ -58,7 +58,8 @@ private Q_SLOTS:
                                "yard { Config=Yard Pos=0,0,0 }\n"));
         m_window->look({0, -3, 2.5}, {0, 0, 0});
         drop("Material", "Material blue { ColorRGB=0,0,1 }", {}, {0, 0, 0.5});
-        QVERIFY2(m_window->text().contains("Box crate { Size=1,1,1 Material=blue }"), m_window->text().constData()); // its only instance
+        QVERIFY2(m_window->text().contains("Box crate { Size=1,1,1 Material=blue }"),
+                 m_window->text().constData()); // its only instance
         QCOMPARE(m_window->document.history().entries().size(), std::size_t(1));
     }
 

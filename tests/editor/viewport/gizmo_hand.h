@@ -1,6 +1,6 @@
 #pragma once
-#include "editor/viewport/gizmo_tool.h"
-#include "editor/viewport/view.h"
+#include "editor/viewport/gizmo/gizmo_tool.h"
+#include "editor/viewport/view/view.h"
 #include "editor/viewport/view_window.h"
 
 namespace trundle {

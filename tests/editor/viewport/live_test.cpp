@@ -1,11 +1,11 @@
 // The 3D view during a run: pinned values, moving and pushing robots, contacts.
 #include <QtTest>
 
-#include "editor/viewport/contact_arrows.h"
-#include "editor/viewport/gizmo_tool.h"
-#include "editor/viewport/pinned_values.h"
+#include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/gizmo/gizmo_tool.h"
+#include "editor/viewport/overlays/contact_arrows.h"
+#include "editor/viewport/overlays/pinned_values.h"
 #include "editor/viewport/view_window.h"
-#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 #include "project/plans.h"
 

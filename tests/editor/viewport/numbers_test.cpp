@@ -1,7 +1,7 @@
 // Numbers of a drag: what the handles of a gizmo make of the mouse and of typed numbers. The text of edited vectors: only changed numbers are rewritten, with as few digits as the step allows.
 #include <QtTest>
 
-#include "editor/viewport/gizmo_drag.h"
+#include "editor/viewport/gizmo/gizmo_drag.h"
 #include "lang/number_text.h"
 
 using namespace trundle;

@@ -2,9 +2,9 @@
 // not in the text.
 #include <QtTest>
 
-#include "editor/viewport/gizmo_tool.h"
+#include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/gizmo/gizmo_tool.h"
 #include "editor/viewport/view_window.h"
-#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 #include "project/plans.h"
 

@@ -7,11 +7,11 @@
 #include <QThread>
 #include <QtTest>
 
-#include "editor/viewport/antenna_lobes.h"
-#include "editor/viewport/radio_colours.h"
-#include "editor/viewport/radio_overlays.h"
+#include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/radio/antenna_lobes.h"
+#include "editor/viewport/radio/radio_colours.h"
+#include "editor/viewport/radio/radio_overlays.h"
 #include "editor/viewport/view_window.h"
-#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 
 using namespace trundle;

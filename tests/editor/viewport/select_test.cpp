@@ -1,8 +1,8 @@
 // Selecting objects in a 3D view by clicks and rectangles.
 #include <QtTest>
 
+#include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/view_window.h"
-#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 
 using namespace trundle;

@@ -7,8 +7,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "editor/viewport/context/viewport_scene.h"
 #include "editor/viewport/view_window.h"
-#include "editor/viewport/viewport_scene.h"
 #include "eventually.h"
 
 using namespace trundle;
@@ -111,8 +111,9 @@ private Q_SLOTS:
         m_window->session.step();
         EVENTUALLY_EQUAL(m_window->session.state(), RunState::Paused);
         QVERIFY(m_window->session.place("robot0", {{0.5, 0.5, 0}, Quat::Identity()}));
-        (void)m_window->document.replaceText(u"Type"_qs, m_window->document.path(),
-                                       (m_window->text() + "View late { Mode=chase Robot=robot0 Eye=-1,0,0.5 }\n").toStdString());
+        (void)m_window->document.replaceText(
+            u"Type"_qs, m_window->document.path(),
+            (m_window->text() + "View late { Mode=chase Robot=robot0 Eye=-1,0,0.5 }\n").toStdString());
         Q_EMIT menu->aboutToShow();
         QCOMPARE(views->actions().size(), 2);
         views->actions()[1]->trigger();

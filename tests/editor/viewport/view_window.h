@@ -9,9 +9,9 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/running/session.h"
-#include "editor/viewport/gizmo.h"
-#include "editor/viewport/viewport_panel.h"
-#include "editor/viewport/viewport_scene.h"
+#include "editor/viewport/context/viewport_scene.h"
+#include "editor/viewport/gizmo/gizmo.h"
+#include "editor/viewport/view/viewport_panel.h"
 #include "editor/widgets/actions.h"
 #include "render/service.h"
 

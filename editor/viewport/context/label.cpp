@@ -1,0 +1,18 @@
+#include "editor/viewport/context/label.h"
+
+#include <QPainter>
+
+namespace trundle {
+
+void paintLabel(QPainter& painter, const QPointF& middle, const QString& text) {
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(metrics.horizontalAdvance(text) + 14, metrics.height() + 6);
+    const QRectF at(middle.x() - 0.5 * size.width(), middle.y() - 0.5 * size.height(), size.width(), size.height());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(24, 27, 31, 205));
+    painter.drawRoundedRect(at, 4, 4);
+    painter.setPen(QColor(245, 246, 248));
+    painter.drawText(at, Qt::AlignCenter, text);
+}
+
+} // namespace trundle

@@ -1,0 +1,53 @@
+#include "editor/viewport/context/scene_painter.h"
+
+#include <QPainter>
+
+#include "editor/viewport/context/tool_view.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kLeastDepth = 1e-3; // m
+const QColor kLineShade(10, 12, 16, 90);
+
+} // namespace
+
+ScenePainter::ScenePainter(QPainter& painter, const ToolView& view)
+    : m_painter(painter), m_view(view.shownCamera()), m_axes(cameraAxes(m_view)), m_width(std::max(1, view.widget().width())),
+      m_height(std::max(1, view.widget().height())) {}
+
+void ScenePainter::line(Vec3 a, Vec3 b, const QColor& colour, double width, Qt::PenStyle style) const {
+    const double depthA = depthOf(a), depthB = depthOf(b);
+    if (depthA < kLeastDepth && depthB < kLeastDepth) return;
+    const Vec3 cut = a + (b - a) * ((kLeastDepth - depthA) / (depthB - depthA));
+    if (depthA < kLeastDepth) a = cut;
+    if (depthB < kLeastDepth) b = cut;
+    const auto from = project(m_view, m_width, m_height, a), to = project(m_view, m_width, m_height, b);
+    if (!from || !to) return;
+    QLineF shown(from->x, from->y, to->x, to->y);
+    if (!clip(shown)) return;
+    for (const auto& [ink, wide] : {std::pair(kLineShade, width + 1.6), {colour, width}}) {
+        m_painter.setPen(QPen(ink, wide, style, style == Qt::SolidLine ? Qt::RoundCap : Qt::FlatCap));
+        m_painter.drawLine(shown);
+    }
+}
+
+/// Clips to the image with a small margin (Liang and Barsky).
+bool ScenePainter::clip(QLineF& line) const {
+    double from = 0, to = 1;
+    const double rim = 8;
+    const auto edge = [&](double along, double room) {
+        if (along == 0) return room >= 0;
+        const double at = room / along;
+        if (along < 0) from = std::max(from, at);
+        else to = std::min(to, at);
+        return from < to;
+    };
+    if (!edge(-line.dx(), line.x1() + rim) || !edge(line.dx(), m_width + rim - line.x1()) || !edge(-line.dy(), line.y1() + rim) ||
+        !edge(line.dy(), m_height + rim - line.y1()))
+        return false;
+    line = QLineF(line.pointAt(from), line.pointAt(to));
+    return true;
+}
+
+} // namespace trundle

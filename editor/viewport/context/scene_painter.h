@@ -1,0 +1,30 @@
+#pragma once
+#include <QColor>
+#include <QLineF>
+
+#include "scene/queries/camera_view.h"
+
+class QPainter;
+
+namespace trundle {
+
+class ToolView;
+
+/// Draws world-space lines over the rendered image, clipped at the near plane and at the image's edges.
+class ScenePainter {
+public:
+    ScenePainter(QPainter& painter, const ToolView& view);
+    /// Drawn over a slightly wider dark line.
+    void line(Vec3 a, Vec3 b, const QColor& colour, double width, Qt::PenStyle style = Qt::SolidLine) const;
+
+private:
+    [[nodiscard]] double depthOf(const Vec3& point) const { return -m_axes.col(2).dot(point - m_view.eye); }
+    [[nodiscard]] bool clip(QLineF& line) const;
+
+    QPainter& m_painter;
+    CameraView m_view;
+    Mat3 m_axes;
+    std::uint32_t m_width, m_height;
+};
+
+} // namespace trundle

@@ -1,0 +1,253 @@
+#include "editor/viewport/context/viewport_scene.h"
+
+#include <algorithm>
+
+#include "editor/document/document.h"
+#include "editor/running/session.h"
+#include "project/object_location.h"
+#include "scene/queries/ghosts.h"
+
+namespace trundle {
+namespace {
+
+bool isMemberOf(const std::string& name, const std::string& layout) {
+    return name.size() > layout.size() + 1 && name.starts_with(layout) && name[layout.size()] == '_' &&
+           std::all_of(name.begin() + std::ptrdiff_t(layout.size()) + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// True if the text has syntax errors; missing objects are then no sign of what the author intended.
+bool hasBrokenSyntax(const LoadedProject& loaded) {
+    const auto& all = loaded.diagnostics.all();
+    return std::any_of(all.begin(), all.end(),
+                       [](const Diagnostic& d) { return d.severity == Severity::Error && static_cast<int>(d.code) < 200; });
+}
+
+} // namespace
+
+ViewportScene::ViewportScene(Document& document, RunSession& session, RenderService* render, QObject* parent)
+    : QObject(parent), m_document(document), m_session(session), m_render(render) {
+    connect(&m_document, &Document::changed, this, &ViewportScene::updateScene);
+    connect(&m_session, &RunSession::experimentChanged, this, &ViewportScene::updateScene);
+    connect(&m_session, &RunSession::stateChanged, this, &ViewportScene::updateScene);
+    connect(&m_session, &RunSession::advanced, this, &ViewportScene::updatePoses);
+    m_objects = std::make_shared<ObjectIndex>(std::make_shared<ExperimentSpec>());
+    m_poses = std::make_shared<BodyPoses>();
+    updateScene();
+}
+
+ViewportScene::~ViewportScene() {
+    removeDraggedScene();
+    if (m_render && m_scene != SceneId::None) m_render->removeScene(m_scene);
+}
+
+void ViewportScene::updateScene() {
+    const bool runs = m_session.experiment() && m_session.poses();
+    std::shared_ptr<const ExperimentSpec> experiment = runs ? m_session.experiment() : m_session.shown();
+    if (experiment == m_experiment) {
+        if (runs == m_running) return updatePoses();
+        m_running = runs;
+        m_poses = std::make_shared<BodyPoses>(startPoses(m_objects->experiment()));
+        m_bounds.reset();
+        updatePoses();
+        Q_EMIT posed();
+        return;
+    }
+    m_running = runs;
+    m_experiment = experiment;
+    if (!experiment) experiment = std::make_shared<ExperimentSpec>();
+    m_objects = std::make_shared<ObjectIndex>(experiment);
+    m_cameras = trundle::camerasOf(*experiment);
+    const std::shared_ptr<const BodyPoses> now = runs ? m_session.poses() : nullptr;
+    m_poses = now && now->size() == m_objects->poseCount() ? now : std::make_shared<BodyPoses>(startPoses(*experiment));
+    if (m_render) {
+        const SceneId before = m_scene;
+        m_scene = m_render->addScene(experiment, runs ? nullptr : ghosts());
+        if (before != SceneId::None) m_render->removeScene(before);
+    }
+    if (m_dragged) addDraggedScene();
+    listHidden();
+    Q_EMIT replaced();
+}
+
+void ViewportScene::updatePoses() {
+    if (!m_running && m_session.poses()) return updateScene();
+    const std::shared_ptr<const BodyPoses> poses = m_running ? m_session.poses() : nullptr;
+    if (!poses || poses == m_poses || poses->size() != m_objects->poseCount()) return;
+    m_poses = poses;
+    m_bounds.reset();
+    Q_EMIT posed();
+}
+
+std::shared_ptr<const ExperimentSpec> ViewportScene::ghosts() const {
+    const std::shared_ptr<const ExperimentSpec> good = m_document.isOpen() ? m_session.lastValid() : nullptr;
+    if (!good || !m_document.loaded()->diagnostics.hasErrors()) return nullptr;
+    const LoadedProject& now = *m_document.loaded();
+    const bool broken = hasBrokenSyntax(now);
+    return ghostsOf(*m_experiment, *good, [&](const std::string& path) { return broken || placeOf(now, path).has_value(); });
+}
+
+std::vector<ObjectRef> ViewportScene::objectsOf(const std::string& path) const {
+    if (const auto object = find(path)) return {*object};
+    std::vector<ObjectRef> objects;
+    const auto add = [&](const std::string& instance, std::string_view rest) {
+        if (const auto object = find(instance + std::string(rest))) objects.push_back(*object);
+    };
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    const std::string first = path.substr(0, dot);
+    const bool isRobotConfig = first == "RobotConfig", isStaticConfig = first == "StaticConfig";
+    if (isRobotConfig || isStaticConfig) {
+        if (dot == path.size()) return objects;
+        const std::size_t end = std::min(path.find('.', dot + 1), path.size());
+        const std::string config = path.substr(dot + 1, end - dot - 1), rest = path.substr(end);
+        const ExperimentSpec& e = m_objects->experiment();
+        if (isRobotConfig) {
+            for (const RobotSpec& robot : e.robots)
+                if (robot.config && robot.config->name == config) add(robot.name, rest);
+        } else {
+            for (const StaticSpec& fixed : e.statics)
+                if (fixed.configName == config) add(fixed.name, rest);
+        }
+        return objects;
+    }
+    for (const RobotSpec& robot : m_objects->experiment().robots)
+        if (isMemberOf(robot.name, first)) add(robot.name, path.substr(dot));
+    return objects;
+}
+
+const CameraModel* ViewportScene::camera(const std::string& path) const {
+    const auto it = std::ranges::find(m_cameras, path, &CameraModel::path);
+    return it == m_cameras.end() ? nullptr : &*it;
+}
+
+std::vector<const CameraModel*> ViewportScene::camerasOf(const std::string& path) const {
+    std::vector<const CameraModel*> found;
+    for (const CameraModel& camera : m_cameras)
+        if (isPartOf(path, camera.robot, camera.body, camera.path)) found.push_back(&camera);
+    return found;
+}
+
+bool ViewportScene::isPartOf(const std::string& path, const std::string& robot, std::size_t body,
+                             const std::string& component) const {
+    // Splits "seeker.eye" or "RobotConfig.Seeker.eye" into the robot or config and the component.
+    const auto upTo = [&path](std::size_t from) { return std::min(path.find('.', from), path.size()); };
+    const std::size_t first = upTo(0), second = upTo(std::min(first + 1, path.size()));
+    const std::string name = path.substr(0, first);
+    const bool byConfig = name == "RobotConfig";
+    const std::size_t end = byConfig ? second : first;
+    const std::string which = end < path.size() ? path.substr(end + 1) : std::string();
+    const auto object = find(robot);
+    const RobotSpec* spec = object ? m_objects->robotOf(*object) : nullptr;
+    if (!spec || !spec->config) return false;
+    if (byConfig ? first == path.size() || spec->config->name != path.substr(first + 1, second - first - 1)
+                 : robot != name && !isMemberOf(robot, name))
+        return false;
+    if (which.empty() || component == robot + "/" + which) return true;
+    const std::size_t own = body - m_objects->firstPose(object->instance);
+    return own < spec->config->bodies.size() && spec->config->bodies[own].name == which;
+}
+
+bool ViewportScene::holds(const std::vector<std::string>& marks, const ObjectRef& object) const {
+    if (marks.empty()) return false;
+    const std::string path = m_objects->pathOf(object);
+    return std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) {
+        if (path.starts_with(mark) && (path.size() == mark.size() || path[mark.size()] == '.')) return true;
+        return isMemberOf(path.substr(0, path.find('.')), mark);
+    });
+}
+
+bool ViewportScene::isLocked(const ObjectRef& object) const {
+    const StaticSpec* fixed = m_objects->staticOf(object);
+    return (fixed && fixed->configName == kPreviewFloor) || holds(m_locked, object);
+}
+
+const Bounds& ViewportScene::bounds() const {
+    if (m_bounds) return *m_bounds;
+    m_bounds.emplace();
+    for (const ObjectRef& object : m_objects->instances())
+        if (!isHidden(object)) m_bounds->add(boundsOf(object));
+    return *m_bounds;
+}
+
+std::vector<RayHit> ViewportScene::hitsAlong(const ViewRay& ray, bool alsoLocked) const {
+    std::vector<RayHit> hits = castRay(*m_objects, *m_poses, ray);
+    if (!m_hidden.empty() || !m_locked.empty())
+        std::erase_if(hits, [&](const RayHit& hit) { return isHidden(hit.geom) || (!alsoLocked && isLocked(hit.geom)); });
+    return hits;
+}
+
+void ViewportScene::setHidden(std::vector<std::string> paths) {
+    if (paths == m_hidden) return;
+    m_hidden = std::move(paths);
+    listHidden();
+    Q_EMIT marked();
+}
+
+void ViewportScene::setLocked(std::vector<std::string> paths) {
+    m_locked = std::move(paths);
+    Q_EMIT marked();
+}
+
+void ViewportScene::showDragged(std::shared_ptr<const ExperimentSpec> thing) {
+    m_dragged = std::move(thing);
+    m_draggedPose.reset();
+    if (m_dragged) addDraggedScene();
+    else removeDraggedScene();
+    Q_EMIT draggedMoved();
+}
+
+void ViewportScene::moveDragged(const std::optional<Pose>& pose) {
+    m_draggedPose = pose;
+    Q_EMIT draggedMoved();
+}
+
+std::shared_ptr<const BodyPoses> ViewportScene::drawnPoses() const {
+    if (!m_draggedPose || !isDragging()) return m_poses;
+    auto all = std::make_shared<BodyPoses>(*m_poses);
+    for (const Pose& body : m_draggedBodies) all->push_back(*m_draggedPose * body);
+    return all;
+}
+
+/// Builds a scene with the dragged objects as an additional last robot, so that moving them only changes poses.
+void ViewportScene::addDraggedScene() {
+    removeDraggedScene();
+    if (!m_render || !m_experiment) return;
+    auto drawn = std::make_shared<ExperimentSpec>(*m_experiment);
+    const auto materials = static_cast<std::uint32_t>(drawn->materials.size());
+    drawn->materials.insert(drawn->materials.end(), m_dragged->materials.begin(), m_dragged->materials.end());
+    m_draggedBodies.clear();
+    const auto body = [&](const std::vector<GeomSpec>& geoms, const Pose& pose) {
+        BodySpec one;
+        one.name = "body" + std::to_string(m_draggedBodies.size());
+        one.pose = pose;
+        for (GeomSpec geom : geoms) {
+            if (geom.shape == GeomShape::Plane) continue; // it would hide the scene
+            geom.material += materials;
+            one.geoms.push_back(std::move(geom));
+        }
+        m_draggedBodies.push_back(pose);
+        return one;
+    };
+    auto config = std::make_shared<RobotConfigSpec>();
+    for (const RobotSpec& robot : m_dragged->robots)
+        for (const BodySpec& each : robot.config->bodies) config->bodies.push_back(body(each.geoms, robot.pose * each.pose));
+    for (const StaticSpec& fixed : m_dragged->statics) config->bodies.push_back(body(*fixed.geoms, fixed.pose));
+    RobotSpec dragged;
+    dragged.name = ".dragged"; // cannot occur in a text
+    dragged.config = std::move(config);
+    drawn->robots.push_back(std::move(dragged));
+    m_draggedScene = m_render->addScene(std::move(drawn), m_running ? nullptr : ghosts());
+}
+
+void ViewportScene::removeDraggedScene() {
+    if (m_render && isDragging()) m_render->removeScene(m_draggedScene);
+    m_draggedScene = SceneId::None;
+}
+
+void ViewportScene::listHidden() {
+    m_bounds.reset();
+    m_hiddenInScene.clear();
+    for (const std::string& path : m_hidden)
+        for (const ObjectRef& object : objectsOf(path)) m_hiddenInScene.push_back(m_objects->pathOf(object, '/'));
+}
+
+} // namespace trundle

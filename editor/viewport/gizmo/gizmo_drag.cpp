@@ -1,0 +1,174 @@
+#include "editor/viewport/gizmo/gizmo_drag.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <QKeyEvent>
+
+#include "base/units.h"
+#include "lang/number_text.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kEdgeOn = 0.15;       // cosine between ring normal and line of sight; below it the ring is edge-on
+constexpr double kRadPerPixel = 0.013; // for an edge-on ring
+constexpr double kReach = 2000;        // m; limit for planes seen at a grazing angle
+
+double snapped(double value, double step) { return step > 0 ? step * std::round(value / step) : value; }
+
+} // namespace
+
+GizmoDrag::GizmoDrag(const Handle& handle, const GizmoPose& place, const ViewRay& start, const QPointF& pixel)
+    : m_handle(handle), m_place(place), m_startPixel(pixel) {
+    m_edgeOn = handle.kind == Handle::Kind::Ring && std::abs(place.axes.col(handle.axis).dot(place.forward)) < kEdgeOn;
+    m_start = place.origin;
+    m_start = pointOf(start);
+    m_lastAngle = angleOf(m_start);
+}
+
+/// The point on the handle's line or plane that is nearest to the ray; the start point if there is none.
+Vec3 GizmoDrag::pointOf(const ViewRay& ray) const {
+    const Vec3 axis = m_place.axes.col(m_handle.axis);
+    if (m_handle.kind == Handle::Kind::Axis || m_handle.kind == Handle::Kind::Size) {
+        const Vec3 between = m_place.origin - ray.origin;
+        const double b = axis.dot(ray.direction), d = axis.dot(between), e = ray.direction.dot(between), n = 1 - b * b;
+        if (n < 1e-6) return m_start;
+        const double along = (b * e - d) / n;
+        return std::abs(along) > kReach ? m_start : Vec3(m_place.origin + along * axis);
+    }
+    const Vec3 normal = m_handle.kind == Handle::Kind::Screen ? m_place.forward : axis;
+    const double towards = normal.dot(ray.direction);
+    if (std::abs(towards) < 1e-6) return m_start;
+    const double far = normal.dot(m_place.origin - ray.origin) / towards;
+    if (far < 0 || far > kReach) return m_start;
+    return ray.origin + far * ray.direction;
+}
+
+double GizmoDrag::angleOf(const Vec3& point) const {
+    const Vec3 out = point - m_place.origin;
+    return std::atan2(out.dot(m_place.axes.col((m_handle.axis + 2) % 3)), out.dot(m_place.axes.col((m_handle.axis + 1) % 3)));
+}
+
+void GizmoDrag::to(const ViewRay& ray, const QPointF& pixel, double moveStep, double rotationStep, bool aboutCentre) {
+    m_aboutCentre = aboutCentre;
+    if (m_handle.kind == Handle::Kind::Ring) {
+        if (m_edgeOn) {
+            m_turned = kRadPerPixel * (pixel.x() - m_startPixel.x());
+        } else {
+            const double angle = angleOf(pointOf(ray));
+            m_turned += std::remainder(angle - m_lastAngle, 2 * std::numbers::pi);
+            m_lastAngle = angle;
+        }
+        m_degrees = snapped(m_turned * 180 / std::numbers::pi, rotationStep);
+        return;
+    }
+    const Vec3 by = m_place.axes.transpose() * (pointOf(ray) - m_start);
+    for (int k = 0; k < 3; ++k) {
+        const bool along =
+            m_handle.kind == Handle::Kind::Screen || (m_handle.kind == Handle::Kind::Plane) != (k == m_handle.axis);
+        const double size = m_handle.kind == Handle::Kind::Size ? m_place.sizes[k].ofHalf : 1;
+        const double outward = m_handle.kind == Handle::Kind::Size ? m_handle.side : 1;
+        const double share = isOneSided() ? 0.5 : 1; // the side follows the mouse, the centre moves half as far
+        m_amount[k] = along ? snapped(size * outward * share * by[k], moveStep) / size : 0;
+    }
+}
+
+bool GizmoDrag::type(int key, const QString& text) {
+    if (key == Qt::Key_Backspace) {
+        if (!m_typed.empty()) m_typed.pop_back();
+        return true;
+    }
+    if (text.size() != 1 || m_typed.size() > 24) return false;
+    const char c = text[0].toLatin1();
+    const bool inUnit = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == ' ';
+    if ((c < '0' || c > '9') && c != '.' && c != '-' && c != ',' && (m_typed.empty() || !inUnit)) return false;
+    m_typed += c;
+    return true;
+}
+
+/// The typed numbers, assigned to the handle's axes in order. nullopt while a unit is incomplete.
+std::optional<Vec3> GizmoDrag::typedNumbers() const {
+    if (m_typed.empty()) return std::nullopt;
+    Vec3 values = Vec3::Zero();
+    const char* at = m_typed.data();
+    const char* end = at + m_typed.size();
+    for (int k = 0; k < 3 && at < end; ++k) {
+        at = std::from_chars(at, end, values[k], std::chars_format::fixed).ptr;
+        const char* next = std::find(at, end, ',');
+        std::string unit(at, next);
+        std::erase(unit, ' ');
+        at = next == end ? end : next + 1;
+        if (unit.empty()) continue;
+        const auto value = convertUnit(values[k], unit, m_handle.kind == Handle::Kind::Ring ? "deg" : "m");
+        if (!value) return std::nullopt;
+        values[k] = *value;
+    }
+    return values;
+}
+
+Vec3 GizmoDrag::amount() const {
+    const auto typed = typedNumbers();
+    if (!typed) return m_amount;
+    Vec3 amount = Vec3::Zero();
+    if (m_handle.kind == Handle::Kind::Screen) return *typed;
+    if (m_handle.kind == Handle::Kind::Plane) {
+        // The plane's two axes in the order x, y, z.
+        int next = 0;
+        for (int k = 0; k < 3; ++k)
+            if (k != m_handle.axis) amount[k] = (*typed)[next++];
+        return amount;
+    }
+    amount[m_handle.axis] = typed->x();
+    if (m_handle.kind != Handle::Kind::Size) return amount;
+    // The value typed is the size itself, as in the property row.
+    if (typed->x() <= 0) return m_amount;
+    amount[m_handle.axis] = typed->x() / m_place.sizes[m_handle.axis].ofHalf - m_place.half[m_handle.axis];
+    return amount;
+}
+
+double GizmoDrag::degrees() const {
+    const auto typed = typedNumbers();
+    return typed ? typed->x() : m_degrees;
+}
+
+bool GizmoDrag::isOneSided() const {
+    if (m_handle.kind != Handle::Kind::Size) return false;
+    const Sides sides = m_place.sizes[m_handle.axis].sides;
+    return sides == Sides::Upper || sides == Sides::Lower || (sides == Sides::Both && !m_aboutCentre);
+}
+
+Pose GizmoDrag::motion() const {
+    if (m_handle.kind == Handle::Kind::Size)
+        return {isOneSided() ? Vec3(m_handle.side * (m_place.axes * amount())) : Vec3::Zero(), Quat::Identity()};
+    if (m_handle.kind != Handle::Kind::Ring) return {m_place.axes * amount(), Quat::Identity()};
+    const Vec3 axis = m_place.axes.col(m_handle.axis);
+    const Quat turn(Eigen::AngleAxisd(degrees() * std::numbers::pi / 180, axis));
+    return {m_place.origin - turn * m_place.origin, turn};
+}
+
+QString GizmoDrag::readOut() const {
+    static constexpr const char* kNames[] = {"X", "Y", "Z"};
+    const auto number = [](double value, double step) { return QString::fromStdString(steppedNumber(value, step)); };
+    QString text;
+    if (m_handle.kind == Handle::Kind::Ring) {
+        text = QStringLiteral("%1  %2°").arg(QLatin1String(kNames[m_handle.axis]), number(degrees(), 0.01));
+    } else if (m_handle.kind == Handle::Kind::Size) {
+        const SizeName& size = m_place.sizes[m_handle.axis];
+        const double now = size.ofHalf * (m_place.half[m_handle.axis] + amount()[m_handle.axis]);
+        text = QStringLiteral("%1  %2 m").arg(size.name, number(std::max(0.0, now), 1e-4));
+    } else {
+        const Vec3 by = amount();
+        for (int k = 0; k < 3; ++k) {
+            const bool along =
+                m_handle.kind == Handle::Kind::Screen || (m_handle.kind == Handle::Kind::Plane) != (k == m_handle.axis);
+            if (!along) continue;
+            if (!text.isEmpty()) text += QStringLiteral("   ");
+            text += QStringLiteral("%1  %2 m").arg(QLatin1String(kNames[k]), number(by[k], 1e-4));
+        }
+    }
+    return m_typed.empty() ? text : text + QStringLiteral("   › ") + QString::fromStdString(m_typed);
+}
+
+} // namespace trundle

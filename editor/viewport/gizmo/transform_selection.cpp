@@ -1,0 +1,342 @@
+#include "editor/viewport/gizmo/transform_selection.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <QCoreApplication>
+
+#include "editor/document/selection.h"
+#include "editor/running/session.h"
+#include "editor/viewport/context/view_context.h"
+#include "editor/viewport/context/viewport_scene.h"
+#include "lang/number_text.h"
+#include "model/provenance.h"
+#include "project/object_location.h"
+#include "project/part_values.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kLeastLength = 1e-3; // m, minimum size that a drag can reach
+
+QString tr(const char* text) { return QCoreApplication::translate("TransformSelection", text); }
+
+bool isInside(const std::string& path, const std::string& other) {
+    return path.size() > other.size() && path.starts_with(other) && path[other.size()] == '.';
+}
+
+std::array<double, 3> arrayOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+} // namespace
+
+TransformSelection::TransformSelection(const ViewContext& context, Operation purpose)
+    : m_context(context), m_objects(context.world.objects()), m_running(context.world.isRunning()) {
+    const std::vector<std::string>& paths = context.selection.paths();
+    for (const std::string& path : paths) {
+        const bool goesAlong = std::any_of(paths.begin(), paths.end(), [&](const std::string& p) { return isInside(path, p); });
+        if (goesAlong) continue;
+        take(path);
+        if (purpose == Operation::Scale && !m_running && !m_items.empty() && m_items.back().path == path) addSizes(path);
+    }
+    if (!m_items.empty()) m_refusal.clear();
+}
+
+void TransformSelection::take(const std::string& path) {
+    const ViewportScene& world = m_context.world;
+    const std::vector<ObjectRef> objects = world.objectsOf(path);
+    if (objects.empty()) return;
+    const ObjectRef object = objects.front();
+    if (m_running) {
+        if (object.kind != ObjectKind::Robot) {
+            m_refusal = tr("During a run only whole robots can be moved; reset to edit the start.");
+            return;
+        }
+        for (const ObjectRef& robot : objects) {
+            const Pose at = world.poseOf(robot);
+            m_items.push_back({m_objects->pathOf(robot), robot, at, Pose{}, at, {}, {}});
+        }
+        return;
+    }
+    if (!m_context.document.isOpen()) return;
+    const auto place = placeOf(*m_context.document.loaded(), path);
+    if (!place) return;
+    const bool hasPlace = place->member || (place->part && place->part->kind && place->part->kind->find("Pos"));
+    if (!hasPlace) return; // a whole config has no pose
+    if (place->member) {
+        m_layout = place->instance ? place->instance->name : std::string();
+        m_refusal =
+            tr("%1 is a member of %2, which sets its pose.").arg(QString::fromStdString(path), QString::fromStdString(m_layout));
+        return;
+    }
+    const bool isLayout = place->instance && place->within.empty() && objects.size() >= 1 && !world.find(path);
+    if (isLayout && !path.starts_with("RobotConfig.") && !path.starts_with("StaticConfig.")) return takeLayout(path);
+    if (world.isLocked(object)) {
+        m_refusal = tr("%1 is locked.").arg(QString::fromStdString(path));
+        return;
+    }
+    Item item{path, object, world.poseOf(object), m_objects->frameOf(object, *world.poses()), {}, {}, {}};
+    if (const RobotSpec* robot = m_objects->robotOf(object)) {
+        if (object.kind == ObjectKind::Robot) item.local = robot->pose;
+        if (object.kind == ObjectKind::Body) item.local = robot->config->bodies[object.body].pose;
+    } else if (object.kind == ObjectKind::Static) {
+        item.local = m_objects->staticOf(object)->pose;
+    }
+    if (const GeomSpec* geom = m_objects->geomOf(object)) item.local = geom->pose;
+    item.posText = textOf(path + ".Pos");
+    item.hprText = textOf(path + ".HPR");
+    m_items.push_back(std::move(item));
+}
+
+void TransformSelection::addSizes(const std::string& path) {
+    Item& item = m_items.back();
+    const std::vector<ObjectRef> members = item.object ? std::vector<ObjectRef>() : m_context.world.objectsOf(path);
+    if (!members.empty()) item.world = m_context.world.poseOf(members.front()); // the handles of the first member scale all
+    else if (!item.object || (item.object->kind != ObjectKind::Robot && item.object->kind != ObjectKind::Static)) return;
+    item.sizes = ParamSizes::of(*m_context.document.loaded(), path);
+    const std::string shape = item.sizes ? item.sizes->onlyShape() : std::string();
+    if (shape.empty()) return;
+    m_items.pop_back();
+    take(path + "." + shape);
+}
+
+void TransformSelection::takeLayout(const std::string& path) {
+    const auto place = placeOf(*m_context.document.loaded(), path);
+    Item item{path,
+              std::nullopt,
+              poseAt(*m_context.document.loaded(), *place),
+              Pose{},
+              {},
+              textOf(path + ".Pos"),
+              textOf(path + ".HPR")};
+    item.local = item.world;
+    m_items.push_back(std::move(item));
+}
+
+std::string TransformSelection::textOf(const std::string& property) const {
+    const LoadedProject& loaded = *m_context.document.loaded();
+    const auto from = provenanceOf(*loaded.outline, property);
+    if (!from || !from->value.known()) return {};
+    // A value written in the config is not edited through an instance; the instance gets a new value with plain numbers.
+    const bool inConfig = property.starts_with("RobotConfig.") || property.starts_with("StaticConfig.");
+    const SourceRange own = blockOf(loaded, property.substr(0, property.find('.')));
+    const bool inPlace = inConfig || (own.known() && own.file == from->value.file && own.range.begin <= from->value.range.begin &&
+                                      from->value.range.end <= own.range.end);
+    return inPlace ? std::string(loaded.sources.slice(from->value)) : std::string();
+}
+
+QString TransformSelection::title() const {
+    return m_items.size() == 1 ? QString::fromStdString(m_items.front().path)
+                               : QCoreApplication::translate("TransformSelection", "%n objects", nullptr, int(m_items.size()));
+}
+
+std::vector<std::string> TransformSelection::paths() const {
+    std::vector<std::string> all;
+    for (const Item& item : m_items) all.push_back(item.path);
+    return all;
+}
+
+Bounds TransformSelection::boundsOf(std::size_t item) const {
+    if (m_items[item].object) return m_objects->boundsOf(*m_items[item].object, *m_context.world.poses());
+    Bounds all;
+    for (const ObjectRef& member : m_context.world.objectsOf(m_items[item].path)) all.add(m_context.world.boundsOf(member));
+    return all;
+}
+
+std::vector<ValueEdit> TransformSelection::editsOf(Item& item, const Pose& local, Fineness fineness) const {
+    std::vector<ValueEdit> edits;
+    // Once a drag has edited a property it keeps writing it, even when it returns to the start.
+    item.posEdited |= (item.local.position - local.position).cwiseAbs().maxCoeff() > 1e-9;
+    item.hprEdited |= item.local.rotation.angularDistance(local.rotation) > 1e-7;
+    const auto before = arrayOf(item.local.position), after = arrayOf(local.position);
+    if (item.posEdited) edits.push_back({item.path + ".Pos", withNumbers(item.posText, before, after, "m", fineness.lengthM)});
+    const auto from = arrayOf(hprFromRotation(item.local.rotation) * kDegrees),
+               to = arrayOf(hprFromRotation(local.rotation) * kDegrees);
+    if (item.hprEdited) edits.push_back({item.path + ".HPR", withNumbers(item.hprText, from, to, "deg", fineness.degrees)});
+    return edits;
+}
+
+Status TransformSelection::apply(const std::vector<ValueEdit>& edits, const QString& name, const std::string& mergeKey) {
+    const auto same = [](const ValueEdit& a, const ValueEdit& b) { return a.path == b.path && a.text == b.text; };
+    if (edits.empty() || std::equal(edits.begin(), edits.end(), m_last.begin(), m_last.end(), same)) return {};
+    Status done = m_context.document.setValues(name, edits, mergeKey);
+    if (done) m_last = edits;
+    return done;
+}
+
+Status TransformSelection::move(const Pose& motion, const QString& name, const std::string& mergeKey, Fineness fineness) {
+    if (m_running) {
+        for (const Item& item : m_items)
+            if (!m_context.session.place(item.path, motion * item.world))
+                return Error{Code::EditRefused, "it cannot be placed there"};
+        return {};
+    }
+    std::vector<ValueEdit> edits;
+    for (Item& item : m_items) {
+        // Applied in the object's own frame, so that unaffected numbers stay exact.
+        const Pose inFrame = item.frame.inverse() * motion * item.frame;
+        Pose local;
+        local.rotation = (inFrame.rotation * item.local.rotation).normalized();
+        const bool turns = motion.rotation.angularDistance(Quat::Identity()) > 1e-12;
+        local.position =
+            turns ? inFrame * item.local.position : Vec3(item.local.position + item.frame.rotation.conjugate() * motion.position);
+        for (ValueEdit& edit : editsOf(item, local, fineness)) edits.push_back(std::move(edit));
+    }
+    return apply(edits, name, mergeKey);
+}
+
+Status TransformSelection::moveEach(const std::vector<Vec3>& offsets, const QString& name) {
+    std::vector<ValueEdit> edits;
+    for (std::size_t i = 0; i < m_items.size() && i < offsets.size(); ++i) {
+        Item& item = m_items[i];
+        if (m_running) {
+            Pose to = item.world;
+            to.position += offsets[i];
+            if (!m_context.session.place(item.path, to)) return Error{Code::EditRefused, "it cannot be placed there"};
+            continue;
+        }
+        Pose local = item.local;
+        local.position += item.frame.rotation.conjugate() * offsets[i];
+        for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
+    }
+    m_context.document.endMerge();
+    return apply(edits, name, {});
+}
+
+Vec3 TransformSelection::sizeCentre() const {
+    const Item& pivot = m_items.back();
+    return pivot.sizes ? pivot.world * pivot.sizes->box().centre() : pivot.world.position;
+}
+
+QString TransformSelection::sizeRefusal() const {
+    return !m_items.empty() && m_items.back().sizes ? m_items.back().sizes->refusal() : QString();
+}
+
+Vec3 TransformSelection::halfExtent() const {
+    if (const auto& sizes = m_items.back().sizes) {
+        Vec3 half = 0.5 * sizes->box().size();
+        for (int k = 0; k < 3; ++k)
+            if (!sizes->canSize(k)) half[k] = 0;
+        return half;
+    }
+    const auto& object = m_items.back().object;
+    const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
+    if (m_running || !geom) return Vec3::Zero();
+    switch (geom->shape) {
+    case GeomShape::Box: return 0.5 * geom->size;
+    case GeomShape::Sphere: return Vec3::Constant(geom->radius);
+    case GeomShape::Cylinder:
+    case GeomShape::Capsule: return {geom->radius, geom->radius, 0.5 * geom->length};
+    case GeomShape::Heightfield: return {0.5 * geom->size.x(), 0.5 * geom->size.y(), geom->size.z()};
+    default: return Vec3::Zero();
+    }
+}
+
+std::array<SizeName, 3> TransformSelection::sizeNames() const {
+    if (const auto& sizes = m_items.back().sizes) {
+        std::array<SizeName, 3> names{{sizes->sizeName(0), sizes->sizeName(1), sizes->sizeName(2)}};
+        for (SizeName& name : names)
+            if (!m_items.back().object && name.sides == Sides::Both) name.sides = Sides::Middle; // members keep their positions
+        return names;
+    }
+    const auto& object = m_items.back().object;
+    const GeomSpec* geom = object ? m_objects->geomOf(*object) : nullptr;
+    const QString size = QStringLiteral("Size "), radius = QStringLiteral("Radius"), length = QStringLiteral("Length");
+    switch (geom ? geom->shape : GeomShape::Plane) {
+    case GeomShape::Box: return {{{size + u'x'}, {size + u'y'}, {size + u'z'}}};
+    case GeomShape::Heightfield: return {{{size + u'x'}, {size + u'y'}, {size + u'z', 1, Sides::Middle}}};
+    case GeomShape::Sphere: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}}};
+    case GeomShape::Cylinder:
+    case GeomShape::Capsule: return {{{radius, 1, Sides::Middle}, {radius, 1, Sides::Middle}, {length}}};
+    default: return {};
+    }
+}
+
+void TransformSelection::follow(Item& item, const Vec3& before, const Vec3& after, int side,
+                                std::vector<ValueEdit>& edits) const {
+    Pose local = item.local;
+    local.position += item.local.rotation * (0.5 * side * (after - before));
+    for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
+}
+
+void TransformSelection::resizeByParam(Item& item, const Vec3& growth, int side, double fineness,
+                                       std::vector<ValueEdit>& edits) const {
+    const ParamSizes& sizes = *item.sizes;
+    int axis = item.sizedAxis;
+    for (int k = 0; k < 3; ++k)
+        if (growth[k] != 0) axis = k;
+    if (axis < 0 || !sizes.canSize(axis)) return;
+    item.sizedAxis = axis; // so that returning to the original size still updates the written value
+    const Bounds& box = sizes.box();
+    const double extent = std::max(kLeastLength, box.size()[axis] + 2 * growth[axis]);
+    const ParamSizes::Change change = sizes.resized(axis, extent, fineness);
+    edits.push_back({item.path + "." + change.param, change.text});
+    if (!item.object || sizes.sizeName(axis).sides != Sides::Both) return;
+    Vec3 shift = Vec3::Zero();
+    shift[axis] = side > 0   ? box.low[axis] - change.box.low[axis]
+                  : side < 0 ? box.high[axis] - change.box.high[axis]
+                             : box.centre()[axis] - change.box.centre()[axis];
+    Pose local = item.local;
+    local.position += item.local.rotation * shift;
+    for (ValueEdit& edit : editsOf(item, local, {})) edits.push_back(std::move(edit));
+}
+
+Status TransformSelection::resize(const Vec3& growth, int side, const QString& name, const std::string& mergeKey,
+                                  Fineness fineness) {
+    std::vector<ValueEdit> edits;
+    const auto set = [&](const Item& item, const char* key, std::span<const double> before, std::span<const double> after) {
+        const std::string path = item.path + "." + key;
+        const auto [text, isNew] = m_sizeTexts.try_emplace(path);
+        if (isNew) text->second = textOf(path);
+        edits.push_back({path, withNumbers(text->second, before, after, "m", fineness.lengthM)});
+    };
+    // The value as it will be rounded in the text; Pos is computed from it.
+    const auto grown = [&](double value, double by) {
+        const double to = std::max(kLeastLength, value + by);
+        return by == 0 ? value : std::max(kLeastLength, fineness.lengthM * std::round(to / fineness.lengthM));
+    };
+    for (Item& item : m_items) {
+        if (item.sizes) {
+            resizeByParam(item, growth, side, fineness.lengthM, edits);
+            continue;
+        }
+        const GeomSpec* geom = item.object ? m_objects->geomOf(*item.object) : nullptr;
+        if (!geom) continue;
+        const double radius = geom->radius, length = geom->length;
+        const double across = std::abs(growth.x()) > std::abs(growth.y()) ? growth.x() : growth.y();
+        switch (geom->shape) {
+        case GeomShape::Box: {
+            Vec3 size = geom->size;
+            for (int k = 0; k < 3; ++k) size[k] = grown(size[k], 2 * growth[k]);
+            set(item, "Size", arrayOf(geom->size), arrayOf(size));
+            follow(item, geom->size, size, side, edits);
+            break;
+        }
+        case GeomShape::Heightfield: { // its Pos is at the centre of its base
+            Vec3 size = geom->size;
+            for (int k = 0; k < 3; ++k) size[k] = grown(size[k], (k == 2 ? 1 : 2) * growth[k]);
+            set(item, "Size", arrayOf(geom->size), arrayOf(size));
+            const Vec3 base(1, 1, 0);
+            follow(item, geom->size.cwiseProduct(base), size.cwiseProduct(base), side, edits);
+            break;
+        }
+        case GeomShape::Sphere: {
+            const double by = std::abs(across) > std::abs(growth.z()) ? across : growth.z(), to = grown(radius, by);
+            set(item, "Radius", {&radius, 1}, {&to, 1});
+            break;
+        }
+        case GeomShape::Cylinder:
+        case GeomShape::Capsule: {
+            const double wide = grown(radius, across), far = grown(length, 2 * growth.z());
+            if (across != 0 || m_sizeTexts.contains(item.path + ".Radius")) set(item, "Radius", {&radius, 1}, {&wide, 1});
+            if (growth.z() != 0 || m_sizeTexts.contains(item.path + ".Length")) set(item, "Length", {&length, 1}, {&far, 1});
+            follow(item, {0, 0, length}, {0, 0, far}, side, edits);
+            break;
+        }
+        default: break;
+        }
+    }
+    return apply(edits, name, mergeKey);
+}
+
+} // namespace trundle

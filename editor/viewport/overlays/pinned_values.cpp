@@ -1,0 +1,224 @@
+#include "editor/viewport/overlays/pinned_values.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QPainter>
+
+#include "editor/running/session.h"
+#include "editor/viewport/context/tool_view.h"
+#include "editor/viewport/context/viewport_scene.h"
+#include "editor/widgets/theme.h"
+
+namespace trundle {
+namespace {
+
+constexpr double kPinLeft = 8, kPinTop = 44, kPinBottom = 70, kPinRim = 8, kPinGap = 6, kPinNumbers = 3, kPinCross = 8;
+constexpr int kPinDigits = 8;        // "-123.456"
+constexpr double kPinMostName = 200; // pixels; longer names are elided in the middle
+const QColor kPinPaper(24, 27, 31, 205), kPinWords(245, 246, 248), kPinQuiet(178, 184, 192);
+
+QString noValues() { return PinnedValues::tr("no values before it runs"); }
+
+/// Text of one label. Column widths are those of the longest possible text, so that they do not change with the values.
+class LabelText {
+public:
+    LabelText(const QFont& font, const std::string& path, std::vector<LiveValue> values)
+        : m_title(path.empty() ? PinnedValues::tr("Run") : QString::fromStdString(path)), m_values(std::move(values)),
+          m_words(font), m_bold(font), m_figures(monospaceFont()) {
+        m_bold.setWeight(QFont::DemiBold);
+        m_figures.setPixelSize(12);
+        const QFontMetricsF words(m_words), figures(m_figures), bold(m_bold);
+        m_line = std::max(words.height(), figures.height()) + 1;
+        std::size_t numbers = 1;
+        for (const LiveValue& value : m_values) {
+            m_names.push_back(words.elidedText(QString::fromStdString(value.name), Qt::ElideMiddle, kPinMostName));
+            m_nameWidth = std::max(m_nameWidth, words.horizontalAdvance(m_names.back()));
+            numbers = std::max(numbers, value.numbers.size());
+        }
+        m_nameWidth += 12;
+        m_numberWidth = figures.horizontalAdvance(QString(kPinDigits, u'0'));
+        m_numbersWidth = double(std::min(double(numbers), kPinNumbers)) * m_numberWidth;
+        m_unitWidth = words.horizontalAdvance(QStringLiteral("mN m")) + 8;
+        if (m_values.empty()) m_nameWidth = words.horizontalAdvance(noValues()), m_numbersWidth = m_unitWidth = 0;
+        m_title = bold.elidedText(m_title, Qt::ElideMiddle, 2 * kPinMostName);
+        m_width = std::max(m_nameWidth + m_numbersWidth + m_unitWidth, bold.horizontalAdvance(m_title) + kPinCross + kPinRim);
+    }
+    [[nodiscard]] QSizeF size() const {
+        return {m_width + 2 * kPinRim, 2 * kPinRim + m_line * double(1 + std::max<std::size_t>(1, m_values.size()))};
+    }
+
+    void paint(QPainter& painter, const PinnedLabel& label) const {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(kPinPaper);
+        painter.drawRoundedRect(label.rect, 4, 4);
+        paintCross(painter, label.close);
+        const double left = label.rect.left() + kPinRim;
+        double y = label.rect.top() + kPinRim;
+        const auto write = [&](const QFont& font, const QColor& colour, double x, double width, int align, const QString& text) {
+            painter.setFont(font);
+            painter.setPen(colour);
+            painter.drawText(QRectF(x, y, width, m_line), align | Qt::AlignVCenter | Qt::TextDontClip, text);
+        };
+        write(m_bold, kPinWords, left, m_width, Qt::AlignLeft, m_title);
+        y += m_line;
+        if (m_values.empty()) write(m_words, kPinQuiet, left, m_width, Qt::AlignLeft, noValues());
+        for (std::size_t v = 0; v < m_values.size(); ++v) {
+            const LiveValue& value = m_values[v];
+            write(m_words, kPinQuiet, left, m_nameWidth, Qt::AlignLeft, m_names[v]);
+            const double end = left + m_nameWidth + m_numbersWidth;
+            const std::size_t count = std::min(value.numbers.size(), std::size_t(kPinNumbers));
+            for (std::size_t i = 0; i < count; ++i)
+                write(m_figures, kPinWords, end - double(count - i) * m_numberWidth, m_numberWidth, Qt::AlignRight,
+                      QString::fromStdString(value.numbers[i]));
+            write(m_words, kPinQuiet, end + 6, m_unitWidth, Qt::AlignLeft, QString::fromStdString(value.unit));
+            y += m_line;
+        }
+    }
+
+private:
+    static void paintCross(QPainter& painter, const QRectF& at) {
+        painter.setPen(QPen(kPinQuiet, 1.4));
+        const QRectF cross = at.adjusted(4, 4, -4, -4);
+        painter.drawLine(cross.topLeft(), cross.bottomRight());
+        painter.drawLine(cross.topRight(), cross.bottomLeft());
+    }
+
+    QString m_title;
+    std::vector<LiveValue> m_values;
+    std::vector<QString> m_names;
+    QFont m_words, m_bold, m_figures;
+    double m_line = 0, m_nameWidth = 0, m_numberWidth = 0, m_numbersWidth = 0, m_unitWidth = 0, m_width = 0;
+};
+
+struct LaidLabel {
+    PinnedLabel label;
+    LabelText text;
+};
+
+QRectF within(const QRectF& rect, const QRectF& room) {
+    QRectF moved = rect;
+    moved.moveLeft(std::max(room.left(), std::min(moved.left(), room.right() - moved.width())));
+    moved.moveTop(std::max(room.top(), std::min(moved.top(), room.bottom() - moved.height())));
+    return moved;
+}
+
+/// The labels that fit into the view; `hidden`: number of labels that do not fit; `y`: lower end of the column.
+std::vector<LaidLabel> layOut(const ToolView& view, std::size_t& hidden, double& y) {
+    std::vector<LaidLabel> laid;
+    hidden = 0;
+    y = kPinTop;
+    const PinnedValues* pinned = view.context().pinned;
+    if (!pinned || !view.isCurrent()) return laid;
+    bool full = false;
+    for (const Pin& pin : pinned->pins()) {
+        LabelText text(view.widget().font(), pin.path, view.context().session.liveValues(pin.path));
+        QRectF rect(QPointF(kPinLeft, y), text.size());
+        if (pin.position) {
+            rect.moveCenter({pin.position->x() * view.widget().width(), pin.position->y() * view.widget().height()});
+            rect = within(rect, QRectF(view.widget().rect()).adjusted(2, 2, -2, -2));
+        } else if (full || (y > kPinTop && rect.bottom() > view.widget().height() - kPinBottom)) {
+            full = true;
+            ++hidden;
+            continue;
+        } else {
+            y += rect.height() + kPinGap;
+        }
+        const double right = std::min(rect.right(), double(view.widget().width())); // keeps the cross of a wide label visible
+        const QRectF close(right - kPinCross - 12, rect.top() + 4, kPinCross + 8, kPinCross + 8);
+        laid.push_back({{pin.path, rect, close}, std::move(text)});
+    }
+    return laid;
+}
+
+/// Screen position of an object; for a device, of its robot. nullopt for the run and for objects outside the view.
+std::optional<QPointF> spotOf(const ToolView& view, const std::string& path) {
+    const ViewportScene& world = view.context().world;
+    if (path.empty()) return std::nullopt;
+    std::vector<ObjectRef> objects = world.objectsOf(path);
+    if (objects.empty()) objects = world.objectsOf(path.substr(0, path.find('.')));
+    if (objects.size() != 1 || world.isHidden(objects.front())) return std::nullopt;
+    const Bounds bounds = world.objects()->boundsOf(objects.front(), view.shownPoses());
+    const Vec3 point = bounds.empty() ? world.objects()->poseOf(objects.front(), view.shownPoses()).position : bounds.centre();
+    const auto at = view.shownPixelOf(point);
+    return at && QRectF(view.widget().rect()).contains(*at) ? at : std::nullopt;
+}
+
+/// Line from the nearest point of the label's edge to the object.
+void paintLeader(QPainter& painter, const ToolView& view, const PinnedLabel& label) {
+    const auto spot = spotOf(view, label.path);
+    if (!spot || label.rect.contains(*spot)) return;
+    const QPointF edge(std::clamp(spot->x(), label.rect.left(), label.rect.right()),
+                       std::clamp(spot->y(), label.rect.top(), label.rect.bottom()));
+    painter.setPen(QPen(kPinPaper, 3.2));
+    painter.drawLine(edge, *spot);
+    painter.setPen(QPen(kPinWords, 1.2));
+    painter.drawLine(edge, *spot);
+    painter.setBrush(kPinWords);
+    painter.drawEllipse(*spot, 2.5, 2.5);
+}
+
+void paintMore(QPainter& painter, std::size_t hidden, double y) {
+    const QString more = PinnedValues::tr("%1 more: no room here").arg(hidden);
+    const QRectF at(kPinLeft, y, QFontMetricsF(painter.font()).horizontalAdvance(more) + 2 * kPinRim,
+                    QFontMetricsF(painter.font()).height() + 6);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kPinPaper);
+    painter.drawRoundedRect(at, 4, 4);
+    painter.setPen(kPinQuiet);
+    painter.drawText(at, Qt::AlignCenter, more);
+}
+
+} // namespace
+
+std::vector<std::string> PinnedValues::paths() const {
+    std::vector<std::string> paths;
+    for (const Pin& pin : m_pins) paths.push_back(pin.path);
+    return paths;
+}
+
+bool PinnedValues::contains(const std::string& path) const { return std::ranges::find(m_pins, path, &Pin::path) != m_pins.end(); }
+
+void PinnedValues::set(const std::vector<std::string>& paths, bool pinned) {
+    if (pinned) {
+        for (const std::string& path : paths)
+            if (!contains(path)) m_pins.push_back({path, std::nullopt});
+    } else {
+        std::erase_if(m_pins, [&](const Pin& pin) { return std::ranges::find(paths, pin.path) != paths.end(); });
+    }
+    Q_EMIT changed();
+}
+
+void PinnedValues::setPins(std::vector<Pin> pins) {
+    if (pins == m_pins) return;
+    m_pins = std::move(pins);
+    Q_EMIT changed();
+}
+
+void PinnedValues::move(const std::string& path, const std::optional<QPointF>& position) {
+    const auto pin = std::ranges::find(m_pins, path, &Pin::path);
+    if (pin == m_pins.end() || pin->position == position) return;
+    pin->position = position;
+    Q_EMIT changed();
+}
+
+std::vector<PinnedLabel> pinnedLabels(const ToolView& view) {
+    std::size_t hidden = 0;
+    double y = 0;
+    std::vector<PinnedLabel> labels;
+    for (LaidLabel& laid : layOut(view, hidden, y)) labels.push_back(std::move(laid.label));
+    return labels;
+}
+
+void paintPinnedValues(QPainter& painter, const ToolView& view) {
+    std::size_t hidden = 0;
+    double y = 0;
+    const std::vector<LaidLabel> labels = layOut(view, hidden, y);
+    painter.save();
+    for (const LaidLabel& laid : labels) paintLeader(painter, view, laid.label);
+    for (const LaidLabel& laid : labels) laid.text.paint(painter, laid.label);
+    painter.restore();
+    if (hidden > 0) paintMore(painter, hidden, y);
+}
+
+} // namespace trundle

@@ -1,0 +1,254 @@
+#include "editor/viewport/tools/library_drop.h"
+
+#include <filesystem>
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMimeData>
+
+#include "editor/document/document.h"
+#include "editor/document/structure_edits.h"
+#include "editor/running/session.h"
+#include "editor/viewport/context/tool_view.h"
+#include "editor/viewport/context/view_settings.h"
+#include "editor/viewport/context/viewport_scene.h"
+#include "lang/number_text.h"
+#include "lang/tree_edit.h"
+
+namespace trundle {
+namespace {
+
+const QString kMime = QStringLiteral("application/x-trundle-library");
+const char* const kThing = "droppedThing"; // temporary name while it is dragged
+constexpr double kDefaultStep = 0.01;      // m, when snapping is off
+
+QString trDrop(const char* text) { return QCoreApplication::translate("LibraryDrop", text); }
+
+std::shared_ptr<const Tree> treeOf(const std::string& text) {
+    return parse(std::make_shared<const SourceText>("block", text), 0);
+}
+
+/// The first block of that kind. The dragged text may contain further blocks, such as the config of a robot.
+const BlockItem* blockOf(const Tree& tree, std::string_view kind) {
+    for (const Item& item : tree.items())
+        if (const auto* block = item.as<BlockItem>(); block && block->type.text == kind) return block;
+    return nullptr;
+}
+
+bool hasConfig(const Tree& tree) { return blockOf(tree, "RobotConfig") || blockOf(tree, "StaticConfig"); }
+
+const AssignmentItem* assignmentOf(const BlockItem& block, std::string_view key) {
+    for (const Item& item : block.items)
+        if (const auto* a = item.as<AssignmentItem>(); a && a->path.size() == 1 && a->path[0].text == key) return a;
+    return nullptr;
+}
+
+std::string edited(const std::string& text, const TextEdit& edit) {
+    const Result<std::string> changed = applyEdits(text, std::span(&edit, 1));
+    return changed ? changed.value() : text;
+}
+
+std::string withPos(const std::string& text, std::string_view kind, const Vec3& pos) {
+    const auto tree = treeOf(text);
+    const BlockItem* block = blockOf(*tree, kind);
+    if (!block) return text;
+    std::string value;
+    for (int k = 0; k < 3; ++k) value += (k ? "," : "") + steppedNumber(pos[k], 1e-6);
+    const AssignmentItem* a = assignmentOf(*block, "Pos");
+    return edited(text, a ? editSetValue(*tree, a->value, value) : editAddAssignment(*tree, block, "Pos", value));
+}
+
+std::string withName(const std::string& text, std::string_view kind, const std::string& name) {
+    const auto tree = treeOf(text);
+    const BlockItem* block = blockOf(*tree, kind);
+    if (!block) return text;
+    if (block->name) return edited(text, editReplace(*tree, block->name->range, name));
+    return edited(text, editReplace(*tree, block->type.range, block->type.text + " " + name));
+}
+
+/// The dragged robots and statics only; members of a dragged Grid have names with that prefix.
+std::shared_ptr<const ExperimentSpec> objectIn(const ExperimentSpec& experiment) {
+    auto alone = std::make_shared<ExperimentSpec>();
+    alone->materials = experiment.materials;
+    alone->surfaces = experiment.surfaces;
+    for (const RobotSpec& robot : experiment.robots)
+        if (robot.name.starts_with(kThing) && robot.config) alone->robots.push_back(robot);
+    for (const StaticSpec& fixed : experiment.statics)
+        if (fixed.name.starts_with(kThing) && fixed.geoms) alone->statics.push_back(fixed);
+    return alone->robots.empty() && alone->statics.empty() ? nullptr : alone;
+}
+
+} // namespace
+
+bool canDrop(const QMimeData& data) { return data.hasFormat(kMime); }
+
+LibraryDrop::LibraryDrop(ToolView& view, const QMimeData& data, bool shown)
+    : m_view(view), m_content(draggedContentOf(data)), m_shown(shown) {
+    if (m_content && view.context().document.isOpen()) load();
+    else m_content.reset();
+}
+
+LibraryDrop::~LibraryDrop() {
+    if (m_shown) m_view.context().world.showDragged(nullptr);
+}
+
+std::optional<LibraryDrop::DraggedContent> LibraryDrop::draggedContentOf(const QMimeData& data) {
+    const QJsonObject json = QJsonDocument::fromJson(data.data(kMime)).object();
+    DraggedContent content{json.value(QStringLiteral("kind")).toString().toStdString(),
+                           json.value(QStringLiteral("text")).toString().toStdString(),
+                           {}};
+    for (const QJsonValue& file : json.value(QStringLiteral("imports")).toArray())
+        content.imports.push_back(file.toString().toStdString());
+    if (content.text.empty()) return std::nullopt;
+    return content;
+}
+
+const Kind* LibraryDrop::kind() const {
+    return m_content ? m_view.context().document.loaded()->registry->find(m_content->kind) : nullptr;
+}
+
+bool LibraryDrop::isWorldObject() const {
+    const Kind* kind = this->kind();
+    return kind && (kind->role == Role::Instance || kind->role == Role::Layout);
+}
+
+/// Loads the dragged text as a file beside the opened one, so that its shapes are available before it is dropped.
+void LibraryDrop::load() {
+    const Document& document = m_view.context().document;
+    const Kind* kind = this->kind();
+    const bool isShape = kind && kind->role == Role::Geom, isBody = kind && kind->role == Role::Body;
+    if (!isWorldObject() && !isShape && !isBody) return;
+    const std::string opened = document.loaded()->paths[0], thing = kThing;
+    std::string text = withPos(m_content->text, m_content->kind, Vec3::Zero());
+    if (isWorldObject()) text = withName(text, m_content->kind, thing);
+    else if (isShape) text = "StaticConfig DroppedShape {\n" + text + "\n}\nStatic " + thing + " { Config=DroppedShape }";
+    else text = "RobotConfig DroppedParts {\n" + text + "\n}\nRobot " + thing + " { Config=DroppedParts }";
+    std::string before;
+    for (const std::string& directive : m_content->imports)
+        before += (directive.starts_with('#') ? directive : "#import \"" + directive + "\"") + "\n";
+    // A text without configs may use those of the opened file, so it imports that file.
+    if (before.empty() && !hasConfig(*treeOf(text)))
+        before = "#import \"" + std::filesystem::path(opened).filename().string() + "\"\n";
+    OpenOptions options = document.options();
+    for (const std::string& file : document.files()) options.texts.emplace(file, document.text(file));
+    options.texts.insert_or_assign(opened + ".dropped", std::make_shared<const std::string>(before + text + "\n"));
+    options.meshesLater = true;
+    const auto loaded = m_view.context().session.application().open(opened + ".dropped", options);
+    if (!loaded) return;
+    m_thing = objectIn(*loaded.value()->experiment);
+    if (!m_thing) return;
+    for (const RobotSpec& robot : m_thing->robots)
+        for (const BodySpec& body : robot.config->bodies)
+            for (const GeomSpec& geom : body.geoms) m_geoms.push_back({geom, robot.pose * body.pose});
+    for (const StaticSpec& fixed : m_thing->statics)
+        for (const GeomSpec& geom : *fixed.geoms) m_geoms.push_back({geom, fixed.pose});
+    if (m_shown) m_view.context().world.showDragged(m_thing);
+}
+
+LibraryDrop::Ground LibraryDrop::groundAt(const QPointF& at) const {
+    Ground ground;
+    ground.hits = m_view.context().world.hitsAlong(m_view.rayAt(at), true);
+    ground.point = m_view.pointUnder(at);
+    return ground;
+}
+
+bool LibraryDrop::findOwner(Ground& ground) const {
+    const ViewportScene& world = m_view.context().world;
+    const Kind* kind = this->kind();
+    const RayHit* hit = ground.hit();
+    if (!kind || !hit) return false;
+    if (const RobotSpec* robot = world.objects()->robotOf(hit->geom); robot && robot->config) {
+        const ObjectRef body = *world.objects()->ownerOf(hit->geom);
+        const bool intoBody = kind->role == Role::Geom;
+        const ObjectRef owner = intoBody ? body : ObjectRef{ObjectKind::Robot, body.instance};
+        ground.owner = world.objects()->pathOf(owner);
+        ground.frame = world.poseOf(owner);
+        ground.isRobot = true;
+        return true;
+    }
+    const StaticSpec* fixed = world.objects()->staticOf(hit->geom);
+    if (!fixed || kind->role != Role::Geom) return false;
+    ground.owner = fixed->name;
+    ground.frame = fixed->pose;
+    return true;
+}
+
+Vec3 LibraryDrop::placeOn(const Ground& ground) const {
+    const ViewportScene& world = m_view.context().world;
+    const ViewSettings& settings = m_view.context().settings;
+    const double step = settings.snaps() ? settings.moveStep() : kDefaultStep;
+    std::vector<PlacementGeom> turned = m_geoms;
+    for (PlacementGeom& part : turned) part.body = Pose{Vec3::Zero(), ground.frame.rotation} * part.body;
+    const DropPlacement placement(*world.objects(), *world.poses(), [&](const ObjectRef& geom) { return !world.isHidden(geom); });
+    return ground.isRobot && ground.hit() ? placement.placeAgainst(turned, *ground.hit(), step)
+                                          : placement.placeFor(turned, ground.hits, ground.point, step);
+}
+
+void LibraryDrop::hover(const QPointF& at) {
+    if (!m_shown || !m_thing) return;
+    Ground ground = groundAt(at);
+    const bool fits = isWorldObject() || findOwner(ground);
+    m_view.context().world.moveDragged(fits ? std::optional(Pose{placeOn(ground), ground.frame.rotation}) : std::nullopt);
+}
+
+void LibraryDrop::refuse(const QString& why) { Q_EMIT m_view.context().document.refused(why); }
+
+void LibraryDrop::drop(const QPointF& at) {
+    if (!m_content) return;
+    Document& document = m_view.context().document;
+    const Kind* kind = this->kind();
+    Ground ground = groundAt(at);
+    if (!kind && m_content->imports.empty())
+        return refuse(trDrop("%1 is unknown here.").arg(QString::fromStdString(m_content->kind)));
+    if (!kind || kind->role == Role::Controller) return dropController(ground);
+    if (kind->role == Role::Material && dropMaterial(ground)) return;
+    std::string parent;
+    if (isWorldObject() || kind->role == Role::Geom || kind->role == Role::Body) {
+        if (!isWorldObject() && !findOwner(ground))
+            return refuse(kind->role == Role::Geom ? trDrop("A shape is part of a robot or an arena: drop it onto one.")
+                                                   : trDrop("A body is part of a robot: drop it onto one."));
+        parent = ground.owner;
+        m_content->text = withPos(m_content->text, m_content->kind, ground.frame.inverse() * placeOn(ground));
+    } else if (const RayHit* hit = ground.hit(); hit && kind->role != Role::Material) {
+        const RobotSpec* robot = m_view.context().world.objects()->robotOf(hit->geom);
+        if (robot && robot->config) parent = robot->name;
+    }
+    const QString title = trDrop("Insert %1").arg(QString::fromStdString(m_content->kind));
+    const auto plan = [parent, content = *m_content](const LoadedProject& loaded, const StructureEdits::PathMapping& renamed) {
+        return planInsert(loaded, renamed(parent), content.text, content.imports);
+    };
+    (void)document.structure().apply(title, {parent}, plan);
+}
+
+/// The controller's module may not be loaded; the imports contain the directive that loads it.
+void LibraryDrop::dropController(const Ground& ground) {
+    const RayHit* hit = ground.hit();
+    const RobotSpec* robot = hit ? m_view.context().world.objects()->robotOf(hit->geom) : nullptr;
+    if (!robot) return refuse(trDrop("A controller drives a robot: drop it onto one."));
+    Document& document = m_view.context().document;
+    (void)document.apply(trDrop("Insert %1").arg(QString::fromStdString(m_content->kind)),
+                         planInsert(*document.loaded(), robot->name, m_content->text, m_content->imports));
+}
+
+/// Assigns the material to the shape under the cursor. The material is added by importing its file, or as a block of its own.
+bool LibraryDrop::dropMaterial(const Ground& ground) {
+    const RayHit* hit = ground.hit();
+    if (!hit) return false;
+    Document& document = m_view.context().document;
+    const auto tree = treeOf(m_content->text);
+    const BlockItem* block = blockOf(*tree, m_content->kind);
+    if (!block || !block->name) return false;
+    const std::string key = "drop " + std::to_string(document.revision());
+    const QString title = trDrop("Use material %1").arg(QString::fromStdString(block->name->text));
+    if (!document.loaded()->outline->materials.find(block->name->text) &&
+        !document.apply(title, planInsert(*document.loaded(), {}, m_content->text, m_content->imports), key))
+        return true;
+    const std::string path = m_view.context().world.objects()->pathOf(hit->geom);
+    if (!document.setValues(title, {{path + ".Material", block->name->text}}, key)) document.discardMerge(key);
+    document.endMerge();
+    return true;
+}
+
+} // namespace trundle

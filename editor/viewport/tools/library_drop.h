@@ -1,0 +1,69 @@
+#pragma once
+// Drag and drop from the Library into a view: a preview follows the cursor, and the drop inserts the block at the preview's pose.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QPointF>
+
+#include "scene/queries/drop_placement.h"
+
+class QMimeData;
+
+namespace trundle {
+
+struct Kind;
+struct StaticSpec;
+class ToolView;
+
+/// True if the drag contains blocks from the Library (JSON {"kind", "text", "imports"}).
+[[nodiscard]] bool canDrop(const QMimeData& data);
+
+/// Robots and arenas are inserted into the world, bodies and shapes into the config of the object under the cursor; a material is
+/// assigned to the shape. Objects in the world rest on the floor or on other objects, never inside them. Failures are reported
+/// through Document::refused.
+class LibraryDrop {
+public:
+    /// `shown`: the dragged object is drawn at its target pose, in all views, during the lifetime of this object.
+    LibraryDrop(ToolView& view, const QMimeData& data, bool shown);
+    ~LibraryDrop();
+
+    void hover(const QPointF& at);
+    void drop(const QPointF& at);
+
+private:
+    struct DraggedContent {
+        std::string kind, text;
+        std::vector<std::string> imports;
+    };
+    /// What is under the cursor, and the object that a drop inserts into.
+    struct Ground {
+        std::vector<RayHit> hits;
+        Vec3 point = Vec3::Zero();
+        std::string owner;    ///< for a shape or body: the robot, body or static that it is inserted into
+        Pose frame;           ///< the frame of a Pos there, in world coordinates
+        bool isRobot = false; ///< the owner belongs to a robot
+        [[nodiscard]] const RayHit* hit() const { return hits.empty() ? nullptr : &hits.front(); }
+    };
+    [[nodiscard]] static std::optional<DraggedContent> draggedContentOf(const QMimeData& data);
+    [[nodiscard]] Ground groundAt(const QPointF& at) const;
+    /// Sets the owner and frame for a dragged shape or body; false if there is none.
+    [[nodiscard]] bool findOwner(Ground& ground) const;
+    [[nodiscard]] Vec3 placeOn(const Ground& ground) const; ///< in world coordinates
+    [[nodiscard]] const Kind* kind() const;
+    [[nodiscard]] bool isWorldObject() const; ///< a Robot, Static, Grid or Scatter
+    void load();
+    void dropController(const Ground& ground);
+    bool dropMaterial(const Ground& ground);
+    void refuse(const QString& why);
+
+    ToolView& m_view;
+    std::optional<DraggedContent> m_content;
+    bool m_shown = false;
+    std::shared_ptr<const ExperimentSpec> m_thing; ///< the dragged object alone, at the origin; null if it has no shapes
+    std::vector<PlacementGeom> m_geoms;            ///< of m_thing
+};
+
+} // namespace trundle
