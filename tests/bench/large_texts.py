@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What texts of 64 MiB cost that are wrong from end to end, or empty: memory above that of a small text, and processor time, for `check` and the window.
+"""What texts of 64 MiB cost that are wrong from end to end, empty, or valid: memory above that of a small text, and processor time, for `check` and the window.
 
     python3 tests/bench/large_texts.py --build build/release [--mib 64] [--kinds wrong_keys,blank_lines] [--programs cli,window]
 
@@ -74,6 +74,11 @@ KINDS = {
     "letters_of_others": repeated("\u00e4\u4e2d "),
     "punctuation": repeated("=.,+-*/^"),
     "random_bytes": lambda size: __import__("random").Random(1).randbytes(size),
+    # Valid, like the comments and blank lines above.
+    "long_title": repeated("a", 'Title = "', '"\n'),
+    "long_sum": repeated("+1", "Param a = $(1", ")\n"),
+    "valid_params": numbered("Param p{} = 1\n"),
+    "valid_materials": numbered("Material m{} { ColorRGB=1,0,0 }\n"),
     "utf16": lambda size: b"\xff\xfe" + "Robot r {\n".encode("utf-16-le") * (size // 20),
 }
 
@@ -111,8 +116,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default="build/release")
     parser.add_argument("--mib", type=float, default=64)
-    parser.add_argument("--kinds", default=",".join(KINDS))
+    parser.add_argument("--kinds", default=",".join(kind for kind in KINDS if not kind.startswith("valid_")),
+                        help="those that start with valid_ only if named: of 64 MiB they take several GB")
     parser.add_argument("--programs", default="cli,window")
+    parser.add_argument("--view", default="perspective", help="of the window; text shows the text pane")
     parser.add_argument("--limit", type=float, default=120, help="seconds for each")
     options = parser.parse_args()
     programs = {}
@@ -123,7 +130,7 @@ def main():
         if "cli" in options.programs:
             programs["check"] = [os.path.join(options.build, "bin/trundle-cli"), "check", "--json", path]
         if "window" in options.programs:
-            programs["window"] = [os.path.join(options.build, "bin/trundle"), "--screenshot", picture, "--quit", path]
+            programs["window"] = [os.path.join(options.build, "bin/trundle"), "--view", options.view, "--screenshot", picture, "--quit", path]
         with open(path, "w", encoding="utf-8") as file:
             file.write("Duration = 1s\n")
         small = {name: measured(command, environment, options.limit) for name, command in programs.items()}

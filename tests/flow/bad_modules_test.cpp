@@ -265,6 +265,7 @@ void BadModulesTest::oneSignalEndsWhatLoops() {
     const Outcome run = interruptZoo(path, signal);
     QVERIFY2(run.code == 4, shown(run));
     QVERIFY2(run.err.contains(said) && run.err.contains("is not responding"), shown(run));
+    QVERIFY2(run.err.contains("did not return within 3 s of the request to end"), shown(run));
     if (rows > 0) QCOMPARE(this->rows(), rows);
     const QJsonObject json = QJsonDocument::fromJson(run.out).object();
     QVERIFY2(json["interrupted"].toBool() || rows == kRowsWhole, shown(run));
@@ -280,7 +281,7 @@ void BadModulesTest::aLongStepOfTheSolverEndsWithWordsOfItsCluster() {
     file.close();
     const Outcome run = interruptZoo(path, SIGTERM);
     QVERIFY2(run.code == 130, shown(run));
-    QVERIFY2(run.err.contains("one step of the solver at t = 0 s did not end") && run.err.contains("contacts hang together") &&
+    QVERIFY2(run.err.contains("one step of the solver at t = 0 s did not end within 3 s") && run.err.contains("contacts hang together") &&
                  run.err.contains("wall_"),
              shown(run));
     const QJsonObject json = QJsonDocument::fromJson(run.out).object();

@@ -310,6 +310,8 @@ struct Zoo : trundle::Controller, Settings {
         return true;
     }
     void update(trundle::Seconds) override {
+        constexpr unsigned kSettings = 0xffc0, kDefault = 0x1f80; // rounding, traps and denormals
+        if ((_mm_getcsr() & kSettings) != kDefault) fail("an earlier call has left its floating-point settings");
         if (++turns != at || phase != "update") return;
         if (!ofPorts()) act(action);
     }
