@@ -120,7 +120,7 @@ Status setAll(Document& document, const std::vector<FieldValue>& values, const C
             if (v.given()) resets.push_back(v.path);
             continue;
         }
-        if (v.isLong) return Error{Code::UnexpectedText, "the value is too long to be replaced here; edit it in the text"};
+        if (v.isLong) return Error{Code::EditRefused, "the value is too long to be replaced here; edit it in the text"};
         if (v.given() && wanted == v.text) continue;
         if (const auto read = readElements(wanted); !read) return read.error();
         edits.push_back({v.path, std::move(wanted)});
