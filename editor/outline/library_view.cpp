@@ -13,7 +13,8 @@
 namespace trundle {
 namespace {
 
-constexpr int kCell = 90, kCellHeight = 84, kRow = 44, kPad = 4, kIconSize = 28, kDraggedSize = 24;
+constexpr int kCell = 90, kCellHeight = 84, kRow = 44; // at the default font
+constexpr int kPad = 4, kIconSize = 28, kDraggedSize = 24;
 constexpr QSize kListPicture(72, 34);
 
 } // namespace
@@ -92,7 +93,7 @@ void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
 
 QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
     const auto* list = qobject_cast<const QListView*>(option.widget);
-    return QSize(list ? std::max(kCell, list->gridSize().width()) : kCell, asList ? kRow : kCellHeight);
+    return {std::max(scaledToFont(kCell), list ? list->gridSize().width() : 0), scaledToFont(asList ? kRow : kCellHeight)};
 }
 
 LibraryList::LibraryList(QWidget* parent) : QListView(parent), m_delegate(new LibraryDelegate(this)) {
@@ -121,17 +122,23 @@ void LibraryList::setAsList(bool list) {
 }
 
 void LibraryList::fit() {
-    const int count = model() ? model()->rowCount() : 0,
-              room = std::max(viewport()->width() - 1, kCell); // less one: at the exact width the last column would not fit
-    const int columns = m_delegate->asList ? 1 : std::max(1, room / kCell);
-    setGridSize(m_delegate->asList ? QSize(room, kRow) : QSize(room / columns, kCellHeight));
-    setFixedHeight((count + columns - 1) / columns * (m_delegate->asList ? kRow : kCellHeight) + 2);
+    const int count = model() ? model()->rowCount() : 0, cell = scaledToFont(kCell);
+    const int room = std::max(viewport()->width() - 1, cell); // less one: at the exact width the last column would not fit
+    const int columns = m_delegate->asList ? 1 : std::max(1, room / cell);
+    const int height = scaledToFont(m_delegate->asList ? kRow : kCellHeight);
+    setGridSize(QSize(room / columns, height));
+    setFixedHeight((count + columns - 1) / columns * height + 2);
     doItemsLayout(); // now: the delayed layout would use the old width
 }
 
 void LibraryList::resizeEvent(QResizeEvent* event) {
     QListView::resizeEvent(event);
     if (event->size().width() != event->oldSize().width()) fit();
+}
+
+void LibraryList::changeEvent(QEvent* event) {
+    QListView::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fit();
 }
 
 void LibraryList::keyPressEvent(QKeyEvent* event) {

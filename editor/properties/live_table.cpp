@@ -19,7 +19,6 @@ namespace {
 enum LiveColumn { kName, kNow, kUnit, kLiveColumns };
 constexpr int kNumberWidth = 8;   // "-123.456"; longer numbers are rare
 constexpr int kSingleWidth = 14;
-constexpr int kFigurePixels = 11; // pixels, the font size of numbers: three of them leave room for a name
 
 /// Pads the numbers of a line so that they stay in the same columns at every tick.
 QString inColumns(const LiveValue& value) {
@@ -173,13 +172,12 @@ std::vector<bool> LiveTable::stacking() const {
 }
 
 void LiveTable::style() {
-    QFont figures = monospaceFont();
-    figures.setPixelSize(kFigurePixels);
+    const QFont figures = figuresFont();
     // Wide enough for all possible values, not only the current ones.
     std::size_t most = 1;
     for (const Line& line : m_lines) most = std::max(most, std::min<std::size_t>(line.numbers, 3));
-    const int digit = QFontMetrics(figures).horizontalAdvance(u'0');
-    m_table->header()->resizeSection(kNow, digit * (most > 1 ? kNumberWidth * int(most) : kSingleWidth) + 14);
+    const QString widest(most > 1 ? kNumberWidth * int(most) : kSingleWidth, u'0'); // its digits may be fractions of pixels wide
+    m_table->header()->resizeSection(kNow, QFontMetrics(figures).horizontalAdvance(widest) + 14);
     m_table->header()->resizeSection(kUnit, fontMetrics().horizontalAdvance(QStringLiteral("mN m")) + 12);
     for (const Row& row : m_rows) {
         row.value->setFont(kNow, figures);

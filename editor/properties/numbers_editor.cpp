@@ -62,6 +62,7 @@ void NumbersEditor::addFields(std::size_t count) {
         label->setText(axes.value(static_cast<int>(i)));
         label->setObjectName(QStringLiteral("axis%1").arg(i));
         label->setBuddy(field);
+        label->setForegroundRole(QPalette::PlaceholderText); // a palette of its own would not follow the theme
         m_labels.push_back(label);
         connect(label, &ScrubLabel::dragged, this, [this, i](double steps) { scrubField(i, steps); });
         connect(label, &ScrubLabel::ended, this, &RowEditor::scrubEnded);
@@ -133,9 +134,6 @@ void NumbersEditor::showField(std::size_t i) {
     if (!mixed && text.isEmpty()) field.setPlaceholderText(one ? tr("not set") : QStringLiteral("–"));
     if (m_labels.empty()) return;
     m_labels[i]->setScrubbing(Scrub::of(v.element(i), m_row.property()).has_value());
-    QPalette faint;
-    faint.setColor(QPalette::WindowText, ink(Ink::Faint));
-    m_labels[i]->setPalette(faint);
 }
 
 void NumbersEditor::enter(std::size_t i, const QString& typed) {

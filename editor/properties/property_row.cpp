@@ -56,9 +56,7 @@ PropertyRow::PropertyRow(const Row& row, EditorKind kind, QWidget* parent)
     m_mark->setObjectName(QStringLiteral("mark"));
     m_now->setObjectName(QStringLiteral("now"));
     m_now->setTextFormat(Qt::PlainText);
-    QFont figures = monospaceFont();
-    figures.setPixelSize(11);
-    m_now->setFont(figures);
+    useFont(*m_now, [] { return figuresFont(); });
     m_now->setAlignment(Qt::AlignRight);
     m_now->setForegroundRole(QPalette::PlaceholderText);
     m_now->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // never wider than the row

@@ -11,6 +11,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "editor/widgets/controls.h"
+
 namespace trundle {
 namespace {
 
@@ -39,7 +41,7 @@ int chooseController(const std::vector<ControllerChoice>& choices, const std::ve
     QDialog dialog(parent);
     dialog.setObjectName(QStringLiteral("chooseController"));
     dialog.setWindowTitle(tr("Assign Controller"));
-    dialog.resize(980, 400);
+    resizeToFont(dialog, {980, 400});
     auto* column = new QVBoxLayout(&dialog);
     const QString who = robots.size() == 1 ? QString::fromStdString(robots[0]) : tr("%1 robots").arg(robots.size());
     column->addWidget(new QLabel(tr("Controller of %1:").arg(who)));

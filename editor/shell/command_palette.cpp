@@ -5,6 +5,7 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include "editor/widgets/controls.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -69,7 +70,7 @@ CommandPalette::CommandPalette(const Actions& actions, std::vector<Command> more
     layout->addWidget(m_list);
     // A popup has no frame of its own.
     setStyleSheet(QStringLiteral("#commandPalette { border: 1px solid %1; }").arg(ink(Ink::Faint).name()));
-    resize(560, 380);
+    resizeToFont(*this, {560, 380});
     if (parent) move(parent->mapToGlobal(QPoint((parent->width() - width()) / 2, 70)));
     connect(m_search, &QLineEdit::textChanged, this, &CommandPalette::fill);
     connect(m_list, &QListWidget::itemClicked, this, &CommandPalette::trigger);

@@ -288,7 +288,8 @@ void MainWindow::showAbout() {
     about.setObjectName(QStringLiteral("about"));
     about.setWindowTitle(tr("About Trundle"));
     about.setTextFormat(Qt::RichText);
-    about.setText(tr("<p style='font-size:18px; font-weight:600'>Trundle %1</p>").arg(QApplication::applicationVersion()));
+    about.setText(tr("<p style='font-size:%1px; font-weight:600'>Trundle %2</p>")
+                      .arg(QString::number(scaledToFont(18)), QApplication::applicationVersion()));
     setHtmlInformation(
         about,
         tr("<p>Describe robots, run them in 3D, measure, repeat.</p>"

@@ -18,6 +18,8 @@
 #include <QVBoxLayout>
 
 #include "editor/viewport/tools/navigation_style.h"
+#include "editor/widgets/controls.h"
+#include "editor/widgets/theme.h"
 
 namespace trundle {
 namespace {
@@ -39,7 +41,7 @@ QString nameOf(const ActionRow& row) {
 PreferencesDialog::PreferencesDialog(Actions& actions, QWidget* parent) : QDialog(parent), m_actions(actions) {
     setObjectName(QStringLiteral("preferences"));
     setWindowTitle(tr("Preferences"));
-    resize(620, 520);
+    resizeToFont(*this, {620, 520});
     auto* tabs = new QTabWidget;
     tabs->addTab(makeGeneral(), tr("General"));
     tabs->addTab(makeShortcuts(), tr("Shortcuts"));
@@ -113,7 +115,7 @@ QWidget* PreferencesDialog::makeShortcuts() {
     m_shortcuts->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     auto* keys = new QKeySequenceEdit;
     keys->setObjectName(QStringLiteral("keys"));
-    keys->setMinimumHeight(26);
+    keys->setMinimumHeight(scaledToFont(26));
     auto* set = new QPushButton(tr("Set"));
     set->setObjectName(QStringLiteral("setKeys"));
     auto* reset = new QPushButton(tr("Default"));

@@ -14,6 +14,7 @@
 
 #include "editor/shell/line_diff.h"
 #include "editor/widgets/plain_text.h"
+#include "editor/widgets/controls.h"
 #include "editor/widgets/theme.h"
 
 namespace trundle {
@@ -31,11 +32,11 @@ RecoveryDialog::RecoveryDialog(Document& document, std::vector<Recovery> found, 
     : QDialog(parent), m_document(document), m_found(std::move(found)), m_confirmClose(std::move(confirmClose)) {
     setObjectName(QStringLiteral("recovery"));
     setWindowTitle(tr("Unsaved work was found"));
-    resize(760, 480);
+    resizeToFont(*this, {760, 480});
     auto* text = new QLabel(tr("Trundle closed unexpectedly. These edits were not saved; their changes are shown below."));
     text->setWordWrap(true);
     m_list->setObjectName(QStringLiteral("recoveries"));
-    m_list->setMaximumHeight(110);
+    m_list->setMaximumHeight(scaledToFont(110));
     m_preview->setObjectName(QStringLiteral("recoveryPreview"));
     m_preview->setOpenLinks(false);
     useMonospaceFont(*m_preview);

@@ -21,6 +21,7 @@ StatusLine::StatusLine(QStatusBar& bar, Document& document)
     : QObject(&bar), m_bar(bar), m_document(document), m_file(new QLabel), m_saved(new QLabel), m_problems(new QLabel),
       m_logs(new QLabel), m_run(new QLabel) {
     m_bar.setSizeGripEnabled(false);
+    m_bar.installEventFilter(this);
     m_file->setObjectName(QStringLiteral("status.file"));
     m_saved->setObjectName(QStringLiteral("status.saved"));
     m_problems->setObjectName(QStringLiteral("status.problems"));
@@ -53,6 +54,11 @@ void StatusLine::refuse(const QString& reason) {
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_bar && event->type() == QEvent::StyleChange) { // the texts contain colours of the theme
+        refresh();
+        showLogs();
+        showProblems();
+    }
     if (watched == m_problems && event->type() == QEvent::MouseButtonRelease) Q_EMIT problemsRequested();
     if (watched == m_logs && event->type() == QEvent::MouseButtonRelease) Q_EMIT logsRequested();
     return QObject::eventFilter(watched, event);
@@ -73,16 +79,27 @@ void StatusLine::refresh() {
 }
 
 void StatusLine::setLogs(const QString& folder) {
-    const QString shown = QString::fromStdString(m_document.shown(folder.toStdString()));
-    m_logs->setText(folder.isEmpty() ? QString() : painted(tr("logs in %1").arg(shown.toHtmlEscaped()), Ink::Accent));
-    m_logs->setToolTip(folder.isEmpty() ? QString() : tr("Open %1").arg(folder));
+    m_logFolder = folder;
+    showLogs();
+}
+
+void StatusLine::showLogs() {
+    const QString shown = QString::fromStdString(m_document.shown(m_logFolder.toStdString()));
+    m_logs->setText(m_logFolder.isEmpty() ? QString() : painted(tr("logs in %1").arg(shown), Ink::Accent));
+    m_logs->setToolTip(m_logFolder.isEmpty() ? QString() : tr("Open %1").arg(m_logFolder));
 }
 
 void StatusLine::setProblems(int errors, int warnings) {
-    const int count = errors + warnings;
+    m_errors = errors;
+    m_warnings = warnings;
+    showProblems();
+}
+
+void StatusLine::showProblems() {
+    const int count = m_errors + m_warnings;
     m_problems->setText(
         count == 0 ? painted(tr("no problems"), Ink::Faint)
-                   : painted(count == 1 ? tr("1 problem") : tr("%1 problems").arg(count), errors ? Ink::Error : Ink::Warning));
+                   : painted(count == 1 ? tr("1 problem") : tr("%1 problems").arg(count), m_errors ? Ink::Error : Ink::Warning));
 }
 
 } // namespace trundle

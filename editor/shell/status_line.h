@@ -29,11 +29,14 @@ protected:
 
 private:
     void refresh();
+    void showLogs();
+    void showProblems();
 
     QStatusBar& m_bar;
     Document& m_document;
     QLabel *m_file, *m_saved, *m_problems, *m_logs, *m_run;
-    QString m_refused;
+    QString m_refused, m_logFolder;
+    int m_errors = 0, m_warnings = 0;
 };
 
 } // namespace trundle

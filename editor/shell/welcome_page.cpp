@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QKeyEvent>
@@ -85,10 +86,12 @@ private:
 
 QLabel* heading(const QString& text, int size) {
     auto* label = new QLabel(text);
-    QFont font = label->font();
-    font.setPixelSize(size);
-    font.setWeight(QFont::DemiBold);
-    label->setFont(font);
+    useFont(*label, [size] {
+        QFont font = QApplication::font();
+        font.setPixelSize(scaledToFont(size));
+        font.setWeight(QFont::DemiBold);
+        return font;
+    });
     return label;
 }
 
@@ -110,8 +113,7 @@ QPushButton* linkButton(const QString& text, const QIcon& icon = {}) {
     button->setCursor(Qt::PointingHandCursor);
     button->setStyleSheet(
         QStringLiteral("QPushButton { text-align: left; border: none; background: transparent; padding: 4px 2px; }"
-                       "QPushButton:hover, QPushButton:focus { color: %1; }")
-            .arg(ink(Ink::Accent).name()));
+                       "QPushButton:hover, QPushButton:focus { color: palette(link); }"));
     return button;
 }
 

@@ -15,7 +15,7 @@
 namespace trundle {
 namespace {
 
-constexpr int kMaxRows = 10, kWidest = 620, kHelpMargin = 6, kMaxHelpLines = 4;
+constexpr int kMaxRows = 10, kWidest = 620, kHelpMargin = 6, kMaxHelpLines = 4, kBadge = 16;
 
 /// A letter in a coloured square for the sort of a completion.
 QPixmap badge(CompletionSort sort, qreal scale, bool selected) {
@@ -36,7 +36,7 @@ QPixmap badge(CompletionSort sort, qreal scale, bool selected) {
         }
         return {' ', Ink::Text};
     }();
-    constexpr int size = 16;
+    const int size = scaledToFont(kBadge);
     QPixmap pixmap(QSize(size, size) * scale);
     pixmap.setDevicePixelRatio(scale);
     pixmap.fill(Qt::transparent);
@@ -49,7 +49,7 @@ QPixmap badge(CompletionSort sort, qreal scale, bool selected) {
     painter.setBrush(fill);
     painter.drawRoundedRect(QRectF(0.5, 0.5, size - 1, size - 1), 3, 3);
     QFont font = monospaceFont();
-    font.setPixelSize(11);
+    font.setPixelSize(scaledToFont(11));
     font.setBold(true);
     painter.setFont(font);
     painter.setPen(letter);
@@ -72,7 +72,6 @@ CompletionPopup::CompletionPopup(QWidget* owner)
     m_list->setHeaderHidden(true);
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
-    m_list->setIconSize({16, 16});
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->header()->setStretchLastSection(true);
     m_list->header()->setSectionResizeMode(0, QHeaderView::Fixed);
@@ -93,6 +92,8 @@ CompletionPopup::CompletionPopup(QWidget* owner)
 }
 
 void CompletionPopup::showItems(const std::vector<const Completion*>& items, const QPoint& place, int lineHeight) {
+    const int badgeSize = scaledToFont(kBadge);
+    m_list->setIconSize({badgeSize, badgeSize});
     m_list->clear();
     m_helps.clear();
     QList<QTreeWidgetItem*> rows;

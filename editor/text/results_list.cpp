@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -11,6 +12,21 @@
 #include "editor/widgets/theme.h"
 
 namespace trundle {
+namespace {
+
+/// Keeps the beginning of a path and the line number.
+class PlaceDelegate final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->textElideMode = Qt::ElideMiddle;
+    }
+};
+
+} // namespace
 
 ResultsList::ResultsList(const QString& name, QWidget* parent)
     : QWidget(parent), m_title(new QLabel(this)), m_list(new QTreeWidget(this)) {
@@ -25,7 +41,9 @@ ResultsList::ResultsList(const QString& name, QWidget* parent)
     m_list->setUniformRowHeights(true);
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setAllColumnsShowFocus(true);
-    m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_list->setItemDelegateForColumn(0, new PlaceDelegate(m_list));
+    m_list->header()->setSectionResizeMode(QHeaderView::Fixed);
+    m_list->viewport()->installEventFilter(this);
     auto* shut = new QToolButton(this);
     shut->setObjectName(name + QStringLiteral("Close"));
     shut->setIcon(themedIcon(QStringLiteral("close")));
@@ -61,7 +79,7 @@ void ResultsList::showRows(const QString& title, std::vector<Row> rows) {
             {QString::fromStdString(row.shown) + QLatin1Char(':') + QString::number(row.line), QString::fromStdString(text)});
         item->setForeground(0, ink(Ink::Faint));
         item->setFont(1, monospaceFont());
-        if (row.given) item->setToolTip(0, tr("Defined here"));
+        item->setToolTip(0, row.given ? tr("%1, defined here").arg(item->text(0)) : item->text(0));
         QFont font = m_list->font();
         font.setWeight(row.given ? QFont::DemiBold : QFont::Normal);
         item->setFont(0, font);
@@ -69,6 +87,18 @@ void ResultsList::showRows(const QString& title, std::vector<Row> rows) {
     }
     m_list->setCurrentItem(m_list->topLevelItem(0));
     show();
+    fitColumns();
+}
+
+/// The texts get at least half of the width; longer places are elided in the middle.
+void ResultsList::fitColumns() {
+    const QAbstractItemView& list = *m_list; // public there
+    m_list->setColumnWidth(0, std::min(list.sizeHintForColumn(0) + 4, m_list->viewport()->width() / 2));
+}
+
+bool ResultsList::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) fitColumns();
+    return QWidget::eventFilter(watched, event);
 }
 
 QSize ResultsList::sizeHint() const { return {QWidget::sizeHint().width(), 170}; }

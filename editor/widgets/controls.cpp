@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QFontMetrics>
 #include <QHeaderView>
+#include <QScreen>
 
 #include "editor/widgets/theme.h"
 
@@ -57,6 +58,11 @@ QComboBox* makeNarrowChoice(const char* name, const QString& tip, int characters
     made->setMinimumContentsLength(characters);
     made->setMaxVisibleItems(24);
     return made;
+}
+
+void resizeToFont(QWidget& dialog, const QSize& atDefault) {
+    const QSize room = dialog.screen()->availableSize() - QSize(scaledToFont(24), scaledToFont(48)); // with the frame of the window
+    dialog.resize(QSize(scaledToFont(atDefault.width()), scaledToFont(atDefault.height())).boundedTo(room));
 }
 
 } // namespace trundle

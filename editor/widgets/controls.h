@@ -14,4 +14,7 @@ enum class LineFont { Interface, Monospace };
 /// A combo box whose width does not depend on its entries. `tip` is also its accessible name.
 [[nodiscard]] QComboBox* makeNarrowChoice(const char* name, const QString& tip, int characters, QWidget* parent);
 
+/// Resizes a dialog to a size made for the default font, larger with a larger font, and never beyond its screen.
+void resizeToFont(QWidget& dialog, const QSize& atDefault);
+
 } // namespace trundle

@@ -58,7 +58,7 @@ static const char* const kSheet =
     "QTableView::item { border: none; padding: 0 6px; }"
     "QListView#historyList { background: @base; padding: 4px 6px; }"
     "QHeaderView::section { background: @window; border: none; border-bottom: 1px solid @line; padding: 4px 3px; color: @faint; }"
-    "QTableView QHeaderView::section { padding: 4px 6px; }"
+    "QTableView QHeaderView::section { padding: 4px 9px; }" // an item's text starts 3 px after its padding
     "QLineEdit, QComboBox, QAbstractSpinBox { background: @base; border: 1px solid @line; border-radius: 4px; padding: 2px 5px; "
     "min-height: 18px; selection-background-color: @accent; }"
     "QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border-color: @accent; }"

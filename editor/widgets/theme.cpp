@@ -153,27 +153,38 @@ QFont monospaceFont() {
     return font;
 }
 
+int scaledToFont(int atDefault) { return qRound(double(atDefault) * g_sizes.interface / FontSizes().interface); }
+
+QFont figuresFont(int atDefault) {
+    QFont font = monospaceFont();
+    font.setPixelSize(scaledToFont(atDefault));
+    return font;
+}
+
 namespace {
 
 /// Sets the widget's font again whenever a theme is applied.
-class MonospaceFollower final : public QObject {
+class FontFollower final : public QObject {
 public:
-    using QObject::QObject;
+    FontFollower(QWidget& widget, std::function<QFont()> font) : QObject(&widget), m_font(std::move(font)) {
+        widget.installEventFilter(this);
+        widget.setFont(m_font());
+    }
 
 private:
     bool eventFilter(QObject* watched, QEvent* event) override {
         auto& widget = *static_cast<QWidget*>(watched);
-        if (event->type() == QEvent::StyleChange && widget.font() != monospaceFont()) widget.setFont(monospaceFont());
+        if (event->type() == QEvent::StyleChange && widget.font() != m_font()) widget.setFont(m_font());
         return false;
     }
+
+    std::function<QFont()> m_font;
 };
 
 } // namespace
 
-void useMonospaceFont(QWidget& widget) {
-    widget.installEventFilter(new MonospaceFollower(&widget));
-    widget.setFont(monospaceFont());
-}
+void useFont(QWidget& widget, std::function<QFont()> font) { new FontFollower(widget, std::move(font)); }
+void useMonospaceFont(QWidget& widget) { useFont(widget, monospaceFont); }
 
 namespace {
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include <QColor>
 #include <QFont>
 #include <QIcon>
@@ -44,8 +46,14 @@ void applyTheme(QApplication& application, ThemeKind kind, const FontSizes& size
 /// The desktop's preference when the program started: dark if its windows are. Call it before the first applyTheme().
 [[nodiscard]] ThemeKind systemTheme();
 [[nodiscard]] QFont monospaceFont();
-/// Gives the widget the fixed-pitch font in the current theme's size, also after later theme changes.
-void useMonospaceFont(QWidget& widget);
+/// Gives the widget a font that depends on the theme, and again after each theme change.
+void useFont(QWidget& widget, std::function<QFont()> font);
+void useMonospaceFont(QWidget& widget); ///< useFont() with monospaceFont()
+/// A length that is `atDefault` pixels at the default interface font, for the current interface font. Sizes of small text and of
+/// what surrounds text are scaled by this, so that they follow the font that the user has chosen.
+[[nodiscard]] int scaledToFont(int atDefault);
+/// Fixed-pitch font for numbers in narrow places; smaller than the interface font, and grows with it.
+[[nodiscard]] QFont figuresFont(int atDefault = 11);
 [[nodiscard]] QColor ink(Ink which);
 /// An icon of resources/icons in the theme's text colour, sharp at any scale. Empty if there is no such file.
 [[nodiscard]] QIcon themedIcon(const QString& name);

@@ -156,7 +156,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("pressed");
         QTest::addColumn<bool>("dark");
         QTest::addColumn<int>("font");
-        for (const auto& [dark, font] : {std::pair(false, 13), std::pair(true, 17)})
+        for (const auto& [dark, font] : {std::pair(false, 13), std::pair(false, 17), std::pair(true, 17), std::pair(true, 13)})
             for (const Question& q : kQuestions)
                 QTest::addRow("%s %s %d px", q.name, dark ? "dark" : "light", font) << q.name << q.pressedByEnter << dark << font;
     }
@@ -190,6 +190,20 @@ private Q_SLOTS:
         });
         QCOMPARE(byEnter, pressed);
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QStringLiteral("; "))));
+    }
+
+    void theShareQuestionFitsWithLongNames() {
+        for (const int font : {13, kLargestInterfaceFont}) {
+            useTheme(ThemeKind::Light, font);
+            QWidget window;
+            const QString name = QStringLiteral("MediumArenaWithFourHighWallsAndThreeRampsForTheSecondExperiment");
+            askAboutSharedConfig(&window, {name, QStringLiteral("a.sim"), QStringLiteral("b.sim"), {}, {name}, 12}, [](ShareChoice) {});
+            auto* question = window.findChild<QDialog*>(QStringLiteral("shareQuestion"));
+            QVERIFY(question);
+            const QSize least = question->sizeHint();
+            QVERIFY2(least.width() <= 800, qPrintable(QString::number(least.width())));
+            QVERIFY2(cutOff(*question).isEmpty(), qPrintable(cutOff(*question).join(QStringLiteral("; "))));
+        }
     }
 
     /// The views change size with each font, so images of many sizes are drawn.

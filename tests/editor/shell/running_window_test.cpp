@@ -46,6 +46,36 @@ private Q_SLOTS:
     }
     void cleanup() { m_window.reset(); }
 
+    /// Colours that are part of a text or a style sheet follow the theme too.
+    void noTextKeepsTheColoursOfTheOtherTheme() {
+        const auto inks = [] {
+            QStringList names;
+            for (const Ink which : {Ink::Faint, Ink::Accent, Ink::Error, Ink::Warning, Ink::Hint, Ink::Good}) names << ink(which).name();
+            return names;
+        };
+        applyTheme(*qApp, ThemeKind::Light);
+        const QStringList light = inks();
+        m_window->actions().at("sim.step").trigger(); // there is a link to its logs
+        QVERIFY(m_window->document().setValues(QStringLiteral("Move"), {{"robot0.Pos", "0.5,0,0"}}).ok());
+        EVENTUALLY(m_window->session().state() == RunState::Paused);
+        m_window->selection().select("robot0");
+        QApplication::processEvents();
+        applyTheme(*qApp, ThemeKind::Dark);
+        QApplication::processEvents();
+        QStringList stale;
+        for (const auto* widget : m_window->findChildren<QWidget*>()) {
+            if (!widget->isVisible()) continue;
+            const auto* label = qobject_cast<const QLabel*>(widget);
+            for (const QString& text : {label ? label->text() : QString(), widget->styleSheet()})
+                if (std::ranges::any_of(light, [&](const QString& name) { return text.contains(name); }))
+                    stale << widget->objectName() + u' ' + text;
+            if (label && light.contains(label->palette().color(QPalette::WindowText).name()))
+                stale << label->objectName() + u' ' + label->text();
+        }
+        applyTheme(*qApp, ThemeKind::Light);
+        QVERIFY2(stale.isEmpty(), qPrintable(stale.join(QStringLiteral("; "))));
+    }
+
     void raisesProblemsForBrokenFile() {
         const auto* problems = m_window->findChild<QDockWidget*>(QStringLiteral("dock.problems"));
         auto* console = m_window->findChild<QDockWidget*>(QStringLiteral("dock.console"));

@@ -4,14 +4,18 @@
 
 #include <QApplication>
 #include <QImage>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPainter>
 #include <QPushButton>
 #include <QSettings>
+#include <QStandardItemModel>
+#include <QTableView>
 #include <QtTest>
 
+#include "editor/widgets/controls.h"
 #include "editor/widgets/preferences.h"
 #include "editor/widgets/theme.h"
 
@@ -73,6 +77,47 @@ private Q_SLOTS:
             const QColor middle = drawn.pixelColor(drawn.width() * 2 / 5, drawn.height() / 2);
             QCOMPARE(middle.alpha(), 255);
             QCOMPARE(middle.rgb(), ink(Ink::Text).rgb());
+        }
+    }
+
+    /// Texts smaller or larger than the interface font keep their proportion to it, also if the font changes later.
+    void smallAndLargeTextsFollowTheFont() {
+        applyTheme(*qApp, ThemeKind::Light, {13, 13});
+        QLabel figures;
+        useFont(figures, [] { return figuresFont(); });
+        figures.show();
+        QCOMPARE(figures.font().pixelSize(), 11);
+        QCOMPARE(scaledToFont(24), 24);
+        for (const int size : {17, kLargestInterfaceFont, kSmallestFont}) {
+            applyTheme(*qApp, ThemeKind::Light, {size, 13});
+            QApplication::processEvents();
+            QCOMPARE(figures.font().pixelSize(), qRound(11 * size / 13.0));
+            QCOMPARE(figures.font().family(), monospaceFont().family());
+            QCOMPARE(scaledToFont(26), 2 * size);
+        }
+        applyTheme(*qApp, ThemeKind::Light);
+    }
+
+    void cellsOfATableStandBelowTheirHeading() {
+        applyTheme(*qApp, ThemeKind::Light);
+        for (const LineFont font : {LineFont::Interface, LineFont::Monospace}) {
+            QStandardItemModel model;
+            model.setHorizontalHeaderLabels({QStringLiteral("H")});
+            model.appendRow(new QStandardItem(QStringLiteral("H")));
+            const std::unique_ptr<QTableView> table(makeLineTable("table", &model, font));
+            table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+            table->resize(200, 100);
+            table->show();
+            const auto firstInk = [](QWidget& widget, int height) {
+                const QImage image = widget.grab().toImage();
+                for (int x = 0; x < image.width(); ++x)
+                    for (int y = 2; y < height - 2; ++y)
+                        if (image.pixelColor(x, y).lightness() < 150) return x;
+                return -1;
+            };
+            const int heading = firstInk(*table->horizontalHeader()->viewport(), table->horizontalHeader()->height());
+            const int cell = firstInk(*table->viewport(), table->rowHeight(0));
+            QVERIFY2(heading > 0 && std::abs(heading - cell) <= 1, qPrintable(QStringLiteral("%1 %2").arg(heading).arg(cell)));
         }
     }
 
