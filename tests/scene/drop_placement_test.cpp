@@ -199,6 +199,28 @@ private Q_SLOTS:
         QVERIFY(std::abs(below.z()) < 1e-5);
     }
 
+    /// Beside an obstacle Pos is in whole millimetres, as near to it as those allow.
+    void besideAnObstaclePosIsRound() {
+        const auto experiment = room();
+        const ObjectIndex objects(experiment);
+        const DropPlacement placement(objects, {}, [](const ObjectRef&) { return true; });
+        const std::vector<PlacementGeom> crate = things()[0].geoms;
+        std::mt19937 random(3);
+        const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+        int beside = 0;
+        for (int i = 0; i < 40; ++i) {
+            const Vec3 from(any(-3, 3), any(-4, 2), any(0.3, 1)), to(any(-1.5, 1.5), any(-1, 1), any(0, 0.4));
+            const auto hits = castRay(objects, {}, {from, (to - from).normalized()});
+            if (hits.empty() || hits.front().normal.z() > 0.5) continue;
+            const Vec3 exact = placement.placeFor(crate, hits, to, 0), at = placement.placeFor(crate, hits, to, 0.05);
+            if (exact.z() > 1e-4 || at.z() > 1e-4) continue; // on a slope the height follows from x and y
+            ++beside;
+            for (int k = 0; k < 2; ++k) QVERIFY2(std::abs(at[k] * 1000 - std::round(at[k] * 1000)) < 1e-6, qPrintable(QString::number(at[k], 'g', 12)));
+            QVERIFY(placement.isFree(crate, at));
+        }
+        QVERIFY2(beside > 3, qPrintable(QString::number(beside)));
+    }
+
     /// Walls and beams dropped across others: each is supported under its middle, or is on the floor.
     void nothingHangsInTheAir() {
         const auto experiment = room();

@@ -21,6 +21,7 @@ constexpr double kTipMargin = 0.01; // m; the centre of a supported object is at
 constexpr double kSteep = 0.5;    // z of a unit normal; objects do not rest on steeper faces
 constexpr double kDepth = 2e-6;   // m; smaller penetration is ignored
 constexpr double kGap = 2e-6;     // m, between touching objects; above the rounding of numbers in the text
+constexpr double kRound = 1e-3;   // m; Pos is a multiple of it where that is possible
 constexpr int kSteps = 40, kWays = 16;
 constexpr double kFarthest = 100; // m, of the search for a free place
 constexpr double kDigit = 1e-6; // m, resolution of Pos
@@ -164,6 +165,31 @@ void DropPlacement::settle(MovedPieces& thing, const ObjectRef* ground, bool sta
     }
 }
 
+/// Rounds x and y of Pos, to the nearest values at which the object is neither inside something nor loses its support.
+void DropPlacement::roundOff(MovedPieces& thing, double step) const {
+    const double grid = std::min(step, kRound);
+    if (!(grid > 0)) return;
+    std::vector<Vec3> ways;
+    for (const bool upX : {false, true})
+        for (const bool upY : {false, true}) {
+            const auto neighbour = [&](double value, bool up) {
+                const double near = rounded(value, grid);
+                const double other = near + (near > value ? -grid : grid);
+                return (near > value) == up ? near : other;
+            };
+            ways.emplace_back(neighbour(thing.pos.x(), upX) - thing.pos.x(), neighbour(thing.pos.y(), upY) - thing.pos.y(), 0);
+        }
+    std::ranges::sort(ways, {}, [](const Vec3& way) { return way.norm(); });
+    const bool supported = isSupported(thing);
+    for (const Vec3& way : ways) {
+        MovedPieces moved = thing;
+        moved.move(way);
+        if (!obstaclesOf(moved, nullptr).empty() || (supported && !isSupported(moved))) continue;
+        thing = std::move(moved);
+        return;
+    }
+}
+
 /// No pieces if the object is itself ground or has no usable shape. If none of its geoms collides, the visible ones are used.
 DropPlacement::MovedPieces DropPlacement::movedOf(const std::vector<PlacementGeom>& thing) {
     const auto isGround = [](const PlacementGeom& part) {
@@ -224,6 +250,7 @@ Vec3 DropPlacement::placeFor(const std::vector<PlacementGeom>& thing, const std:
         settle(beside, nullptr, true);
         if (isSupported(beside)) moved = std::move(beside);
     }
+    roundOff(moved, step);
     moved.pos.z() = roundedUp(moved.pos.z());
     return moved.pos;
 }

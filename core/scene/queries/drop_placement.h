@@ -25,7 +25,7 @@ public:
     /// The Pos of an object dropped along a ray. On a face that points upwards it is at the hit point; at a steeper face it
     /// stands on the ground and touches the face. If nothing below the centre of its base would support it, it is placed on the
     /// ground beside. `hits`: along the ray, nearest first; `otherwise`: the position if there are none. x and y are multiples of
-    /// `step` (m) unless an obstacle prevents it.
+    /// `step` (m); beside an obstacle, which prevents that, they are whole millimetres.
     [[nodiscard]] Vec3 placeFor(const std::vector<PlacementGeom>& thing, const std::vector<RayHit>& hits, const Vec3& otherwise,
                                 double step) const;
     /// The Pos of an object placed against the face that the ray hit, in whatever direction that faces, touching the geom of that
@@ -51,6 +51,7 @@ private:
     [[nodiscard]] std::vector<RayHit> floorsAt(const Vec3& point) const;
     [[nodiscard]] std::optional<Vec3> standingAt(const MovedPieces& thing, const Vec3& at) const;
     void pushOut(MovedPieces& thing, const ObjectRef& from, const Vec3& direction) const;
+    void roundOff(MovedPieces& thing, double step) const;
     void settle(MovedPieces& thing, const ObjectRef* ground, bool staysLevel = false) const;
     [[nodiscard]] std::optional<RayHit> solidBelow(const Vec3& point) const;
     [[nodiscard]] bool isSupported(const MovedPieces& thing) const;
